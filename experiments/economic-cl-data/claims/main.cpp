@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The percentages in the text of Kim & Choi, as means over the tables: of the printed
+// cells, and of those of the fitted nets.
+//
+//   economic-cl-data-claims OUTPUT_FOLDER
+//
+// Deterministic, under 1 s. Columns and verdicts: README.md beside this.
+
+#include "support/experiment.h"
+#include "support/stated_savings.h"
+
+using namespace endmill;
+
+int main(int argc, char** argv)
+{
+    return run_experiment(argc, argv, "economic-cl-data/claims", [](Experiment& run) {
+        CsvTable result{{"row", "ncl_v_against_u_percent", "tcd_v_against_u_percent",
+                         "ncl_v_against_u_finest_percent", "v_d10_d20_percent",
+                         "larger_is_better"}};
+        for (const auto& [name, tables] : print_and_nets(run.texts("surfaces"))) {
+            const StatedSavings savings = stated_savings(tables);
+            result.add_row({name, 100 * savings.points_between_directions,
+                            100 * savings.travel_between_directions,
+                            100 * savings.points_at_finest_tolerance,
+                            100 * savings.by_diameter_along_v,
+                            savings.larger_is_better ? "yes" : "no"});
+        }
+        run.write_result(result);
+    });
+}

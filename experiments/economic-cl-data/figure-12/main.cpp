@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figure 12 of Kim & Choi: the contacts of the path along u joined in cutting order, on a
+// net fitted to the tables; and the figure's caption beside the tables.
+//
+//   economic-cl-data-figure-12 OUTPUT_FOLDER
+//
+// Deterministic, under 1 s. Columns and verdicts: README.md beside this.
+
+#include "support/tool_path_figure.h"
+
+int main(int argc, char** argv)
+{
+    return endmill::run_experiment(
+        argc, argv, "economic-cl-data/figure-12",
+        [](endmill::Experiment& run) { draw_tool_path(run, endmill::Parameter::U); });
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Table 2 of Kim & Choi: total cutter travel along u and v for three tolerances and
+// three balls, as printed and on nets fitted to it.
+//
+//   economic-cl-data-table-2 OUTPUT_FOLDER
+//
+// Deterministic, under 1 s. Columns and verdicts: README.md beside this.
+
+#include "support/economy_tables.h"
+#include "support/experiment.h"
+
+using namespace endmill;
+
+int main(int argc, char** argv)
+{
+    return run_experiment(argc, argv, "economic-cl-data/table-2", [](Experiment& run) {
+        TablePolicies policies;
+        policies.scallop_per_tolerance = run.number("scallop_per_tolerance");
+        const auto tables = print_and_nets(run.texts("surfaces"), policies);
+        run.write_result(economy_csv(tables, TableQuantity::Tcd));
+    });
+}

@@ -1,0 +1,39 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fails if clang-format would change a C++ file under src, experiments or tests."""
+import os
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+FOLDERS = ("src", "experiments", "tests")
+
+
+def sources(root):
+    return sorted(f for d in FOLDERS for f in (root / d).rglob("*") if f.suffix in (".h", ".cpp"))
+
+
+def would_change(files):
+    """What clang-format has to say about `files`, empty if they are as it wants them."""
+    if not files:
+        return ""
+    command = ["clang-format", "--dry-run", "-Werror", *map(str, files)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    return done.stdout + done.stderr if done.returncode else ""
+
+
+def main(root):
+    files = sources(root)
+    cores = os.cpu_count() or 1
+    with ThreadPoolExecutor(cores) as pool:
+        said = "".join(pool.map(would_change, [files[i::cores] for i in range(cores)]))
+    print(said or f"{len(files)} files are formatted")
+    if said:
+        print("clang-format -i FILE... puts this right")
+    return bool(said)
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else ROOT))

@@ -1,0 +1,99 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fails on any finding of clang-tidy in the files that changed (with --all: in all files).
+
+Changed is what differs from the merge base with origin/main, or from the commit
+before where that is the current commit; uncommitted and untracked files too.
+A header is looked at through the .cpp of its name or one that includes it.
+"""
+import json
+import os
+import re
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+BUILD = "build/release"  # its compile_commands.json says how each file is compiled
+
+
+def git(root, *arguments):
+    """The lines that git prints, None if it fails."""
+    command = ["git", *arguments]
+    done = subprocess.run(command, cwd=root, capture_output=True, text=True, check=False)
+    return done.stdout.splitlines() if done.returncode == 0 else None
+
+
+def base(root):
+    """The commit to compare with, None if there is none before this."""
+    head = git(root, "rev-parse", "--verify", "--quiet", "HEAD")
+    fork = git(root, "merge-base", "HEAD", "origin/main")
+    if fork and fork != head:
+        return fork[0]
+    parent = git(root, "rev-parse", "--verify", "--quiet", "HEAD~1")
+    return parent[0] if parent else None
+
+
+def changed(root):
+    """The changed files, None if there is nothing to compare with."""
+    commit = base(root)
+    if commit is None:
+        return None
+    differing = git(root, "diff", "--name-only", "--diff-filter=d", commit) or []
+    untracked = git(root, "ls-files", "--others", "--exclude-standard") or []
+    return sorted({root / name for name in differing + untracked})
+
+
+def through(header, compiled):
+    """The .cpp in which to look at `header`: of the same name, else the first that includes it."""
+    same_name = header.with_suffix(".cpp")
+    if same_name in compiled:
+        return [same_name]
+    return [f for f in compiled if f.exists() and includes(f, header)][:1]
+
+
+def includes(file, header):
+    included = re.findall(r'^#include "(.+)"', file.read_text(encoding="utf-8"), re.M)
+    return any(str(header).endswith("/" + name) for name in included)
+
+
+def select(files, compiled):
+    """Those of the `compiled` .cpp through which all changed `files` are looked at."""
+    chosen = {f for f in files if f in compiled}
+    for header in (f for f in files if f.suffix == ".h"):
+        chosen.update(through(header, compiled))
+    return sorted(chosen)
+
+
+def tidy(root, file):
+    """What clang-tidy finds in `file`, empty if nothing."""
+    command = ["clang-tidy", "--quiet", "-p", str(root / BUILD), str(file)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    found = done.stdout + (done.stderr if done.returncode else "")
+    return found if done.returncode or done.stdout.strip() else ""
+
+
+def main(root, look_at_all):
+    database = root / BUILD / "compile_commands.json"
+    if not database.exists():
+        sys.exit(f"{database} is missing: run cmake --preset release first")
+    entries = json.loads(database.read_text(encoding="utf-8"))
+    compiled = sorted({Path(entry["directory"], entry["file"]).resolve() for entry in entries})
+    compiled = [f for f in compiled if not f.is_relative_to(root / "build")]
+    files = None if look_at_all else changed(root)
+    chosen = compiled if files is None else select(files, compiled)
+    print(f"clang-tidy: {len(chosen)} of {len(compiled)} files", flush=True)
+    clean = True
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for found in pool.map(lambda file: tidy(root, file), chosen):
+            if found:
+                clean = False
+                print(found, flush=True)
+    return 0 if clean else 1
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] not in ([], ["--all"]):
+        sys.exit(f"usage: {sys.argv[0]} [--all]\n\n{__doc__}")
+    sys.exit(main(ROOT, "--all" in sys.argv))

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The experiments of the repository: which there are and where each keeps what."""
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from .fault import Fault
+
+NOT_A_PAPER = {"support"}  # a library that the drivers share
+BESIDE_THE_PAPERS = {"verification", "benchmarks"}  # ours, shown last
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """experiments/PAPER/ITEM: one published table or figure, or a benchmark."""
+
+    root: Path  # of the repository
+    paper: str
+    item: str
+
+    @property
+    def name(self):
+        return f"{self.paper}/{self.item}"
+
+    @property
+    def folder(self):
+        return self.root / "experiments" / self.paper / self.item
+
+    @property
+    def results(self):
+        return self.root / "results" / self.paper / self.item
+
+    @property
+    def program(self):
+        return self.root / "build/release/experiments" / f"{self.paper}-{self.item}"
+
+    def params(self):
+        """What params.json says; empty without one."""
+        path = self.folder / "params.json"
+        if not path.exists():
+            return {}
+        try:
+            params = json.loads(path.read_text(encoding="utf-8"))
+        except ValueError as error:
+            raise Fault(f"{path}: {error}") from None
+        if not isinstance(params, dict):
+            raise Fault(f"{path}: expected an object")
+        unknown = params.keys() - {"parameters", "tolerances", "figures", "alone"}
+        if unknown:
+            raise Fault(f"{path}: unknown keys {sorted(unknown)}")
+        return params
+
+    def runs_alone(self):
+        """Whether it measures time, so that nothing else may run beside it."""
+        return self.paper == "benchmarks" or bool(self.params().get("alone"))
+
+
+def find_experiments(root):
+    """All experiments under `root`: every folder that has a driver; figure-5 before figure-12."""
+    folders = [driver.parent for driver in (root / "experiments").glob("*/*/main.cpp")]
+    found = [Experiment(root, folder.parent.name, folder.name) for folder in folders]
+    return sorted((e for e in found if e.paper not in NOT_A_PAPER), key=place_in_report)
+
+
+def place_in_report(experiment):
+    numbered = [int(part) if part.isdigit() else part
+                for part in re.split(r"(\d+)", experiment.item)]
+    return experiment.paper in BESIDE_THE_PAPERS, experiment.paper, numbered
+
+
+def select(experiments, names):
+    """The experiments that `names` (PAPER or PAPER/ITEM) mean, all without names.
+
+    Returns them and the names that mean none.
+    """
+    # What a shell completes, experiments/PAPER/ITEM/, is understood too.
+    wanted = {name.removeprefix("experiments/").rstrip("/") for name in names}
+    chosen = [e for e in experiments if not wanted or e.name in wanted or e.paper in wanted]
+    known = {e.name for e in experiments} | {e.paper for e in experiments}
+    return chosen, sorted(wanted - known)

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws the figures that params.json describes, as SVG, the same bytes on every run."""
+import math
+import re
+
+import matplotlib
+
+matplotlib.use("svg")
+import matplotlib.pyplot as plt  # noqa: E402 (the backend is chosen first)
+from matplotlib.ticker import LogFormatterSciNotation  # noqa: E402
+
+from .fault import Fault  # noqa: E402
+from .tables import Table, number, read_table  # noqa: E402
+
+# A plain name: whatever params.json says, it stays inside the results folder.
+FILE_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,59}\.(svg|csv)")
+PLOT_KEYS = {"csv", "x", "y", "group_by", "filter", "labels", "x_scale", "y_scale",
+             "x_label", "y_label", "title", "kind"}
+KINDS = {"line", "points", "bar"}
+STYLE = {
+    "svg.hashsalt": "endmill",  # ids in the file would otherwise be random
+    "font.size": 10,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": "#dddddd",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    # Okabe and Ito's colours, told apart by colour-blind readers too.
+    "axes.prop_cycle": matplotlib.cycler(color=["#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                                "#E69F00", "#56B4E9", "#000000"]),
+}
+MARKERS = "osD^vP*"
+
+
+def figures_of(params):
+    """The figures that params.json names, checked: each a plain file name and a caption."""
+    figures = params.get("figures", [])
+    for figure in figures:
+        name = figure.get("file", "")
+        if not FILE_NAME.fullmatch(name) or not name.endswith(".svg"):
+            raise Fault(f"params.json: figure file {name!r}: expected a plain name ending in .svg")
+        if not figure.get("caption"):
+            raise Fault(f"params.json: figure {name} has no caption")
+        if figure.keys() - {"file", "caption", "plot"}:
+            raise Fault(f"params.json: figure {name}: unknown keys, expected file, caption, plot")
+    return figures
+
+
+def draw_all(params, folder):
+    """Draws every figure with a "plot" into `folder`, where the CSV files are.
+
+    The figures without one are the driver's own and must be there.
+    """
+    for figure in figures_of(params):
+        path = folder / figure["file"]
+        if "plot" in figure:
+            draw(figure["plot"], folder, path)
+        elif not path.is_file():
+            raise Fault(f"{figure['file']}: not written by the driver, and no plot in params.json")
+
+
+def draw(plot, folder, path):
+    """Draws one plot of params.json into the SVG file `path`."""
+    check(plot, path.name)
+    table = filtered(read_table(folder / plot["csv"]), plot)
+    with plt.rc_context(STYLE):
+        figure, axes = plt.subplots(figsize=(7.2, 4.2), layout="constrained")
+        curves = list(curves_of(table, plot))
+        if plot.get("kind") == "bar":
+            draw_bars(axes, curves)
+        else:
+            draw_curves(axes, curves, plot.get("kind", "line"))
+        dress(axes, plot, legend=len(curves) > 1)
+        figure.savefig(path, metadata={"Date": None, "Creator": None})
+        plt.close(figure)
+
+
+def check(plot, name):
+    """Raises Fault if `plot` asks for what there is not."""
+    where = f"params.json: plot of {name}"
+    unknown = plot.keys() - PLOT_KEYS
+    missing = {"csv", "x", "y"} - plot.keys()
+    if unknown or missing:
+        raise Fault(f"{where}: unknown keys {sorted(unknown)}, missing {sorted(missing)}")
+    if not isinstance(plot["y"], list):
+        raise Fault(f"{where}: y is a list of columns")
+    if plot.get("kind", "line") not in KINDS:
+        raise Fault(f"{where}: kind is one of {sorted(KINDS)}")
+    if not FILE_NAME.fullmatch(plot["csv"]):
+        raise Fault(f"{where}: csv {plot['csv']!r} is no plain file name")
+
+
+def filtered(table, plot):
+    """The rows that "filter" keeps; Fault if a column that the plot names is not in the table."""
+    kept = plot.get("filter", {})
+    named = {plot["x"], *plot["y"], *kept, plot.get("group_by", plot["x"])}
+    absent = named - set(table.header)
+    if absent:
+        raise Fault(f"{plot['csv']}: a plot names columns that are not there: {sorted(absent)}")
+    places = {table.header.index(column): value for column, value in kept.items()}
+    rows = [row for row in table.rows if all(same(row[i], v) for i, v in places.items())]
+    if not rows:
+        raise Fault(f"{plot['csv']}: nothing to plot, no row or none that the filter keeps")
+    return Table(table.header, rows)
+
+
+def same(text, value):
+    """Whether a cell holds the value of a filter, be it written 0.5 or 0.50."""
+    return text == str(value) or (number(text) is not None and number(text) == number(str(value)))
+
+
+def curves_of(table, plot):
+    """(label, x texts, y numbers) of each curve: one per y column and value of group_by."""
+    groups = table.column(plot["group_by"]) if "group_by" in plot else [None] * len(table.rows)
+    for group in dict.fromkeys(groups):
+        for column in plot["y"]:
+            points = [(x, number(y)) for x, y, its_group
+                      in zip(table.column(plot["x"]), table.column(column), groups)
+                      if its_group == group]
+            ys = [math.nan if y is None else y for _, y in points]  # a gap in the curve
+            yield label_of(plot, group, column), [x for x, _ in points], ys
+
+
+def label_of(plot, group, column):
+    """What the legend calls a curve."""
+    labels = plot.get("labels", {})
+    if group is None:
+        return labels.get(column, column)
+    grouped_by = labels.get(plot["group_by"], plot["group_by"])
+    words = labels.get(group, f"{grouped_by} {group}")
+    return f"{words}, {labels.get(column, column)}" if len(plot["y"]) > 1 else words
+
+
+def positions(axes, curves):
+    """text -> place on the x axis; words stand in their order, one apart, named by ticks."""
+    texts = list(dict.fromkeys(text for _, xs, _ in curves for text in xs))
+    if all(number(text) is not None for text in texts):
+        return {text: number(text) for text in texts}
+    name_ticks(axes, texts)
+    return {text: i for i, text in enumerate(texts)}
+
+
+def name_ticks(axes, texts):
+    crowded = sum(len(text) for text in texts) > 60
+    axes.set_xticks(range(len(texts)), texts, rotation=45 if crowded else 0,
+                    ha="right" if crowded else "center", rotation_mode="anchor")
+    axes.grid(False, axis="x")
+
+
+def draw_curves(axes, curves, kind):
+    place = positions(axes, curves)
+    for i, (label, xs, ys) in enumerate(curves):
+        few = len(xs) <= 30  # markers on a dense curve would only thicken it
+        marker = MARKERS[i % len(MARKERS)] if kind == "points" or few else ""
+        axes.plot([place[x] for x in xs], ys, label=label, marker=marker, markersize=5,
+                  linewidth=1.6, linestyle="" if kind == "points" else "-")
+
+
+def draw_bars(axes, curves):
+    """Bars side by side; a bar's x is a name, even where it is written as a number."""
+    texts = list(dict.fromkeys(text for _, xs, _ in curves for text in xs))
+    name_ticks(axes, texts)
+    width = 0.8 / len(curves)
+    for i, (label, xs, ys) in enumerate(curves):
+        offset = (i - (len(curves) - 1) / 2) * width
+        axes.bar([texts.index(x) + offset for x in xs], ys, width=width, label=label)
+
+
+def dress(axes, plot, legend):
+    """Scales, labels with their units, title, and the legend beside the data."""
+    labels = plot.get("labels", {})
+    if plot.get("kind") != "bar":
+        axes.set_xscale(plot.get("x_scale", "linear"))
+    axes.set_yscale(plot.get("y_scale", "linear"))
+    for axis in (axes.xaxis, axes.yaxis):
+        if axis.get_scale() == "log":  # a scale of a decade or two shows more than one number
+            axis.set_minor_formatter(LogFormatterSciNotation(minor_thresholds=(2, 0.5)))
+    axes.set_xlabel(plot.get("x_label", labels.get(plot["x"], plot["x"])))
+    axes.set_ylabel(plot.get("y_label", ", ".join(labels.get(y, y) for y in plot["y"])))
+    if "title" in plot:
+        axes.set_title(plot["title"], fontsize=11, loc="left")
+    if legend:
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1), borderaxespad=0, frameon=False)

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Published numbers beside ours, each with the verdict that its computed value bears out."""
+from dataclasses import dataclass
+
+from .fault import Fault
+from .tables import number
+
+COLUMNS = ["row", "column", "published", "digits", "verdict"]
+INPUT = "–"
+VERDICTS = ["reproduced", "calibrated", "differs", "not recoverable", "not in the paper", INPUT]
+WITHOUT_NUMBER = {"not recoverable", "not in the paper", INPUT}  # may have no computed cell
+READING = 1e-9  # relative; a decimal print and a binary number do not meet exactly
+
+
+@dataclass(frozen=True)
+class Line:
+    """One published number: the texts to show and the verdict that is borne out."""
+
+    row: str
+    column: str
+    published: str
+    computed: str
+    difference: str
+    relative_percent: str
+    verdict: str  # one of VERDICTS
+    remark: str  # shown behind the verdict
+    warning: str  # empty where the declared verdict is borne out
+
+    @property
+    def shown_verdict(self):
+        return f"{self.verdict} ({self.remark})" if self.remark else self.verdict
+
+    def shown(self):
+        """The texts of the columns SHOWN."""
+        return [self.row, self.column, self.published, self.computed, self.difference,
+                self.relative_percent, self.shown_verdict]
+
+
+SHOWN = ["row", "column", "published", "computed", "difference", "difference %", "verdict"]
+
+
+def equals_print(published, computed, digits):
+    """Whether `computed` rounds to a number printed with `digits` decimals."""
+    return abs(computed - published) <= 0.5 * 10.0**-digits + READING * abs(published)
+
+
+def honest(declared, equal):
+    """The verdict and remark to show for a `declared` one, given whether the numbers are equal."""
+    if declared == "reproduced" and not equal:
+        return "differs", ""
+    if declared == "differs" and equal:
+        return "differs", "equal within rounding"
+    return declared, ""
+
+
+def decimals(value, digits, sign=""):
+    """`value` with two decimals more than the print, less trailing zeros."""
+    text = f"{value:{sign}.{max(digits, 0) + 2}f}".rstrip("0").rstrip(".")
+    return "0" if text in ("+0", "-0") else text
+
+
+def judge_line(published_row, cells):
+    """The Line of one row of published.csv."""
+    row, column, printed, digits, declared = published_row
+    computed_text = cells.get((row, column), "")
+    published, computed = number(printed), number(computed_text)
+    if published is None or computed is None:
+        return judge_text(row, column, printed, computed_text, declared)
+    digits = int(digits)
+    verdict, remark = honest(declared, equals_print(published, computed, digits))
+    difference = computed - published
+    percent = f"{100 * difference / abs(published):+.2f}" if published else ""
+    return Line(row, column, printed, decimals(computed, digits), decimals(difference, digits, "+"),
+                percent, verdict, remark, warn(declared, verdict, remark))
+
+
+def judge_text(row, column, printed, computed, declared):
+    """The Line where the print or ours is no number: words are compared as words."""
+    if printed and computed:
+        verdict, remark = honest(declared, printed == computed)
+    elif declared in WITHOUT_NUMBER:
+        verdict, remark = declared, ""
+    else:
+        verdict, _ = honest(declared, equal=False)
+        remark = "nothing to compare"
+    return Line(row, column, printed, computed, "", "",
+                verdict, remark, warn(declared, verdict, remark))
+
+
+def warn(declared, verdict, remark):
+    """What to say about a declared verdict that is not borne out."""
+    if verdict == declared and not remark:
+        return ""
+    return f"marked {declared!r}, shown as {verdict!r}" + (f" ({remark})" if remark else "")
+
+
+def judge(published, result):
+    """The Lines of published.csv beside the table result.csv (None: the experiment has none)."""
+    if published.header != COLUMNS:
+        raise Fault(f"published.csv: the header must be {','.join(COLUMNS)}")
+    for row, column, text, digits, verdict in published.rows:
+        where = f"published.csv, row {row!r}, column {column!r}"
+        if verdict not in VERDICTS:
+            raise Fault(f"{where}: verdict {verdict!r}, expected one of {', '.join(VERDICTS)}")
+        if number(text) is not None and not digits.lstrip("-").isdecimal():
+            raise Fault(f"{where}: digits {digits!r}, expected the count of decimals printed")
+    cells = result.cells() if result else {}
+    return [judge_line(row, cells) for row in published.rows]
+
+
+def as_text(lines):
+    """The lines as an aligned table for a terminal."""
+    table = [SHOWN] + [line.shown() for line in lines]
+    widths = [max(len(row[i]) for row in table) for i in range(len(SHOWN))]
+    numeric = range(2, 6)
+    return "\n".join(
+        "  ".join(
+            text.rjust(width) if i in numeric else text.ljust(width)
+            for i, (text, width) in enumerate(zip(row, widths))
+        ).rstrip()
+        for row in table
+    )

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+exec </dev/null # nothing here asks, and a closed standard input would confuse some tools
+
+usage() {
+    cat <<'HELP'
+scripts/test.sh [--all] [--help]
+
+Installs missing packages (Debian, root), builds the presets release and asan
+(address and undefined-behaviour sanitizers), runs all tests of both, then
+clang-tidy on the files that changed since the merge base with origin/main
+(on main itself: since the commit before).
+
+  --all    clang-tidy on every file
+
+Build folders: build/release, build/asan. Safe to run again: only what changed
+is rebuilt. Exit 0 if everything passed, 1 otherwise.
+HELP
+}
+
+tidy_options=()
+for argument in "$@"; do
+    case "$argument" in
+        --all) tidy_options=(--all) ;;
+        --help | -h) usage; exit 0 ;;
+        *) echo "test.sh: unknown argument $argument, see --help" >&2; exit 2 ;;
+    esac
+done
+
+elapsed() { printf '%d:%02d' $((SECONDS / 60)) $((SECONDS % 60)); }
+step() { printf '== [%s] %s\n' "$(elapsed)" "$*"; }
+
+failed=()
+summaries=()
+
+# The checks of scripts, format and layers do not depend on the compiler's flags:
+# they carry the label "scripts" and run once, with the release tests.
+run_tests() {
+    local preset=$1 log="build/$1/ctest.log"
+    shift
+    step "test: $preset"
+    ctest --preset "$preset" --parallel "$(nproc)" --no-tests=error "$@" 2>&1 | tee "$log" ||
+        failed+=("$preset tests")
+    summaries+=("$preset: $(grep 'tests passed,' "$log" || echo 'no test summary')")
+}
+
+step "set-up"
+scripts/setup.sh
+for preset in release asan; do
+    step "configure: $preset"
+    cmake --preset "$preset"
+    step "build: $preset"
+    cmake --build --preset "$preset"
+done
+run_tests release
+run_tests asan --label-exclude '^scripts$'
+step "clang-tidy"
+/usr/bin/python3 scripts/check_tidy.py "${tidy_options[@]}" || failed+=("clang-tidy")
+
+verdict="all passed"
+if [[ ${#failed[@]} -gt 0 ]]; then
+    verdict="FAILED ($(printf '%s; ' "${failed[@]}" | sed 's/; $//'))"
+fi
+step "$verdict - $(printf '%s; ' "${summaries[@]}" | sed 's/; $//')"
+[[ ${#failed[@]} -eq 0 ]]

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/arguments.h"
+
+#include <algorithm>
+
+#include "endmill/core/numbers.h"
+#include "endmill/io/printable.h"
+#include "endmill/io/suggestion.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::size_t shown_characters = 40;
+
+[[noreturn]] void refuse(const std::string& option, const std::string& found,
+                         const std::string& expected)
+{
+    throw CLI::ValidationError(
+        option, "found \"" + printable(found, shown_characters) + "\"; expected " + expected);
+}
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+    std::vector<std::string> parts{""};
+    for (const char c : text)
+        if (c == separator)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    return parts;
+}
+
+}  // namespace
+
+double number_argument(const std::string& option, const std::string& text,
+                       const NumberDomain& domain)
+{
+    const auto number = number_from_text(text);
+    if (!number || !(*number > domain.above))
+        refuse(option, text, domain.words);
+    return *number;
+}
+
+Vec3 vector_argument(const std::string& option, const std::string& text)
+{
+    const std::vector<std::string> parts = split(text, ',');
+    Vec3 vector;
+    if (parts.size() != 3)
+        refuse(option, text, "three numbers X,Y,Z");
+    for (int c = 0; c < 3; ++c) {
+        const auto number = number_from_text(parts[static_cast<std::size_t>(c)]);
+        if (!number)
+            refuse(option, text, "three numbers X,Y,Z");
+        vector[c] = *number;
+    }
+    return vector;
+}
+
+CLI::Option* add_number(CLI::App& command, const std::string& name, double& target,
+                        const NumberDomain& domain, const std::string& unit,
+                        const std::string& help)
+{
+    const auto take = [name, domain, &target](const std::string& text) {
+        target = number_argument(name, text, domain);
+    };
+    return command
+        .add_option_function<std::string>(name, take,
+                                          help + "; default " + to_text(target))
+        ->type_name(unit);
+}
+
+CLI::Option* add_number(CLI::App& command, const std::string& name,
+                        std::optional<double>& target, const NumberDomain& domain,
+                        const std::string& unit, const std::string& help)
+{
+    const auto take = [name, domain, &target](const std::string& text) {
+        target = number_argument(name, text, domain);
+    };
+    return command.add_option_function<std::string>(name, take, help)->type_name(unit);
+}
+
+CLI::Option* add_whole_number(CLI::App& command, const std::string& name,
+                              std::pair<int, int> range, const std::string& help,
+                              std::function<void(int)> use)
+{
+    const auto [low, high] = range;
+    const auto take = [name, low, high, use = std::move(use)](const std::string& text) {
+        const auto number = number_from_text(text);
+        const bool is_whole = number && *number >= low && *number <= high &&
+                              *number == static_cast<int>(*number);
+        if (!is_whole)
+            refuse(name, text,
+                   "a whole number from " + std::to_string(low) + " to " +
+                       std::to_string(high));
+        use(static_cast<int>(*number));
+    };
+    return command.add_option_function<std::string>(name, take, help)->type_name("N");
+}
+
+std::size_t choice_argument(const std::string& option, const std::string& word,
+                            std::span<const std::string_view> words)
+{
+    const auto found = std::ranges::find(words, word);
+    if (found == words.end())
+        refuse(option, word, one_of(words, word));
+    return static_cast<std::size_t>(found - words.begin());
+}
+
+double ball_diameter_argument(const std::string& option, const std::string& text)
+{
+    const std::vector<std::string> parts = split(text, ':');
+    if (parts[0] == "flat" || parts[0] == "bull")
+        refuse(option, text, "ball:DIAMETER, the only cutter of this command");
+    if (parts[0] != "ball" || parts.size() != 2)
+        refuse(option, text, "ball:DIAMETER, such as ball:10");
+    const auto diameter = number_from_text(parts[1]);
+    if (!diameter || !(*diameter > 0))
+        refuse(option, text, "a diameter above 0 mm");
+    return *diameter;
+}
+
+}  // namespace endmill

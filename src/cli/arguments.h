@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "endmill/core/vec.h"
+
+namespace endmill {
+
+/// The numbers that an option takes.
+struct NumberDomain {
+    double above = -std::numeric_limits<double>::infinity();  ///< open lower end
+    std::string words = "a number";                           ///< for messages
+
+    static NumberDomain any() { return {}; }  ///< every finite number
+    static NumberDomain positive() { return {0, "a number above 0"}; }  ///< above 0
+};
+
+/// The finite number in `domain` that `text` spells.
+/// \throws CLI::ValidationError naming `option`.
+double number_argument(const std::string& option, const std::string& text,
+                       const NumberDomain& domain);
+
+/// The three comma-separated numbers of `text`. \throws CLI::ValidationError
+Vec3 vector_argument(const std::string& option, const std::string& text);
+
+/// Adds an option that takes one finite number; `target` keeps its value as default.
+CLI::Option* add_number(CLI::App& command, const std::string& name, double& target,
+                        const NumberDomain& domain, const std::string& unit,
+                        const std::string& help);
+
+/// The same without a default.
+CLI::Option* add_number(CLI::App& command, const std::string& name,
+                        std::optional<double>& target, const NumberDomain& domain,
+                        const std::string& unit, const std::string& help);
+
+/// Adds an option that takes a whole number in first … second of `range`.
+CLI::Option* add_whole_number(CLI::App& command, const std::string& name,
+                              std::pair<int, int> range, const std::string& help,
+                              std::function<void(int)> use);
+
+/// A word of an option and what it stands for.
+template <typename Value>
+struct Choice {
+    std::string_view word;
+    Value value;
+};
+
+/// The place of `word` among `words`. \throws CLI::ValidationError with a suggestion.
+std::size_t choice_argument(const std::string& option, const std::string& word,
+                            std::span<const std::string_view> words);
+
+/// Adds an option that takes one of a few words; the first is said to be the default.
+/// `choices` must outlive `command`.
+template <typename Value>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& target,
+                        std::span<const Choice<Value>> choices, const std::string& help)
+{
+    std::vector<std::string_view> words;
+    std::string shown;
+    for (const Choice<Value>& choice : choices) {
+        words.push_back(choice.word);
+        shown += (shown.empty() ? "" : "|") + std::string{choice.word};
+    }
+    const auto take = [name, words, choices, &target](const std::string& word) {
+        target = choices[choice_argument(name, word, words)].value;
+    };
+    return command.add_option_function<std::string>(name, take, help)->type_name(shown);
+}
+
+/// The word for `value`.
+template <typename Value>
+std::string_view word_for(Value value, std::span<const Choice<Value>> choices)
+{
+    for (const Choice<Value>& choice : choices)
+        if (choice.value == value)
+            return choice.word;
+    return {};
+}
+
+/// The diameter in mm of a ball given as "ball:DIAMETER".
+/// \throws CLI::ValidationError for anything else; other cutters are named as such.
+double ball_diameter_argument(const std::string& option, const std::string& text);
+
+}  // namespace endmill

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// endmill cite: the papers behind the methods.
+
+#include <array>
+#include <memory>
+#include <string_view>
+
+#include "build_facts.h"
+#include "cli/console.h"
+#include "endmill/io/output_folder.h"
+
+namespace endmill {
+namespace {
+
+struct CiteOptions {
+    CommonOptions common;
+    bool bibtex = false;
+};
+
+struct Paper {
+    std::string_view key;      // in paper/references.bib
+    std::string_view methods;  // that stand on it
+};
+
+constexpr std::array papers{
+    Paper{"KimChoi", "economic cutter locations: info, plan, eval"},
+    Paper{"JangKimJeong", "trimming of offset sections"},
+    Paper{"KangSuh", "five-axis machinability and setup"},
+    Paper{"ParkMaeng", "cutting forces, variable feed and speed"},
+};
+
+// The value of `field` in the bibliography's entry `key`.
+std::string bibliography_field(std::string_view key, std::string_view field)
+{
+    const auto entry = references.find("{" + std::string{key} + ",");
+    const auto name = references.find("\n  " + std::string{field}, entry);
+    const auto begin = references.find('{', name) + 1;
+    const auto end = references.find("}\n", begin);
+    std::string value{references.substr(begin, references.find("},\n", begin) - begin)};
+    if (end < begin + value.size())
+        value = references.substr(begin, end - begin);
+    std::erase_if(value, [](char c) { return c == '{' || c == '}'; });
+    return value;
+}
+
+ExitCode run_cite(const CiteOptions& options)
+{
+    Json summary = Json::array();
+    std::string text;
+    for (const auto& [key, methods] : papers) {
+        const std::string author = bibliography_field(key, "author");
+        const std::string title = bibliography_field(key, "title");
+        summary.push_back(
+            {{"key", key}, {"author", author}, {"title", title}, {"methods", methods}});
+        text += "[" + std::string{key} + "] " + author + ": " + title + "\n    " +
+                std::string{methods} + "\n";
+    }
+    if (options.bibtex)
+        text = references;
+    if (!options.common.output.empty()) {
+        OutputFolder folder{options.common.output, options.common.force};
+        folder.write("references.bib", references);
+        folder.publish();
+    }
+    print_result(options.common, {{"papers", summary}}, text);
+    return ExitCode::Yes;
+}
+
+}  // namespace
+
+void add_cite_command(CLI::App& program, Action& action)
+{
+    CLI::App* command =
+        program.add_subcommand("cite", "the papers behind the methods used");
+    const auto options = std::make_shared<CiteOptions>();
+    command->add_flag("--bibtex", options->bibtex, "as BibTeX");
+    add_common_options(*command, options->common);
+    command->footer("Prints; writes DIR/references.bib only with --output.\n\n"
+                    "Example:\n  endmill cite --bibtex");
+    command->callback([options, &action] {
+        action = [options] { return run_cite(*options); };
+    });
+}
+
+}  // namespace endmill

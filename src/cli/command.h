@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/exit_code.h"
+#include "endmill/io/read_limits.h"
+
+namespace endmill {
+
+/// A summary: keys stay in the order in which they are added.
+using Json = nlohmann::ordered_json;
+
+/// What the command line asked for; runs after it was understood as a whole.
+using Action = std::function<ExitCode()>;
+
+/// The options that every command has.
+struct CommonOptions {
+    std::string output;  ///< folder; empty: the command's default
+    bool json = false;
+    bool quiet = false;
+    bool force = false;
+    bool json_errors = false;  ///< main looks for it itself: parsing may fail
+    ReadLimits limits;
+};
+
+/// Adds them to `command`; --threads takes effect at once.
+void add_common_options(CLI::App& command, CommonOptions& options);
+
+/// The commands. Each adds itself to `program` and sets `action` when it is chosen.
+void add_info_command(CLI::App& program, Action& action);
+void add_plan_command(CLI::App& program, Action& action);
+void add_eval_command(CLI::App& program, Action& action);
+void add_cite_command(CLI::App& program, Action& action);
+
+}  // namespace endmill

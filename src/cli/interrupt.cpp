@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/interrupt.h"
+
+#include <csignal>
+#include <thread>
+
+#include <unistd.h>
+
+#include "endmill/io/output_folder.h"
+
+namespace endmill {
+namespace {
+
+bool is_ignored(int signal_number)
+{
+    struct sigaction action {};
+    return sigaction(signal_number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+}  // namespace
+
+void handle_interrupts()
+{
+    std::signal(SIGXFSZ, SIG_IGN);
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int number : {SIGINT, SIGTERM})
+        if (!is_ignored(number))  // as nohup and shells with background jobs ask for
+            sigaddset(&signals, number);
+    // Blocked here and in every thread to come, so that only the waiting one gets them:
+    // unlike a signal handler it may take locks and free memory.
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    std::thread{[signals] {
+        int number = 0;
+        if (sigwait(&signals, &number) != 0)
+            return;
+        OutputFolder::abandon_all();
+        _exit(128 + number);
+    }}.detach();
+}
+
+}  // namespace endmill

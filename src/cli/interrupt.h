@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace endmill {
+
+/// From here on SIGINT and SIGTERM remove all unpublished output and end the program with
+/// 128 + the signal's number; a write past the file size limit is an error, not a signal.
+/// Call once, before any thread is started.
+void handle_interrupts();
+
+}  // namespace endmill

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/plan_options.h"
+
+#include <array>
+
+#include "cli/arguments.h"
+#include "cli/surface_facts.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::array directions{Choice<PlanDirection>{"both", PlanDirection::Both},
+                                Choice<PlanDirection>{"u", PlanDirection::U},
+                                Choice<PlanDirection>{"v", PlanDirection::V}};
+constexpr std::array governing{Choice<Governing>{"min", Governing::Min},
+                               Choice<Governing>{"dense-min", Governing::DenseMin},
+                               Choice<Governing>{"mean", Governing::Mean},
+                               Choice<Governing>{"first", Governing::First},
+                               Choice<Governing>{"max", Governing::Max}};
+constexpr std::array last_path{Choice<LastPath>{"border", LastPath::Border},
+                               Choice<LastPath>{"none", LastPath::None},
+                               Choice<LastPath>{"half", LastPath::Half}};
+constexpr std::array end_point{Choice<EndPoint>{"force", EndPoint::Force},
+                               Choice<EndPoint>{"free", EndPoint::Free}};
+constexpr std::array step_curvature{Choice<StepCurvature>{"curve", StepCurvature::Curve},
+                                    Choice<StepCurvature>{"normal", StepCurvature::Normal}};
+constexpr std::array march{Choice<March>{"forward", March::Forward},
+                           Choice<March>{"alternate", March::Alternate}};
+constexpr std::array cross{Choice<CrossCurvature>{"exact", CrossCurvature::Exact},
+                           Choice<CrossCurvature>{"chord", CrossCurvature::Chord}};
+constexpr std::array order{Choice<PassOrder>{"zigzag", PassOrder::ZigZag},
+                           Choice<PassOrder>{"one-way", PassOrder::OneWay}};
+constexpr std::array distance{Choice<TravelKind>{"contact", TravelKind::Contact},
+                              Choice<TravelKind>{"cl", TravelKind::Tip}};
+constexpr std::array yes_first{Choice<bool>{"yes", true}, Choice<bool>{"no", false}};
+constexpr std::array no_first{Choice<bool>{"no", false}, Choice<bool>{"yes", true}};
+// The only mode so far: what the paper does, misprints corrected.
+constexpr std::array modes{Choice<int>{"paper", 0}};
+
+void add_policy_options(CLI::App& command, PlanOptions& options)
+{
+    IsoParametricOptions& planning = options.planning;
+    add_choice<Governing>(command, "--governing", planning.governing, governing,
+                          "which point of a pass decides how far the next one lies");
+    add_choice<LastPath>(command, "--last-path", planning.last_path, last_path,
+                         "what happens where the next pass would lie beyond the border");
+    add_choice<EndPoint>(command, "--end-point", planning.end_point, end_point,
+                         "what happens where no further step fits on a pass");
+    add_choice<bool>(command, "--stop-at-borders", planning.stop_at_borders, no_first,
+                     "a CL point on every patch border");
+    add_choice<StepCurvature>(command, "--step-curvature", planning.step_curvature,
+                              step_curvature, "the curvature that the step follows");
+    add_choice<March>(command, "--march", planning.march, march,
+                      "whether every other pass is computed from its far end");
+    add_choice<CrossCurvature>(command, "--cross-curvature", planning.cross_curvature,
+                               cross, "curvature across the feed: exact, or by eq. (8)");
+    add_number(command, "--cross-step", planning.cross_step, NumberDomain::positive(),
+               "MM", "step of eq. (8)");
+    add_choice<PassOrder>(command, "--order", planning.link.order, order,
+                          "in which sense neighbouring passes are cut");
+    add_number(command, "--safe-height", options.safe_height, NumberDomain::any(), "MM",
+               "where the cutter moves freely; default 5 above the part");
+    add_choice<bool>(command, "--count-links", options.count_links, yes_first,
+                     "links in tcd_mm and tcd_cl_mm");
+    add_choice<TravelKind>(command, "--distance", options.distance, distance,
+                           "the travel that time and comparison use");
+    for (CLI::Option* option : command.get_options())
+        if (option->get_group() == "Options" && option->get_lnames().front() != "help")
+            option->group("Policies (the first word is the default)");
+}
+
+}  // namespace
+
+void add_plan_options(CLI::App& command, PlanOptions& options)
+{
+    add_policy_options(command, options);
+    command.add_option("SURFACE", options.part, "surface file (endmill-surface/1)")
+        ->required();
+    command
+        .add_option_function<std::string>(
+            "--cutter",
+            [&options](const std::string& word) {
+                options.cutter_diameter = ball_diameter_argument("--cutter", word);
+            },
+            "ball:DIAMETER in mm; default the largest of 20, 15, 10, 6, 4, 3, 2, 1 that fits")
+        ->type_name("CUTTER");
+    add_number(command, "--chord-tolerance", options.chord_tolerance,
+               NumberDomain::positive(), "MM",
+               "from the surface's line to the chord; default diameter / 30");
+    add_number(command, "--scallop", options.scallop_height, NumberDomain::positive(),
+               "MM", "scallop height; default the chord tolerance");
+    add_choice<PlanDirection>(command, "--direction", options.direction, directions,
+                              "along which parameter the passes run");
+    static int only_mode = 0;
+    add_choice<int>(command, "--mode", only_mode, modes,
+                    "paper: what the paper does, its misprints corrected");
+    add_number(command, "--feed", options.feed_mm_per_min, NumberDomain::positive(),
+               "MM_PER_MIN", "adds the machining time to the summary");
+    add_axis_option(command, options.planning.link.axis);
+    add_require_option(command, options.g1_is_required);
+    add_common_options(command, options.common);
+}
+
+void add_policies(Json& summary, const PlanOptions& options)
+{
+    const IsoParametricOptions& planning = options.planning;
+    summary["chord_tolerance_mm"] = planning.chord_tolerance;
+    summary["scallop_mm"] = planning.scallop_height;
+    summary["governing"] = word_for<Governing>(planning.governing, governing);
+    summary["last_path"] = word_for<LastPath>(planning.last_path, last_path);
+    summary["end_point"] = word_for<EndPoint>(planning.end_point, end_point);
+    summary["stop_at_borders"] = word_for<bool>(planning.stop_at_borders, no_first);
+    summary["step_curvature"] =
+        word_for<StepCurvature>(planning.step_curvature, step_curvature);
+    summary["march"] = word_for<March>(planning.march, march);
+    summary["cross_curvature"] = word_for<CrossCurvature>(planning.cross_curvature, cross);
+    summary["cross_step_mm"] = planning.cross_step;
+    summary["order"] = word_for<PassOrder>(planning.link.order, order);
+    summary["safe_height_mm"] = planning.link.safe_height;
+    summary["axis"] = vector_json(planning.link.axis);
+    summary["count_links"] = word_for<bool>(options.count_links, yes_first);
+    summary["distance"] = word_for<TravelKind>(options.distance, distance);
+}
+
+}  // namespace endmill

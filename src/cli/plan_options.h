@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/command.h"
+#include "endmill/planning/iso_parametric.h"
+
+namespace endmill {
+
+/// Along which parameter a plan runs.
+enum class PlanDirection { U, V, Both };
+
+/// By which points lengths count where one number decides.
+enum class TravelKind {
+    Contact,  ///< chords between contacts
+    Tip,      ///< the cutter's tip: what the machine travels
+};
+
+/// What `endmill plan` is told. What stays empty is chosen by the rules of the help text.
+struct PlanOptions {
+    CommonOptions common;
+    std::string part;
+    std::optional<double> cutter_diameter;  ///< of the ball, mm
+    std::optional<double> chord_tolerance;  ///< mm
+    std::optional<double> scallop_height;   ///< mm
+    std::optional<double> safe_height;      ///< mm along the axis
+    std::optional<double> feed_mm_per_min;
+    PlanDirection direction = PlanDirection::Both;
+    TravelKind distance = TravelKind::Contact;
+    bool count_links = true;
+    bool g1_is_required = false;
+    IsoParametricOptions planning;  ///< the policies
+};
+
+/// Adds every option of `plan` to `command`.
+void add_plan_options(CLI::App& command, PlanOptions& options);
+
+/// Adds every policy with the value in force to a summary.
+void add_policies(Json& summary, const PlanOptions& options);
+
+}  // namespace endmill

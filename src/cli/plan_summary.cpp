@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/plan_summary.h"
+
+#include <fmt/format.h>
+
+#include "build_facts.h"
+#include "cli/surface_facts.h"
+#include "endmill/core/numbers.h"
+
+namespace endmill {
+
+double counted_travel(const PathEconomy& economy, TravelKind kind, bool count_links)
+{
+    const bool by_contact = kind == TravelKind::Contact;
+    const double cut = by_contact ? economy.cut.contact_mm : economy.cut.tip_mm;
+    const double link = by_contact ? economy.link.contact_mm : economy.link.tip_mm;
+    return count_links ? cut + link : cut;
+}
+
+Json direction_summary(const PlanContext& context, const PlanOptions& options,
+                       const PlannedDirection& planned)
+{
+    const PathEconomy& economy = planned.economy;
+    const auto travel = [&](TravelKind kind) {
+        return counted_travel(economy, kind, options.count_links);
+    };
+    Json summary{{"name", context.name},
+                 {"source", context.source},
+                 {"endmill", program_version},
+                 {"direction", planned.along == Parameter::U ? "u" : "v"},
+                 {"mode", "paper"},
+                 {"cutter", "ball:" + to_text(context.cutter_diameter)},
+                 {"passes", economy.passes},
+                 {"ncl", economy.ncl},
+                 {"tcd_mm", travel(TravelKind::Contact)},
+                 {"tcd_cl_mm", travel(TravelKind::Tip)},
+                 {"link_mm", economy.link.contact_mm}};
+    if (options.feed_mm_per_min) {
+        summary["feed_mm_per_min"] = *options.feed_mm_per_min;
+        summary["time_min"] = travel(options.distance) / *options.feed_mm_per_min;
+    }
+    add_cutter_limit(summary, context.limit);
+    add_continuity(summary, context.continuity);
+    summary["max_chord_error_mm"] = planned.chord_error.greatest_mm;
+    summary["chord_error_pitch_mm"] = planned.chord_error.pitch_mm;
+    // Not measured: they need the volume that the moving ball sweeps.
+    for (const char* key : {"max_motion_error_mm", "max_gouge_mm", "max_scallop_mm",
+                            "scallop_pitch_mm", "scallop_bound_mm"})
+        summary[key] = nullptr;
+    summary["interpolation"] = "linear";
+    add_policies(summary, options);
+    return summary;
+}
+
+std::string direction_text(const Json& s)
+{
+    const double chord_error = s["max_chord_error_mm"];
+    const double tolerance = s["chord_tolerance_mm"];
+    std::string text = fmt::format(
+        "along {}: {} passes, {} CL points, {:.1f} mm of travel ({:.1f} mm by tips), {:.1f} "
+        "mm of it links\n"
+        "         largest chord error {:.4g} mm, {:.3g} x the tolerance",
+        s["direction"].get<std::string>(), s["passes"].get<std::size_t>(),
+        s["ncl"].get<std::size_t>(), s["tcd_mm"].get<double>(), s["tcd_cl_mm"].get<double>(),
+        s["link_mm"].get<double>(), chord_error, chord_error / tolerance);
+    if (chord_error > tolerance)
+        text += ": mode paper looks at each step's start only";
+    text += "\n";
+    if (s.contains("time_min"))
+        text += fmt::format("         {:.4g} min at {:g} mm/min\n",
+                            s["time_min"].get<double>(), s["feed_mm_per_min"].get<double>());
+    return text;
+}
+
+void add_comparison(Json& both, const PlanOptions& options, const PlannedDirection& u,
+                    const PlannedDirection& v)
+{
+    const auto cost = [&](const PlannedDirection& planned) -> DirectionCost {
+        return {planned.economy.ncl, counted_travel(planned.economy, options.distance,
+                                                    options.count_links)};
+    };
+    const DirectionComparison comparison = compare_directions(cost(u), cost(v));
+    both["recommended"] = comparison.recommended == Parameter::U ? "u" : "v";
+    both["reduction_ncl"] = comparison.reduction_ncl;
+    both["reduction_tcd"] = comparison.reduction_tcd;
+}
+
+std::string comparison_text(const Json& both)
+{
+    return fmt::format(
+        "more economic: {}; the directions differ by {:.1f} % in travel and {:.1f} % in "
+        "points\n",
+        both["recommended"].get<std::string>(), 100 * both["reduction_tcd"].get<double>(),
+        100 * both["reduction_ncl"].get<double>());
+}
+
+}  // namespace endmill

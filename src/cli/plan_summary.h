@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/plan_options.h"
+#include "endmill/planning/chord_error.h"
+#include "endmill/planning/economy.h"
+#include "endmill/surface/continuity.h"
+#include "endmill/surface/largest_cutter.h"
+
+namespace endmill {
+
+/// What is known of the surface before it is planned on.
+struct PlanContext {
+    std::string name;
+    std::string source;
+    SurfaceContinuity continuity;
+    std::optional<CutterLimit> limit;
+    double cutter_diameter;  ///< mm
+};
+
+/// What was planned along one parameter.
+struct PlannedDirection {
+    Parameter along;
+    PathEconomy economy;
+    ChordError chord_error;
+};
+
+/// Travel in mm with the links if they count, by contacts or by tips.
+double counted_travel(const PathEconomy& economy, TravelKind kind, bool count_links);
+
+/// summary.json of one direction.
+Json direction_summary(const PlanContext& context, const PlanOptions& options,
+                       const PlannedDirection& planned);
+
+/// The same for a person.
+std::string direction_text(const Json& summary);
+
+/// Adds `recommended`, `reduction_ncl` and `reduction_tcd` to `{"u": …, "v": …}`.
+void add_comparison(Json& both, const PlanOptions& options, const PlannedDirection& u,
+                    const PlannedDirection& v);
+
+/// What `add_comparison` found, for a person.
+std::string comparison_text(const Json& both);
+
+}  // namespace endmill

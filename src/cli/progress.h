@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "cli/command.h"
+
+namespace endmill {
+
+/// A line on standard error that tells how far long work has come: after the first second,
+/// if standard error is a terminal, and not with --quiet.
+class ProgressLine {
+public:
+    ProgressLine(std::string work, const CommonOptions& options);
+    ~ProgressLine();  ///< wipes the line
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+
+    /// \param share done so far, 0 to 1.
+    void show(double share);
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    std::string work_;
+    bool is_wanted_;
+    bool is_shown_ = false;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point next_ = start_ + std::chrono::seconds{1};
+};
+
+}  // namespace endmill

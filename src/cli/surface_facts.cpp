@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/surface_facts.h"
+
+#include <array>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "cli/arguments.h"
+#include "cli/console.h"
+
+namespace endmill {
+
+SurfaceFile read_part(const std::string& path, const CommonOptions& options)
+{
+    SurfaceFile file = read_surface(path, options.limits);
+    for (const std::string& note : file.notes)
+        warn(options, path + ": " + note);
+    return file;
+}
+
+std::string output_folder(const std::string& input, const std::string& command,
+                          const CommonOptions& options)
+{
+    if (!options.output.empty())
+        return options.output;
+    return "./" + std::filesystem::path{input}.stem().string() + "-" + command;
+}
+
+std::string place_text(const SurfacePoint& at)
+{
+    return fmt::format("u {:.6g}, v {:.6g}", at.u, at.v);
+}
+
+Json vector_json(const Vec3& point)
+{
+    return {point.x(), point.y(), point.z()};
+}
+
+Json place_json(const SurfacePoint& at, const Vec3& point)
+{
+    return {{"u", at.u}, {"v", at.v}, {"point_mm", vector_json(point)}};
+}
+
+void add_continuity(Json& summary, const SurfaceContinuity& continuity)
+{
+    summary["continuity"] = continuity_name(continuity.continuity);
+    summary["worst_break_deg"] = continuity.worst.normals.degrees();
+    summary["worst_break_at"] = place_json(continuity.worst.at, continuity.worst.point);
+}
+
+void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit)
+{
+    summary["max_cutter_radius_mm"] = limit ? Json(limit->radius_mm) : Json(nullptr);
+    summary["max_cutter_radius_at"] =
+        limit ? place_json(limit->at, limit->point) : Json(nullptr);
+}
+
+std::string break_text(const SurfaceContinuity& continuity)
+{
+    return fmt::format("patches meet with a break of {:.6g} degrees at {}, point ({:.6g}, "
+                       "{:.6g}, {:.6g}) mm: the surface is {}; expected G1",
+                       continuity.worst.normals.degrees(), place_text(continuity.worst.at),
+                       continuity.worst.point.x(), continuity.worst.point.y(),
+                       continuity.worst.point.z(), continuity_name(continuity.continuity));
+}
+
+void add_require_option(CLI::App& command, bool& g1_is_required)
+{
+    static constexpr std::array choices{Choice<bool>{"g1", true}};
+    add_choice<bool>(command, "--require", g1_is_required, choices,
+                     "exit 1 unless all patches meet with one tangent plane");
+}
+
+void add_axis_option(CLI::App& command, Vec3& axis)
+{
+    const auto take = [&axis](const std::string& text) {
+        axis = vector_argument("--axis", text);
+        if (!(axis.stableNorm() > 0))
+            throw CLI::ValidationError("--axis", "found \"" + text +
+                                                     "\"; expected a vector that is not zero");
+        axis.stableNormalize();
+    };
+    command
+        .add_option_function<std::string>(
+            "--axis", take, "tool axis, from the tip to the spindle; default 0,0,1")
+        ->type_name("X,Y,Z");
+}
+
+}  // namespace endmill

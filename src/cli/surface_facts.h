@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/command.h"
+#include "endmill/io/surface_file.h"
+#include "endmill/surface/continuity.h"
+#include "endmill/surface/largest_cutter.h"
+
+namespace endmill {
+
+/// Reads the surface that a command is given. Its notes become warnings.
+/// \throws FormatError, LimitError as read_surface.
+SurfaceFile read_part(const std::string& path, const CommonOptions& options);
+
+/// The folder for the results: --output, or ./NAME-COMMAND after the input's name.
+std::string output_folder(const std::string& input, const std::string& command,
+                          const CommonOptions& options);
+
+/// "u 2.131, v 1.6198" for a message.
+std::string place_text(const SurfacePoint& at);
+
+/// {"u", "v", "point_mm"}
+Json place_json(const SurfacePoint& at, const Vec3& point);
+
+/// `point` as an array.
+Json vector_json(const Vec3& point);
+
+/// Adds `continuity`, `worst_break_deg` and `worst_break_at` to a summary.
+void add_continuity(Json& summary, const SurfaceContinuity& continuity);
+
+/// Adds `max_cutter_radius_mm` and `max_cutter_radius_at`, null without a limit.
+void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit);
+
+/// What to tell about a surface whose patches do not meet smoothly.
+std::string break_text(const SurfaceContinuity& continuity);
+
+/// The option --require, whose one word so far is g1.
+void add_require_option(CLI::App& command, bool& g1_is_required);
+
+/// The option --axis, as a unit vector; +z by default.
+void add_axis_option(CLI::App& command, Vec3& axis);
+
+}  // namespace endmill

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/io/axonometric_figure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/io/printable.h"
+
+namespace endmill {
+namespace {
+
+// The page, in px.
+constexpr double least_width = 300;
+constexpr double margin = 32;
+constexpr double title_size = 21;
+constexpr double title_line = 34;
+constexpr double caption_size = 14;
+constexpr double caption_line = 22;
+constexpr double drawing_gap = 26;
+constexpr double drawing_height = 640;
+constexpr double footer_height = 138;
+constexpr double axis_arm = 58;
+constexpr double legend_line = 24;
+constexpr double legend_sample = 38;
+constexpr double legend_offset = 190;
+
+constexpr std::size_t longest_title = 100;    // characters: more would be too small
+constexpr std::size_t longest_caption = 150;  // to read
+
+constexpr std::string_view axis_colour = "#444444";
+
+// The widest letters of a sans-serif text take on average this part of its size.
+constexpr double letter_width = 0.62;
+
+// The size at most `size_px` at which `text` fits into `room_px`.
+double fitting_size(std::string_view text, double size_px, double room_px)
+{
+    const double width = letter_width * static_cast<double>(text.size());
+    return std::min(size_px, room_px / std::max(width, 1.0));
+}
+
+Eigen::Vector2d projected(const AxonometricView& view, const Vec3& point)
+{
+    return {view.right.dot(point), view.up.dot(point)};
+}
+
+// The largest of 1, 2, 5 times a power of ten that is at most `length`.
+double round_length(double length)
+{
+    const double power = std::pow(10, std::floor(std::log10(length)));
+    for (const double step : {5, 2})
+        if (step * power <= length)
+            return step * power;
+    return power;
+}
+
+double heading_height(const FigureOptions& options)
+{
+    const double title = options.title.empty() ? 0 : title_line;
+    return margin + title + caption_line * static_cast<double>(options.captions.size());
+}
+
+}  // namespace
+
+AxonometricView::AxonometricView(Angle azimuth, Angle elevation)
+    : right{-std::sin(azimuth.radians()), std::cos(azimuth.radians()), 0},
+      up{-std::sin(elevation.radians()) * std::cos(azimuth.radians()),
+         -std::sin(elevation.radians()) * std::sin(azimuth.radians()),
+         std::cos(elevation.radians())},
+      toward{right.cross(up)}
+{
+}
+
+AxonometricFigure::AxonometricFigure(const FigureOptions& options,
+                                     std::span<const Vec3> extent)
+    : view_{options.azimuth, options.elevation},
+      layout_{layout_for(options, view_, extent)},
+      picture_{layout_.width_px, layout_.height_px, options.title}
+{
+    add_heading(options);
+    add_axes();
+}
+
+AxonometricFigure::Layout AxonometricFigure::layout_for(const FigureOptions& options,
+                                                        const AxonometricView& view,
+                                                        std::span<const Vec3> extent)
+{
+    require(!extent.empty(), "AxonometricFigure: nothing to draw");
+    require(options.width_px >= least_width, "AxonometricFigure: need a width of 300 px");
+    Eigen::AlignedBox2d box;
+    for (const Vec3& point : extent) {
+        require(point.allFinite(), "AxonometricFigure: a point is not finite");
+        box.extend(projected(view, point));
+    }
+    const double room = options.width_px - 2 * margin;
+    const Eigen::Vector2d size = box.sizes();
+    const bool is_point = size.maxCoeff() <= 0;
+    const double scale =
+        is_point ? 1 : 1 / std::max(size.x() / room, size.y() / drawing_height);
+
+    const double top = heading_height(options) + drawing_gap;
+    const double bottom = top + scale * size.y();
+    const PixelPoint origin{options.width_px / 2 - scale * box.center().x(),
+                            bottom + scale * box.min().y()};
+    return {options.width_px, bottom + drawing_gap + footer_height, bottom + drawing_gap,
+            scale, origin};
+}
+
+PixelPoint AxonometricFigure::pixels(const Vec3& point) const
+{
+    const Eigen::Vector2d place = layout_.scale * projected(view_, point);
+    return layout_.origin + PixelPoint{place.x(), -place.y()};
+}
+
+std::vector<PixelPoint> AxonometricFigure::pixels(std::span<const Vec3> points) const
+{
+    std::vector<PixelPoint> places;
+    places.reserve(points.size());
+    for (const Vec3& point : points)
+        places.push_back(pixels(point));
+    return places;
+}
+
+void AxonometricFigure::add_curve(std::span<const Vec3> points, const LineStyle& style)
+{
+    picture_.add_polyline(pixels(points), style);
+}
+
+void AxonometricFigure::add_polygon(std::span<const Vec3> points, std::string_view fill,
+                                    const LineStyle& outline)
+{
+    picture_.add_polygon(pixels(points), fill, outline);
+}
+
+void AxonometricFigure::add_disc(const Vec3& point, double radius_px,
+                                 std::string_view colour)
+{
+    picture_.add_disc(pixels(point), radius_px, colour);
+}
+
+void AxonometricFigure::add_legend(std::string_view label, const LineStyle& style)
+{
+    const PixelPoint begin{margin + legend_offset,
+                           layout_.footer_px + legend_line * (legend_lines_ + 1)};
+    const PixelPoint end = begin + PixelPoint{legend_sample, 0};
+    picture_.add_polyline(std::array{begin, end}, style);
+    picture_.add_text(end + PixelPoint{10, 0.36 * caption_size}, label, {caption_size});
+    ++legend_lines_;
+}
+
+void AxonometricFigure::add_heading(const FigureOptions& options)
+{
+    const double room = options.width_px - 2 * margin;
+    const PixelPoint middle{options.width_px / 2, margin};
+    double line = 0;
+    if (!options.title.empty()) {
+        const std::string title = printable(options.title, longest_title);
+        picture_.add_text(middle + PixelPoint{0, 0.6 * title_size}, title,
+                          {fitting_size(title, title_size, room), "#111111", true, true});
+        line += title_line;
+    }
+    for (const std::string& whole : options.captions) {
+        const std::string caption = printable(whole, longest_caption);
+        line += caption_line;
+        picture_.add_text(
+            middle + PixelPoint{0, line - 0.4 * caption_line}, caption,
+            {fitting_size(caption, caption_size, room), "#333333", false, true});
+    }
+}
+
+void AxonometricFigure::add_axes()
+{
+    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+    constexpr double shortest_arm = 4;  // of an axis seen from its end, in px
+    const double arm_mm = round_length(axis_arm / layout_.scale);
+    const PixelPoint corner{margin + axis_arm + 10, layout_.footer_px + axis_arm + 18};
+    for (int c = 0; c < 3; ++c) {
+        const Eigen::Vector2d arm =
+            layout_.scale * arm_mm * projected(view_, Vec3::Unit(c));
+        const PixelPoint tip = corner + PixelPoint{arm.x(), -arm.y()};
+        if (arm.norm() < shortest_arm)
+            continue;
+        const PixelPoint along = (tip - corner).normalized();
+        const PixelPoint across{-along.y(), along.x()};
+        picture_.add_polyline(std::array{corner, tip}, {axis_colour, 1.4, ""});
+        picture_.add_polyline(std::array<PixelPoint, 3>{tip - 6 * along + 3 * across, tip,
+                                                        tip - 6 * along - 3 * across},
+                              {axis_colour, 1.4, ""});
+        picture_.add_text(tip + 11 * along + PixelPoint{0, 0.33 * caption_size}, names[c],
+                          {caption_size, axis_colour, false, true});
+    }
+    picture_.add_text({margin, layout_.footer_px + footer_height - 16},
+                      "each arm " + to_text(arm_mm) + " mm",
+                      {0.9 * caption_size, axis_colour});
+}
+
+}  // namespace endmill

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "endmill/core/angle.h"
+#include "endmill/core/vec.h"
+#include "endmill/io/svg.h"
+
+namespace endmill {
+
+/// What surrounds a drawing in space, and from where it is seen.
+struct FigureOptions {
+    std::string title{};  ///< above the drawing; at most 100 characters show
+    std::vector<std::string> captions{};  ///< lines below the title; 150 characters show
+    double width_px = 900;                ///< of the whole picture, in px, at least 300
+    Angle azimuth = Angle::degrees(-60);  ///< where the viewer stands, from +x towards +y
+    Angle elevation = Angle::degrees(30);  ///< of the viewer over the xy plane
+};
+
+/// Directions of a parallel projection: mm in space to mm in the picture.
+struct AxonometricView {
+    Vec3 right;   ///< unit, to the right in the picture
+    Vec3 up;      ///< unit, upwards in the picture
+    Vec3 toward;  ///< unit, to the viewer
+
+    /// The view of somebody who stands in direction (azimuth, elevation) of the part.
+    AxonometricView(Angle azimuth, Angle elevation);
+};
+
+/// A drawing in space, in parallel projection: title and captions, the drawing, and below
+/// it the axes x, y, z with their length in mm, and a legend.
+class AxonometricFigure {
+public:
+    /// \param extent points in mm that the drawing must have room for.
+    /// \throws DomainError if `extent` is empty or not finite, or the width is below 300.
+    AxonometricFigure(const FigureOptions& options, std::span<const Vec3> extent);
+
+    /// A line through `points`, in mm.
+    void add_curve(std::span<const Vec3> points, const LineStyle& style);
+
+    /// A filled outline, in mm, over what was drawn before it.
+    void add_polygon(std::span<const Vec3> points, std::string_view fill,
+                     const LineStyle& outline);
+
+    /// A small disc at `point`, in mm. \param radius_px in px.
+    void add_disc(const Vec3& point, double radius_px, std::string_view colour);
+
+    const AxonometricView& view() const { return view_; }  ///< from where it is seen
+
+    /// A line of the legend, in the order added.
+    void add_legend(std::string_view label, const LineStyle& style);
+
+    /// The whole file, SVG 1.1.
+    std::string text() const { return picture_.text(); }
+
+private:
+    struct Layout {
+        double width_px;
+        double height_px;
+        double footer_px;   ///< y at which the axes and the legend begin
+        double scale;       ///< px per mm
+        PixelPoint origin;  ///< of the point (0, 0, 0)
+    };
+
+    static Layout layout_for(const FigureOptions& options, const AxonometricView& view,
+                             std::span<const Vec3> extent);
+    PixelPoint pixels(const Vec3& point) const;
+    std::vector<PixelPoint> pixels(std::span<const Vec3> points) const;
+    void add_heading(const FigureOptions& options);
+    void add_axes();
+
+    AxonometricView view_;
+    Layout layout_;
+    SvgPicture picture_;
+    int legend_lines_ = 0;
+};
+
+}  // namespace endmill

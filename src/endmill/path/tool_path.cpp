@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/path/tool_path.h"
+
+namespace endmill {
+
+std::string_view move_name(Move move)
+{
+    switch (move) {
+    case Move::Cut:
+        return "cut";
+    case Move::Link:
+        return "link";
+    case Move::Rapid:
+        return "rapid";
+    case Move::Plunge:
+        return "plunge";
+    case Move::Retract:
+        return "retract";
+    }
+    return {};
+}
+
+}  // namespace endmill

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "endmill/cutter/ball_cutter.h"
+
+namespace endmill {
+
+/// How the cutter comes to a point of its path.
+enum class Move {
+    Cut,      ///< in the material, along a pass
+    Link,     ///< at cutting feed from the end of a pass to the start of the next
+    Rapid,    ///< clear of the part
+    Plunge,   ///< down along the axis onto the part; so begins every path
+    Retract,  ///< up along the axis, clear of the part
+};
+
+/// The word for `move` in files: "cut", "link", "rapid", "plunge" or "retract".
+std::string_view move_name(Move move);
+
+/// Contact of the cutter with a parametric surface.
+struct SurfaceContact {
+    double u;
+    double v;
+    CutterContact contact;
+};
+
+/// A point of a tool path and the move that leads to it.
+struct PathPoint {
+    int pass;   ///< from 0
+    int point;  ///< from 0 in each pass
+    Move move;
+    CutterLocation location;
+    std::optional<SurfaceContact> contact;  ///< none where the cutter is clear of the part
+};
+
+/// What the cutter does, in order. Between points the tip goes straight.
+struct ToolPath {
+    std::vector<PathPoint> points;
+};
+
+}  // namespace endmill

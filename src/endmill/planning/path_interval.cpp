@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/planning/path_interval.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+
+namespace endmill {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void require_fit(double R, double k)
+{
+    if (1 + k * R <= 0)
+        throw GeometryError{"path_interval: a ball of radius " + to_text(R) +
+                            " mm does not fit a concavity of radius " + to_text(-1 / k) +
+                            " mm, its limit"};
+}
+
+PathInterval at_right_angle(double k)
+{
+    const double rho = 1 / std::abs(k);
+    return {std::numbers::sqrt2 * rho, rho, std::numbers::pi / 2 * rho,
+            Angle::degrees(45), LengthStatus::Clamped};
+}
+
+}  // namespace
+
+PathInterval path_interval(const BallCutter& cutter, double curvature,
+                           double scallop_height)
+{
+    const double R = cutter.radius();
+    const double k = curvature;
+    require(std::isfinite(k), "path_interval: the curvature must be finite");
+    require(0 < scallop_height && scallop_height < 2 * R,
+            "path_interval: need 0 < scallop height < 2 cutter radii");
+    require_fit(R, k);
+    if (1 + 2 * k * R < 0 && 2 + k * (2 * R + scallop_height) <= 0)
+        return {infinity, infinity, infinity, Angle::radians(0), LengthStatus::Unlimited};
+
+    const double highest = highest_scallop(cutter, k);
+    const bool too_high = scallop_height > highest;
+    const double h = too_high ? highest : scallop_height;
+    const double g2 = h * (2 * R - h) / ((1 + k * R) * (1 + k * h));
+    const double kg2 = k * k * g2;
+    if (kg2 > 2 - std::numbers::sqrt2)  // (2 sin 22.5 degrees)^2
+        return at_right_angle(k);
+    const double g = std::sqrt(g2);
+    const double chord = 2 * g * std::sqrt(1 - kg2 / 4);
+    const double sine = std::abs(k) * g / 2;
+    const double quarter_angle = std::asin(sine);
+    const double arc = 2 * g * (sine > 0 ? quarter_angle / sine : 1);
+    return {chord, chord * (1 - kg2 / 2), arc, Angle::radians(2 * quarter_angle),
+            too_high ? LengthStatus::Clamped : LengthStatus::Ok};
+}
+
+double highest_scallop(const BallCutter& cutter, double curvature)
+{
+    const double closing = 1 + 2 * curvature * cutter.radius();
+    return closing < 0 ? infinity : 2 * cutter.radius() / (1 + std::sqrt(closing));
+}
+
+double scallop_height(const BallCutter& cutter, double curvature, double interval)
+{
+    const double R = cutter.radius();
+    const double k = curvature;
+    const double l = interval;
+    require(std::isfinite(k), "scallop_height: the curvature must be finite");
+    require(std::isfinite(l) && l > 0, "scallop_height: need 0 < interval");
+    require_fit(R, k);
+    const double m = (1 + k * R) * l / 2;
+    if (std::abs(k) * l > 2)
+        throw GeometryError{"scallop_height: the interval is longer than the diameter " +
+                            to_text(2 / std::abs(k)) + " mm of the section"};
+    if (m > R)
+        throw GeometryError{"scallop_height: balls further apart than " +
+                            to_text(2 * R / (1 + k * R)) + " mm do not meet"};
+    const double c = std::sqrt(1 - k * k * l * l / 4);
+    const double A = R * c - k * l * l / (4 * (1 + c));
+    return (1 + k * R) * l * l / (2 * (1 + c) * (A + std::sqrt(R * R - m * m)));
+}
+
+}  // namespace endmill

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+
+#include "endmill/surface/bezier_patch.h"
+#include "endmill/surface/parameter.h"
+
+namespace endmill {
+
+/// A polynomial over the unit square by its Bernstein coefficients, the row counting u and
+/// the column v. The coefficients bound the polynomial, and those in the corners are its
+/// values there: what branch and bound needs.
+using BernsteinNet = Eigen::MatrixXd;
+
+/// Coefficients of r(u, v) . direction, 4 by 4, in mm for a unit `direction`.
+BernsteinNet height_net(const BezierPatch& patch, const Vec3& direction);
+
+/// Coefficients of (du x dv) . direction, 6 by 6, in mm^2 for a unit `direction`.
+BernsteinNet normal_net(const BezierPatch& patch, const Vec3& direction);
+
+/// The polynomial on the two halves of the square, each again over a unit square.
+std::pair<BernsteinNet, BernsteinNet> halves(const BernsteinNet& net, Parameter across);
+
+/// A piece of the unit square, with the polynomial there.
+struct BernsteinPiece {
+    BernsteinNet net;
+    SurfacePoint low;   ///< its corner with the least u and v
+    double width_u;
+    double width_v;
+};
+
+/// The halves of `piece` across its wider side.
+std::pair<BernsteinPiece, BernsteinPiece> halves(const BernsteinPiece& piece);
+
+}  // namespace endmill

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/surface/continuity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace endmill {
+namespace {
+
+constexpr int samples_per_border = 17;
+// Nets written with six decimals, as fitted ones are, miss G1 by up to 4e-8 rad.
+constexpr double g1_angle_rad = 1e-6;
+// Share of the surface's diagonal: shared control points agree to rounding.
+constexpr double g0_gap = 1e-9;
+
+SurfaceTangents tangents_of(const SurfaceJet& jet)
+{
+    return {jet.point, jet.du, jet.dv};
+}
+
+double normal_angle(const SurfaceTangents& one, const SurfaceTangents& other)
+{
+    if (is_singular(one) || is_singular(other))
+        return 0;
+    const Vec3 n = unit_normal(one);
+    const Vec3 m = unit_normal(other);
+    return std::atan2(n.cross(m).norm(), n.dot(m));
+}
+
+// Two patches that meet, the second above the first.
+struct PatchPair {
+    int i, j;    // the first
+    int k, l;    // the second
+    SurfacePoint from, to;  // ends of their border
+};
+
+BorderBreak worst_break(const Surface& surface, const PatchPair& pair)
+{
+    BorderBreak worst{pair.from, {}, Angle::radians(-1), 0, Continuity::G1};
+    for (int sample = 0; sample < samples_per_border; ++sample) {
+        const double t = sample / double(samples_per_border - 1);
+        const double u = std::lerp(pair.from.u, pair.to.u, t);
+        const double v = std::lerp(pair.from.v, pair.to.v, t);
+        const auto one = tangents_of(surface.jet_in_patch(pair.i, pair.j, u, v));
+        const auto other = tangents_of(surface.jet_in_patch(pair.k, pair.l, u, v));
+        worst.gap_mm = std::max(worst.gap_mm, (one.point - other.point).norm());
+        const Angle angle = Angle::radians(normal_angle(one, other));
+        if (angle.radians() > worst.normals.radians()) {
+            worst.at = {u, v};
+            worst.point = one.point;
+            worst.normals = angle;
+        }
+    }
+    if (worst.gap_mm > g0_gap * surface.diagonal())
+        worst.continuity = Continuity::None;
+    else if (worst.normals.radians() > g1_angle_rad)
+        worst.continuity = Continuity::G0;
+    return worst;
+}
+
+}  // namespace
+
+std::string_view continuity_name(Continuity continuity)
+{
+    switch (continuity) {
+    case Continuity::None:
+        return "none";
+    case Continuity::G0:
+        return "G0";
+    case Continuity::G1:
+        return "G1";
+    }
+    return {};
+}
+
+std::vector<BorderBreak> border_breaks(const Surface& surface)
+{
+    const auto u = surface.breaks(Parameter::U);
+    const auto v = surface.breaks(Parameter::V);
+    const int columns = surface.patches(Parameter::U);
+    const int rows = surface.patches(Parameter::V);
+    std::vector<BorderBreak> breaks;
+    for (int i = 1; i < columns; ++i)
+        for (int j = 0; j < rows; ++j)
+            breaks.push_back(worst_break(
+                surface, {i - 1, j, i, j, {u[i], v[j]}, {u[i], v[j + 1]}}));
+    for (int j = 1; j < rows; ++j)
+        for (int i = 0; i < columns; ++i)
+            breaks.push_back(worst_break(
+                surface, {i, j - 1, i, j, {u[i], v[j]}, {u[i + 1], v[j]}}));
+    return breaks;
+}
+
+SurfaceContinuity continuity(const Surface& surface)
+{
+    const SurfacePoint corner{surface.range(Parameter::U).low,
+                              surface.range(Parameter::V).low};
+    SurfaceContinuity whole{
+        Continuity::G1,
+        {corner, surface.tangents(corner.u, corner.v).point, Angle::radians(0), 0,
+         Continuity::G1}};
+    for (const BorderBreak& border : border_breaks(surface)) {
+        whole.continuity = std::min(whole.continuity, border.continuity);
+        if (border.normals.radians() > whole.worst.normals.radians())
+            whole.worst = border;
+    }
+    return whole;
+}
+
+}  // namespace endmill

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/surface/extent.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <vector>
+
+#include "endmill/surface/bernstein_net.h"
+
+namespace endmill {
+namespace {
+
+// What remains between the bound and a point that attains it, as a share of the diagonal.
+constexpr double bound_gap = 1e-9;
+
+struct BoundedPiece {
+    double bound;
+    BernsteinPiece piece;
+
+    bool operator<(const BoundedPiece& other) const { return bound < other.bound; }
+};
+
+double greatest_corner(const BernsteinNet& net)
+{
+    const auto last_row = net.rows() - 1;
+    const auto last_column = net.cols() - 1;
+    return std::max({net(0, 0), net(last_row, 0), net(0, last_column),
+                     net(last_row, last_column)});
+}
+
+// Greatest r . direction; attained by a point of the surface.
+double greatest_height(const Surface& surface, const Vec3& direction)
+{
+    std::priority_queue<BoundedPiece> pieces;
+    double attained = -std::numeric_limits<double>::infinity();
+    const auto add = [&](BernsteinPiece piece) {
+        attained = std::max(attained, greatest_corner(piece.net));
+        const double bound = piece.net.maxCoeff();
+        pieces.push({bound, std::move(piece)});
+    };
+    for (int j = 0; j < surface.patches(Parameter::V); ++j)
+        for (int i = 0; i < surface.patches(Parameter::U); ++i)
+            add({height_net(surface.patch(i, j), direction), {0, 0}, 1, 1});
+    while (!pieces.empty() &&
+           pieces.top().bound > attained + bound_gap * surface.diagonal()) {
+        auto [low, high] = halves(pieces.top().piece);
+        pieces.pop();
+        add(std::move(low));
+        add(std::move(high));
+    }
+    return attained;
+}
+
+}  // namespace
+
+Interval extent(const Surface& surface, const Vec3& direction)
+{
+    return {-greatest_height(surface, -direction), greatest_height(surface, direction)};
+}
+
+}  // namespace endmill

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "endmill/surface/surface.h"
+
+namespace endmill {
+
+/// Least and greatest value of r(u, v) . direction over the surface, in mm for a unit
+/// `direction`: by branch and bound with the hull of the control points, never inside the
+/// true extent's ends by more than 1e-9 of the surface's diagonal, never outside.
+Interval extent(const Surface& surface, const Vec3& direction);
+
+}  // namespace endmill

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "endmill/surface/surface.h"
+
+namespace endmill {
+
+/// The radius at which a ball stops fitting a surface, and where.
+struct CutterLimit {
+    double radius_mm;
+    SurfacePoint at;  ///< where the ball touches
+    Vec3 point;       ///< mm
+};
+
+/// Extremes of normal curvature over a surface, in 1/mm, positive where convex.
+struct CurvatureRange {
+    double least;
+    double greatest;
+};
+
+/// Extremes of the principal curvatures of every closed patch (curvature may jump at
+/// borders): the best of a grid of 33 by 33 samples a patch, refined to 1e-10 of their
+/// size. Places without a normal are passed over.
+/// \param side from tool_side_sign.
+/// \return nothing if no sample has a normal.
+std::optional<CurvatureRange> curvature_range(const Surface& surface, double side);
+
+/// Largest ball that fits every concavity by its curvature alone: one over the greatest
+/// concave principal curvature.
+/// Source: [KimChoi, section 5.1] asks for "the maximum cutter radius" without a formula.
+/// \return nothing if no place is concave. Relative error below 1e-8 where the tightest
+///         place is wider than a sample spacing.
+std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface,
+                                                       double side);
+
+/// Largest ball that can touch the surface anywhere without reaching into it elsewhere:
+/// the least |q - p|^2 / (2 N_p . (q - p)) over all pairs of points, never above the limit
+/// by curvature, which is the case q -> p.
+/// \return nothing if no ball is too large. Pairs are sought among at most about 260 000
+///         samples and refined; relative error below 1e-8 where the tightest pair lies
+///         further apart than a sample spacing.
+std::optional<CutterLimit> largest_cutter(const Surface& surface, double side);
+
+}  // namespace endmill

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/surface/surface.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "endmill/core/error.h"
+
+namespace endmill {
+namespace {
+
+// Where `parameter` lies in the patch `number` of `breaks`, and one over the patch's width.
+struct LocalParameter {
+    double value;
+    double slope;
+};
+
+LocalParameter localize(std::span<const double> breaks, int number, double parameter)
+{
+    const double slope = 1 / (breaks[number + 1] - breaks[number]);
+    return {(parameter - breaks[number]) * slope, slope};
+}
+
+bool rises(std::span<const double> breaks)
+{
+    return std::ranges::adjacent_find(breaks, std::ranges::greater_equal{}) ==
+           breaks.end();
+}
+
+double net_diagonal(std::span<const BezierPatch> patches)
+{
+    Eigen::AlignedBox3d box;
+    for (const BezierPatch& patch : patches)
+        for (int j = 0; j < 4; ++j)
+            for (int i = 0; i < 4; ++i)
+                box.extend(patch.control_point(i, j));
+    return box.diagonal().norm();
+}
+
+std::vector<double> whole_numbers_to(int last)
+{
+    std::vector<double> numbers(static_cast<std::size_t>(last) + 1);
+    std::iota(numbers.begin(), numbers.end(), 0.0);
+    return numbers;
+}
+
+}  // namespace
+
+Surface::Surface(std::vector<double> breaks_u, std::vector<double> breaks_v,
+                 std::vector<BezierPatch> patches, ToolSide tool_side)
+    : breaks_u_{std::move(breaks_u)},
+      breaks_v_{std::move(breaks_v)},
+      patches_{std::move(patches)},
+      tool_side_{tool_side},
+      diagonal_{net_diagonal(patches_)}
+{
+    require(breaks_u_.size() >= 2 && breaks_v_.size() >= 2,
+            "Surface: need at least one patch");
+    require((breaks_u_.size() - 1) * (breaks_v_.size() - 1) == patches_.size(),
+            "Surface: the number of patches does not match the breaks");
+    require(rises(breaks_u_) && rises(breaks_v_), "Surface: the breaks do not rise");
+}
+
+std::span<const double> Surface::breaks(Parameter along) const
+{
+    return along == Parameter::U ? breaks_u_ : breaks_v_;
+}
+
+int Surface::patches(Parameter along) const
+{
+    return static_cast<int>(breaks(along).size()) - 1;
+}
+
+Interval Surface::range(Parameter along) const
+{
+    return {breaks(along).front(), breaks(along).back()};
+}
+
+const BezierPatch& Surface::patch(int i, int j) const
+{
+    return patches_[static_cast<std::size_t>(j) * (breaks_u_.size() - 1) + i];
+}
+
+int Surface::patch_number(Parameter along, double parameter) const
+{
+    const auto inner = breaks(along).subspan(1, breaks(along).size() - 2);
+    return static_cast<int>(std::ranges::upper_bound(inner, parameter) - inner.begin());
+}
+
+SurfaceTangents Surface::tangents(double u, double v) const
+{
+    const int i = patch_number(Parameter::U, u);
+    const int j = patch_number(Parameter::V, v);
+    const LocalParameter s = localize(breaks_u_, i, u);
+    const LocalParameter t = localize(breaks_v_, j, v);
+    SurfaceTangents tangents = patch(i, j).tangents(s.value, t.value);
+    tangents.du *= s.slope;
+    tangents.dv *= t.slope;
+    return tangents;
+}
+
+SurfaceJet Surface::jet(double u, double v) const
+{
+    return jet_in_patch(patch_number(Parameter::U, u), patch_number(Parameter::V, v), u,
+                        v);
+}
+
+SurfaceJet Surface::jet_in_patch(int i, int j, double u, double v) const
+{
+    const LocalParameter s = localize(breaks_u_, i, u);
+    const LocalParameter t = localize(breaks_v_, j, v);
+    SurfaceJet jet = patch(i, j).jet(s.value, t.value);
+    jet.du *= s.slope;
+    jet.dv *= t.slope;
+    jet.duu *= s.slope * s.slope;
+    jet.duv *= s.slope * t.slope;
+    jet.dvv *= t.slope * t.slope;
+    return jet;
+}
+
+Surface composite_bezier(int patches_u, int patches_v, std::span<const Vec3> net,
+                         ToolSide tool_side)
+{
+    require(patches_u >= 1 && patches_v >= 1, "composite_bezier: need a patch each way");
+    const std::size_t columns = 3 * static_cast<std::size_t>(patches_u) + 1;
+    const std::size_t rows = 3 * static_cast<std::size_t>(patches_v) + 1;
+    require(net.size() == columns * rows,
+            "composite_bezier: the net does not have (3 patches_u + 1)(3 patches_v + 1) "
+            "points");
+    std::vector<BezierPatch> patches;
+    patches.reserve(static_cast<std::size_t>(patches_u) * patches_v);
+    for (int j = 0; j < patches_v; ++j)
+        for (int i = 0; i < patches_u; ++i) {
+            std::array<Vec3, 16> points;
+            for (int row = 0; row < 4; ++row)
+                std::copy_n(net.begin() + (3 * j + row) * columns + 3 * i, 4,
+                            points.begin() + 4 * row);
+            patches.emplace_back(points);
+        }
+    return Surface{whole_numbers_to(patches_u), whole_numbers_to(patches_v),
+                   std::move(patches), tool_side};
+}
+
+Surface transposed(const Surface& surface)
+{
+    std::vector<BezierPatch> patches;
+    for (int i = 0; i < surface.patches(Parameter::U); ++i)
+        for (int j = 0; j < surface.patches(Parameter::V); ++j)
+            patches.push_back(transposed(surface.patch(i, j)));
+    const auto breaks_u = surface.breaks(Parameter::U);
+    const auto breaks_v = surface.breaks(Parameter::V);
+    ToolSide side = surface.tool_side();
+    if (side != ToolSide::Up)
+        side = side == ToolSide::DuCrossDv ? ToolSide::DvCrossDu : ToolSide::DuCrossDv;
+    return Surface{{breaks_v.begin(), breaks_v.end()},
+                   {breaks_u.begin(), breaks_u.end()},
+                   std::move(patches),
+                   side};
+}
+
+}  // namespace endmill

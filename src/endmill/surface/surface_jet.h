@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "endmill/core/vec.h"
+
+namespace endmill {
+
+/// A point of a parametric surface with its first partial derivatives.
+struct SurfaceTangents {
+    Vec3 point;  ///< mm
+    Vec3 du;     ///< mm per unit of u
+    Vec3 dv;     ///< mm per unit of v
+};
+
+/// A point of a parametric surface with its first and second partial derivatives.
+struct SurfaceJet {
+    Vec3 point;  ///< mm
+    Vec3 du;     ///< mm per unit of u
+    Vec3 dv;     ///< mm per unit of v
+    Vec3 duu;    ///< mm per unit of u squared
+    Vec3 duv;    ///< mm per units of u and v
+    Vec3 dvv;    ///< mm per unit of v squared
+};
+
+/// Whether du and dv are parallel to rounding, or one of them vanishes: a pole, a cusp,
+/// a collapsed edge. The surface has no normal there but as a limit.
+/// Source: |du x dv| < 1e-10 |du| |dv|, the convention of this project.
+bool is_singular(const SurfaceTangents& tangents);
+
+/// Unit normal du x dv / |du x dv|; its side is the parametrisation's, not the tool's.
+/// \throws GeometryError where `is_singular`.
+Vec3 unit_normal(const SurfaceTangents& tangents);
+
+}  // namespace endmill

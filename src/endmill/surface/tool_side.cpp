@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/surface/tool_side.h"
+
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/surface/bernstein_net.h"
+
+namespace endmill {
+namespace {
+
+// Share of the product of the longest partials below which (du x dv) . axis is rounding:
+// the ball would touch at its equator.
+constexpr double side_contact = 1e-12;
+// Pieces narrower than this are decided at their corners.
+constexpr double least_width = 0x1p-14;
+
+double longest_partials(const BezierPatch& patch)
+{
+    double du = 0;
+    double dv = 0;
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 3; ++i) {
+            du = std::max(
+                du, (patch.control_point(i + 1, j) - patch.control_point(i, j)).norm());
+            dv = std::max(
+                dv, (patch.control_point(j, i + 1) - patch.control_point(j, i)).norm());
+        }
+    return 9 * du * dv;
+}
+
+// A corner of the piece, in the patch's own parameters, where the polynomial is not above
+// `least`.
+std::optional<SurfacePoint> low_corner(const BernsteinPiece& piece, double least)
+{
+    for (int v = 0; v < 2; ++v)
+        for (int u = 0; u < 2; ++u)
+            if (!(piece.net(u * (piece.net.rows() - 1), v * (piece.net.cols() - 1)) >
+                  least))
+                return SurfacePoint{piece.low.u + u * piece.width_u,
+                                    piece.low.v + v * piece.width_v};
+    return std::nullopt;
+}
+
+std::optional<SurfacePoint> place_not_above(BernsteinPiece whole, double least)
+{
+    std::vector<BernsteinPiece> pieces{std::move(whole)};
+    while (!pieces.empty()) {
+        const BernsteinPiece piece = std::move(pieces.back());
+        pieces.pop_back();
+        if (const auto corner = low_corner(piece, least))
+            return corner;
+        if (piece.net.minCoeff() > least ||
+            (piece.width_u < least_width && piece.width_v < least_width))
+            continue;
+        auto [low, high] = halves(piece);
+        pieces.push_back(std::move(high));
+        pieces.push_back(std::move(low));
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+double tool_side_sign(const Surface& surface, const Vec3& axis)
+{
+    if (surface.tool_side() != ToolSide::Up)
+        return surface.tool_side() == ToolSide::DuCrossDv ? 1 : -1;
+    double projected_area = 0;  // a Bernstein polynomial's mean is that of its coefficients
+    for (int j = 0; j < surface.patches(Parameter::V); ++j)
+        for (int i = 0; i < surface.patches(Parameter::U); ++i)
+            projected_area += normal_net(surface.patch(i, j), axis).mean();
+    return projected_area < 0 ? -1 : 1;
+}
+
+std::optional<UnreachablePlace> find_unreachable_place(const Surface& surface,
+                                                       const Vec3& axis, double side)
+{
+    for (int j = 0; j < surface.patches(Parameter::V); ++j)
+        for (int i = 0; i < surface.patches(Parameter::U); ++i) {
+            const BezierPatch& patch = surface.patch(i, j);
+            const double least = side_contact * longest_partials(patch);
+            const auto found =
+                place_not_above({normal_net(patch, side * axis), {0, 0}, 1, 1}, least);
+            if (!found)
+                continue;
+            const auto u = surface.breaks(Parameter::U).subspan(i, 2);
+            const auto v = surface.breaks(Parameter::V).subspan(j, 2);
+            const SurfaceTangents tangents = patch.tangents(found->u, found->v);
+            const bool singular = is_singular(tangents);
+            return UnreachablePlace{
+                {std::lerp(u[0], u[1], found->u), std::lerp(v[0], v[1], found->v)},
+                tangents.point,
+                singular ? 0 : side * unit_normal(tangents).dot(axis),
+                singular};
+        }
+    return std::nullopt;
+}
+
+void require_reachable(const Surface& surface, const Vec3& axis, double side)
+{
+    const auto found = find_unreachable_place(surface, axis, side);
+    if (!found)
+        return;
+    const std::string place =
+        "u = " + to_text(found->at.u) + ", v = " + to_text(found->at.v) + " (" +
+        to_text(found->point.x()) + ", " + to_text(found->point.y()) + ", " +
+        to_text(found->point.z()) + " mm)";
+    if (found->singular)
+        throw GeometryError{"the surface has no normal at " + place};
+    throw GeometryError{"the ball cannot touch the surface at " + place +
+                        ", where normal . axis = " + to_text(found->normal_dot_axis) +
+                        "; expected above 0 everywhere"};
+}
+
+}  // namespace endmill

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "endmill/surface/surface.h"
+
+namespace endmill {
+
+/// The sign that turns du x dv into the normal on the tool's side, the same for the whole
+/// surface. For ToolSide::Up it is the sign of the surface's projected area along `axis`,
+/// an integral that is computed exactly but for rounding.
+/// \param axis from the tip to the spindle, unit.
+/// \return +1 or -1; +1 if the projected area vanishes.
+double tool_side_sign(const Surface& surface, const Vec3& axis);
+
+/// A place that a tool along `axis` cannot touch with its ball: there N . axis <= 0, or the
+/// surface has no normal.
+struct UnreachablePlace {
+    SurfacePoint at;
+    Vec3 point;           ///< mm
+    double normal_dot_axis;  ///< of the unit normal; 0 where `singular`
+    bool singular;        ///< the partials are parallel or one of them vanishes
+};
+
+/// Looks for an unreachable place by bounding (du x dv) . axis, a polynomial, on ever
+/// smaller pieces of each patch; not by sampling, so that a narrow overhang is found.
+/// \param side from tool_side_sign.
+/// \return nothing only if N . axis > 0 everywhere, but for pieces narrower than 2^-14 of
+///         a patch, which are decided at their corners.
+std::optional<UnreachablePlace> find_unreachable_place(const Surface& surface,
+                                                       const Vec3& axis, double side);
+
+/// \throws GeometryError with the place that find_unreachable_place finds, if any.
+void require_reachable(const Surface& surface, const Vec3& axis, double side);
+
+}  // namespace endmill

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/io/tool_path_csv.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+#include "endmill/io/csv.h"
+#include "wavy_path.h"
+
+namespace endmill {
+namespace {
+
+TEST(ToolPathCsv, HasTheColumnsOfTheFormatInTheirOrder)
+{
+    EXPECT_EQ(tool_path_csv({}),
+              "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z,u,v,"
+              "contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,normal_z\n");
+}
+
+TEST(ToolPathCsv, WritesAPointByHand)
+{
+    const ToolPath path{{{0, 0, Move::Rapid, {{0, -0.0, 230}, {0, 0, 1}}, {}},
+                         {0,
+                          1,
+                          Move::Plunge,
+                          {{1.5, -2, 0.1}, {0, 0, 1}},
+                          SurfaceContact{0.25, 2, {{1e-7, 3, -4}, {0.6, 0, 0.8}}}}}};
+    EXPECT_THAT(
+        tool_path_csv(path),
+        testing::EndsWith("\n0,0,rapid,0,0,230,0,0,1,,,,,,,,\n"
+                          "0,1,plunge,1.5,-2,0.1,0,0,1,0.25,2,1e-07,3,-4,0.6,0,0.8\n"));
+}
+
+void expect_vector(const CsvTable& table, std::size_t row,
+                   const std::vector<std::string>& columns, const Vec3& expected)
+{
+    for (int c = 0; c < 3; ++c)
+        EXPECT_EQ(table.number(row, columns[c]), expected[c]) << row << columns[c];
+}
+
+TEST(ToolPathCsv, EveryNumberReadsBackAsTheSameDouble)
+{
+    const ToolPath path = wavy_path(3, 50);
+    const CsvTable table = parse_csv(tool_path_csv(path), "f");
+    ASSERT_EQ(table.rows(), path.points.size());
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const PathPoint& point = path.points[row];
+        EXPECT_EQ(table.number(row, "pass"), point.pass);
+        EXPECT_EQ(table.number(row, "point"), point.point);
+        EXPECT_EQ(table.cell(row, "move"), move_name(point.move));
+        expect_vector(table, row, {"tip_x_mm", "tip_y_mm", "tip_z_mm"},
+                      point.location.tip);
+        expect_vector(table, row, {"axis_x", "axis_y", "axis_z"}, point.location.axis);
+        EXPECT_EQ(table.number(row, "u").has_value(), point.contact.has_value());
+        if (!point.contact)
+            continue;
+        EXPECT_EQ(table.number(row, "u"), point.contact->u);
+        EXPECT_EQ(table.number(row, "v"), point.contact->v);
+        expect_vector(table, row, {"contact_x_mm", "contact_y_mm", "contact_z_mm"},
+                      point.contact->contact.point);
+        expect_vector(table, row, {"normal_x", "normal_y", "normal_z"},
+                      point.contact->contact.normal);
+    }
+}
+
+// More points than fit into one batch of chunks, so that the joints are crossed too.
+TEST(ToolPathCsv, IsTheSameWithAnyNumberOfThreads)
+{
+    const ToolPath path = wavy_path(7, 20001);
+    set_thread_count(1);
+    const std::string alone = tool_path_csv(path);
+    set_thread_count(4);
+    EXPECT_EQ(tool_path_csv(path), alone);
+
+    std::string line_by_line = tool_path_csv({});
+    const std::size_t header = line_by_line.size();
+    for (const PathPoint& point : path.points)
+        line_by_line += tool_path_csv({{point}}).substr(header);
+    EXPECT_EQ(line_by_line, alone);
+}
+
+TEST(ToolPathCsv, RefusesANumberThatIsNotFinite)
+{
+    ToolPath path = wavy_path(2, 5);
+    path.points[3].location.tip.y() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(tool_path_csv(path), DomainError);
+}
+
+}  // namespace
+}  // namespace endmill

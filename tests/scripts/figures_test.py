@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures are drawn from CSV, with the same bytes on every run."""
+import unittest
+import xml.etree.ElementTree as xml
+
+from fake_tree import FakeTree
+from reproduction.fault import Fault
+from reproduction.figures import curves_of, draw_all, filtered
+from reproduction.tables import read_table
+
+RESULT = "row,radius_mm,k,interval_mm\na,5,0,2\nb,5,0.1,1.5\nc,10,0,2.8\nd,10,0.1,\n"
+
+
+def params(**plot):
+    described = {"csv": "result.csv", "x": "k", "y": ["interval_mm"]} | plot
+    return {"figures": [{"file": "x.svg", "caption": "A figure.", "plot": described}]}
+
+
+class Figures(FakeTree):
+    def setUp(self):
+        super().setUp()
+        self.write("result.csv", RESULT)
+
+    def drawn(self, **plot):
+        draw_all(params(**plot), self.root)
+        return (self.root / "x.svg").read_bytes()
+
+    def test_two_runs_write_the_same_bytes(self):
+        self.assertEqual(self.drawn(group_by="radius_mm"), self.drawn(group_by="radius_mm"))
+
+    def test_every_kind_is_an_svg(self):
+        for kind in ("line", "points", "bar"):
+            for x in ("k", "row"):
+                root = xml.fromstring(self.drawn(kind=kind, x=x, y_scale="log"))
+                self.assertTrue(root.tag.endswith("svg"))
+
+    def test_a_curve_for_each_group_with_a_gap_where_a_cell_is_empty(self):
+        plot = params(group_by="radius_mm")["figures"][0]["plot"]
+        curves = list(curves_of(read_table(self.root / "result.csv"), plot))
+        self.assertEqual([label for label, _, _ in curves], ["radius_mm 5", "radius_mm 10"])
+        self.assertEqual(curves[0][2], [2, 1.5])
+        self.assertNotEqual(curves[1][2][1], curves[1][2][1])  # NaN alone differs from itself
+
+    def test_a_filter_compares_numbers_as_numbers(self):
+        plot = params(filter={"radius_mm": 5.0})["figures"][0]["plot"]
+        kept = filtered(read_table(self.root / "result.csv"), plot)
+        self.assertEqual(kept.column("row"), ["a", "b"])
+
+    def test_a_plot_of_what_is_not_there_is_refused(self):
+        for plot in ({"x": "u"}, {"y": ["z"]}, {"y": "k"}, {"kind": "pie"}, {"colour": "red"},
+                     {"csv": "../result.csv"}, {"csv": "none.csv"}, {"filter": {"k": 7}}):
+            with self.assertRaises(Fault, msg=plot):
+                self.drawn(**plot)
+
+    def test_a_file_stays_in_the_results_folder_and_has_a_caption(self):
+        for figure in ({"file": "../x.svg", "caption": "A."}, {"file": "x.html", "caption": "A."},
+                       {"file": "x.svg"}, {"caption": "A."}):
+            with self.assertRaises(Fault, msg=figure):
+                draw_all({"figures": [figure]}, self.root)
+
+    def test_a_figure_of_the_driver_must_be_there(self):
+        figures = {"figures": [{"file": "path.svg", "caption": "A path."}]}
+        with self.assertRaisesRegex(Fault, "path.svg"):
+            draw_all(figures, self.root)
+        self.write("path.svg", "<svg/>")
+        draw_all(figures, self.root)
+
+
+if __name__ == "__main__":
+    unittest.main()

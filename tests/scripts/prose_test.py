@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A README becomes HTML that holds its text and runs nothing."""
+import unittest
+
+import fake_tree  # noqa: F401 (finds the scripts)
+from reproduction.prose import read
+
+README = """# Table 1: counts
+
+| | |
+| --- | --- |
+| Claim | about 25 % fewer, `NCL` |
+| Command | `run it` |
+
+Free text in
+two lines.
+
+- one
+- two,
+  gone on
+
+| column | unit |
+|---|---|
+| `a` | mm |
+
+```
+| no table |
+```
+"""
+
+
+class Prose(unittest.TestCase):
+    def test_title_claim_and_body(self):
+        readme = read(README, "fallback")
+        self.assertEqual(readme.title, "Table 1: counts")
+        self.assertEqual(readme.claim, "about 25 % fewer, <code>NCL</code>")
+        self.assertNotIn("Claim", readme.body)
+        for html in ("<td>Command</td><td><code>run it</code></td>",
+                     "<p>Free text in two lines.</p>", "<ul><li>one</li><li>two, gone on</li></ul>",
+                     "<tr><th>column</th><th>unit</th></tr>", "<pre>| no table |</pre>"):
+            self.assertIn(html, readme.body)
+
+    def test_without_a_heading_the_fallback_is_the_title(self):
+        for text in ("", "Only text.", "## Second"):
+            self.assertEqual(read(text, "fallback").title, "fallback")
+
+    def test_an_empty_table_head_is_left_out(self):
+        self.assertNotIn("<th></th>", read(README, "").body)
+
+    def test_no_text_becomes_markup(self):
+        for payload in ("<script>alert(1)</script>", "<img src=x onerror=alert(1)>",
+                        "[text](javascript:alert)", '`"><script>`', "**<b onload=x>**"):
+            for text in (payload, f"## {payload}", f"- {payload}", f"| {payload} |",
+                         f"```\n{payload}\n```"):
+                body = read(text, "").body
+                for live in ("<script", "<img", "<b ", "href"):
+                    self.assertNotIn(live, body)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From drivers to the report, with drivers that are shell scripts."""
+import html
+import json
+import re
+import subprocess
+import unittest
+from pathlib import Path
+
+from fake_tree import ROOT, FakeTree
+from reproduction.__main__ import reproduce
+from reproduction.accept import accept
+from reproduction.experiments import find_experiments, select
+
+RESULT = "row,x\na,1\nb,2.5\n"
+PAYLOAD = "</script><script>alert(1)</script><img src=x onerror=alert(1)>"
+
+
+class Reproduce(FakeTree):
+    def reproduce(self, *names):
+        """Whether all was good, and what was printed."""
+        experiments = find_experiments(self.root)
+        chosen, unknown = select(experiments, names)
+        self.assertEqual(unknown, [])
+        good, printed = self.check(reproduce, self.root, experiments, chosen)
+        return bool(good), printed
+
+    def report(self):
+        return (self.root / "results/report.html").read_text(encoding="utf-8")
+
+    def test_a_run_that_is_as_before_is_good_and_records_its_circumstances(self):
+        self.add_experiment("paper/table-1", RESULT, expected=RESULT)
+        good, printed = self.reproduce()
+        self.assertTrue(good, printed)
+        self.assertIn("regression ok", printed)
+        record = json.loads((self.root / "results/paper/table-1/run.json").read_text())
+        self.assertEqual(record["exit"], 0)
+        self.assertEqual(set(record["machine"]), {"cpu", "cores", "load_average", "compiler"})
+        self.assertIn("regression", self.report())
+
+    def test_the_driver_is_called_with_its_folder_from_the_root(self):
+        self.add_experiment("paper/table-1", RESULT, driver='echo "$1"; pwd')
+        self.reproduce()
+        log = (self.root / "results/paper/table-1/run.log").read_text()
+        self.assertEqual(log, f"results/paper/table-1\n{self.root}\n")
+
+    def test_a_broken_cell_is_listed_and_not_good(self):
+        self.add_experiment("paper/table-1", RESULT, expected="row,x\na,1\nb,2.6\n")
+        good, printed = self.reproduce()
+        self.assertFalse(good)
+        self.assertIn("row 'b', column 'x': expected '2.6', found '2.5'", printed)
+        self.assertIn("broken: 1 cell", self.report())
+
+    def test_a_crash_is_not_good_and_shows_its_last_words(self):
+        self.add_experiment("paper/table-1", RESULT, driver="echo out of luck >&2; exit 3")
+        good, printed = self.reproduce()
+        self.assertFalse(good)
+        self.assertIn("exit code 3", printed)
+        self.assertIn("out of luck", printed)
+
+    def test_a_driver_that_was_not_built_is_not_good(self):
+        self.write("experiments/paper/table-1/main.cpp")
+        self.assertFalse(self.reproduce()[0])
+
+    def test_a_driver_without_a_result_is_not_good(self):
+        self.add_experiment("paper/table-1", RESULT, driver='rm "$1/result.csv"')
+        self.assertFalse(self.reproduce()[0])
+
+    def test_a_published_number_that_differs_is_good(self):
+        published = "row,column,published,digits,verdict\na,x,7,0,reproduced\n"
+        self.add_experiment("paper/table-1", RESULT, published=published)
+        good, printed = self.reproduce()
+        self.assertTrue(good)
+        self.assertIn("marked 'reproduced', shown as 'differs'", printed)
+        self.assertIn('<span class="word bad">differs</span>', self.report())
+
+    def test_an_item_that_is_not_run_keeps_its_result_and_says_so(self):
+        self.add_experiment("paper/table-1", RESULT)
+        self.add_experiment("paper/table-2", RESULT)
+        self.add_experiment("benchmarks/planner", RESULT)
+        self.reproduce("paper")
+        self.assertIn("Never run here: benchmarks/planner", self.report())
+        self.assertNotIn("Not run this time", self.report())
+        self.reproduce("experiments/paper/table-2/")
+        self.assertEqual(self.report().count("Not run this time"), 1)
+
+    def test_the_figures_are_images_within_the_page(self):
+        plot = {"csv": "result.csv", "x": "row", "y": ["x"]}
+        figures = [{"file": "x.svg", "caption": "A caption.", "plot": plot}]
+        self.add_experiment("paper/table-1", RESULT, {"figures": figures})
+        self.assertTrue(self.reproduce()[0])
+        self.assertIn('<img src="data:image/svg+xml;base64,', self.report())
+        self.assertIn("<figcaption>A caption.</figcaption>", self.report())
+
+    def test_no_text_of_an_experiment_becomes_markup(self):
+        quoted = PAYLOAD.replace('"', '""')
+        result = f'row,"{quoted}"\n"{quoted}",1\n'
+        published = f'row,column,published,digits,verdict\n"{quoted}","{quoted}",1,0,reproduced\n'
+        expected = f'row,"{quoted}"\n"{quoted}",2\n'
+        self.add_experiment("paper/table-1", result, published=published, expected=expected)
+        self.write("experiments/paper/table-1/README.md",
+                   f"# {PAYLOAD}\n\n| | |\n|---|---|\n| Claim | {PAYLOAD} |\n\n{PAYLOAD}\n")
+        self.write("experiments/paper/README.md", f"# {PAYLOAD}\n")
+        self.reproduce()
+        page = self.report()
+        self.assertGreater(page.count(html.escape(PAYLOAD)), 5)
+        self.assertNotRegex(page, r"(?i)<script|<img src=x|<[^>]+\son\w+=")
+        self.assertIn("default-src 'none'; style-src 'unsafe-inline'; img-src data:", page)
+
+    def test_every_link_of_the_page_leads_somewhere(self):
+        self.add_experiment("paper/table-1", RESULT, expected=RESULT,
+                            published="row,column,published,digits,verdict\na,x,1,0,reproduced\n")
+        self.reproduce()
+        page = self.report()
+        links = re.findall(r'href="([^"]+)"', page)
+        self.assertGreaterEqual(len(links), 5)
+        for link in links:
+            if link.startswith("#"):
+                self.assertIn(f'id="{link[1:]}"', page)
+            else:
+                self.assertTrue((self.root / "results" / link).exists(), link)
+
+    def test_accept_makes_the_result_the_expected_one(self):
+        self.add_experiment("paper/table-1", RESULT, expected="row,x\na,9\n")
+        self.assertFalse(self.reproduce()[0])
+        code, printed = self.check(accept, find_experiments(self.root), print)
+        self.assertEqual(code, 0, printed)
+        self.assertTrue(self.reproduce()[0])
+
+    def test_accept_refuses_without_a_sound_result(self):
+        self.add_experiment("paper/table-1", RESULT, driver="exit 1")
+        experiments = find_experiments(self.root)
+        self.assertEqual(self.check(accept, experiments, print)[0], 2)
+        self.reproduce()
+        self.assertEqual(self.check(accept, experiments, print)[0], 2)
+
+    def test_experiments_are_in_the_order_of_a_reader(self):
+        ordered = ["paper/claims", "paper/figure-5", "paper/figure-12", "benchmarks/a"]
+        for name in ["support/x", *reversed(ordered)]:
+            self.write(f"experiments/{name}/main.cpp")
+        self.assertEqual([e.name for e in find_experiments(self.root)], ordered)
+
+    def test_a_name_that_is_no_experiment_is_found_out(self):
+        self.add_experiment("paper/table-1", RESULT)
+        names = ["paper/table-1", "paper/table-9"]
+        chosen, unknown = select(find_experiments(self.root), names)
+        self.assertEqual([e.name for e in chosen], ["paper/table-1"])
+        self.assertEqual(unknown, ["paper/table-9"])
+
+
+class Scripts(unittest.TestCase):
+    def test_both_commands_tell_their_use_and_refuse_what_they_do_not_know(self):
+        for script in ("scripts/test.sh", "scripts/reproduce.sh"):
+            for option, code in (("--help", 0), ("--nonsense", 2)):
+                command = [ROOT / script, option]
+                done = subprocess.run(command, capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, code)
+                self.assertIn(Path(script).name, done.stdout + done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "endmill/surface/surface.h"
+
+// Surfaces whose geometry is known in closed form, and a source of random numbers that is
+// the same everywhere.
+namespace endmill::test {
+
+/// A polynomial sum of c(m, n) x^m y^n, cubic in x and in y, by its coefficients.
+using Polynomial = Eigen::Matrix4d;
+
+/// One term `c` x^m y^n.
+inline Polynomial monomial(int m, int n, double c)
+{
+    Polynomial polynomial = Polynomial::Zero();
+    polynomial(m, n) = c;
+    return polynomial;
+}
+
+/// A region of the plane of x and y.
+struct Rectangle {
+    Interval x;
+    Interval y;
+};
+
+/// Numbers of patches along u and along v.
+struct PatchCounts {
+    int u;
+    int v;
+};
+
+/// Blossoms at (a, ..., a, b, ..., b), `upper` times b, of 1, t, t^2, t^3 taken as cubics:
+/// the Bernstein coefficients of the powers on [a, b].
+inline Eigen::Vector4d power_blossoms(Interval over, int upper)
+{
+    std::array<double, 3> t;
+    for (int k = 0; k < 3; ++k)
+        t[k] = k < upper ? over.high : over.low;
+    return {1, (t[0] + t[1] + t[2]) / 3, (t[0] * t[1] + t[0] * t[2] + t[1] * t[2]) / 3,
+            t[0] * t[1] * t[2]};
+}
+
+/// Part number `k` of `parts` equal ones of `whole`.
+inline Interval part_of(Interval whole, int k, int parts)
+{
+    return {std::lerp(whole.low, whole.high, k / double(parts)),
+            std::lerp(whole.low, whole.high, (k + 1) / double(parts))};
+}
+
+/// Control points, u running fastest, of the composite net of a space polynomial in x and
+/// y, where u runs along x and v along y.
+inline std::vector<Vec3> polynomial_net(const std::array<Polynomial, 3>& space,
+                                        const Rectangle& over, PatchCounts patches)
+{
+    std::vector<Vec3> net;
+    for (int row = 0; row <= 3 * patches.v; ++row)
+        for (int column = 0; column <= 3 * patches.u; ++column) {
+            const int i = std::min(column / 3, patches.u - 1);
+            const int j = std::min(row / 3, patches.v - 1);
+            const auto x = power_blossoms(part_of(over.x, i, patches.u), column - 3 * i);
+            const auto y = power_blossoms(part_of(over.y, j, patches.v), row - 3 * j);
+            net.emplace_back(x.dot(space[0] * y), x.dot(space[1] * y),
+                             x.dot(space[2] * y));
+        }
+    return net;
+}
+
+/// The surface of `polynomial_net`.
+inline Surface polynomial_surface(const std::array<Polynomial, 3>& space,
+                                  const Rectangle& over, PatchCounts patches = {1, 1},
+                                  ToolSide side = ToolSide::Up)
+{
+    return composite_bezier(patches.u, patches.v, polynomial_net(space, over, patches),
+                            side);
+}
+
+/// z = height(x, y) over a rectangle, u along x and v along y.
+inline Surface graph(const Polynomial& height, const Rectangle& over,
+                     PatchCounts patches = {1, 1})
+{
+    return polynomial_surface({monomial(1, 0, 1), monomial(0, 1, 1), height}, over,
+                              patches);
+}
+
+/// The flat parallelogram with a corner at the origin and the sides `along_u`, `along_v`.
+inline Surface parallelogram(const Vec3& along_u, const Vec3& along_v,
+                             PatchCounts patches = {1, 1})
+{
+    std::array<Polynomial, 3> space;
+    for (int c = 0; c < 3; ++c)
+        space[c] = monomial(1, 0, along_u[c]) + monomial(0, 1, along_v[c]);
+    return polynomial_surface(space, {{0, 1}, {0, 1}}, patches);
+}
+
+/// The plane z = 0 over 0 ... size_x by 0 ... size_y.
+inline Surface plane(double size_x, double size_y, PatchCounts patches = {1, 1})
+{
+    return parallelogram({size_x, 0, 0}, {0, size_y, 0}, patches);
+}
+
+/// z = (x^2 - y^2) / (2 c) over |x|, |y| <= half.
+inline Surface saddle(double c, double half, PatchCounts patches = {1, 1})
+{
+    return graph(monomial(2, 0, 0.5 / c) + monomial(0, 2, -0.5 / c),
+                 {{-half, half}, {-half, half}}, patches);
+}
+
+/// z = bend x^2 / 2 over -half_x ... half_x by 0 ... size_y: a trough where bend > 0.
+inline Surface parabolic_cylinder(double bend, double half_x, double size_y,
+                                  PatchCounts patches = {1, 1})
+{
+    return graph(monomial(2, 0, bend / 2), {{-half_x, half_x}, {0, size_y}}, patches);
+}
+
+/// Two planes that meet along x = 0 at slopes of -slope and +slope, 2 by 1 patches.
+inline Surface valley(double half_x, double size_y, double slope)
+{
+    std::vector<Vec3> net;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 7; ++column) {
+            const double x = half_x * (column - 3) / 3;
+            net.emplace_back(x, size_y * row / 3, slope * std::abs(x));
+        }
+    return composite_bezier(2, 1, net);
+}
+
+/// Uniform numbers that depend on the seed alone.
+class Random {
+public:
+    explicit Random(unsigned seed) : engine_{seed} {}
+
+    double uniform(double low, double high)
+    {
+        return low + (high - low) * (engine_() / 4294967296.0);
+    }
+
+    /// 10 to a power that is uniform.
+    double log_uniform(double low, double high)
+    {
+        return std::exp(uniform(std::log(low), std::log(high)));
+    }
+
+    std::mt19937& engine() { return engine_; }
+
+private:
+    std::mt19937 engine_;
+};
+
+/// Random control points around a regular grid of spacing 10 mm, off it by up to
+/// `disorder` mm.
+inline std::vector<Vec3> random_net(unsigned seed, PatchCounts patches, double disorder)
+{
+    Random random{seed};
+    const auto off = [&] { return random.uniform(-disorder, disorder); };
+    std::vector<Vec3> net;
+    for (int row = 0; row <= 3 * patches.v; ++row)
+        for (int column = 0; column <= 3 * patches.u; ++column) {
+            const double x = 10 * column + off();
+            const double y = 10 * row + off();
+            net.emplace_back(x, y, off());
+        }
+    return net;
+}
+
+/// The surface of `random_net`.
+inline Surface random_surface(unsigned seed, PatchCounts patches = {1, 1},
+                              double disorder = 4)
+{
+    return composite_bezier(patches.u, patches.v, random_net(seed, patches, disorder));
+}
+
+/// |value - expected| / |expected|.
+inline double relative_error(double value, double expected)
+{
+    return std::abs(value - expected) / std::abs(expected);
+}
+
+}  // namespace endmill::test

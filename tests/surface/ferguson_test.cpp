@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/surface/ferguson.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "test_surfaces.h"
+
+namespace endmill {
+namespace {
+
+BezierPatch random_patch(unsigned seed)
+{
+    return BezierPatch{test::random_net(seed, {1, 1}, 8)};
+}
+
+// B_ij = (10 i, 10 j, i j).
+BezierPatch tabulated_patch()
+{
+    std::vector<Vec3> net;
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i)
+            net.emplace_back(10 * i, 10 * j, i * j);
+    return BezierPatch{net};
+}
+
+// Hermite's cubics of a value and a slope at either end: what Ferguson's patch is made of.
+Eigen::Vector4d hermite(double t)
+{
+    const double s = 1 - t;
+    return {s * s * (1 + 2 * t), t * t * (3 - 2 * t), t * s * s, -t * t * s};
+}
+
+Vec3 ferguson_point(const FergusonPatch& patch, double u, double v)
+{
+    const Eigen::Vector4d along_u = hermite(u);
+    const Eigen::Vector4d along_v = hermite(v);
+    Vec3 point = Vec3::Zero();
+    for (int corner = 0; corner < 4; ++corner) {
+        const int i = corner % 2;
+        const int j = corner / 2;
+        const auto& [place, du, dv, twist] = patch.corners[corner];
+        point += along_u[i] * along_v[j] * place + along_u[i + 2] * along_v[j] * du +
+                 along_u[i] * along_v[j + 2] * dv + along_u[i + 2] * along_v[j + 2] * twist;
+    }
+    return point;
+}
+
+TEST(Ferguson, BezierFormIsTheSurfaceThatHermitesCubicsSpan)
+{
+    const FergusonPatch ferguson = ferguson_from_bezier(random_patch(1));
+    const BezierPatch bezier = bezier_from_ferguson(ferguson);
+    for (double u = 0; u <= 1; u += 0.125)
+        for (double v = 0; v <= 1; v += 0.125)
+            EXPECT_LT((bezier.jet(u, v).point - ferguson_point(ferguson, u, v)).norm(),
+                      1e-12);
+}
+
+TEST(Ferguson, ThereAndBackIsTheSamePatch)
+{
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const BezierPatch patch = random_patch(seed);
+        const BezierPatch back = bezier_from_ferguson(ferguson_from_bezier(patch));
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j)
+                EXPECT_LT((back.control_point(i, j) - patch.control_point(i, j)).norm(),
+                          1e-13);
+    }
+}
+
+TEST(Ferguson, TabulatedPatchHasEqualTwists)  // vectors computed with 50 digits
+{
+    for (const auto& corner : ferguson_from_bezier(tabulated_patch()).corners)
+        EXPECT_LT((corner.twist - Vec3{0, 0, 9}).norm(), 1e-13);
+}
+
+TEST(Ferguson, WithoutTwistsTheTabulatedPatchIsAnother)  // vectors computed with 50 digits
+{
+    FergusonPatch flat = ferguson_from_bezier(tabulated_patch());
+    for (auto& corner : flat.corners)
+        corner.twist.setZero();
+    const BezierPatch patch = bezier_from_ferguson(flat);
+    EXPECT_LT((patch.jet(0.3, 0.7).point - Vec3{9, 21, 1.953504}).norm(), 1e-13);
+    EXPECT_NEAR(patch.control_point(1, 1).z(), 0, 1e-15);
+    EXPECT_NEAR(patch.control_point(1, 2).z(), 3, 1e-15);
+    EXPECT_NEAR(patch.control_point(2, 1).z(), 3, 1e-15);
+    EXPECT_NEAR(patch.control_point(2, 2).z(), 3, 1e-15);
+}
+
+TEST(Ferguson, TwistIsNineTimesTheParallelogramThatTheNetMissesAtACorner)
+{
+    const BezierPatch patch = random_patch(2);
+    const auto b = [&](int i, int j) { return patch.control_point(i, j); };
+    const Vec3 expected = 9 * (b(0, 0) - b(1, 0) - b(0, 1) + b(1, 1));
+    EXPECT_LT((ferguson_from_bezier(patch).corners[0].twist - expected).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace endmill

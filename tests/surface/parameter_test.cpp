@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/surface/parameter.h"
+
+#include <gtest/gtest.h>
+
+namespace endmill {
+namespace {
+
+static_assert(Parameter::U != Parameter::V);
+static_assert(Interval{2, 2}.low == Interval{2, 2}.high);
+
+TEST(Interval, LengthIsWhatLeadsFromLowToHigh)
+{
+    for (const Interval interval : {Interval{-3, 5}, {0, 0}, {1e300, 1.5e300}})
+        EXPECT_EQ(interval.low + interval.length(), interval.high);
+}
+
+TEST(SurfacePoint, NamesUBeforeV)
+{
+    const auto [u, v] = SurfacePoint{1, 2};
+    EXPECT_EQ(u, 1);
+    EXPECT_EQ(v, 2);
+}
+
+}  // namespace
+}  // namespace endmill
