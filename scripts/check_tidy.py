@@ -11,6 +11,7 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -66,9 +67,15 @@ def select(files, compiled):
     return sorted(chosen)
 
 
-def tidy(root, file):
+def for_clang(command):
+    """A compile command of g++ as clang understands it."""
+    command = re.sub(r"-Winvalid-pch|-include \S+/cmake_pch\.hxx|-Wno-restrict", "", command)
+    return command + " -Wno-unknown-warning-option"
+
+
+def tidy(database, file):
     """What clang-tidy finds in `file`, empty if nothing."""
-    command = ["clang-tidy", "--quiet", "-p", str(root / BUILD), str(file)]
+    command = ["clang-tidy", "--quiet", "-p", str(database), str(file)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     found = done.stdout + (done.stderr if done.returncode else "")
     return found if done.returncode or done.stdout.strip() else ""
@@ -84,9 +91,12 @@ def main(root, look_at_all):
     files = None if look_at_all else changed(root)
     chosen = compiled if files is None else select(files, compiled)
     print(f"clang-tidy: {len(chosen)} of {len(compiled)} files", flush=True)
+    for entry in entries:
+        entry["command"] = for_clang(entry["command"])
     clean = True
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for found in pool.map(lambda file: tidy(root, file), chosen):
+    with ThreadPoolExecutor(os.cpu_count()) as pool, tempfile.TemporaryDirectory() as folder:
+        Path(folder, database.name).write_text(json.dumps(entries), encoding="utf-8")
+        for found in pool.map(lambda file: tidy(folder, file), chosen):
             if found:
                 clean = False
                 print(found, flush=True)

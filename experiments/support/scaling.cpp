@@ -69,7 +69,7 @@ ScalingLaw scaling_law(const EconomyTables& tables, TableQuantity quantity,
     }
     for (const double log_value : rest)
         law.worst_residual =
-            std::max(law.worst_residual, std::abs(std::expm1(log_value - constant)));
+            std::max(law.worst_residual, std::abs(std::expm1(constant - log_value)));
     return law;
 }
 
@@ -145,6 +145,17 @@ bool v_beats_u(const EconomyTables& tables)
                                  tables.cell(quantity, Parameter::U, i, j);
         });
     return beats;
+}
+
+double mean_change(const EconomyTables& defaults, const EconomyTables& changed,
+                   TableQuantity quantity, Parameter direction)
+{
+    double mean = 0;
+    for_cells([&](int i, int j) {
+        const double before = defaults.cell(quantity, direction, i, j);
+        mean += (changed.cell(quantity, direction, i, j) - before) / before / 9;
+    });
+    return mean;
 }
 
 double worst_deviation(const EconomyTables& tables, const EconomyTables& reference)

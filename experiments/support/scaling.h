@@ -11,7 +11,7 @@ namespace endmill {
 struct ScalingLaw {
     double tolerance_exponent;
     double diameter_exponent;
-    double worst_residual;  ///< of a cell against the fit, as a share
+    double worst_residual;  ///< of the fit against a cell, as a share of the cell
 };
 
 /// The fit to the cells of one quantity and direction.
@@ -47,6 +47,10 @@ bool falls_with_diameter(const EconomyTables& tables);
 
 /// Whether v costs less than u in all nine cells of both tables.
 bool v_beats_u(const EconomyTables& tables);
+
+/// Mean of (changed - defaults) / defaults over the nine cells of a table's direction.
+double mean_change(const EconomyTables& defaults, const EconomyTables& changed,
+                   TableQuantity quantity, Parameter direction);
 
 /// Greatest deviation of a cell of `tables` from that of `reference`, as a share.
 double worst_deviation(const EconomyTables& tables, const EconomyTables& reference);

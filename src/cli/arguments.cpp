@@ -15,8 +15,8 @@ constexpr std::size_t shown_characters = 40;
 [[noreturn]] void refuse(const std::string& option, const std::string& found,
                          const std::string& expected)
 {
-    throw CLI::ValidationError(
-        option, "found \"" + printable(found, shown_characters) + "\"; expected " + expected);
+    throw CLI::ValidationError(option, "found \"" + printable(found, shown_characters) +
+                                           "\"; expected " + expected);
 }
 
 std::vector<std::string> split(const std::string& text, char separator)

@@ -75,11 +75,11 @@ void add_cite_command(CLI::App& program, Action& action)
     const auto options = std::make_shared<CiteOptions>();
     command->add_flag("--bibtex", options->bibtex, "as BibTeX");
     add_common_options(*command, options->common);
-    command->footer("Prints; writes DIR/references.bib only with --output.\n\n"
-                    "Example:\n  endmill cite --bibtex");
-    command->callback([options, &action] {
-        action = [options] { return run_cite(*options); };
-    });
+    command->footer(
+        "Prints; writes DIR/references.bib only with --output.\n\n"
+        "Example:\n  endmill cite --bibtex");
+    command->callback(
+        [options, &action] { action = [options] { return run_cite(*options); }; });
 }
 
 }  // namespace endmill

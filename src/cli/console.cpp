@@ -18,8 +18,9 @@ void write_error(const Json& error, ExitCode exit, bool as_json)
     Json whole = error;
     whole["exit"] = static_cast<int>(exit);
     const std::string line =
-        as_json ? Json{{"error", whole}}.dump(-1, ' ', false, Json::error_handler_t::replace)
-                : "endmill: error: " + error["message"].get<std::string>();
+        as_json
+            ? Json{{"error", whole}}.dump(-1, ' ', false, Json::error_handler_t::replace)
+            : "endmill: error: " + error["message"].get<std::string>();
     std::fprintf(stderr, "%s\n", line.c_str());
 }
 

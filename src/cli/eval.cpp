@@ -47,9 +47,8 @@ Json half_angle(const Angle& angle, LengthStatus status)
 
 Json path_interval_json(const Numbers& numbers)
 {
-    const PathInterval interval =
-        path_interval(BallCutter{numbers.at("radius")}, numbers.at("curvature"),
-                      numbers.at("scallop"));
+    const PathInterval interval = path_interval(
+        BallCutter{numbers.at("radius")}, numbers.at("curvature"), numbers.at("scallop"));
     return {{"chord_mm", finite_or_null(interval.chord)},
             {"projected_mm", finite_or_null(interval.projected)},
             {"arc_mm", finite_or_null(interval.arc)},
@@ -69,16 +68,16 @@ Json step_length_json(const Numbers& numbers)
 
 Json scallop_height_json(const Numbers& numbers)
 {
-    return {{"scallop_mm",
-             scallop_height(BallCutter{numbers.at("radius")}, numbers.at("curvature"),
-                            numbers.at("interval"))}};
+    return {
+        {"scallop_mm", scallop_height(BallCutter{numbers.at("radius")},
+                                      numbers.at("curvature"), numbers.at("interval"))}};
 }
 
 Json highest_scallop_json(const Numbers& numbers)
 {
-    return {{"scallop_mm",
-             finite_or_null(highest_scallop(BallCutter{numbers.at("radius")},
-                                            numbers.at("curvature")))}};
+    return {
+        {"scallop_mm", finite_or_null(highest_scallop(BallCutter{numbers.at("radius")},
+                                                      numbers.at("curvature")))}};
 }
 
 const std::array formulas{
@@ -113,8 +112,8 @@ std::string text(const Json& value)
 {
     std::string lines;
     for (const auto& [key, item] : value.items())
-        lines += key + " = " + (item.is_string() ? item.get<std::string>() : item.dump()) +
-                 "\n";
+        lines += key + " = " +
+                 (item.is_string() ? item.get<std::string>() : item.dump()) + "\n";
     return lines;
 }
 
@@ -136,8 +135,8 @@ ExitCode list_formulas(const CommonOptions& common)
     std::string lines;
     for (const Formula& formula : formulas) {
         summary.push_back({{"name", formula.name}, {"help", formula.help}});
-        lines += std::string{formula.name} + "\n    " + formula.help + "\n    endmill eval " +
-                 formula.name + " " + formula.example + "\n";
+        lines += std::string{formula.name} + "\n    " + formula.help +
+                 "\n    endmill eval " + formula.name + " " + formula.example + "\n";
     }
     print_result(common, {{"formulas", summary}}, lines);
     return ExitCode::Yes;
@@ -178,9 +177,10 @@ void add_eval_command(CLI::App& program, Action& action)
     const auto options = std::make_shared<EvalOptions>();
     command->require_subcommand(0, 1);
     add_common_options(*command, options->common);
-    command->footer("Prints; writes DIR/summary.json only with --output.\n\n"
-                    "Example:\n  endmill eval path-interval --radius 5 --curvature 0.01 "
-                    "--scallop 0.1 --json");
+    command->footer(
+        "Prints; writes DIR/summary.json only with --output.\n\n"
+        "Example:\n  endmill eval path-interval --radius 5 --curvature 0.01 "
+        "--scallop 0.1 --json");
     for (const Formula& formula : formulas)
         add_formula(*command, formula, options, action);
     command->callback([options, &action] {

@@ -44,10 +44,12 @@ Json summarize(const SurfaceFile& file, const SurfaceContinuity& continuity,
     summary["patches_v"] = surface.patches(Parameter::V);
     add_continuity(summary, continuity);
     summary["min_curvature_per_mm"] = curvature ? Json(curvature->least) : Json(nullptr);
-    summary["max_curvature_per_mm"] = curvature ? Json(curvature->greatest) : Json(nullptr);
+    summary["max_curvature_per_mm"] =
+        curvature ? Json(curvature->greatest) : Json(nullptr);
     add_cutter_limit(summary, largest_cutter(surface, side));
     const auto local = largest_cutter_by_curvature(surface, side);
-    summary["max_cutter_radius_local_mm"] = local ? Json(local->radius_mm) : Json(nullptr);
+    summary["max_cutter_radius_local_mm"] =
+        local ? Json(local->radius_mm) : Json(nullptr);
     summary["axis"] = vector_json(axis);
     summary["unreachable_at"] = unreachable_json(surface, axis, side);
     return summary;
@@ -76,9 +78,9 @@ std::string text(const Json& s)
         "curvature        {} to {} per mm (positive: convex)\n"
         "largest ball     radius {} mm{}\n"
         "from the axis    {}\n",
-        s["name"].get<std::string>(), s["patches_u"].get<int>(), s["patches_v"].get<int>(),
-        shown(s["size_mm"][0]), shown(s["size_mm"][1]), shown(s["size_mm"][2]),
-        shown(s["area_mm2"]), s["continuity"].get<std::string>(),
+        s["name"].get<std::string>(), s["patches_u"].get<int>(),
+        s["patches_v"].get<int>(), shown(s["size_mm"][0]), shown(s["size_mm"][1]),
+        shown(s["size_mm"][2]), shown(s["area_mm2"]), s["continuity"].get<std::string>(),
         shown(s["worst_break_deg"]), place_shown(s["worst_break_at"]),
         shown(s["min_curvature_per_mm"]), shown(s["max_curvature_per_mm"]),
         shown(s["max_cutter_radius_mm"]), place_shown(s["max_cutter_radius_at"]),
@@ -117,11 +119,11 @@ void add_info_command(CLI::App& program, Action& action)
     add_axis_option(*command, options->axis);
     add_require_option(*command, options->g1_is_required);
     add_common_options(*command, options->common);
-    command->footer("Prints; writes DIR/summary.json only with --output.\n\n"
-                    "Example:\n  endmill info datasets/surfaces/net_rot24_7D.json --json");
-    command->callback([options, &action] {
-        action = [options] { return run_info(*options); };
-    });
+    command->footer(
+        "Prints; writes DIR/summary.json only with --output.\n\n"
+        "Example:\n  endmill info datasets/surfaces/net_rot24_7D.json --json");
+    command->callback(
+        [options, &action] { action = [options] { return run_info(*options); }; });
 }
 
 }  // namespace endmill

@@ -14,7 +14,8 @@ namespace {
 bool is_ignored(int signal_number)
 {
     struct sigaction action {};
-    return sigaction(signal_number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+    return sigaction(signal_number, nullptr, &action) == 0 &&
+           action.sa_handler == SIG_IGN;
 }
 
 }  // namespace

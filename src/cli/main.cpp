@@ -38,29 +38,35 @@ std::string suggestion(const CLI::App& command, const std::string& word)
     for (const CLI::Option* option : command.get_options())
         for (const std::string& name : option->get_lnames())
             known.push_back("--" + name);
-    for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; }))
+    for (const CLI::App* sub :
+         command.get_subcommands([](const CLI::App*) { return true; }))
         known.push_back(sub->get_name());
     const std::vector<std::string_view> words{known.begin(), known.end()};
     const auto closest = closest_word(word.substr(0, word.find('=')), words);
-    return closest ? "; did you mean " + std::string{*closest} + "?"
-                   : "; see endmill " +
-                         (command.get_parent() ? command.get_name() + " " : "") + "--help";
+    return closest
+               ? "; did you mean " + std::string{*closest} + "?"
+               : "; see endmill " +
+                     (command.get_parent() ? command.get_name() + " " : "") + "--help";
 }
 
 std::string usage_message(const CLI::App& program, const CLI::ParseError& error)
 {
     const CLI::App& command = chosen_command(program);
     const std::vector<std::string> unknown = program.remaining(true);
-    if (dynamic_cast<const CLI::ExtrasError*>(&error) && !unknown.empty())
+    const bool has_command = command.get_parent() != nullptr;
+    const bool is_unknown = dynamic_cast<const CLI::ExtrasError*>(&error) || !has_command;
+    if (is_unknown && !unknown.empty())
         return "found \"" + unknown.front() + "\", which " +
                (command.get_parent() ? "endmill " + command.get_name() : "endmill") +
                " does not know" + suggestion(command, unknown.front());
-    return error.what();
+    return std::string{error.what()} + "; see endmill " +
+           (has_command ? command.get_name() + " " : "") + "--help";
 }
 
 ExitCode run(int argc, char** argv, bool json_errors)
 {
-    CLI::App program{"Computational geometry of sculptured-surface machining.", "endmill"};
+    CLI::App program{"Computational geometry of sculptured-surface machining.",
+                     "endmill"};
     program.footer(footer);
     program.set_version_flag("--version", "endmill " + std::string{program_version});
     program.require_subcommand(1);
@@ -93,8 +99,9 @@ int main(int argc, char** argv)
     using namespace endmill;
     handle_interrupts();
     const std::span<char*> words{argv, static_cast<std::size_t>(argc)};
-    const bool json_errors = std::ranges::any_of(
-        words, [](const char* word) { return std::string_view{word} == "--json-errors"; });
+    const bool json_errors = std::ranges::any_of(words, [](const char* word) {
+        return std::string_view{word} == "--json-errors";
+    });
     try {
         return static_cast<int>(run(argc, argv, json_errors));
     } catch (...) {

@@ -32,9 +32,10 @@ std::string limit_text(const std::optional<CutterLimit>& limit)
 {
     if (!limit)
         return "largest ball: none, the surface has no concavity\n";
-    return fmt::format("largest ball: radius {:.6f} mm, at {}, point ({:.6g}, {:.6g}, {:.6g}) mm\n",
-                       limit->radius_mm, place_text(limit->at), limit->point.x(),
-                       limit->point.y(), limit->point.z());
+    return fmt::format(
+        "largest ball: radius {:.6f} mm, at {}, point ({:.6g}, {:.6g}, {:.6g}) mm\n",
+        limit->radius_mm, place_text(limit->at), limit->point.x(), limit->point.y(),
+        limit->point.z());
 }
 
 double chosen_diameter(const std::optional<double>& asked,
@@ -45,7 +46,8 @@ double chosen_diameter(const std::optional<double>& asked,
     };
     if (asked && !fits(*asked))
         throw GeometryError{fmt::format(
-            "--cutter ball:{}: radius {} mm; expected below {:.6f} mm, the largest ball that "
+            "--cutter ball:{}: radius {} mm; expected below {:.6f} mm, the largest ball "
+            "that "
             "fits, at {}, point ({:.6g}, {:.6g}, {:.6g}) mm",
             to_text(*asked), to_text(*asked / 2), limit->radius_mm, place_text(limit->at),
             limit->point.x(), limit->point.y(), limit->point.z())};
@@ -69,8 +71,8 @@ void complete(PlanOptions& options, const Surface& surface, double diameter)
                           to_text(diameter) + " mm"};
     planning.link.safe_height =
         options.safe_height.value_or(extent(surface, planning.link.axis).high + 5);
-    planning.most_points = static_cast<std::size_t>(
-        options.common.limits.max_memory_gib * 0x1p30 / bytes_per_point);
+    planning.most_points = static_cast<std::size_t>(options.common.limits.max_memory_gib *
+                                                    0x1p30 / bytes_per_point);
 }
 
 void require_memory_for(double points, const PlanOptions& options)
@@ -88,10 +90,11 @@ FigureOptions figure_options(const Json& s)
 {
     const std::string direction = s["direction"];
     FigureOptions figure;
-    figure.title =
-        s["name"].get<std::string>() + ": contact points in cutting order, along " + direction;
+    figure.title = s["name"].get<std::string>() +
+                   ": contact points in cutting order, along " + direction;
     figure.captions = {fmt::format(
-        "TOL = {:g} mm   SCALLOP = {:g} mm   C.D. = {:g} mm   NCL,{} = {}   TCD,{} = {:.1f} mm",
+        "TOL = {:g} mm   SCALLOP = {:g} mm   C.D. = {:g} mm   NCL,{} = {}   TCD,{} = "
+        "{:.1f} mm",
         s["chord_tolerance_mm"].get<double>(), s["scallop_mm"].get<double>(),
         number_from_text(s["cutter"].get<std::string>().substr(5)).value_or(0), direction,
         s["ncl"].get<std::size_t>(), direction, s["tcd_mm"].get<double>())};
@@ -152,10 +155,11 @@ ExitCode run_plan(PlanOptions options)
     };
     std::string text =
         limit_text(context.limit) +
-        fmt::format("cutter ball:{}, chord tolerance {:g} mm, scallop height {:g} mm, mode "
-                    "paper\n",
-                    to_text(context.cutter_diameter), options.planning.chord_tolerance,
-                    options.planning.scallop_height);
+        fmt::format(
+            "cutter ball:{}, chord tolerance {:g} mm, scallop height {:g} mm, mode "
+            "paper\n",
+            to_text(context.cutter_diameter), options.planning.chord_tolerance,
+            options.planning.scallop_height);
     Json summary;
     if (options.direction == PlanDirection::Both) {
         const DirectionResult u = plan(Parameter::U, "u/");
@@ -166,8 +170,9 @@ ExitCode run_plan(PlanOptions options)
         text += direction_text(u.summary) + direction_text(v.summary) +
                 comparison_text(summary);
     } else {
-        summary = plan(options.direction == PlanDirection::U ? Parameter::U : Parameter::V, "")
-                      .summary;
+        summary =
+            plan(options.direction == PlanDirection::U ? Parameter::U : Parameter::V, "")
+                .summary;
         text += direction_text(summary);
     }
     folder.publish();
@@ -189,9 +194,8 @@ void add_plan_command(CLI::App& program, Action& action)
         "(default ./NAME-plan), for both directions to its folders u and v.\n\n"
         "Example:\n  endmill plan datasets/surfaces/net_rot24_7D.json --cutter ball:15 "
         "\\\n      --chord-tolerance 0.5 --scallop 0.5 --direction both -o results");
-    command->callback([options, &action] {
-        action = [options] { return run_plan(*options); };
-    });
+    command->callback(
+        [options, &action] { action = [options] { return run_plan(*options); }; });
 }
 
 }  // namespace endmill

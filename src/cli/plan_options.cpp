@@ -22,8 +22,9 @@ constexpr std::array last_path{Choice<LastPath>{"border", LastPath::Border},
                                Choice<LastPath>{"half", LastPath::Half}};
 constexpr std::array end_point{Choice<EndPoint>{"force", EndPoint::Force},
                                Choice<EndPoint>{"free", EndPoint::Free}};
-constexpr std::array step_curvature{Choice<StepCurvature>{"curve", StepCurvature::Curve},
-                                    Choice<StepCurvature>{"normal", StepCurvature::Normal}};
+constexpr std::array step_curvature{
+    Choice<StepCurvature>{"curve", StepCurvature::Curve},
+    Choice<StepCurvature>{"normal", StepCurvature::Normal}};
 constexpr std::array march{Choice<March>{"forward", March::Forward},
                            Choice<March>{"alternate", March::Alternate}};
 constexpr std::array cross{Choice<CrossCurvature>{"exact", CrossCurvature::Exact},
@@ -82,7 +83,8 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
             [&options](const std::string& word) {
                 options.cutter_diameter = ball_diameter_argument("--cutter", word);
             },
-            "ball:DIAMETER in mm; default the largest of 20, 15, 10, 6, 4, 3, 2, 1 that fits")
+            "ball:DIAMETER in mm; default the largest of 20, 15, 10, 6, 4, 3, 2, 1 that "
+            "fits")
         ->type_name("CUTTER");
     add_number(command, "--chord-tolerance", options.chord_tolerance,
                NumberDomain::positive(), "MM",
@@ -113,7 +115,8 @@ void add_policies(Json& summary, const PlanOptions& options)
     summary["step_curvature"] =
         word_for<StepCurvature>(planning.step_curvature, step_curvature);
     summary["march"] = word_for<March>(planning.march, march);
-    summary["cross_curvature"] = word_for<CrossCurvature>(planning.cross_curvature, cross);
+    summary["cross_curvature"] =
+        word_for<CrossCurvature>(planning.cross_curvature, cross);
     summary["cross_step_mm"] = planning.cross_step;
     summary["order"] = word_for<PassOrder>(planning.link.order, order);
     summary["safe_height_mm"] = planning.link.safe_height;

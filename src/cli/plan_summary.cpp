@@ -57,18 +57,21 @@ std::string direction_text(const Json& s)
     const double chord_error = s["max_chord_error_mm"];
     const double tolerance = s["chord_tolerance_mm"];
     std::string text = fmt::format(
-        "along {}: {} passes, {} CL points, {:.1f} mm of travel ({:.1f} mm by tips), {:.1f} "
+        "along {}: {} passes, {} CL points, {:.1f} mm of travel ({:.1f} mm by tips), "
+        "{:.1f} "
         "mm of it links\n"
         "         largest chord error {:.4g} mm, {:.3g} x the tolerance",
         s["direction"].get<std::string>(), s["passes"].get<std::size_t>(),
-        s["ncl"].get<std::size_t>(), s["tcd_mm"].get<double>(), s["tcd_cl_mm"].get<double>(),
-        s["link_mm"].get<double>(), chord_error, chord_error / tolerance);
+        s["ncl"].get<std::size_t>(), s["tcd_mm"].get<double>(),
+        s["tcd_cl_mm"].get<double>(), s["link_mm"].get<double>(), chord_error,
+        chord_error / tolerance);
     if (chord_error > tolerance)
         text += ": mode paper looks at each step's start only";
     text += "\n";
     if (s.contains("time_min"))
-        text += fmt::format("         {:.4g} min at {:g} mm/min\n",
-                            s["time_min"].get<double>(), s["feed_mm_per_min"].get<double>());
+        text +=
+            fmt::format("         {:.4g} min at {:g} mm/min\n",
+                        s["time_min"].get<double>(), s["feed_mm_per_min"].get<double>());
     return text;
 }
 
@@ -76,8 +79,8 @@ void add_comparison(Json& both, const PlanOptions& options, const PlannedDirecti
                     const PlannedDirection& v)
 {
     const auto cost = [&](const PlannedDirection& planned) -> DirectionCost {
-        return {planned.economy.ncl, counted_travel(planned.economy, options.distance,
-                                                    options.count_links)};
+        return {planned.economy.ncl,
+                counted_travel(planned.economy, options.distance, options.count_links)};
     };
     const DirectionComparison comparison = compare_directions(cost(u), cost(v));
     both["recommended"] = comparison.recommended == Parameter::U ? "u" : "v";

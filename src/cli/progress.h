@@ -8,8 +8,8 @@
 
 namespace endmill {
 
-/// A line on standard error that tells how far long work has come: after the first second,
-/// if standard error is a terminal, and not with --quiet.
+/// A line on standard error that tells how far long work has come: after the first
+/// second, if standard error is a terminal, and not with --quiet.
 class ProgressLine {
 public:
     ProgressLine(std::string work, const CommonOptions& options);

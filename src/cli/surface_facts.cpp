@@ -58,11 +58,12 @@ void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit)
 
 std::string break_text(const SurfaceContinuity& continuity)
 {
-    return fmt::format("patches meet with a break of {:.6g} degrees at {}, point ({:.6g}, "
-                       "{:.6g}, {:.6g}) mm: the surface is {}; expected G1",
-                       continuity.worst.normals.degrees(), place_text(continuity.worst.at),
-                       continuity.worst.point.x(), continuity.worst.point.y(),
-                       continuity.worst.point.z(), continuity_name(continuity.continuity));
+    return fmt::format(
+        "patches meet with a break of {:.6g} degrees at {}, point ({:.6g}, "
+        "{:.6g}, {:.6g}) mm: the surface is {}; expected G1",
+        continuity.worst.normals.degrees(), place_text(continuity.worst.at),
+        continuity.worst.point.x(), continuity.worst.point.y(),
+        continuity.worst.point.z(), continuity_name(continuity.continuity));
 }
 
 void add_require_option(CLI::App& command, bool& g1_is_required)
@@ -77,8 +78,8 @@ void add_axis_option(CLI::App& command, Vec3& axis)
     const auto take = [&axis](const std::string& text) {
         axis = vector_argument("--axis", text);
         if (!(axis.stableNorm() > 0))
-            throw CLI::ValidationError("--axis", "found \"" + text +
-                                                     "\"; expected a vector that is not zero");
+            throw CLI::ValidationError(
+                "--axis", "found \"" + text + "\"; expected a vector that is not zero");
         axis.stableNormalize();
     };
     command

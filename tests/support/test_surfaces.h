@@ -35,8 +35,8 @@ struct PatchCounts {
     int v;
 };
 
-/// Blossoms at (a, ..., a, b, ..., b), `upper` times b, of 1, t, t^2, t^3 taken as cubics:
-/// the Bernstein coefficients of the powers on [a, b].
+/// Blossoms at (a, ..., a, b, ..., b), `upper` times b, of 1, t, t^2, t^3 taken as
+/// cubics: the Bernstein coefficients of the powers on [a, b].
 inline Eigen::Vector4d power_blossoms(Interval over, int upper)
 {
     std::array<double, 3> t;

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "test_surfaces.h"
 
@@ -22,7 +22,8 @@ Eigen::RowVectorXd bernstein(Eigen::Index degree, double t)
     Eigen::RowVectorXd basis{degree + 1};
     double binomial = 1;
     for (Eigen::Index i = 0; i <= degree; ++i) {
-        basis[i] = binomial * std::pow(t, double(i)) * std::pow(1 - t, double(degree - i));
+        basis[i] =
+            binomial * std::pow(t, double(i)) * std::pow(1 - t, double(degree - i));
         binomial = binomial * double(degree - i) / double(i + 1);
     }
     return basis;

@@ -126,8 +126,10 @@ TEST(BezierPatch, PassesThroughItsCornersAlongTheNet)
             const int inward_i = i == 0 ? 1 : -1;
             const int inward_j = j == 0 ? 1 : -1;
             const Vec3 corner = patch.control_point(i, j);
-            const Vec3 du = 3 * inward_i * (patch.control_point(i + inward_i, j) - corner);
-            const Vec3 dv = 3 * inward_j * (patch.control_point(i, j + inward_j) - corner);
+            const Vec3 du =
+                3 * inward_i * (patch.control_point(i + inward_i, j) - corner);
+            const Vec3 dv =
+                3 * inward_j * (patch.control_point(i, j + inward_j) - corner);
             EXPECT_EQ(jet.point, corner);
             EXPECT_LT((jet.du - du).norm(), 1e-13);
             EXPECT_LT((jet.dv - dv).norm(), 1e-13);
@@ -136,8 +138,8 @@ TEST(BezierPatch, PassesThroughItsCornersAlongTheNet)
 
 TEST(BezierPatch, GoesOnAsItsPolynomialOutsideTheUnitSquare)
 {
-    const Surface bowl = test::graph(
-        test::monomial(3, 3, 2) + test::monomial(1, 2, -1), {{0, 1}, {0, 1}});
+    const Surface bowl =
+        test::graph(test::monomial(3, 3, 2) + test::monomial(1, 2, -1), {{0, 1}, {0, 1}});
     for (const double x : {-0.7, 1.9})
         for (const double y : {-0.4, 1.3}) {
             const SurfaceJet jet = bowl.patch(0, 0).jet(x, y);

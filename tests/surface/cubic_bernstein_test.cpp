@@ -8,8 +8,8 @@
 namespace endmill {
 namespace {
 
-// The matrix from powers to Bernstein polynomials. [KimChoi, section 2], whose print has 1
-// instead of 0 at the end of the third row.
+// The matrix from powers to Bernstein polynomials. [KimChoi, section 2], whose print has
+// 1 instead of 0 at the end of the third row.
 Eigen::Matrix4d power_matrix(double end_of_third_row)
 {
     Eigen::Matrix4d m;

@@ -25,7 +25,8 @@ BezierPatch tabulated_patch()
     return BezierPatch{net};
 }
 
-// Hermite's cubics of a value and a slope at either end: what Ferguson's patch is made of.
+// Hermite's cubics of a value and a slope at either end: what Ferguson's patch is made
+// of.
 Eigen::Vector4d hermite(double t)
 {
     const double s = 1 - t;
@@ -42,7 +43,8 @@ Vec3 ferguson_point(const FergusonPatch& patch, double u, double v)
         const int j = corner / 2;
         const auto& [place, du, dv, twist] = patch.corners[corner];
         point += along_u[i] * along_v[j] * place + along_u[i + 2] * along_v[j] * du +
-                 along_u[i] * along_v[j + 2] * dv + along_u[i + 2] * along_v[j + 2] * twist;
+                 along_u[i] * along_v[j + 2] * dv +
+                 along_u[i + 2] * along_v[j + 2] * twist;
     }
     return point;
 }
@@ -75,7 +77,8 @@ TEST(Ferguson, TabulatedPatchHasEqualTwists)  // vectors computed with 50 digits
         EXPECT_LT((corner.twist - Vec3{0, 0, 9}).norm(), 1e-13);
 }
 
-TEST(Ferguson, WithoutTwistsTheTabulatedPatchIsAnother)  // vectors computed with 50 digits
+TEST(Ferguson,
+     WithoutTwistsTheTabulatedPatchIsAnother)  // vectors computed with 50 digits
 {
     FergusonPatch flat = ferguson_from_bezier(tabulated_patch());
     for (auto& corner : flat.corners)

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
 #include "test_surfaces.h"
@@ -53,7 +53,8 @@ TEST(SurfaceJet, IsSingularWhereAPartialVanishesOrBothAreParallel)
     const Vec3 x{3, 4, 5};
     for (const SurfaceTangents& tangents :
          {SurfaceTangents{x, Vec3::Zero(), x}, SurfaceTangents{x, x, Vec3::Zero()},
-          SurfaceTangents{x, Vec3::Zero(), Vec3::Zero()}, SurfaceTangents{x, x, -2 * x}}) {
+          SurfaceTangents{x, Vec3::Zero(), Vec3::Zero()},
+          SurfaceTangents{x, x, -2 * x}}) {
         EXPECT_TRUE(is_singular(tangents));
         EXPECT_THROW(unit_normal(tangents), GeometryError);
     }

@@ -41,8 +41,8 @@ TEST(Surface, OfSeveralPatchesIsTheOnePolynomialThatTheyShare)
             EXPECT_NEAR(jet.du.z(),
                         3 * (6e-4 * x * x * y - 6e-4 * x * y * y + 1e-4 * y * y * y),
                         1e-12);
-            EXPECT_NEAR(jet.duv.z(),
-                        6 * (6e-4 * x * x - 12e-4 * x * y + 3e-4 * y * y), 1e-12);
+            EXPECT_NEAR(jet.duv.z(), 6 * (6e-4 * x * x - 12e-4 * x * y + 3e-4 * y * y),
+                        1e-12);
             EXPECT_NEAR(jet.dvv.z(), 4 * (-6e-4 * x * x + 6e-4 * x * y + 0.04), 1e-12);
         }
 }
@@ -51,11 +51,10 @@ TEST(Surface, PartialsCountInTheWidthsOfItsPatches)
 {
     std::vector<BezierPatch> patches;
     for (int k = 0; k < 2; ++k)
-        patches.emplace_back(
-            test::polynomial_net({test::monomial(1, 0, 1), test::monomial(0, 1, 1),
-                                  test::monomial(2, 0, 1) + test::monomial(1, 1, 1)},
-                                 {k == 0 ? Interval{2, 3} : Interval{3, 7}, {1, 1.5}},
-                                 {1, 1}));
+        patches.emplace_back(test::polynomial_net(
+            {test::monomial(1, 0, 1), test::monomial(0, 1, 1),
+             test::monomial(2, 0, 1) + test::monomial(1, 1, 1)},
+            {k == 0 ? Interval{2, 3} : Interval{3, 7}, {1, 1.5}}, {1, 1}));
     const Surface surface{{2, 3, 7}, {1, 1.5}, patches};
     for (const double u : {2.1, 2.9, 3.0, 5.0, 7.0}) {
         const SurfaceJet jet = surface.jet(u, 1.2);
@@ -183,7 +182,8 @@ TEST(CompositeBezier, RefusesWrongCountsAndSizes)
     EXPECT_THROW(composite_bezier(1, 1, net), DomainError);
     EXPECT_THROW(composite_bezier(0, 1, net), DomainError);
     EXPECT_THROW(composite_bezier(2, -1, net), DomainError);
-    EXPECT_THROW(composite_bezier(2, 1, std::vector<Vec3>(27, Vec3::Zero())), DomainError);
+    EXPECT_THROW(composite_bezier(2, 1, std::vector<Vec3>(27, Vec3::Zero())),
+                 DomainError);
     EXPECT_THROW(composite_bezier(1 << 30, 1 << 30, net), DomainError);
     EXPECT_THROW(composite_bezier(2, 1, std::vector<Vec3>(28, Vec3{0, nan, 0})),
                  DomainError);

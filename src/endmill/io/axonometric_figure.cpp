@@ -44,6 +44,7 @@ double fitting_size(std::string_view text, double size_px, double room_px)
     return std::min(size_px, room_px / std::max(width, 1.0));
 }
 
+// The place of `point` in the picture plane, in mm, y upwards.
 Eigen::Vector2d projected(const AxonometricView& view, const Vec3& point)
 {
     return {view.right.dot(point), view.up.dot(point)};
@@ -59,6 +60,7 @@ double round_length(double length)
     return power;
 }
 
+// Height of the title and captions, margin included, in px.
 double heading_height(const FigureOptions& options)
 {
     const double title = options.title.empty() ? 0 : title_line;
@@ -103,6 +105,7 @@ AxonometricFigure::Layout AxonometricFigure::layout_for(const FigureOptions& opt
     const double scale =
         is_point ? 1 : 1 / std::max(size.x() / room, size.y() / drawing_height);
 
+    // The drawing is centred between the margins, the footer stands below it.
     const double top = heading_height(options) + drawing_gap;
     const double bottom = top + scale * size.y();
     const PixelPoint origin{options.width_px / 2 - scale * box.center().x(),

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t longest_echo = 40;
 
+// A spreadsheet would run a cell that begins so.
 std::string without_formula(std::string text)
 {
     if (!text.empty() &&
@@ -37,6 +38,7 @@ std::string cell_text(const CsvCell& cell)
     return {};
 }
 
+// A cell as RFC 4180 writes it.
 void append_quoted(std::string& csv, std::string_view cell)
 {
     if (cell.find_first_of(",\"\r\n") == std::string_view::npos) {
@@ -111,6 +113,7 @@ private:
         return std::string{cell};
     }
 
+    // The rest of a cell after its opening quote; it may go on over several lines.
     std::string quoted_cell()
     {
         std::string cell;

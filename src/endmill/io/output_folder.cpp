@@ -86,6 +86,8 @@ private:
     sigset_t before_{};
 };
 
+// A file that did not exist before: a link that somebody put in its place is not
+// followed.
 class NewFile {
 public:
     explicit NewFile(const fs::path& path)
@@ -121,6 +123,8 @@ private:
     int descriptor_;
 };
 
+// Hidden, in the same folder so that a rename suffices, and no other name of this
+// process.
 fs::path temporary_name(const fs::path& target)
 {
     static std::atomic<unsigned> count = 0;
@@ -130,6 +134,7 @@ fs::path temporary_name(const fs::path& target)
     return target.parent_path() / name;
 }
 
+// Makes renames in `folder` last over a loss of power.
 void flush_folder(const fs::path& folder)
 {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -252,6 +257,7 @@ void OutputFolder::abandon_all()
 {
     const std::scoped_lock lock{registry().mutex};
     registry().abandoned = true;
+    // Only removal: the threads that are writing may go on writing to nameless files.
     for (void* folder : registry().folders)
         static_cast<OutputFolder*>(folder)->abandon();
 }
@@ -265,6 +271,7 @@ void OutputFolder::make_folders(const fs::path& folder)
         missing.push_back(path);
     const std::scoped_lock lock{registry().mutex};
     require_not_abandoned();
+    // One by one, to know which of them to remove again.
     while (!missing.empty()) {
         if (::mkdir(missing.back().c_str(), 0777) == 0)
             created_folders_.push_back(missing.back());

@@ -21,8 +21,8 @@ public:
 
     /// Unless published, removes the temporary files and the folders that it created.
     ~OutputFolder();
-    OutputFolder(const OutputFolder&) = delete;
-    OutputFolder& operator=(const OutputFolder&) = delete;
+    OutputFolder(const OutputFolder&) = delete;             ///< one folder, one owner
+    OutputFolder& operator=(const OutputFolder&) = delete;  ///< ditto
 
     const std::filesystem::path& path() const { return path_; }  ///< as given
 

@@ -106,6 +106,7 @@ std::string read_file(const std::filesystem::path& path, const ReadLimits& limit
             throw FormatError{
                 "E_COMPRESSED",
                 {file, "", "compressed input is not accepted; decompress it first", ""}};
+    // The size decides before anything is read; the tree or table comes on top of it.
     require_memory(file, static_cast<double>(size), limits);
     if (size > text.size())
         input.append_to(text, size - text.size());

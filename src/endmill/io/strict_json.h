@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Internal to io and its tests: the only header that names a class of nlohmann-json.
+// Internal to io and its tests, like json_tree.h: no other header names nlohmann-json.
 
 #include <cstddef>
 #include <cstdint>
@@ -81,20 +81,15 @@ private:
     std::size_t index_ = 0;  // in an array
 };
 
-/// A JSON text (RFC 8259, UTF-8, with or without a byte order mark), read strictly.
+/// A JSON text, read strictly.
 class JsonDocument {
 public:
     /// \param file the name for messages.
-    /// \throws FormatError E_JSON with line and column for an error of syntax, bad UTF-8,
-    ///         a NUL byte, NaN, infinity, an overflowing number, content after the end,
-    ///         or nesting deeper than 64; with a JSON pointer for a duplicate key or a
-    ///         number that underflows to zero.
-    /// \throws LimitError if the tree of `text` would exceed the memory limit; the
-    ///         estimate counts its values and is never below what they take.
+    /// \throws FormatError and LimitError as `json_tree`.
     JsonDocument(std::string_view text, std::string file, const ReadLimits& limits = {});
-    ~JsonDocument();
-    JsonDocument(const JsonDocument&) = delete;
-    JsonDocument& operator=(const JsonDocument&) = delete;
+    ~JsonDocument();                                        ///< ends all its JsonValues
+    JsonDocument(const JsonDocument&) = delete;             ///< they refer to this one
+    JsonDocument& operator=(const JsonDocument&) = delete;  ///< ditto
 
     JsonValue root() const&;            ///< the value that the text spells
     JsonValue root() const&& = delete;  ///< it would dangle

@@ -43,6 +43,7 @@ struct ControlNet {
     std::int64_t rows() const { return 3 * patches_v + 1; }
 };
 
+// Tells a mesh or a program from a surface before complaining of its syntax.
 void check_content(std::string_view content, const std::string& file)
 {
     const auto format = recognized_format(content);
@@ -62,6 +63,7 @@ std::optional<double> version_of(std::string_view format)
     return number_from_text(format.substr(format_family.size()));
 }
 
+// First of all keys, since a newer version may have others.
 void check_format(const JsonValue& root)
 {
     const JsonValue value = root.member("format");
@@ -96,6 +98,7 @@ std::string text_or(const JsonValue& root, std::string_view key, std::size_t lon
     return value ? printable(value->text(), longest) : otherwise;
 }
 
+// The first of `words` is the default.
 std::string_view word_or_first(const JsonValue& root, std::string_view key, Words words)
 {
     const auto value = root.find_member(key);
@@ -117,6 +120,7 @@ ToolSide tool_side(const JsonValue& root)
     return side == "du_cross_dv" ? ToolSide::DuCrossDv : ToolSide::DvCrossDu;
 }
 
+// A control point in mm; `unit` is mm per unit of the file.
 Vec3 read_point(const JsonValue& value, double unit, const ReadLimits& limits)
 {
     if (value.size() != 3)
@@ -162,6 +166,7 @@ ControlNet read_net(const JsonValue& root, double unit, const ReadLimits& limits
         throw rows.complaint("net has " + counted(rows.size(), "row"),
                              std::to_string(expected_rows) + " (3 patches_v + 1)",
                              "E_SURFACE");
+    // Memory is taken as points are read, never for what the counts claim.
     for (std::size_t j = 0; j < expected_rows; ++j)
         read_row(rows.item(j), unit, limits, net);
     if (std::ranges::all_of(net.points,
@@ -180,6 +185,7 @@ bool is_one_point(const ControlNet& net, std::int64_t first, std::int64_t stride
     return true;
 }
 
+// A border whose control points are one is a pole: sound, but without a normal there.
 std::vector<std::string> pole_notes(const ControlNet& net)
 {
     const std::int64_t columns = net.columns();
@@ -217,6 +223,7 @@ Vec3 net_point(const Surface& surface, int i, int j)
         .control_point(i - 3 * patch_i, j - 3 * patch_j);
 }
 
+// Whether the one net that `net_point` reads gives back every patch.
 bool shares_borders(const Surface& surface)
 {
     for (int patch_j = 0; patch_j < surface.patches(Parameter::V); ++patch_j)

@@ -14,6 +14,8 @@ namespace {
 
 // Tenths of a pixel cannot be seen: what a polyline may move by when points are dropped.
 constexpr double invisible_px = 0.1;
+// The same across a segment and beyond its end, which together make invisible_px.
+constexpr double leeway_px = 0.7 * invisible_px;
 
 double cross(const PixelPoint& a, const PixelPoint& b)
 {
@@ -21,7 +23,7 @@ double cross(const PixelPoint& a, const PixelPoint& b)
 }
 
 // The directions in which a segment from its apex passes all points so far within
-// `invisible_px`, none of them beyond its end.
+// `leeway_px`, none of them further beyond its end.
 class Sleeve {
 public:
     explicit Sleeve(const PixelPoint& apex) : apex_{apex} {}
@@ -31,13 +33,13 @@ public:
     {
         const PixelPoint arm = point - apex_;
         const double length = arm.norm();
-        if (length < reach_ - invisible_px)
+        if (length < reach_ - leeway_px)
             return false;
         if (open_ && (cross(low_, arm) < 0 || cross(arm, high_) < 0 || low_.dot(arm) < 0))
             return false;
         reach_ = std::max(reach_, length);
-        if (length > invisible_px)
-            narrow(arm / length, invisible_px / length);
+        if (length > leeway_px)
+            narrow(arm / length, leeway_px / length);
         return true;
     }
 
@@ -117,6 +119,7 @@ void append_attribute(std::string& text, std::string_view name, std::string_view
     text += "=\"" + xml_escaped(value) + "\"";
 }
 
+// The attributes of a line; its colours are ours, so nothing of a file gets in here.
 void append_style(std::string& text, const LineStyle& line, std::string_view fill)
 {
     append_attribute(text, "fill", fill);

@@ -79,6 +79,8 @@ private:
     std::array<NumberColumn, 14> columns_;
 };
 
+// The lines of some points, beginning without what came before them: chunks are
+// independent of each other.
 std::string rows(std::span<const PathPoint> points)
 {
     RowWriter writer;
@@ -110,7 +112,7 @@ std::string tool_path_csv(const ToolPath& path)
         });
         for (std::size_t i = 0; i < count; ++i)
             csv += chunks[i];
-        if (first == 0)
+        if (first == 0)  // the rest will be about as long a point, give or take an eighth
             csv.reserve(csv.size() / batch.size() * points.size() / 8 * 9);
     }
     return csv;

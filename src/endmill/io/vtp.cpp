@@ -75,6 +75,7 @@ private:
     std::string bytes_;
 };
 
+// The cells of the file: `connectivity` lists the points of all, one line after another.
 struct Polylines {
     std::vector<std::int64_t> connectivity;
     std::vector<std::int64_t> offsets;  // one past the last point of each in connectivity
@@ -90,6 +91,7 @@ Polylines runs_of_one_move(const std::vector<PathPoint>& points)
         const bool goes_on = !lines.pass.empty() && lines.pass.back() == point.pass &&
                              lines.move.back() == static_cast<std::uint8_t>(point.move);
         if (!goes_on) {
+            // A move leads to its point: the line begins at the one before.
             lines.connectivity.push_back(static_cast<std::int64_t>(i - 1));
             lines.offsets.push_back(0);
             lines.pass.push_back(point.pass);
@@ -129,6 +131,7 @@ Vec3 contact_normal(const PathPoint& point)
 std::string point_data(const std::vector<PathPoint>& points, AppendedArrays& arrays)
 {
     std::vector<std::uint8_t> has_contact;
+    has_contact.reserve(points.size());
     for (const PathPoint& point : points)
         has_contact.push_back(point.contact ? 1 : 0);
     using Scalar = std::array<double, 1>;

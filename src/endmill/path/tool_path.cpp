@@ -6,16 +6,16 @@ namespace endmill {
 std::string_view move_name(Move move)
 {
     switch (move) {
-    case Move::Cut:
-        return "cut";
-    case Move::Link:
-        return "link";
-    case Move::Rapid:
-        return "rapid";
-    case Move::Plunge:
-        return "plunge";
-    case Move::Retract:
-        return "retract";
+        case Move::Cut:
+            return "cut";
+        case Move::Link:
+            return "link";
+        case Move::Rapid:
+            return "rapid";
+        case Move::Plunge:
+            return "plunge";
+        case Move::Retract:
+            return "retract";
     }
     return {};
 }

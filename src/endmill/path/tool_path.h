@@ -34,7 +34,8 @@ struct PathPoint {
     int point;  ///< from 0 in each pass
     Move move;
     CutterLocation location;
-    std::optional<SurfaceContact> contact;  ///< none where the cutter is clear of the part
+    std::optional<SurfaceContact>
+        contact;  ///< none where the cutter is clear of the part
 };
 
 /// What the cutter does, in order. Between points the tip goes straight.

@@ -4,16 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
-#include <vector>
 
-#include "endmill/core/parallel.h"
 #include "endmill/surface/iso_line.h"
 
 namespace endmill {
 namespace {
 
-constexpr int samples = 16;  // intervals a cut
+constexpr int least_samples = 64;  // intervals a cut
+constexpr int most_samples = 4096;
+constexpr double widest_pitch_mm = 1;
 constexpr int refinements = 40;
 
 double distance_to_segment(const Vec3& point, const Vec3& start, const Vec3& end)
@@ -33,16 +34,13 @@ struct Cut {
     Vec3 end;
 };
 
-// Greatest distance in the two samples around `middle`, by golden section.
-double refined_parameter(const IsoLine& line, const Cut& cut, double middle)
+// Where the line is farthest from the chord in low … high, by golden section.
+double refined_parameter(const IsoLine& line, const Cut& cut, double low, double high)
 {
     constexpr double golden = 0.61803398874989485;
-    const double step = (cut.to - cut.from) / samples;
     const auto distance = [&](double u) {
         return distance_to_segment(line.point(u), cut.start, cut.end);
     };
-    double low = middle - step;
-    double high = middle + step;
     double inner_low = high - golden * (high - low);
     double inner_high = low + golden * (high - low);
     double at_low = distance(inner_low);
@@ -69,67 +67,53 @@ void keep_greater(ChordError& error, double distance, const SurfacePoint& at)
     }
 }
 
+// Halves the pitch until neighbouring samples lie close.
+int sample_count(const IsoLine& line, const Cut& cut)
+{
+    int count = least_samples;
+    double length = 0;
+    for (int k = 1; k <= least_samples; ++k)
+        length +=
+            (line.point(std::lerp(cut.from, cut.to, k / double(least_samples))) -
+             line.point(std::lerp(cut.from, cut.to, (k - 1) / double(least_samples))))
+                .norm();
+    while (count < most_samples && length > count * widest_pitch_mm / 4)
+        count *= 2;
+    return count;
+}
+
 void measure_cut(const IsoLine& line, const Cut& cut, ChordError& error)
 {
+    const int count = sample_count(line, cut);
+    const auto parameter = [&](int sample) {
+        return std::lerp(cut.from, cut.to, sample / double(count));
+    };
     Vec3 previous = cut.start;
     double worst = 0;
-    double worst_parameter = cut.from;
-    for (int sample = 1; sample <= samples; ++sample) {
-        const double u = std::lerp(cut.from, cut.to, sample / double(samples));
-        const Vec3 point = sample < samples ? line.point(u) : cut.end;
+    int worst_sample = 0;
+    for (int sample = 1; sample <= count; ++sample) {
+        const Vec3 point = sample < count ? line.point(parameter(sample)) : cut.end;
         error.pitch_mm = std::max(error.pitch_mm, (point - previous).norm());
         previous = point;
         const double distance = distance_to_segment(point, cut.start, cut.end);
         if (distance > worst) {
             worst = distance;
-            worst_parameter = u;
+            worst_sample = sample;
         }
     }
-    // Refining pays only where the sample could be the worst of all.
-    if (worst <= 0.9 * error.greatest_mm)
-        return;
-    keep_greater(error, worst, {worst_parameter, line.v()});
-    const double u = refined_parameter(line, cut, worst_parameter);
+    keep_greater(error, worst, {parameter(worst_sample), line.v()});
+    const double u =
+        refined_parameter(line, cut, parameter(std::max(worst_sample - 1, 0)),
+                          parameter(std::min(worst_sample + 1, count)));
     keep_greater(error, distance_to_segment(line.point(u), cut.start, cut.end),
                  {u, line.v()});
 }
 
-ChordError measure_pass(const Surface& surface, std::span<const PathPoint> pass,
-                        Parameter along)
+bool may_be_worst(const IsoLine& line, const Cut& cut, const ChordError& error)
 {
-    const auto parameters = [&](const PathPoint& point) {
-        const auto& [u, v, contact] = *point.contact;
-        return along == Parameter::U ? SurfacePoint{u, v} : SurfacePoint{v, u};
-    };
-    ChordError error{0, 0, {0, 0}};
-    std::optional<IsoLine> line;
-    for (std::size_t k = 1; k < pass.size(); ++k) {
-        if (pass[k].move != Move::Cut)
-            continue;
-        const SurfacePoint from = parameters(pass[k - 1]);
-        const SurfacePoint to = parameters(pass[k]);
-        if (!line)
-            line.emplace(surface, from.v);
-        measure_cut(*line,
-                    {from.u, to.u, pass[k - 1].contact->contact.point,
-                     pass[k].contact->contact.point},
-                    error);
-    }
-    return error;
-}
-
-std::vector<std::span<const PathPoint>> split_into_passes(const ToolPath& path)
-{
-    std::vector<std::span<const PathPoint>> passes;
-    auto begin = path.points.begin();
-    while (begin != path.points.end()) {
-        const auto end = std::find_if(begin, path.points.end(), [&](const PathPoint& p) {
-            return p.pass != begin->pass;
-        });
-        passes.emplace_back(begin, end);
-        begin = end;
-    }
-    return passes;
+    const auto [low, high] = std::minmax(cut.from, cut.to);
+    const double bound = (high - low) * (high - low) / 8 * line.greatest_bend(low, high);
+    return bound > error.greatest_mm;
 }
 
 }  // namespace
@@ -137,20 +121,28 @@ std::vector<std::span<const PathPoint>> split_into_passes(const ToolPath& path)
 ChordError chord_error(const Surface& surface, const ToolPath& path, Parameter along)
 {
     const Surface turned = along == Parameter::U ? surface : transposed(surface);
-    const auto passes = split_into_passes(path);
-    std::vector<ChordError> errors(passes.size());
-    parallel_for(passes.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-            errors[k] = measure_pass(turned, passes[k], along);
-    });
-    ChordError whole{0, 0, {0, 0}};
-    for (const ChordError& error : errors) {
-        keep_greater(whole, error.greatest_mm, error.at);
-        whole.pitch_mm = std::max(whole.pitch_mm, error.pitch_mm);
+    const auto parameters = [&](const PathPoint& point) {
+        const auto& [u, v, contact] = *point.contact;
+        return along == Parameter::U ? SurfacePoint{u, v} : SurfacePoint{v, u};
+    };
+    ChordError error{0, 0, {0, 0}};
+    std::optional<IsoLine> line;
+    for (std::size_t k = 1; k < path.points.size(); ++k) {
+        const PathPoint& end = path.points[k];
+        if (end.move != Move::Cut)
+            continue;
+        const PathPoint& start = path.points[k - 1];
+        const SurfacePoint from = parameters(start);
+        if (!line || line->v() != from.v)
+            line.emplace(turned, from.v);
+        const Cut cut{from.u, parameters(end).u, start.contact->contact.point,
+                      end.contact->contact.point};
+        if (may_be_worst(*line, cut, error))
+            measure_cut(*line, cut, error);
     }
     if (along == Parameter::V)
-        std::swap(whole.at.u, whole.at.v);
-    return whole;
+        std::swap(error.at.u, error.at.v);
+    return error;
 }
 
 }  // namespace endmill

@@ -25,19 +25,19 @@ struct FeedFrame {
 /// Source: [KimChoi, section 4.2], T_c = N x T_s where the print has T_1 = N x T_0.
 FeedFrame feed_frame(const SurfacePoint& at, const SurfaceJet& jet, double side);
 
-/// A place of the surface in the check plane, which stands at the contact across the feed.
+/// A place of the surface in the check plane, which stands at the contact across the
+/// feed.
 struct CheckPlanePoint {
     SurfacePoint at;
     bool converged;  ///< if not, `at` is the linear estimate
     int iterations;  ///< Newton steps taken
 };
 
-/// The place in the check plane that lies `distance` from the contact, measured along T_c:
-/// (r - r_c).T_s = 0 and (r - r_c).T_c = distance, by Newton's method to 1e-12 of the
-/// surface's diagonal, steps held to 0.3 of a patch, at most 8 of them. Beyond the ends of
-/// the surface the polynomials of its border patches go on.
-/// Source: [KimChoi, eq. (9), (10)]; eq. (6), (7) are the same with a small distance.
-/// \param distance in mm.
+/// The place in the check plane that lies `distance` from the contact, measured along
+/// T_c: (r - r_c).T_s = 0 and (r - r_c).T_c = distance, by Newton's method to 1e-12 of
+/// the surface's diagonal, steps held to 0.3 of a patch, at most 8 of them. Beyond the
+/// ends of the surface the polynomials of its border patches go on. Source: [KimChoi, eq.
+/// (9), (10)]; eq. (6), (7) are the same with a small distance. \param distance in mm.
 CheckPlanePoint check_plane_point(const Surface& surface, const FeedFrame& frame,
                                   double distance);
 
@@ -46,10 +46,10 @@ CheckPlanePoint check_plane_point(const Surface& surface, const FeedFrame& frame
 double cross_curvature(const FeedFrame& frame);
 
 /// The same by the chord to the surface's point in the check plane `step` away:
-/// -2 N.(r_eps - r_c) / |r_eps - r_c|^2. On a section of curvature k2 and third derivative
-/// k3 its error is k3 step / 3; exact on circles.
-/// Source: [KimChoi, eq. (8)]. The paper does not print its step.
-/// \param step in mm, positive; below 1e-6 of the surface's size it cancels.
+/// -2 N.(r_eps - r_c) / |r_eps - r_c|^2. On a section of curvature k2 and third
+/// derivative k3 its error is k3 step / 3; exact on circles. Source: [KimChoi, eq. (8)].
+/// The paper does not print its step. \param step in mm, positive; below 1e-6 of the
+/// surface's size it cancels.
 double cross_curvature_by_chord(const Surface& surface, const FeedFrame& frame,
                                 double step);
 

@@ -28,9 +28,10 @@ PathEconomy path_economy(const ToolPath& path);
 
 /// How plans along u and along v compare.
 struct DirectionComparison {
-    Parameter recommended;  ///< the shorter one; of equals the one with fewer points, then u
-    double reduction_ncl;   ///< (max - min) / max of the points
-    double reduction_tcd;   ///< (max - min) / max of the travel
+    Parameter
+        recommended;  ///< the shorter one; of equals the one with fewer points, then u
+    double reduction_ncl;  ///< (max - min) / max of the points
+    double reduction_tcd;  ///< (max - min) / max of the travel
 };
 
 /// Points and travel of one direction.

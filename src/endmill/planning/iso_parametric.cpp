@@ -29,8 +29,8 @@ std::string place_text(Parameter direction, double u, double v, const Vec3& poin
 {
     if (direction == Parameter::V)
         std::swap(u, v);
-    return "u = " + to_text(u) + ", v = " + to_text(v) + " (" + to_text(point.x()) + ", " +
-           to_text(point.y()) + ", " + to_text(point.z()) + " mm)";
+    return "u = " + to_text(u) + ", v = " + to_text(v) + " (" + to_text(point.x()) +
+           ", " + to_text(point.y()) + ", " + to_text(point.z()) + " mm)";
 }
 
 double patch_width(const Surface& surface, Parameter along, double parameter)
@@ -201,15 +201,15 @@ private:
     Candidate governing(const std::vector<Candidate>& candidates) const
     {
         switch (options_.governing) {
-        case Governing::Min:
-        case Governing::DenseMin:
-            return *std::ranges::min_element(candidates, {}, &Candidate::v);
-        case Governing::Max:
-            return *std::ranges::max_element(candidates, {}, &Candidate::v);
-        case Governing::First:
-            return candidates.front();
-        case Governing::Mean:
-            break;
+            case Governing::Min:
+            case Governing::DenseMin:
+                return *std::ranges::min_element(candidates, {}, &Candidate::v);
+            case Governing::Max:
+                return *std::ranges::max_element(candidates, {}, &Candidate::v);
+            case Governing::First:
+                return candidates.front();
+            case Governing::Mean:
+                break;
         }
         double sum = 0;
         for (const Candidate& candidate : candidates)
@@ -288,7 +288,8 @@ public:
           planner_{cutter, options}
     {
         if (options.march == March::Alternate)
-            backward_ = marched_surface(reversed_in_u(forward_.surface), options.link.axis);
+            backward_ =
+                marched_surface(reversed_in_u(forward_.surface), options.link.axis);
     }
 
     MarchedPasses plan()
@@ -329,15 +330,15 @@ private:
         const double width = patch_width(forward_.surface, Parameter::V, v);
         if (!(candidate - v >= least_advance * width)) {
             const double u = forward_.surface.range(Parameter::U).low;
-            throw GeometryError{
-                "the next pass makes no progress after the one through " +
-                place_text(options_.direction, u, v,
-                           forward_.surface.tangents(u, v).point)};
+            throw GeometryError{"the next pass makes no progress after the one through " +
+                                place_text(options_.direction, u, v,
+                                           forward_.surface.tangents(u, v).point)};
         }
         return next_pass(forward_.surface, v, candidate, options_.last_path);
     }
 
-    std::optional<GoverningPoint> governing_point(const std::optional<Candidate>& next) const
+    std::optional<GoverningPoint> governing_point(
+        const std::optional<Candidate>& next) const
     {
         if (!next || next->v == infinity || options_.governing == Governing::Mean)
             return std::nullopt;
@@ -367,6 +368,25 @@ Surface surface_to_march(const Surface& surface, Parameter direction)
     return direction == Parameter::U ? surface : transposed(surface);
 }
 
+// A piece of a parameter's range: an eighth of a patch.
+struct ParameterCell {
+    double middle;
+    double width;
+};
+
+std::vector<ParameterCell> parameter_cells(const Surface& surface, Parameter along)
+{
+    constexpr int cells_per_patch = 8;
+    const auto breaks = surface.breaks(along);
+    std::vector<ParameterCell> cells;
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+        const double width = (breaks[i + 1] - breaks[i]) / cells_per_patch;
+        for (int cell = 0; cell < cells_per_patch; ++cell)
+            cells.push_back({breaks[i] + (cell + 0.5) * width, width});
+    }
+    return cells;
+}
+
 }  // namespace
 
 IsoParametricPlan plan_iso_parametric(const Surface& surface, const BallCutter& cutter,
@@ -375,46 +395,43 @@ IsoParametricPlan plan_iso_parametric(const Surface& surface, const BallCutter& 
     require_sound(cutter, options);
     require_reachable(surface, options.link.axis,
                       tool_side_sign(surface, options.link.axis));
-    MarchedSurface marched = marched_surface(
-        surface_to_march(surface, options.direction), options.link.axis);
+    MarchedSurface marched =
+        marched_surface(surface_to_march(surface, options.direction), options.link.axis);
     MarchedPasses result = SurfacePlanner{std::move(marched), cutter, options}.plan();
     if (options.direction == Parameter::V)
         exchange_parameters(result);
-    return {link_passes(result.passes, cutter, options.link), std::move(result.governing)};
+    return {link_passes(result.passes, cutter, options.link),
+            std::move(result.governing)};
 }
 
 double estimated_points(const Surface& surface, const BallCutter& cutter,
                         const IsoParametricOptions& options)
 {
     require_sound(cutter, options);
-    constexpr int samples = 8;  // a patch, each way
-    const MarchedSurface marched = marched_surface(
-        surface_to_march(surface, options.direction), options.link.axis);
-    const auto breaks_u = marched.surface.breaks(Parameter::U);
-    const auto breaks_v = marched.surface.breaks(Parameter::V);
+    const MarchedSurface marched =
+        marched_surface(surface_to_march(surface, options.direction), options.link.axis);
+    const std::vector<ParameterCell> cells =
+        parameter_cells(marched.surface, Parameter::U);
     double total = 0;
-    for (std::size_t row = 0; row < samples * (breaks_v.size() - 1); ++row) {
-        const auto j = row / samples;
-        const double dv = (breaks_v[j + 1] - breaks_v[j]) / samples;
-        const IsoLine line{marched.surface, breaks_v[j] + (row % samples + 0.5) * dv};
+    for (const ParameterCell& row : parameter_cells(marched.surface, Parameter::V)) {
+        const IsoLine line{marched.surface, row.middle};
         double steps = 1;   // of a pass here
         double passes = 0;  // in this row, by its narrowest interval
-        for (std::size_t column = 0; column < samples * (breaks_u.size() - 1); ++column) {
-            const auto i = column / samples;
-            const double du = (breaks_u[i + 1] - breaks_u[i]) / samples;
-            const double u = breaks_u[i] + (column % samples + 0.5) * du;
-            const SurfaceJet jet = line.jet(u);
+        for (const ParameterCell& cell : cells) {
+            const SurfaceJet jet = line.jet(cell.middle);
             if (is_singular({jet.point, jet.du, jet.dv}))
                 continue;
-            const FeedFrame frame = feed_frame({u, line.v()}, jet, marched.side);
+            const FeedFrame frame =
+                feed_frame({cell.middle, line.v()}, jet, marched.side);
             const double k = cross_curvature(frame);
             const double bend = curve_curvature(jet.du, jet.duu);
-            steps += jet.du.norm() * du / step_length(bend, options.chord_tolerance).chord;
-            if (1 + k * cutter.radius() > 0) {
-                const double d =
-                    path_interval(cutter, k, options.scallop_height).projected;
-                passes = std::max(passes, dv / (frame.cross.b * d));
-            }
+            steps += jet.du.norm() * cell.width /
+                     step_length(bend, options.chord_tolerance).chord;
+            if (1 + k * cutter.radius() <= 0)
+                continue;
+            const PathInterval interval =
+                path_interval(cutter, k, options.scallop_height);
+            passes = std::max(passes, row.width / (frame.cross.b * interval.projected));
         }
         total += steps * passes;
     }

@@ -66,7 +66,7 @@ struct IsoParametricOptions {
     CrossCurvature cross_curvature = CrossCurvature::Exact;
     double cross_step = 0.5;  ///< epsilon of eq. (7), mm; for CrossCurvature::Chord
     LinkOptions link;         ///< order, tool axis, safe height
-    std::size_t most_points = 40'000'000;  ///< beyond it LimitError is thrown
+    std::size_t most_points = 40'000'000;        ///< beyond it LimitError is thrown
     std::function<void(double share)> progress;  ///< called after each pass, if set
 };
 

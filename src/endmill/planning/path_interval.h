@@ -17,7 +17,8 @@ struct PathInterval {
 };
 
 /// Largest distance between neighbouring passes of a ball that leaves a scallop no higher
-/// than `scallop_height`, the section across the feed being a circle of constant curvature.
+/// than `scallop_height`, the section across the feed being a circle of constant
+/// curvature.
 ///
 /// The circle's centre, a ball's centre and the scallop's peak span a triangle with sides
 /// |rho| + R, |rho| + h and R; half the angle between the passes follows from the law of

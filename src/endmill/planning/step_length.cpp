@@ -12,12 +12,12 @@ namespace endmill {
 std::string_view length_status_name(LengthStatus status)
 {
     switch (status) {
-    case LengthStatus::Ok:
-        return "ok";
-    case LengthStatus::Clamped:
-        return "clamped";
-    case LengthStatus::Unlimited:
-        return "unlimited";
+        case LengthStatus::Ok:
+            return "ok";
+        case LengthStatus::Clamped:
+            return "clamped";
+        case LengthStatus::Unlimited:
+            return "unlimited";
     }
     return {};
 }
@@ -32,7 +32,8 @@ StepLength step_length(double curvature, double chord_tolerance)
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double most_sagitta = 1 - std::numbers::sqrt2 / 2;  // at 45 degrees
     if (k * delta > most_sagitta)
-        return {std::numbers::sqrt2 / k, 1 / k, Angle::degrees(45), LengthStatus::Clamped};
+        return {std::numbers::sqrt2 / k, 1 / k, Angle::degrees(45),
+                LengthStatus::Clamped};
     const double chord = 2 * std::sqrt(delta * (2 / k - delta));
     if (!(chord < infinity))  // k is zero, or so small that 1/k overflows
         return {infinity, infinity, Angle::radians(0), LengthStatus::Unlimited};

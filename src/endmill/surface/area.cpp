@@ -51,8 +51,8 @@ double refined_area(const BezierPatch& patch, const Cell& cell, double coarse,
         return fine;
     fine = 0;
     for (int k = 0; k < 4; ++k)
-        fine += refined_area(patch, quarters[k], areas[k], tolerance / 4,
-                             halvings_left - 1);
+        fine +=
+            refined_area(patch, quarters[k], areas[k], tolerance / 4, halvings_left - 1);
     return fine;
 }
 
@@ -66,8 +66,8 @@ double area(const Surface& surface)
             const BezierPatch& patch = surface.patch(i, j);
             const Cell whole{0, 0, 1};
             const double coarse = area_by_one_rule(patch, whole);
-            total += refined_area(patch, whole, coarse, agreement * coarse,
-                                  deepest_halving);
+            total +=
+                refined_area(patch, whole, coarse, agreement * coarse, deepest_halving);
         }
     return total;
 }

@@ -5,9 +5,9 @@
 
 namespace endmill {
 
-/// Area of the surface in mm^2, the integral of |du x dv|, by Gauss-Legendre quadrature on
-/// pieces that are halved until a finer rule agrees.
-/// Relative error below 1e-9 where the surface has a normal everywhere.
+/// Area of the surface in mm^2, the integral of |du x dv|, by Gauss-Legendre quadrature
+/// on pieces that are halved until a finer rule agrees. Relative error below 1e-9 where
+/// the surface has a normal everywhere.
 double area(const Surface& surface);
 
 }  // namespace endmill

@@ -50,7 +50,8 @@ std::pair<BernsteinNet, BernsteinNet> halves(const BernsteinNet& net, Parameter 
         auto [low, high] = halves(BernsteinNet{net.transpose()}, Parameter::U);
         return {low.transpose(), high.transpose()};
     }
-    // De Casteljau's pyramid at 1/2: its left edge is the lower half, its right the upper.
+    // De Casteljau's pyramid at 1/2: its left edge is the lower half, its right the
+    // upper.
     BernsteinNet low = net;
     BernsteinNet high = net;
     const auto degree = net.rows() - 1;

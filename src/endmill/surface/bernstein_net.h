@@ -8,9 +8,9 @@
 
 namespace endmill {
 
-/// A polynomial over the unit square by its Bernstein coefficients, the row counting u and
-/// the column v. The coefficients bound the polynomial, and those in the corners are its
-/// values there: what branch and bound needs.
+/// A polynomial over the unit square by its Bernstein coefficients, the row counting u
+/// and the column v. The coefficients bound the polynomial, and those in the corners are
+/// its values there: what branch and bound needs.
 using BernsteinNet = Eigen::MatrixXd;
 
 /// Coefficients of r(u, v) . direction, 4 by 4, in mm for a unit `direction`.
@@ -25,7 +25,7 @@ std::pair<BernsteinNet, BernsteinNet> halves(const BernsteinNet& net, Parameter 
 /// A piece of the unit square, with the polynomial there.
 struct BernsteinPiece {
     BernsteinNet net;
-    SurfacePoint low;   ///< its corner with the least u and v
+    SurfacePoint low;  ///< its corner with the least u and v
     double width_u;
     double width_v;
 };

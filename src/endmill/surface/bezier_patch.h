@@ -9,9 +9,9 @@
 
 namespace endmill {
 
-/// Bicubic Bezier patch r(u, v) = sum_ij C(3,i) u^i (1-u)^(3-i) C(3,j) v^j (1-v)^(3-j) B_ij
-/// over the unit square. An immutable value.
-/// Source: [KimChoi, section 2], with the binomials that its print leaves out.
+/// Bicubic Bezier patch r(u, v) = sum_ij C(3,i) u^i (1-u)^(3-i) C(3,j) v^j (1-v)^(3-j)
+/// B_ij over the unit square. An immutable value. Source: [KimChoi, section 2], with the
+/// binomials that its print leaves out.
 class BezierPatch {
 public:
     /// \param net the 16 control points in mm, u running fastest: B_ij at [4 j + i].

@@ -19,7 +19,9 @@ constexpr double least_gain = 1e-13;
 
 class Simplex {
 public:
-    Simplex(const Function& function, const SearchBox& box) : function_{function}, box_{box}
+    Simplex(const Function& function, const SearchBox& box)
+        : function_{function},
+          box_{box}
     {
     }
 
@@ -53,8 +55,8 @@ private:
     {
         double width = 0;
         for (const BoxMinimum& corner : corners_)
-            width = std::max(width,
-                             (corner.at - corners_[0].at).lpNorm<Eigen::Infinity>());
+            width =
+                std::max(width, (corner.at - corners_[0].at).lpNorm<Eigen::Infinity>());
         return width;
     }
 

@@ -31,8 +31,8 @@ double normal_angle(const SurfaceTangents& one, const SurfaceTangents& other)
 
 // Two patches that meet, the second above the first.
 struct PatchPair {
-    int i, j;    // the first
-    int k, l;    // the second
+    int i, j;               // the first
+    int k, l;               // the second
     SurfacePoint from, to;  // ends of their border
 };
 
@@ -65,12 +65,12 @@ BorderBreak worst_break(const Surface& surface, const PatchPair& pair)
 std::string_view continuity_name(Continuity continuity)
 {
     switch (continuity) {
-    case Continuity::None:
-        return "none";
-    case Continuity::G0:
-        return "G0";
-    case Continuity::G1:
-        return "G1";
+        case Continuity::None:
+            return "none";
+        case Continuity::G0:
+            return "G0";
+        case Continuity::G1:
+            return "G1";
     }
     return {};
 }
@@ -84,12 +84,12 @@ std::vector<BorderBreak> border_breaks(const Surface& surface)
     std::vector<BorderBreak> breaks;
     for (int i = 1; i < columns; ++i)
         for (int j = 0; j < rows; ++j)
-            breaks.push_back(worst_break(
-                surface, {i - 1, j, i, j, {u[i], v[j]}, {u[i], v[j + 1]}}));
+            breaks.push_back(
+                worst_break(surface, {i - 1, j, i, j, {u[i], v[j]}, {u[i], v[j + 1]}}));
     for (int j = 1; j < rows; ++j)
         for (int i = 0; i < columns; ++i)
-            breaks.push_back(worst_break(
-                surface, {i, j - 1, i, j, {u[i], v[j]}, {u[i + 1], v[j]}}));
+            breaks.push_back(
+                worst_break(surface, {i, j - 1, i, j, {u[i], v[j]}, {u[i + 1], v[j]}}));
     return breaks;
 }
 
@@ -97,10 +97,9 @@ SurfaceContinuity continuity(const Surface& surface)
 {
     const SurfacePoint corner{surface.range(Parameter::U).low,
                               surface.range(Parameter::V).low};
-    SurfaceContinuity whole{
-        Continuity::G1,
-        {corner, surface.tangents(corner.u, corner.v).point, Angle::radians(0), 0,
-         Continuity::G1}};
+    SurfaceContinuity whole{Continuity::G1,
+                            {corner, surface.tangents(corner.u, corner.v).point,
+                             Angle::radians(0), 0, Continuity::G1}};
     for (const BorderBreak& border : border_breaks(surface)) {
         whole.continuity = std::min(whole.continuity, border.continuity);
         if (border.normals.radians() > whole.worst.normals.radians())

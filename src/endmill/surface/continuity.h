@@ -21,18 +21,18 @@ std::string_view continuity_name(Continuity continuity);
 
 /// What a border between two patches is like at its worst place.
 struct BorderBreak {
-    SurfacePoint at;      ///< on the border
-    Vec3 point;           ///< mm
-    Angle normals;        ///< between the normals of the two patches
-    double gap_mm;        ///< between their points at the same parameters
+    SurfacePoint at;  ///< on the border
+    Vec3 point;       ///< mm
+    Angle normals;    ///< between the normals of the two patches
+    double gap_mm;    ///< between their points at the same parameters
     Continuity continuity;
 };
 
 /// The worst break of every inner border: first those across u, then those across v.
 /// A border counts as G1 where the normals are less than 1e-6 rad apart, as G0 where the
-/// gap is below 1e-9 of the surface's diagonal; 17 samples each, ends included. Samples at
-/// which a patch has no normal are passed over.
-/// Source: general tangent continuity; [KimChoi, fig. 11] shows a sufficient condition.
+/// gap is below 1e-9 of the surface's diagonal; 17 samples each, ends included. Samples
+/// at which a patch has no normal are passed over. Source: general tangent continuity;
+/// [KimChoi, fig. 11] shows a sufficient condition.
 std::vector<BorderBreak> border_breaks(const Surface& surface);
 
 /// The surface as a whole: the least continuity of its borders and the worst break.

@@ -66,7 +66,8 @@ double bracketed_root(const Bernstein& b, double low, double high)
     constexpr int most_steps = 80;
     // After a Newton step this short the next one would be below rounding.
     constexpr double last_step = 1e-9;
-    // Most roots lie near the start of the first piece, where the cubic is nearly straight.
+    // Most roots lie near the start of the first piece, where the cubic is nearly
+    // straight.
     const double along_start = low - b[0] / (3 * (b[1] - b[0]));
     double t = low < along_start && along_start < high ? along_start : (low + high) / 2;
     for (int step = 0; step < most_steps; ++step) {

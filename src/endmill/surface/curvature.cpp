@@ -12,8 +12,12 @@ namespace endmill {
 FundamentalForms fundamental_forms(const SurfaceJet& jet, double side)
 {
     const Vec3 normal = side * unit_normal({jet.point, jet.du, jet.dv});
-    return {jet.du.dot(jet.du),  jet.du.dot(jet.dv),  jet.dv.dot(jet.dv),
-            normal.dot(jet.duu), normal.dot(jet.duv), normal.dot(jet.dvv),
+    return {jet.du.dot(jet.du),
+            jet.du.dot(jet.dv),
+            jet.dv.dot(jet.dv),
+            normal.dot(jet.duu),
+            normal.dot(jet.duv),
+            normal.dot(jet.dvv),
             normal};
 }
 

@@ -25,8 +25,8 @@ double greatest_corner(const BernsteinNet& net)
 {
     const auto last_row = net.rows() - 1;
     const auto last_column = net.cols() - 1;
-    return std::max({net(0, 0), net(last_row, 0), net(0, last_column),
-                     net(last_row, last_column)});
+    return std::max(
+        {net(0, 0), net(last_row, 0), net(0, last_column), net(last_row, last_column)});
 }
 
 // Greatest r . direction; attained by a point of the surface.

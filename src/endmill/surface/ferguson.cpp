@@ -28,7 +28,9 @@ FergusonPatch ferguson_from_bezier(const BezierPatch& patch)
 {
     FergusonPatch ferguson;
     for (int corner = 0; corner < 4; ++corner) {
-        const SurfaceJet jet = patch.jet(corner % 2, corner / 2);
+        const int u = corner % 2;
+        const int v = corner / 2;
+        const SurfaceJet jet = patch.jet(u, v);
         ferguson.corners[corner] = {jet.point, jet.du, jet.dv, jet.duv};
     }
     return ferguson;

@@ -57,8 +57,30 @@ SurfaceJet IsoLine::jet(double u) const
     const Eigen::Matrix3d along = pieces_[i].point.transpose() * basis;
     const Eigen::Matrix<double, 3, 2> across =
         pieces_[i].dv.transpose() * basis.leftCols<2>();
-    return {along.col(0), along.col(1), across.col(0),
+    return {along.col(0), along.col(1),  across.col(0),
             along.col(2), across.col(1), pieces_[i].dvv.transpose() * basis.col(0)};
+}
+
+Vec3 IsoLine::bend(int piece, double u) const
+{
+    const double slope = 1 / (breaks_[piece + 1] - breaks_[piece]);
+    const double t = (u - breaks_[piece]) * slope;
+    return slope * slope *
+           (pieces_[piece].point.transpose() * cubic_bernstein<3>(t).col(2));
+}
+
+double IsoLine::greatest_bend(double from, double to) const
+{
+    // Linear on each piece, so that it is greatest at an end of it.
+    double greatest = 0;
+    for (int i = piece_number(from); i < static_cast<int>(pieces_.size()); ++i) {
+        const double low = std::max(from, breaks_[i]);
+        const double high = std::min(to, breaks_[i + 1]);
+        greatest = std::max({greatest, bend(i, low).norm(), bend(i, high).norm()});
+        if (to <= breaks_[i + 1])
+            break;
+    }
+    return greatest;
 }
 
 std::optional<double> IsoLine::first_reach(double from, const Vec3& direction,

@@ -25,6 +25,10 @@ public:
     /// The surface's jet at (u, v), one-sided at a border, see Surface::patch_number.
     SurfaceJet jet(double u) const;
 
+    /// Greatest |d2r/du2| on [from, to], in mm per unit of u squared: a chord over it
+    /// strays from the line by at most (to - from)^2 / 8 times as much.
+    double greatest_bend(double from, double to) const;
+
     /// Smallest u > `from` at which the line has gone `distance` beyond its point at
     /// `from`, measured along `direction`: (r(u) - r(from)) . direction = distance.
     /// Source: [KimChoi, eq. (3)].
@@ -45,6 +49,7 @@ private:
     };
 
     int piece_number(double u) const;
+    Vec3 bend(int piece, double u) const;
 
     double v_;
     std::vector<double> breaks_;

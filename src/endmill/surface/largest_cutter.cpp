@@ -16,11 +16,12 @@ namespace endmill {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int samples_per_side = 33;   // of a patch, for curvature
+constexpr int samples_per_side = 33;  // of a patch, for curvature
 constexpr int candidates_to_refine = 5;
 constexpr double most_pair_samples = 260'000;
-// Nearer pairs, in widths of a patch, are left to curvature: they would only find it again
-// with rounding, or a crease, which admits no ball at all and is told by `continuity`.
+// Nearer pairs, in widths of a patch, are left to curvature: they would only find it
+// again with rounding, or a crease, which admits no ball at all and is told by
+// `continuity`.
 constexpr double least_pair_distance = 0.125;
 // A ball this many diagonals large is a plane to the surface.
 constexpr double flat_diagonals = 1e6;
@@ -36,8 +37,8 @@ class BestCandidates {
 public:
     void offer(const Candidate& candidate)
     {
-        const auto place = std::ranges::upper_bound(best_, candidate.value, {},
-                                                    &Candidate::value);
+        const auto place =
+            std::ranges::upper_bound(best_, candidate.value, {}, &Candidate::value);
         best_.insert(place, candidate);
         if (best_.size() > candidates_to_refine)
             best_.pop_back();
@@ -87,8 +88,8 @@ BestCandidates best_samples(const Surface& surface, double side, PrincipalValue 
                                                column / (samples_per_side - 1.0));
                     const double v = std::lerp(v_range.low, v_range.high,
                                                row / (samples_per_side - 1.0));
-                    const double found = principal_value(
-                        surface.jet_in_patch(i, j, u, v), side, value);
+                    const double found =
+                        principal_value(surface.jet_in_patch(i, j, u, v), side, value);
                     by_patch[number].offer({found, i, j, {u, v}});
                 }
         }
@@ -148,8 +149,7 @@ std::vector<SurfaceSample> surface_samples(const Surface& surface, double side)
         for (const double u : along_u) {
             const SurfaceTangents tangents = surface.tangents(u, v);
             if (!is_singular(tangents))
-                samples.push_back(
-                    {{u, v}, tangents.point, side * unit_normal(tangents)});
+                samples.push_back({{u, v}, tangents.point, side * unit_normal(tangents)});
         }
     return samples;
 }
@@ -175,7 +175,8 @@ struct Pair {
 };
 
 // Pairs at which the radius fell below all before it, from `limit` on; the last few.
-std::vector<Pair> tightest_sampled_pairs(const Surface& surface, double side, double limit)
+std::vector<Pair> tightest_sampled_pairs(const Surface& surface, double side,
+                                         double limit)
 {
     const std::vector<SurfaceSample> samples = surface_samples(surface, side);
     std::vector<Vec3> points;
@@ -214,9 +215,9 @@ BoxMinimum refined_pair(const Surface& surface, double side, const Pair& start)
     };
     const auto [u_low, u_high] = surface.range(Parameter::U);
     const auto [v_low, v_high] = surface.range(Parameter::V);
-    const double step =
-        std::min((u_high - u_low) / surface.patches(Parameter::U),
-                 (v_high - v_low) / surface.patches(Parameter::V)) / 32;
+    const double step = std::min((u_high - u_low) / surface.patches(Parameter::U),
+                                 (v_high - v_low) / surface.patches(Parameter::V)) /
+                        32;
     return minimize_in_box(radius,
                            {Eigen::Vector4d{u_low, v_low, u_low, v_low},
                             Eigen::Vector4d{u_high, v_high, u_high, v_high}},
@@ -230,14 +231,16 @@ std::optional<CurvatureRange> curvature_range(const Surface& surface, double sid
 {
     const auto least = [](const PrincipalCurvatures& k) { return k.least; };
     const auto minus_greatest = [](const PrincipalCurvatures& k) { return -k.greatest; };
-    const CurvatureRange range{least_principal_value(surface, side, least).value,
-                               -least_principal_value(surface, side, minus_greatest).value};
+    const CurvatureRange range{
+        least_principal_value(surface, side, least).value,
+        -least_principal_value(surface, side, minus_greatest).value};
     if (!std::isfinite(range.least) || !std::isfinite(range.greatest))
         return std::nullopt;
     return range;
 }
 
-std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface, double side)
+std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface,
+                                                       double side)
 {
     const Candidate tightest = least_principal_value(
         surface, side, [](const PrincipalCurvatures& k) { return k.least; });

@@ -15,7 +15,9 @@ struct PointTree::Search {
     unsigned nearest;
 };
 
-PointTree::PointTree(std::span<const Vec3> points) : points_{points}, order_(points.size())
+PointTree::PointTree(std::span<const Vec3> points)
+    : points_{points},
+      order_(points.size())
 {
     require(!points.empty() && points.size() < (std::size_t{1} << 31U),
             "PointTree: need between 1 and 2^31 - 1 points");
@@ -36,8 +38,9 @@ void PointTree::build(std::size_t begin, std::size_t end, int depth)
         return;
     const std::size_t middle = begin + (end - begin) / 2;
     const int axis = depth % 3;
-    std::nth_element(
-        order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+    const std::span<unsigned> range = std::span{order_}.subspan(begin, end - begin);
+    std::ranges::nth_element(
+        range, range.begin() + static_cast<std::ptrdiff_t>(middle - begin),
         [&](unsigned a, unsigned b) { return points_[a][axis] < points_[b][axis]; });
     build(begin, middle, depth + 1);
     build(middle + 1, end, depth + 1);

@@ -13,7 +13,8 @@
 namespace endmill {
 namespace {
 
-// Where `parameter` lies in the patch `number` of `breaks`, and one over the patch's width.
+// Where `parameter` lies in the patch `number` of `breaks`, and one over the patch's
+// width.
 struct LocalParameter {
     double value;
     double slope;
@@ -137,8 +138,8 @@ Surface composite_bezier(int patches_u, int patches_v, std::span<const Vec3> net
         for (int i = 0; i < patches_u; ++i) {
             std::array<Vec3, 16> points;
             for (int row = 0; row < 4; ++row)
-                std::copy_n(net.begin() + (3 * j + row) * columns + 3 * i, 4,
-                            points.begin() + 4 * row);
+                std::ranges::copy(net.subspan((3 * j + row) * columns + 3 * i, 4),
+                                  points.begin() + 4 * row);
             patches.emplace_back(points);
         }
     return Surface{whole_numbers_to(patches_u), whole_numbers_to(patches_v),

@@ -46,7 +46,8 @@ public:
     /// Point and first partials at (u, v).
     SurfaceTangents tangents(double u, double v) const;
 
-    /// Point, first and second partials at (u, v); one-sided at a border, see patch_number.
+    /// Point, first and second partials at (u, v); one-sided at a border, see
+    /// patch_number.
     SurfaceJet jet(double u, double v) const;
 
     /// Point and partials of patch (i, j), at a place that may lie on its border.
@@ -68,9 +69,9 @@ private:
 /// global parameters u in [0, patches_u], v in [0, patches_v].
 /// Source: [KimChoi, section 2 and fig. 11].
 ///
-/// \param net (3 patches_u + 1) (3 patches_v + 1) control points in mm, u running fastest.
-/// \throws DomainError if a count is below 1, the net has another size, or a point is not
-/// finite.
+/// \param net (3 patches_u + 1) (3 patches_v + 1) control points in mm, u running
+/// fastest. \throws DomainError if a count is below 1, the net has another size, or a
+/// point is not finite.
 Surface composite_bezier(int patches_u, int patches_v, std::span<const Vec3> net,
                          ToolSide tool_side = ToolSide::Up);
 

@@ -22,7 +22,8 @@ bool is_singular(const SurfaceTangents& tangents)
 Vec3 unit_normal(const SurfaceTangents& tangents)
 {
     if (is_singular(tangents))
-        throw GeometryError{"unit_normal: the partial derivatives are parallel or vanish"};
+        throw GeometryError{
+            "unit_normal: the partial derivatives are parallel or vanish"};
     return tangents.du.cross(tangents.dv).normalized();
 }
 

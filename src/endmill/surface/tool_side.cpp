@@ -70,7 +70,8 @@ double tool_side_sign(const Surface& surface, const Vec3& axis)
 {
     if (surface.tool_side() != ToolSide::Up)
         return surface.tool_side() == ToolSide::DuCrossDv ? 1 : -1;
-    double projected_area = 0;  // a Bernstein polynomial's mean is that of its coefficients
+    double projected_area =
+        0;  // a Bernstein polynomial's mean is that of its coefficients
     for (int j = 0; j < surface.patches(Parameter::V); ++j)
         for (int i = 0; i < surface.patches(Parameter::U); ++i)
             projected_area += normal_net(surface.patch(i, j), axis).mean();

@@ -14,13 +14,13 @@ namespace endmill {
 /// \return +1 or -1; +1 if the projected area vanishes.
 double tool_side_sign(const Surface& surface, const Vec3& axis);
 
-/// A place that a tool along `axis` cannot touch with its ball: there N . axis <= 0, or the
-/// surface has no normal.
+/// A place that a tool along `axis` cannot touch with its ball: there N . axis <= 0, or
+/// the surface has no normal.
 struct UnreachablePlace {
     SurfacePoint at;
-    Vec3 point;           ///< mm
+    Vec3 point;              ///< mm
     double normal_dot_axis;  ///< of the unit normal; 0 where `singular`
-    bool singular;        ///< the partials are parallel or one of them vanishes
+    bool singular;           ///< the partials are parallel or one of them vanishes
 };
 
 /// Looks for an unreachable place by bounding (du x dv) . axis, a polynomial, on ever

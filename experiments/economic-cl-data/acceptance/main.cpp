@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which fitted nets behave as the printed tables do: scaling laws, savings, cells, and
+// the cusps between passes by a construction of their own.
+//
+//   economic-cl-data-acceptance OUTPUT_FOLDER
+//
+// Deterministic, under 5 s. Columns: README.md beside this.
+
+#include "support/acceptance_table.h"
+#include "support/experiment.h"
+
+using namespace endmill;
+
+int main(int argc, char** argv)
+{
+    return run_experiment(argc, argv, "economic-cl-data/acceptance", [](Experiment& run) {
+        const EconomyTables printed = printed_tables();
+        CsvTable result{acceptance_columns()};
+        for (const std::string& name : run.texts("surfaces"))
+            result.add_row(
+                acceptance_row(name, acceptance_of(dataset_surface(name)), printed));
+        run.write_result(result);
+    });
+}

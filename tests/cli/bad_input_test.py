@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every kind of bad input: one line that names it, its exit code, nothing half-written."""
+import json
+import os
+import resource
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+from program import ENDMILL, SURFACES, ProgramTest, endmill, plane
+
+PLAN = ["--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "1", "-o", "out"]
+
+
+def changed(**keys):
+    surface = plane()
+    surface.update(keys)
+    return {key: value for key, value in surface.items() if value is not None}
+
+
+def with_point(value):
+    surface = plane()
+    surface["control_points"][2][1] = value
+    return surface
+
+
+class BadFiles(ProgramTest):
+    def assert_input_refused(self, content, *words):
+        path = self.file(content)
+        for command in (["info"], ["plan", *PLAN]):
+            done = endmill(command[0], path, *command[1:], cwd=self.folder)
+            self.assert_refused(done, 3, "surface.json", *words)
+        self.assert_nothing_left("surface.json")
+
+    def test_syntax(self):
+        self.assert_input_refused('{"format": "endmill-surface/1",\n "type": bezier}', ":2")
+
+    def test_empty_and_blank(self):
+        self.assert_input_refused("", "empty")
+        self.assert_input_refused(" \n\t", "empty")
+
+    def test_compressed(self):
+        self.assert_input_refused(b"\x1f\x8b\x08\x00more", "compressed")
+
+    def test_other_formats(self):
+        self.assert_input_refused("solid x\nfacet normal 0 0 1\n", "STL")
+
+    def test_duplicate_key(self):
+        text = json.dumps(plane()).replace('"patches_u": 1', '"patches_u": 1, "patches_u": 1')
+        self.assert_input_refused(text, "patches_u")
+
+    def test_unknown_key_with_suggestion(self):
+        self.assert_input_refused(changed(patches_w=1), "patches_w", "patches_u")
+
+    def test_missing_key(self):
+        self.assert_input_refused(changed(patches_v=None), "patches_v")
+
+    def test_wrong_types_and_ranges(self):
+        for value in ("1", -1, 0, 2.9, 1.0, None, [], True, 10**30, 1e300):
+            surface = plane()
+            surface["patches_u"] = value
+            self.assert_input_refused(surface, "/patches_u")
+
+    def test_numbers_that_are_none(self):
+        for text in ("NaN", "Infinity", "-Infinity", "1e999", "1e-999", '"1"', "null", "1,5"):
+            content = json.dumps(with_point("HERE")).replace('"HERE"', f"[{text}, 0, 0]")
+            self.assert_input_refused(content)
+
+    def test_huge_coordinate(self):
+        self.assert_input_refused(with_point([1e7, 0, 0]), "/control_points/2/1")
+        self.assertEqual(endmill("info", self.folder / "surface.json", "--max-extent", "1e8").returncode, 0)
+
+    def test_wrong_counts(self):
+        ragged = plane()
+        ragged["control_points"][1].pop()
+        self.assert_input_refused(ragged, "/control_points/1")
+        short = plane()
+        short["control_points"].pop()
+        self.assert_input_refused(short, "/control_points")
+        self.assert_input_refused(with_point([1, 2]), "/control_points/2/1")
+
+    def test_huge_declared_size(self):
+        self.assert_input_refused(changed(patches_u=10000, patches_v=10000), "control_points")
+        self.assert_input_refused(changed(patches_u=2**62), "/patches_u")
+
+    def test_deep_nesting_and_bad_utf8(self):
+        self.assert_input_refused("[" * 100_000 + "]" * 100_000)
+        self.assert_input_refused(json.dumps(plane()).replace("a test", "a \xff").encode("latin-1"))
+
+    def test_all_points_equal(self):
+        surface = plane(size=(0, 0))
+        self.assert_input_refused(surface, "control_points")
+
+    def test_newer_format(self):
+        self.assert_input_refused(changed(format="endmill-surface/2"), "newer")
+
+    def test_missing_file_and_directory(self):
+        self.assert_refused(endmill("info", self.folder / "none.json"), 3, "none.json", "No such file")
+        self.assert_refused(endmill("info", self.folder), 3, "directory")
+
+    def test_pipe_does_not_hang(self):
+        os.mkfifo(self.folder / "pipe.json")
+        self.assert_refused(endmill("info", self.folder / "pipe.json"), 3, "pipe.json")
+
+    def test_control_characters_of_a_file_do_not_reach_the_terminal(self):
+        done = endmill("info", self.file(changed(**{"\x1b[31mkey": 1})))
+        self.assert_refused(done, 3)
+        self.assertNotIn("\x1b", done.stderr)
+
+    def test_json_errors(self):
+        done = endmill("info", self.file(changed(patches_u=-1)), "--json-errors")
+        error = json.loads(done.stderr)["error"]
+        self.assertEqual((error["code"], error["place"], error["exit"]), ("E_JSON", "/patches_u", 3))
+        done = endmill("plan", "x", "--unknown", "--json-errors")
+        self.assertEqual(json.loads(done.stderr)["error"]["code"], "E_PARAM")
+
+
+class AnotherUser(ProgramTest):
+    """Root passes permission checks, so these run as a user who does not."""
+
+    def setUp(self):
+        super().setUp()
+        self.program = shutil.copy(ENDMILL, self.folder / "endmill")
+        self.user = {"user": "nobody", "group": "nogroup", "extra_groups": []} if os.geteuid() == 0 else {}
+        self.folder.chmod(0o755)
+
+    def run_as_user(self, *arguments):
+        return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True,
+                              check=False, timeout=60, cwd=self.folder, **self.user)
+
+    def test_file_without_read_permission(self):
+        path = self.file(plane())
+        path.chmod(0o000)
+        self.assert_refused(self.run_as_user("info", path), 3, "surface.json", "ermission denied")
+
+    def test_folder_that_cannot_be_written(self):
+        path = self.file(plane())
+        (self.folder / "locked").mkdir(mode=0o555)
+        for target in ("locked", "locked/new"):
+            done = self.run_as_user("plan", path, *PLAN[:-1], target)
+            self.assert_refused(done, 5, "locked")
+        self.assert_nothing_left("endmill", "locked", "surface.json")
+
+
+class BadArguments(ProgramTest):
+    def refused(self, status, *arguments, words=()):
+        done = endmill("plan", self.file(plane()), *arguments, "-o", "out", cwd=self.folder)
+        self.assert_refused(done, status, *words)
+        self.assert_nothing_left("surface.json")
+
+    def test_numbers_out_of_their_domain(self):
+        for cutter in ("ball:0", "ball:-1", "ball:nan", "ball:", "ball", "ball:1:2", "flat:3", "bull:10:2", "x"):
+            self.refused(2, "--cutter", cutter, words=["--cutter"])
+        for option in ("--chord-tolerance", "--scallop", "--feed", "--cross-step", "--max-memory"):
+            for number in ("0", "-1", "nan", "inf", "1e999", "", "1,5", "0x10", "1 "):
+                self.refused(2, option, number, words=[option])
+        self.refused(2, "--cutter", "ball:10", "--scallop", "10", words=["--scallop"])
+        self.refused(2, "--threads", "0", words=["--threads"])
+        self.refused(2, "--safe-height", "nan", words=["--safe-height"])
+
+    def test_words_that_are_not_known(self):
+        self.refused(2, "--governing", "minn", words=["--governing", "min"])
+        self.refused(2, "--mode", "verified", words=["--mode"])
+        self.refused(2, "--require", "g2", words=["--require"])
+        self.refused(2, "--axis", "0,0,0", words=["--axis"])
+        self.refused(2, "--axis", "0,1", words=["--axis"])
+        self.refused(2, "--scalop", "1", words=["--scallop"])
+
+    def test_ball_above_the_limit(self):
+        done = endmill("plan", SURFACES / "parabolic-cylinder.json", "--cutter", "ball:40", cwd=self.folder)
+        self.assert_refused(done, 4, "20.0", "u ", "v ")
+        self.assert_nothing_left()
+
+    def test_axis_from_which_the_part_cannot_be_touched(self):
+        self.refused(4, "--axis", "1,0,0", words=["axis"])
+
+    def test_overhang(self):
+        surface = plane(size=(60, 30))
+        for row in surface["control_points"]:
+            row[1][0], row[2][0] = 70, -10
+        done = endmill("plan", self.file(surface), *PLAN, cwd=self.folder)
+        self.assert_refused(done, 4, "u = ")
+
+    def test_degenerate_normals(self):
+        surface = plane()
+        for row in surface["control_points"]:
+            for i, point in enumerate(row):
+                point[:] = [i, i, 0]
+        done = endmill("plan", self.file(surface), *PLAN, cwd=self.folder)
+        self.assert_refused(done, 4, "normal")
+
+    def test_only_g0_is_a_warning_with_the_place(self):
+        surface = plane(patches_u=2)
+        for row in surface["control_points"]:
+            row[3][2] = 3
+            row[2][2] = row[4][2] = 2
+            row[1][2] = row[5][2] = 1
+        path = self.file(surface)
+        done = endmill("plan", path, *PLAN, "--direction", "u", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("warning", done.stderr)
+        self.assertIn("u 1", done.stderr)
+        done = endmill("plan", path, *PLAN[:-1], "out2", "--require", "g1", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertFalse((self.folder / "out2").exists())
+
+
+class Output(ProgramTest):
+    def test_folder_that_is_not_empty_is_left_alone(self):
+        path = self.file(plane())
+        (self.folder / "out").mkdir()
+        (self.folder / "out/mine.txt").write_text("mine")
+        self.assert_refused(endmill("plan", path, *PLAN, cwd=self.folder), 2, "out", "not empty")
+        self.assertEqual(os.listdir(self.folder / "out"), ["mine.txt"])
+
+    def test_file_in_place_of_the_folder(self):
+        path = self.file(plane())
+        self.file("mine", "out")
+        self.assert_refused(endmill("plan", path, *PLAN, cwd=self.folder), 2, "out")
+        self.assertEqual((self.folder / "out").read_text(), "mine")
+
+    def test_full_disk_leaves_nothing(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
+        done = endmill("plan", SURFACES / "net_rot24_7D.json", "-o", "out", cwd=self.folder, preexec_fn=limit)
+        self.assert_refused(done, 5, "toolpath.csv")
+        self.assert_nothing_left()
+
+    def test_standard_output_that_is_full(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([ENDMILL, "info", SURFACES / "plane.json", "--json"], stdout=full,
+                                  stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, 5)
+        self.assertIn("standard output", done.stderr)
+
+    def test_too_many_points_are_told_before_the_work(self):
+        start = time.monotonic()
+        done = endmill("plan", SURFACES / "net_rot24_7D.json", "--chord-tolerance", "1e-9", "-o", "out",
+                       cwd=self.folder)
+        self.assert_refused(done, 6, "GiB")
+        self.assertLess(time.monotonic() - start, 20)
+        self.assert_nothing_left()
+
+    def test_interrupt_leaves_nothing(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with subprocess.Popen([ENDMILL, "plan", SURFACES / "net_rot24_7D.json", "--chord-tolerance", "5e-4",
+                                   "-o", "out"], cwd=self.folder, stderr=subprocess.PIPE,
+                                  stdout=subprocess.PIPE) as process:
+                while not (self.folder / "out").exists() and process.poll() is None:
+                    time.sleep(0.01)
+                process.send_signal(number)
+                process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 128 + number)
+            self.assert_nothing_left()
+
+
+if __name__ == "__main__":
+    unittest.main()

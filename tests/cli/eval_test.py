@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""endmill eval against values computed with 50 digits, and its exit codes."""
+import math
+import unittest
+
+from program import ProgramTest, endmill
+
+
+class Eval(ProgramTest):
+    def test_plane_interval_is_the_chord_of_the_ball(self):
+        value = self.summary("eval", "path-interval", "--radius", 5, "--curvature", 0, "--scallop", 1)
+        self.assertEqual(value, {"chord_mm": 6, "projected_mm": 6, "arc_mm": 6,
+                                 "half_angle_rad": 0, "status": "ok"})
+
+    def test_interval_on_a_concave_circle(self):
+        value = self.summary("eval", "path-interval", "--radius", 5, "--curvature=-0.1", "--scallop", 0.5)
+        self.assertAlmostEqual(value["chord_mm"], 6.24499799839840, delta=1e-13)
+        self.assertAlmostEqual(value["projected_mm"], 5.93274809847848, delta=1e-13)
+        self.assertAlmostEqual(value["half_angle_rad"], 0.317560429291521, delta=1e-14)
+
+    def test_interval_beyond_45_degrees_is_clamped(self):
+        value = self.summary("eval", "path-interval", "--radius", 10, "--curvature", 1, "--scallop", 0.5)
+        self.assertEqual(value["status"], "clamped")
+        self.assertAlmostEqual(value["chord_mm"], math.sqrt(2), delta=1e-14)
+        self.assertAlmostEqual(value["half_angle_rad"], math.pi / 4, delta=1e-15)
+
+    def test_interval_inside_a_tight_concavity_is_unlimited(self):
+        value = self.summary("eval", "path-interval", "--radius", 5, "--curvature", -1 / 5.2,
+                             "--scallop", 0.5)
+        self.assertEqual(value, {"chord_mm": None, "projected_mm": None, "arc_mm": None,
+                                 "half_angle_rad": None, "status": "unlimited"})
+
+    def test_ball_that_does_not_fit_exits_4_with_the_limit(self):
+        for rho in (-5, -4):
+            done = endmill("eval", "path-interval", "--radius", 5, "--curvature", 1 / rho,
+                           "--scallop", 0.5)
+            self.assert_refused(done, 4, str(-rho))
+
+    def test_step_on_a_straight_line_is_unlimited(self):
+        value = self.summary("eval", "step-length", "--curvature", 0, "--chord-tolerance", 0.5)
+        self.assertEqual(value, {"chord_mm": None, "projected_mm": None,
+                                 "half_angle_rad": None, "status": "unlimited"})
+
+    def test_step_takes_the_magnitude_of_curvature(self):
+        for curvature in (0.01, -0.01):
+            value = self.summary("eval", "step-length", "--curvature", curvature,
+                                 "--chord-tolerance", 0.5)
+            self.assertAlmostEqual(value["chord_mm"], 19.9749843554382, delta=1e-12)
+            self.assertAlmostEqual(value["projected_mm"], 19.8751094336610, delta=1e-12)
+
+    def test_scallop_height_is_the_inverse(self):
+        value = self.summary("eval", "scallop-height", "--radius", 7.5, "--curvature", 0.02,
+                             "--interval", 5)
+        self.assertAlmostEqual(value["scallop_mm"], 0.501004520636059, delta=1e-14)
+
+    def test_arguments_out_of_their_domain_exit_2(self):
+        for arguments in (["path-interval", "--radius", "0", "--curvature", "0", "--scallop", "1"],
+                          ["path-interval", "--radius", "5", "--curvature", "0", "--scallop", "10"],
+                          ["path-interval", "--radius", "5", "--curvature", "0", "--scallop", "-1"],
+                          ["path-interval", "--radius", "5", "--curvature", "nan", "--scallop", "1"],
+                          ["path-interval", "--radius", "inf", "--curvature", "0", "--scallop", "1"],
+                          ["step-length", "--curvature", "1", "--chord-tolerance", "0"],
+                          ["scallop-height", "--radius", "5", "--curvature", "0", "--interval", "0"],
+                          ["path-interval", "--radius", "5"],
+                          ["no-such-formula"]):
+            self.assert_refused(endmill("eval", *arguments), 2)
+
+    def test_interval_too_wide_for_the_balls_exits_4(self):
+        done = endmill("eval", "scallop-height", "--radius", 5, "--curvature", 0, "--interval", 11)
+        self.assert_refused(done, 4, "10")
+
+    def test_alone_lists_what_it_knows(self):
+        names = [formula["name"] for formula in self.summary("eval")["formulas"]]
+        self.assertIn("path-interval", names)
+        for name in names:
+            done = endmill("eval", name, "--help")
+            self.assertIn("Example:", done.stdout)
+            self.assertEqual(done.returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""endmill info on surfaces whose facts are known in closed form."""
+import math
+import unittest
+
+from program import SURFACES, ProgramTest, endmill, plane
+
+
+def roof(rise):
+    """Two plane patches that meet along u = 1 with a ridge."""
+    surface = plane(patches_u=2)
+    for row in surface["control_points"]:
+        for i, point in enumerate(row):
+            point[2] = rise * (3 - abs(i - 3)) / 3
+    return surface
+
+
+class Info(ProgramTest):
+    def test_plane(self):
+        facts = self.summary("info", self.file(plane()))
+        self.assertEqual(facts["size_mm"], [60, 30, 0])
+        self.assertAlmostEqual(facts["area_mm2"], 1800, delta=1e-9)
+        self.assertEqual(facts["patches"], 1)
+        self.assertEqual(facts["continuity"], "G1")
+        self.assertEqual(facts["max_curvature_per_mm"], 0)
+        self.assertIsNone(facts["max_cutter_radius_mm"])
+        self.assertIsNone(facts["max_cutter_radius_at"])
+
+    def test_parabolic_trough_admits_a_ball_of_its_bottom_radius(self):
+        # z = y^2 / 40 bends with radius 20 mm at its bottom, y = 0.
+        facts = self.summary("info", SURFACES / "parabolic-cylinder.json")
+        self.assertAlmostEqual(facts["max_cutter_radius_mm"], 20, delta=1e-7)
+        self.assertAlmostEqual(facts["max_cutter_radius_at"]["point_mm"][1], 0, delta=1e-3)
+        self.assertAlmostEqual(facts["min_curvature_per_mm"], -0.05, delta=1e-10)
+
+    def test_default_example_has_the_limit_of_three_independent_programs(self):
+        facts = self.summary("info", SURFACES / "net_rot24_7D.json")
+        self.assertAlmostEqual(facts["max_cutter_radius_mm"], 10.009374, delta=1e-6)
+        at = facts["max_cutter_radius_at"]
+        mirror = min(abs(at["u"] - 2.1310), abs(3 - at["u"] - 2.1310))
+        self.assertAlmostEqual(mirror, 0, delta=1e-4)
+
+    def test_roof_is_g0_with_the_angle_of_its_ridge(self):
+        done = endmill("info", self.file(roof(rise=30)), "--require", "g1")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("warning", done.stderr)
+        facts = self.summary("info", self.folder / "surface.json")
+        self.assertEqual(facts["continuity"], "G0")
+        self.assertAlmostEqual(facts["worst_break_deg"], 2 * math.degrees(math.atan2(30, 30)), delta=1e-9)
+        self.assertEqual(facts["worst_break_at"]["u"], 1)
+
+    def test_writes_only_with_output(self):
+        path = self.file(plane())
+        self.summary("info", path)
+        self.assert_nothing_left("surface.json")
+        self.summary("info", path, "-o", "facts")
+        self.assert_nothing_left("surface.json", "facts")
+
+    def test_unit_inch_is_converted(self):
+        surface = plane()
+        surface["units"] = "inch"
+        self.assertAlmostEqual(self.summary("info", self.file(surface))["size_mm"][0], 60 * 25.4, delta=1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main()

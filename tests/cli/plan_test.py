@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""endmill plan: what arithmetic says on planes, and what its files hold."""
+import csv
+import json
+import math
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+from program import SURFACES, ProgramTest, endmill, plane
+
+# On a plane a ball of radius 5 leaves a scallop of 1 mm between passes 6 mm apart.
+BALL = ["--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "1"]
+
+
+def rows(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+class PlanOnAPlane(ProgramTest):
+    def test_passes_points_and_lengths_are_those_of_arithmetic(self):
+        facts = self.summary("plan", self.file(plane(size=(60, 30))), *BALL, "--direction", "u", "-o", "out")
+        self.assertEqual((facts["passes"], facts["ncl"]), (6, 12))
+        self.assertAlmostEqual(facts["tcd_mm"], 6 * 60 + 30, delta=1e-9)
+        self.assertAlmostEqual(facts["link_mm"], 30, delta=1e-9)
+        self.assertAlmostEqual(facts["max_chord_error_mm"], 0, delta=1e-12)
+        points = rows(self.folder / "out/toolpath.csv")
+        self.assertEqual(len(points), 12)
+        self.assertEqual([p["move"] for p in points], ["plunge", "cut"] + ["link", "cut"] * 5)
+        for number, point in enumerate(points[::2]):
+            self.assertAlmostEqual(float(point["tip_y_mm"]), 6 * number, delta=1e-12)
+
+    def test_one_way_passes_return_above_the_part(self):
+        facts = self.summary("plan", self.file(plane(size=(60, 30))), *BALL, "--direction", "u",
+                             "--order", "one-way", "--safe-height", "7", "-o", "out")
+        self.assertEqual(facts["ncl"], 12)
+        self.assertAlmostEqual(facts["tcd_mm"], 360, delta=1e-9)
+        points = rows(self.folder / "out/toolpath.csv")
+        self.assertEqual([p["move"] for p in points[:6]], ["plunge", "cut", "retract", "rapid", "plunge", "cut"])
+        self.assertEqual([float(p["tip_z_mm"]) for p in points[:5]], [0, 0, 7, 7, 0])
+        self.assertEqual(points[2]["contact_x_mm"], "")
+
+    def test_time_is_travel_by_feed(self):
+        path = self.file(plane(size=(60, 30)))
+        facts = self.summary("plan", path, *BALL, "--direction", "u", "--feed", "100", "-o", "out")
+        self.assertAlmostEqual(facts["time_min"], 3.9, delta=1e-9)
+        facts = self.summary("plan", path, *BALL, "--direction", "u", "--feed", "100",
+                             "--count-links", "no", "-o", "out2")
+        self.assertAlmostEqual(facts["time_min"], 3.6, delta=1e-9)
+
+    def test_both_directions_are_compared(self):
+        facts = self.summary("plan", self.file(plane(size=(60, 30))), *BALL, "-o", "out")
+        self.assertEqual(facts["recommended"], "u")
+        u, v = facts["u"], facts["v"]
+        self.assertAlmostEqual(facts["reduction_tcd"], 1 - min(u["tcd_mm"], v["tcd_mm"]) /
+                               max(u["tcd_mm"], v["tcd_mm"]), delta=1e-12)
+        self.assertAlmostEqual(facts["reduction_ncl"], 1 - 12 / 22, delta=1e-12)
+        for direction in "uv":
+            for name in ("toolpath.csv", "toolpath.vtp", "toolpath.svg", "summary.json"):
+                self.assertTrue((self.folder / "out" / direction / name).is_file())
+
+    def test_another_tool_axis_moves_the_tips_only(self):
+        path = self.file(plane(size=(60, 30)))
+        self.summary("plan", path, *BALL, "--direction", "u", "-o", "up")
+        self.summary("plan", path, *BALL, "--direction", "u", "--axis", "1,0,1", "-o", "tilted")
+        shift = 5 * (1 - math.sqrt(0.5))
+        for upright, tilted in zip(rows(self.folder / "up/toolpath.csv"), rows(self.folder / "tilted/toolpath.csv")):
+            self.assertEqual(upright["contact_x_mm"], tilted["contact_x_mm"])
+            self.assertAlmostEqual(float(tilted["tip_z_mm"]), shift, delta=1e-12)
+
+    def test_gap_in_what_is_not_measured_is_null(self):
+        facts = self.summary("plan", self.file(plane()), *BALL, "--direction", "v")
+        for key in ("max_motion_error_mm", "max_gouge_mm", "max_scallop_mm", "scallop_pitch_mm", "scallop_bound_mm"):
+            self.assertIsNone(facts[key])
+
+
+class PlanOnTheExample(ProgramTest):
+    def test_alone_it_chooses_sensibly_and_says_so(self):
+        done = endmill("plan", SURFACES / "net_rot24_7D.json", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for word in ("10.009374", "ball:20", "0.666667", "more economic", "net_rot24_7D-plan"):
+            self.assertIn(word, done.stdout)
+        self.assert_nothing_left("net_rot24_7D-plan")
+
+    def test_second_run_needs_force(self):
+        path = self.file(plane())
+        self.summary("plan", path, *BALL)
+        self.assert_refused(endmill("plan", path, *BALL, cwd=self.folder), 2, "not empty", "--force")
+        self.summary("plan", path, *BALL, "--force")
+
+    def test_same_bytes_with_any_number_of_threads(self):
+        for threads in (1, 4):
+            self.summary("plan", SURFACES / "net_rot24_7D.json", "--threads", threads, "-o", f"threads{threads}")
+        for path in (self.folder / "threads1").rglob("*.*"):
+            twin = self.folder / "threads4" / path.relative_to(self.folder / "threads1")
+            self.assertEqual(path.read_bytes(), twin.read_bytes(), path)
+
+    def test_files_are_well_formed_and_finite(self):
+        self.summary("plan", SURFACES / "net_rot24_7D.json", "--direction", "v", "-o", "out")
+        ElementTree.parse(self.folder / "out/toolpath.svg")
+        for row in rows(self.folder / "out/toolpath.csv"):
+            for key, value in row.items():
+                if key != "move":
+                    self.assertTrue(math.isfinite(float(value)), row)
+        header = (self.folder / "out/toolpath.csv").read_text().splitlines()[0]
+        self.assertTrue(header.startswith("pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z"))
+
+    def test_summary_is_the_one_written_and_holds_every_policy(self):
+        facts = self.summary("plan", SURFACES / "net_rot24_7D.json", "--direction", "u", "-o", "out")
+        self.assertEqual(facts, json.loads((self.folder / "out/summary.json").read_text()))
+        for key in ("governing", "last_path", "end_point", "stop_at_borders", "step_curvature", "march",
+                    "cross_curvature", "cross_step_mm", "count_links", "distance", "order",
+                    "safe_height_mm", "axis", "scallop_mm", "chord_tolerance_mm", "mode"):
+            self.assertIn(key, facts)
+        self.assertAlmostEqual(facts["safe_height_mm"], 225, delta=1e-3)
+
+    def test_path_lengths_are_those_of_the_points_written(self):
+        facts = self.summary("plan", SURFACES / "net_rot24_7D.json", "--cutter", "ball:15",
+                             "--chord-tolerance", "0.5", "--direction", "v", "-o", "out")
+        points = rows(self.folder / "out/toolpath.csv")
+        self.assertEqual(len(points), facts["ncl"])
+        for kind, key in (("contact", "tcd_mm"), ("tip", "tcd_cl_mm")):
+            places = [tuple(float(p[f"{kind}_{axis}_mm"]) for axis in "xyz") for p in points]
+            travel = sum(math.dist(a, b) for a, b in zip(places, places[1:]))
+            self.assertAlmostEqual(travel, facts[key], delta=1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main()

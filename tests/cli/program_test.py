@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The program as a whole: help, version, cite."""
+import unittest
+
+from program import ROOT, ProgramTest, endmill
+
+COMMANDS = ("info", "plan", "eval", "cite")
+
+
+class Program(ProgramTest):
+    def test_every_command_has_help_with_an_example(self):
+        for command in COMMANDS:
+            done = endmill(command, "--help")
+            self.assertEqual(done.returncode, 0)
+            self.assertIn(f"endmill {command}", done.stdout.split("Example:")[1])
+            self.assertIn("--json-errors", done.stdout)
+
+    def test_version(self):
+        self.assertRegex(endmill("--version").stdout, r"^endmill \d+\.\d+\.\d+\n$")
+
+    def test_unknown_command_gets_a_suggestion(self):
+        self.assert_refused(endmill("plam"), 2, "plan")
+        self.assert_refused(endmill(), 2)
+
+    def test_cite_prints_the_bibliography(self):
+        done = endmill("cite", "--bibtex")
+        self.assertEqual(done.stdout, (ROOT / "paper/references.bib").read_text(encoding="utf-8"))
+        keys = [paper["key"] for paper in self.summary("cite")["papers"]]
+        self.assertEqual(keys, ["KimChoi", "JangKimJeong", "KangSuh", "ParkMaeng"])
+        for paper in self.summary("cite")["papers"]:
+            self.assertGreater(len(paper["title"]), 20)
+            self.assertNotIn("=", paper["title"])
+
+    def test_quiet_prints_nothing(self):
+        done = endmill("info", ROOT / "datasets/surfaces/plane.json", "--quiet")
+        self.assertEqual((done.stdout, done.stderr, done.returncode), ("", "", 0))
+
+
+if __name__ == "__main__":
+    unittest.main()

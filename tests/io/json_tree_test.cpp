@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/io/json_tree.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "endmill/core/error.h"
+
+namespace endmill {
+namespace {
+
+using std::string_literals::operator""s;
+using testing::HasSubstr;
+
+// What is wrong with `text`, as "PLACE: …"; "accepted" if nothing.
+std::string complaint_about(const std::string& text)
+{
+    try {
+        json_tree(text, "f", {});
+        return "accepted";
+    } catch (const FormatError& error) {
+        EXPECT_EQ(error.code(), "E_JSON");
+        EXPECT_EQ(error.file(), "f");
+        return error.place() + ": " + error.what();
+    }
+}
+
+struct BadText {
+    std::string text;
+    std::string place;  // counted by hand
+};
+
+class MalformedJson : public testing::TestWithParam<BadText> {};
+
+TEST_P(MalformedJson, IsRefusedAtItsPlace)
+{
+    const std::string complaint = complaint_about(GetParam().text);
+    EXPECT_THAT(complaint, testing::StartsWith(GetParam().place + ": "));
+    for (const char character : complaint)
+        EXPECT_FALSE(static_cast<unsigned char>(character) < 0x20) << complaint;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Syntax, MalformedJson,
+    testing::Values(BadText{"{\"a\": 1,}", "1:9"}, BadText{"[1 2]", "1:4"},
+                    BadText{"{\n \"a\"\n 1}", "3:2"}, BadText{"[01]", "1:3"},
+                    BadText{"{} x", "1:4"}, BadText{"{}\0x"s, "1:3"},
+                    BadText{"[1,", "1:4"}, BadText{"['a']", "1:2"},
+                    BadText{"[\"ä\", }", "1:7"}, BadText{"[\"\x1b\"]", "1:3"}));
+
+INSTANTIATE_TEST_SUITE_P(NotANumber, MalformedJson,
+                         testing::Values(BadText{"[NaN]", "1:2"},
+                                         BadText{"[Infinity]", "1:2"},
+                                         BadText{"[1e999]", "1:6"},
+                                         BadText{"[-1e999]", "1:7"},
+                                         BadText{"{\"x\": [1, 1e-999]}", "/x/1"},
+                                         BadText{"[[], [0, -0.1e-400]]", "/1/1"}));
+
+INSTANTIATE_TEST_SUITE_P(BadUtf8, MalformedJson,
+                         testing::Values(BadText{"[\"\xff\"]", "1:3"},
+                                         BadText{"[\"\xc3\"]", "1:4"},
+                                         BadText{"[\"\xed\xa0\x80\"]", "1:4"}));
+
+INSTANTIATE_TEST_SUITE_P(DuplicateKeys, MalformedJson,
+                         testing::Values(BadText{"{\"a\": 1, \"a\": 2}", "/a"},
+                                         BadText{"[{\"b\": {\"a/~\": 1, \"a/~\": 1}}]",
+                                                 "/0/b/a~1~0"}));
+
+TEST(JsonTree, AcceptsAByteOrderMarkAndZerosOfAnySpelling)
+{
+    EXPECT_EQ(complaint_about("\xef\xbb\xbf{}"), "accepted");
+    EXPECT_EQ(complaint_about("[0, -0, 0.000, 0e5, 0e-999, 5e-324]"), "accepted");
+    EXPECT_EQ(complaint_about("[{\"a\": 1}, {\"a\": 1}]"), "accepted");
+}
+
+TEST(JsonTree, NestsSixtyFourDeepAndNoDeeper)
+{
+    const auto nested = [](int depth) {
+        return std::string(depth, '[') + std::string(depth, ']');
+    };
+    EXPECT_EQ(complaint_about(nested(64)), "accepted");
+    EXPECT_THAT(complaint_about(nested(65)), testing::StartsWith("1:65: "));
+    EXPECT_THAT(complaint_about(std::string(1000000, '[')), HasSubstr("64 levels"));
+    EXPECT_EQ(complaint_about("\"" + std::string(100, '[') + "\""), "accepted");
+}
+
+TEST(JsonTree, RefusesATreeThatWouldNotFit)
+{
+    std::string text = "[";
+    for (int i = 0; i < 100000; ++i)
+        text += "{},";
+    text += "0]";
+    // 100 000 values of 16 bytes and as many empty maps of 48.
+    const double least_gib = 1e5 * (16 + 48) / (1 << 30);
+    EXPECT_THROW(json_tree(text, "f", {.max_memory_gib = least_gib}), LimitError);
+    EXPECT_NO_THROW(json_tree(text, "f", {.max_memory_gib = 5 * least_gib}));
+}
+
+TEST(JsonTree, HoldsWhatTheTextSpells)
+{
+    const auto tree =
+        json_tree(R"({"a": [1, -2, 0.5, "t", true, null], "b": {}})", "f", {});
+    EXPECT_EQ(tree->dump(), R"({"a":[1,-2,0.5,"t",true,null],"b":{}})");
+}
+
+TEST(JsonPointerStep, EscapesAsRfc6901Does)
+{
+    EXPECT_EQ(json_pointer_step("a/b"), "/a~1b");
+    EXPECT_EQ(json_pointer_step("m~n"), "/m~0n");
+    EXPECT_EQ(json_pointer_step(""), "/");
+    EXPECT_EQ(json_pointer_step("\x1b[0m"), "/[0m");
+}
+
+}  // namespace
+}  // namespace endmill
