@@ -1,4 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# endmill_precompile(TARGET [header...]): compiles what nearly every file includes only once
+# a target; it is half of the build's time. A file that relies on it without including what
+# it needs is found by clang-tidy, which compiles without.
+function(endmill_precompile target)
+  target_precompile_headers(${target} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm>
+                            <functional> <optional> <span> <string> <vector> ${ARGN})
+endfunction()
+
 # endmill_module(NAME [USES module...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...])
 #
 # Declares src/endmill/NAME as the library endmill::NAME and tests/NAME as its test
@@ -19,11 +27,14 @@ function(endmill_module name)
   target_link_libraries(endmill_${name} PUBLIC ${arg_USES} ${arg_LIBRARIES}
                         PRIVATE ${arg_PRIVATE_LIBRARIES} endmill_warnings)
   set_target_properties(endmill_${name} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
+  endmill_precompile(endmill_${name})
 
   if(ENDMILL_BUILD_TESTS AND tests)
     add_executable(endmill_${name}_test ${tests})
     target_link_libraries(endmill_${name}_test PRIVATE endmill::${name} endmill_test_support
                           endmill_warnings GTest::gtest_main)
+    target_compile_options(endmill_${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
+    endmill_precompile(endmill_${name}_test <gtest/gtest.h>)
     gtest_discover_tests(endmill_${name}_test TEST_PREFIX ${name}. PROPERTIES LABELS ${name})
   endif()
 endfunction()

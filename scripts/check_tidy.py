@@ -69,7 +69,7 @@ def select(files, compiled):
 
 def for_clang(command):
     """A compile command of g++ as clang understands it."""
-    command = re.sub(r"-Winvalid-pch|-include \S+/cmake_pch\.hxx|-Wno-restrict", "", command)
+    command = re.sub(r"-Winvalid-pch|-include \S+/cmake_pch\.hxx|-Wno-restrict|-Wno-stringop-overflow|-Wno-array-bounds", "", command)
     return command + " -Wno-unknown-warning-option"
 
 

@@ -51,7 +51,7 @@ void add_count(CsvTable& table, const std::string& label, std::int64_t readings,
 Readings add_readings(CsvTable& table, const std::string& label, const CostRow& row,
                       const Interval& chord_mm, double tolerance_mm)
 {
-    const Readings readings = decodings(row, tolerance_mm, chord_mm);
+    Readings readings = decodings(row, tolerance_mm, chord_mm);
     add_count(table, label, static_cast<std::int64_t>(readings.size()), 1);
     for (const Decoding& reading : readings)
         add_reading(table, label, reading);

@@ -67,8 +67,8 @@ public:
     // In [low, high), 53 random bits.
     double operator()(double low, double high)
     {
-        const double upper = generator_() >> 5U;
-        const double lower = generator_() >> 6U;
+        const auto upper = static_cast<double>(generator_() >> 5U);
+        const auto lower = static_cast<double>(generator_() >> 6U);
         return low + (high - low) * (upper * 0x1p26 + lower) * 0x1p-53;
     }
 

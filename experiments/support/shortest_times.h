@@ -12,8 +12,14 @@
 
 namespace endmill {
 
-/// Keeps the shortest time of each benchmark over its repetitions: what the machine can
-/// do when nothing else gets in the way.
+/// What a piece of work took, at best of its repetitions.
+struct WorkTime {
+    double cpu_s;   ///< of the thread that did it
+    double wall_s;  ///< until it was done
+};
+
+/// Keeps the shortest times of each benchmark: what the machine can do when nothing else
+/// gets in the way.
 class ShortestTimes : public benchmark::BenchmarkReporter {
 public:
     /// Nothing is printed. \return true: go on.
@@ -25,29 +31,54 @@ public:
         for (const Run& run : runs) {
             if (run.run_type != Run::RT_Iteration)
                 continue;
-            const double seconds =
-                run.real_accumulated_time / static_cast<double>(run.iterations);
-            double& shortest =
-                shortest_.try_emplace(run.run_name.function_name, seconds).first->second;
-            shortest = std::min(shortest, seconds);
+            const auto count = static_cast<double>(run.iterations);
+            const WorkTime time{run.cpu_accumulated_time / count,
+                                run.real_accumulated_time / count};
+            WorkTime& best =
+                shortest_.try_emplace(run.run_name.function_name, time).first->second;
+            best = {std::min(best.cpu_s, time.cpu_s), std::min(best.wall_s, time.wall_s)};
         }
     }
 
-    /// Of one iteration, in s. \throws std::out_of_range for a name that did not run.
-    double seconds(const std::string& name) const { return shortest_.at(name); }
+    /// \throws std::out_of_range for a benchmark that did not run.
+    const WorkTime& of(const std::string& name) const { return shortest_.at(name); }
 
 private:
-    std::map<std::string, double> shortest_;
+    std::map<std::string, WorkTime> shortest_;
 };
 
-/// Runs all registered benchmarks, each for at least half a second a repetition.
+/// A benchmark of `work()`, which returns what must not be optimised away; five times for
+/// half a second each.
+template <typename Work>
+void add_benchmark(const std::string& name, const Work& work)
+{
+    const auto body = [work](benchmark::State& state) {
+        for (auto _ : state)
+            benchmark::DoNotOptimize(work());
+    };
+    benchmark::RegisterBenchmark(name.c_str(), body)->Repetitions(5)->MinTime(0.5);
+}
+
+/// Calls of a function of a surface's parameters in one go of `add_calls`.
+inline constexpr int calls_in_a_go = 1024;
+
+/// A benchmark of `evaluate(u, v)` at places spread over [0, range_u] by [0, range_v].
+template <typename Evaluate>
+void add_calls(const std::string& name, double range_u, double range_v,
+               const Evaluate& evaluate)
+{
+    add_benchmark(name, [=] {
+        for (int i = 0; i < calls_in_a_go; ++i)
+            benchmark::DoNotOptimize(
+                evaluate(range_u * i / calls_in_a_go,
+                         range_v * (i * 7 % calls_in_a_go) / calls_in_a_go));
+        return 0;
+    });
+}
+
+/// Runs all benchmarks that were added.
 inline ShortestTimes shortest_times()
 {
-    std::string program = "benchmark";
-    std::string time = "--benchmark_min_time=0.5";
-    char* arguments[] = {program.data(), time.data()};
-    int count = 2;
-    benchmark::Initialize(&count, arguments);
     ShortestTimes times;
     benchmark::RunSpecifiedBenchmarks(&times);
     return times;

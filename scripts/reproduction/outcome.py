@@ -7,7 +7,7 @@ from .compare import compare
 from .experiments import Experiment
 from .fault import Fault
 from .figures import figures_of
-from .tables import read_table
+from .tables import Table, read_table
 from .verdicts import judge
 
 
@@ -19,6 +19,7 @@ class Outcome:
     fresh: bool  # run this time; otherwise the result of an earlier run
     run: dict  # run.json
     faults: list  # texts: a crash, a file that is not as it must be
+    result: Table = Table([], [])  # result.csv
     lines: list = field(default_factory=list)  # verdicts.Line
     broken: list = field(default_factory=list)  # compare.Broken
     has_expected: bool = False
@@ -68,7 +69,7 @@ def examine(outcome):
     experiment = outcome.experiment
     params = experiment.params()
     outcome.figures = [f for f in figures_of(params) if (experiment.results / f["file"]).is_file()]
-    result = read_table(experiment.results / "result.csv", labelled=True)
+    result = outcome.result = read_table(experiment.results / "result.csv", labelled=True)
     published = experiment.folder / "published.csv"
     if published.exists():
         outcome.lines = judge(read_table(published), result)

@@ -8,9 +8,11 @@ from pathlib import Path
 from urllib.parse import quote
 
 from . import prose
+from .tables import number
 from .verdicts import INPUT, SHOWN, VERDICTS
 
 STYLE = (Path(__file__).parent / "report.css").read_text(encoding="utf-8")
+LONGEST_TABLE = 60  # rows; a longer result is a link to its CSV file
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
 # The class of a verdict or a state in report.css.
 COLOUR = {
@@ -61,6 +63,22 @@ def published_table(outcome):
     rows = [[escape(text) for text in line.shown()[:-1]] + [word(line.shown_verdict, line.verdict)]
             for line in outcome.lines]
     return table(SHOWN, rows, numeric=range(2, 6), label="published and computed")
+
+
+def rounded(text):
+    """A cell for the eye: whole numbers and words as they are, others to five digits."""
+    value = number(text)
+    return text if value is None or value == int(value) else f"{value:.5g}"
+
+
+def result_table(outcome):
+    """The result itself, of an experiment to which nothing was published, if it is short."""
+    result = outcome.result
+    if outcome.lines or not result.rows or len(result.rows) > LONGEST_TABLE:
+        return ""
+    rows = [[escape(rounded(text)) for text in row] for row in result.rows]
+    return table([escape(name) for name in result.header], rows,
+                 numeric=range(1, len(result.header)), label="result")
 
 
 def figure(outcome, description):
@@ -127,6 +145,7 @@ def section(outcome):
         f"<p class=claim>{readme.claim}</p>" if readme.claim else "",
         troubles(outcome),
         published_table(outcome),
+        result_table(outcome),
         *[figure(outcome, description) for description in outcome.figures],
         f"<div class=about>{readme.body}</div>",
         circumstances(outcome),

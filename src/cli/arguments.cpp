@@ -2,6 +2,7 @@
 #include "cli/arguments.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "endmill/core/numbers.h"
 #include "endmill/io/printable.h"
@@ -56,45 +57,41 @@ Vec3 vector_argument(const std::string& option, const std::string& text)
     return vector;
 }
 
-CLI::Option* add_number(CLI::App& command, const std::string& name, double& target,
-                        const NumberDomain& domain, const std::string& unit,
-                        const std::string& help)
+CLI::Option* add_number(CLI::App& command, const NumberOption& option, double& target)
 {
-    const auto take = [name, domain, &target](const std::string& text) {
-        target = number_argument(name, text, domain);
+    const auto take = [option, &target](const std::string& text) {
+        target = number_argument(option.name, text, option.domain);
     };
-    return command
-        .add_option_function<std::string>(name, take,
-                                          help + "; default " + to_text(target))
-        ->type_name(unit);
+    const std::string help = option.help + "; default " + to_text(target);
+    return command.add_option_function<std::string>(option.name, take, help)
+        ->type_name(option.unit);
 }
 
-CLI::Option* add_number(CLI::App& command, const std::string& name,
-                        std::optional<double>& target, const NumberDomain& domain,
-                        const std::string& unit, const std::string& help)
+CLI::Option* add_number(CLI::App& command, const NumberOption& option,
+                        std::optional<double>& target)
 {
-    const auto take = [name, domain, &target](const std::string& text) {
-        target = number_argument(name, text, domain);
+    const auto take = [option, &target](const std::string& text) {
+        target = number_argument(option.name, text, option.domain);
     };
-    return command.add_option_function<std::string>(name, take, help)->type_name(unit);
+    return command.add_option_function<std::string>(option.name, take, option.help)
+        ->type_name(option.unit);
 }
 
-CLI::Option* add_whole_number(CLI::App& command, const std::string& name,
-                              std::pair<int, int> range, const std::string& help,
+CLI::Option* add_whole_number(CLI::App& command, const WholeNumberOption& option,
                               std::function<void(int)> use)
 {
-    const auto [low, high] = range;
-    const auto take = [name, low, high, use = std::move(use)](const std::string& text) {
+    const auto take = [option, use = std::move(use)](const std::string& text) {
         const auto number = number_from_text(text);
-        const bool is_whole = number && *number >= low && *number <= high &&
+        const bool is_whole = number && *number >= option.low && *number <= option.high &&
                               *number == static_cast<int>(*number);
         if (!is_whole)
-            refuse(name, text,
-                   "a whole number from " + std::to_string(low) + " to " +
-                       std::to_string(high));
+            refuse(option.name, text,
+                   "a whole number from " + std::to_string(option.low) + " to " +
+                       std::to_string(option.high));
         use(static_cast<int>(*number));
     };
-    return command.add_option_function<std::string>(name, take, help)->type_name("N");
+    return command.add_option_function<std::string>(option.name, take, option.help)
+        ->type_name("N");
 }
 
 std::size_t choice_argument(const std::string& option, const std::string& word,

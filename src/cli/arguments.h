@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -33,19 +32,31 @@ double number_argument(const std::string& option, const std::string& text,
 /// The three comma-separated numbers of `text`. \throws CLI::ValidationError
 Vec3 vector_argument(const std::string& option, const std::string& text);
 
-/// Adds an option that takes one finite number; `target` keeps its value as default.
-CLI::Option* add_number(CLI::App& command, const std::string& name, double& target,
-                        const NumberDomain& domain, const std::string& unit,
-                        const std::string& help);
+/// An option that takes one finite number.
+struct NumberOption {
+    std::string name;
+    std::string unit;  ///< as the help text shows it
+    std::string help;
+    NumberDomain domain = NumberDomain::positive();
+};
+
+/// Adds `option`; `target` keeps its value as default.
+CLI::Option* add_number(CLI::App& command, const NumberOption& option, double& target);
 
 /// The same without a default.
-CLI::Option* add_number(CLI::App& command, const std::string& name,
-                        std::optional<double>& target, const NumberDomain& domain,
-                        const std::string& unit, const std::string& help);
+CLI::Option* add_number(CLI::App& command, const NumberOption& option,
+                        std::optional<double>& target);
 
-/// Adds an option that takes a whole number in first … second of `range`.
-CLI::Option* add_whole_number(CLI::App& command, const std::string& name,
-                              std::pair<int, int> range, const std::string& help,
+/// An option that takes a whole number from `low` to `high`.
+struct WholeNumberOption {
+    std::string name;
+    std::string help;
+    int low;
+    int high;
+};
+
+/// Adds `option`, whose number goes to `use`.
+CLI::Option* add_whole_number(CLI::App& command, const WholeNumberOption& option,
                               std::function<void(int)> use);
 
 /// A word of an option and what it stands for.

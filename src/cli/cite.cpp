@@ -5,6 +5,8 @@
 #include <memory>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "build_facts.h"
 #include "cli/console.h"
 #include "endmill/io/output_folder.h"
@@ -29,17 +31,16 @@ constexpr std::array papers{
     Paper{"ParkMaeng", "cutting forces, variable feed and speed"},
 };
 
-// The value of `field` in the bibliography's entry `key`.
+// The value of `field` in the bibliography's entry `key`, without braces.
 std::string bibliography_field(std::string_view key, std::string_view field)
 {
-    const auto entry = references.find("{" + std::string{key} + ",");
-    const auto name = references.find("\n  " + std::string{field}, entry);
-    const auto begin = references.find('{', name) + 1;
-    const auto end = references.find("}\n", begin);
-    std::string value{references.substr(begin, references.find("},\n", begin) - begin)};
-    if (end < begin + value.size())
-        value = references.substr(begin, end - begin);
+    const auto entry = references.find(fmt::format("{{{},", key));
+    const auto begin =
+        references.find('{', references.find(fmt::format("\n  {}", field), entry));
+    std::string value{references.substr(begin, references.find('\n', begin) - begin)};
     std::erase_if(value, [](char c) { return c == '{' || c == '}'; });
+    if (value.ends_with(','))
+        value.pop_back();
     return value;
 }
 
@@ -52,8 +53,7 @@ ExitCode run_cite(const CiteOptions& options)
         const std::string title = bibliography_field(key, "title");
         summary.push_back(
             {{"key", key}, {"author", author}, {"title", title}, {"methods", methods}});
-        text += "[" + std::string{key} + "] " + author + ": " + title + "\n    " +
-                std::string{methods} + "\n";
+        text += fmt::format("[{}] {}: {}\n    {}\n", key, author, title, methods);
     }
     if (options.bibtex)
         text = references;

@@ -18,15 +18,15 @@ void add_common_options(CLI::App& command, CommonOptions& options)
     command.add_flag("--quiet", options.quiet, "print errors only")->group(group);
     command.add_flag("--force", options.force, "write into a folder that is not empty")
         ->group(group);
-    add_whole_number(command, "--threads", {1, 1024},
-                     "how many threads to use; default all",
-                     [](int count) { set_thread_count(count); })
+    add_whole_number(command,
+                     {"--threads", "how many threads to use; default all", 1, 1024},
+                     set_thread_count)
         ->group(group);
-    add_number(command, "--max-memory", options.limits.max_memory_gib,
-               NumberDomain::positive(), "GIB", "most memory to use")
+    add_number(command, {"--max-memory", "GIB", "most memory to use"},
+               options.limits.max_memory_gib)
         ->group(group);
-    add_number(command, "--max-extent", options.limits.max_extent_mm,
-               NumberDomain::positive(), "MM", "largest coordinate to believe in a file")
+    add_number(command, {"--max-extent", "MM", "largest coordinate to believe in a file"},
+               options.limits.max_extent_mm)
         ->group(group);
     command.add_flag("--json-errors", options.json_errors, "print errors as JSON")
         ->group(group);

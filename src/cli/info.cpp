@@ -65,7 +65,8 @@ std::string place_shown(const Json& place)
 {
     if (place.is_null())
         return "";
-    return ", at " + place_text({place["u"].get<double>(), place["v"].get<double>()});
+    return fmt::format(", at u {:.6g}, v {:.6g}", place["u"].get<double>(),
+                       place["v"].get<double>());
 }
 
 std::string text(const Json& s)

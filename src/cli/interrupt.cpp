@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 #include <thread>
 
@@ -10,6 +11,8 @@
 
 namespace endmill {
 namespace {
+
+std::atomic<bool> is_interrupted = false;
 
 bool is_ignored(int signal_number)
 {
@@ -35,9 +38,16 @@ void handle_interrupts()
         int number = 0;
         if (sigwait(&signals, &number) != 0)
             return;
+        is_interrupted = true;
         OutputFolder::abandon_all();
         _exit(128 + number);
     }}.detach();
+}
+
+void wait_if_interrupted()
+{
+    while (is_interrupted)
+        pause();
 }
 
 }  // namespace endmill

@@ -8,4 +8,8 @@ namespace endmill {
 /// Call once, before any thread is started.
 void handle_interrupts();
 
+/// Returns at once, unless an interrupt is being handled: then it never does, so that the
+/// errors which the interrupt causes are not reported as such.
+void wait_if_interrupted();
+
 }  // namespace endmill

@@ -105,6 +105,7 @@ int main(int argc, char** argv)
     try {
         return static_cast<int>(run(argc, argv, json_errors));
     } catch (...) {
+        wait_if_interrupted();
         return static_cast<int>(report_current_exception(json_errors));
     }
 }

@@ -32,10 +32,16 @@ std::string limit_text(const std::optional<CutterLimit>& limit)
 {
     if (!limit)
         return "largest ball: none, the surface has no concavity\n";
+    return fmt::format("largest ball: radius {:.6f} mm, at {}\n", limit->radius_mm,
+                       place_text(limit->at, limit->point));
+}
+
+std::string settings_text(const PlanContext& context, const PlanOptions& options)
+{
     return fmt::format(
-        "largest ball: radius {:.6f} mm, at {}, point ({:.6g}, {:.6g}, {:.6g}) mm\n",
-        limit->radius_mm, place_text(limit->at), limit->point.x(), limit->point.y(),
-        limit->point.z());
+        "cutter ball:{}, chord tolerance {:g} mm, scallop height {:g} mm, mode paper\n",
+        to_text(context.cutter_diameter), options.planning.chord_tolerance,
+        options.planning.scallop_height);
 }
 
 double chosen_diameter(const std::optional<double>& asked,
@@ -46,18 +52,19 @@ double chosen_diameter(const std::optional<double>& asked,
     };
     if (asked && !fits(*asked))
         throw GeometryError{fmt::format(
-            "--cutter ball:{}: radius {} mm; expected below {:.6f} mm, the largest ball "
-            "that "
-            "fits, at {}, point ({:.6g}, {:.6g}, {:.6g}) mm",
-            to_text(*asked), to_text(*asked / 2), limit->radius_mm, place_text(limit->at),
-            limit->point.x(), limit->point.y(), limit->point.z())};
+            "--cutter ball:{}: radius {} mm; expected below {:.6f} mm, the largest that "
+            "fits, at {}",
+            to_text(*asked), to_text(*asked / 2), limit->radius_mm,
+            place_text(limit->at, limit->point))};
     if (asked)
         return *asked;
     for (const double diameter : {20, 15, 10, 6, 4, 3, 2, 1})
         if (fits(diameter))
             return diameter;
-    throw GeometryError{"no ball of 20 to 1 mm diameter fits; " + limit_text(limit) +
-                        "name a smaller one with --cutter"};
+    throw GeometryError{fmt::format(
+        "no ball of 20 to 1 mm diameter fits: the largest has radius {:.6f} mm, at {}; "
+        "expected a smaller one, named with --cutter",
+        limit->radius_mm, place_text(limit->at, limit->point))};
 }
 
 void complete(PlanOptions& options, const Surface& surface, double diameter)
@@ -106,18 +113,26 @@ struct DirectionResult {
     Json summary;
 };
 
+// A surface, what is known of it, and what was asked.
+struct PlanTask {
+    const Surface& surface;
+    const PlanContext& context;
+    const PlanOptions& options;
+};
+
 // Plans along one parameter and writes its files into `folder` under `prefix`.
-DirectionResult plan_direction(const Surface& surface, const PlanContext& context,
-                               PlanOptions options, Parameter along, OutputFolder& folder,
-                               const std::string& prefix)
+DirectionResult plan_direction(const PlanTask& task, Parameter along,
+                               OutputFolder& folder, const std::string& prefix)
 {
+    const auto& [surface, context, options] = task;
     const BallCutter ball{context.cutter_diameter / 2};
-    options.planning.direction = along;
-    require_memory_for(estimated_points(surface, ball, options.planning), options);
     ProgressLine progress{along == Parameter::U ? "planning along u" : "planning along v",
                           options.common};
-    options.planning.progress = [&](double share) { progress.show(share); };
-    const IsoParametricPlan plan = plan_iso_parametric(surface, ball, options.planning);
+    IsoParametricOptions planning = options.planning;
+    planning.direction = along;
+    planning.progress = [&](double share) { progress.show(share); };
+    require_memory_for(estimated_points(surface, ball, planning), options);
+    const IsoParametricPlan plan = plan_iso_parametric(surface, ball, planning);
     const PlannedDirection planned{along, path_economy(plan.path),
                                    chord_error(surface, plan.path, along)};
     Json summary = direction_summary(context, options, planned);
@@ -129,10 +144,32 @@ DirectionResult plan_direction(const Surface& surface, const PlanContext& contex
     return {planned, std::move(summary)};
 }
 
+// A summary for programs and for a person.
+struct PlanResult {
+    Json summary;
+    std::string text;
+};
+
+PlanResult plan_as_asked(const PlanTask& task, OutputFolder& folder)
+{
+    if (task.options.direction != PlanDirection::Both) {
+        const Parameter along =
+            task.options.direction == PlanDirection::U ? Parameter::U : Parameter::V;
+        Json summary = plan_direction(task, along, folder, "").summary;
+        std::string text = direction_text(summary);
+        return {std::move(summary), std::move(text)};
+    }
+    const DirectionResult u = plan_direction(task, Parameter::U, folder, "u/");
+    const DirectionResult v = plan_direction(task, Parameter::V, folder, "v/");
+    Json summary{{"u", u.summary}, {"v", v.summary}};
+    add_comparison(summary, task.options, u.planned, v.planned);
+    folder.write("summary.json", summary.dump(2) + "\n");
+    return {summary, direction_text(u.summary) + direction_text(v.summary) +
+                         comparison_text(summary)};
+}
+
 ExitCode run_plan(PlanOptions options)
 {
-    if (options.cutter_diameter)  // before the file is read
-        static_cast<void>(BallCutter{*options.cutter_diameter / 2});
     const SurfaceFile file = read_part(options.part, options.common);
     const Surface& surface = file.surface;
     PlanContext context{file.name, file.source, continuity(surface), {}, 0};
@@ -141,8 +178,9 @@ ExitCode run_plan(PlanOptions options)
         if (options.g1_is_required)
             return ExitCode::No;
     }
-    const double side = tool_side_sign(surface, options.planning.link.axis);
-    require_reachable(surface, options.planning.link.axis, side);
+    const Vec3& axis = options.planning.link.axis;
+    const double side = tool_side_sign(surface, axis);
+    require_reachable(surface, axis, side);
     context.limit = largest_cutter(surface, side);
     context.cutter_diameter = chosen_diameter(options.cutter_diameter, context.limit);
     complete(options, surface, context.cutter_diameter);
@@ -150,34 +188,11 @@ ExitCode run_plan(PlanOptions options)
     OutputFolder folder{output_folder(options.part, "plan", options.common),
                         options.common.force};
     folder.protect(options.part);
-    const auto plan = [&](Parameter along, const std::string& prefix) {
-        return plan_direction(surface, context, options, along, folder, prefix);
-    };
-    std::string text =
-        limit_text(context.limit) +
-        fmt::format(
-            "cutter ball:{}, chord tolerance {:g} mm, scallop height {:g} mm, mode "
-            "paper\n",
-            to_text(context.cutter_diameter), options.planning.chord_tolerance,
-            options.planning.scallop_height);
-    Json summary;
-    if (options.direction == PlanDirection::Both) {
-        const DirectionResult u = plan(Parameter::U, "u/");
-        const DirectionResult v = plan(Parameter::V, "v/");
-        summary = {{"u", u.summary}, {"v", v.summary}};
-        add_comparison(summary, options, u.planned, v.planned);
-        folder.write("summary.json", summary.dump(2) + "\n");
-        text += direction_text(u.summary) + direction_text(v.summary) +
-                comparison_text(summary);
-    } else {
-        summary =
-            plan(options.direction == PlanDirection::U ? Parameter::U : Parameter::V, "")
-                .summary;
-        text += direction_text(summary);
-    }
+    const PlanResult result = plan_as_asked({surface, context, options}, folder);
     folder.publish();
-    print_result(options.common, summary,
-                 text + "written to " + folder.path().string() + "\n");
+    print_result(options.common, result.summary,
+                 limit_text(context.limit) + settings_text(context, options) +
+                     result.text + "written to " + folder.path().string() + "\n");
     return ExitCode::Yes;
 }
 

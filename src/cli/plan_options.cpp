@@ -55,12 +55,14 @@ void add_policy_options(CLI::App& command, PlanOptions& options)
                       "whether every other pass is computed from its far end");
     add_choice<CrossCurvature>(command, "--cross-curvature", planning.cross_curvature,
                                cross, "curvature across the feed: exact, or by eq. (8)");
-    add_number(command, "--cross-step", planning.cross_step, NumberDomain::positive(),
-               "MM", "step of eq. (8)");
+    add_number(command, {"--cross-step", "MM", "step of eq. (8)"}, planning.cross_step);
     add_choice<PassOrder>(command, "--order", planning.link.order, order,
                           "in which sense neighbouring passes are cut");
-    add_number(command, "--safe-height", options.safe_height, NumberDomain::any(), "MM",
-               "where the cutter moves freely; default 5 above the part");
+    add_number(
+        command,
+        {"--safe-height", "MM", "where the cutter moves freely; default 5 above the part",
+         NumberDomain::any()},
+        options.safe_height);
     add_choice<bool>(command, "--count-links", options.count_links, yes_first,
                      "links in tcd_mm and tcd_cl_mm");
     add_choice<TravelKind>(command, "--distance", options.distance, distance,
@@ -86,18 +88,21 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
             "ball:DIAMETER in mm; default the largest of 20, 15, 10, 6, 4, 3, 2, 1 that "
             "fits")
         ->type_name("CUTTER");
-    add_number(command, "--chord-tolerance", options.chord_tolerance,
-               NumberDomain::positive(), "MM",
-               "from the surface's line to the chord; default diameter / 30");
-    add_number(command, "--scallop", options.scallop_height, NumberDomain::positive(),
-               "MM", "scallop height; default the chord tolerance");
+    add_number(command,
+               {"--chord-tolerance", "MM",
+                "from the surface's line to the chord; default diameter / 30"},
+               options.chord_tolerance);
+    add_number(command,
+               {"--scallop", "MM", "scallop height; default the chord tolerance"},
+               options.scallop_height);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
                               "along which parameter the passes run");
     static int only_mode = 0;
     add_choice<int>(command, "--mode", only_mode, modes,
                     "paper: what the paper does, its misprints corrected");
-    add_number(command, "--feed", options.feed_mm_per_min, NumberDomain::positive(),
-               "MM_PER_MIN", "adds the machining time to the summary");
+    add_number(command,
+               {"--feed", "MM_PER_MIN", "adds the machining time to the summary"},
+               options.feed_mm_per_min);
     add_axis_option(command, options.planning.link.axis);
     add_require_option(command, options.g1_is_required);
     add_common_options(command, options.common);

@@ -15,7 +15,7 @@ SurfaceFile read_part(const std::string& path, const CommonOptions& options)
 {
     SurfaceFile file = read_surface(path, options.limits);
     for (const std::string& note : file.notes)
-        warn(options, path + ": " + note);
+        warn(options, fmt::format("{}: {}", path, note));
     return file;
 }
 
@@ -25,11 +25,6 @@ std::string output_folder(const std::string& input, const std::string& command,
     if (!options.output.empty())
         return options.output;
     return "./" + std::filesystem::path{input}.stem().string() + "-" + command;
-}
-
-std::string place_text(const SurfacePoint& at)
-{
-    return fmt::format("u {:.6g}, v {:.6g}", at.u, at.v);
 }
 
 Json vector_json(const Vec3& point)
@@ -59,11 +54,11 @@ void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit)
 std::string break_text(const SurfaceContinuity& continuity)
 {
     return fmt::format(
-        "patches meet with a break of {:.6g} degrees at {}, point ({:.6g}, "
-        "{:.6g}, {:.6g}) mm: the surface is {}; expected G1",
-        continuity.worst.normals.degrees(), place_text(continuity.worst.at),
-        continuity.worst.point.x(), continuity.worst.point.y(),
-        continuity.worst.point.z(), continuity_name(continuity.continuity));
+        "patches meet with a break of {:.6g} degrees at {}: the surface is {}; expected "
+        "G1",
+        continuity.worst.normals.degrees(),
+        place_text(continuity.worst.at, continuity.worst.point),
+        continuity_name(continuity.continuity));
 }
 
 void add_require_option(CLI::App& command, bool& g1_is_required)

@@ -19,9 +19,6 @@ SurfaceFile read_part(const std::string& path, const CommonOptions& options);
 std::string output_folder(const std::string& input, const std::string& command,
                           const CommonOptions& options);
 
-/// "u 2.131, v 1.6198" for a message.
-std::string place_text(const SurfacePoint& at);
-
 /// {"u", "v", "point_mm"}
 Json place_json(const SurfacePoint& at, const Vec3& point);
 

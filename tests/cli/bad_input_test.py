@@ -170,7 +170,7 @@ class BadArguments(ProgramTest):
 
     def test_ball_above_the_limit(self):
         done = endmill("plan", SURFACES / "parabolic-cylinder.json", "--cutter", "ball:40", cwd=self.folder)
-        self.assert_refused(done, 4, "20.0", "u ", "v ")
+        self.assert_refused(done, 4, "20.0", "u = ", "v = ")
         self.assert_nothing_left()
 
     def test_axis_from_which_the_part_cannot_be_touched(self):
@@ -201,7 +201,7 @@ class BadArguments(ProgramTest):
         done = endmill("plan", path, *PLAN, "--direction", "u", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("warning", done.stderr)
-        self.assertIn("u 1", done.stderr)
+        self.assertIn("u = 1,", done.stderr)
         done = endmill("plan", path, *PLAN[:-1], "out2", "--require", "g1", cwd=self.folder)
         self.assertEqual(done.returncode, 1)
         self.assertFalse((self.folder / "out2").exists())

@@ -20,6 +20,7 @@ constexpr LineStyle test_style{"#010203", 1, ""};
 std::vector<Vec3> box_corners(const Vec3& size)
 {
     std::vector<Vec3> corners;
+    corners.reserve(8);
     for (int k = 0; k < 8; ++k)
         corners.emplace_back(size.x() * (k & 1), size.y() * (k >> 1 & 1),
                              size.z() * (k >> 2));

@@ -78,6 +78,7 @@ TEST(SvgPicture, KeepsTheTurnsOfALineThatGoesBackOnItself)
 TEST(SvgPicture, RoundingsDoNotAddUp)
 {
     std::vector<PixelPoint> zigzag;
+    zigzag.reserve(10000);
     for (int i = 0; i < 10000; ++i)
         zigzag.emplace_back(0.333 * i, i % 2 == 0 ? 0.0 : 7.777);
     const auto line = drawn(zigzag);

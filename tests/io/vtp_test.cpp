@@ -52,7 +52,8 @@ public:
             std::memcpy(&size, bytes_.data() + offset, sizeof size);
             EXPECT_LE(offset + sizeof size + size, bytes_.size());
             std::vector<Number> numbers(size / sizeof(Number));
-            std::memcpy(numbers.data(), bytes_.data() + offset + sizeof size, size);
+            if (size > 0)
+                std::memcpy(numbers.data(), bytes_.data() + offset + sizeof size, size);
             return numbers;
         }
         throw std::runtime_error{"no array " + name};

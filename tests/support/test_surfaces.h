@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "endmill/surface/surface.h"
+#include "random.h"
 
-// Surfaces whose geometry is known in closed form, and a source of random numbers that is
-// the same everywhere.
+// Surfaces whose geometry is known in closed form.
 namespace endmill::test {
 
 /// A polynomial sum of c(m, n) x^m y^n, cubic in x and in y, by its coefficients.
@@ -130,28 +130,6 @@ inline Surface valley(double half_x, double size_y, double slope)
     return composite_bezier(2, 1, net);
 }
 
-/// Uniform numbers that depend on the seed alone.
-class Random {
-public:
-    explicit Random(unsigned seed) : engine_{seed} {}
-
-    double uniform(double low, double high)
-    {
-        return low + (high - low) * (engine_() / 4294967296.0);
-    }
-
-    /// 10 to a power that is uniform.
-    double log_uniform(double low, double high)
-    {
-        return std::exp(uniform(std::log(low), std::log(high)));
-    }
-
-    std::mt19937& engine() { return engine_; }
-
-private:
-    std::mt19937 engine_;
-};
-
 /// Random control points around a regular grid of spacing 10 mm, off it by up to
 /// `disorder` mm.
 inline std::vector<Vec3> random_net(unsigned seed, PatchCounts patches, double disorder)
@@ -173,12 +151,6 @@ inline Surface random_surface(unsigned seed, PatchCounts patches = {1, 1},
                               double disorder = 4)
 {
     return composite_bezier(patches.u, patches.v, random_net(seed, patches, disorder));
-}
-
-/// |value - expected| / |expected|.
-inline double relative_error(double value, double expected)
-{
-    return std::abs(value - expected) / std::abs(expected);
 }
 
 }  // namespace endmill::test

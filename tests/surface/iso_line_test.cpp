@@ -143,5 +143,46 @@ TEST(IsoLine, OfACollapsedEdgeIsAPointAndReachesNothing)
     EXPECT_FALSE(line.first_reach(0, Vec3::UnitX(), 1e-3));
 }
 
+TEST(IsoLine, KnowsThatItIsAPoint)
+{
+    for (const Vec3& pole : {Vec3{0, 0, 0}, {7.3, 11.1, 0.7}}) {
+        const Surface fan = test::polynomial_surface(
+            {test::monomial(0, 1, 1) + test::monomial(0, 0, pole.x()),
+             test::monomial(1, 1, 1) + test::monomial(0, 0, pole.y()),
+             test::monomial(0, 0, pole.z())},
+            {{0, 1}, {0, 1}}, {3, 2});
+        EXPECT_TRUE((IsoLine{fan, 0}.is_point()));
+        EXPECT_FALSE((IsoLine{fan, 1e-6}.is_point()));
+        EXPECT_FALSE((IsoLine{transposed(fan), 0}.is_point()));
+    }
+    EXPECT_FALSE((IsoLine{test::random_surface(1), 0.5}.is_point()));
+}
+
+TEST(IsoLine, BoundsHowFarAChordStrays)
+{
+    test::Random random{3};
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const IsoLine line{uneven_surface(seed), random.uniform(2, 3.2)};
+        const double from = random.uniform(-1, 3);
+        const double to = random.uniform(from, 4);
+        const double bend = line.greatest_bend(from, to);
+        double greatest = 0;
+        double strays = 0;
+        for (int k = 0; k <= 1000; ++k) {
+            const double share = k / 1000.0;
+            const double u = std::lerp(from, to, share);
+            greatest = std::max(greatest, line.jet(u).duu.norm());
+            const Vec3 on_chord = (1 - share) * line.point(from) + share * line.point(to);
+            strays = std::max(strays, (line.point(u) - on_chord).norm());
+        }
+        EXPECT_GE(bend, greatest * (1 - 1e-12));
+        EXPECT_LE(bend, greatest * 1.01);
+        if (to < 0.5 || from > 0.5) {
+            EXPECT_LE(strays, (to - from) * (to - from) / 8 * bend * (1 + 1e-12))
+                << "on one patch";
+        }
+    }
+}
+
 }  // namespace
 }  // namespace endmill

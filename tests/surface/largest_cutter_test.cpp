@@ -84,7 +84,7 @@ TEST(LargestCutter, OfASaddleHasItsConstantAsRadiusAndStandsInTheMiddle)
     // Off the middle, so that the place is no sample.
     const Surface surface =
         test::graph(test::monomial(2, 0, 1.0 / 64) + test::monomial(0, 2, -1.0 / 64),
-                    {{-31, 47}, {-45, 36}}, {3, 3});
+                    {{-31, 47}, {-45, 36}}, {2, 1});
     for (const auto& limit :
          {largest_cutter(surface, 1), largest_cutter_by_curvature(surface, 1)}) {
         ASSERT_TRUE(limit);
@@ -97,14 +97,14 @@ TEST(LargestCutter, OfASaddleHasItsConstantAsRadiusAndStandsInTheMiddle)
 
 TEST(LargestCutter, OfASaddleFromBelowIsTheSame)
 {
-    const Surface surface = test::saddle(32, 40, {2, 2});
+    const Surface surface = test::saddle(32, 40);
     EXPECT_LT(test::relative_error(largest_cutter(surface, -1)->radius_mm, 32), stated);
 }
 
 TEST(LargestCutter, OfAParabolicTroughIsTheRadiusAtItsBottom)
 {
     const Surface trough =
-        test::graph(test::monomial(2, 0, 0.02), {{-33, 44}, {0, 50}}, {3, 2});
+        test::graph(test::monomial(2, 0, 0.02), {{-33, 44}, {0, 50}}, {2, 1});
     const auto limit = largest_cutter(trough, 1);
     ASSERT_TRUE(limit);
     EXPECT_LT(test::relative_error(limit->radius_mm, 25), stated);
@@ -114,7 +114,7 @@ TEST(LargestCutter, OfAParabolicTroughIsTheRadiusAtItsBottom)
 TEST(LargestCutter, OfHalfATroughStandsAtTheBorderNearestToTheBottom)
 {
     const Surface half =
-        test::graph(test::monomial(2, 0, 0.02), {{10, 44}, {0, 50}}, {2, 2});
+        test::graph(test::monomial(2, 0, 0.02), {{10, 44}, {0, 50}}, {1, 1});
     const auto limit = largest_cutter(half, 1);
     ASSERT_TRUE(limit);
     EXPECT_LT(test::relative_error(limit->radius_mm, 25 * std::pow(1 + 0.16, 1.5)),
@@ -132,10 +132,9 @@ TEST(LargestCutter, OfABowlIsTheRadiusAtItsPole)
 
 TEST(LargestCutter, ThereIsNoneOnPlanes)
 {
-    for (const Surface& plane :
-         {test::plane(200, 120, {3, 2}),
-          test::parallelogram({200, 10, 30}, {60, 120, -20}),
-          test::parallelogram({1e3, 1, 0}, {0, 0.1, 0.01}, {2, 2})}) {
+    for (const Surface& plane : {test::plane(200, 120, {2, 1}),
+                                 test::parallelogram({200, 10, 30}, {60, 120, -20}),
+                                 test::parallelogram({1e3, 1, 0}, {0, 0.1, 0.01})}) {
         EXPECT_FALSE(largest_cutter(plane, 1));
         EXPECT_FALSE(largest_cutter_by_curvature(plane, 1));
     }
@@ -145,7 +144,7 @@ TEST(LargestCutter, ThereIsNoneOnADomeFromAbove)
 {
     const Surface dome =
         test::graph(test::monomial(2, 0, -0.02) + test::monomial(0, 2, -0.01),
-                    {{-30, 30}, {-30, 30}}, {2, 2});
+                    {{-30, 30}, {-30, 30}});
     EXPECT_FALSE(largest_cutter(dome, 1));
     EXPECT_TRUE(largest_cutter(dome, -1));
 }
@@ -223,10 +222,10 @@ TEST(LargestCutter, OfTwoTroughsIsTheTighterOne)
 
 TEST(LargestCutter, ByCurvatureIsWhatADenseScanTendsTo)
 {
-    for (unsigned seed = 0; seed < 5; ++seed) {
+    for (unsigned seed = 0; seed < 3; ++seed) {
         const Surface surface = test::random_surface(seed, {2, 1}, 3);
         const double found = largest_cutter_by_curvature(surface, 1)->radius_mm;
-        const double scanned = radius_by_sampled_curvature(surface, 1, 150);
+        const double scanned = radius_by_sampled_curvature(surface, 1, 100);
         EXPECT_LE(found, scanned * (1 + 1e-12)) << seed;
         EXPECT_GT(found, 0.99 * scanned) << seed;
     }
@@ -234,11 +233,11 @@ TEST(LargestCutter, ByCurvatureIsWhatADenseScanTendsTo)
 
 TEST(LargestCutter, IsWhatAScanOfAllPairsTendsTo)
 {
-    for (unsigned seed = 10; seed < 14; ++seed) {
+    for (unsigned seed = 10; seed < 13; ++seed) {
         const Surface surface = test::random_surface(seed, {1, 1}, 8);
         const double found = largest_cutter(surface, 1)->radius_mm;
-        const double scanned = std::min(radius_by_sampled_pairs(surface, 1, 40),
-                                        radius_by_sampled_curvature(surface, 1, 300));
+        const double scanned = std::min(radius_by_sampled_pairs(surface, 1, 32),
+                                        radius_by_sampled_curvature(surface, 1, 150));
         EXPECT_LE(found, scanned * (1 + 1e-9)) << seed;
         EXPECT_GT(found, 0.98 * scanned) << seed;
     }
@@ -247,11 +246,11 @@ TEST(LargestCutter, IsWhatAScanOfAllPairsTendsTo)
 TEST(LargestCutter, ScalesWithThePart)
 {
     for (const double scale : {0x1p-20, 0x1p20}) {
-        std::vector<Vec3> net = test::random_net(20, {2, 2}, 3);
-        const auto limit = largest_cutter(composite_bezier(2, 2, net), 1);
+        std::vector<Vec3> net = test::random_net(20, {1, 1}, 3);
+        const auto limit = largest_cutter(composite_bezier(1, 1, net), 1);
         for (Vec3& point : net)
             point *= scale;
-        const auto scaled = largest_cutter(composite_bezier(2, 2, net), 1);
+        const auto scaled = largest_cutter(composite_bezier(1, 1, net), 1);
         EXPECT_EQ(scaled->radius_mm, scale * limit->radius_mm);
         EXPECT_EQ(scaled->at.u, limit->at.u);
     }
@@ -260,7 +259,7 @@ TEST(LargestCutter, ScalesWithThePart)
 TEST(CurvatureRange, OfATroughRunsFromItsBottomToFlat)
 {
     const auto range = curvature_range(
-        test::graph(test::monomial(2, 0, 0.02), {{-33, 44}, {0, 50}}, {3, 2}), 1);
+        test::graph(test::monomial(2, 0, 0.02), {{-33, 44}, {0, 50}}, {2, 1}), 1);
     ASSERT_TRUE(range);
     EXPECT_LT(test::relative_error(range->least, -0.04), 1e-10);
     EXPECT_NEAR(range->greatest, 0, 1e-12);
@@ -301,7 +300,7 @@ Surface fan(double bend, const Vec3& off)
         {test::monomial(1, 0, 1) + test::monomial(0, 0, off.x()),
          test::monomial(1, 1, 1) + test::monomial(0, 0, off.y()),
          test::monomial(2, 0, bend / 2) + test::monomial(0, 0, off.z())},
-        {{0, 1}, {0, 1}}, {2, 2});
+        {{0, 1}, {0, 1}});
 }
 
 TEST(CurvatureRange, PassesOverAPole)
@@ -310,7 +309,7 @@ TEST(CurvatureRange, PassesOverAPole)
         const auto range = curvature_range(fan(0.5, off), 1);
         ASSERT_TRUE(range);
         EXPECT_NEAR(range->least, -0.5, 0.01) << off.transpose();
-        EXPECT_NEAR(range->greatest, 0, 1e-6) << off.transpose();
+        EXPECT_NEAR(range->greatest, 0, 1e-5) << off.transpose();
     }
 }
 

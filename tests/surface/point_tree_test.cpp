@@ -7,10 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
-#include "test_surfaces.h"
+#include "random.h"
 
 namespace endmill {
 namespace {
+
+constexpr double everywhere = std::numeric_limits<double>::infinity();
 
 double least_distance(const std::vector<Vec3>& points, const Vec3& place)
 {
@@ -32,7 +34,7 @@ void expect_nearest(const std::vector<Vec3>& points, test::Random& random, doubl
     const PointTree tree{points};
     for (int k = 0; k < 200; ++k) {
         const Vec3 place = random_point(random, reach);
-        EXPECT_EQ((points[tree.nearest(place)] - place).norm(),
+        EXPECT_EQ((points[*tree.nearest_within(place, everywhere)] - place).norm(),
                   least_distance(points, place));
     }
 }
@@ -41,9 +43,9 @@ TEST(PointTree, FindsWhatLookingAtEveryPointFinds)
 {
     test::Random random{1};
     for (const int count : {1, 2, 3, 4, 7, 64, 1000}) {
-        std::vector<Vec3> points;
-        for (int k = 0; k < count; ++k)
-            points.push_back(random_point(random, 1));
+        std::vector<Vec3> points(count);
+        for (Vec3& point : points)
+            point = random_point(random, 1);
         expect_nearest(points, random, 2);
     }
 }
@@ -51,9 +53,9 @@ TEST(PointTree, FindsWhatLookingAtEveryPointFinds)
 TEST(PointTree, FindsTheNearestOfPointsWithManyEqualCoordinates)
 {
     test::Random random{2};
-    std::vector<Vec3> points;
+    std::vector<Vec3> points(1000);
     for (int k = 0; k < 1000; ++k)
-        points.emplace_back(k % 5, k / 5 % 5, k % 2);
+        points[k] = {double(k % 5), double(k / 5 % 5), double(k % 2)};
     std::ranges::shuffle(points, random.engine());
     expect_nearest(points, random, 6);
 }
@@ -74,32 +76,41 @@ TEST(PointTree, FindsTheNearestOfPointsOnALineAndInAPlane)
 TEST(PointTree, FindsEveryPointOfItsOwn)
 {
     test::Random random{4};
-    std::vector<Vec3> points;
-    for (int k = 0; k < 300; ++k)
-        points.push_back(random_point(random, 1e6));
+    std::vector<Vec3> points(300);
+    for (Vec3& point : points)
+        point = random_point(random, 1e6);
     const PointTree tree{points};
     for (std::size_t k = 0; k < points.size(); ++k)
-        EXPECT_EQ(tree.nearest(points[k]), k);
+        EXPECT_EQ(*tree.nearest_within(points[k], everywhere), k);
 }
 
 TEST(PointTree, OfEqualPointsAnswersTheSameEachTime)
 {
     const std::vector<Vec3> points(100, Vec3{1, 2, 3});
-    const std::size_t first = PointTree{points}.nearest({0, 0, 0});
+    const std::size_t first = *PointTree{points}.nearest_within({0, 0, 0}, everywhere);
     EXPECT_LT(first, points.size());
-    EXPECT_EQ(PointTree{points}.nearest({0, 0, 0}), first);
+    EXPECT_EQ(*PointTree{points}.nearest_within({0, 0, 0}, everywhere), first);
 }
 
 TEST(PointTree, FromFarAwayStillTellsPointsApartByTheirHeight)
 {
     const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 1}, {0, 1, 2}, {-1, 0, 3}};
-    EXPECT_EQ(PointTree{points}.nearest({0, 0, 1e6}), 3U);
-    EXPECT_EQ(PointTree{points}.nearest({0, 0, -1e6}), 0U);
+    EXPECT_EQ(*PointTree{points}.nearest_within({0, 0, 1e6}, everywhere), 3U);
+    EXPECT_EQ(*PointTree{points}.nearest_within({0, 0, -1e6}, everywhere), 0U);
 }
 
 TEST(PointTree, RefusesToBeEmpty)
 {
     EXPECT_THROW(PointTree{std::span<const Vec3>{}}, DomainError);
+}
+
+TEST(PointTree, FindsNothingOutsideTheRadius)
+{
+    const std::vector<Vec3> points{{1, 0, 0}, {0, 3, 0}};
+    const PointTree tree{points};
+    EXPECT_FALSE(tree.nearest_within({0, 0, 0}, 1));
+    EXPECT_EQ(tree.nearest_within({0, 0, 0}, 1.001), 0U);
+    EXPECT_EQ(tree.nearest_within({0, 2.5, 0}, 1), 1U);
 }
 
 }  // namespace

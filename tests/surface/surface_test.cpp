@@ -50,6 +50,7 @@ TEST(Surface, OfSeveralPatchesIsTheOnePolynomialThatTheyShare)
 TEST(Surface, PartialsCountInTheWidthsOfItsPatches)
 {
     std::vector<BezierPatch> patches;
+    patches.reserve(2);
     for (int k = 0; k < 2; ++k)
         patches.emplace_back(test::polynomial_net(
             {test::monomial(1, 0, 1), test::monomial(0, 1, 1),
@@ -187,6 +188,43 @@ TEST(CompositeBezier, RefusesWrongCountsAndSizes)
     EXPECT_THROW(composite_bezier(1 << 30, 1 << 30, net), DomainError);
     EXPECT_THROW(composite_bezier(2, 1, std::vector<Vec3>(28, Vec3{0, nan, 0})),
                  DomainError);
+}
+
+TEST(Surface, KnowsTheWidthOfThePatchThatServesAParameter)
+{
+    const BezierPatch patch = test::plane(1, 1).patch(0, 0);
+    const Surface surface{{-1, 0.5, 4}, {0, 2}, {patch, patch}};
+    for (const double u : {-9.0, -1.0, 0.4})
+        EXPECT_EQ(surface.patch_width(Parameter::U, u), 1.5);
+    for (const double u : {0.5, 4.0, 9.0})
+        EXPECT_EQ(surface.patch_width(Parameter::U, u), 3.5);
+    EXPECT_EQ(surface.patch_width(Parameter::V, 1), 2);
+}
+
+TEST(Surface, ReversedIsTheSameWithUTurnedRound)
+{
+    const Surface even = test::random_surface(7, {2, 2});
+    const Surface surface{
+        {-1, 0.5, 4},
+        {0, 1, 2},
+        {even.patch(0, 0), even.patch(1, 0), even.patch(0, 1), even.patch(1, 1)},
+        ToolSide::DuCrossDv};
+    const Surface turned = reversed_in_u(surface);
+    EXPECT_EQ(turned.tool_side(), ToolSide::DvCrossDu);
+    EXPECT_EQ(turned.range(Parameter::U).low, -1);
+    EXPECT_EQ(turned.breaks(Parameter::U)[1], 2.5);
+    for (const double u : {-1.0, -0.2, 1.3, 4.0})
+        for (const double v : {0.0, 0.7, 2.0}) {
+            const SurfaceJet jet = surface.jet(u, v);
+            const SurfaceJet other = turned.jet(3 - u, v);
+            EXPECT_LT((other.point - jet.point).norm(), 1e-12);
+            EXPECT_LT((other.du + jet.du).norm(), 1e-11);
+            EXPECT_LT((other.dv - jet.dv).norm(), 1e-11);
+            EXPECT_LT((other.duu - jet.duu).norm(), 1e-10);
+            EXPECT_LT((other.duv + jet.duv).norm(), 1e-10);
+        }
+    EXPECT_TRUE(are_equal(reversed_in_u(turned).jet(0.9, 1.2), surface.jet(0.9, 1.2)));
+    EXPECT_EQ(reversed_in_u(even).tool_side(), ToolSide::Up);
 }
 
 }  // namespace

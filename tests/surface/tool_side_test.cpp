@@ -163,21 +163,52 @@ TEST(UnreachablePlace, IsATangentVerticalAtABorderOnly)
     EXPECT_FALSE(found->singular);
 }
 
-TEST(UnreachablePlace, IsAPoleWhereverItLies)
+// (x, x y, height(x, y)) + pole, 0 <= x, y <= 1: the edge x = 0 collapses.
+Surface fan(const test::Polynomial& height, const Vec3& pole)
+{
+    return test::polynomial_surface(
+        {test::monomial(1, 0, 1) + test::monomial(0, 0, pole.x()),
+         test::monomial(1, 1, 1) + test::monomial(0, 0, pole.y()),
+         height + test::monomial(0, 0, pole.z())},
+        {{0, 1}, {0, 1}}, {2, 2});
+}
+
+TEST(UnreachablePlace, IsNoPoleWhoseNormalHasALimitOnTheToolsSide)
 {
     for (const Vec3& pole : {Vec3{0, 0, 0}, {7.3, 11.1, 0.7}, {-100.1, 3.7, 33.3}}) {
-        const Surface fan = test::polynomial_surface(
-            {test::monomial(1, 0, 1) + test::monomial(0, 0, pole.x()),
-             test::monomial(1, 1, 1) + test::monomial(0, 0, pole.y()),
-             test::monomial(0, 0, pole.z())},
-            {{0, 1}, {0, 1}});
-        const auto found = find_unreachable_place(fan, Vec3::UnitZ(), 1);
-        ASSERT_TRUE(found);
-        EXPECT_TRUE(found->singular);
-        EXPECT_EQ(found->normal_dot_axis, 0);
-        EXPECT_EQ(found->at.u, 0);
-        EXPECT_LT((found->point - pole).norm(), 1e-13);
+        EXPECT_FALSE(
+            find_unreachable_place(fan(test::monomial(0, 0, 0), pole), Vec3::UnitZ(), 1));
+        EXPECT_FALSE(
+            find_unreachable_place(fan(test::monomial(1, 2, 1), pole), Vec3::UnitZ(), 1));
+        const auto turned_away =
+            find_unreachable_place(fan(test::monomial(0, 0, 0), pole), Vec3::UnitZ(), -1);
+        EXPECT_TRUE(turned_away);
     }
+}
+
+TEST(UnreachablePlace, IsAPoleWhoseNormalTurnsAway)
+{
+    // (x, x (y - 0.6 y^2), 0) folds back where 1 - 1.2 y < 0, down to the pole.
+    const Surface folded = test::polynomial_surface(
+        {test::monomial(1, 0, 1), test::monomial(1, 1, 1) + test::monomial(1, 2, -0.6),
+         test::monomial(0, 0, 0)},
+        {{0, 1}, {0, 1}});
+    const auto found = find_unreachable_place(folded, Vec3::UnitZ(), 1);
+    ASSERT_TRUE(found);
+    EXPECT_GE(found->at.v, 1 / 1.2 - 1e-3);
+}
+
+TEST(UnreachablePlace, IsACuspInTheMiddle)
+{
+    // (x^3, y, 0) has no tangent along x = 0.
+    const Surface cusp = test::polynomial_surface(
+        {test::monomial(3, 0, 1), test::monomial(0, 1, 1), test::monomial(0, 0, 0)},
+        {{-1, 1}, {0, 1}});
+    const auto found = find_unreachable_place(cusp, Vec3::UnitZ(), 1);
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->singular);
+    EXPECT_EQ(found->normal_dot_axis, 0);
+    EXPECT_NEAR(found->at.u, 0.5, 1e-5);
 }
 
 TEST(UnreachablePlace, DoesNotDependOnTheSizeOfThePart)

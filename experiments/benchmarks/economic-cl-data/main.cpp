@@ -6,8 +6,8 @@
 // About 30 s; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include <filesystem>
-#include <limits>
 
+#include "endmill/core/numbers.h"
 #include "endmill/io/tool_path_csv.h"
 #include "support/economy_tables.h"
 #include "support/experiment.h"
@@ -18,63 +18,36 @@ using namespace endmill;
 
 namespace {
 
-constexpr int calls = 1024;  // of a short function in one iteration
-
-// Times `evaluate(u, v)` at places spread over u in [0, range_u], v in [0, range_v].
-template <typename Evaluate>
-void add_calls(const char* name, double range_u, double range_v, Evaluate evaluate)
+ToolPath path_of(const Surface& surface, double tolerance_mm)
 {
-    const auto body = [=](benchmark::State& state) {
-        for (auto _ : state)
-            for (int i = 0; i < calls; ++i)
-                benchmark::DoNotOptimize(
-                    evaluate(range_u * i / calls, range_v * (i * 7 % calls) / calls));
-    };
-    benchmark::RegisterBenchmark(name, body)->Repetitions(5);
+    return table_plan(surface, {}, Parameter::U, tolerance_mm, /*diameter_mm=*/15).path;
 }
 
-void add_evaluations(const Surface& surface)
+void add_memory(CsvTable& result, const Surface& surface, double tolerance_mm)
 {
-    const BezierPatch& patch = surface.patch(1, 0);
-    const double u = surface.range(Parameter::U).high;
-    const double v = surface.range(Parameter::V).high;
-    add_calls("patch jet", 1, 1, [&](double a, double b) { return patch.jet(a, b); });
-    add_calls("patch tangents", 1, 1,
-              [&](double a, double b) { return patch.tangents(a, b); });
-    add_calls("surface jet", u, v, [&](double a, double b) { return surface.jet(a, b); });
-    add_calls("surface tangents", u, v,
-              [&](double a, double b) { return surface.tangents(a, b); });
-}
-
-// A run of the tables with a ball of 15 mm and a tolerance so fine that it has many
-// points.
-ToolPath long_path(const Surface& surface, double tolerance_mm)
-{
-    return table_plan(surface, {}, Parameter::U, tolerance_mm, 15).path;
-}
-
-void add_runs(const Surface& surface, double fine_mm, const std::filesystem::path& file)
-{
-    const auto tables = [&](benchmark::State& state) {
-        for (auto _ : state)
-            benchmark::DoNotOptimize(planned_tables(surface));
-    };
-    benchmark::RegisterBenchmark("tables", tables)->Repetitions(5);
-    const auto million = [&surface, fine_mm, file](benchmark::State& state) {
-        for (auto _ : state)
-            write_file(file, tool_path_csv(long_path(surface, fine_mm)));
-        std::filesystem::remove(file);
-    };
-    benchmark::RegisterBenchmark("million", million)->Iterations(1)->Repetitions(3);
-}
-
-void add_memory(CsvTable& result, const Surface& surface, const char* row,
-                double tolerance_mm)
-{
-    const double points =
-        static_cast<double>(long_path(surface, tolerance_mm).points.size());
-    const double bytes = peak_memory_bytes([&] { long_path(surface, tolerance_mm); });
+    const auto points = static_cast<double>(path_of(surface, tolerance_mm).points.size());
+    const double bytes = peak_memory_bytes([&] { path_of(surface, tolerance_mm); });
+    const std::string row = "path at " + to_text(tolerance_mm) + " mm";
     result.add_row({row, points, bytes / points, "bytes a point", {}, {}});
+}
+
+void add_benchmarks(const Surface& surface, double fine_mm,
+                    const std::filesystem::path& file)
+{
+    const double range_u = surface.range(Parameter::U).high;
+    const double range_v = surface.range(Parameter::V).high;
+    const auto jet = [&](double u, double v) { return surface.jet(u, v); };
+    const auto tangents = [&](double u, double v) { return surface.tangents(u, v); };
+    const BezierPatch& patch = surface.patch(1, 0);
+    add_calls("jet of a surface", range_u, range_v, jet);
+    add_calls("tangents of a surface", range_u, range_v, tangents);
+    add_calls("jet of a patch", 1, 1,
+              [&](double u, double v) { return patch.jet(u, v); });
+    add_benchmark("tables", [&] { return planned_tables(surface); });
+    add_benchmark("million", [&surface, fine_mm, file] {
+        write_file(file, tool_path_csv(path_of(surface, fine_mm)));
+        return std::filesystem::remove(file);
+    });
 }
 
 }  // namespace
@@ -83,35 +56,23 @@ int main(int argc, char** argv)
 {
     return run_experiment(argc, argv, "benchmarks/economic-cl-data", [](Experiment& run) {
         const Surface surface = dataset_surface(run.text("surface"));
-        const double coarse = run.number("tolerance_for_100000_points_mm");
         const double fine = run.number("tolerance_for_1000000_points_mm");
         CsvTable result{{"row", "points", "measured", "unit", "bar", "bar_is"}};
-        add_memory(result, surface, "memory of a path", coarse);
-        add_memory(result, surface, "memory of a path ten times as long", fine);
-
-        add_evaluations(surface);
-        add_runs(surface, fine, run.output() / "million.csv");
+        add_memory(result, surface, run.number("tolerance_for_100000_points_mm"));
+        add_memory(result, surface, fine);
+        add_benchmarks(surface, fine, run.output() / "million.csv");
         const ShortestTimes times = shortest_times();
-        result.add_row({"18 runs of the tables on one core",
-                        {},
-                        1e3 * times.seconds("tables"),
-                        "ms",
-                        15.0,
-                        "at most"});
-        result.add_row({"a million points planned and written",
-                        {},
-                        times.seconds("million"),
-                        "s",
-                        2.0,
-                        "at most"});
-        for (const char* name :
-             {"patch jet", "patch tangents", "surface jet", "surface tangents"})
-            result.add_row({name,
-                            {},
-                            1e-6 * calls / times.seconds(name),
-                            "million a second",
-                            10.0,
-                            "at least"});
+        const auto add = [&](const char* row, double measured, const char* unit,
+                             double bar) {
+            const char* sense =
+                std::string_view{unit} == "million/s" ? "at least" : "at most";
+            result.add_row({row, {}, measured, unit, bar, sense});
+        };
+        add("18 runs of the tables", 1e3 * times.of("tables").cpu_s, "ms", 15);
+        add("a million points to a CSV file", times.of("million").wall_s, "s", 2);
+        for (const char* row :
+             {"jet of a patch", "jet of a surface", "tangents of a surface"})
+            add(row, 1e-6 * calls_in_a_go / times.of(row).cpu_s, "million/s", 10);
         run.write_result(result);
     });
 }

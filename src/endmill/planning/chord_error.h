@@ -14,10 +14,10 @@ struct ChordError {
 };
 
 /// Measures the cuts of `path`, each at samples of its iso-parametric line that lie
-/// 0.25 mm apart on average or less (64 at least, 4096 at most), refined at the worst of them. Passed over are cuts
-/// that are certain, by a bound on the line's second derivative, to stray less than one
-/// measured before. The true maximum may exceed the result by what a line bends within a
-/// pitch, but for the refinement.
+/// 0.25 mm apart on average or less (64 at least, 4096 at most), refined at the worst
+/// of them. Passed over are cuts that are certain, by a bound on the line's second
+/// derivative, to stray less than one measured before. The true maximum may exceed the
+/// result by what a line bends within a pitch, but for the refinement.
 /// \param along the parameter along which the passes run.
 /// \pre the contacts of a pass share their other parameter.
 ChordError chord_error(const Surface& surface, const ToolPath& path, Parameter along);

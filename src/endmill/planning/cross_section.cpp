@@ -12,22 +12,31 @@ namespace {
 constexpr int most_iterations = 8;
 constexpr double most_patches_a_step = 0.3;
 constexpr double residual_share = 1e-12;  // of the surface's diagonal
-
-double patch_width(const Surface& surface, Parameter along, double parameter)
-{
-    const int number = surface.patch_number(along, parameter);
-    return surface.breaks(along)[number + 1] - surface.breaks(along)[number];
-}
+// Length of a partial, as a share of the other one, below which it vanishes.
+constexpr double vanishing_share = 1e-10;
 
 }  // namespace
 
 FeedFrame feed_frame(const SurfacePoint& at, const SurfaceJet& jet, double side)
 {
-    FeedFrame frame{at, jet, fundamental_forms(jet, side), jet.du.normalized(), {}, {}};
-    frame.cross_feed = frame.forms.normal.cross(frame.feed);
-    if (frame.cross_feed.dot(jet.dv) < 0)
+    return feed_frame(at, jet, Vec3{side * unit_normal({jet.point, jet.du, jet.dv})});
+}
+
+FeedFrame feed_frame(const SurfacePoint& at, const SurfaceJet& jet, const Vec3& normal)
+{
+    FeedFrame frame{at, jet, fundamental_forms(jet, normal), {}, {}, {0, 0}, false};
+    const double du = jet.du.norm();
+    const double dv = jet.dv.norm();
+    const bool pass_is_point = du <= vanishing_share * dv;
+    frame.passes_meet = dv <= vanishing_share * du;
+    frame.feed = (pass_is_point ? jet.duv : jet.du).normalized();
+    frame.cross_feed = normal.cross(frame.feed);
+    if (frame.cross_feed.dot(frame.passes_meet ? jet.duv : jet.dv) < 0)
         frame.cross_feed = -frame.cross_feed;
-    frame.cross = tangent_components(frame.forms, jet, frame.cross_feed);
+    if (pass_is_point)
+        frame.cross.b = frame.cross_feed.dot(jet.dv) / (dv * dv);
+    else if (!frame.passes_meet)
+        frame.cross = tangent_components(frame.forms, jet, frame.cross_feed);
     return frame;
 }
 
@@ -54,8 +63,8 @@ CheckPlanePoint check_plane_point(const Surface& surface, const FeedFrame& frame
         double step_u = (b * across - d * along) / determinant;
         double step_v = (c * along - a * across) / determinant;
         const double patches =
-            std::max(std::abs(step_u) / patch_width(surface, Parameter::U, at.u),
-                     std::abs(step_v) / patch_width(surface, Parameter::V, at.v));
+            std::max(std::abs(step_u) / surface.patch_width(Parameter::U, at.u),
+                     std::abs(step_v) / surface.patch_width(Parameter::V, at.v));
         if (!std::isfinite(patches))
             break;
         const double share =

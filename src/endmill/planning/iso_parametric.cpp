@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
 #include "endmill/planning/cross_section.h"
+#include "endmill/planning/pass_march.h"
 #include "endmill/planning/path_interval.h"
 #include "endmill/planning/step_length.h"
 #include "endmill/surface/iso_line.h"
@@ -18,220 +17,15 @@
 namespace endmill {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-// In widths of a patch: a point so near the end is the end, and a pass that advances less
-// makes no progress. Source: the project's reading of [KimChoi, section 4].
-constexpr double end_width = 1e-6;
+// In widths of a patch: a pass that advances less makes no progress.
 constexpr double least_advance = 1e-4;
-constexpr int dense_samples = 16;  // a patch
-
-std::string place_text(Parameter direction, double u, double v, const Vec3& point)
-{
-    if (direction == Parameter::V)
-        std::swap(u, v);
-    return "u = " + to_text(u) + ", v = " + to_text(v) + " (" + to_text(point.x()) +
-           ", " + to_text(point.y()) + ", " + to_text(point.z()) + " mm)";
-}
-
-double patch_width(const Surface& surface, Parameter along, double parameter)
-{
-    const int number = surface.patch_number(along, parameter);
-    return surface.breaks(along)[number + 1] - surface.breaks(along)[number];
-}
-
-// The surface whose u is turned round, so that marching forwards on it marches backwards
-// on the original; `low + high - u` leads from one to the other.
-Surface reversed_in_u(const Surface& surface)
-{
-    const auto breaks = surface.breaks(Parameter::U);
-    std::vector<double> reversed;
-    for (auto k = breaks.size(); k-- > 0;)
-        reversed.push_back(breaks.front() + breaks.back() - breaks[k]);
-    std::vector<BezierPatch> patches;
-    for (int j = 0; j < surface.patches(Parameter::V); ++j)
-        for (int i = surface.patches(Parameter::U); i-- > 0;) {
-            std::array<Vec3, 16> net;
-            for (int row = 0; row < 4; ++row)
-                for (int column = 0; column < 4; ++column)
-                    net[4 * row + column] =
-                        surface.patch(i, j).control_point(3 - column, row);
-            patches.emplace_back(net);
-        }
-    const auto breaks_v = surface.breaks(Parameter::V);
-    ToolSide side = surface.tool_side();
-    if (side != ToolSide::Up)
-        side = side == ToolSide::DuCrossDv ? ToolSide::DvCrossDu : ToolSide::DuCrossDv;
-    return Surface{std::move(reversed),
-                   {breaks_v.begin(), breaks_v.end()},
-                   std::move(patches),
-                   side};
-}
-
-// A surface to march along u on, and the sign of its normals.
-struct MarchedSurface {
-    Surface surface;
-    double side;
-};
-
-// The next pass as one place of this pass allows it.
-struct Candidate {
-    double v = infinity;  // infinite: the place does not limit it
-    SurfacePoint at{};
-    SurfacePoint partner{};
-};
-
-struct MarchedPass {
-    Pass contacts;
-    std::optional<Candidate> next;  // none on the last pass
-};
-
-// Plans passes along u. The planner for passes along v is the same on the transposed
-// surface.
-class PassPlanner {
-public:
-    PassPlanner(const BallCutter& cutter, const IsoParametricOptions& options)
-        : cutter_{cutter},
-          options_{options}
-    {
-    }
-
-    MarchedPass march(const MarchedSurface& marched, double v, bool is_last) const
-    {
-        const IsoLine line{marched.surface, v};
-        const double end = line.range().high;
-        MarchedPass pass;
-        std::vector<Candidate> candidates;
-        double u = line.range().low;
-        for (;;) {
-            const FeedFrame frame = feed_frame({u, v}, line.jet(u), marched.side);
-            pass.contacts.push_back({u, v, {frame.jet.point, frame.forms.normal}});
-            if (!is_last)
-                candidates.push_back(candidate(marched.surface, frame));
-            if (u == end)
-                break;
-            const auto next = next_parameter(marched.surface, line, frame);
-            if (!next)
-                break;
-            u = *next;
-        }
-        if (!is_last) {
-            if (options_.governing == Governing::DenseMin)
-                add_dense_candidates(marched, line, candidates);
-            pass.next = governing(candidates);
-        }
-        return pass;
-    }
-
-private:
-    // Where the next CL point of the pass stands; nothing where the pass ends before its
-    // border.
-    std::optional<double> next_parameter(const Surface& surface, const IsoLine& line,
-                                         const FeedFrame& frame) const
-    {
-        const double u = frame.at.u;
-        const double end = line.range().high;
-        const StepLength step =
-            step_length(step_curvature(frame), options_.chord_tolerance);
-        std::optional<double> next;
-        if (step.status != LengthStatus::Unlimited)
-            next = line.first_reach(u, frame.feed, step.projected);
-        if (!next && options_.end_point == EndPoint::Force)
-            next = end;
-        if (options_.stop_at_borders)
-            next = std::min(next.value_or(end), next_border(surface, u));
-        if (!next)
-            return std::nullopt;
-        if (*next >= end - end_width * patch_width(surface, Parameter::U, end))
-            return end;
-        if (*next <= u)
-            throw GeometryError{"a step of the pass makes no progress at " +
-                                place(frame)};
-        return next;
-    }
-
-    double step_curvature(const FeedFrame& frame) const
-    {
-        if (options_.step_curvature == StepCurvature::Curve)
-            return curve_curvature(frame.jet.du, frame.jet.duu);
-        return frame.forms.e / frame.forms.E;
-    }
-
-    static double next_border(const Surface& surface, double u)
-    {
-        const auto breaks = surface.breaks(Parameter::U);
-        const int number = surface.patch_number(Parameter::U, u);
-        const double border = breaks[number + 1];
-        const double near = end_width * (border - breaks[number]);
-        const bool is_there = u >= border - near && border < breaks.back();
-        return is_there ? breaks[number + 2] : border;
-    }
-
-    Candidate candidate(const Surface& surface, const FeedFrame& frame) const
-    {
-        const double k =
-            options_.cross_curvature == CrossCurvature::Exact
-                ? cross_curvature(frame)
-                : cross_curvature_by_chord(surface, frame, options_.cross_step);
-        if (1 + k * cutter_.radius() <= 0)
-            throw GeometryError{"the ball of radius " + to_text(cutter_.radius()) +
-                                " mm does not fit the concavity of radius " +
-                                to_text(-1 / k) + " mm at " + place(frame)};
-        const PathInterval interval = path_interval(cutter_, k, options_.scallop_height);
-        if (interval.status == LengthStatus::Unlimited)
-            return {};
-        const SurfacePoint partner =
-            check_plane_point(surface, frame, interval.projected).at;
-        return {partner.v, frame.at, partner};
-    }
-
-    void add_dense_candidates(const MarchedSurface& marched, const IsoLine& line,
-                              std::vector<Candidate>& candidates) const
-    {
-        const auto breaks = marched.surface.breaks(Parameter::U);
-        for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
-            for (int sample = 0; sample <= dense_samples; ++sample) {
-                const double u =
-                    std::lerp(breaks[i], breaks[i + 1], sample / double(dense_samples));
-                const FeedFrame frame =
-                    feed_frame({u, line.v()}, line.jet(u), marched.side);
-                candidates.push_back(candidate(marched.surface, frame));
-            }
-    }
-
-    Candidate governing(const std::vector<Candidate>& candidates) const
-    {
-        switch (options_.governing) {
-            case Governing::Min:
-            case Governing::DenseMin:
-                return *std::ranges::min_element(candidates, {}, &Candidate::v);
-            case Governing::Max:
-                return *std::ranges::max_element(candidates, {}, &Candidate::v);
-            case Governing::First:
-                return candidates.front();
-            case Governing::Mean:
-                break;
-        }
-        double sum = 0;
-        for (const Candidate& candidate : candidates)
-            sum += candidate.v;
-        return {sum / static_cast<double>(candidates.size()), {}, {}};
-    }
-
-    std::string place(const FeedFrame& frame) const
-    {
-        return place_text(options_.direction, frame.at.u, frame.at.v, frame.jet.point);
-    }
-
-    const BallCutter& cutter_;
-    const IsoParametricOptions& options_;
-};
 
 // Where the pass after the one at v lies; nothing if that was the last.
 std::optional<double> next_pass(const Surface& surface, double v, double candidate,
                                 LastPath last_path)
 {
     const double end = surface.range(Parameter::V).high;
-    const double near = end_width * patch_width(surface, Parameter::V, end);
+    const double near = end_width * surface.patch_width(Parameter::V, end);
     if (candidate < end - near)
         return candidate;
     const bool lies_on_border = candidate <= end + near;
@@ -252,12 +46,6 @@ void turn_round(MarchedPass& pass, Interval range)
         pass.next->at.u = turned(pass.next->at.u);
         pass.next->partner.u = turned(pass.next->partner.u);
     }
-}
-
-MarchedSurface marched_surface(Surface surface, const Vec3& axis)
-{
-    const double side = tool_side_sign(surface, axis);
-    return {std::move(surface), side};
 }
 
 void require_sound(const BallCutter& cutter, const IsoParametricOptions& options)
@@ -284,8 +72,8 @@ public:
     SurfacePlanner(MarchedSurface forward, const BallCutter& cutter,
                    const IsoParametricOptions& options)
         : forward_{std::move(forward)},
-          options_{options},
-          planner_{cutter, options}
+          cutter_{cutter},
+          options_{options}
     {
         if (options.march == March::Alternate)
             backward_ =
@@ -306,7 +94,7 @@ public:
                                  std::to_string(options_.most_points) +
                                  " points, the most that fit"};
             result.governing.push_back(governing_point(pass.next));
-            const std::optional<Candidate> next = pass.next;
+            const std::optional<PassCandidate> next = pass.next;
             result.passes.push_back(std::move(pass.contacts));
             if (options_.progress)
                 options_.progress((*v - low) / (end - low));
@@ -319,36 +107,36 @@ private:
     MarchedPass march(double v, bool is_last, bool is_odd) const
     {
         if (!backward_ || !is_odd)
-            return planner_.march(forward_, v, is_last);
-        MarchedPass pass = planner_.march(*backward_, v, is_last);
+            return march_pass(forward_, v, is_last, cutter_, options_);
+        MarchedPass pass = march_pass(*backward_, v, is_last, cutter_, options_);
         turn_round(pass, backward_->surface.range(Parameter::U));
         return pass;
     }
 
     std::optional<double> following(double v, double candidate) const
     {
-        const double width = patch_width(forward_.surface, Parameter::V, v);
+        const double width = forward_.surface.patch_width(Parameter::V, v);
         if (!(candidate - v >= least_advance * width)) {
-            const double u = forward_.surface.range(Parameter::U).low;
+            const SurfacePoint at{forward_.surface.range(Parameter::U).low, v};
             throw GeometryError{"the next pass makes no progress after the one through " +
-                                place_text(options_.direction, u, v,
-                                           forward_.surface.tangents(u, v).point)};
+                                place_text(in_surface_order(at, options_.direction),
+                                           forward_.surface.tangents(at.u, at.v).point)};
         }
         return next_pass(forward_.surface, v, candidate, options_.last_path);
     }
 
     std::optional<GoverningPoint> governing_point(
-        const std::optional<Candidate>& next) const
+        const std::optional<PassCandidate>& next) const
     {
-        if (!next || next->v == infinity || options_.governing == Governing::Mean)
+        if (!next || !std::isfinite(next->v) || options_.governing == Governing::Mean)
             return std::nullopt;
         return GoverningPoint{next->at, next->partner};
     }
 
     MarchedSurface forward_;
     std::optional<MarchedSurface> backward_;
+    const BallCutter& cutter_;
     const IsoParametricOptions& options_;
-    PassPlanner planner_;
 };
 
 void exchange_parameters(MarchedPasses& marched)

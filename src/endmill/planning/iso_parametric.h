@@ -65,9 +65,9 @@ struct IsoParametricOptions {
     March march = March::Forward;
     CrossCurvature cross_curvature = CrossCurvature::Exact;
     double cross_step = 0.5;  ///< epsilon of eq. (7), mm; for CrossCurvature::Chord
-    LinkOptions link;         ///< order, tool axis, safe height
-    std::size_t most_points = 40'000'000;        ///< beyond it LimitError is thrown
-    std::function<void(double share)> progress;  ///< called after each pass, if set
+    LinkOptions link = {};    ///< order, tool axis, safe height
+    std::size_t most_points = 40'000'000;             ///< beyond it LimitError is thrown
+    std::function<void(double share)> progress = {};  ///< called after each pass, if set
 };
 
 /// The place that decided the distance to the next pass.
@@ -92,7 +92,8 @@ struct IsoParametricPlan {
 ///
 /// \throws DomainError if a tolerance, the scallop height or the axis is out of range.
 /// \throws GeometryError, with the place, where N . axis <= 0, the surface has no normal,
-/// the ball does not fit, or a pass makes no progress.
+/// the ball does not fit, or a pass makes no progress. A pass on a collapsed edge is one
+/// point, if the normal has a limit there.
 /// \throws LimitError if the path has more than `most_points` points.
 IsoParametricPlan plan_iso_parametric(const Surface& surface, const BallCutter& cutter,
                                       const IsoParametricOptions& options);

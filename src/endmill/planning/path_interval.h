@@ -59,7 +59,8 @@ double highest_scallop(const BallCutter& cutter, double curvature);
 /// \throws DomainError unless 0 < l and k is finite.
 /// \throws GeometryError if the ball does not fit (1 + kR <= 0), if l exceeds the circle
 /// (|k| l > 2), or if the balls do not meet ((1 + kR) l > 2R).
-/// Relative error below 1e-13 for intervals of at least 1e-6 R.
+/// Relative error below 1e-13 for 1 + kR >= 0.01 and intervals from 1e-6 R to 0.99 of the
+/// longest; it grows where the balls barely meet.
 double scallop_height(const BallCutter& cutter, double curvature, double interval);
 
 }  // namespace endmill

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/surface/area.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -14,6 +15,8 @@ using Rule = boost::math::quadrature::gauss<double, 10>;
 // Agreement asked of a rule and its refinement, as a share of the patch's area; the finer
 // one is then far better than that.
 constexpr double agreement = 1e-10;
+// The same as a share of the surface's diagonal squared: below it all is rounding.
+constexpr double rounding = 1e-15;
 constexpr int deepest_halving = 12;
 
 struct Cell {
@@ -66,8 +69,9 @@ double area(const Surface& surface)
             const BezierPatch& patch = surface.patch(i, j);
             const Cell whole{0, 0, 1};
             const double coarse = area_by_one_rule(patch, whole);
-            total +=
-                refined_area(patch, whole, coarse, agreement * coarse, deepest_halving);
+            const double tolerance = std::max(
+                agreement * coarse, rounding * surface.diagonal() * surface.diagonal());
+            total += refined_area(patch, whole, coarse, tolerance, deepest_halving);
         }
     return total;
 }

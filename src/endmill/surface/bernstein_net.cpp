@@ -44,6 +44,21 @@ BernsteinNet normal_net(const BezierPatch& patch, const Vec3& direction)
     return net;
 }
 
+BernsteinNet divided_by_edge(const BernsteinNet& net, Parameter parameter, int edge)
+{
+    if (parameter == Parameter::V)
+        return divided_by_edge(net.transpose(), Parameter::U, edge).transpose();
+    // C(n,k) t^k = t n/k C(n-1,k-1) t^(k-1), and the same from the other end.
+    const auto degree = net.rows() - 1;
+    const BernsteinNet rest = edge == 0 ? net.bottomRows(degree) : net.topRows(degree);
+    BernsteinNet quotient = rest;
+    for (Eigen::Index k = 0; k < degree; ++k) {
+        const auto power = edge == 0 ? k + 1 : degree - k;
+        quotient.row(k) *= static_cast<double>(degree) / static_cast<double>(power);
+    }
+    return quotient;
+}
+
 std::pair<BernsteinNet, BernsteinNet> halves(const BernsteinNet& net, Parameter across)
 {
     if (across == Parameter::V) {

@@ -19,6 +19,11 @@ BernsteinNet height_net(const BezierPatch& patch, const Vec3& direction);
 /// Coefficients of (du x dv) . direction, 6 by 6, in mm^2 for a unit `direction`.
 BernsteinNet normal_net(const BezierPatch& patch, const Vec3& direction);
 
+/// The polynomial p(u, v) divided by u, by 1 - u, by v or by 1 - v: that linear factor
+/// which vanishes on the edge `edge` of `parameter` (0 or 1), where p is zero.
+/// \pre the coefficients on that edge are zero.
+BernsteinNet divided_by_edge(const BernsteinNet& net, Parameter parameter, int edge);
+
 /// The polynomial on the two halves of the square, each again over a unit square.
 std::pair<BernsteinNet, BernsteinNet> halves(const BernsteinNet& net, Parameter across);
 

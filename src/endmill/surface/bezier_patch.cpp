@@ -68,4 +68,13 @@ BezierPatch transposed(const BezierPatch& patch)
     return BezierPatch{net};
 }
 
+BezierPatch reversed_in_u(const BezierPatch& patch)
+{
+    std::array<Vec3, 16> net;
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i)
+            net[4 * j + i] = patch.control_point(3 - i, j);
+    return BezierPatch{net};
+}
+
 }  // namespace endmill

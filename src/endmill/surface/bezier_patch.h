@@ -10,8 +10,8 @@
 namespace endmill {
 
 /// Bicubic Bezier patch r(u, v) = sum_ij C(3,i) u^i (1-u)^(3-i) C(3,j) v^j (1-v)^(3-j)
-/// B_ij over the unit square. An immutable value. Source: [KimChoi, section 2], with the
-/// binomials that its print leaves out.
+/// B_ij over the unit square. An immutable value.
+/// Source: [KimChoi, section 2], with the binomials that its print leaves out.
 class BezierPatch {
 public:
     /// \param net the 16 control points in mm, u running fastest: B_ij at [4 j + i].
@@ -34,5 +34,8 @@ private:
 
 /// The same patch with u and v exchanged.
 BezierPatch transposed(const BezierPatch& patch);
+
+/// The same patch with u turned round to 1 - u.
+BezierPatch reversed_in_u(const BezierPatch& patch);
 
 }  // namespace endmill

@@ -60,6 +60,15 @@ BorderBreak worst_break(const Surface& surface, const PatchPair& pair)
     return worst;
 }
 
+bool is_worse(const BorderBreak& one, const BorderBreak& other)
+{
+    if (one.continuity != other.continuity)
+        return one.continuity < other.continuity;
+    if (one.continuity == Continuity::None && one.gap_mm != other.gap_mm)
+        return one.gap_mm > other.gap_mm;
+    return one.normals.radians() > other.normals.radians();
+}
+
 }  // namespace
 
 std::string_view continuity_name(Continuity continuity)
@@ -101,9 +110,9 @@ SurfaceContinuity continuity(const Surface& surface)
                             {corner, surface.tangents(corner.u, corner.v).point,
                              Angle::radians(0), 0, Continuity::G1}};
     for (const BorderBreak& border : border_breaks(surface)) {
-        whole.continuity = std::min(whole.continuity, border.continuity);
-        if (border.normals.radians() > whole.worst.normals.radians())
+        if (is_worse(border, whole.worst))
             whole.worst = border;
+        whole.continuity = whole.worst.continuity;
     }
     return whole;
 }

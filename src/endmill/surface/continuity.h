@@ -28,11 +28,11 @@ struct BorderBreak {
     Continuity continuity;
 };
 
-/// The worst break of every inner border: first those across u, then those across v.
-/// A border counts as G1 where the normals are less than 1e-6 rad apart, as G0 where the
+/// The worst break of every inner border: first those across u, then those across v. A
+/// border counts as G1 where the normals are less than 1e-6 rad apart, as G0 where the
 /// gap is below 1e-9 of the surface's diagonal; 17 samples each, ends included. Samples
-/// at which a patch has no normal are passed over. Source: general tangent continuity;
-/// [KimChoi, fig. 11] shows a sufficient condition.
+/// at which a patch has no normal are passed over.
+/// Source: general tangent continuity; [KimChoi, fig. 11] shows a sufficient condition.
 std::vector<BorderBreak> border_breaks(const Surface& surface);
 
 /// The surface as a whole: the least continuity of its borders and the worst break.

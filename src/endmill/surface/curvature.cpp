@@ -11,7 +11,11 @@ namespace endmill {
 
 FundamentalForms fundamental_forms(const SurfaceJet& jet, double side)
 {
-    const Vec3 normal = side * unit_normal({jet.point, jet.du, jet.dv});
+    return fundamental_forms(jet, Vec3{side * unit_normal({jet.point, jet.du, jet.dv})});
+}
+
+FundamentalForms fundamental_forms(const SurfaceJet& jet, const Vec3& normal)
+{
     return {jet.du.dot(jet.du),
             jet.du.dot(jet.dv),
             jet.dv.dot(jet.dv),

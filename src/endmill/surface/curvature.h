@@ -23,6 +23,9 @@ struct FundamentalForms {
 /// \throws GeometryError where `is_singular`.
 FundamentalForms fundamental_forms(const SurfaceJet& jet, double side);
 
+/// Forms at `jet` with respect to the unit normal `normal`, which at a pole is a limit.
+FundamentalForms fundamental_forms(const SurfaceJet& jet, const Vec3& normal);
+
 /// A tangent vector by its components: a du + b dv.
 struct TangentVector {
     double a;  ///< units of u per mm
@@ -46,7 +49,8 @@ struct PrincipalCurvatures {
 };
 
 /// Eigenvalues of the shape operator, H -+ sqrt(H^2 - K); equal at an umbilic.
-/// Their error is a few roundings of the larger one.
+/// Their error is a few roundings of the larger one, divided by the squared sine of the
+/// angle between the partials.
 PrincipalCurvatures principal_curvatures(const FundamentalForms& forms);
 
 /// Curvature |r' x r''| / |r'|^3 of a space curve in 1/mm, never negative.

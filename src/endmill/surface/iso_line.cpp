@@ -7,11 +7,18 @@
 #include "endmill/surface/cubic_root.h"
 
 namespace endmill {
+namespace {
+
+constexpr double same_point_share = 1e-12;  // of the surface's diagonal
+
+}  // namespace
 
 IsoLine::IsoLine(const Surface& surface, double v)
     : v_{v},
+      is_point_{true},
       breaks_{surface.breaks(Parameter::U).begin(), surface.breaks(Parameter::U).end()}
 {
+    const double same_point = same_point_share * surface.diagonal();
     const int row = surface.patch_number(Parameter::V, v);
     const auto breaks_v = surface.breaks(Parameter::V);
     const double slope = 1 / (breaks_v[row + 1] - breaks_v[row]);
@@ -30,6 +37,8 @@ IsoLine::IsoLine(const Surface& surface, double v)
             piece.point.row(k) = partials.col(0);
             piece.dv.row(k) = partials.col(1);
             piece.dvv.row(k) = partials.col(2);
+            const auto from_start = piece.point.row(k) - pieces_.front().point.row(0);
+            is_point_ = is_point_ && from_start.norm() <= same_point;
         }
     }
 }

@@ -19,6 +19,9 @@ public:
     double v() const { return v_; }  ///< the constant parameter
     Interval range() const { return {breaks_.front(), breaks_.back()}; }  ///< of u
 
+    /// Whether the line is one point, to 1e-12 of the surface's diagonal: a pole.
+    bool is_point() const { return is_point_; }
+
     /// Point of the line at u.
     Vec3 point(double u) const;
 
@@ -52,6 +55,7 @@ private:
     Vec3 bend(int piece, double u) const;
 
     double v_;
+    bool is_point_;
     std::vector<double> breaks_;
     std::vector<Piece> pieces_;
 };

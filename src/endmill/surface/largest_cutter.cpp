@@ -9,6 +9,7 @@
 
 #include "endmill/core/parallel.h"
 #include "endmill/surface/box_search.h"
+#include "endmill/surface/collapsed_edge.h"
 #include "endmill/surface/curvature.h"
 #include "endmill/surface/point_tree.h"
 
@@ -16,8 +17,8 @@ namespace endmill {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int samples_per_side = 33;  // of a patch, for curvature
-constexpr int candidates_to_refine = 5;
+constexpr int samples_per_side = 33;             // of a patch, for curvature
+constexpr std::size_t candidates_to_refine = 5;  // of a patch, or of all pairs
 constexpr double most_pair_samples = 260'000;
 // Nearer pairs, in widths of a patch, are left to curvature: they would only find it
 // again with rounding, or a crease, which admits no ball at all and is told by
@@ -25,6 +26,8 @@ constexpr double most_pair_samples = 260'000;
 constexpr double least_pair_distance = 0.125;
 // A ball this many diagonals large is a plane to the surface.
 constexpr double flat_diagonals = 1e6;
+// Pairs that admit a ball of so many diagonals are left to curvature.
+constexpr double largest_pair_diagonals = 8;
 
 struct Candidate {
     double value;  // smaller is better
@@ -32,92 +35,128 @@ struct Candidate {
     SurfacePoint at;
 };
 
-// Keeps the best few candidates, in order.
-class BestCandidates {
-public:
-    void offer(const Candidate& candidate)
-    {
-        const auto place =
-            std::ranges::upper_bound(best_, candidate.value, {}, &Candidate::value);
-        best_.insert(place, candidate);
-        if (best_.size() > candidates_to_refine)
-            best_.pop_back();
-    }
-
-    const std::vector<Candidate>& all() const { return best_; }
-
-private:
-    std::vector<Candidate> best_;
-};
+// Whether a partial is so short that it may be rounding: next to a collapsed edge.
+bool is_near_pole(const Surface& surface, const Vec3& du, const Vec3& dv)
+{
+    constexpr double shortest = 1e-8;  // of the surface's diagonal
+    return !(std::min(du.norm(), dv.norm()) > shortest * surface.diagonal());
+}
 
 // A principal curvature to minimise; infinite where there is no normal.
 using PrincipalValue = double (*)(const PrincipalCurvatures&);
 
-double principal_value(const SurfaceJet& jet, double side, PrincipalValue value)
-{
-    if (is_singular({jet.point, jet.du, jet.dv}))
-        return infinity;
-    return value(principal_curvatures(fundamental_forms(jet, side)));
-}
+struct CurvatureField {
+    const Surface& surface;
+    double side;
+    PrincipalValue value;
+
+    double operator()(int i, int j, const SurfacePoint& at) const
+    {
+        const SurfaceJet jet = surface.jet_in_patch(i, j, at.u, at.v);
+        if (is_near_pole(surface, jet.du, jet.dv) ||
+            is_singular({jet.point, jet.du, jet.dv}))
+            return infinity;
+        return value(principal_curvatures(fundamental_forms(jet, side)));
+    }
+};
 
 struct PatchBox {
     Interval u;
     Interval v;
 };
 
+// The parameters of patch (i, j), without the rim of a collapsed edge: next to a pole
+// curvature loses its digits.
 PatchBox patch_box(const Surface& surface, int i, int j)
 {
-    const auto u = surface.breaks(Parameter::U);
-    const auto v = surface.breaks(Parameter::V);
-    return {{u[i], u[i + 1]}, {v[j], v[j + 1]}};
+    constexpr double rim = 1e-3;  // of the patch's width
+    const auto range = [&](Parameter along, int number) -> Interval {
+        const auto breaks = surface.breaks(along);
+        const BezierPatch& patch = surface.patch(i, j);
+        return {std::lerp(breaks[number], breaks[number + 1],
+                          is_collapsed(patch, along, 0) ? rim : 0),
+                std::lerp(breaks[number], breaks[number + 1],
+                          is_collapsed(patch, along, 1) ? 1 - rim : 1)};
+    };
+    return {range(Parameter::U, i), range(Parameter::V, j)};
 }
 
-BestCandidates best_samples(const Surface& surface, double side, PrincipalValue value)
+// The least samples of a patch that are no greater than the eight around them: one for
+// each basin, however many samples of one basin undercut the bottom of another.
+std::vector<Candidate> basins(const CurvatureField& field, int i, int j)
 {
-    const int columns = surface.patches(Parameter::U);
-    const int rows = surface.patches(Parameter::V);
-    std::vector<BestCandidates> by_patch(static_cast<std::size_t>(columns) * rows);
-    parallel_for(by_patch.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t number = begin; number < end; ++number) {
-            const int i = static_cast<int>(number) % columns;
-            const int j = static_cast<int>(number) / columns;
-            const auto [u_range, v_range] = patch_box(surface, i, j);
-            for (int row = 0; row < samples_per_side; ++row)
-                for (int column = 0; column < samples_per_side; ++column) {
-                    const double u = std::lerp(u_range.low, u_range.high,
-                                               column / (samples_per_side - 1.0));
-                    const double v = std::lerp(v_range.low, v_range.high,
-                                               row / (samples_per_side - 1.0));
-                    const double found =
-                        principal_value(surface.jet_in_patch(i, j, u, v), side, value);
-                    by_patch[number].offer({found, i, j, {u, v}});
-                }
+    const auto [u_range, v_range] = patch_box(field.surface, i, j);
+    const auto parameter = [](Interval range, int k) {
+        return std::lerp(range.low, range.high, k / (samples_per_side - 1.0));
+    };
+    Eigen::Matrix<double, samples_per_side, samples_per_side> values;
+    for (int row = 0; row < samples_per_side; ++row)
+        for (int column = 0; column < samples_per_side; ++column)
+            values(column, row) =
+                field(i, j, {parameter(u_range, column), parameter(v_range, row)});
+
+    std::vector<Candidate> found;
+    for (int row = 0; row < samples_per_side; ++row)
+        for (int column = 0; column < samples_per_side; ++column) {
+            const int left = std::max(column - 1, 0);
+            const int below = std::max(row - 1, 0);
+            const int right = std::min(column + 1, samples_per_side - 1);
+            const int above = std::min(row + 1, samples_per_side - 1);
+            const double value = values(column, row);
+            const double least =
+                values.block(left, below, right - left + 1, above - below + 1).minCoeff();
+            if (value <= least && std::isfinite(value))
+                found.push_back(
+                    {value, i, j, {parameter(u_range, column), parameter(v_range, row)}});
         }
-    });
-    BestCandidates best;
-    for (const BestCandidates& patch : by_patch)
-        for (const Candidate& candidate : patch.all())
-            best.offer(candidate);
-    return best;
+    std::ranges::stable_sort(found, {}, &Candidate::value);
+    if (found.size() > candidates_to_refine)
+        found.resize(candidates_to_refine);
+    return found;
 }
 
-Candidate least_principal_value(const Surface& surface, double side, PrincipalValue value)
+Candidate refined(const CurvatureField& field, const Candidate& start)
 {
-    const BestCandidates samples = best_samples(surface, side, value);
-    Candidate least = samples.all().front();
-    for (const Candidate& start : samples.all()) {
-        const auto [u, v] = patch_box(surface, start.i, start.j);
-        const auto at_place = [&](const Eigen::VectorXd& x) {
-            return principal_value(surface.jet_in_patch(start.i, start.j, x[0], x[1]),
-                                   side, value);
-        };
-        const BoxMinimum found = minimize_in_box(
-            at_place, {Eigen::Vector2d{u.low, v.low}, Eigen::Vector2d{u.high, v.high}},
-            Eigen::Vector2d{start.at.u, start.at.v},
-            std::min(u.length(), v.length()) / (samples_per_side - 1));
-        if (found.value < least.value)
-            least = {found.value, start.i, start.j, {found.at[0], found.at[1]}};
-    }
+    const auto [u, v] = patch_box(field.surface, start.i, start.j);
+    const BoxMinimum found = minimize_in_box(
+        [&](const Eigen::VectorXd& x) {
+            return field(start.i, start.j, {x[0], x[1]});
+        },
+        {Eigen::Vector2d{u.low, v.low}, Eigen::Vector2d{u.high, v.high}},
+        Eigen::Vector2d{start.at.u, start.at.v},
+        std::min(u.length(), v.length()) / (samples_per_side - 1));
+    if (!(found.value < start.value))
+        return start;
+    return {found.value, start.i, start.j, {found.at[0], found.at[1]}};
+}
+
+// Nothing if no sample of the surface has a normal.
+std::optional<Candidate> least_principal_value(const CurvatureField& field)
+{
+    const int columns = field.surface.patches(Parameter::U);
+    const int rows = field.surface.patches(Parameter::V);
+    std::vector<std::vector<Candidate>> by_patch(static_cast<std::size_t>(columns) *
+                                                 static_cast<std::size_t>(rows));
+    parallel_for(by_patch.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t number = begin; number < end; ++number)
+            by_patch[number] = basins(field, static_cast<int>(number) % columns,
+                                      static_cast<int>(number) / columns);
+    });
+    double best_sample = infinity;
+    for (const auto& patch : by_patch)
+        if (!patch.empty())
+            best_sample = std::min(best_sample, patch.front().value);
+    // Between neighbouring samples a basin is not half as deep again.
+    const double worth_refining = best_sample + std::abs(best_sample) / 2;
+    std::optional<Candidate> least;
+    for (const auto& patch : by_patch)
+        for (const Candidate& start : patch) {
+            if (!(start.value <= worth_refining))
+                continue;
+            const Candidate found = refined(field, start);
+            if (!least || found.value < least->value)
+                least = found;
+        }
     return least;
 }
 
@@ -148,7 +187,8 @@ std::vector<SurfaceSample> surface_samples(const Surface& surface, double side)
     for (const double v : parameters(Parameter::V))
         for (const double u : along_u) {
             const SurfaceTangents tangents = surface.tangents(u, v);
-            if (!is_singular(tangents))
+            if (!is_near_pole(surface, tangents.du, tangents.dv) &&
+                !is_singular(tangents))
                 samples.push_back({{u, v}, tangents.point, side * unit_normal(tangents)});
         }
     return samples;
@@ -186,16 +226,17 @@ std::vector<Pair> tightest_sampled_pairs(const Surface& surface, double side,
     if (points.empty())
         return {};
     const PointTree tree{points};
+    constexpr double inside = 1 - 1e-12;  // leaves out the contact itself
     std::vector<Pair> pairs;
     for (const SurfaceSample& p : samples)
         for (;;) {
             const Vec3 centre = p.point + limit * p.normal;
-            const SurfaceSample& q = samples[tree.nearest(centre)];
-            const double radius = pair_radius(surface, p, q);
+            const auto q = tree.nearest_within(centre, inside * limit);
+            const double radius = q ? pair_radius(surface, p, samples[*q]) : infinity;
             if (!(radius < limit))
                 break;
             limit = radius;
-            pairs.push_back({p.at, q.at});
+            pairs.push_back({p.at, samples[*q].at});
         }
     if (pairs.size() > candidates_to_refine)
         pairs.erase(pairs.begin(), pairs.end() - candidates_to_refine);
@@ -206,8 +247,10 @@ BoxMinimum refined_pair(const Surface& surface, double side, const Pair& start)
 {
     const auto sample = [&](double u, double v) -> SurfaceSample {
         const SurfaceTangents tangents = surface.tangents(u, v);
+        const bool has_normal =
+            !is_near_pole(surface, tangents.du, tangents.dv) && !is_singular(tangents);
         const Vec3 normal =
-            is_singular(tangents) ? Vec3::Zero() : Vec3{side * unit_normal(tangents)};
+            has_normal ? Vec3{side * unit_normal(tangents)} : Vec3::Zero();
         return {{u, v}, tangents.point, normal};
     };
     const auto radius = [&](const Eigen::VectorXd& x) {
@@ -229,33 +272,34 @@ BoxMinimum refined_pair(const Surface& surface, double side, const Pair& start)
 
 std::optional<CurvatureRange> curvature_range(const Surface& surface, double side)
 {
-    const auto least = [](const PrincipalCurvatures& k) { return k.least; };
-    const auto minus_greatest = [](const PrincipalCurvatures& k) { return -k.greatest; };
-    const CurvatureRange range{
-        least_principal_value(surface, side, least).value,
-        -least_principal_value(surface, side, minus_greatest).value};
-    if (!std::isfinite(range.least) || !std::isfinite(range.greatest))
+    const auto least = least_principal_value(
+        {surface, side, [](const PrincipalCurvatures& k) { return k.least; }});
+    const auto greatest = least_principal_value(
+        {surface, side, [](const PrincipalCurvatures& k) { return -k.greatest; }});
+    if (!least || !greatest)
         return std::nullopt;
-    return range;
+    return CurvatureRange{least->value, -greatest->value};
 }
 
 std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface,
                                                        double side)
 {
-    const Candidate tightest = least_principal_value(
-        surface, side, [](const PrincipalCurvatures& k) { return k.least; });
-    const double concavity = -tightest.value;
-    if (!(concavity * flat_diagonals * surface.diagonal() > 1))
+    const auto tightest = least_principal_value(
+        {surface, side, [](const PrincipalCurvatures& k) { return k.least; }});
+    if (!tightest || !(-tightest->value * flat_diagonals * surface.diagonal() > 1))
         return std::nullopt;
-    const auto [u, v] = tightest.at;
-    return CutterLimit{
-        1 / concavity, {u, v}, surface.jet_in_patch(tightest.i, tightest.j, u, v).point};
+    const auto [u, v] = tightest->at;
+    return CutterLimit{-1 / tightest->value,
+                       {u, v},
+                       surface.jet_in_patch(tightest->i, tightest->j, u, v).point};
 }
 
 std::optional<CutterLimit> largest_cutter(const Surface& surface, double side)
 {
     std::optional<CutterLimit> limit = largest_cutter_by_curvature(surface, side);
-    double radius = limit ? limit->radius_mm : flat_diagonals * surface.diagonal();
+    double radius = largest_pair_diagonals * surface.diagonal();
+    if (limit)
+        radius = std::min(radius, limit->radius_mm);
     for (const Pair& pair : tightest_sampled_pairs(surface, side, radius)) {
         const BoxMinimum tightest = refined_pair(surface, side, pair);
         if (!(tightest.value < radius))

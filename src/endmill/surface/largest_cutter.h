@@ -36,11 +36,13 @@ std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface,
                                                        double side);
 
 /// Largest ball that can touch the surface anywhere without reaching into it elsewhere:
-/// the least |q - p|^2 / (2 N_p . (q - p)) over all pairs of points, never above the
-/// limit by curvature, which is the case q -> p. \return nothing if no ball is too large.
-/// Pairs are sought among at most about 260 000
-///         samples and refined; relative error below 1e-8 where the tightest pair lies
-///         further apart than a sample spacing.
+/// the least |q - p|^2 / (2 N_p . (q - p)) over pairs of points, never above the limit by
+/// curvature, which is the case q -> p. Pairs nearer than an eighth of a patch in both
+/// parameters are left to curvature, and so is a crease, which strictly admits no ball:
+/// `continuity` tells of it.
+/// \return nothing if no ball is too large; pairs that admit one of 8 diagonals count as
+///         none. Sought among at most about 260 000 samples and refined; relative error
+///         below 1e-8 where the tightest pair lies further apart than a sample spacing.
 std::optional<CutterLimit> largest_cutter(const Surface& surface, double side);
 
 }  // namespace endmill

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
+#include "endmill/core/vec.h"
+
 namespace endmill {
 
 /// One of the two parameters of a surface.
@@ -11,6 +15,9 @@ struct SurfacePoint {
     double u;
     double v;
 };
+
+/// "u = 1.5, v = 0 (30, 0, 12 mm)": the place and its point, for a message.
+std::string place_text(const SurfacePoint& at, const Vec3& point);
 
 /// A closed interval of a parameter, or of a length in mm.
 struct Interval {

@@ -2,17 +2,24 @@
 #include "endmill/surface/point_tree.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "endmill/core/error.h"
 
 namespace endmill {
+namespace {
+
+std::size_t middle_of(std::size_t begin, std::size_t end)
+{
+    return begin + (end - begin) / 2;
+}
+
+}  // namespace
 
 struct PointTree::Search {
     Vec3 place;
     double least_square;  // of the distances so far, mm^2
-    unsigned nearest;
+    std::optional<std::size_t> nearest;
 };
 
 PointTree::PointTree(std::span<const Vec3> points)
@@ -21,51 +28,60 @@ PointTree::PointTree(std::span<const Vec3> points)
 {
     require(!points.empty() && points.size() < (std::size_t{1} << 31U),
             "PointTree: need between 1 and 2^31 - 1 points");
+    low_ = high_ = points.front();
+    for (const Vec3& point : points) {
+        low_ = low_.cwiseMin(point);
+        high_ = high_.cwiseMax(point);
+    }
     std::iota(order_.begin(), order_.end(), 0U);
-    build(0, order_.size(), 0);
+    build({0, order_.size(), 0});
 }
 
-std::size_t PointTree::nearest(const Vec3& place) const
+std::optional<std::size_t> PointTree::nearest_within(const Vec3& place,
+                                                     double radius) const
 {
-    Search state{place, std::numeric_limits<double>::infinity(), order_.front()};
-    search(state, 0, order_.size(), 0);
+    Search state{place, radius * radius, std::nullopt};
+    const Vec3 offset = (low_ - place).cwiseMax(place - high_).cwiseMax(0);
+    search(state, {0, order_.size(), 0}, offset);
     return state.nearest;
 }
 
-void PointTree::build(std::size_t begin, std::size_t end, int depth)
+void PointTree::build(const Range& range)
 {
-    if (end - begin < 2)
+    if (range.end - range.begin < 2)
         return;
-    const std::size_t middle = begin + (end - begin) / 2;
-    const int axis = depth % 3;
-    const std::span<unsigned> range = std::span{order_}.subspan(begin, end - begin);
+    const std::size_t middle = middle_of(range.begin, range.end);
+    const int axis = range.axis;
+    const std::span<unsigned> order =
+        std::span{order_}.subspan(range.begin, range.end - range.begin);
     std::ranges::nth_element(
-        range, range.begin() + static_cast<std::ptrdiff_t>(middle - begin),
+        order, order.begin() + static_cast<std::ptrdiff_t>(middle - range.begin),
         [&](unsigned a, unsigned b) { return points_[a][axis] < points_[b][axis]; });
-    build(begin, middle, depth + 1);
-    build(middle + 1, end, depth + 1);
+    build({range.begin, middle, (axis + 1) % 3});
+    build({middle + 1, range.end, (axis + 1) % 3});
 }
 
-void PointTree::search(Search& state, std::size_t begin, std::size_t end, int depth) const
+// `offset` is the distance along each axis from the place to the box of the range: its
+// length bounds the distance to every point of the range, however far the place is.
+void PointTree::search(Search& state, const Range& range, const Vec3& offset) const
 {
-    if (begin == end)
+    if (range.begin == range.end || offset.squaredNorm() >= state.least_square)
         return;
-    const std::size_t middle = begin + (end - begin) / 2;
+    const std::size_t middle = middle_of(range.begin, range.end);
     const Vec3& point = points_[order_[middle]];
     const double square = (point - state.place).squaredNorm();
     if (square < state.least_square) {
         state.least_square = square;
         state.nearest = order_[middle];
     }
-    const double beyond = state.place[depth % 3] - point[depth % 3];
-    const bool low_first = beyond < 0;
-    const auto side = [&](bool low) {
-        low ? search(state, begin, middle, depth + 1)
-            : search(state, middle + 1, end, depth + 1);
-    };
-    side(low_first);
-    if (beyond * beyond < state.least_square)
-        side(!low_first);
+    const int axis = range.axis;
+    const double beyond = state.place[axis] - point[axis];
+    Vec3 far_offset = offset;
+    far_offset[axis] = std::max(offset[axis], std::abs(beyond));
+    const Range low{range.begin, middle, (axis + 1) % 3};
+    const Range high{middle + 1, range.end, (axis + 1) % 3};
+    search(state, beyond < 0 ? low : high, offset);
+    search(state, beyond < 0 ? high : low, far_offset);
 }
 
 }  // namespace endmill

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,17 +17,25 @@ public:
     /// \throws DomainError unless there is a point, and fewer than 2^31 of them.
     explicit PointTree(std::span<const Vec3> points);
 
-    /// Index of the point nearest to `place`; of several equally near ones, any, but the
-    /// same each time.
-    std::size_t nearest(const Vec3& place) const;
+    /// Index of the point nearest to `place` among those nearer than `radius` (mm); of
+    /// several equally near ones, any, but the same each time.
+    /// \return nothing if no point is so near.
+    std::optional<std::size_t> nearest_within(const Vec3& place, double radius) const;
 
 private:
     struct Search;
-    void build(std::size_t begin, std::size_t end, int depth);
-    void search(Search& search, std::size_t begin, std::size_t end, int depth) const;
+    struct Range {
+        std::size_t begin;
+        std::size_t end;
+        int axis;  // along which its middle splits it
+    };
+    void build(const Range& range);
+    void search(Search& search, const Range& range, const Vec3& offset) const;
 
     std::span<const Vec3> points_;
-    std::vector<unsigned> order_;  // a range's middle splits it along depth mod 3
+    std::vector<unsigned> order_;
+    Vec3 low_;  // corners of the box around all points
+    Vec3 high_;
 };
 
 }  // namespace endmill

@@ -2,6 +2,7 @@
 #include "endmill/surface/surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -28,8 +29,9 @@ LocalParameter localize(std::span<const double> breaks, int number, double param
 
 bool rises(std::span<const double> breaks)
 {
-    return std::ranges::adjacent_find(breaks, std::ranges::greater_equal{}) ==
-           breaks.end();
+    return std::isfinite(breaks.front()) && std::isfinite(breaks.back()) &&
+           std::ranges::adjacent_find(breaks, std::ranges::greater_equal{}) ==
+               breaks.end();
 }
 
 double net_diagonal(std::span<const BezierPatch> patches)
@@ -40,6 +42,19 @@ double net_diagonal(std::span<const BezierPatch> patches)
             for (int i = 0; i < 4; ++i)
                 box.extend(patch.control_point(i, j));
     return box.diagonal().norm();
+}
+
+std::vector<double> copied(std::span<const double> values)
+{
+    return {values.begin(), values.end()};
+}
+
+// The tool side by its name, when the parametrisation turns the other way round.
+ToolSide mirrored(ToolSide side)
+{
+    if (side == ToolSide::Up)
+        return side;
+    return side == ToolSide::DuCrossDv ? ToolSide::DvCrossDu : ToolSide::DuCrossDv;
 }
 
 std::vector<double> whole_numbers_to(int last)
@@ -63,7 +78,8 @@ Surface::Surface(std::vector<double> breaks_u, std::vector<double> breaks_v,
             "Surface: need at least one patch");
     require((breaks_u_.size() - 1) * (breaks_v_.size() - 1) == patches_.size(),
             "Surface: the number of patches does not match the breaks");
-    require(rises(breaks_u_) && rises(breaks_v_), "Surface: the breaks do not rise");
+    require(rises(breaks_u_) && rises(breaks_v_),
+            "Surface: the breaks are not finite and rising");
 }
 
 std::span<const double> Surface::breaks(Parameter along) const
@@ -90,6 +106,12 @@ int Surface::patch_number(Parameter along, double parameter) const
 {
     const auto inner = breaks(along).subspan(1, breaks(along).size() - 2);
     return static_cast<int>(std::ranges::upper_bound(inner, parameter) - inner.begin());
+}
+
+double Surface::patch_width(Parameter along, double parameter) const
+{
+    const int number = patch_number(along, parameter);
+    return breaks(along)[number + 1] - breaks(along)[number];
 }
 
 SurfaceTangents Surface::tangents(double u, double v) const
@@ -152,15 +174,24 @@ Surface transposed(const Surface& surface)
     for (int i = 0; i < surface.patches(Parameter::U); ++i)
         for (int j = 0; j < surface.patches(Parameter::V); ++j)
             patches.push_back(transposed(surface.patch(i, j)));
-    const auto breaks_u = surface.breaks(Parameter::U);
-    const auto breaks_v = surface.breaks(Parameter::V);
-    ToolSide side = surface.tool_side();
-    if (side != ToolSide::Up)
-        side = side == ToolSide::DuCrossDv ? ToolSide::DvCrossDu : ToolSide::DuCrossDv;
-    return Surface{{breaks_v.begin(), breaks_v.end()},
-                   {breaks_u.begin(), breaks_u.end()},
-                   std::move(patches),
-                   side};
+    return Surface{copied(surface.breaks(Parameter::V)),
+                   copied(surface.breaks(Parameter::U)), std::move(patches),
+                   mirrored(surface.tool_side())};
+}
+
+Surface reversed_in_u(const Surface& surface)
+{
+    std::vector<double> breaks_u = copied(surface.breaks(Parameter::U));
+    const double sum = breaks_u.front() + breaks_u.back();
+    std::ranges::reverse(breaks_u);
+    for (double& u : breaks_u)
+        u = sum - u;
+    std::vector<BezierPatch> patches;
+    for (int j = 0; j < surface.patches(Parameter::V); ++j)
+        for (int i = surface.patches(Parameter::U); i-- > 0;)
+            patches.push_back(reversed_in_u(surface.patch(i, j)));
+    return Surface{std::move(breaks_u), copied(surface.breaks(Parameter::V)),
+                   std::move(patches), mirrored(surface.tool_side())};
 }
 
 }  // namespace endmill

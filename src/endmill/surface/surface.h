@@ -26,7 +26,7 @@ public:
     /// \param breaks_u  borders of the patches in u, rising, one more than patches in u.
     /// \param breaks_v  the same in v.
     /// \param patches   patch (i, j) at [j * patches_u + i].
-    /// \throws DomainError if the sizes disagree or the breaks do not rise.
+    /// \throws DomainError if the sizes disagree, or the breaks are not finite and rising.
     Surface(std::vector<double> breaks_u, std::vector<double> breaks_v,
             std::vector<BezierPatch> patches, ToolSide tool_side = ToolSide::Up);
 
@@ -42,6 +42,9 @@ public:
     /// Number of the patch along `along` that serves `parameter`: at a border the one
     /// above it; beyond the ends the last one, whose polynomial goes on there.
     int patch_number(Parameter along, double parameter) const;
+
+    /// Width in `along` of the patch that serves `parameter`.
+    double patch_width(Parameter along, double parameter) const;
 
     /// Point and first partials at (u, v).
     SurfaceTangents tangents(double u, double v) const;
@@ -70,12 +73,17 @@ private:
 /// Source: [KimChoi, section 2 and fig. 11].
 ///
 /// \param net (3 patches_u + 1) (3 patches_v + 1) control points in mm, u running
-/// fastest. \throws DomainError if a count is below 1, the net has another size, or a
-/// point is not finite.
+///        fastest.
+/// \throws DomainError if a count is below 1, the net has another size, or a point is
+///        not finite.
 Surface composite_bezier(int patches_u, int patches_v, std::span<const Vec3> net,
                          ToolSide tool_side = ToolSide::Up);
 
 /// The same surface with u and v exchanged; its tool side stays the same in space.
 Surface transposed(const Surface& surface);
+
+/// The same surface with u turned round: what was at u is at low + high - u, where low
+/// and high end the range of u. Its tool side stays the same in space.
+Surface reversed_in_u(const Surface& surface);
 
 }  // namespace endmill

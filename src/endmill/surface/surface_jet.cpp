@@ -10,6 +10,8 @@ namespace {
 
 // Sine of the angle between the partials below which their cross product is rounding.
 constexpr double parallel_sine = 1e-10;
+// Length of a partial, as a share of the other one, below which it vanishes.
+constexpr double vanishing_share = 1e-10;
 
 }  // namespace
 
@@ -25,6 +27,18 @@ Vec3 unit_normal(const SurfaceTangents& tangents)
         throw GeometryError{
             "unit_normal: the partial derivatives are parallel or vanish"};
     return tangents.du.cross(tangents.dv).normalized();
+}
+
+std::optional<Vec3> limit_normal(const SurfaceJet& jet, const InwardSigns& inward)
+{
+    SurfaceTangents tangents{jet.point, jet.du, jet.dv};
+    if (jet.du.norm() <= vanishing_share * jet.dv.norm())
+        tangents.du = inward.v * jet.duv;
+    else if (jet.dv.norm() <= vanishing_share * jet.du.norm())
+        tangents.dv = inward.u * jet.duv;
+    if (is_singular(tangents))
+        return std::nullopt;
+    return unit_normal(tangents);
 }
 
 }  // namespace endmill

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "endmill/core/vec.h"
 
 namespace endmill {
@@ -30,5 +32,18 @@ bool is_singular(const SurfaceTangents& tangents);
 /// Unit normal du x dv / |du x dv|; its side is the parametrisation's, not the tool's.
 /// \throws GeometryError where `is_singular`.
 Vec3 unit_normal(const SurfaceTangents& tangents);
+
+/// To which side of a point the surface goes on: +1 towards larger parameters, -1 towards
+/// smaller ones (at the upper end of a range).
+struct InwardSigns {
+    int u;
+    int v;
+};
+
+/// Unit normal at `jet`, of the parametrisation's side, or its limit along the parameter
+/// line that leaves a collapsed edge (one partial vanishes, and with it the area): there
+/// du is to first order a multiple of duv, and duv x dv has the normal's direction.
+/// \return nothing where that limit does not exist either.
+std::optional<Vec3> limit_normal(const SurfaceJet& jet, const InwardSigns& inward);
 
 }  // namespace endmill

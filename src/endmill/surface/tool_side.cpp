@@ -9,6 +9,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
 #include "endmill/surface/bernstein_net.h"
+#include "endmill/surface/collapsed_edge.h"
 
 namespace endmill {
 namespace {
@@ -44,6 +45,18 @@ std::optional<SurfacePoint> low_corner(const BernsteinPiece& piece, double least
                 return SurfacePoint{piece.low.u + u * piece.width_u,
                                     piece.low.v + v * piece.width_v};
     return std::nullopt;
+}
+
+// (du x dv) . axis without the factors by which it vanishes on collapsed edges: what is
+// left has there the sign of the normal's limit.
+BernsteinNet reduced_normal_net(const BezierPatch& patch, const Vec3& axis)
+{
+    BernsteinNet net = normal_net(patch, axis);
+    for (const Parameter parameter : {Parameter::U, Parameter::V})
+        for (const int edge : {0, 1})
+            if (is_collapsed(patch, parameter, edge))
+                net = divided_by_edge(net, parameter, edge);
+    return net;
 }
 
 std::optional<SurfacePoint> place_not_above(BernsteinPiece whole, double least)
@@ -85,8 +98,8 @@ std::optional<UnreachablePlace> find_unreachable_place(const Surface& surface,
         for (int i = 0; i < surface.patches(Parameter::U); ++i) {
             const BezierPatch& patch = surface.patch(i, j);
             const double least = side_contact * longest_partials(patch);
-            const auto found =
-                place_not_above({normal_net(patch, side * axis), {0, 0}, 1, 1}, least);
+            const auto found = place_not_above(
+                {reduced_normal_net(patch, side * axis), {0, 0}, 1, 1}, least);
             if (!found)
                 continue;
             const auto u = surface.breaks(Parameter::U).subspan(i, 2);
@@ -107,10 +120,7 @@ void require_reachable(const Surface& surface, const Vec3& axis, double side)
     const auto found = find_unreachable_place(surface, axis, side);
     if (!found)
         return;
-    const std::string place =
-        "u = " + to_text(found->at.u) + ", v = " + to_text(found->at.v) + " (" +
-        to_text(found->point.x()) + ", " + to_text(found->point.y()) + ", " +
-        to_text(found->point.z()) + " mm)";
+    const std::string place = place_text(found->at, found->point);
     if (found->singular)
         throw GeometryError{"the surface has no normal at " + place};
     throw GeometryError{"the ball cannot touch the surface at " + place +

@@ -25,9 +25,10 @@ struct UnreachablePlace {
 
 /// Looks for an unreachable place by bounding (du x dv) . axis, a polynomial, on ever
 /// smaller pieces of each patch; not by sampling, so that a narrow overhang is found.
+/// On a collapsed edge the normal's limit counts.
 /// \param side from tool_side_sign.
-/// \return nothing only if N . axis > 0 everywhere, but for pieces narrower than 2^-14 of
-///         a patch, which are decided at their corners.
+/// \return nothing only if N . axis > 0 everywhere, but for pieces narrower than 2^-14
+///        of a patch, which are decided at their corners.
 std::optional<UnreachablePlace> find_unreachable_place(const Surface& surface,
                                                        const Vec3& axis, double side);
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/path/tool_path.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace endmill {
+namespace {
+
+constexpr Move moves[] = {Move::Cut, Move::Link, Move::Rapid, Move::Plunge,
+                          Move::Retract};
+
+TEST(Move, HasTheWordsOfThePathFormat)
+{
+    EXPECT_EQ(move_name(Move::Cut), "cut");
+    EXPECT_EQ(move_name(Move::Link), "link");
+    EXPECT_EQ(move_name(Move::Rapid), "rapid");
+    EXPECT_EQ(move_name(Move::Plunge), "plunge");
+    EXPECT_EQ(move_name(Move::Retract), "retract");
+}
+
+TEST(Move, HasADifferentWordForEachKind)
+{
+    std::set<std::string_view> words;
+    for (const Move move : moves)
+        words.insert(move_name(move));
+    EXPECT_EQ(words.size(), std::size(moves));
+    EXPECT_FALSE(words.contains(""));
+}
+
+TEST(ToolPath, OfAnEmptyPassHasNoPoints)
+{
+    EXPECT_TRUE(ToolPath{}.points.empty());
+}
+
+TEST(ToolPath, KeepsThatAContactIsUnknown)
+{
+    ToolPath path;
+    path.points.push_back({0, 0, Move::Rapid, {{1, 2, 3}, Vec3::UnitZ()}, std::nullopt});
+    path.points.push_back({0,
+                           1,
+                           Move::Plunge,
+                           {{1, 2, 0}, Vec3::UnitZ()},
+                           SurfaceContact{0.5, 0, {{1, 2, 0}, Vec3::UnitZ()}}});
+    const ToolPath copy = path;
+    EXPECT_FALSE(copy.points[0].contact);
+    EXPECT_EQ(copy.points[1].contact->u, 0.5);
+}
+
+}  // namespace
+}  // namespace endmill
