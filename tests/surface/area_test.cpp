@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/surface/area.h"
 
-#include <chrono>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -91,14 +90,11 @@ TEST(Area, OfAFanThatStartsAtAPointIsThatOfTheTriangle)
     EXPECT_LT(test::relative_error(area(fan), 0.5), stated);
 }
 
-TEST(Area, OfAPointAndOfALineIsNothingAndSoonKnown)
+TEST(Area, OfAPointAndOfALineIsNothing)
 {
     EXPECT_EQ(area(composite_bezier(1, 1, std::vector<Vec3>(16, Vec3{1, 2, 3}))), 0);
-    const auto start = std::chrono::steady_clock::now();
     const Vec3 along{0.3, 0.7, 0.1};
     EXPECT_NEAR(area(test::parallelogram(along, 1.7 * along)), 0, 1e-12);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(taken.count(), 1.0);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using Rule = boost::math::quadrature::gauss<double, 10>;
 constexpr double agreement = 1e-10;
 // The same as a share of the surface's diagonal squared: below it all is rounding.
 constexpr double rounding = 1e-15;
-constexpr int deepest_halving = 12;
+constexpr int deepest_halving = 6;
 
 struct Cell {
     double u;
@@ -63,6 +63,8 @@ double refined_area(const BezierPatch& patch, const Cell& cell, double coarse,
 
 double area(const Surface& surface)
 {
+    if (surface.diagonal() == 0)
+        return 0;
     double total = 0;
     for (int j = 0; j < surface.patches(Parameter::V); ++j)
         for (int i = 0; i < surface.patches(Parameter::U); ++i) {

@@ -39,7 +39,8 @@ struct Candidate {
 bool is_near_pole(const Surface& surface, const Vec3& du, const Vec3& dv)
 {
     constexpr double shortest = 1e-8;  // of the surface's diagonal
-    return !(std::min(du.norm(), dv.norm()) > shortest * surface.diagonal());
+    return surface.diagonal() == 0 ||
+           std::min(du.norm(), dv.norm()) <= shortest * surface.diagonal();
 }
 
 // A principal curvature to minimise; infinite where there is no normal.
