@@ -26,9 +26,9 @@ struct Paper {
 
 constexpr std::array papers{
     Paper{"KimChoi", "economic cutter locations: info, plan, eval"},
-    Paper{"JangKimJeong", "trimming of offset sections"},
-    Paper{"KangSuh", "five-axis machinability and setup"},
-    Paper{"ParkMaeng", "cutting forces, variable feed and speed"},
+    Paper{"JangKimJeong", "trimming of offset sections (not yet part of the program)"},
+    Paper{"KangSuh", "five-axis machinability and setup (not yet)"},
+    Paper{"ParkMaeng", "cutting forces, variable feed and speed (not yet)"},
 };
 
 // The value of `field` in the bibliography's entry `key`, without braces.

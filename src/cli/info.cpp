@@ -77,14 +77,17 @@ std::string text(const Json& s)
         "area             {} mm2\n"
         "continuity       {}, worst break {} degrees{}\n"
         "curvature        {} to {} per mm (positive: convex)\n"
-        "largest ball     radius {} mm{}\n"
+        "largest ball     {}{}\n"
         "from the axis    {}\n",
         s["name"].get<std::string>(), s["patches_u"].get<int>(),
         s["patches_v"].get<int>(), shown(s["size_mm"][0]), shown(s["size_mm"][1]),
         shown(s["size_mm"][2]), shown(s["area_mm2"]), s["continuity"].get<std::string>(),
         shown(s["worst_break_deg"]), place_shown(s["worst_break_at"]),
         shown(s["min_curvature_per_mm"]), shown(s["max_curvature_per_mm"]),
-        shown(s["max_cutter_radius_mm"]), place_shown(s["max_cutter_radius_at"]),
+        s["max_cutter_radius_mm"].is_null()
+            ? "none: nothing is concave"
+            : "radius " + shown(s["max_cutter_radius_mm"]) + " mm",
+        place_shown(s["max_cutter_radius_at"]),
         s["unreachable_at"].is_null()
             ? "all of the surface can be touched"
             : "not all can be touched: not" + place_shown(s["unreachable_at"]).substr(1));
@@ -104,8 +107,10 @@ ExitCode run_info(const InfoOptions& options)
     print_result(options.common, summary, text(summary));
     if (whole.continuity == Continuity::G1)
         return ExitCode::Yes;
-    warn(options.common, break_text(whole));
-    return options.g1_is_required ? ExitCode::No : ExitCode::Yes;
+    if (options.g1_is_required)
+        return refuse_break(options.part, whole, options.common);
+    warn(options.common, options.part + ": " + break_text(whole));
+    return ExitCode::Yes;
 }
 
 }  // namespace

@@ -31,6 +31,13 @@ const CLI::App& chosen_command(const CLI::App& program)
     return *command;
 }
 
+// "endmill eval path-interval": a command with those that it belongs to.
+std::string full_name(const CLI::App& command)
+{
+    const CLI::App* parent = command.get_parent();
+    return parent ? full_name(*parent) + " " + command.get_name() : command.get_name();
+}
+
 // What was meant by a word that `command` does not know.
 std::string suggestion(const CLI::App& command, const std::string& word)
 {
@@ -56,11 +63,9 @@ std::string usage_message(const CLI::App& program, const CLI::ParseError& error)
     const bool has_command = command.get_parent() != nullptr;
     const bool is_unknown = dynamic_cast<const CLI::ExtrasError*>(&error) || !has_command;
     if (is_unknown && !unknown.empty())
-        return "found \"" + unknown.front() + "\", which " +
-               (command.get_parent() ? "endmill " + command.get_name() : "endmill") +
+        return "found \"" + unknown.front() + "\", which " + full_name(command) +
                " does not know" + suggestion(command, unknown.front());
-    return std::string{error.what()} + "; see endmill " +
-           (has_command ? command.get_name() + " " : "") + "--help";
+    return std::string{error.what()} + "; see " + full_name(command) + " --help";
 }
 
 ExitCode run(int argc, char** argv, bool json_errors)

@@ -174,9 +174,9 @@ ExitCode run_plan(PlanOptions options)
     const Surface& surface = file.surface;
     PlanContext context{file.name, file.source, continuity(surface), {}, 0};
     if (context.continuity.continuity != Continuity::G1) {
-        warn(options.common, break_text(context.continuity));
         if (options.g1_is_required)
-            return ExitCode::No;
+            return refuse_break(options.part, context.continuity, options.common);
+        warn(options.common, options.part + ": " + break_text(context.continuity));
     }
     const Vec3& axis = options.planning.link.axis;
     const double side = tool_side_sign(surface, axis);
@@ -209,8 +209,15 @@ void add_plan_command(CLI::App& program, Action& action)
         "(default ./NAME-plan), for both directions to its folders u and v.\n\n"
         "Example:\n  endmill plan datasets/surfaces/net_rot24_7D.json --cutter ball:15 "
         "\\\n      --chord-tolerance 0.5 --scallop 0.5 --direction both -o results");
-    command->callback(
-        [options, &action] { action = [options] { return run_plan(*options); }; });
+    command->callback([options, &action] {
+        action = [options] {
+            try {
+                return run_plan(*options);
+            } catch (const GeometryError& error) {
+                throw GeometryError{options->part + ": " + error.what()};
+            }
+        };
+    });
 }
 
 }  // namespace endmill

@@ -61,6 +61,15 @@ std::string break_text(const SurfaceContinuity& continuity)
         continuity_name(continuity.continuity));
 }
 
+ExitCode refuse_break(const std::string& file, const SurfaceContinuity& continuity,
+                      const CommonOptions& options)
+{
+    report_error("E_REQUIRE",
+                 file + ": --require g1 is not met: " + break_text(continuity),
+                 ExitCode::No, options.json_errors);
+    return ExitCode::No;
+}
+
 void add_require_option(CLI::App& command, bool& g1_is_required)
 {
     static constexpr std::array choices{Choice<bool>{"g1", true}};

@@ -34,6 +34,10 @@ void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit);
 /// What to tell about a surface whose patches do not meet smoothly.
 std::string break_text(const SurfaceContinuity& continuity);
 
+/// Reports that --require g1 is not met by the surface of `file`.
+ExitCode refuse_break(const std::string& file, const SurfaceContinuity& continuity,
+                      const CommonOptions& options);
+
 /// The option --require, whose one word so far is g1.
 void add_require_option(CLI::App& command, bool& g1_is_required);
 

@@ -43,7 +43,7 @@ class Info(ProgramTest):
     def test_roof_is_g0_with_the_angle_of_its_ridge(self):
         done = endmill("info", self.file(roof(rise=30)), "--require", "g1")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("warning", done.stderr)
+        self.assertIn("--require g1 is not met", done.stderr)
         facts = self.summary("info", self.folder / "surface.json")
         self.assertEqual(facts["continuity"], "G0")
         self.assertAlmostEqual(facts["worst_break_deg"], 2 * math.degrees(math.atan2(30, 30)), delta=1e-9)

@@ -19,6 +19,8 @@ namespace {
 
 // In widths of a patch: a pass that advances less makes no progress.
 constexpr double least_advance = 1e-4;
+// How far from 1 the length of a normalised vector may lie by rounding.
+constexpr double unit_length = 1e-12;
 
 // Where the pass after the one at v lies; nothing if that was the last.
 std::optional<double> next_pass(const Surface& surface, double v, double candidate,
@@ -58,7 +60,7 @@ void require_sound(const BallCutter& cutter, const IsoParametricOptions& options
             "plan_iso_parametric: need 0 < scallop height < 2 cutter radii");
     require(std::isfinite(options.cross_step) && options.cross_step > 0,
             "plan_iso_parametric: need 0 < cross step");
-    require(std::abs(options.link.axis.norm() - 1) < 1e-12,
+    require(std::abs(options.link.axis.norm() - 1) < unit_length,
             "plan_iso_parametric: the axis must be a unit vector");
 }
 

@@ -60,6 +60,8 @@ PathInterval path_interval(const BallCutter& cutter, double curvature,
 
 double highest_scallop(const BallCutter& cutter, double curvature)
 {
+    require(std::isfinite(curvature), "highest_scallop: the curvature must be finite");
+    require_fit(cutter.radius(), curvature);
     const double closing = 1 + 2 * curvature * cutter.radius();
     return closing < 0 ? infinity : 2 * cutter.radius() / (1 + std::sqrt(closing));
 }

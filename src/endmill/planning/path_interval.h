@@ -46,6 +46,8 @@ PathInterval path_interval(const BallCutter& cutter, double curvature,
 /// Greatest scallop that neighbouring passes of `cutter` leave at all, in mm: beyond it
 /// the balls no longer meet above the circle, h_max = 2R / (1 + sqrt(1 + 2kR)).
 /// Infinite if 1 + 2kR < 0: the concavity closes around the ball.
+/// \throws DomainError unless k is finite; GeometryError if 1 + kR <= 0.
+/// Relative error below 1e-14 while 1 + 2kR stays above 0.01.
 /// Source: [KimChoi, eq. (14)] at its turning point, derived in
 /// paper/notes/path-interval.md.
 double highest_scallop(const BallCutter& cutter, double curvature);

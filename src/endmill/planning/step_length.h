@@ -29,8 +29,7 @@ struct StepLength {
 /// of its curvature k at the start: L = 2 sqrt(2 delta/k - delta^2), D = L (1 - k delta).
 /// Beyond 45 degrees D would fall again as delta grows; the step is clamped there to
 /// L = sqrt(2)/k, D = 1/k.
-/// Source: [KimChoi, eq. (1), (2)], written in curvature; the clamp is derived there from
-/// the monotony of D.
+/// Source: [KimChoi, eq. (1), (2)], written in curvature; the clamp is ours.
 ///
 /// \param curvature       k in 1/mm; its sign does not matter; 0 gives Unlimited.
 /// \param chord_tolerance delta in mm.

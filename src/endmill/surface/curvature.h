@@ -33,7 +33,7 @@ struct TangentVector {
 };
 
 /// Components of the tangent vector nearest to `direction`, by the first form.
-/// Source: spec of [KimChoi, section 4.2], (a, b) = [E F; F G]^-1 (T.du, T.dv).
+/// Source: the first fundamental form, (a, b) = [E F; F G]^-1 (T.du, T.dv).
 TangentVector tangent_components(const FundamentalForms& forms, const SurfaceJet& jet,
                                  const Vec3& direction);
 

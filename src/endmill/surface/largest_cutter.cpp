@@ -279,7 +279,7 @@ std::optional<CurvatureRange> curvature_range(const Surface& surface, double sid
         {surface, side, [](const PrincipalCurvatures& k) { return -k.greatest; }});
     if (!least || !greatest)
         return std::nullopt;
-    return CurvatureRange{least->value, -greatest->value};
+    return CurvatureRange{least->value + 0.0, 0.0 - greatest->value};  // no minus zero
 }
 
 std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface,
