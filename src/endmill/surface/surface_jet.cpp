@@ -17,8 +17,9 @@ constexpr double vanishing_share = 1e-10;
 
 bool is_singular(const SurfaceTangents& tangents)
 {
-    const double area = tangents.du.cross(tangents.dv).norm();
-    return !(area > parallel_sine * tangents.du.norm() * tangents.dv.norm());
+    const double area2 = tangents.du.cross(tangents.dv).squaredNorm();
+    const double sides2 = tangents.du.squaredNorm() * tangents.dv.squaredNorm();
+    return !(area2 > parallel_sine * parallel_sine * sides2);
 }
 
 Vec3 unit_normal(const SurfaceTangents& tangents)
@@ -38,7 +39,7 @@ std::optional<Vec3> limit_normal(const SurfaceJet& jet, const InwardSigns& inwar
         tangents.dv = inward.u * jet.duv;
     if (is_singular(tangents))
         return std::nullopt;
-    return unit_normal(tangents);
+    return tangents.du.cross(tangents.dv).normalized();
 }
 
 }  // namespace endmill
