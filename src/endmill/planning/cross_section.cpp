@@ -46,6 +46,8 @@ CheckPlanePoint check_plane_point(const Surface& surface, const FeedFrame& frame
     const SurfacePoint estimate{frame.at.u + frame.cross.a * distance,
                                 frame.at.v + frame.cross.b * distance};
     const double tolerance = residual_share * surface.diagonal();
+    const double width_u = surface.patch_width(Parameter::U, frame.at.u);
+    const double width_v = surface.patch_width(Parameter::V, frame.at.v);
     SurfacePoint at = estimate;
     for (int iteration = 0; iteration <= most_iterations; ++iteration) {
         const SurfaceTangents tangents = surface.tangents(at.u, at.v);
@@ -63,8 +65,7 @@ CheckPlanePoint check_plane_point(const Surface& surface, const FeedFrame& frame
         double step_u = (b * across - d * along) / determinant;
         double step_v = (c * along - a * across) / determinant;
         const double patches =
-            std::max(std::abs(step_u) / surface.patch_width(Parameter::U, at.u),
-                     std::abs(step_v) / surface.patch_width(Parameter::V, at.v));
+            std::max(std::abs(step_u) / width_u, std::abs(step_v) / width_v);
         if (!std::isfinite(patches))
             break;
         const double share =
