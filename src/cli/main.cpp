@@ -6,13 +6,12 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "build_facts.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
-#include "endmill/io/suggestion.h"
+#include "cli/usage_message.h"
 
 namespace endmill {
 namespace {
@@ -22,51 +21,6 @@ constexpr const char* footer =
     "  endmill plan datasets/surfaces/net_rot24_7D.json --cutter ball:15\n\n"
     "Exit status: 0 done, yes   1 done, no   2 command line   3 input file   4 geometry\n"
     "             5 output      6 limit      7 our own fault  130, 143 interrupted";
-
-const CLI::App& chosen_command(const CLI::App& program)
-{
-    const CLI::App* command = &program;
-    while (!command->get_subcommands().empty())
-        command = command->get_subcommands().front();
-    return *command;
-}
-
-// "endmill eval path-interval": a command with those that it belongs to.
-std::string full_name(const CLI::App& command)
-{
-    const CLI::App* parent = command.get_parent();
-    return parent ? full_name(*parent) + " " + command.get_name() : command.get_name();
-}
-
-// What was meant by a word that `command` does not know.
-std::string suggestion(const CLI::App& command, const std::string& word)
-{
-    std::vector<std::string> known;
-    for (const CLI::Option* option : command.get_options())
-        for (const std::string& name : option->get_lnames())
-            known.push_back("--" + name);
-    for (const CLI::App* sub :
-         command.get_subcommands([](const CLI::App*) { return true; }))
-        known.push_back(sub->get_name());
-    const std::vector<std::string_view> words{known.begin(), known.end()};
-    const auto closest = closest_word(word.substr(0, word.find('=')), words);
-    return closest
-               ? "; did you mean " + std::string{*closest} + "?"
-               : "; see endmill " +
-                     (command.get_parent() ? command.get_name() + " " : "") + "--help";
-}
-
-std::string usage_message(const CLI::App& program, const CLI::ParseError& error)
-{
-    const CLI::App& command = chosen_command(program);
-    const std::vector<std::string> unknown = program.remaining(true);
-    const bool has_command = command.get_parent() != nullptr;
-    const bool is_unknown = dynamic_cast<const CLI::ExtrasError*>(&error) || !has_command;
-    if (is_unknown && !unknown.empty())
-        return "found \"" + unknown.front() + "\", which " + full_name(command) +
-               " does not know" + suggestion(command, unknown.front());
-    return std::string{error.what()} + "; see " + full_name(command) + " --help";
-}
 
 ExitCode run(int argc, char** argv, bool json_errors)
 {
@@ -85,10 +39,12 @@ ExitCode run(int argc, char** argv, bool json_errors)
     } catch (const CLI::CallForVersion& version) {
         print(std::string{version.what()} + "\n");
         return ExitCode::Yes;
-    } catch (const CLI::CallForHelp&) {
-        print(program.help());
-        return ExitCode::Yes;
     } catch (const CLI::ParseError& error) {
+        const bool is_help = dynamic_cast<const CLI::CallForHelp*>(&error) != nullptr;
+        if (is_help && !names_unknown_command(program)) {
+            print(program.help());
+            return ExitCode::Yes;
+        }
         report_error("E_PARAM", usage_message(program, error), ExitCode::Usage,
                      json_errors);
         return ExitCode::Usage;

@@ -22,6 +22,21 @@ class Program(ProgramTest):
         self.assert_refused(endmill("plam"), 2, "plan")
         self.assert_refused(endmill(), 2)
 
+    def test_formula_without_eval_is_an_unknown_command(self):
+        for arguments in ([], ["--help"], ["--radius", "5", "--curvature", "0", "--scallop", "1"]):
+            self.assert_refused(endmill("path-interval", *arguments), 2, '"path-interval", which endmill does not know',
+                                "did you mean endmill eval path-interval?")
+        self.assert_refused(endmill("step-lenth"), 2, "did you mean endmill eval step-length?")
+
+    def test_help_does_not_make_a_word_known(self):
+        self.assert_refused(endmill("plam", "--help"), 2, '"plam"', "did you mean plan?")
+        self.assert_refused(endmill("xyz", "--help"), 2, '"xyz"', "see endmill --help")
+        self.assert_refused(endmill("eval", "path-intervall", "--help"), 2, '"path-intervall"', "path-interval?")
+        for arguments in ([], ["eval"], ["eval", "path-interval"], ["eval", "--radius", "5"], ["plan", "--scalop"]):
+            done = endmill(*arguments, "--help")
+            self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
+            self.assertIn("Example:", done.stdout)
+
     def test_cite_prints_the_bibliography(self):
         done = endmill("cite", "--bibtex")
         self.assertEqual(done.stdout, (ROOT / "paper/references.bib").read_text(encoding="utf-8"))

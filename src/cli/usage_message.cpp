@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/usage_message.h"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "endmill/io/suggestion.h"
+
+namespace endmill {
+namespace {
+
+const CLI::App& chosen_command(const CLI::App& program)
+{
+    const CLI::App* command = &program;
+    while (!command->get_subcommands().empty())
+        command = command->get_subcommands().front();
+    return *command;
+}
+
+// "endmill eval path-interval": a command with those that it belongs to.
+std::string full_name(const CLI::App& command)
+{
+    const CLI::App* parent = command.get_parent();
+    return parent ? full_name(*parent) + " " + command.get_name() : command.get_name();
+}
+
+std::vector<const CLI::App*> subcommands(const CLI::App& command)
+{
+    return command.get_subcommands([](const CLI::App*) { return true; });
+}
+
+// A word that a command understands, and how to write it there.
+struct KnownWord {
+    std::string word;
+    std::string written;
+};
+
+// The options and commands of `command`, then the commands of its commands.
+std::vector<KnownWord> known_words(const CLI::App& command)
+{
+    std::vector<KnownWord> known;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames())
+            known.push_back({"--" + name, "--" + name});
+    for (const CLI::App* sub : subcommands(command))
+        known.push_back({sub->get_name(), sub->get_name()});
+    for (const CLI::App* sub : subcommands(command))
+        for (const CLI::App* lower : subcommands(*sub))
+            known.push_back({lower->get_name(), full_name(*lower)});
+    return known;
+}
+
+// What was meant by a word that `command` does not know.
+std::string suggestion(const CLI::App& command, const std::string& word)
+{
+    const std::vector<KnownWord> known = known_words(command);
+    std::vector<std::string_view> words;
+    for (const KnownWord& one : known)
+        words.push_back(one.word);
+    const auto closest = closest_word(word.substr(0, word.find('=')), words);
+    if (!closest)
+        return "; see " + full_name(command) + " --help";
+    const auto meant = std::ranges::find(known, *closest, &KnownWord::word);
+    return "; did you mean " + meant->written + "?";
+}
+
+}  // namespace
+
+bool names_unknown_command(const CLI::App& program)
+{
+    const std::vector<std::string> unknown = program.remaining(true);
+    return !subcommands(chosen_command(program)).empty() && !unknown.empty() &&
+           !unknown.front().starts_with('-');
+}
+
+std::string usage_message(const CLI::App& program, const CLI::ParseError& error)
+{
+    const CLI::App& command = chosen_command(program);
+    const std::vector<std::string> unknown = program.remaining(true);
+    const bool has_command = command.get_parent() != nullptr;
+    const bool is_unknown = dynamic_cast<const CLI::ExtrasError*>(&error) ||
+                            dynamic_cast<const CLI::CallForHelp*>(&error) || !has_command;
+    if (is_unknown && !unknown.empty())
+        return "found \"" + unknown.front() + "\", which " + full_name(command) +
+               " does not know" + suggestion(command, unknown.front());
+    return std::string{error.what()} + "; see " + full_name(command) + " --help";
+}
+
+}  // namespace endmill
