@@ -51,13 +51,12 @@ INSTANTIATE_TEST_SUITE_P(
                     BadText{"[1,", "1:4"}, BadText{"['a']", "1:2"},
                     BadText{"[\"ä\", }", "1:7"}, BadText{"[\"\x1b\"]", "1:3"}));
 
-INSTANTIATE_TEST_SUITE_P(NotANumber, MalformedJson,
-                         testing::Values(BadText{"[NaN]", "1:2"},
-                                         BadText{"[Infinity]", "1:2"},
-                                         BadText{"[1e999]", "1:6"},
-                                         BadText{"[-1e999]", "1:7"},
-                                         BadText{"{\"x\": [1, 1e-999]}", "/x/1"},
-                                         BadText{"[[], [0, -0.1e-400]]", "/1/1"}));
+INSTANTIATE_TEST_SUITE_P(
+    NotANumber, MalformedJson,
+    testing::Values(BadText{"[NaN]", "1:2"}, BadText{"[Infinity]", "1:2"},
+                    BadText{"[0, -Infinity]", "1:5"}, BadText{"[1e999]", "1:6"},
+                    BadText{"[-1e999]", "1:7"}, BadText{"{\"x\": [1, 1e-999]}", "/x/1"},
+                    BadText{"[[], [0, -0.1e-400]]", "/1/1"}));
 
 INSTANTIATE_TEST_SUITE_P(BadUtf8, MalformedJson,
                          testing::Values(BadText{"[\"\xff\"]", "1:3"},
@@ -68,6 +67,23 @@ INSTANTIATE_TEST_SUITE_P(DuplicateKeys, MalformedJson,
                          testing::Values(BadText{"{\"a\": 1, \"a\": 2}", "/a"},
                                          BadText{"[{\"b\": {\"a/~\": 1, \"a/~\": 1}}]",
                                                  "/0/b/a~1~0"}));
+
+TEST(JsonTree, NamesTheWordThatIsNoFiniteNumber)
+{
+    for (const std::string word :
+         {"NaN", "nan", "-NaN", "Infinity", "-Infinity", "+Infinity", "inf", "-inf"}) {
+        EXPECT_EQ(
+            complaint_about("{\"x\":\n[1, " + word + ", 2]}"),
+            "2:5: f:2:5: " + word + " is not a JSON number; expected a finite number");
+        EXPECT_EQ(complaint_about(word), "1:1: f:1:1: " + word +
+                                             " is not a JSON number; expected a finite "
+                                             "number");
+    }
+    for (const std::string word : {"nano", "1-Infinity", "Nan0", "bezier", "-", "nul"})
+        EXPECT_THAT(complaint_about("[" + word + "]"),
+                    testing::Not(HasSubstr("a finite number")))
+            << word;
+}
 
 TEST(JsonTree, AcceptsAByteOrderMarkAndZerosOfAnySpelling)
 {

@@ -122,6 +122,30 @@ bool spells_zero(std::string_view number)
     return digits.find_first_of("123456789") == std::string_view::npos;
 }
 
+// The word around `offset`: letters, digits and what else a number may hold.
+std::string_view word_around(std::string_view text, std::size_t offset)
+{
+    constexpr std::string_view of_word =
+        "0123456789+-.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    const auto before = text.substr(0, offset).find_last_not_of(of_word);
+    const auto begin = before == std::string_view::npos ? 0 : before + 1;
+    const auto end = std::min(text.find_first_not_of(of_word, offset), text.size());
+    return text.substr(begin, end - begin);
+}
+
+// Whether other languages spell infinity or what is not a number like this.
+bool spells_no_finite_number(std::string_view word)
+{
+    if (word.starts_with('-') || word.starts_with('+'))
+        word.remove_prefix(1);
+    std::string lower{word};
+    std::ranges::transform(lower, lower.begin(), [](char letter) {
+        return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a')
+                                              : letter;
+    });
+    return lower == "nan" || lower == "inf" || lower == "infinity";
+}
+
 // Builds the tree from the parser's events, and refuses what the parser lets through.
 class TreeBuilder final : public nlohmann::json_sax<json> {
 public:
@@ -164,11 +188,13 @@ public:
     bool parse_error(std::size_t position, const std::string& /*last_token*/,
                      const json::exception& error) override
     {
-        const auto [found, expected] = without_preamble(error.what());
         const std::size_t offset =
             std::min(std::max<std::size_t>(position, 1) - 1, text_.size());
-        throw FormatError{"E_JSON",
-                          {file_, line_and_column(text_, offset), found, expected}};
+        const std::string_view word = word_around(text_, offset);
+        if (spells_no_finite_number(word))
+            refuse_at(static_cast<std::size_t>(word.data() - text_.data()),
+                      {std::string{word} + " is not a JSON number", "a finite number"});
+        refuse_at(offset, without_preamble(error.what()));
     }
 
 private:
@@ -204,6 +230,13 @@ private:
             return {printable(message, longest_message), "valid JSON"};
         return {printable(message.substr(0, split), longest_message),
                 printable(message.substr(split + before_expected.size()), longest_echo)};
+    }
+
+    [[noreturn]] void refuse_at(std::size_t offset, const Complaint& complaint) const
+    {
+        throw FormatError{
+            "E_JSON",
+            {file_, line_and_column(text_, offset), complaint.found, complaint.expected}};
     }
 
     // Complains of the value or key that was added last.
