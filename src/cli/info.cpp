@@ -55,18 +55,17 @@ Json summarize(const SurfaceFile& file, const SurfaceContinuity& continuity,
     return summary;
 }
 
-// A number of a summary for a person: six digits, or "none".
+// A number of a summary for a person: six digits and no minus zero, or "none".
 std::string shown(const Json& number)
 {
-    return number.is_null() ? "none" : fmt::format("{:.6g}", number.get<double>());
+    return number.is_null() ? "none" : fmt::format("{:.6g}", number.get<double>() + 0.0);
 }
 
 std::string place_shown(const Json& place)
 {
     if (place.is_null())
         return "";
-    return fmt::format(", at u {:.6g}, v {:.6g}", place["u"].get<double>(),
-                       place["v"].get<double>());
+    return ", at u " + shown(place["u"]) + ", v " + shown(place["v"]);
 }
 
 std::string text(const Json& s)

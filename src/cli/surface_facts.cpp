@@ -39,9 +39,13 @@ Json place_json(const SurfacePoint& at, const Vec3& point)
 
 void add_continuity(Json& summary, const SurfaceContinuity& continuity)
 {
+    const BorderBreak& worst = continuity.worst;
+    const bool is_broken =
+        worst.continuity != Continuity::G1 || worst.normals.radians() > 0;
     summary["continuity"] = continuity_name(continuity.continuity);
-    summary["worst_break_deg"] = continuity.worst.normals.degrees();
-    summary["worst_break_at"] = place_json(continuity.worst.at, continuity.worst.point);
+    summary["worst_break_deg"] = worst.normals.degrees();
+    summary["worst_break_at"] =
+        is_broken ? place_json(worst.at, worst.point) : Json(nullptr);
 }
 
 void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit)

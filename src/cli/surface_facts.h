@@ -25,7 +25,8 @@ Json place_json(const SurfacePoint& at, const Vec3& point);
 /// `point` as an array.
 Json vector_json(const Vec3& point);
 
-/// Adds `continuity`, `worst_break_deg` and `worst_break_at` to a summary.
+/// Adds `continuity`, `worst_break_deg` and `worst_break_at` to a summary; null if no
+/// border has a break.
 void add_continuity(Json& summary, const SurfaceContinuity& continuity);
 
 /// Adds `max_cutter_radius_mm` and `max_cutter_radius_at`, null without a limit.
