@@ -108,6 +108,15 @@ FigureOptions figure_options(const Json& s)
     return figure;
 }
 
+// A run with other directions left files that would be taken for this one's.
+void replace_earlier_run(OutputFolder& folder)
+{
+    for (const std::string prefix : {"", "u/", "v/"})
+        for (const char* name :
+             {"toolpath.csv", "toolpath.vtp", "toolpath.svg", "summary.json"})
+            folder.remove_unless_written(prefix + name);
+}
+
 struct DirectionResult {
     PlannedDirection planned;
     Json summary;
@@ -188,6 +197,7 @@ ExitCode run_plan(PlanOptions options)
     OutputFolder folder{output_folder(options.part, "plan", options.common),
                         options.common.force};
     folder.protect(options.part);
+    replace_earlier_run(folder);
     const PlanResult result = plan_as_asked({surface, context, options}, folder);
     folder.publish();
     print_result(options.common, result.summary,
@@ -206,7 +216,10 @@ void add_plan_command(CLI::App& program, Action& action)
     add_plan_options(*command, *options);
     command->footer(
         "Writes toolpath.csv, toolpath.vtp, toolpath.svg and summary.json to --output\n"
-        "(default ./NAME-plan), for both directions to its folders u and v.\n\n"
+        "(default ./NAME-plan), for both directions to its folders u and v. With "
+        "--force, "
+        "files\nof these names that an earlier run left there are replaced or "
+        "removed.\n\n"
         "Example:\n  endmill plan datasets/surfaces/net_rot24_7D.json --cutter ball:15 "
         "\\\n      --chord-tolerance 0.5 --scallop 0.5 --direction both -o results");
     command->callback([options, &action] {

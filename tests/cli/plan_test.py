@@ -59,6 +59,37 @@ class PlanOnAPlane(ProgramTest):
             for name in ("toolpath.csv", "toolpath.vtp", "toolpath.svg", "summary.json"):
                 self.assertTrue((self.folder / "out" / direction / name).is_file())
 
+    def files(self):
+        return {str(path.relative_to(self.folder / "out")) for path in (self.folder / "out").rglob("*.*")}
+
+    def test_forced_run_leaves_only_its_own_files_and_those_of_others(self):
+        path = self.file(plane(size=(60, 30)))
+        one = {"toolpath.csv", "toolpath.vtp", "toolpath.svg", "summary.json"}
+        both = {f"{direction}/{name}" for direction in "uv" for name in one} | {"summary.json"}
+        self.summary("plan", path, *BALL, "-o", "out")
+        self.assertEqual(self.files(), both)
+        (self.folder / "out/v/notes.txt").write_text("mine")
+        (self.folder / "out/toolpath.csv.bak").write_text("mine")
+        for direction, written in (("u", one), ("both", both), ("v", one)):
+            self.summary("plan", path, *BALL, "--direction", direction, "--force", "-o", "out")
+            self.assertEqual(self.files(), written | {"v/notes.txt", "toolpath.csv.bak"})
+        self.assertFalse((self.folder / "out/u").exists())
+
+    def test_forced_run_that_fails_leaves_the_earlier_files(self):
+        path = self.file(plane(size=(60, 30)))
+        self.summary("plan", path, *BALL, "-o", "out")
+        before = self.files()
+        done = endmill("plan", path, *BALL, "--direction", "u", "--force", "-o", "out", "--max-memory", "1e-6",
+                       cwd=self.folder)
+        self.assert_refused(done, 6)
+        self.assertEqual(self.files(), before)
+
+    def test_input_in_the_output_folder_is_not_removed(self):
+        (self.folder / "out/u").mkdir(parents=True)
+        path = self.file(plane(size=(60, 30)), "out/u/summary.json")
+        self.summary("plan", path, *BALL, "--direction", "v", "--force", "-o", "out")
+        self.assertIn("u/summary.json", self.files())
+
     def test_another_tool_axis_moves_the_tips_only(self):
         path = self.file(plane(size=(60, 30)))
         self.summary("plan", path, *BALL, "--direction", "u", "-o", "up")

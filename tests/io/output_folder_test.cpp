@@ -164,6 +164,91 @@ TEST(OutputFolder, DoesNotReplaceAFolder)
     EXPECT_THROW(output.write("a.csv", "x"), OutputError);
 }
 
+class LeftoverTest : public testing::Test {
+protected:
+    // Publishes a run that writes the first of two files and may have left the second.
+    void publish_first(const fs::path& input = {})
+    {
+        OutputFolder output{place.path(), /*force=*/true};
+        if (!input.empty())
+            output.protect(input);
+        for (const char* name : {"first.csv", "u/second.csv"})
+            output.remove_unless_written(name);
+        output.write("first.csv", "new");
+        output.publish();
+    }
+
+    const TemporaryFolder place;
+};
+
+TEST_F(LeftoverTest, IsRemovedWithItsFolderWhenPublished)
+{
+    place.put("first.csv", "old");
+    fs::create_directory(place.path() / "u");
+    place.put("u/second.csv", "old");
+    publish_first();
+    EXPECT_EQ(names_in(place.path()), Names{"first.csv"});
+    EXPECT_EQ(content_of(place.path() / "first.csv"), "new");
+}
+
+TEST_F(LeftoverTest, IsAllThatIsRemoved)
+{
+    for (const char* folder : {"u", "u/v", "v"})
+        fs::create_directory(place.path() / folder);
+    for (const char* name : {"u/second.csv", "u/other.csv", "u/v/second.csv", "mine.txt"})
+        place.put(name, "old");
+    publish_first();
+    EXPECT_EQ(names_in(place.path()), (Names{"first.csv", "mine.txt", "u", "u/other.csv",
+                                             "u/v", "u/v/second.csv", "v"}));
+}
+
+TEST_F(LeftoverTest, StaysUnlessPublished)
+{
+    fs::create_directory(place.path() / "u");
+    place.put("u/second.csv", "old");
+    {
+        OutputFolder output{place.path(), /*force=*/true};
+        output.remove_unless_written("u/second.csv");
+        output.write("first.csv", "new");
+    }
+    EXPECT_EQ(names_in(place.path()), (Names{"u", "u/second.csv"}));
+}
+
+TEST_F(LeftoverTest, StaysIfItIsTheInput)
+{
+    fs::create_directory(place.path() / "u");
+    publish_first(place.put("u/second.csv", "the input"));
+    EXPECT_EQ(content_of(place.path() / "u/second.csv"), "the input");
+}
+
+TEST_F(LeftoverTest, StaysIfALinkLeadsToIt)
+{
+    const TemporaryFolder elsewhere;
+    elsewhere.put("second.csv", "of another");
+    fs::create_directory_symlink(elsewhere.path(), place.path() / "u");
+    publish_first();
+    EXPECT_TRUE(fs::exists(elsewhere.path() / "second.csv"));
+    EXPECT_TRUE(fs::is_symlink(place.path() / "u"));
+}
+
+TEST_F(LeftoverTest, StaysIfItIsNoPlainFile)
+{
+    fs::create_directories(place.path() / "u/second.csv");
+    publish_first();
+    EXPECT_EQ(names_in(place.path()), (Names{"first.csv", "u", "u/second.csv"}));
+    fs::remove(place.path() / "u/second.csv");
+    fs::create_symlink("../first.csv", place.path() / "u/second.csv");
+    publish_first();
+    EXPECT_TRUE(fs::is_symlink(place.path() / "u/second.csv"));
+}
+
+TEST_F(LeftoverTest, MustHaveAPlainName)
+{
+    OutputFolder output{place.path()};
+    for (const char* name : {"", "..", "../x", "/tmp/x"})
+        EXPECT_THROW(output.remove_unless_written(name), DomainError) << name;
+}
+
 // A limit on the size of files stands for a full disk.
 class FileSizeLimit {
 public:

@@ -171,6 +171,19 @@ void require_plain_name(const fs::path& name)
                           " is no name of a file in the folder"};
 }
 
+// Whether `name` lies in `folder` itself: no folder on the way is a link to elsewhere.
+bool lies_inside(const fs::path& folder, const fs::path& name)
+{
+    std::error_code error;
+    fs::path path = folder;
+    for (const fs::path& part : name.parent_path()) {
+        path /= part;
+        if (!fs::is_directory(fs::symlink_status(path, error)))
+            return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 OutputFolder::OutputFolder(fs::path path, bool force) : path_{std::move(path)}
@@ -203,6 +216,12 @@ OutputFolder::~OutputFolder()
 void OutputFolder::protect(const fs::path& input)
 {
     inputs_.push_back(input);
+}
+
+void OutputFolder::remove_unless_written(const fs::path& name)
+{
+    require_plain_name(name);
+    leftovers_.push_back(name);
 }
 
 void OutputFolder::write(const fs::path& name, std::string_view content)
@@ -246,9 +265,15 @@ void OutputFolder::publish()
             if (::rename(file.temporary.c_str(), file.target.c_str()) != 0)
                 fail("write", file.target, errno);
             folders.insert(file.target.parent_path());
+            std::erase_if(leftovers_, [&](const fs::path& name) {
+                return path_ / name == file.target;
+            });
             pending_.erase(pending_.begin());
         }
         created_folders_.clear();
+        for (const fs::path& name : leftovers_)
+            remove_leftover(name);
+        leftovers_.clear();
     }
     std::ranges::for_each(folders, flush_folder);
 }
@@ -286,10 +311,32 @@ void OutputFolder::check_target(const fs::path& target) const
     std::error_code error;
     if (fs::is_directory(target, error))
         fail("write", target, EISDIR);
-    for (const fs::path& input : inputs_)
-        if (fs::equivalent(target, input, error))
-            throw DomainError{"output " + shown_path(target) +
-                              " is the input file; expected another output folder"};
+    if (is_input(target))
+        throw DomainError{"output " + shown_path(target) +
+                          " is the input file; expected another output folder"};
+}
+
+bool OutputFolder::is_input(const fs::path& target) const
+{
+    std::error_code error;
+    return std::ranges::any_of(inputs_, [&](const fs::path& input) {
+        return fs::equivalent(target, input, error);
+    });
+}
+
+void OutputFolder::remove_leftover(const fs::path& name) const
+{
+    std::error_code error;
+    const fs::path target = path_ / name;
+    const bool is_ours = lies_inside(path_, name) &&
+                         fs::is_regular_file(fs::symlink_status(target, error)) &&
+                         !is_input(target);
+    if (!is_ours)
+        return;
+    if (::unlink(target.c_str()) != 0)
+        fail("remove", target, errno);
+    if (name.has_parent_path())
+        ::rmdir(target.parent_path().c_str());  // fails if something else lies in it
 }
 
 // The caller holds the registry's mutex.

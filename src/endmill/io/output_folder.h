@@ -26,8 +26,14 @@ public:
 
     const std::filesystem::path& path() const { return path_; }  ///< as given
 
-    /// Makes `write` refuse to replace `input`.
+    /// Makes `write` refuse to replace `input`, and keeps it from being removed.
     void protect(const std::filesystem::path& input);
+
+    /// Makes `publish` remove a file that an earlier run of the same command may have
+    /// left, unless this one writes it. Only a plain file, reached through no symbolic
+    /// link below `path()`, is removed; then its folder, if that is left empty.
+    /// \throws DomainError as `write`, for a name that it would refuse.
+    void remove_unless_written(const std::filesystem::path& name);
 
     /// Writes a file, flushed to the disk, that `publish` will show; a later one of the
     /// same name replaces it.
@@ -36,7 +42,8 @@ public:
     /// \throws OutputError if it cannot be written: no space, a folder in its place.
     void write(const std::filesystem::path& name, std::string_view content);
 
-    /// Renames every file to its own name, in the order written.
+    /// Renames every file to its own name, in the order written, then removes what is
+    /// left of an earlier run.
     /// \throws OutputError if that fails, or after `abandon_all`.
     void publish();
 
@@ -53,12 +60,15 @@ private:
 
     void make_folders(const std::filesystem::path& folder);
     void check_target(const std::filesystem::path& target) const;
+    bool is_input(const std::filesystem::path& target) const;
+    void remove_leftover(const std::filesystem::path& name) const;
     void abandon();
 
     std::filesystem::path path_;
     std::vector<std::filesystem::path> inputs_;
     std::vector<std::filesystem::path> created_folders_;  // outermost first
     std::vector<PendingFile> pending_;
+    std::vector<std::filesystem::path> leftovers_;  // names, unless they are written
 };
 
 /// Writes one file, whole or not at all, replacing what was there; creates its folder.
