@@ -140,7 +140,7 @@ class AnotherUser(ProgramTest):
         (self.folder / "locked").mkdir(mode=0o555)
         for target in ("locked", "locked/new"):
             done = self.run_as_user("plan", path, *PLAN[:-1], target)
-            self.assert_refused(done, 5, "locked")
+            self.assert_refused(done, 5, f"output folder {target}: Permission denied")
         self.assert_nothing_left("endmill", "locked", "surface.json")
 
 

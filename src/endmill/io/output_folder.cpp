@@ -298,10 +298,11 @@ void OutputFolder::make_folders(const fs::path& folder)
     require_not_abandoned();
     // One by one, to know which of them to remove again.
     while (!missing.empty()) {
-        if (::mkdir(missing.back().c_str(), 0777) == 0)
+        const int failure = ::mkdir(missing.back().c_str(), 0777) == 0 ? 0 : errno;
+        if (failure == 0)
             created_folders_.push_back(missing.back());
         else if (!fs::is_directory(missing.back(), error))
-            fail("create the output folder", missing.back(), errno);
+            fail("create the output folder", missing.back(), failure);
         missing.pop_back();
     }
 }
