@@ -35,78 +35,94 @@ class BadFiles(ProgramTest):
         self.assert_nothing_left("surface.json")
 
     def test_syntax(self):
-        self.assert_input_refused('{"format": "endmill-surface/1",\n "type": bezier}', ":2")
+        self.assert_input_refused('{"format": "endmill-surface/1",\n "type": bezier}', ":2:10: invalid literal")
 
     def test_empty_and_blank(self):
-        self.assert_input_refused("", "empty")
-        self.assert_input_refused(" \n\t", "empty")
+        self.assert_input_refused("", "file is empty")
+        self.assert_input_refused(" \n\t", "file is empty")
 
     def test_compressed(self):
-        self.assert_input_refused(b"\x1f\x8b\x08\x00more", "compressed")
+        self.assert_input_refused(b"\x1f\x8b\x08\x00more", "compressed input is not accepted")
 
     def test_other_formats(self):
-        self.assert_input_refused("solid x\nfacet normal 0 0 1\n", "STL")
+        self.assert_input_refused("solid x\nfacet normal 0 0 1\n", "looks like STL", "endmill-surface/1")
 
     def test_duplicate_key(self):
         text = json.dumps(plane()).replace('"patches_u": 1', '"patches_u": 1, "patches_u": 1')
-        self.assert_input_refused(text, "patches_u")
+        self.assert_input_refused(text, 'duplicate key "patches_u"')
 
     def test_unknown_key_with_suggestion(self):
-        self.assert_input_refused(changed(patches_w=1), "patches_w", "patches_u")
+        self.assert_input_refused(changed(patches_w=1), "/patches_w: unknown key", 'did you mean "patches_u"?')
 
     def test_missing_key(self):
-        self.assert_input_refused(changed(patches_v=None), "patches_v")
+        self.assert_input_refused(changed(patches_v=None), 'key "patches_v" is missing')
 
     def test_wrong_types_and_ranges(self):
-        for value in ("1", -1, 0, 2.9, 1.0, None, [], True, 10**30, 1e300):
+        shown = (("1", '"1"'), (-1, "-1"), (0, "0"), (2.9, "2.9"), (1.0, "1.0"), (None, "null"),
+                 ([], "an array of 0"), (True, "true"), (10**30, "1e+30"), (1e300, "1e+300"))
+        for value, found in shown:
             surface = plane()
             surface["patches_u"] = value
-            self.assert_input_refused(surface, "/patches_u")
+            self.assert_input_refused(surface, f"/patches_u: {found}; expected a whole number from 1 to 10000")
 
     def test_numbers_that_are_none(self):
-        for text in ("NaN", "Infinity", "-Infinity", "1e999", "1e-999", '"1"', "null", "1,5"):
-            content = json.dumps(with_point("HERE")).replace('"HERE"', f"[{text}, 0, 0]")
-            self.assert_input_refused(content)
+        before, after = json.dumps(with_point("HERE"), indent=1).split('"HERE"')
+        line, point = before.count("\n") + 1, "/control_points/2/1"
+        for text, *words in (("NaN", f":{line}:", " NaN is not a JSON number; expected a finite number"),
+                             ("Infinity", f":{line}:", " Infinity is not a JSON number; expected a finite"),
+                             ("-Infinity", f":{line}:", " -Infinity is not a JSON number; expected a finite"),
+                             ("1e999", f":{line}:", "overflow", "'1e999'"),
+                             ("0x10", f":{line}:", "invalid literal"),
+                             ("1e-999", f"{point}/0: 1e-999 underflows to zero"),
+                             ('"1"', f'{point}/0: "1"; expected a number'),
+                             ("null", f"{point}/0: null; expected a number"),
+                             ("1,5", f"{point}: a point of 4 numbers; expected 3")):
+            self.assert_input_refused(f"{before}[{text}, 0, 0]{after}", *words)
 
     def test_huge_coordinate(self):
-        self.assert_input_refused(with_point([1e7, 0, 0]), "/control_points/2/1")
+        self.assert_input_refused(with_point([1e7, 0, 0]),
+                                  "/control_points/2/1/0: coordinate 10000000.0", "--max-extent")
         self.assertEqual(endmill("info", self.folder / "surface.json", "--max-extent", "1e8").returncode, 0)
 
     def test_wrong_counts(self):
         ragged = plane()
         ragged["control_points"][1].pop()
-        self.assert_input_refused(ragged, "/control_points/1")
+        self.assert_input_refused(ragged, "/control_points/1: row has 3 points; expected 4")
         short = plane()
         short["control_points"].pop()
-        self.assert_input_refused(short, "/control_points")
-        self.assert_input_refused(with_point([1, 2]), "/control_points/2/1")
+        self.assert_input_refused(short, "/control_points: net has 3 rows; expected 4")
+        self.assert_input_refused(with_point([1, 2]), "/control_points/2/1: a point of 2 numbers; expected 3")
 
     def test_huge_declared_size(self):
-        self.assert_input_refused(changed(patches_u=10000, patches_v=10000), "control_points")
-        self.assert_input_refused(changed(patches_u=2**62), "/patches_u")
+        self.assert_input_refused(changed(patches_u=10000, patches_v=10000),
+                                  "/control_points: net has 4 rows; expected 30001")
+        self.assert_input_refused(changed(patches_u=2**62), f"/patches_u: {2**62}; expected")
 
     def test_deep_nesting_and_bad_utf8(self):
-        self.assert_input_refused("[" * 100_000 + "]" * 100_000)
-        self.assert_input_refused(json.dumps(plane()).replace("a test", "a \xff").encode("latin-1"))
+        self.assert_input_refused("[" * 100_000 + "]" * 100_000, ":1:65: nested deeper than 64")
+        text = json.dumps(plane()).replace("a test", "a \xff")
+        column = text.index("\xff") + 1
+        self.assert_input_refused(text.encode("latin-1"), f":1:{column}: ", "ill-formed UTF-8")
 
     def test_all_points_equal(self):
         surface = plane(size=(0, 0))
-        self.assert_input_refused(surface, "control_points")
+        self.assert_input_refused(surface, "/control_points: all control points are equal")
 
     def test_newer_format(self):
-        self.assert_input_refused(changed(format="endmill-surface/2"), "newer")
+        self.assert_input_refused(changed(format="endmill-surface/2"), "/format: ", "a newer version",
+                                  "endmill-surface/1")
 
     def test_missing_file_and_directory(self):
         self.assert_refused(endmill("info", self.folder / "none.json"), 3, "none.json", "No such file")
-        self.assert_refused(endmill("info", self.folder), 3, "directory")
+        self.assert_refused(endmill("info", self.folder), 3, str(self.folder), "is a directory; expected a file")
 
     def test_pipe_does_not_hang(self):
         os.mkfifo(self.folder / "pipe.json")
-        self.assert_refused(endmill("info", self.folder / "pipe.json"), 3, "pipe.json")
+        self.assert_refused(endmill("info", self.folder / "pipe.json"), 3, "pipe.json: is a device or a pipe")
 
     def test_control_characters_of_a_file_do_not_reach_the_terminal(self):
         done = endmill("info", self.file(changed(**{"\x1b[31mkey": 1})))
-        self.assert_refused(done, 3)
+        self.assert_refused(done, 3, "surface.json:/[31mkey: unknown key")
         self.assertNotIn("\x1b", done.stderr)
 
     def test_json_errors(self):
@@ -133,7 +149,7 @@ class AnotherUser(ProgramTest):
     def test_file_without_read_permission(self):
         path = self.file(plane())
         path.chmod(0o000)
-        self.assert_refused(self.run_as_user("info", path), 3, "surface.json", "ermission denied")
+        self.assert_refused(self.run_as_user("info", path), 3, "surface.json: cannot open: permission denied")
 
     def test_folder_that_cannot_be_written(self):
         path = self.file(plane())
@@ -151,37 +167,41 @@ class BadArguments(ProgramTest):
         self.assert_nothing_left("surface.json")
 
     def test_numbers_out_of_their_domain(self):
-        for cutter in ("ball:0", "ball:-1", "ball:nan", "ball:", "ball", "ball:1:2", "flat:3", "bull:10:2", "x"):
-            self.refused(2, "--cutter", cutter, words=["--cutter"])
+        for cutters, expected in ((("ball:0", "ball:-1", "ball:nan", "ball:"), "a diameter above 0 mm"),
+                                  (("ball", "ball:1:2", "x"), "ball:DIAMETER, such as"),
+                                  (("flat:3", "bull:10:2"), "the only cutter of this command")):
+            for cutter in cutters:
+                self.refused(2, "--cutter", cutter, words=[f'--cutter: found "{cutter}"; expected ', expected])
         for option in ("--chord-tolerance", "--scallop", "--feed", "--cross-step", "--max-memory"):
             for number in ("0", "-1", "nan", "inf", "1e999", "", "1,5", "0x10", "1 "):
-                self.refused(2, option, number, words=[option])
-        self.refused(2, "--cutter", "ball:10", "--scallop", "10", words=["--scallop"])
-        self.refused(2, "--threads", "0", words=["--threads"])
-        self.refused(2, "--safe-height", "nan", words=["--safe-height"])
+                self.refused(2, option, number, words=[f'{option}: found "{number}"; expected a number above 0'])
+        self.refused(2, "--cutter", "ball:10", "--scallop", "10", words=["--scallop 10: expected ", "10 mm"])
+        self.refused(2, "--threads", "0", words=['--threads: found "0"; expected a whole number from 1 to 1024'])
+        self.refused(2, "--safe-height", "nan", words=['--safe-height: found "nan"; expected a number'])
 
     def test_words_that_are_not_known(self):
-        self.refused(2, "--governing", "minn", words=["--governing", "min"])
-        self.refused(2, "--mode", "verified", words=["--mode"])
-        self.refused(2, "--require", "g2", words=["--require"])
-        self.refused(2, "--axis", "0,0,0", words=["--axis"])
-        self.refused(2, "--axis", "0,1", words=["--axis"])
-        self.refused(2, "--scalop", "1", words=["--scallop"])
+        self.refused(2, "--governing", "minn", words=['--governing: found "minn"', 'did you mean "min"?'])
+        self.refused(2, "--mode", "verified", words=['--mode: found "verified"; expected "paper"'])
+        self.refused(2, "--require", "g2", words=['--require: found "g2"; expected "g1"'])
+        self.refused(2, "--axis", "0,0,0", words=['--axis: found "0,0,0"; expected a vector that is not zero'])
+        self.refused(2, "--axis", "0,1", words=['--axis: found "0,1"; expected three numbers X,Y,Z'])
+        self.refused(2, "--scalop", "1", words=['found "--scalop"', "did you mean --scallop?"])
 
     def test_ball_above_the_limit(self):
         done = endmill("plan", SURFACES / "parabolic-cylinder.json", "--cutter", "ball:40", cwd=self.folder)
-        self.assert_refused(done, 4, "20.0", "u = ", "v = ")
+        self.assert_refused(done, 4, "parabolic-cylinder.json", "--cutter ball:40: radius 20 mm", "20.0",
+                            "u = ", "v = 1 ")
         self.assert_nothing_left()
 
     def test_axis_from_which_the_part_cannot_be_touched(self):
-        self.refused(4, "--axis", "1,0,0", words=["axis"])
+        self.refused(4, "--axis", "1,0,0", words=["surface.json", "u = 0, v = 0 ", "normal . axis = 0; expected"])
 
     def test_overhang(self):
         surface = plane(size=(60, 30))
         for row in surface["control_points"]:
             row[1][0], row[2][0] = 70, -10
         done = endmill("plan", self.file(surface), *PLAN, cwd=self.folder)
-        self.assert_refused(done, 4, "u = ")
+        self.assert_refused(done, 4, "surface.json", "cannot touch the surface at u = 0.5, ", "normal . axis = -1;")
 
     def test_degenerate_normals(self):
         surface = plane()
@@ -189,7 +209,7 @@ class BadArguments(ProgramTest):
             for i, point in enumerate(row):
                 point[:] = [i, i, 0]
         done = endmill("plan", self.file(surface), *PLAN, cwd=self.folder)
-        self.assert_refused(done, 4, "normal")
+        self.assert_refused(done, 4, "surface.json", "no normal at u = 0, v = 0 ")
 
     def test_only_g0_is_a_warning_with_the_place(self):
         surface = plane(patches_u=2)
@@ -204,6 +224,8 @@ class BadArguments(ProgramTest):
         self.assertIn("u = 1,", done.stderr)
         done = endmill("plan", path, *PLAN[:-1], "out2", "--require", "g1", cwd=self.folder)
         self.assertEqual(done.returncode, 1)
+        self.assertIn("--require g1 is not met: patches meet with a break of ", done.stderr)
+        self.assertIn("u = 1,", done.stderr)
         self.assertFalse((self.folder / "out2").exists())
 
 
@@ -212,20 +234,20 @@ class Output(ProgramTest):
         path = self.file(plane())
         (self.folder / "out").mkdir()
         (self.folder / "out/mine.txt").write_text("mine")
-        self.assert_refused(endmill("plan", path, *PLAN, cwd=self.folder), 2, "out", "not empty")
+        self.assert_refused(endmill("plan", path, *PLAN, cwd=self.folder), 2, "out is not empty", "--force")
         self.assertEqual(os.listdir(self.folder / "out"), ["mine.txt"])
 
     def test_file_in_place_of_the_folder(self):
         path = self.file(plane())
         self.file("mine", "out")
-        self.assert_refused(endmill("plan", path, *PLAN, cwd=self.folder), 2, "out")
+        self.assert_refused(endmill("plan", path, *PLAN, cwd=self.folder), 2, "output folder out is a file")
         self.assertEqual((self.folder / "out").read_text(), "mine")
 
     def test_full_disk_leaves_nothing(self):
         def limit():
             resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
         done = endmill("plan", SURFACES / "net_rot24_7D.json", "-o", "out", cwd=self.folder, preexec_fn=limit)
-        self.assert_refused(done, 5, "toolpath.csv")
+        self.assert_refused(done, 5, "out/u/toolpath.csv: File too large")
         self.assert_nothing_left()
 
     def test_standard_output_that_is_full(self):
@@ -238,7 +260,7 @@ class Output(ProgramTest):
     def test_too_many_points_are_told_before_the_work(self):
         done = endmill("plan", SURFACES / "net_rot24_7D.json", "--chord-tolerance", "1e-9", "-o", "out",
                        cwd=self.folder)
-        self.assert_refused(done, 6, "GiB")
+        self.assert_refused(done, 6, "CL points would need about", "GiB", "--max-memory")
         self.assert_nothing_left()
 
     def test_interrupt_leaves_nothing(self):

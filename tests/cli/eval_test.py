@@ -34,7 +34,7 @@ class Eval(ProgramTest):
         for rho in (-5, -4):
             done = endmill("eval", "path-interval", "--radius", 5, "--curvature", 1 / rho,
                            "--scallop", 0.5)
-            self.assert_refused(done, 4, str(-rho))
+            self.assert_refused(done, 4, f"radius 5 mm does not fit a concavity of radius {-rho} mm")
 
     def test_step_on_a_straight_line_is_unlimited(self):
         value = self.summary("eval", "step-length", "--curvature", 0, "--chord-tolerance", 0.5)
@@ -54,20 +54,23 @@ class Eval(ProgramTest):
         self.assertAlmostEqual(value["scallop_mm"], 0.501004520636059, delta=1e-14)
 
     def test_arguments_out_of_their_domain_exit_2(self):
-        for arguments in (["path-interval", "--radius", "0", "--curvature", "0", "--scallop", "1"],
-                          ["path-interval", "--radius", "5", "--curvature", "0", "--scallop", "10"],
-                          ["path-interval", "--radius", "5", "--curvature", "0", "--scallop", "-1"],
-                          ["path-interval", "--radius", "5", "--curvature", "nan", "--scallop", "1"],
-                          ["path-interval", "--radius", "inf", "--curvature", "0", "--scallop", "1"],
-                          ["step-length", "--curvature", "1", "--chord-tolerance", "0"],
-                          ["scallop-height", "--radius", "5", "--curvature", "0", "--interval", "0"],
-                          ["path-interval", "--radius", "5"],
-                          ["no-such-formula"]):
-            self.assert_refused(endmill("eval", *arguments), 2)
+        positive, ball = "; expected a number above 0", ("path-interval", "--radius", "5")
+        for arguments, word in (
+                (("path-interval", "--radius", "0"), f'--radius: found "0"{positive}'),
+                (("path-interval", "--radius", "inf"), f'--radius: found "inf"{positive}'),
+                ((*ball, "--curvature", "nan"), '--curvature: found "nan"; expected a number'),
+                ((*ball, "--curvature", "0", "--scallop", "-1"), f'--scallop: found "-1"{positive}'),
+                ((*ball, "--curvature", "0", "--scallop", "10"), "need 0 < scallop height < 2 cutter radii"),
+                (("step-length", "--curvature", "1", "--chord-tolerance", "0"),
+                 f'--chord-tolerance: found "0"{positive}'),
+                (("scallop-height", "--interval", "0"), f'--interval: found "0"{positive}'),
+                (ball, "--curvature is required"),
+                (("no-such-formula",), '"no-such-formula", which endmill eval does not know')):
+            self.assert_refused(endmill("eval", *arguments), 2, word)
 
     def test_interval_too_wide_for_the_balls_exits_4(self):
         done = endmill("eval", "scallop-height", "--radius", 5, "--curvature", 0, "--interval", 11)
-        self.assert_refused(done, 4, "10")
+        self.assert_refused(done, 4, "further apart than 10 mm")
 
     def test_alone_lists_what_it_knows(self):
         names = [formula["name"] for formula in self.summary("eval")["formulas"]]

@@ -81,7 +81,7 @@ class PlanOnAPlane(ProgramTest):
         before = self.files()
         done = endmill("plan", path, *BALL, "--direction", "u", "--force", "-o", "out", "--max-memory", "1e-6",
                        cwd=self.folder)
-        self.assert_refused(done, 6)
+        self.assert_refused(done, 6, "surface.json", "GiB", "--max-memory")
         self.assertEqual(self.files(), before)
 
     def test_input_in_the_output_folder_is_not_removed(self):

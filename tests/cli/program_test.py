@@ -19,8 +19,8 @@ class Program(ProgramTest):
         self.assertRegex(endmill("--version").stdout, r"^endmill \d+\.\d+\.\d+\n$")
 
     def test_unknown_command_gets_a_suggestion(self):
-        self.assert_refused(endmill("plam"), 2, "plan")
-        self.assert_refused(endmill(), 2)
+        self.assert_refused(endmill("plam"), 2, 'found "plam"', "did you mean plan?")
+        self.assert_refused(endmill(), 2, "subcommand is required", "endmill --help")
 
     def test_formula_without_eval_is_an_unknown_command(self):
         for arguments in ([], ["--help"], ["--radius", "5", "--curvature", "0", "--scallop", "1"]):

@@ -146,7 +146,8 @@ TEST(ReadCsv, ReadsAFileWithinTheMemoryLimit)
     const TemporaryFolder folder;
     const auto path = folder.put("a.csv", "x\n1\n");
     EXPECT_EQ(read_csv(path).number(0, "x"), 1);
-    EXPECT_THROW(read_csv(path, {.max_memory_gib = 1e-8}), LimitError);
+    EXPECT_THAT([&] { read_csv(path, {.max_memory_gib = 1e-8}); },
+                testing::ThrowsMessage<LimitError>(HasSubstr("a.csv: reading it needs")));
 }
 
 }  // namespace

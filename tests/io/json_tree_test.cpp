@@ -31,6 +31,7 @@ std::string complaint_about(const std::string& text)
 struct BadText {
     std::string text;
     std::string place;  // counted by hand
+    std::string found;  // part of it
 };
 
 class MalformedJson : public testing::TestWithParam<BadText> {};
@@ -39,34 +40,45 @@ TEST_P(MalformedJson, IsRefusedAtItsPlace)
 {
     const std::string complaint = complaint_about(GetParam().text);
     EXPECT_THAT(complaint, testing::StartsWith(GetParam().place + ": "));
+    EXPECT_THAT(complaint, HasSubstr(GetParam().found));
     for (const char character : complaint)
         EXPECT_FALSE(static_cast<unsigned char>(character) < 0x20) << complaint;
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Syntax, MalformedJson,
-    testing::Values(BadText{"{\"a\": 1,}", "1:9"}, BadText{"[1 2]", "1:4"},
-                    BadText{"{\n \"a\"\n 1}", "3:2"}, BadText{"[01]", "1:3"},
-                    BadText{"{} x", "1:4"}, BadText{"{}\0x"s, "1:3"},
-                    BadText{"[1,", "1:4"}, BadText{"['a']", "1:2"},
-                    BadText{"[\"ä\", }", "1:7"}, BadText{"[\"\x1b\"]", "1:3"}));
+    testing::Values(BadText{"{\"a\": 1,}", "1:9", "unexpected '}'"},
+                    BadText{"[1 2]", "1:4", "unexpected number literal; expected ']'"},
+                    BadText{"{\n \"a\"\n 1}", "3:2", "expected ':'"},
+                    BadText{"[01]", "1:3", "expected ']'"},
+                    BadText{"{} x", "1:4", "expected end of input"},
+                    BadText{"{}\0x"s, "1:3", "a NUL byte"},
+                    BadText{"[1,", "1:4", "unexpected end of input"},
+                    BadText{"['a']", "1:2", "invalid literal"},
+                    BadText{"[\"ä\", }", "1:7", "unexpected '}'"},
+                    BadText{"[\"\x1b\"]", "1:3", "U+001B (ESC) must be escaped"}));
 
 INSTANTIATE_TEST_SUITE_P(
     NotANumber, MalformedJson,
-    testing::Values(BadText{"[NaN]", "1:2"}, BadText{"[Infinity]", "1:2"},
-                    BadText{"[0, -Infinity]", "1:5"}, BadText{"[1e999]", "1:6"},
-                    BadText{"[-1e999]", "1:7"}, BadText{"{\"x\": [1, 1e-999]}", "/x/1"},
-                    BadText{"[[], [0, -0.1e-400]]", "/1/1"}));
+    testing::Values(BadText{"[NaN]", "1:2", "NaN is not a JSON number"},
+                    BadText{"[Infinity]", "1:2", ": Infinity is not a JSON number"},
+                    BadText{"[0, -Infinity]", "1:5", "-Infinity is not a JSON number"},
+                    BadText{"[1e999]", "1:6", "overflow parsing '1e999'"},
+                    BadText{"[-1e999]", "1:7", "overflow parsing '-1e999'"},
+                    BadText{"{\"x\": [1, 1e-999]}", "/x/1", "1e-999 underflows to zero"},
+                    BadText{"[[], [0, -0.1e-400]]", "/1/1", "-0.1e-400 underflows"}));
 
 INSTANTIATE_TEST_SUITE_P(BadUtf8, MalformedJson,
-                         testing::Values(BadText{"[\"\xff\"]", "1:3"},
-                                         BadText{"[\"\xc3\"]", "1:4"},
-                                         BadText{"[\"\xed\xa0\x80\"]", "1:4"}));
+                         testing::Values(BadText{"[\"\xff\"]", "1:3", "ill-formed UTF-8"},
+                                         BadText{"[\"\xc3\"]", "1:4", "ill-formed UTF-8"},
+                                         BadText{"[\"\xed\xa0\x80\"]", "1:4",
+                                                 "ill-formed UTF-8"}));
 
 INSTANTIATE_TEST_SUITE_P(DuplicateKeys, MalformedJson,
-                         testing::Values(BadText{"{\"a\": 1, \"a\": 2}", "/a"},
+                         testing::Values(BadText{"{\"a\": 1, \"a\": 2}", "/a",
+                                                 "duplicate key \"a\""},
                                          BadText{"[{\"b\": {\"a/~\": 1, \"a/~\": 1}}]",
-                                                 "/0/b/a~1~0"}));
+                                                 "/0/b/a~1~0", "duplicate key \"a/~\""}));
 
 TEST(JsonTree, NamesTheWordThatIsNoFiniteNumber)
 {
@@ -111,7 +123,8 @@ TEST(JsonTree, RefusesATreeThatWouldNotFit)
     text += "0]";
     // 100 000 values of 16 bytes and as many empty maps of 48.
     const double least_gib = 1e5 * (16 + 48) / (1 << 30);
-    EXPECT_THROW(json_tree(text, "f", {.max_memory_gib = least_gib}), LimitError);
+    EXPECT_THAT([&] { json_tree(text, "f", {.max_memory_gib = least_gib}); },
+                testing::ThrowsMessage<LimitError>(HasSubstr("f: reading it needs")));
     EXPECT_NO_THROW(json_tree(text, "f", {.max_memory_gib = 5 * least_gib}));
 }
 

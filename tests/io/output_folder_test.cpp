@@ -18,6 +18,7 @@ namespace endmill {
 namespace {
 
 namespace fs = std::filesystem;
+using std::string_literals::operator""s;
 using testing::HasSubstr;
 
 // All that lies in a folder, by path relative to it.
@@ -95,17 +96,14 @@ TEST(OutputFolder, RefusesAFolderThatIsNotEmptyOrAFile)
 {
     const TemporaryFolder place;
     const fs::path file = place.put("a", "x");
-    EXPECT_THROW(OutputFolder{place.path()}, DomainError);
+    const auto refuses = [](const std::string& message) {
+        return testing::ThrowsMessage<DomainError>(HasSubstr(message));
+    };
+    EXPECT_THAT([&] { OutputFolder{place.path()}; },
+                refuses("is not empty; expected a new or empty folder"));
     EXPECT_NO_THROW((OutputFolder{place.path(), /*force=*/true}));
-    EXPECT_THROW((OutputFolder{file, /*force=*/true}), DomainError);
-    EXPECT_THROW(OutputFolder{""}, DomainError);
-    try {
-        const OutputFolder output{place.path()};
-        FAIL();
-    } catch (const DomainError& error) {
-        EXPECT_THAT(error.what(),
-                    HasSubstr("is not empty; expected a new or empty folder"));
-    }
+    EXPECT_THAT([&] { (OutputFolder{file, /*force=*/true}); }, refuses("is a file"));
+    EXPECT_THAT([&] { OutputFolder{""}; }, refuses("an empty name"));
 }
 
 TEST(OutputFolder, SaysWhyAFolderCannotBeCreated)
@@ -143,7 +141,9 @@ TEST(OutputFolder, RefusesNamesThatLeaveTheFolder)
     const TemporaryFolder place;
     OutputFolder output{place.path() / "a"};
     for (const char* name : {"", ".", "..", "../x", "/tmp/x", "u/../../x", "u/"})
-        EXPECT_THROW(output.write(name, "x"), DomainError) << name;
+        EXPECT_THAT([&] { output.write(name, "x"); },
+                    testing::ThrowsMessage<DomainError>(
+                        HasSubstr(name + " is no name of a file in the folder"s)));
 }
 
 TEST(OutputFolder, DoesNotReplaceAProtectedInput)
@@ -152,7 +152,9 @@ TEST(OutputFolder, DoesNotReplaceAProtectedInput)
     const fs::path input = place.put("surface.json", "{}");
     OutputFolder output{place.path() / "." / "", /*force=*/true};
     output.protect(input);
-    EXPECT_THROW(output.write("surface.json", "x"), DomainError);
+    EXPECT_THAT(
+        [&] { output.write("surface.json", "x"); },
+        testing::ThrowsMessage<DomainError>(HasSubstr("surface.json is the input file")));
     output.write("summary.json", "x");
     output.publish();
     EXPECT_EQ(content_of(input), "{}");
@@ -163,7 +165,8 @@ TEST(OutputFolder, DoesNotReplaceAFolder)
     const TemporaryFolder place;
     fs::create_directory(place.path() / "a.csv");
     OutputFolder output{place.path(), /*force=*/true};
-    EXPECT_THROW(output.write("a.csv", "x"), OutputError);
+    EXPECT_THAT([&] { output.write("a.csv", "x"); },
+                testing::ThrowsMessage<OutputError>(HasSubstr("a.csv: Is a directory")));
 }
 
 class LeftoverTest : public testing::Test {

@@ -95,9 +95,11 @@ TEST(ReadFile, RefusesAFileLargerThanTheLimitBeforeReadingIt)
     const TemporaryFolder folder;
     const auto path = folder.put("sparse", "{");
     std::filesystem::resize_file(path, std::uintmax_t{9} << 30U);
-    EXPECT_THROW(read_file(path), LimitError);
-    EXPECT_THROW(read_file(folder.put("a", "12345"), {.max_memory_gib = 1e-9}),
-                 LimitError);
+    EXPECT_THAT([&] { read_file(path); },
+                testing::ThrowsMessage<LimitError>(
+                    testing::HasSubstr("sparse: reading it needs about 9 GiB")));
+    EXPECT_THAT([&] { read_file(folder.put("a", "12345"), {.max_memory_gib = 1e-9}); },
+                testing::ThrowsMessage<LimitError>(testing::HasSubstr("1e-09 GiB")));
 }
 
 TEST(ReadFile, MessagesShowNoControlCharactersOfAName)

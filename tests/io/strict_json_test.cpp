@@ -120,10 +120,13 @@ TEST(JsonValue, AMissingKeyIsNamedAndAnOptionalOneIsNot)
     const JsonValue root = document.root();
     EXPECT_FALSE(root.find_member("b"));
     EXPECT_TRUE(root.find_member("a"));
-    EXPECT_THROW(root.member("b"), FormatError);
-    EXPECT_THROW(root.size(), FormatError);
+    const auto refuses = [](const std::string& message) {
+        return testing::ThrowsMessage<FormatError>(message);
+    };
+    EXPECT_THAT([&] { root.member("b"); }, refuses("f: key \"b\" is missing"));
+    EXPECT_THAT([&] { root.size(); }, refuses("f: an object; expected an array"));
     const JsonValue number = root.member("a");
-    EXPECT_THROW(number.find_member("c"), FormatError);
+    EXPECT_THAT([&] { number.find_member("c"); }, refuses("f:/a: 1; expected an object"));
 }
 
 TEST(JsonValue, AWordIsOneOfThoseAllowed)
