@@ -175,6 +175,29 @@ TEST(CheckPlanePoint, OnAParabolaIsTheRootOfAQuadratic)
         }
 }
 
+TEST(CheckPlanePoint, BeyondTheMostVIsLeftAlone)
+{
+    test::Random random{2};
+    int left_alone = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        const Surface surface = test::random_surface(seed, {2, 2}, 2);
+        const FeedFrame frame =
+            frame_at(surface, random.uniform(0, 2), random.uniform(0, 2));
+        const CheckPlanePoint whole = check_plane_point(surface, frame, 4);
+        const double most_v = whole.at.v + random.uniform(-0.2, 0.2);
+        const CheckPlanePoint found = check_plane_point(surface, frame, 4, most_v);
+        if (!whole.converged)
+            continue;
+        EXPECT_TRUE(found.converged || found.at.v > most_v);
+        EXPECT_TRUE(found.converged || whole.at.v > most_v) << "seed " << seed;
+        if (found.converged)
+            EXPECT_EQ(found.at.v, whole.at.v);
+        else
+            ++left_alone;
+    }
+    EXPECT_GT(left_alone, 50);
+}
+
 TEST(CheckPlanePoint, AtNoDistanceIsTheContactItself)
 {
     const Surface surface = test::random_surface(5);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
+#include <limits>
 
 #include "endmill/surface/curvature.h"
 #include "endmill/surface/surface.h"
@@ -43,8 +43,11 @@ struct CheckPlanePoint {
 /// ends of the surface the polynomials of its border patches go on.
 /// Source: [KimChoi, eq. (9), (10)]; eq. (6), (7) are the same with a small distance.
 /// \param distance in mm.
-CheckPlanePoint check_plane_point(const Surface& surface, const FeedFrame& frame,
-                                  double distance);
+/// \param most_v   the search ends, not converged, once its steps show v to lie beyond:
+///                 the place is then of no interest.
+CheckPlanePoint check_plane_point(
+    const Surface& surface, const FeedFrame& frame, double distance,
+    double most_v = std::numeric_limits<double>::infinity());
 
 /// Normal curvature in 1/mm across the feed at the contact, by the second fundamental
 /// form; positive where the part is convex.

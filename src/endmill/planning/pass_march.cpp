@@ -18,6 +18,7 @@
 namespace endmill {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int dense_samples = 16;  // a patch
 // Distance of unit normals at a pole beyond which they have no common limit.
 constexpr double same_normal = 1e-9;
@@ -41,19 +42,25 @@ public:
         const double end = line_.range().high;
         MarchedPass pass;
         std::vector<PassCandidate> candidates;
+        double most_v = infinity;  // of a candidate that can govern
+        const auto add_candidate = [&](const FeedFrame& frame) {
+            candidates.push_back(candidate(frame, most_v));
+            if (least_governs())
+                most_v = std::min(most_v, candidates.back().v);
+        };
         std::optional<double> u = line_.range().low;
         while (u) {
             const FeedFrame frame = frame_at(*u);
             pass.contacts.push_back(contact(frame));
             require_room(pass.contacts.size());
             if (!is_last)
-                candidates.push_back(candidate(frame));
+                add_candidate(frame);
             u = *u == end ? std::nullopt : next_parameter(frame);
         }
         if (!is_last) {
             if (options_.governing == Governing::DenseMin)
                 for (const double sample : dense_parameters())
-                    candidates.push_back(candidate(frame_at(sample)));
+                    add_candidate(frame_at(sample));
             pass.next = governing(std::move(candidates));
         }
         return pass;
@@ -69,7 +76,7 @@ private:
             if ((frame.forms.normal - first.forms.normal).norm() > same_normal)
                 throw GeometryError{"the surface has no normal at its pole " +
                                     place(frame.at, frame.jet)};
-            candidates.push_back(candidate(frame));
+            candidates.push_back(candidate(frame, infinity));
         }
         MarchedPass pass{{contact(first)}, std::nullopt};
         if (!is_last)
@@ -150,7 +157,14 @@ private:
         return is_there ? breaks[number + 2] : border;
     }
 
-    PassCandidate candidate(const FeedFrame& frame) const
+    bool least_governs() const
+    {
+        return options_.governing == Governing::Min ||
+               options_.governing == Governing::DenseMin;
+    }
+
+    // The next pass as this place allows it; no limit if that lies beyond most_v.
+    PassCandidate candidate(const FeedFrame& frame, double most_v) const
     {
         if (frame.passes_meet)
             return {};
@@ -166,7 +180,9 @@ private:
         if (interval.status == LengthStatus::Unlimited)
             return {};
         const SurfacePoint partner =
-            check_plane_point(marched_.surface, frame, interval.projected).at;
+            check_plane_point(marched_.surface, frame, interval.projected, most_v).at;
+        if (partner.v > most_v)
+            return {};
         return {partner.v, frame.at, partner};
     }
 

@@ -30,6 +30,7 @@ BernsteinNet normal_net(const BezierPatch& patch, const Vec3& direction)
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 4; ++j) {
             const Vec3 du = 3 * (point(i + 1, j) - point(i, j));
+            const Vec3 across = direction.cross(du);  // (du x dv).n = (n x du).dv
             for (int k = 0; k < 4; ++k)
                 for (int l = 0; l < 3; ++l) {
                     const Vec3 dv = 3 * (point(k, l + 1) - point(k, l));
@@ -37,8 +38,7 @@ BernsteinNet normal_net(const BezierPatch& patch, const Vec3& direction)
                         binomial_2[i] * binomial_3[k] / binomial_5[i + k];
                     const double weight_v =
                         binomial_3[j] * binomial_2[l] / binomial_5[j + l];
-                    net(i + k, j + l) +=
-                        weight_u * weight_v * du.cross(dv).dot(direction);
+                    net(i + k, j + l) += weight_u * weight_v * across.dot(dv);
                 }
         }
     return net;

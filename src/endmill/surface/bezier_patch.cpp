@@ -18,12 +18,6 @@ BezierPatch::BezierPatch(std::span<const Vec3> net)
                 coordinate_nets_[c](i, j) = net[4 * j + i][c];
 }
 
-Vec3 BezierPatch::control_point(int i, int j) const
-{
-    return {coordinate_nets_[0](i, j), coordinate_nets_[1](i, j),
-            coordinate_nets_[2](i, j)};
-}
-
 SurfaceTangents BezierPatch::tangents(double u, double v) const
 {
     const auto basis_u = cubic_bernstein<2>(u);

@@ -20,7 +20,11 @@ public:
 
     /// Control point B_ij in mm.
     /// \pre 0 <= i, j <= 3
-    Vec3 control_point(int i, int j) const;
+    Vec3 control_point(int i, int j) const
+    {
+        return {coordinate_nets_[0](i, j), coordinate_nets_[1](i, j),
+                coordinate_nets_[2](i, j)};
+    }
 
     /// Point and first partials. Outside the unit square the polynomial goes on.
     SurfaceTangents tangents(double u, double v) const;

@@ -66,10 +66,12 @@ double bracketed_root(const Bernstein& b, double low, double high)
     constexpr int most_steps = 80;
     // After a Newton step this short the next one would be below rounding.
     constexpr double last_step = 1e-9;
-    // Most roots lie near the start of the first piece, where the cubic is nearly
-    // straight.
-    const double along_start = low - b[0] / (3 * (b[1] - b[0]));
-    double t = low < along_start && along_start < high ? along_start : (low + high) / 2;
+    // Most roots lie near the start of the first piece, where the cubic is nearly the
+    // parabola b0 + 2 B t + A t^2.
+    const double B = 1.5 * (b[1] - b[0]);
+    const double A = 3 * (b[2] - 2 * b[1] + b[0]);
+    const double near_start = -b[0] / (B + std::sqrt(B * B - A * b[0]));
+    double t = low < near_start && near_start < high ? near_start : (low + high) / 2;
     for (int step = 0; step < most_steps; ++step) {
         const auto [value, slope] = evaluate(b, t);
         (value < 0 ? low : high) = t;

@@ -82,11 +82,6 @@ Surface::Surface(std::vector<double> breaks_u, std::vector<double> breaks_v,
             "Surface: the breaks are not finite and rising");
 }
 
-std::span<const double> Surface::breaks(Parameter along) const
-{
-    return along == Parameter::U ? breaks_u_ : breaks_v_;
-}
-
 int Surface::patches(Parameter along) const
 {
     return static_cast<int>(breaks(along).size()) - 1;
@@ -95,11 +90,6 @@ int Surface::patches(Parameter along) const
 Interval Surface::range(Parameter along) const
 {
     return {breaks(along).front(), breaks(along).back()};
-}
-
-const BezierPatch& Surface::patch(int i, int j) const
-{
-    return patches_[static_cast<std::size_t>(j) * (breaks_u_.size() - 1) + i];
 }
 
 int Surface::patch_number(Parameter along, double parameter) const

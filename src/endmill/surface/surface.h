@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -30,14 +31,20 @@ public:
     Surface(std::vector<double> breaks_u, std::vector<double> breaks_v,
             std::vector<BezierPatch> patches, ToolSide tool_side = ToolSide::Up);
 
-    int patches(Parameter along) const;                     ///< at least 1
-    std::span<const double> breaks(Parameter along) const;  ///< rising
-    Interval range(Parameter along) const;                  ///< first and last break
-    ToolSide tool_side() const { return tool_side_; }       ///< as given
+    int patches(Parameter along) const;                    ///< at least 1
+    std::span<const double> breaks(Parameter along) const  ///< rising
+    {
+        return along == Parameter::U ? breaks_u_ : breaks_v_;
+    }
+    Interval range(Parameter along) const;             ///< first and last break
+    ToolSide tool_side() const { return tool_side_; }  ///< as given
 
     /// The patch in column i (u) and row j (v).
     /// \pre 0 <= i < patches(U), 0 <= j < patches(V)
-    const BezierPatch& patch(int i, int j) const;
+    const BezierPatch& patch(int i, int j) const
+    {
+        return patches_[static_cast<std::size_t>(j) * (breaks_u_.size() - 1) + i];
+    }
 
     /// Number of the patch along `along` that serves `parameter`: at a border the one
     /// above it; beyond the ends the last one, whose polynomial goes on there.

@@ -33,9 +33,11 @@ Vec3 unit_normal(const SurfaceTangents& tangents)
 std::optional<Vec3> limit_normal(const SurfaceJet& jet, const InwardSigns& inward)
 {
     SurfaceTangents tangents{jet.point, jet.du, jet.dv};
-    if (jet.du.norm() <= vanishing_share * jet.dv.norm())
+    const double du2 = jet.du.squaredNorm();
+    const double dv2 = jet.dv.squaredNorm();
+    if (du2 <= vanishing_share * vanishing_share * dv2)
         tangents.du = inward.v * jet.duv;
-    else if (jet.dv.norm() <= vanishing_share * jet.du.norm())
+    else if (dv2 <= vanishing_share * vanishing_share * du2)
         tangents.dv = inward.u * jet.duv;
     if (is_singular(tangents))
         return std::nullopt;
