@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "random.h"
 
 namespace endmill {
 namespace {
@@ -78,6 +79,47 @@ TEST(PathEconomy, OfOnePointIsAPassWithoutLength)
     EXPECT_EQ(economy.cut.tip_mm, 0);
 }
 
+TEST(PathEconomy, RefusesACutThatDoesNotLeadFromContactToContact)
+{
+    const PathPoint plunge = touching(0, Move::Plunge, {0, 0, 0}, {0, 0, 0});
+    const PathPoint cut = touching(0, Move::Cut, {1, 0, 0}, {1, 0, 0});
+    const PathPoint retract = lifted(0, Move::Retract, {1, 0, 50});
+    EXPECT_THROW(path_economy({{cut}}), DomainError);
+    EXPECT_THROW(path_economy({{plunge, retract, cut}}), DomainError);
+    EXPECT_THROW(path_economy({{plunge, lifted(0, Move::Link, {1, 0, 0})}}), DomainError);
+}
+
+// Against the sum in long double, whose own error is 2000 times smaller.
+TEST(PathEconomy, SumsToTheAccuracyStated)
+{
+    test::Random random{1};
+    const auto place = [&] {
+        const double size = random.log_uniform(1e-3, 1e3);
+        const double x = random.uniform(-size, size);
+        const double y = random.uniform(-size, size);
+        return Vec3{x, y, random.uniform(-size, size)};
+    };
+    constexpr int moves = 20000;
+    ToolPath path;
+    path.points.push_back(touching(0, Move::Plunge, place(), place()));
+    long double contacts = 0;
+    long double tips = 0;
+    for (int k = 0; k < moves; ++k) {
+        const PathPoint& from = path.points.back();
+        const PathPoint to = touching(0, Move::Cut, place(), place());
+        const auto length = [](const Vec3& a, const Vec3& b) {
+            return (b.cast<long double>() - a.cast<long double>()).norm();
+        };
+        contacts += length(from.contact->contact.point, to.contact->contact.point);
+        tips += length(from.location.tip, to.location.tip);
+        path.points.push_back(to);
+    }
+    const Travel cut = path_economy(path).cut;
+    const double most = 1.2e-16 * (moves + 4);
+    EXPECT_LT(std::abs(cut.contact_mm - contacts), most * contacts);
+    EXPECT_LT(std::abs(cut.tip_mm - tips), most * tips);
+}
+
 struct PrintedCell {
     DirectionCost u;
     DirectionCost v;
@@ -115,14 +157,32 @@ TEST(CompareDirections, PrefersLessTravelThenFewerPointsThenU)
     EXPECT_EQ(equal.reduction_tcd, 0);
 }
 
-TEST(CompareDirections, RefusesCostsThatAreNotPositive)
+TEST(CompareDirections, ReducesToTheAccuracyStated)
+{
+    test::Random random{2};
+    for (int k = 0; k < 20000; ++k) {
+        const double one = random.log_uniform(1e-3, 1e6);
+        const double other = one * (1 + random.log_uniform(1e-15, 10));
+        const auto n = static_cast<std::size_t>(random.log_uniform(1, 6e15));
+        const auto comparison = compare_directions({n, one}, {n + n / 3, other});
+        const long double tcd =
+            (static_cast<long double>(other) - one) / static_cast<long double>(other);
+        const long double ncl = static_cast<long double>(n / 3) / (n + n / 3);
+        EXPECT_LE(std::abs(comparison.reduction_tcd - tcd), 4e-16L * tcd);
+        EXPECT_LE(std::abs(comparison.reduction_ncl - ncl), 4e-16L * ncl);
+    }
+}
+
+TEST(CompareDirections, RefusesCostsThatAreNotPositiveAndFinite)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
     EXPECT_THROW(compare_directions({0, 1}, {1, 1}), DomainError);
     EXPECT_THROW(compare_directions({1, 1}, {0, 1}), DomainError);
     EXPECT_THROW(compare_directions({1, 0}, {1, 1}), DomainError);
     EXPECT_THROW(compare_directions({1, 1}, {1, -1}), DomainError);
     EXPECT_THROW(compare_directions({1, nan}, {1, 1}), DomainError);
+    EXPECT_THROW(compare_directions({1, 1}, {1, infinity}), DomainError);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "endmill/planning/economy.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "endmill/core/error.h"
 
@@ -30,10 +31,12 @@ PathEconomy path_economy(const ToolPath& path)
             ++economy.passes;
         if (point.contact)
             ++economy.ncl;
-        if (point.move == Move::Cut)
-            add_move(economy.cut, *previous, point);
-        if (point.move == Move::Link)
-            add_move(economy.link, *previous, point);
+        if (point.move == Move::Cut || point.move == Move::Link) {
+            require(previous && previous->contact && point.contact,
+                    "path_economy: a cut or link must lead from contact to contact");
+            add_move(point.move == Move::Cut ? economy.cut : economy.link, *previous,
+                     point);
+        }
         previous = &point;
     }
     return economy;
@@ -41,8 +44,11 @@ PathEconomy path_economy(const ToolPath& path)
 
 DirectionComparison compare_directions(const DirectionCost& u, const DirectionCost& v)
 {
-    require(u.ncl > 0 && v.ncl > 0 && u.tcd_mm > 0 && v.tcd_mm > 0,
-            "compare_directions: counts and lengths must be positive");
+    const auto is_cost = [](const DirectionCost& cost) {
+        return cost.ncl > 0 && cost.tcd_mm > 0 && std::isfinite(cost.tcd_mm);
+    };
+    require(is_cost(u) && is_cost(v),
+            "compare_directions: counts and lengths must be positive and finite");
     const bool v_is_better =
         v.tcd_mm < u.tcd_mm || (v.tcd_mm == u.tcd_mm && v.ncl < u.ncl);
     return {v_is_better ? Parameter::V : Parameter::U,
