@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/plan_summary.h"
 
-#include <fmt/format.h>
-
 #include "build_facts.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/numbers.h"
@@ -52,29 +50,6 @@ Json direction_summary(const PlanContext& context, const PlanOptions& options,
     return summary;
 }
 
-std::string direction_text(const Json& s)
-{
-    const double chord_error = s["max_chord_error_mm"];
-    const double tolerance = s["chord_tolerance_mm"];
-    std::string text = fmt::format(
-        "along {}: {} passes, {} CL points, {:.1f} mm of travel ({:.1f} mm by tips), "
-        "{:.1f} "
-        "mm of it links\n"
-        "         largest chord error {:.4g} mm, {:.3g} x the tolerance",
-        s["direction"].get<std::string>(), s["passes"].get<std::size_t>(),
-        s["ncl"].get<std::size_t>(), s["tcd_mm"].get<double>(),
-        s["tcd_cl_mm"].get<double>(), s["link_mm"].get<double>(), chord_error,
-        chord_error / tolerance);
-    if (chord_error > tolerance)
-        text += ": mode paper looks at each step's start only";
-    text += "\n";
-    if (s.contains("time_min"))
-        text +=
-            fmt::format("         {:.4g} min at {:g} mm/min\n",
-                        s["time_min"].get<double>(), s["feed_mm_per_min"].get<double>());
-    return text;
-}
-
 void add_comparison(Json& both, const PlanOptions& options, const PlannedDirection& u,
                     const PlannedDirection& v)
 {
@@ -86,15 +61,6 @@ void add_comparison(Json& both, const PlanOptions& options, const PlannedDirecti
     both["recommended"] = comparison.recommended == Parameter::U ? "u" : "v";
     both["reduction_ncl"] = comparison.reduction_ncl;
     both["reduction_tcd"] = comparison.reduction_tcd;
-}
-
-std::string comparison_text(const Json& both)
-{
-    return fmt::format(
-        "more economic: {}; the directions differ by {:.1f} % in travel and {:.1f} % in "
-        "points\n",
-        both["recommended"].get<std::string>(), 100 * both["reduction_tcd"].get<double>(),
-        100 * both["reduction_ncl"].get<double>());
 }
 
 }  // namespace endmill

@@ -35,14 +35,8 @@ double counted_travel(const PathEconomy& economy, TravelKind kind, bool count_li
 Json direction_summary(const PlanContext& context, const PlanOptions& options,
                        const PlannedDirection& planned);
 
-/// The same for a person.
-std::string direction_text(const Json& summary);
-
 /// Adds `recommended`, `reduction_ncl` and `reduction_tcd` to `{"u": …, "v": …}`.
 void add_comparison(Json& both, const PlanOptions& options, const PlannedDirection& u,
                     const PlannedDirection& v);
-
-/// What `add_comparison` found, for a person.
-std::string comparison_text(const Json& both);
 
 }  // namespace endmill

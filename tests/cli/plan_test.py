@@ -3,10 +3,13 @@
 import csv
 import json
 import math
+import os
+import subprocess
 import unittest
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
-from program import SURFACES, ProgramTest, endmill, plane
+from program import ENDMILL, SURFACES, ProgramTest, endmill, plane
 
 # On a plane a ball of radius 5 leaves a scallop of 1 mm between passes 6 mm apart.
 BALL = ["--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "1"]
@@ -154,6 +157,28 @@ class PlanOnTheExample(ProgramTest):
             places = [tuple(float(p[f"{kind}_{axis}_mm"]) for axis in "xyz") for p in points]
             travel = sum(math.dist(a, b) for a, b in zip(places, places[1:]))
             self.assertAlmostEqual(travel, facts[key], delta=1e-6)
+
+
+BYTES_PER_POINT = 900  # promised by src/endmill/planning/path_memory.h
+
+
+class PlanMemory(ProgramTest):
+    def plan(self, *arguments):
+        """Finished summary and peak of resident memory in bytes."""
+        command = [ENDMILL, "plan", SURFACES / "net_rot24_7D.json", "--cutter", "ball:15", "--direction", "u", "--json"]
+        with subprocess.Popen([*command, *arguments], cwd=self.folder, stdout=subprocess.PIPE) as process:
+            summary = json.load(process.stdout)
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 0)
+        return summary, 1024 * usage.ru_maxrss
+
+    @unittest.skipIf(b"__asan_init" in Path(ENDMILL).read_bytes(), "sanitizers take memory of their own")
+    def test_a_point_takes_no_more_than_is_reckoned(self):
+        few, peak_of_few = self.plan("--chord-tolerance", "1", "-o", "few")
+        many, peak = self.plan("--chord-tolerance", "0.005", "-o", "many")
+        self.assertGreater(many["ncl"], 100 * few["ncl"])
+        self.assertLess(peak - peak_of_few, BYTES_PER_POINT * (many["ncl"] - few["ncl"]))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/plan_files.h"
+
+#include <utility>
+
+#include "cli/plan_text.h"
+#include "cli/progress.h"
+#include "endmill/io/tool_path_csv.h"
+#include "endmill/io/vtp.h"
+#include "endmill/planning/path_memory.h"
+
+namespace endmill {
+namespace {
+
+// A run with other directions left files that would be taken for this one's.
+void replace_earlier_run(OutputFolder& folder)
+{
+    for (const std::string prefix : {"", "u/", "v/"})
+        for (const char* name :
+             {"toolpath.csv", "toolpath.vtp", "toolpath.svg", "summary.json"})
+            folder.remove_unless_written(prefix + name);
+}
+
+struct DirectionResult {
+    PlannedDirection planned;
+    Json summary;
+};
+
+// Plans along one parameter and writes its files into `folder` under `prefix`.
+DirectionResult plan_direction(const PlanTask& task, Parameter along,
+                               OutputFolder& folder, const std::string& prefix)
+{
+    const auto& [surface, context, options] = task;
+    const BallCutter ball{context.cutter_diameter / 2};
+    ProgressLine progress{along == Parameter::U ? "planning along u" : "planning along v",
+                          options.common};
+    IsoParametricOptions planning = options.planning;
+    planning.direction = along;
+    planning.progress = [&](double share) { progress.show(share); };
+    require_path_memory(estimated_points(surface, ball, planning),
+                        options.common.limits.max_memory_gib);
+    const IsoParametricPlan plan = plan_iso_parametric(surface, ball, planning);
+    const PlannedDirection planned{along, path_economy(plan.path),
+                                   chord_error(surface, plan.path, along)};
+    Json summary = direction_summary(context, options, planned);
+    folder.write(prefix + "toolpath.csv", tool_path_csv(plan.path));
+    folder.write(prefix + "toolpath.vtp", tool_path_vtp(plan.path));
+    folder.write(prefix + "toolpath.svg",
+                 tool_path_svg(plan.path, figure_options(summary)));
+    folder.write(prefix + "summary.json", summary.dump(2) + "\n");
+    return {planned, std::move(summary)};
+}
+
+}  // namespace
+
+PlanResult write_plan(const PlanTask& task, OutputFolder& folder)
+{
+    replace_earlier_run(folder);
+    if (task.options.direction != PlanDirection::Both) {
+        const Parameter along =
+            task.options.direction == PlanDirection::U ? Parameter::U : Parameter::V;
+        Json summary = plan_direction(task, along, folder, "").summary;
+        std::string text = direction_text(summary);
+        return {std::move(summary), std::move(text)};
+    }
+    const DirectionResult u = plan_direction(task, Parameter::U, folder, "u/");
+    const DirectionResult v = plan_direction(task, Parameter::V, folder, "v/");
+    Json summary{{"u", u.summary}, {"v", v.summary}};
+    add_comparison(summary, task.options, u.planned, v.planned);
+    folder.write("summary.json", summary.dump(2) + "\n");
+    return {summary, direction_text(u.summary) + direction_text(v.summary) +
+                         comparison_text(summary)};
+}
+
+}  // namespace endmill

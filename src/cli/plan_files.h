@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "cli/plan_summary.h"
+#include "endmill/io/output_folder.h"
+
+namespace endmill {
+
+/// A surface, what is known of it, and what was asked.
+struct PlanTask {
+    const Surface& surface;
+    const PlanContext& context;
+    const PlanOptions& options;
+};
+
+/// A summary for programs and for a person.
+struct PlanResult {
+    Json summary;
+    std::string text;
+};
+
+/// Plans along the parameters that were asked for, and writes the path, its pictures and
+/// its summary into `folder`, in the place of what an earlier run left there.
+/// \throws LimitError before the work if the path would not fit the memory, and as
+/// plan_iso_parametric.
+PlanResult write_plan(const PlanTask& task, OutputFolder& folder);
+
+}  // namespace endmill

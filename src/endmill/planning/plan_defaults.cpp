@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/planning/plan_defaults.h"
+
+#include "endmill/surface/extent.h"
+
+namespace endmill {
+namespace {
+
+constexpr double tolerances_per_diameter = 30;
+// Between the cutter and the highest point of the part, in mm.
+constexpr double clearance = 5;
+
+}  // namespace
+
+bool fits(const BallCutter& ball, const std::optional<CutterLimit>& limit)
+{
+    return !limit || ball.radius() < limit->radius_mm;
+}
+
+std::optional<double> default_diameter(const std::optional<CutterLimit>& limit)
+{
+    for (const double diameter : stock_diameters)
+        if (fits(BallCutter{diameter / 2}, limit))
+            return diameter;
+    return std::nullopt;
+}
+
+double default_tolerance(const BallCutter& ball)
+{
+    return 2 * ball.radius() / tolerances_per_diameter;
+}
+
+double default_safe_height(const Surface& surface, const Vec3& axis)
+{
+    return extent(surface, axis).high + clearance;
+}
+
+}  // namespace endmill
