@@ -1,107 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // endmill eval: the library's closed formulas by name.
 
-#include <array>
-#include <map>
 #include <memory>
-#include <span>
 
 #include "cli/arguments.h"
 #include "cli/console.h"
-#include "endmill/core/numbers.h"
+#include "cli/eval_formulas.h"
 #include "endmill/io/output_folder.h"
-#include "endmill/planning/path_interval.h"
-#include "endmill/planning/step_length.h"
 
 namespace endmill {
 namespace {
-
-using Numbers = std::map<std::string, double>;
-
-struct Argument {
-    const char* name;
-    const char* unit;
-    const char* help;
-    bool is_positive;
-};
-
-struct Formula {
-    const char* name;
-    const char* help;
-    const char* example;
-    std::vector<Argument> arguments;
-    Json (*value)(const Numbers&);
-};
-
-constexpr Argument radius{"radius", "MM", "radius of the ball", true};
-constexpr Argument curvature{"curvature", "PER_MM", "positive where the part is convex",
-                             false};
-constexpr Argument scallop{"scallop", "MM", "scallop height, below the ball's diameter",
-                           true};
-
-// The lengths of a result that is Unlimited are infinite, and have no angle.
-Json half_angle(const Angle& angle, LengthStatus status)
-{
-    return status == LengthStatus::Unlimited ? Json(nullptr) : Json(angle.radians());
-}
-
-Json path_interval_json(const Numbers& numbers)
-{
-    const PathInterval interval = path_interval(
-        BallCutter{numbers.at("radius")}, numbers.at("curvature"), numbers.at("scallop"));
-    return {{"chord_mm", finite_or_null(interval.chord)},
-            {"projected_mm", finite_or_null(interval.projected)},
-            {"arc_mm", finite_or_null(interval.arc)},
-            {"half_angle_rad", half_angle(interval.half_angle, interval.status)},
-            {"status", length_status_name(interval.status)}};
-}
-
-Json step_length_json(const Numbers& numbers)
-{
-    const StepLength step =
-        step_length(numbers.at("curvature"), numbers.at("chord-tolerance"));
-    return {{"chord_mm", finite_or_null(step.chord)},
-            {"projected_mm", finite_or_null(step.projected)},
-            {"half_angle_rad", half_angle(step.half_angle, step.status)},
-            {"status", length_status_name(step.status)}};
-}
-
-Json scallop_height_json(const Numbers& numbers)
-{
-    return {
-        {"scallop_mm", scallop_height(BallCutter{numbers.at("radius")},
-                                      numbers.at("curvature"), numbers.at("interval"))}};
-}
-
-Json highest_scallop_json(const Numbers& numbers)
-{
-    return {
-        {"scallop_mm", finite_or_null(highest_scallop(BallCutter{numbers.at("radius")},
-                                                      numbers.at("curvature")))}};
-}
-
-const std::array formulas{
-    Formula{"path-interval",
-            "widest interval between passes that keeps a scallop height, eq. (4), (5)",
-            "--radius 5 --curvature 0.01 --scallop 0.1",
-            {radius, curvature, scallop},
-            path_interval_json},
-    Formula{"step-length",
-            "longest step that keeps a chord tolerance, eq. (1), (2)",
-            "--curvature 0.01 --chord-tolerance 0.5",
-            {curvature, {"chord-tolerance", "MM", "from the curve to its chord", true}},
-            step_length_json},
-    Formula{"scallop-height",
-            "scallop that passes at an interval leave, the inverse of path-interval",
-            "--radius 7.5 --curvature 0.02 --interval 5",
-            {radius, curvature, {"interval", "MM", "chord between two contacts", true}},
-            scallop_height_json},
-    Formula{"highest-scallop",
-            "highest scallop that neighbouring passes leave at all",
-            "--radius 5 --curvature 0.1",
-            {radius, curvature},
-            highest_scallop_json},
-};
 
 struct EvalOptions {
     CommonOptions common;
@@ -133,7 +41,7 @@ ExitCode list_formulas(const CommonOptions& common)
 {
     Json summary = Json::array();
     std::string lines;
-    for (const Formula& formula : formulas) {
+    for (const Formula& formula : eval_formulas()) {
         summary.push_back({{"name", formula.name}, {"help", formula.help}});
         lines += std::string{formula.name} + "\n    " + formula.help +
                  "\n    endmill eval " + formula.name + " " + formula.example + "\n";
@@ -181,7 +89,7 @@ void add_eval_command(CLI::App& program, Action& action)
         "Prints; writes DIR/summary.json only with --output.\n\n"
         "Example:\n  endmill eval path-interval --radius 5 --curvature 0.01 "
         "--scallop 0.1 --json");
-    for (const Formula& formula : formulas)
+    for (const Formula& formula : eval_formulas())
         add_formula(*command, formula, options, action);
     command->callback([options, &action] {
         if (!action)  // no formula was named

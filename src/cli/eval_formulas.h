@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+
+namespace endmill {
+
+/// The arguments that were given, by name.
+using Numbers = std::map<std::string, double>;
+
+/// A number that a formula takes, as the option `--name`.
+struct Argument {
+    const char* name;
+    const char* unit;  ///< as the help text shows it
+    const char* help;
+    bool is_positive;
+};
+
+/// A closed formula of the library.
+struct Formula {
+    const char* name;
+    const char* help;
+    const char* example;  ///< its options, such as "--radius 5"
+    std::vector<Argument> arguments;
+    Json (*value)(const Numbers&);  ///< what it answers; throws as the library does
+};
+
+/// All that `endmill eval` knows, in the order in which it lists them.
+std::span<const Formula> eval_formulas();
+
+}  // namespace endmill
