@@ -55,9 +55,8 @@ std::vector<KnownWord> known_words(const CLI::App& command)
 std::string suggestion(const CLI::App& command, const std::string& word)
 {
     const std::vector<KnownWord> known = known_words(command);
-    std::vector<std::string_view> words;
-    for (const KnownWord& one : known)
-        words.push_back(one.word);
+    std::vector<std::string_view> words(known.size());
+    std::ranges::transform(known, words.begin(), &KnownWord::word);
     const auto closest = closest_word(word.substr(0, word.find('=')), words);
     if (!closest)
         return "; see " + full_name(command) + " --help";

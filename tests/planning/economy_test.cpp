@@ -164,10 +164,11 @@ TEST(CompareDirections, ReducesToTheAccuracyStated)
         const double one = random.log_uniform(1e-3, 1e6);
         const double other = one * (1 + random.log_uniform(1e-15, 10));
         const auto n = static_cast<std::size_t>(random.log_uniform(1, 6e15));
-        const auto comparison = compare_directions({n, one}, {n + n / 3, other});
+        const std::size_t more = n / 3;
+        const auto comparison = compare_directions({n, one}, {n + more, other});
         const long double tcd =
             (static_cast<long double>(other) - one) / static_cast<long double>(other);
-        const long double ncl = static_cast<long double>(n / 3) / (n + n / 3);
+        const long double ncl = static_cast<long double>(more) / (n + more);
         EXPECT_LE(std::abs(comparison.reduction_tcd - tcd), 4e-16L * tcd);
         EXPECT_LE(std::abs(comparison.reduction_ncl - ncl), 4e-16L * ncl);
     }
