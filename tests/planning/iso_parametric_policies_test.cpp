@@ -168,7 +168,10 @@ TEST(Policies, EndPointFreeLeavesTheForcedLastPointOut)
         ASSERT_EQ(free[n].size() + 1, forced[n].size());
         const std::size_t shift = n % 2;  // odd passes are turned round
         for (std::size_t k = 0; k < free[n].size(); ++k)
-            EXPECT_EQ(contact_point(free[n][k]), contact_point(forced[n][k + shift]));
+            EXPECT_LT(
+                (contact_point(free[n][k]) - contact_point(forced[n][k + shift])).norm(),
+                1e-12)
+                << "any point of a pass may govern, they differ by rounding";
     }
 }
 

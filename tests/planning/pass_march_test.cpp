@@ -9,6 +9,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/planning/economy.h"
+#include "endmill/surface/tool_side.h"
 #include "planned_path.h"
 #include "test_surfaces.h"
 
@@ -24,10 +25,14 @@ IsoParametricOptions six_mm(Parameter direction = Parameter::U)
     return options;
 }
 
+MarchedSurface marched_surface(const Surface& surface)
+{
+    return {surface, tool_side_sign(surface, Vec3::UnitZ())};
+}
+
 MarchedPass march(const Surface& surface, double v, bool is_last)
 {
-    return march_pass(marched_surface(surface, Vec3::UnitZ()), v, is_last, BallCutter{5},
-                      six_mm());
+    return march_pass(marched_surface(surface), v, is_last, BallCutter{5}, six_mm());
 }
 
 TEST(MarchPass, OnAPlaneGoesFromEndToEndAndAllowsOneInterval)
@@ -72,17 +77,10 @@ TEST(MarchPass, OfWhichNoPlaceLimitsTheNextSaysSo)
     const Surface trough = transposed(test::parabolic_cylinder(1 / 5.2, 1e-3, 20));
     IsoParametricOptions options;
     options.scallop_height = 0.5;
-    const MarchedPass pass = march_pass(marched_surface(trough, Vec3::UnitZ()), 0.5,
-                                        false, BallCutter{5}, options);
+    const MarchedPass pass =
+        march_pass(marched_surface(trough), 0.5, false, BallCutter{5}, options);
     ASSERT_TRUE(pass.next);
     EXPECT_TRUE(std::isinf(pass.next->v));
-}
-
-TEST(MarchedSurface, HasTheSignOfItsNormals)
-{
-    EXPECT_EQ(marched_surface(test::plane(2, 1), Vec3::UnitZ()).side, 1);
-    EXPECT_EQ(marched_surface(transposed(test::plane(2, 1)), Vec3::UnitZ()).side, -1);
-    EXPECT_EQ(marched_surface(test::plane(2, 1), -Vec3::UnitZ()).side, -1);
 }
 
 TEST(InSurfaceOrder, ExchangesTheParametersOfPassesAlongV)

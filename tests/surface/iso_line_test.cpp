@@ -165,7 +165,7 @@ TEST(IsoLine, BoundsHowFarAChordStrays)
         const IsoLine line{uneven_surface(seed), random.uniform(2, 3.2)};
         const double from = random.uniform(-1, 3);
         const double to = random.uniform(from, 4);
-        const double bend = line.greatest_bend(from, to);
+        const double bend = line.bend_bound(from, to);
         double greatest = 0;
         double strays = 0;
         for (int k = 0; k <= 1000; ++k) {

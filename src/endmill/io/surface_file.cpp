@@ -223,6 +223,18 @@ Vec3 net_point(const Surface& surface, int i, int j)
         .control_point(i - 3 * patch_i, j - 3 * patch_j);
 }
 
+bool is_bicubic(const Surface& surface)
+{
+    for (int j = 0; j < surface.patches(Parameter::V); ++j)
+        for (int i = 0; i < surface.patches(Parameter::U); ++i) {
+            const BezierPatch& patch = surface.patch(i, j);
+            if (patch.degree(Parameter::U) != 3 || patch.degree(Parameter::V) != 3 ||
+                patch.is_rational())
+                return false;
+        }
+    return true;
+}
+
 // Whether the one net that `net_point` reads gives back every patch.
 bool shares_borders(const Surface& surface)
 {
@@ -308,6 +320,7 @@ std::string surface_json(const SurfaceFile& file)
     require(counts_up_from_zero(surface.breaks(Parameter::U)) &&
                 counts_up_from_zero(surface.breaks(Parameter::V)),
             "surface_json: the breaks must be 0, 1, 2, …");
+    require(is_bicubic(surface), "surface_json: the patches must be bicubic");
     require(shares_borders(surface),
             "surface_json: the patches do not share their borders");
 

@@ -38,8 +38,8 @@ SurfaceFile parse_surface(std::string_view content, const std::filesystem::path&
 
 /// The text of a file of type "bezier" from which `read_surface` gets the same doubles
 /// (minus zero excepted, which becomes zero). The notes are left out.
-/// \throws DomainError unless the breaks are 0, 1, 2, … and neighbouring patches share
-/// the control points of their border.
+/// \throws DomainError unless the breaks are 0, 1, 2, …, and the patches are bicubic,
+/// without weights, and share the control points of their borders.
 std::string surface_json(const SurfaceFile& file);
 
 }  // namespace endmill

@@ -87,21 +87,28 @@ std::vector<Cell> cells_of(const Surface& surface, int spaces)
     return cells;
 }
 
-// Rows and columns of the 4 x 4 net of each patch.
-std::vector<std::array<Vec3, 4>> net_lines(const Surface& surface)
+using Polyline = std::vector<Vec3>;
+
+// Rows and columns of the net of each patch.
+std::vector<Polyline> net_lines(const Surface& surface)
 {
-    std::vector<std::array<Vec3, 4>> lines;
+    std::vector<Polyline> lines;
     for (int j = 0; j < surface.patches(Parameter::V); ++j)
-        for (int i = 0; i < surface.patches(Parameter::U); ++i)
-            for (int k = 0; k < 4; ++k) {
-                const BezierPatch& patch = surface.patch(i, j);
-                auto& row = lines.emplace_back();
-                for (int m = 0; m < 4; ++m)
-                    row[m] = patch.control_point(m, k);
-                auto& column = lines.emplace_back();
-                for (int m = 0; m < 4; ++m)
-                    column[m] = patch.control_point(k, m);
+        for (int i = 0; i < surface.patches(Parameter::U); ++i) {
+            const BezierPatch& patch = surface.patch(i, j);
+            const int last_u = patch.degree(Parameter::U);
+            const int last_v = patch.degree(Parameter::V);
+            for (int k = 0; k <= last_v; ++k) {
+                Polyline& row = lines.emplace_back();
+                for (int m = 0; m <= last_u; ++m)
+                    row.push_back(patch.control_point(m, k));
             }
+            for (int k = 0; k <= last_u; ++k) {
+                Polyline& column = lines.emplace_back();
+                for (int m = 0; m <= last_v; ++m)
+                    column.push_back(patch.control_point(k, m));
+            }
+        }
     return lines;
 }
 
@@ -155,8 +162,7 @@ std::string surface_svg(const Surface& surface, const SurfaceDrawing& drawing)
 {
     require(drawing.spaces_per_patch >= 1, "surface_svg: need spaces_per_patch >= 1");
     std::vector<Cell> cells = cells_of(surface, drawing.spaces_per_patch);
-    const auto net =
-        drawing.control_net ? net_lines(surface) : std::vector<std::array<Vec3, 4>>{};
+    const auto net = drawing.control_net ? net_lines(surface) : std::vector<Polyline>{};
     std::vector<Vec3> extent;
     for (const Cell& cell : cells)
         extent.insert(extent.end(), cell.outline.begin(), cell.outline.end());

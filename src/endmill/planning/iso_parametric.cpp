@@ -78,8 +78,7 @@ public:
           options_{options}
     {
         if (options.march == March::Alternate)
-            backward_ =
-                marched_surface(reversed_in_u(forward_.surface), options.link.axis);
+            backward_ = MarchedSurface{reversed_in_u(forward_.surface), -forward_.side};
     }
 
     MarchedPasses plan()
@@ -153,9 +152,12 @@ void exchange_parameters(MarchedPasses& marched)
         }
 }
 
-Surface surface_to_march(const Surface& surface, Parameter direction)
+// Exchanging the parameters turns du x dv round.
+MarchedSurface surface_to_march(const Surface& surface, double side, Parameter direction)
 {
-    return direction == Parameter::U ? surface : transposed(surface);
+    if (direction == Parameter::U)
+        return {surface, side};
+    return {transposed(surface), -side};
 }
 
 // A piece of a parameter's range: an eighth of a patch.
@@ -183,10 +185,9 @@ IsoParametricPlan plan_iso_parametric(const Surface& surface, const BallCutter& 
                                       const IsoParametricOptions& options)
 {
     require_sound(cutter, options);
-    require_reachable(surface, options.link.axis,
-                      tool_side_sign(surface, options.link.axis));
-    MarchedSurface marched =
-        marched_surface(surface_to_march(surface, options.direction), options.link.axis);
+    const double side = tool_side_sign(surface, options.link.axis);
+    require_reachable(surface, options.link.axis, side);
+    MarchedSurface marched = surface_to_march(surface, side, options.direction);
     MarchedPasses result = SurfacePlanner{std::move(marched), cutter, options}.plan();
     if (options.direction == Parameter::V)
         exchange_parameters(result);
@@ -198,8 +199,8 @@ double estimated_points(const Surface& surface, const BallCutter& cutter,
                         const IsoParametricOptions& options)
 {
     require_sound(cutter, options);
-    const MarchedSurface marched =
-        marched_surface(surface_to_march(surface, options.direction), options.link.axis);
+    const MarchedSurface marched = surface_to_march(
+        surface, tool_side_sign(surface, options.link.axis), options.direction);
     const std::vector<ParameterCell> cells =
         parameter_cells(marched.surface, Parameter::U);
     double total = 0;

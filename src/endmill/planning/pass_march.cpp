@@ -234,12 +234,6 @@ private:
 
 }  // namespace
 
-MarchedSurface marched_surface(Surface surface, const Vec3& axis)
-{
-    const double side = tool_side_sign(surface, axis);
-    return {std::move(surface), side};
-}
-
 MarchedPass march_pass(const MarchedSurface& marched, double v, bool is_last,
                        const BallCutter& cutter, const IsoParametricOptions& options)
 {

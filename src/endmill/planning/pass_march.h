@@ -15,9 +15,6 @@ struct MarchedSurface {
     double side;  ///< from tool_side_sign
 };
 
-/// `surface` with the sign of its normals for a tool along `axis`.
-MarchedSurface marched_surface(Surface surface, const Vec3& axis);
-
 /// The next pass as one place of this pass allows it.
 struct PassCandidate {
     /// Its parameter; infinite where the place does not limit it.

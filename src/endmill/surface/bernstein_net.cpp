@@ -1,47 +1,101 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/surface/bernstein_net.h"
 
-#include <array>
-
 #include <Eigen/Geometry>
 
 namespace endmill {
 namespace {
 
-constexpr std::array<double, 3> binomial_2{1, 2, 1};
-constexpr std::array<double, 4> binomial_3{1, 3, 3, 1};
-constexpr std::array<double, 6> binomial_5{1, 5, 10, 10, 5, 1};
+// C(degree, k) for k = 0 … degree.
+Eigen::VectorXd binomials(Eigen::Index degree)
+{
+    Eigen::VectorXd binomial = Eigen::VectorXd::Ones(degree + 1);
+    for (Eigen::Index k = 1; k <= degree; ++k)
+        binomial[k] = binomial[k - 1] * double(degree - k + 1) / double(k);
+    return binomial;
+}
+
+// The coefficients times C(p, i) C(q, j): in these, polynomials multiply by convolution.
+BernsteinNet scaled(const BernsteinNet& net)
+{
+    return binomials(net.rows() - 1).asDiagonal() * net *
+           binomials(net.cols() - 1).asDiagonal();
+}
+
+BernsteinNet unscaled(const BernsteinNet& net)
+{
+    return binomials(net.rows() - 1).cwiseInverse().asDiagonal() * net *
+           binomials(net.cols() - 1).cwiseInverse().asDiagonal();
+}
+
+BernsteinNet scaled_product(const BernsteinNet& one, const BernsteinNet& other)
+{
+    BernsteinNet product =
+        BernsteinNet::Zero(one.rows() + other.rows() - 1, one.cols() + other.cols() - 1);
+    for (Eigen::Index j = 0; j < one.cols(); ++j)
+        for (Eigen::Index i = 0; i < one.rows(); ++i)
+            product.block(i, j, other.rows(), other.cols()) += one(i, j) * other;
+    return product;
+}
+
+// A polynomial and its partials.
+struct Derived {
+    explicit Derived(const BernsteinNet& net)
+        : value{scaled(net)},
+          du{scaled(double(net.rows() - 1) *
+                    (net.bottomRows(net.rows() - 1) - net.topRows(net.rows() - 1)))},
+          dv{scaled(double(net.cols() - 1) *
+                    (net.rightCols(net.cols() - 1) - net.leftCols(net.cols() - 1)))}
+    {
+    }
+
+    BernsteinNet value;
+    BernsteinNet du;
+    BernsteinNet dv;
+};
 
 }  // namespace
 
 BernsteinNet height_net(const BezierPatch& patch, const Vec3& direction)
 {
-    BernsteinNet net{4, 4};
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            net(i, j) = patch.control_point(i, j).dot(direction);
+    BernsteinNet net{patch.degree(Parameter::U) + 1, patch.degree(Parameter::V) + 1};
+    for (int j = 0; j < net.cols(); ++j)
+        for (int i = 0; i < net.rows(); ++i)
+            net(i, j) = patch.homogeneous_point(i, j).head<3>().dot(direction);
+    return net;
+}
+
+BernsteinNet weight_net(const BezierPatch& patch)
+{
+    BernsteinNet net{patch.degree(Parameter::U) + 1, patch.degree(Parameter::V) + 1};
+    for (int j = 0; j < net.cols(); ++j)
+        for (int i = 0; i < net.rows(); ++i)
+            net(i, j) = patch.homogeneous_point(i, j)[3];
     return net;
 }
 
 BernsteinNet normal_net(const BezierPatch& patch, const Vec3& direction)
 {
-    BernsteinNet net = BernsteinNet::Zero(6, 6);
-    const auto point = [&](int i, int j) { return patch.control_point(i, j); };
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 4; ++j) {
-            const Vec3 du = 3 * (point(i + 1, j) - point(i, j));
-            const Vec3 across = direction.cross(du);  // (du x dv).n = (n x du).dv
-            for (int k = 0; k < 4; ++k)
-                for (int l = 0; l < 3; ++l) {
-                    const Vec3 dv = 3 * (point(k, l + 1) - point(k, l));
-                    const double weight_u =
-                        binomial_2[i] * binomial_3[k] / binomial_5[i + k];
-                    const double weight_v =
-                        binomial_3[j] * binomial_2[l] / binomial_5[j + l];
-                    net(i + k, j + l) += weight_u * weight_v * across.dot(dv);
-                }
-        }
-    return net;
+    // Coordinates x, y across the direction: (a x b) . n = a_x b_y - a_y b_x. They are
+    // taken from a corner, so that the place of the origin is no matter.
+    const Vec3 across = direction.unitOrthogonal();
+    const Vec3 corner = patch.control_point(0, 0);
+    const BernsteinNet weights = weight_net(patch);
+    const auto coordinate = [&](const Vec3& along) {
+        return Derived{height_net(patch, along) - corner.dot(along) * weights};
+    };
+    const Derived x = coordinate(across);
+    const Derived y = coordinate(direction.cross(across));
+    const BernsteinNet du_dv = scaled_product(x.du, y.dv) - scaled_product(y.du, x.dv);
+    if (!patch.is_rational())
+        return unscaled(du_dv);
+    const Derived w{weights};
+    const BernsteinNet du_r =
+        scaled_product(x.du, y.value) - scaled_product(y.du, x.value);
+    const BernsteinNet r_dv =
+        scaled_product(x.value, y.dv) - scaled_product(y.value, x.dv);
+    return unscaled(scaled_product(w.value, du_dv) - scaled_product(w.dv, du_r) -
+                    scaled_product(w.du, r_dv));
 }
 
 BernsteinNet divided_by_edge(const BernsteinNet& net, Parameter parameter, int edge)

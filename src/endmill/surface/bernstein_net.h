@@ -13,10 +13,16 @@ namespace endmill {
 /// its values there: what branch and bound needs.
 using BernsteinNet = Eigen::MatrixXd;
 
-/// Coefficients of r(u, v) . direction, 4 by 4, in mm for a unit `direction`.
+/// Coefficients of w(u, v) r(u, v) . direction, in mm for a unit `direction`; of a patch
+/// without weights w = 1.
 BernsteinNet height_net(const BezierPatch& patch, const Vec3& direction);
 
-/// Coefficients of (du x dv) . direction, 6 by 6, in mm^2 for a unit `direction`.
+/// Coefficients of w(u, v); of a patch without weights all are 1.
+BernsteinNet weight_net(const BezierPatch& patch);
+
+/// Coefficients of w^3 (du x dv) . direction, in mm^2 for a unit `direction`: 2p by 2q of
+/// a patch of degrees p and q without weights, where w = 1, else 3p by 3q.
+/// Source: with H = w r, w^3 (du x dv) = w H_u x H_v - w_v H_u x H - w_u H x H_v.
 BernsteinNet normal_net(const BezierPatch& patch, const Vec3& direction);
 
 /// The polynomial p(u, v) divided by u, by 1 - u, by v or by 1 - v: that linear factor

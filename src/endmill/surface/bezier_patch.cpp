@@ -2,73 +2,209 @@
 #include "endmill/surface/bezier_patch.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 
 #include "endmill/core/error.h"
+#include "endmill/surface/bernstein_basis.h"
 #include "endmill/surface/cubic_bernstein.h"
 
 namespace endmill {
-BezierPatch::BezierPatch(std::span<const Vec3> net)
+namespace {
+
+// Of each homogeneous coordinate, entry (m, n) is the m-th partial in u and n-th in v.
+template <int Orders>
+using Partials = std::array<Eigen::Matrix<double, Orders, Orders>, 4>;
+
+struct Nets {
+    const double* first;
+    int degree_u;
+    int degree_v;
+};
+
+template <int Orders, int Count>
+void add_bicubic(Partials<Orders>& partials, const Nets& nets, const SurfacePoint& at)
 {
-    require(net.size() == 16, "BezierPatch: a bicubic net has 16 control points");
-    require(std::ranges::all_of(net, [](const Vec3& point) { return point.allFinite(); }),
+    const auto basis_u = cubic_bernstein<Orders>(at.u);
+    const auto basis_v = cubic_bernstein<Orders>(at.v);
+    for (int c = 0; c < Count; ++c) {
+        const Eigen::Map<const Eigen::Matrix4d, Eigen::Aligned16> net{
+            nets.first + std::ptrdiff_t{16} * c};
+        partials[c] = basis_u.transpose() * (net * basis_v);
+    }
+}
+
+template <int Orders, int Count>
+void add_general(Partials<Orders>& partials, const Nets& nets, const SurfacePoint& at)
+{
+    const auto basis_u = bernstein_basis<Orders>(nets.degree_u, at.u);
+    const auto basis_v = bernstein_basis<Orders>(nets.degree_v, at.v);
+    for (int c = 0; c < Count; ++c) {
+        const Eigen::Map<const Eigen::MatrixXd> net{
+            nets.first + c * basis_u.rows() * basis_v.rows(), basis_u.rows(),
+            basis_v.rows()};
+        const BernsteinBasis<Orders> across = net.lazyProduct(basis_v);
+        partials[c] = basis_u.transpose().lazyProduct(across);
+    }
+}
+
+template <int Orders, int Count>
+Partials<Orders> partials_at(const Nets& nets, const SurfacePoint& at)
+{
+    Partials<Orders> partials;
+    if (nets.degree_u == 3 && nets.degree_v == 3)
+        add_bicubic<Orders, Count>(partials, nets, at);
+    else
+        add_general<Orders, Count>(partials, nets, at);
+    return partials;
+}
+
+// The (m, n)-th partial of (w x, w y, w z).
+template <int Orders>
+Vec3 vector(const Partials<Orders>& partials, int m, int n)
+{
+    return {partials[0](m, n), partials[1](m, n), partials[2](m, n)};
+}
+
+template <int Orders>
+SurfaceTangents tangents_of(const Partials<Orders>& p)
+{
+    return {vector(p, 0, 0), vector(p, 1, 0), vector(p, 0, 1)};
+}
+
+SurfaceJet jet_of(const Partials<3>& p)
+{
+    return {vector(p, 0, 0), vector(p, 1, 0), vector(p, 0, 1),
+            vector(p, 2, 0), vector(p, 1, 1), vector(p, 0, 2)};
+}
+
+using HomogeneousNet = std::vector<Eigen::Vector4d>;
+
+struct Degrees {
+    int u;
+    int v;
+};
+
+// Control point (i, j) of the result is `point(i, j)`.
+template <class Point>
+BezierPatch rearranged(const BezierPatch& patch, Degrees degrees, const Point& point)
+{
+    HomogeneousNet net;
+    for (int j = 0; j <= degrees.v; ++j)
+        for (int i = 0; i <= degrees.u; ++i)
+            net.push_back(point(i, j));
+    return BezierPatch::from_homogeneous(degrees.u, degrees.v, net, patch.is_rational());
+}
+
+// The patch with its degree in u one higher.
+BezierPatch elevated_in_u(const BezierPatch& patch)
+{
+    const int degree = patch.degree(Parameter::U) + 1;
+    return rearranged(patch, {degree, patch.degree(Parameter::V)}, [&](int i, int j) {
+        const double share = i / double(degree);
+        Eigen::Vector4d point = Eigen::Vector4d::Zero();
+        if (i > 0)
+            point += share * patch.homogeneous_point(i - 1, j);
+        if (i < degree)
+            point += (1 - share) * patch.homogeneous_point(i, j);
+        return point;
+    });
+}
+
+}  // namespace
+
+BezierPatch::BezierPatch(int degree_u, int degree_v, bool is_rational)
+    : degree_u_{degree_u},
+      degree_v_{degree_v},
+      is_rational_{is_rational}
+{
+    require(1 <= degree_u && degree_u <= most_degree && 1 <= degree_v &&
+                degree_v <= most_degree,
+            "BezierPatch: degrees must be in 1 … 25");
+}
+
+BezierPatch::BezierPatch(std::span<const Vec3> net) : BezierPatch{3, 3, net} {}
+
+BezierPatch::BezierPatch(int degree_u, int degree_v, std::span<const Vec3> net,
+                         std::span<const double> weights)
+    : BezierPatch{degree_u, degree_v, !weights.empty()}
+{
+    const auto count = static_cast<std::size_t>(points());
+    require(net.size() == count,
+            "BezierPatch: a net has (degree_u + 1)(degree_v + 1) control points");
+    require(weights.empty() || weights.size() == count,
+            "BezierPatch: a rational net has a weight for each control point");
+    HomogeneousNet homogeneous;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double weight = weights.empty() ? 1 : weights[k];
+        homogeneous.emplace_back();
+        homogeneous.back() << weight * net[k], weight;
+    }
+    *this = from_homogeneous(degree_u, degree_v, homogeneous, is_rational_);
+}
+
+BezierPatch BezierPatch::from_homogeneous(int degree_u, int degree_v,
+                                          std::span<const Eigen::Vector4d> net,
+                                          bool is_rational)
+{
+    BezierPatch patch{degree_u, degree_v, is_rational};
+    require(net.size() == static_cast<std::size_t>(patch.points()),
+            "BezierPatch: a net has (degree_u + 1)(degree_v + 1) control points");
+    require(std::ranges::all_of(net, [](const auto& point) { return point.allFinite(); }),
             "BezierPatch: control points must be finite");
-    for (int c = 0; c < 3; ++c)
-        for (int j = 0; j < 4; ++j)
-            for (int i = 0; i < 4; ++i)
-                coordinate_nets_[c](i, j) = net[4 * j + i][c];
+    require(std::ranges::all_of(net, [](const auto& point) { return point[3] > 0; }),
+            "BezierPatch: weights must be above zero");
+    for (int c = 0; c < (is_rational ? 4 : 3); ++c)
+        for (const Eigen::Vector4d& point : net)
+            patch.nets_.push_back(point[c]);
+    return patch;
 }
 
 SurfaceTangents BezierPatch::tangents(double u, double v) const
 {
-    const auto basis_u = cubic_bernstein<2>(u);
-    const auto basis_v = cubic_bernstein<2>(v);
-    SurfaceTangents tangents;
-    for (int c = 0; c < 3; ++c) {
-        // Entry (m, n) is the m-th derivative in u and n-th in v.
-        const Eigen::Matrix2d partials =
-            basis_u.transpose() * (coordinate_nets_[c] * basis_v);
-        tangents.point[c] = partials(0, 0);
-        tangents.du[c] = partials(1, 0);
-        tangents.dv[c] = partials(0, 1);
-    }
-    return tangents;
+    const Nets nets{nets_.data(), degree_u_, degree_v_};
+    if (!is_rational_)
+        return tangents_of(partials_at<2, 3>(nets, {u, v}));
+    const auto partials = partials_at<2, 4>(nets, {u, v});
+    return projected(tangents_of(partials), partials[3]);
 }
 
 SurfaceJet BezierPatch::jet(double u, double v) const
 {
-    const auto basis_u = cubic_bernstein<3>(u);
-    const auto basis_v = cubic_bernstein<3>(v);
-    SurfaceJet jet;
-    for (int c = 0; c < 3; ++c) {
-        // Entry (m, n) is the m-th derivative in u and n-th in v.
-        const Eigen::Matrix3d partials =
-            basis_u.transpose() * (coordinate_nets_[c] * basis_v);
-        jet.point[c] = partials(0, 0);
-        jet.du[c] = partials(1, 0);
-        jet.dv[c] = partials(0, 1);
-        jet.duu[c] = partials(2, 0);
-        jet.duv[c] = partials(1, 1);
-        jet.dvv[c] = partials(0, 2);
-    }
-    return jet;
+    const Nets nets{nets_.data(), degree_u_, degree_v_};
+    if (!is_rational_)
+        return jet_of(partials_at<3, 3>(nets, {u, v}));
+    const auto partials = partials_at<3, 4>(nets, {u, v});
+    return projected(jet_of(partials), partials[3]);
 }
 
 BezierPatch transposed(const BezierPatch& patch)
 {
-    std::array<Vec3, 16> net;
-    for (int j = 0; j < 4; ++j)
-        for (int i = 0; i < 4; ++i)
-            net[4 * j + i] = patch.control_point(j, i);
-    return BezierPatch{net};
+    return rearranged(patch, {patch.degree(Parameter::V), patch.degree(Parameter::U)},
+                      [&](int i, int j) { return patch.homogeneous_point(j, i); });
 }
 
 BezierPatch reversed_in_u(const BezierPatch& patch)
 {
-    std::array<Vec3, 16> net;
-    for (int j = 0; j < 4; ++j)
-        for (int i = 0; i < 4; ++i)
-            net[4 * j + i] = patch.control_point(3 - i, j);
-    return BezierPatch{net};
+    const int degree = patch.degree(Parameter::U);
+    return rearranged(patch, {degree, patch.degree(Parameter::V)}, [&](int i, int j) {
+        return patch.homogeneous_point(degree - i, j);
+    });
+}
+
+BezierPatch elevated(const BezierPatch& patch, int degree_u, int degree_v)
+{
+    require(patch.degree(Parameter::U) <= degree_u && degree_u <= most_degree &&
+                patch.degree(Parameter::V) <= degree_v && degree_v <= most_degree,
+            "elevated: degrees must not fall, and be at most 25");
+    BezierPatch result = patch;
+    while (result.degree(Parameter::U) < degree_u)
+        result = elevated_in_u(result);
+    result = transposed(result);
+    while (result.degree(Parameter::U) < degree_v)
+        result = elevated_in_u(result);
+    return transposed(result);
 }
 
 }  // namespace endmill

@@ -1,39 +1,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <span>
+#include <vector>
 
 #include "endmill/core/vec.h"
+#include "endmill/surface/parameter.h"
 #include "endmill/surface/surface_jet.h"
 
 namespace endmill {
 
-/// Bicubic Bezier patch r(u, v) = sum_ij C(3,i) u^i (1-u)^(3-i) C(3,j) v^j (1-v)^(3-j)
-/// B_ij over the unit square. An immutable value.
-/// Source: [KimChoi, section 2], with the binomials that its print leaves out.
+/// Bezier patch over the unit square, of degree p in u and q in v up to 25, rational if
+/// it has weights:
+///
+///     r(u, v) = sum_ij w_ij B_i(u) B_j(v) P_ij / sum_ij w_ij B_i(u) B_j(v),
+///
+/// B_i(u) = C(p,i) u^i (1-u)^(p-i). An immutable value.
+/// Source: [KimChoi, section 2] for p = q = 3 without weights, with the binomials that
+/// its print leaves out.
 class BezierPatch {
 public:
-    /// \param net the 16 control points in mm, u running fastest: B_ij at [4 j + i].
+    /// A bicubic patch.
+    /// \param net the 16 control points in mm, u running fastest: P_ij at [4 j + i].
     /// \throws DomainError unless there are 16 of them, all finite.
     explicit BezierPatch(std::span<const Vec3> net);
 
-    /// Control point B_ij in mm.
-    /// \pre 0 <= i, j <= 3
-    Vec3 control_point(int i, int j) const
+    /// \param net     (degree_u + 1) (degree_v + 1) control points in mm, u fastest.
+    /// \param weights none, or one a control point.
+    /// \throws DomainError if a degree is not in 1 … 25, the sizes disagree, a point is
+    /// not finite, or a weight is not finite and above zero.
+    BezierPatch(int degree_u, int degree_v, std::span<const Vec3> net,
+                std::span<const double> weights = {});
+
+    /// From homogeneous control points (w x, w y, w z, w), u running fastest.
+    /// \param is_rational if not, all w must be 1 and are forgotten.
+    /// \throws DomainError unless the degrees are in 1 … 25, the size is theirs, and all
+    /// is finite with w > 0.
+    static BezierPatch from_homogeneous(int degree_u, int degree_v,
+                                        std::span<const Eigen::Vector4d> net,
+                                        bool is_rational);
+
+    int degree(Parameter along) const  ///< 1 … 25
     {
-        return {coordinate_nets_[0](i, j), coordinate_nets_[1](i, j),
-                coordinate_nets_[2](i, j)};
+        return along == Parameter::U ? degree_u_ : degree_v_;
     }
 
-    /// Point and first partials. Outside the unit square the polynomial goes on.
+    bool is_rational() const { return is_rational_; }  ///< whether it has weights
+
+    /// Control point P_ij in mm; of a rational patch to a rounding.
+    /// \pre 0 <= i <= degree(U), 0 <= j <= degree(V)
+    Vec3 control_point(int i, int j) const
+    {
+        const Eigen::Vector4d point = homogeneous_point(i, j);
+        return is_rational_ ? Vec3{point.head<3>() / point[3]} : Vec3{point.head<3>()};
+    }
+
+    /// (w x, w y, w z, w) of P_ij and its weight; w = 1 without weights.
+    Eigen::Vector4d homogeneous_point(int i, int j) const
+    {
+        const double* at = nets_.data() + j * (degree_u_ + 1) + i;
+        const int net = points();
+        return {at[0], at[net], at[2 * net], is_rational_ ? at[3 * net] : 1};
+    }
+
+    /// Point and first partials. Outside the unit square the polynomials go on.
     SurfaceTangents tangents(double u, double v) const;
 
-    /// Point, first and second partials. Outside the unit square the polynomial goes on.
+    /// Point, first and second partials. Outside the unit square the polynomials go on.
     SurfaceJet jet(double u, double v) const;
 
 private:
-    std::array<Eigen::Matrix4d, 3> coordinate_nets_;  ///< x, y, z of B_ij at (i, j)
+    BezierPatch(int degree_u, int degree_v, bool is_rational);
+
+    int points() const { return (degree_u_ + 1) * (degree_v_ + 1); }
+
+    int degree_u_;
+    int degree_v_;
+    bool is_rational_;
+    std::vector<double> nets_;  ///< of w x, w y, w z and, if rational, w; each u fastest
 };
 
 /// The same patch with u and v exchanged.
@@ -41,5 +85,10 @@ BezierPatch transposed(const BezierPatch& patch);
 
 /// The same patch with u turned round to 1 - u.
 BezierPatch reversed_in_u(const BezierPatch& patch);
+
+/// The same patch written with higher degrees.
+/// \throws DomainError unless degree(U) <= degree_u <= 25, and the same for v.
+/// Control points are right to a few roundings.
+BezierPatch elevated(const BezierPatch& patch, int degree_u, int degree_v);
 
 }  // namespace endmill

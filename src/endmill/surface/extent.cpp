@@ -14,14 +14,16 @@ namespace {
 // What remains between the bound and a point that attains it, as a share of the diagonal.
 constexpr double bound_gap = 1e-9;
 
+// A piece of a patch by the polynomials w r . direction and w.
 struct BoundedPiece {
-    double bound;
-    BernsteinPiece piece;
+    double bound;  // on r . direction
+    BernsteinPiece height;
+    BernsteinPiece weight;
 
     bool operator<(const BoundedPiece& other) const { return bound < other.bound; }
 };
 
-double greatest_corner(const BernsteinNet& net)
+double greatest_corner(const Eigen::ArrayXXd& net)
 {
     const auto last_row = net.rows() - 1;
     const auto last_column = net.cols() - 1;
@@ -34,20 +36,22 @@ double greatest_height(const Surface& surface, const Vec3& direction)
 {
     std::priority_queue<BoundedPiece> pieces;
     double attained = -std::numeric_limits<double>::infinity();
-    const auto add = [&](BernsteinPiece piece) {
-        attained = std::max(attained, greatest_corner(piece.net));
-        const double bound = piece.net.maxCoeff();
-        pieces.push({bound, std::move(piece)});
+    const auto add = [&](BernsteinPiece height, BernsteinPiece weight) {
+        const Eigen::ArrayXXd heights = height.net.array() / weight.net.array();
+        attained = std::max(attained, greatest_corner(heights));
+        pieces.push({heights.maxCoeff(), std::move(height), std::move(weight)});
     };
     for (int j = 0; j < surface.patches(Parameter::V); ++j)
         for (int i = 0; i < surface.patches(Parameter::U); ++i)
-            add({height_net(surface.patch(i, j), direction), {0, 0}, 1, 1});
+            add({height_net(surface.patch(i, j), direction), {0, 0}, 1, 1},
+                {weight_net(surface.patch(i, j)), {0, 0}, 1, 1});
     while (!pieces.empty() &&
            pieces.top().bound > attained + bound_gap * surface.diagonal()) {
-        auto [low, high] = halves(pieces.top().piece);
+        auto [low, high] = halves(pieces.top().height);
+        auto [low_weight, high_weight] = halves(pieces.top().weight);
         pieces.pop();
-        add(std::move(low));
-        add(std::move(high));
+        add(std::move(low), std::move(low_weight));
+        add(std::move(high), std::move(high_weight));
     }
     return attained;
 }

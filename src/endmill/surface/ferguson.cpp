@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/surface/ferguson.h"
 
+#include "endmill/core/error.h"
+
 namespace endmill {
 
 BezierPatch bezier_from_ferguson(const FergusonPatch& patch)
@@ -26,6 +28,9 @@ BezierPatch bezier_from_ferguson(const FergusonPatch& patch)
 
 FergusonPatch ferguson_from_bezier(const BezierPatch& patch)
 {
+    require(patch.degree(Parameter::U) == 3 && patch.degree(Parameter::V) == 3 &&
+                !patch.is_rational(),
+            "ferguson_from_bezier: need a bicubic patch without weights");
     FergusonPatch ferguson;
     for (int corner = 0; corner < 4; ++corner) {
         const int u = corner % 2;

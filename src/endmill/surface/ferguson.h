@@ -26,6 +26,7 @@ BezierPatch bezier_from_ferguson(const FergusonPatch& patch);
 
 /// The Ferguson form of `patch`: the same surface. A bicubic Bezier patch in general has
 /// twists that are not zero.
+/// \throws DomainError unless the patch is bicubic and without weights.
 FergusonPatch ferguson_from_bezier(const BezierPatch& patch);
 
 }  // namespace endmill

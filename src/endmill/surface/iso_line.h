@@ -28,9 +28,10 @@ public:
     /// The surface's jet at (u, v), one-sided at a border, see Surface::patch_number.
     SurfaceJet jet(double u) const;
 
-    /// Greatest |d2r/du2| on [from, to], in mm per unit of u squared: a chord over it
-    /// strays from the line by at most (to - from)^2 / 8 times as much.
-    double greatest_bend(double from, double to) const;
+    /// A bound on |d2r/du2| over [from, to], in mm per unit of u squared: a chord over it
+    /// strays from the line by at most (to - from)^2 / 8 times as much. Attained where
+    /// the surface is bicubic without weights, else from the hulls of control points.
+    double bend_bound(double from, double to) const;
 
     /// Smallest u > `from` at which the line has gone `distance` beyond its point at
     /// `from`, measured along `direction`: (r(u) - r(from)) . direction = distance.
@@ -44,15 +45,29 @@ public:
                                       double distance) const;
 
 private:
-    // A patch's line and its derivatives across, as cubic Bezier curves in u.
+    // A patch's line and its derivatives across, as Bezier curves in u by their
+    // homogeneous control points.
     struct Piece {
-        Eigen::Matrix<double, 4, 3> point;
-        Eigen::Matrix<double, 4, 3> dv;
-        Eigen::Matrix<double, 4, 3> dvv;
+        bool is_rational;
+        // A row a control point; columns of the curve, of its first, of its second
+        // derivative across, in that order: x, y, z and, if rational, w of each.
+        Eigen::MatrixXd nets;
+
+        bool is_cubic() const { return nets.rows() == 4 && !is_rational; }
+    };
+
+    // What first_reach looks for.
+    struct Reach {
+        Vec3 start;
+        Vec3 direction;
+        double distance;
     };
 
     int piece_number(double u) const;
-    Vec3 bend(int piece, double u) const;
+    static SurfaceJet jet_of(const Piece& piece, double t, double slope);
+    static std::optional<double> first_reach_on(const Piece& piece, double from,
+                                                const Reach& reach);
+    double bend_bound_of(int piece, double low, double high) const;
 
     double v_;
     bool is_point_;

@@ -38,8 +38,8 @@ double net_diagonal(std::span<const BezierPatch> patches)
 {
     Eigen::AlignedBox3d box;
     for (const BezierPatch& patch : patches)
-        for (int j = 0; j < 4; ++j)
-            for (int i = 0; i < 4; ++i)
+        for (int j = 0; j <= patch.degree(Parameter::V); ++j)
+            for (int i = 0; i <= patch.degree(Parameter::U); ++i)
                 box.extend(patch.control_point(i, j));
     return box.diagonal().norm();
 }

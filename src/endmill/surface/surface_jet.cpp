@@ -15,6 +15,29 @@ constexpr double vanishing_share = 1e-10;
 
 }  // namespace
 
+SurfaceTangents projected(const SurfaceTangents& homogeneous,
+                          const Eigen::Matrix2d& weight)
+{
+    const auto& w = weight;
+    const Vec3 point = homogeneous.point / w(0, 0);
+    return {point, (homogeneous.du - w(1, 0) * point) / w(0, 0),
+            (homogeneous.dv - w(0, 1) * point) / w(0, 0)};
+}
+
+SurfaceJet projected(const SurfaceJet& homogeneous, const Eigen::Matrix3d& weight)
+{
+    const auto& [h, hu, hv, huu, huv, hvv] = homogeneous;
+    const auto& w = weight;
+    const Eigen::Matrix2d first = w.topLeftCorner<2, 2>();
+    const auto [point, du, dv] = projected(SurfaceTangents{h, hu, hv}, first);
+    return {point,
+            du,
+            dv,
+            (huu - 2 * w(1, 0) * du - w(2, 0) * point) / w(0, 0),
+            (huv - w(1, 0) * dv - w(0, 1) * du - w(1, 1) * point) / w(0, 0),
+            (hvv - 2 * w(0, 1) * dv - w(0, 2) * point) / w(0, 0)};
+}
+
 bool is_singular(const SurfaceTangents& tangents)
 {
     const double area2 = tangents.du.cross(tangents.dv).squaredNorm();

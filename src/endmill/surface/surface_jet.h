@@ -24,6 +24,13 @@ struct SurfaceJet {
     Vec3 dvv;    ///< mm per unit of v squared
 };
 
+/// Partials of r from those of w r, `homogeneous`, and of the weight w: entry (m, n) of
+/// `weight` is its m-th partial in u and n-th in v.
+/// Source: Leibniz' rule on w r, solved for the highest partial of r.
+SurfaceTangents projected(const SurfaceTangents& homogeneous,
+                          const Eigen::Matrix2d& weight);
+SurfaceJet projected(const SurfaceJet& homogeneous, const Eigen::Matrix3d& weight);
+
 /// Whether du and dv are parallel to rounding, or one of them vanishes: a pole, a cusp,
 /// a collapsed edge. The surface has no normal there but as a limit.
 /// Source: |du x dv| < 1e-10 |du| |dv|, the convention of this project.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/surface/tool_side.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <boost/math/quadrature/gauss.hpp>
 
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
@@ -14,24 +16,32 @@
 namespace endmill {
 namespace {
 
+using Rule = boost::math::quadrature::gauss<double, 30>;
+
 // Share of the product of the longest partials below which (du x dv) . axis is rounding:
 // the ball would touch at its equator.
 constexpr double side_contact = 1e-12;
 // Pieces narrower than this are decided at their corners.
 constexpr double least_width = 0x1p-14;
 
+// A bound on w^3 |du| |dv| over the patch, of its order of magnitude.
 double longest_partials(const BezierPatch& patch)
 {
+    const int p = patch.degree(Parameter::U);
+    const int q = patch.degree(Parameter::V);
     double du = 0;
     double dv = 0;
-    for (int j = 0; j < 4; ++j)
-        for (int i = 0; i < 3; ++i) {
-            du = std::max(
-                du, (patch.control_point(i + 1, j) - patch.control_point(i, j)).norm());
-            dv = std::max(
-                dv, (patch.control_point(j, i + 1) - patch.control_point(j, i)).norm());
+    for (int j = 0; j <= q; ++j)
+        for (int i = 0; i <= p; ++i) {
+            const Vec3 point = patch.control_point(i, j);
+            if (i < p)
+                du = std::max(du, (patch.control_point(i + 1, j) - point).norm());
+            if (j < q)
+                dv = std::max(dv, (patch.control_point(i, j + 1) - point).norm());
         }
-    return 9 * du * dv;
+    const BernsteinNet weights = weight_net(patch);
+    const double ratio = weights.maxCoeff() / weights.minCoeff();
+    return p * q * du * dv * std::pow(ratio, 4) * std::pow(weights.maxCoeff(), 3);
 }
 
 // A corner of the piece, in the patch's own parameters, where the polynomial is not above
@@ -59,6 +69,23 @@ BernsteinNet reduced_normal_net(const BezierPatch& patch, const Vec3& axis)
     return net;
 }
 
+// The integral of (du x dv) . axis. A Bernstein polynomial's mean is that of its
+// coefficients; with weights it is a quotient, integrated by quadrature.
+double projected_area(const BezierPatch& patch, const Vec3& axis)
+{
+    if (!patch.is_rational())
+        return normal_net(patch, axis).mean();
+    const auto along_v = [&](double u) {
+        return Rule::integrate(
+            [&](double v) {
+                const SurfaceTangents tangents = patch.tangents(u, v);
+                return tangents.du.cross(tangents.dv).dot(axis);
+            },
+            0, 1);
+    };
+    return Rule::integrate(along_v, 0, 1);
+}
+
 std::optional<SurfacePoint> place_not_above(BernsteinPiece whole, double least)
 {
     std::vector<BernsteinPiece> pieces{std::move(whole)};
@@ -83,12 +110,11 @@ double tool_side_sign(const Surface& surface, const Vec3& axis)
 {
     if (surface.tool_side() != ToolSide::Up)
         return surface.tool_side() == ToolSide::DuCrossDv ? 1 : -1;
-    double projected_area =
-        0;  // a Bernstein polynomial's mean is that of its coefficients
+    double area = 0;
     for (int j = 0; j < surface.patches(Parameter::V); ++j)
         for (int i = 0; i < surface.patches(Parameter::U); ++i)
-            projected_area += normal_net(surface.patch(i, j), axis).mean();
-    return projected_area < 0 ? -1 : 1;
+            area += projected_area(surface.patch(i, j), axis);
+    return area < 0 ? -1 : 1;
 }
 
 std::optional<UnreachablePlace> find_unreachable_place(const Surface& surface,

@@ -9,7 +9,8 @@ namespace endmill {
 
 /// The sign that turns du x dv into the normal on the tool's side, the same for the whole
 /// surface. For ToolSide::Up it is the sign of the surface's projected area along `axis`,
-/// an integral that is computed exactly but for rounding.
+/// an integral that is computed exactly but for rounding, of patches with weights by
+/// Gauss-Legendre quadrature of 30 by 30 points.
 /// \param axis from the tip to the spindle, unit.
 /// \return +1 or -1; +1 if the projected area vanishes.
 double tool_side_sign(const Surface& surface, const Vec3& axis);
@@ -23,7 +24,7 @@ struct UnreachablePlace {
     bool singular;           ///< the partials are parallel or one of them vanishes
 };
 
-/// Looks for an unreachable place by bounding (du x dv) . axis, a polynomial, on ever
+/// Looks for an unreachable place by bounding w^3 (du x dv) . axis, a polynomial, on ever
 /// smaller pieces of each patch; not by sampling, so that a narrow overhang is found.
 /// On a collapsed edge the normal's limit counts.
 /// \param side from tool_side_sign.
