@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/surface/nurbs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/surface/bernstein_basis.h"
+
+namespace endmill {
+namespace {
+
+// A narrower span, as a share of the range, is a rounding of a repeated knot.
+constexpr double least_span = 1e-12;
+
+// A stretch between different knots, and the spline there in Bezier form.
+struct Span {
+    double start;
+    double end;
+    int first_point;  // of the degree + 1 control points that matter here
+    // Bezier control point i is the sum over k of bezier(i, k) times control point k.
+    Eigen::MatrixXd bezier;
+};
+
+// Numbers of the knots at which the spans inside the range start.
+std::vector<int> span_starts(const SplineParameter& parameter)
+{
+    std::vector<int> starts;
+    for (int k = parameter.degree; k < parameter.points(); ++k)
+        if (parameter.knots[k] < parameter.knots[k + 1])
+            starts.push_back(k);
+    return starts;
+}
+
+// The polar form of the spline on the span that starts at knot `start`: at the span's
+// start p - i times and at its end i times it is Bezier control point i.
+Eigen::RowVectorXd bezier_row(const SplineParameter& parameter, int start, int i)
+{
+    const auto& [p, knots] = parameter;
+    Eigen::MatrixXd points = Eigen::MatrixXd::Identity(p + 1, p + 1);
+    for (int level = 1; level <= p; ++level) {
+        const double t = level <= p - i ? knots[start] : knots[start + 1];
+        for (int k = p; k >= level; --k) {
+            const int first = start - p + k;
+            const double share =
+                (t - knots[first]) / (knots[first + p + 1 - level] - knots[first]);
+            points.row(k) = (1 - share) * points.row(k - 1) + share * points.row(k);
+        }
+    }
+    return points.row(p);
+}
+
+std::vector<Span> spans_of(const SplineParameter& parameter)
+{
+    const auto& [p, knots] = parameter;
+    std::vector<Span> spans;
+    for (const int start : span_starts(parameter)) {
+        Span& span = spans.emplace_back(Span{knots[start], knots[start + 1], start - p,
+                                             Eigen::MatrixXd(p + 1, p + 1)});
+        for (int i = 0; i <= p; ++i)
+            span.bezier.row(i) = bezier_row(parameter, start, i);
+    }
+    return spans;
+}
+
+std::vector<double> breaks_of(std::span<const Span> spans)
+{
+    std::vector<double> breaks{spans.front().start};
+    for (const Span& span : spans)
+        breaks.push_back(span.end);
+    return breaks;
+}
+
+Eigen::Vector4d homogeneous(const Nurbs& nurbs, int i, int j)
+{
+    const auto at = static_cast<std::size_t>(j) * nurbs.u.points() + i;
+    const double weight = nurbs.weights.empty() ? 1 : nurbs.weights[at];
+    Eigen::Vector4d point;
+    point << weight * nurbs.control_points[at], weight;
+    return point;
+}
+
+BezierPatch patch_on(const Nurbs& nurbs, const Span& along_u, const Span& along_v)
+{
+    const int p = nurbs.u.degree;
+    const int q = nurbs.v.degree;
+    std::vector<Eigen::Vector4d> net(static_cast<std::size_t>(p + 1) * (q + 1));
+    for (int c = 0; c < 4; ++c) {
+        Eigen::MatrixXd points{p + 1, q + 1};
+        for (int j = 0; j <= q; ++j)
+            for (int i = 0; i <= p; ++i)
+                points(i, j) = homogeneous(nurbs, along_u.first_point + i,
+                                           along_v.first_point + j)[c];
+        points = along_u.bezier * points * along_v.bezier.transpose();
+        for (int j = 0; j <= q; ++j)
+            for (int i = 0; i <= p; ++i)
+                net[static_cast<std::size_t>(j) * (p + 1) + i][c] = points(i, j);
+    }
+    return BezierPatch::from_homogeneous(p, q, net, !nurbs.weights.empty());
+}
+
+bool repeats_too_often(const SplineParameter& parameter)
+{
+    const auto& [degree, knots] = parameter;
+    const auto beyond = static_cast<std::size_t>(degree) + 1;
+    for (std::size_t k = 0; k + beyond < knots.size(); ++k)
+        if (knots[k] == knots[k + beyond])
+            return true;
+    return false;
+}
+
+}  // namespace
+
+std::string flaw(const SplineParameter& parameter)
+{
+    const auto& [degree, knots] = parameter;
+    if (degree < 1 || degree > most_degree)
+        return "the degree is not in 1 … " + std::to_string(most_degree);
+    if (!std::ranges::all_of(knots, [](double knot) { return std::isfinite(knot); }))
+        return "a knot is not finite";
+    if (!std::ranges::is_sorted(knots))
+        return "the knots fall";
+    if (parameter.points() < degree + 1)
+        return "there are fewer than degree + 1 control points";
+    if (repeats_too_often(parameter))
+        return "a knot is repeated more than degree + 1 times";
+    const double range = knots[parameter.points()] - knots[degree];
+    if (!(range > 0) || !std::isfinite(range))
+        return "the range between knot [degree] and knot [points] is empty";
+    for (const int start : span_starts(parameter))
+        if (knots[start + 1] - knots[start] <= least_span * range)
+            return "two knots lie closer than 1e-12 of the range";
+    return {};
+}
+
+Surface nurbs_surface(const Nurbs& nurbs, ToolSide tool_side)
+{
+    require(flaw(nurbs.u).empty() && flaw(nurbs.v).empty(),
+            "nurbs_surface: the degrees or knots are unsound");
+    const auto count = static_cast<std::size_t>(nurbs.u.points()) * nurbs.v.points();
+    require(nurbs.control_points.size() == count,
+            "nurbs_surface: the number of control points does not match the knots");
+    require(nurbs.weights.empty() || nurbs.weights.size() == count,
+            "nurbs_surface: a weight is needed for each control point");
+    const std::vector<Span> along_u = spans_of(nurbs.u);
+    const std::vector<Span> along_v = spans_of(nurbs.v);
+    std::vector<BezierPatch> patches;
+    patches.reserve(along_u.size() * along_v.size());
+    for (const Span& v : along_v)
+        for (const Span& u : along_u)
+            patches.push_back(patch_on(nurbs, u, v));
+    return Surface{breaks_of(along_u), breaks_of(along_v), std::move(patches), tool_side};
+}
+
+}  // namespace endmill

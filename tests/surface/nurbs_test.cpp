@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/surface/nurbs.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
+#include "endmill/surface/area.h"
+#include "endmill/surface/continuity.h"
+#include "endmill/surface/curvature.h"
+#include "endmill/surface/largest_cutter.h"
+#include "endmill/surface/tool_side.h"
+#include "revolved_surfaces.h"
+#include "test_surfaces.h"
+
+namespace endmill {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// N_{i,p}(t) straight from the recursion of Cox and de Boor.
+double b_spline(const std::vector<double>& knots, int i, int p, double t)
+{
+    if (p == 0)
+        return knots[i] <= t && t < knots[i + 1] ? 1 : 0;
+    double value = 0;
+    if (knots[i + p] > knots[i])
+        value +=
+            (t - knots[i]) / (knots[i + p] - knots[i]) * b_spline(knots, i, p - 1, t);
+    if (knots[i + p + 1] > knots[i + 1])
+        value += (knots[i + p + 1] - t) / (knots[i + p + 1] - knots[i + 1]) *
+                 b_spline(knots, i + 1, p - 1, t);
+    return value;
+}
+
+Vec3 by_definition(const Nurbs& nurbs, double u, double v)
+{
+    Vec3 sum = Vec3::Zero();
+    double weight_sum = 0;
+    for (int j = 0; j < nurbs.v.points(); ++j)
+        for (int i = 0; i < nurbs.u.points(); ++i) {
+            const int at = j * nurbs.u.points() + i;
+            const double share = b_spline(nurbs.u.knots, i, nurbs.u.degree, u) *
+                                 b_spline(nurbs.v.knots, j, nurbs.v.degree, v) *
+                                 (nurbs.weights.empty() ? 1 : nurbs.weights[at]);
+            sum += share * nurbs.control_points[at];
+            weight_sum += share;
+        }
+    return sum / weight_sum;
+}
+
+Nurbs random_nurbs(SplineParameter u, SplineParameter v, bool rational)
+{
+    test::Random random{7};
+    Nurbs nurbs{std::move(u), std::move(v), {}, {}};
+    for (int j = 0; j < nurbs.v.points(); ++j)
+        for (int i = 0; i < nurbs.u.points(); ++i) {
+            const double z = random.uniform(-5, 5);
+            nurbs.control_points.emplace_back(10 * i, 10 * j, z);
+            if (rational)
+                nurbs.weights.push_back(random.uniform(0.5, 2));
+        }
+    return nurbs;
+}
+
+TEST(Nurbs, IsTheSumOfItsBSplines)
+{
+    const SplineParameter parameters[] = {
+        {3, {0, 0, 0, 0, 1, 2, 2, 3.5, 4, 4, 4, 4}},
+        {2, {-1, -0.5, 0, 1, 1, 2, 3, 4}},  // not clamped
+        {1, {0, 0, 1, 5, 5}},
+        {5, {0, 0, 0, 0, 0, 0, 0.3, 0.3, 0.3, 1, 1, 1, 1, 1, 1}}};
+    for (const auto& u : parameters)
+        for (const auto& v : parameters)
+            for (const bool rational : {false, true}) {
+                const Nurbs nurbs = random_nurbs(u, v, rational);
+                const Surface surface = nurbs_surface(nurbs);
+                const auto [u_low, u_high] = surface.range(Parameter::U);
+                const auto [v_low, v_high] = surface.range(Parameter::V);
+                EXPECT_EQ(u_low, u.knots[u.degree]);
+                EXPECT_EQ(u_high, u.knots[u.points()]);
+                for (const double s : {0.0, 0.21, 0.5, 0.77, 0.999})
+                    for (const double t : {0.0, 0.34, 0.9}) {
+                        const double at_u = std::lerp(u_low, u_high, s);
+                        const double at_v = std::lerp(v_low, v_high, t);
+                        EXPECT_LT((surface.tangents(at_u, at_v).point -
+                                   by_definition(nurbs, at_u, at_v))
+                                      .norm(),
+                                  1e-12);
+                    }
+            }
+}
+
+TEST(Nurbs, WithSimpleKnotsIsAsSmoothAsItsDegreeSays)
+{
+    const SplineParameter cubic{3, {0, 0, 0, 0, 1, 2, 3, 3, 3, 3}};
+    const Surface surface = nurbs_surface(random_nurbs(cubic, cubic, false));
+    for (const double u : {1.0, 2.0}) {
+        const int number = surface.patch_number(Parameter::U, u);
+        const SurfaceJet below = surface.jet_in_patch(number - 1, 0, u, 0.4);
+        const SurfaceJet above = surface.jet_in_patch(number, 0, u, 0.4);
+        EXPECT_LT((below.point - above.point).norm(), 1e-13);
+        EXPECT_LT((below.du - above.du).norm(), 1e-12);
+        EXPECT_LT((below.duu - above.duu).norm(), 1e-11);
+    }
+    EXPECT_EQ(continuity(surface).continuity, Continuity::G1);
+}
+
+TEST(Nurbs, IsPartedByAKnotRepeatedOnceMoreThanTheDegree)
+{
+    const SplineParameter parted{2, {0, 0, 0, 1, 1, 1, 2, 2, 2}};
+    const SplineParameter whole{2, {0, 0, 0, 1, 1, 1}};
+    const Surface surface = nurbs_surface(random_nurbs(parted, whole, true));
+    EXPECT_EQ(surface.patches(Parameter::U), 2);
+    EXPECT_EQ(continuity(surface).continuity, Continuity::None);
+}
+
+TEST(Nurbs, OfABezierNetIsTheCompositeSurface)
+{
+    const auto net = test::random_net(3, {2, 1}, 4);
+    const Surface bezier = composite_bezier(2, 1, net);
+    const Surface nurbs = nurbs_surface(
+        {{3, {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2}}, {3, {0, 0, 0, 0, 1, 1, 1, 1}}, net, {}});
+    for (int i = 0; i < 2; ++i)
+        for (int k = 0; k < 16; ++k)
+            EXPECT_EQ(nurbs.patch(i, 0).control_point(k % 4, k / 4),
+                      bezier.patch(i, 0).control_point(k % 4, k / 4));
+}
+
+TEST(Nurbs, CylinderHasItsCurvatureAreaAndLargestBall)
+{
+    const Surface surface = nurbs_surface(test::cylinder(12, 30, 0.3, 2.8, 3));
+    EXPECT_NEAR(area(surface), 12 * 30 * 2.5, 1e-9 * 900);
+    const double outside = tool_side_sign(surface, Vec3::UnitZ());
+    const auto range = curvature_range(surface, outside);
+    ASSERT_TRUE(range);
+    EXPECT_NEAR(range->greatest, 1 / 12.0, 1e-12);
+    EXPECT_NEAR(range->least, 0, 1e-12);
+    EXPECT_FALSE(largest_cutter(surface, outside));
+    const auto inside = largest_cutter(surface, -outside);
+    ASSERT_TRUE(inside);
+    EXPECT_NEAR(inside->radius_mm, 12, 12e-9);
+}
+
+TEST(Nurbs, SphereHasItsCurvatureAreaAndLargestBall)
+{
+    const Surface surface = nurbs_surface(test::torus(0, 8, {0, 1.5, 0.25, 1.25, 2}));
+    const double expected = 64 * 1.5 * (std::sin(1.25) - std::sin(0.25));
+    EXPECT_NEAR(area(surface), expected, 1e-9 * expected);
+    const double outside = tool_side_sign(surface, Vec3::UnitZ());
+    const auto range = curvature_range(surface, outside);
+    ASSERT_TRUE(range);
+    EXPECT_NEAR(range->greatest, 0.125, 1e-12);
+    EXPECT_NEAR(range->least, 0.125, 1e-12);
+    EXPECT_FALSE(largest_cutter(surface, outside));
+    const auto inside = largest_cutter(surface, -outside);
+    ASSERT_TRUE(inside);
+    EXPECT_NEAR(inside->radius_mm, 8, 8e-9);
+}
+
+TEST(Nurbs, TorusHasItsCurvatureAreaAndLargestBall)
+{
+    constexpr double R = 30;
+    constexpr double r = 10;
+    // the upper part, from outside to inside
+    const Surface surface = nurbs_surface(test::torus(R, r, {0, 2, 0.4, 2.5, 2}));
+    const double expected = r * 2 * (R * 2.1 + r * (std::sin(2.5) - std::sin(0.4)));
+    EXPECT_NEAR(area(surface), expected, 1e-9 * expected);
+    const double side = tool_side_sign(surface, Vec3::UnitZ());
+    for (const double u : {0.0, 0.4, 1.3, 2.0})
+        for (const double v : {0.1, 0.9, 1.6}) {
+            const SurfaceJet jet = surface.jet(u, v);
+            const double rho = std::hypot(jet.point.x(), jet.point.y());
+            const auto k = principal_curvatures(fundamental_forms(jet, side));
+            EXPECT_NEAR(k.greatest, 1 / r, 1e-12);
+            EXPECT_NEAR(k.least, (rho - R) / (r * rho), 1e-12);
+        }
+    const auto limit = largest_cutter(surface, side);
+    ASSERT_TRUE(limit);
+    const double rho = R + r * std::cos(2.5);
+    EXPECT_NEAR(limit->radius_mm, -r * rho / (rho - R), 1e-9 * 100);
+}
+
+TEST(Nurbs, FlawsAreToldByName)
+{
+    EXPECT_EQ(flaw({2, {0, 0, 0, 1, 1, 1}}), "");
+    EXPECT_EQ(flaw({0, {0, 1}}), "the degree is not in 1 … 25");
+    EXPECT_EQ(flaw({26, {0, 1}}), "the degree is not in 1 … 25");
+    EXPECT_EQ(flaw({1, {0, 0, NAN, 1}}), "a knot is not finite");
+    EXPECT_EQ(flaw({1, {0, 1, 0.5, 1}}), "the knots fall");
+    EXPECT_EQ(flaw({2, {0, 0, 1, 1}}), "there are fewer than degree + 1 control points");
+    EXPECT_EQ(flaw({1, {0, 0, 1, 1, 1, 2, 2}}),
+              "a knot is repeated more than degree + 1 times");
+    EXPECT_EQ(flaw({1, {0, 1, 1, 2}}),
+              "the range between knot [degree] and knot [points] is empty");
+    EXPECT_EQ(flaw({1, {0, 0, 1e-13, 1, 1}}),
+              "two knots lie closer than 1e-12 of the range");
+    const SplineParameter line{1, {0, 0, 1, 1}};
+    EXPECT_THROW(nurbs_surface({line, {1, {0, 1, 0, 1}}, {}, {}}), DomainError);
+    EXPECT_THROW(nurbs_surface({line, line, std::vector<Vec3>(3, Vec3::Zero()), {}}),
+                 DomainError);
+    EXPECT_THROW(nurbs_surface({line, line, std::vector<Vec3>(4, Vec3::Zero()), {1, 1}}),
+                 DomainError);
+}
+
+}  // namespace
+}  // namespace endmill
