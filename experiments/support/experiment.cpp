@@ -123,7 +123,7 @@ void Experiment::publish()
 
 Surface dataset_surface(const std::string& name)
 {
-    return read_surface("datasets/surfaces/" + name + ".json").surface;
+    return read_surface("datasets/surfaces/" + name + ".json").surfaces.front();
 }
 
 double published_number(const std::string& name, const std::string& row,

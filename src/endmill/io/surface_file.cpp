@@ -16,6 +16,8 @@
 #include "endmill/io/printable.h"
 #include "endmill/io/read_file.h"
 #include "endmill/io/strict_json.h"
+#include "endmill/io/surface_kinds.h"
+#include "endmill/surface/collapsed_edge.h"
 
 namespace endmill {
 namespace {
@@ -24,24 +26,10 @@ using Words = std::span<const std::string_view>;
 
 constexpr std::string_view format_family = "endmill-surface/";
 constexpr int format_version = 1;
-constexpr std::int64_t most_patches = 10000;
+constexpr double same_point_share = 1e-12;  // of the surface's diagonal
 constexpr double mm_per_inch = 25.4;
 constexpr std::size_t longest_name = 200;
 constexpr std::size_t longest_source = 2000;
-
-constexpr std::array<std::string_view, 10> bezier_keys{
-    "format",    "name",      "source",    "type",           "units",
-    "tool_side", "patches_u", "patches_v", "control_points", "trim_loops"};
-
-// A net as the file holds it: rows of constant v, u running fastest.
-struct ControlNet {
-    std::int64_t patches_u;
-    std::int64_t patches_v;
-    std::vector<Vec3> points;
-
-    std::int64_t columns() const { return 3 * patches_u + 1; }
-    std::int64_t rows() const { return 3 * patches_v + 1; }
-};
 
 // Tells a mesh or a program from a surface before complaining of its syntax.
 void check_content(std::string_view content, const std::string& file)
@@ -76,19 +64,44 @@ void check_format(const JsonValue& root)
     throw value.complaint(value.shown(), expected, "E_FORMAT");
 }
 
-void check_type(const JsonValue& root)
+using KindReader = std::vector<Surface> (*)(const SurfaceNumbers&);
+
+// A kind of surface by its word in files, with the keys that it has beside `common_keys`.
+struct Kind {
+    std::string_view word;
+    std::vector<std::string_view> keys;
+    KindReader read;
+};
+
+const std::array<Kind, 4>& kinds()
 {
-    constexpr std::array<std::string_view, 4> types{"bezier", "nurbs", "bezier-patches",
-                                                    "height-grid"};
+    static const std::array<Kind, 4> all{
+        {{"bezier", {"patches_u", "patches_v", "control_points"}, read_bezier},
+         {"nurbs",
+          {"degree_u", "degree_v", "knots_u", "knots_v", "control_points", "weights"},
+          read_nurbs},
+         {"bezier-patches", {"patches"}, read_bezier_patches},
+         {"height-grid", {"x", "y", "z"}, read_height_grid}}};
+    return all;
+}
+
+const Kind& kind_of(const JsonValue& root)
+{
+    constexpr std::array<std::string_view, 7> common_keys{
+        "format", "name", "source", "type", "units", "tool_side", "trim_loops"};
+    std::vector<std::string_view> words;
+    for (const Kind& kind : kinds())
+        words.push_back(kind.word);
     const JsonValue value = root.member("type");
-    const std::string_view type = value.word(types);
-    if (type != "bezier")
-        throw value.complaint("surfaces of type \"" + std::string{type} +
-                                  "\" are not supported by this version",
-                              "\"bezier\"", "E_SURFACE");
+    const std::string_view word = value.word(words);
     if (const auto loops = root.find_member("trim_loops"))
         throw loops->complaint("trim_loops are not supported by this version",
                                "an untrimmed surface", "E_SURFACE");
+    const Kind& kind = *std::ranges::find(kinds(), word, &Kind::word);
+    std::vector<std::string_view> keys{common_keys.begin(), common_keys.end()};
+    keys.insert(keys.end(), kind.keys.begin(), kind.keys.end());
+    root.allow_only(keys);
+    return kind;
 }
 
 std::string text_or(const JsonValue& root, std::string_view key, std::size_t longest,
@@ -120,89 +133,43 @@ ToolSide tool_side(const JsonValue& root)
     return side == "du_cross_dv" ? ToolSide::DuCrossDv : ToolSide::DvCrossDu;
 }
 
-// A control point in mm; `unit` is mm per unit of the file.
-Vec3 read_point(const JsonValue& value, double unit, const ReadLimits& limits)
+// Whether the end of `along`'s range is one point.
+bool is_pole(const Surface& surface, Parameter along, int end)
 {
-    if (value.size() != 3)
-        throw value.complaint("a point of " + std::to_string(value.size()) + " numbers",
-                              "3: x, y, z");
-    Vec3 point;
-    for (int c = 0; c < 3; ++c) {
-        const JsonValue coordinate = value.item(c);
-        point[c] = unit * coordinate.number();
-        if (std::abs(point[c]) > limits.max_extent_mm || !std::isfinite(point[c]))
-            throw coordinate.complaint(
-                "coordinate " + coordinate.shown(),
-                "at most " + to_text(limits.max_extent_mm) + " mm (--max-extent)",
-                "E_RANGE");
-    }
-    return point;
-}
-
-std::string counted(std::size_t count, const char* thing)
-{
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
-void read_row(const JsonValue& row, double unit, const ReadLimits& limits,
-              ControlNet& net)
-{
-    const auto columns = static_cast<std::size_t>(net.columns());
-    if (row.size() != columns)
-        throw row.complaint("row has " + counted(row.size(), "point"),
-                            std::to_string(columns) + " (3 patches_u + 1)", "E_SURFACE");
-    for (std::size_t i = 0; i < columns; ++i)
-        net.points.push_back(read_point(row.item(i), unit, limits));
-}
-
-ControlNet read_net(const JsonValue& root, double unit, const ReadLimits& limits)
-{
-    ControlNet net{root.member("patches_u").whole_number(1, most_patches),
-                   root.member("patches_v").whole_number(1, most_patches),
-                   {}};
-    const JsonValue rows = root.member("control_points");
-    const auto expected_rows = static_cast<std::size_t>(net.rows());
-    if (rows.size() != expected_rows)
-        throw rows.complaint("net has " + counted(rows.size(), "row"),
-                             std::to_string(expected_rows) + " (3 patches_v + 1)",
-                             "E_SURFACE");
-    // Memory is taken as points are read, never for what the counts claim.
-    for (std::size_t j = 0; j < expected_rows; ++j)
-        read_row(rows.item(j), unit, limits, net);
-    if (std::ranges::all_of(net.points,
-                            [&](const Vec3& p) { return p == net.points.front(); }))
-        throw rows.complaint("all control points are equal", "a surface", "E_SURFACE");
-    return net;
-}
-
-// Whether `count` control points from `first` on, `stride` apart, are one point.
-bool is_one_point(const ControlNet& net, std::int64_t first, std::int64_t stride,
-                  std::int64_t count)
-{
-    for (std::int64_t i = 1; i < count; ++i)
-        if (net.points[first + i * stride] != net.points[first])
+    const Parameter other = along == Parameter::U ? Parameter::V : Parameter::U;
+    const int last = end == 0 ? 0 : surface.patches(along) - 1;
+    std::optional<Vec3> pole;
+    for (int k = 0; k < surface.patches(other); ++k) {
+        const BezierPatch& patch =
+            along == Parameter::U ? surface.patch(last, k) : surface.patch(k, last);
+        const Vec3 corner =
+            along == Parameter::U
+                ? patch.control_point(end * patch.degree(Parameter::U), 0)
+                : patch.control_point(0, end * patch.degree(Parameter::V));
+        if (!is_collapsed(patch, along, end) ||
+            (pole && (*pole - corner).norm() > same_point_share * surface.diagonal()))
             return false;
+        pole = corner;
+    }
     return true;
 }
 
 // A border whose control points are one is a pole: sound, but without a normal there.
-std::vector<std::string> pole_notes(const ControlNet& net)
+std::vector<std::string> pole_notes(std::span<const Surface> surfaces)
 {
-    const std::int64_t columns = net.columns();
-    const std::int64_t rows = net.rows();
     std::vector<std::string> notes;
-    const auto note_pole = [&](std::string_view parameter, std::int64_t value) {
-        notes.push_back("pole: the border " + std::string{parameter} + " = " +
-                        std::to_string(value) + " is a single point, without a normal");
-    };
-    if (is_one_point(net, 0, columns, rows))
-        note_pole("u", 0);
-    if (is_one_point(net, columns - 1, columns, rows))
-        note_pole("u", net.patches_u);
-    if (is_one_point(net, 0, 1, columns))
-        note_pole("v", 0);
-    if (is_one_point(net, (rows - 1) * columns, 1, columns))
-        note_pole("v", net.patches_v);
+    for (std::size_t number = 0; number < surfaces.size(); ++number)
+        for (const Parameter along : {Parameter::U, Parameter::V})
+            for (const int end : {0, 1}) {
+                if (!is_pole(surfaces[number], along, end))
+                    continue;
+                const Interval range = surfaces[number].range(along);
+                notes.push_back(
+                    "pole: the border " + std::string{along == Parameter::U ? "u" : "v"} +
+                    " = " + to_text(end == 0 ? range.low : range.high) +
+                    (surfaces.size() > 1 ? " of patch " + std::to_string(number) : "") +
+                    " is a single point, without a normal");
+            }
     return notes;
 }
 
@@ -298,25 +265,23 @@ SurfaceFile parse_surface(std::string_view content, const std::filesystem::path&
     const JsonDocument document{content, file, limits};
     const JsonValue root = document.root();
     check_format(root);
-    check_type(root);
-    root.allow_only(bezier_keys);
+    const Kind& kind = kind_of(root);
 
     const double unit = mm_per_unit(root);
-    const ControlNet net = read_net(root, unit, limits);
-    std::vector<std::string> notes = pole_notes(net);
+    std::vector<Surface> surfaces =
+        kind.read({root, unit, tool_side(root), file, limits});
+    std::vector<std::string> notes = pole_notes(surfaces);
     if (unit != 1)
         notes.emplace_back("lengths were converted from inch to mm");
-    return {
-        text_or(root, "name", longest_name, printable(path.stem().string())),
-        text_or(root, "source", longest_source, {}),
-        composite_bezier(static_cast<int>(net.patches_u), static_cast<int>(net.patches_v),
-                         net.points, tool_side(root)),
-        std::move(notes)};
+    return {text_or(root, "name", longest_name, printable(path.stem().string())),
+            text_or(root, "source", longest_source, {}), std::move(surfaces),
+            std::move(notes)};
 }
 
 std::string surface_json(const SurfaceFile& file)
 {
-    const Surface& surface = file.surface;
+    require(file.surfaces.size() == 1, "surface_json: need one surface");
+    const Surface& surface = file.surfaces.front();
     require(counts_up_from_zero(surface.breaks(Parameter::U)) &&
                 counts_up_from_zero(surface.breaks(Parameter::V)),
             "surface_json: the breaks must be 0, 1, 2, …");

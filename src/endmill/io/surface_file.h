@@ -15,19 +15,19 @@ namespace endmill {
 struct SurfaceFile {
     std::string name;    ///< the file's, or else its path without folder and extension
     std::string source;  ///< where the numbers come from; empty if the file is silent
-    Surface surface;     ///< in mm
+    std::vector<Surface> surfaces;  ///< in mm; one, but for the type "bezier-patches"
     std::vector<std::string>
         notes;  ///< what a reader should know: a unit converted, a pole
 };
 
-/// Reads a file of format "endmill-surface/1" whose type is "bezier"; every key of the
-/// format is checked, and `name` and `source` come out as `printable` makes them.
+/// Reads a file of format "endmill-surface/1"; every key of the format is checked, and `name` and `source` come out as `printable` makes them.
 /// \throws FormatError as `read_file` and `JsonDocument`, and
 ///         E_FORMAT if the content is something else;
 ///         E_JSON for a wrong type, a missing or unknown key, a count outside 1 … 10000
 ///         or a newer version of the format; E_RANGE for a coordinate beyond the limit,
 ///         after conversion to mm; E_SURFACE for rows of the wrong number or length, a
-///         net that is one point, and a kind of surface that is not supported.
+///         degree outside 1 … 25, unsound knots or grid lines, a weight that is not above
+///         zero, and a net that is one point.
 /// \throws LimitError if the file needs more memory than the limit.
 SurfaceFile read_surface(const std::filesystem::path& path,
                          const ReadLimits& limits = {});
