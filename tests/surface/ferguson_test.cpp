@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/surface/ferguson.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -68,6 +69,85 @@ TEST(Ferguson, ThereAndBackIsTheSamePatch)
             for (int j = 0; j < 4; ++j)
                 EXPECT_LT((back.control_point(i, j) - patch.control_point(i, j)).norm(),
                           1e-13);
+    }
+}
+
+// The definitions in long double: r(0, 0) = B00, r_u = 3 (B10 - B00), r_uv = 9 (B00 - B10
+// - B01 + B11) and so at the other corners.
+TEST(Ferguson, IsAsAccurateAsStated)
+{
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        const BezierPatch patch = random_patch(seed);
+        const FergusonPatch ferguson = ferguson_from_bezier(patch);
+        const BezierPatch back = bezier_from_ferguson(ferguson);
+        using Exact = Eigen::Matrix<long double, 3, 1>;
+        const auto b = [&](int i, int j) {
+            return Exact{patch.control_point(i, j).cast<long double>()};
+        };
+        double greatest = 0;
+        double error = 0;
+        double error_there_and_back = 0;
+        for (int corner = 0; corner < 4; ++corner) {
+            const int i = corner % 2 == 0 ? 0 : 3;
+            const int j = corner / 2 == 0 ? 0 : 3;
+            const int di = i == 0 ? 1 : -1;
+            const int dj = j == 0 ? 1 : -1;
+            const Exact du = 3 * di * (b(i + di, j) - b(i, j));
+            const Exact dv = 3 * dj * (b(i, j + dj) - b(i, j));
+            const Exact twist =
+                9 * di * dj * (b(i, j) - b(i + di, j) - b(i, j + dj) + b(i + di, j + dj));
+            const auto far = [](const Vec3& value, const Exact& exact) {
+                return static_cast<double>(
+                    (value.cast<long double>() - exact).lpNorm<Eigen::Infinity>());
+            };
+            const auto& [point, got_du, got_dv, got_twist] = ferguson.corners[corner];
+            error = std::max({error, far(point, b(i, j)), far(got_du, du),
+                              far(got_dv, dv), far(got_twist, twist)});
+            for (int k = 0; k < 4; ++k) {
+                const int s = i + (k % 2) * di;
+                const int t = j + (k / 2) * dj;
+                greatest = std::max(greatest,
+                                    patch.control_point(s, t).lpNorm<Eigen::Infinity>());
+                error_there_and_back = std::max(error_there_and_back,
+                                                far(back.control_point(s, t), b(s, t)));
+            }
+        }
+        EXPECT_LT(error, 1e-14 * greatest);
+        EXPECT_LT(error_there_and_back, 2e-15 * greatest);
+    }
+}
+
+TEST(Ferguson, BezierFormIsAsAccurateAsStated)
+{
+    test::Random random{5};
+    const auto vector = [&] {
+        const double x = random.uniform(-50, 50);
+        const double y = random.uniform(-50, 50);
+        return Vec3{x, y, random.uniform(-50, 50)};
+    };
+    for (int trial = 0; trial < 200; ++trial) {
+        FergusonPatch ferguson;
+        double greatest = 0;
+        for (auto& corner : ferguson.corners) {
+            corner = {vector(), vector(), vector(), vector()};
+            for (const Vec3& v : {corner.point, corner.du, corner.dv, corner.twist})
+                greatest = std::max(greatest, v.lpNorm<Eigen::Infinity>());
+        }
+        const BezierPatch patch = bezier_from_ferguson(ferguson);
+        for (int c = 0; c < 4; ++c) {
+            const int i = c % 2 == 0 ? 0 : 3;
+            const int j = c / 2 == 0 ? 0 : 3;
+            const int di = i == 0 ? 1 : -1;
+            const int dj = j == 0 ? 1 : -1;
+            const auto& [point, du, dv, twist] = ferguson.corners[c];
+            const Eigen::Matrix<long double, 3, 1> exact =
+                point.cast<long double>() + di * du.cast<long double>() / 3 +
+                dj * dv.cast<long double>() / 3 + di * dj * twist.cast<long double>() / 9;
+            const Eigen::Matrix<long double, 3, 1> off =
+                patch.control_point(i + di, j + dj).cast<long double>() - exact;
+            EXPECT_LT(static_cast<double>(off.lpNorm<Eigen::Infinity>()),
+                      1e-15 * greatest);
+        }
     }
 }
 

@@ -78,4 +78,12 @@ double area(const Surface& surface)
     return total;
 }
 
+double area(std::span<const Surface> surfaces)
+{
+    double total = 0;
+    for (const Surface& surface : surfaces)
+        total += area(surface);
+    return total;
+}
+
 }  // namespace endmill

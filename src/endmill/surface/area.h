@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include "endmill/surface/surface.h"
 
 namespace endmill {
@@ -9,5 +11,8 @@ namespace endmill {
 /// on pieces that are halved until a finer rule agrees. Relative error below 1e-9 where
 /// the surface has a normal everywhere.
 double area(const Surface& surface);
+
+/// The sum of the areas in mm^2.
+double area(std::span<const Surface> surfaces);
 
 }  // namespace endmill

@@ -53,11 +53,17 @@ BorderBreak worst_break(const Surface& surface, const PatchPair& pair)
             worst.normals = angle;
         }
     }
-    if (worst.gap_mm > g0_gap * surface.diagonal())
-        worst.continuity = Continuity::None;
-    else if (worst.normals.radians() > g1_angle_rad)
-        worst.continuity = Continuity::G0;
+    worst.continuity = continuity_of(worst.gap_mm, worst.normals, surface.diagonal());
     return worst;
+}
+
+}  // namespace
+
+Continuity continuity_of(double gap_mm, Angle normals, double size)
+{
+    if (gap_mm > g0_gap * size)
+        return Continuity::None;
+    return normals.radians() > g1_angle_rad ? Continuity::G0 : Continuity::G1;
 }
 
 bool is_worse(const BorderBreak& one, const BorderBreak& other)
@@ -68,8 +74,6 @@ bool is_worse(const BorderBreak& one, const BorderBreak& other)
         return one.gap_mm > other.gap_mm;
     return one.normals.radians() > other.normals.radians();
 }
-
-}  // namespace
 
 std::string_view continuity_name(Continuity continuity)
 {

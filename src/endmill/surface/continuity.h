@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -26,7 +27,15 @@ struct BorderBreak {
     Angle normals;    ///< between the normals of the two patches
     double gap_mm;    ///< between their points at the same parameters
     Continuity continuity;
+    std::size_t surface = 0;  ///< which of several, from 0
 };
+
+/// What a gap in mm and an angle between normals amount to, on a part of `size` mm.
+Continuity continuity_of(double gap_mm, Angle normals, double size);
+
+/// Whether `one` is the worse of two breaks: less continuous, or else of a greater gap or
+/// angle.
+bool is_worse(const BorderBreak& one, const BorderBreak& other);
 
 /// The worst break of every inner border: first those across u, then those across v. A
 /// border counts as G1 where the normals are less than 1e-6 rad apart, as G0 where the

@@ -6,6 +6,7 @@
 #include <queue>
 #include <vector>
 
+#include "endmill/core/error.h"
 #include "endmill/surface/bernstein_net.h"
 
 namespace endmill {
@@ -61,6 +62,17 @@ double greatest_height(const Surface& surface, const Vec3& direction)
 Interval extent(const Surface& surface, const Vec3& direction)
 {
     return {-greatest_height(surface, -direction), greatest_height(surface, direction)};
+}
+
+Interval extent(std::span<const Surface> surfaces, const Vec3& direction)
+{
+    require(!surfaces.empty(), "extent: need a surface");
+    Interval whole = extent(surfaces.front(), direction);
+    for (const Surface& surface : surfaces.subspan(1)) {
+        const auto [low, high] = extent(surface, direction);
+        whole = {std::min(whole.low, low), std::max(whole.high, high)};
+    }
+    return whole;
 }
 
 }  // namespace endmill

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include "endmill/surface/surface.h"
 
 namespace endmill {
@@ -9,5 +11,9 @@ namespace endmill {
 /// `direction`: by branch and bound with the hull of the control points, never inside the
 /// true extent's ends by more than 1e-9 of the surface's diagonal, never outside.
 Interval extent(const Surface& surface, const Vec3& direction);
+
+/// The same over all `surfaces`.
+/// \throws DomainError if there are none.
+Interval extent(std::span<const Surface> surfaces, const Vec3& direction);
 
 }  // namespace endmill

@@ -161,19 +161,25 @@ std::optional<Candidate> least_principal_value(const CurvatureField& field)
     return least;
 }
 
+// A part by its surfaces and the signs of their normals.
+struct SidedSurfaces {
+    std::span<const Surface> surfaces;
+    std::span<const double> sides;
+};
+
 struct SurfaceSample {
+    std::size_t surface;
     SurfacePoint at;
     Vec3 point;
     Vec3 normal;  // on the tool's side
 };
 
-// Samples of all patches, borders once; places without a normal are passed over.
-std::vector<SurfaceSample> surface_samples(const Surface& surface, double side)
+// Samples of all patches of a surface, borders once; places without a normal are passed
+// over.
+void add_samples(const SidedSurfaces& part, std::size_t number, int per_side,
+                 std::vector<SurfaceSample>& samples)
 {
-    const double patches =
-        double(surface.patches(Parameter::U)) * surface.patches(Parameter::V);
-    const int per_side =
-        std::clamp(static_cast<int>(std::sqrt(most_pair_samples / patches)), 4, 48);
+    const Surface& surface = part.surfaces[number];
     const auto parameters = [&](Parameter along) {
         const auto breaks = surface.breaks(along);
         std::vector<double> values{breaks.front()};
@@ -183,27 +189,60 @@ std::vector<SurfaceSample> surface_samples(const Surface& surface, double side)
                     std::lerp(breaks[k - 1], breaks[k], step / double(per_side)));
         return values;
     };
-    std::vector<SurfaceSample> samples;
     const std::vector<double> along_u = parameters(Parameter::U);
     for (const double v : parameters(Parameter::V))
         for (const double u : along_u) {
             const SurfaceTangents tangents = surface.tangents(u, v);
             if (!is_near_pole(surface, tangents.du, tangents.dv) &&
                 !is_singular(tangents))
-                samples.push_back({{u, v}, tangents.point, side * unit_normal(tangents)});
+                samples.push_back({number,
+                                   {u, v},
+                                   tangents.point,
+                                   part.sides[number] * unit_normal(tangents)});
         }
+}
+
+std::vector<SurfaceSample> samples_of(const SidedSurfaces& part)
+{
+    double patches = 0;
+    for (const Surface& surface : part.surfaces)
+        patches += double(surface.patches(Parameter::U)) * surface.patches(Parameter::V);
+    const int per_side =
+        std::clamp(static_cast<int>(std::sqrt(most_pair_samples / patches)), 4, 48);
+    std::vector<SurfaceSample> samples;
+    for (std::size_t number = 0; number < part.surfaces.size(); ++number)
+        add_samples(part, number, per_side, samples);
     return samples;
 }
 
-// Radius of the ball that touches at `p` and passes through `q`; infinite if `q` lies
-// behind the tangent plane, or too near for its radius to mean anything but curvature.
-double pair_radius(const Surface& surface, const SurfaceSample& p, const SurfaceSample& q)
+double patch_size(const Surface& surface)
 {
+    return surface.diagonal() /
+           std::max(surface.patches(Parameter::U), surface.patches(Parameter::V));
+}
+
+// Whether two places are so near that their radius means nothing but curvature, or a
+// crease: on one surface by their parameters, on two by their distance.
+bool are_near(const SidedSurfaces& part, const SurfaceSample& p, const SurfaceSample& q)
+{
+    const Surface& surface = part.surfaces[p.surface];
+    if (p.surface != q.surface)
+        return (q.point - p.point).norm() <
+               least_pair_distance *
+                   std::min(patch_size(surface), patch_size(part.surfaces[q.surface]));
     const auto widths_apart = [&](Parameter along, double a, double b) {
         return std::abs(a - b) * surface.patches(along) / surface.range(along).length();
     };
-    if (std::max(widths_apart(Parameter::U, p.at.u, q.at.u),
-                 widths_apart(Parameter::V, p.at.v, q.at.v)) < least_pair_distance)
+    return std::max(widths_apart(Parameter::U, p.at.u, q.at.u),
+                    widths_apart(Parameter::V, p.at.v, q.at.v)) < least_pair_distance;
+}
+
+// Radius of the ball that touches at `p` and passes through `q`; infinite if `q` lies
+// behind the tangent plane, or too near.
+double pair_radius(const SidedSurfaces& part, const SurfaceSample& p,
+                   const SurfaceSample& q)
+{
+    if (are_near(part, p, q))
         return infinity;
     const Vec3 chord = q.point - p.point;
     const double height = p.normal.dot(chord);
@@ -211,15 +250,14 @@ double pair_radius(const Surface& surface, const SurfaceSample& p, const Surface
 }
 
 struct Pair {
-    SurfacePoint p;
-    SurfacePoint q;
+    SurfaceSample p;
+    SurfaceSample q;
 };
 
 // Pairs at which the radius fell below all before it, from `limit` on; the last few.
-std::vector<Pair> tightest_sampled_pairs(const Surface& surface, double side,
-                                         double limit)
+std::vector<Pair> tightest_sampled_pairs(const SidedSurfaces& part, double limit)
 {
-    const std::vector<SurfaceSample> samples = surface_samples(surface, side);
+    const std::vector<SurfaceSample> samples = samples_of(part);
     std::vector<Vec3> points;
     points.reserve(samples.size());
     for (const SurfaceSample& sample : samples)
@@ -233,40 +271,46 @@ std::vector<Pair> tightest_sampled_pairs(const Surface& surface, double side,
         for (;;) {
             const Vec3 centre = p.point + limit * p.normal;
             const auto q = tree.nearest_within(centre, inside * limit);
-            const double radius = q ? pair_radius(surface, p, samples[*q]) : infinity;
+            const double radius = q ? pair_radius(part, p, samples[*q]) : infinity;
             if (!(radius < limit))
                 break;
             limit = radius;
-            pairs.push_back({p.at, samples[*q].at});
+            pairs.push_back({p, samples[*q]});
         }
     if (pairs.size() > candidates_to_refine)
         pairs.erase(pairs.begin(), pairs.end() - candidates_to_refine);
     return pairs;
 }
 
-BoxMinimum refined_pair(const Surface& surface, double side, const Pair& start)
+BoxMinimum refined_pair(const SidedSurfaces& part, const Pair& start)
 {
-    const auto sample = [&](double u, double v) -> SurfaceSample {
+    const auto sample = [&](std::size_t number, double u, double v) -> SurfaceSample {
+        const Surface& surface = part.surfaces[number];
         const SurfaceTangents tangents = surface.tangents(u, v);
         const bool has_normal =
             !is_near_pole(surface, tangents.du, tangents.dv) && !is_singular(tangents);
         const Vec3 normal =
-            has_normal ? Vec3{side * unit_normal(tangents)} : Vec3::Zero();
-        return {{u, v}, tangents.point, normal};
+            has_normal ? Vec3{part.sides[number] * unit_normal(tangents)} : Vec3::Zero();
+        return {number, {u, v}, tangents.point, normal};
     };
+    const std::size_t p = start.p.surface;
+    const std::size_t q = start.q.surface;
     const auto radius = [&](const Eigen::VectorXd& x) {
-        return pair_radius(surface, sample(x[0], x[1]), sample(x[2], x[3]));
+        return pair_radius(part, sample(p, x[0], x[1]), sample(q, x[2], x[3]));
     };
-    const auto [u_low, u_high] = surface.range(Parameter::U);
-    const auto [v_low, v_high] = surface.range(Parameter::V);
-    const double step = std::min((u_high - u_low) / surface.patches(Parameter::U),
-                                 (v_high - v_low) / surface.patches(Parameter::V)) /
-                        32;
-    return minimize_in_box(radius,
-                           {Eigen::Vector4d{u_low, v_low, u_low, v_low},
-                            Eigen::Vector4d{u_high, v_high, u_high, v_high}},
-                           Eigen::Vector4d{start.p.u, start.p.v, start.q.u, start.q.v},
-                           step);
+    SearchBox box{Eigen::Vector4d::Zero(), Eigen::Vector4d::Zero()};
+    double step = infinity;
+    for (int k = 0; k < 4; ++k) {
+        const Parameter along = k % 2 == 0 ? Parameter::U : Parameter::V;
+        const Surface& surface = part.surfaces[k < 2 ? p : q];
+        const Interval range = surface.range(along);
+        box.low[k] = range.low;
+        box.high[k] = range.high;
+        step = std::min(step, range.length() / surface.patches(along) / 32);
+    }
+    return minimize_in_box(
+        radius, box,
+        Eigen::Vector4d{start.p.at.u, start.p.at.v, start.q.at.u, start.q.at.v}, step);
 }
 
 }  // namespace
@@ -282,6 +326,22 @@ std::optional<CurvatureRange> curvature_range(const Surface& surface, double sid
     return CurvatureRange{least->value + 0.0, 0.0 - greatest->value};  // no minus zero
 }
 
+std::optional<CurvatureRange> curvature_range(std::span<const Surface> surfaces,
+                                              std::span<const double> sides)
+{
+    std::optional<CurvatureRange> whole;
+    for (std::size_t number = 0; number < surfaces.size(); ++number) {
+        const auto range = curvature_range(surfaces[number], sides[number]);
+        if (!range)
+            continue;
+        if (!whole)
+            whole = range;
+        whole->least = std::min(whole->least, range->least);
+        whole->greatest = std::max(whole->greatest, range->greatest);
+    }
+    return whole;
+}
+
 std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface,
                                                        double side)
 {
@@ -291,23 +351,50 @@ std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface,
         return std::nullopt;
     const auto [u, v] = tightest->at;
     return CutterLimit{-1 / tightest->value,
+                       0,
                        {u, v},
                        surface.jet_in_patch(tightest->i, tightest->j, u, v).point};
 }
 
+std::optional<CutterLimit> largest_cutter_by_curvature(std::span<const Surface> surfaces,
+                                                       std::span<const double> sides)
+{
+    std::optional<CutterLimit> limit;
+    for (std::size_t number = 0; number < surfaces.size(); ++number) {
+        auto own = largest_cutter_by_curvature(surfaces[number], sides[number]);
+        if (!own || (limit && limit->radius_mm <= own->radius_mm))
+            continue;
+        own->surface = number;
+        limit = own;
+    }
+    return limit;
+}
+
 std::optional<CutterLimit> largest_cutter(const Surface& surface, double side)
 {
-    std::optional<CutterLimit> limit = largest_cutter_by_curvature(surface, side);
-    double radius = largest_pair_diagonals * surface.diagonal();
+    return largest_cutter(std::span{&surface, 1}, std::span{&side, 1});
+}
+
+std::optional<CutterLimit> largest_cutter(std::span<const Surface> surfaces,
+                                          std::span<const double> sides)
+{
+    std::optional<CutterLimit> limit = largest_cutter_by_curvature(surfaces, sides);
+    double size = 0;
+    for (const Surface& surface : surfaces)
+        size = std::max(size, surface.diagonal());
+    double radius = largest_pair_diagonals * size;
     if (limit)
         radius = std::min(radius, limit->radius_mm);
-    for (const Pair& pair : tightest_sampled_pairs(surface, side, radius)) {
-        const BoxMinimum tightest = refined_pair(surface, side, pair);
+    const SidedSurfaces part{surfaces, sides};
+    for (const Pair& pair : tightest_sampled_pairs(part, radius)) {
+        const BoxMinimum tightest = refined_pair(part, pair);
         if (!(tightest.value < radius))
             continue;
         radius = tightest.value;
         const SurfacePoint at{tightest.at[0], tightest.at[1]};
-        limit = CutterLimit{radius, at, surface.tangents(at.u, at.v).point};
+        const std::size_t number = pair.p.surface;
+        limit =
+            CutterLimit{radius, number, at, surfaces[number].tangents(at.u, at.v).point};
     }
     return limit;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 
 #include "endmill/surface/surface.h"
 
@@ -10,8 +12,9 @@ namespace endmill {
 /// The radius at which a ball stops fitting a surface, and where.
 struct CutterLimit {
     double radius_mm;
-    SurfacePoint at;  ///< where the ball touches
-    Vec3 point;       ///< mm
+    std::size_t surface;  ///< which of several, from 0
+    SurfacePoint at;      ///< where the ball touches
+    Vec3 point;           ///< mm
 };
 
 /// Extremes of normal curvature over a surface, in 1/mm, positive where convex.
@@ -27,6 +30,10 @@ struct CurvatureRange {
 /// \return nothing if no sample has a normal.
 std::optional<CurvatureRange> curvature_range(const Surface& surface, double side);
 
+/// The same over all `surfaces`, whose signs `sides` are from tool_side_signs.
+std::optional<CurvatureRange> curvature_range(std::span<const Surface> surfaces,
+                                              std::span<const double> sides);
+
 /// Largest ball that fits every concavity by its curvature alone: one over the greatest
 /// concave principal curvature.
 /// Source: [KimChoi, section 5.1] asks for "the maximum cutter radius" without a formula.
@@ -34,6 +41,10 @@ std::optional<CurvatureRange> curvature_range(const Surface& surface, double sid
 ///         place is wider than a sample spacing.
 std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface,
                                                        double side);
+
+/// The same over all `surfaces`, whose signs `sides` are from tool_side_signs.
+std::optional<CutterLimit> largest_cutter_by_curvature(std::span<const Surface> surfaces,
+                                                       std::span<const double> sides);
 
 /// Largest ball that can touch the surface anywhere without reaching into it elsewhere:
 /// the least |q - p|^2 / (2 N_p . (q - p)) over pairs of points, never above the limit by
@@ -44,5 +55,11 @@ std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface,
 ///         none. Sought among at most about 260 000 samples and refined; relative error
 ///         below 1e-8 where the tightest pair lies further apart than a sample spacing.
 std::optional<CutterLimit> largest_cutter(const Surface& surface, double side);
+
+/// The same for a part of several surfaces: the ball reaches into none of them. Pairs on
+/// two surfaces that lie nearer than an eighth of the smaller patch's size count as near.
+/// \param sides from tool_side_signs.
+std::optional<CutterLimit> largest_cutter(std::span<const Surface> surfaces,
+                                          std::span<const double> sides);
 
 }  // namespace endmill

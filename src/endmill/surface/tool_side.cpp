@@ -117,6 +117,14 @@ double tool_side_sign(const Surface& surface, const Vec3& axis)
     return area < 0 ? -1 : 1;
 }
 
+std::vector<double> tool_side_signs(std::span<const Surface> surfaces, const Vec3& axis)
+{
+    std::vector<double> signs;
+    for (const Surface& surface : surfaces)
+        signs.push_back(tool_side_sign(surface, axis));
+    return signs;
+}
+
 std::optional<UnreachablePlace> find_unreachable_place(const Surface& surface,
                                                        const Vec3& axis, double side)
 {

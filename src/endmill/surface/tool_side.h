@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "endmill/surface/surface.h"
 
@@ -14,6 +16,9 @@ namespace endmill {
 /// \param axis from the tip to the spindle, unit.
 /// \return +1 or -1; +1 if the projected area vanishes.
 double tool_side_sign(const Surface& surface, const Vec3& axis);
+
+/// The same for each of `surfaces`.
+std::vector<double> tool_side_signs(std::span<const Surface> surfaces, const Vec3& axis);
 
 /// A place that a tool along `axis` cannot touch with its ball: there N . axis <= 0, or
 /// the surface has no normal.
