@@ -2,11 +2,13 @@
 // endmill info: what a part is like, and which ball fits it.
 
 #include <memory>
+#include <span>
 
 #include "cli/console.h"
 #include "cli/info_summary.h"
 #include "cli/surface_facts.h"
 #include "endmill/io/output_folder.h"
+#include "endmill/surface/patch_borders.h"
 
 namespace endmill {
 namespace {
@@ -21,7 +23,7 @@ struct InfoOptions {
 ExitCode run_info(const InfoOptions& options)
 {
     const SurfaceFile file = read_part(options.part, options.common);
-    const SurfaceContinuity whole = continuity(file.surface);
+    const SurfaceContinuity whole = continuity(std::span<const Surface>{file.surfaces});
     const Json summary = info_summary(file, whole, options.axis);
     if (!options.common.output.empty()) {
         OutputFolder folder{options.common.output, options.common.force};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/info_summary.h"
 
+#include <span>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "cli/surface_facts.h"
@@ -11,10 +14,35 @@
 namespace endmill {
 namespace {
 
-Json unreachable_json(const Surface& surface, const Vec3& axis, double side)
+Json unreachable_json(std::span<const Surface> surfaces, const Vec3& axis,
+                      std::span<const double> sides)
 {
-    const auto place = find_unreachable_place(surface, axis, side);
-    return place ? place_json(place->at, place->point) : Json(nullptr);
+    for (std::size_t number = 0; number < surfaces.size(); ++number)
+        if (const auto place =
+                find_unreachable_place(surfaces[number], axis, sides[number]))
+            return place_json(place->at, place->point,
+                              surfaces.size() > 1 ? std::optional{number} : std::nullopt);
+    return nullptr;
+}
+
+void add_patches(Json& summary, std::span<const Surface> surfaces)
+{
+    int patches = 0;
+    for (const Surface& surface : surfaces)
+        patches += surface.patches(Parameter::U) * surface.patches(Parameter::V);
+    summary["patches"] = patches;
+    if (surfaces.size() > 1)
+        return;
+    summary["patches_u"] = surfaces.front().patches(Parameter::U);
+    summary["patches_v"] = surfaces.front().patches(Parameter::V);
+}
+
+std::string patches_text(const Json& s)
+{
+    if (!s.contains("patches_u"))
+        return fmt::format("{} separate Bezier patches", s["patches"].get<int>());
+    return fmt::format("{} x {} Bezier patches", s["patches_u"].get<int>(),
+                       s["patches_v"].get<int>());
 }
 
 // A number of a summary for a person: six digits and no minus zero, or "none".
@@ -27,7 +55,9 @@ std::string place_shown(const Json& place)
 {
     if (place.is_null())
         return "";
-    return ", at u " + shown(place["u"]) + ", v " + shown(place["v"]);
+    const std::string patch =
+        place.contains("patch") ? " patch " + shown(place["patch"]) + "," : "";
+    return ", at" + patch + " u " + shown(place["u"]) + ", v " + shown(place["v"]);
 }
 
 }  // namespace
@@ -35,45 +65,43 @@ std::string place_shown(const Json& place)
 Json info_summary(const SurfaceFile& file, const SurfaceContinuity& continuity,
                   const Vec3& axis)
 {
-    const Surface& surface = file.surface;
-    const double side = tool_side_sign(surface, axis);
-    const auto curvature = curvature_range(surface, side);
+    const std::span<const Surface> surfaces = file.surfaces;
+    const bool several = surfaces.size() > 1;
+    const std::vector<double> sides = tool_side_signs(surfaces, axis);
+    const auto curvature = curvature_range(surfaces, sides);
     Json summary{{"name", file.name}, {"source", file.source}};
-    summary["size_mm"] = {extent(surface, Vec3::UnitX()).length(),
-                          extent(surface, Vec3::UnitY()).length(),
-                          extent(surface, Vec3::UnitZ()).length()};
-    summary["area_mm2"] = area(surface);
-    summary["patches"] = surface.patches(Parameter::U) * surface.patches(Parameter::V);
-    summary["patches_u"] = surface.patches(Parameter::U);
-    summary["patches_v"] = surface.patches(Parameter::V);
-    add_continuity(summary, continuity);
+    for (const Vec3 along : {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()})
+        summary["size_mm"].push_back(extent(surfaces, along).length());
+    summary["area_mm2"] = area(surfaces);
+    add_patches(summary, surfaces);
+    add_continuity(summary, continuity, several);
     summary["min_curvature_per_mm"] = curvature ? Json(curvature->least) : Json(nullptr);
     summary["max_curvature_per_mm"] =
         curvature ? Json(curvature->greatest) : Json(nullptr);
-    add_cutter_limit(summary, largest_cutter(surface, side));
-    const auto local = largest_cutter_by_curvature(surface, side);
+    add_cutter_limit(summary, largest_cutter(surfaces, sides), several);
+    const auto local = largest_cutter_by_curvature(surfaces, sides);
     summary["max_cutter_radius_local_mm"] =
         local ? Json(local->radius_mm) : Json(nullptr);
     summary["axis"] = vector_json(axis);
-    summary["unreachable_at"] = unreachable_json(surface, axis, side);
+    summary["unreachable_at"] = unreachable_json(surfaces, axis, sides);
     return summary;
 }
 
 std::string info_text(const Json& s)
 {
     return fmt::format(
-        "{}: {} x {} Bezier patches\n"
+        "{}: {}\n"
         "size             {} x {} x {} mm\n"
         "area             {} mm2\n"
         "continuity       {}, worst break {} degrees{}\n"
         "curvature        {} to {} per mm (positive: convex)\n"
         "largest ball     {}{}\n"
         "from the axis    {}\n",
-        s["name"].get<std::string>(), s["patches_u"].get<int>(),
-        s["patches_v"].get<int>(), shown(s["size_mm"][0]), shown(s["size_mm"][1]),
-        shown(s["size_mm"][2]), shown(s["area_mm2"]), s["continuity"].get<std::string>(),
-        shown(s["worst_break_deg"]), place_shown(s["worst_break_at"]),
-        shown(s["min_curvature_per_mm"]), shown(s["max_curvature_per_mm"]),
+        s["name"].get<std::string>(), patches_text(s), shown(s["size_mm"][0]),
+        shown(s["size_mm"][1]), shown(s["size_mm"][2]), shown(s["area_mm2"]),
+        s["continuity"].get<std::string>(), shown(s["worst_break_deg"]),
+        place_shown(s["worst_break_at"]), shown(s["min_curvature_per_mm"]),
+        shown(s["max_curvature_per_mm"]),
         s["max_cutter_radius_mm"].is_null()
             ? "none: nothing is concave"
             : "radius " + shown(s["max_cutter_radius_mm"]) + " mm",

@@ -2,6 +2,8 @@
 // endmill plan: from a surface to economic cutter locations.
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,6 +16,7 @@
 #include "endmill/io/output_folder.h"
 #include "endmill/planning/path_memory.h"
 #include "endmill/planning/plan_defaults.h"
+#include "endmill/surface/patch_borders.h"
 #include "endmill/surface/tool_side.h"
 
 namespace endmill {
@@ -41,7 +44,7 @@ double chosen_diameter(const std::optional<double>& asked,
 }
 
 // What was not asked for takes its default.
-void complete(PlanOptions& options, const Surface& surface, double diameter)
+void complete(PlanOptions& options, std::span<const Surface> surfaces, double diameter)
 {
     IsoParametricOptions& planning = options.planning;
     planning.chord_tolerance =
@@ -52,31 +55,32 @@ void complete(PlanOptions& options, const Surface& surface, double diameter)
                           ": expected a height below the ball's diameter, " +
                           to_text(diameter) + " mm"};
     planning.link.safe_height =
-        options.safe_height.value_or(default_safe_height(surface, planning.link.axis));
+        options.safe_height.value_or(default_safe_height(surfaces, planning.link.axis));
     planning.most_points = most_path_points(options.common.limits.max_memory_gib);
 }
 
 ExitCode run_plan(PlanOptions options)
 {
     const SurfaceFile file = read_part(options.part, options.common);
-    const Surface& surface = file.surface;
-    PlanContext context{file.name, file.source, continuity(surface), {}, 0};
+    const std::span<const Surface> surfaces = file.surfaces;
+    PlanContext context{file.name, file.source, continuity(surfaces),
+                        {},        0,           surfaces.size() > 1};
     if (context.continuity.continuity != Continuity::G1) {
         if (options.g1_is_required)
             return refuse_break(options.part, context.continuity, options.common);
         warn(options.common, options.part + ": " + break_text(context.continuity));
     }
     const Vec3& axis = options.planning.link.axis;
-    const double side = tool_side_sign(surface, axis);
-    require_reachable(surface, axis, side);
-    context.limit = largest_cutter(surface, side);
+    const std::vector<double> sides = tool_side_signs(surfaces, axis);
+    require_reachable(surfaces, axis, sides);
+    context.limit = largest_cutter(surfaces, sides);
     context.cutter_diameter = chosen_diameter(options.cutter_diameter, context.limit);
-    complete(options, surface, context.cutter_diameter);
+    complete(options, surfaces, context.cutter_diameter);
 
     OutputFolder folder{output_folder(options.part, "plan", options.common),
                         options.common.force};
     folder.protect(options.part);
-    const PlanResult result = write_plan({surface, context, options}, folder);
+    const PlanResult result = write_plan({surfaces, context, options}, folder);
     folder.publish();
     print_result(options.common, result.summary,
                  limit_text(context.limit) + settings_text(context, options) +

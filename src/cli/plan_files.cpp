@@ -30,18 +30,20 @@ struct DirectionResult {
 DirectionResult plan_direction(const PlanTask& task, Parameter along,
                                OutputFolder& folder, const std::string& prefix)
 {
-    const auto& [surface, context, options] = task;
+    const auto& [surfaces, context, options] = task;
     const BallCutter ball{context.cutter_diameter / 2};
     ProgressLine progress{along == Parameter::U ? "planning along u" : "planning along v",
                           options.common};
     IsoParametricOptions planning = options.planning;
     planning.direction = along;
     planning.progress = [&](double share) { progress.show(share); };
-    require_path_memory(estimated_points(surface, ball, planning),
-                        options.common.limits.max_memory_gib);
-    const IsoParametricPlan plan = plan_iso_parametric(surface, ball, planning);
+    double points = 0;
+    for (const Surface& surface : surfaces)
+        points += estimated_points(surface, ball, planning);
+    require_path_memory(points, options.common.limits.max_memory_gib);
+    const IsoParametricPlan plan = plan_iso_parametric(surfaces, ball, planning);
     const PlannedDirection planned{along, path_economy(plan.path),
-                                   chord_error(surface, plan.path, along)};
+                                   chord_error(surfaces, plan.path, along)};
     Json summary = direction_summary(context, options, planned);
     folder.write(prefix + "toolpath.csv", tool_path_csv(plan.path));
     folder.write(prefix + "toolpath.vtp", tool_path_vtp(plan.path));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "cli/plan_summary.h"
@@ -8,9 +9,9 @@
 
 namespace endmill {
 
-/// A surface, what is known of it, and what was asked.
+/// The surfaces of a part, what is known of them, and what was asked.
 struct PlanTask {
-    const Surface& surface;
+    std::span<const Surface> surfaces;
     const PlanContext& context;
     const PlanOptions& options;
 };

@@ -37,8 +37,8 @@ Json direction_summary(const PlanContext& context, const PlanOptions& options,
         summary["feed_mm_per_min"] = *options.feed_mm_per_min;
         summary["time_min"] = travel(options.distance) / *options.feed_mm_per_min;
     }
-    add_cutter_limit(summary, context.limit);
-    add_continuity(summary, context.continuity);
+    add_cutter_limit(summary, context.limit, context.several);
+    add_continuity(summary, context.continuity, context.several);
     summary["max_chord_error_mm"] = planned.chord_error.greatest_mm;
     summary["chord_error_pitch_mm"] = planned.chord_error.pitch_mm;
     // Not measured: they need the volume that the moving ball sweeps.

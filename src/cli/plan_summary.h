@@ -19,6 +19,7 @@ struct PlanContext {
     SurfaceContinuity continuity;
     std::optional<CutterLimit> limit;
     double cutter_diameter;  ///< mm
+    bool several;            ///< surfaces, each planned by itself
 };
 
 /// What was planned along one parameter.

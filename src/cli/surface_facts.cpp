@@ -32,12 +32,25 @@ Json vector_json(const Vec3& point)
     return {point.x(), point.y(), point.z()};
 }
 
-Json place_json(const SurfacePoint& at, const Vec3& point)
+Json place_json(const SurfacePoint& at, const Vec3& point,
+                std::optional<std::size_t> patch)
 {
-    return {{"u", at.u}, {"v", at.v}, {"point_mm", vector_json(point)}};
+    Json place{{"u", at.u}, {"v", at.v}, {"point_mm", vector_json(point)}};
+    if (patch)
+        place["patch"] = *patch;
+    return place;
 }
 
-void add_continuity(Json& summary, const SurfaceContinuity& continuity)
+namespace {
+
+std::optional<std::size_t> patch_if(bool several, std::size_t number)
+{
+    return several ? std::optional{number} : std::nullopt;
+}
+
+}  // namespace
+
+void add_continuity(Json& summary, const SurfaceContinuity& continuity, bool several)
 {
     const BorderBreak& worst = continuity.worst;
     const bool is_broken =
@@ -45,14 +58,17 @@ void add_continuity(Json& summary, const SurfaceContinuity& continuity)
     summary["continuity"] = continuity_name(continuity.continuity);
     summary["worst_break_deg"] = worst.normals.degrees();
     summary["worst_break_at"] =
-        is_broken ? place_json(worst.at, worst.point) : Json(nullptr);
+        is_broken ? place_json(worst.at, worst.point, patch_if(several, worst.surface))
+                  : Json(nullptr);
 }
 
-void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit)
+void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit,
+                      bool several)
 {
     summary["max_cutter_radius_mm"] = limit ? Json(limit->radius_mm) : Json(nullptr);
     summary["max_cutter_radius_at"] =
-        limit ? place_json(limit->at, limit->point) : Json(nullptr);
+        limit ? place_json(limit->at, limit->point, patch_if(several, limit->surface))
+              : Json(nullptr);
 }
 
 std::string break_text(const SurfaceContinuity& continuity)

@@ -19,18 +19,22 @@ SurfaceFile read_part(const std::string& path, const CommonOptions& options);
 std::string output_folder(const std::string& input, const std::string& command,
                           const CommonOptions& options);
 
-/// {"u", "v", "point_mm"}
-Json place_json(const SurfacePoint& at, const Vec3& point);
+/// {"u", "v", "point_mm"}, and "patch" if that is given.
+Json place_json(const SurfacePoint& at, const Vec3& point,
+                std::optional<std::size_t> patch = std::nullopt);
 
 /// `point` as an array.
 Json vector_json(const Vec3& point);
 
 /// Adds `continuity`, `worst_break_deg` and `worst_break_at` to a summary; null if no
 /// border has a break.
-void add_continuity(Json& summary, const SurfaceContinuity& continuity);
+/// \param several surfaces make the part: a place then names its patch.
+void add_continuity(Json& summary, const SurfaceContinuity& continuity, bool several);
 
 /// Adds `max_cutter_radius_mm` and `max_cutter_radius_at`, null without a limit.
-void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit);
+/// \param several as above.
+void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit,
+                      bool several);
 
 /// What to tell about a surface whose patches do not meet smoothly.
 std::string break_text(const SurfaceContinuity& continuity);

@@ -37,6 +37,16 @@ TEST(ToolPathCsv, WritesAPointByHand)
                           "0,1,plunge,1.5,-2,0.1,0,0,1,0.25,2,1e-07,3,-4,0.6,0,0.8\n"));
 }
 
+TEST(ToolPathCsv, OverSeveralSurfacesNamesThePatch)
+{
+    const ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 0},
+                         {1, 0, Move::Rapid, {{1, 2, 3}, {0, 0, 1}}, {}, 4}}};
+    EXPECT_THAT(tool_path_csv(path), testing::HasSubstr(",axis_z,patch,u,v,"));
+    EXPECT_THAT(tool_path_csv(path),
+                testing::EndsWith("\n0,0,plunge,1,2,3,0,0,1,0,,,,,,,,\n"
+                                  "1,0,rapid,1,2,3,0,0,1,4,,,,,,,,\n"));
+}
+
 void expect_vector(const CsvTable& table, std::size_t row,
                    const std::vector<std::string>& columns, const Vec3& expected)
 {

@@ -147,5 +147,35 @@ TEST(Linking, RefusesAContactThatTheBallCannotTouch)
                  GeometryError);
 }
 
+TEST(Linking, PathsOverSeveralSurfacesAreJoinedByLifts)
+{
+    const LinkOptions options{PassOrder::ZigZag, Vec3::UnitZ(), 50};
+    const ToolPath path = link_passes(slope_passes(), BallCutter{radius}, options);
+    const ToolPath joined = join_paths(std::vector{path, ToolPath{}, path}, options);
+    ASSERT_EQ(joined.points.size(), 2 * path.points.size() + 2);
+    const auto second = path.points.size();
+    const PathPoint& retract = joined.points[second];
+    const PathPoint& rapid = joined.points[second + 1];
+    const PathPoint& plunge = joined.points[second + 2];
+    EXPECT_EQ(retract.move, Move::Retract);
+    EXPECT_EQ(rapid.move, Move::Rapid);
+    EXPECT_EQ(plunge.move, Move::Plunge);
+    EXPECT_EQ(retract.location.tip.z(), 50);
+    EXPECT_EQ(retract.location.tip.head<2>(), path.points.back().location.tip.head<2>());
+    EXPECT_EQ(rapid.location.tip.head<2>(), path.points.front().location.tip.head<2>());
+    EXPECT_EQ(plunge.location.tip, path.points.front().location.tip);
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(joined.points[second + k].pass, 3);
+        EXPECT_EQ(joined.points[second + k].point, k);
+        EXPECT_EQ(joined.points[second + k].patch, 2);
+    }
+    EXPECT_EQ(joined.points.back().pass, 5);
+    EXPECT_EQ(joined.points.back().point, 2);
+    EXPECT_EQ(joined.points.front().patch, 0);
+    EXPECT_THROW(
+        join_paths(std::vector{path, path}, {PassOrder::ZigZag, Vec3::UnitZ(), 1}),
+        GeometryError);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
@@ -65,7 +67,7 @@ TEST(DefaultDiameter, IsTheLargestOfAllWhereNothingIsConcave)
 
 TEST(Fits, NotAtTheLimitItself)
 {
-    const CutterLimit limit{10, {0, 0}, Vec3::Zero()};
+    const CutterLimit limit{10, 0, {0, 0}, Vec3::Zero()};
     EXPECT_TRUE(fits(BallCutter{std::nextafter(10, 0)}, limit));
     EXPECT_FALSE(fits(BallCutter{10}, limit));
     EXPECT_TRUE(fits(BallCutter{1e6}, std::nullopt));
@@ -80,12 +82,13 @@ TEST(DefaultTolerance, IsThatOfThePapersFigureForItsBallAndGrowsWithTheBall)
 TEST(DefaultSafeHeight, Is5AboveTheHighestPoint)
 {
     const Surface tilted = test::parallelogram({40, 0, 30}, {0, 20, 0});
-    EXPECT_NEAR(default_safe_height(tilted, Vec3::UnitZ()), 30 + 5, 1e-7);
-    EXPECT_NEAR(default_safe_height(tilted, Vec3{0.6, 0, 0.8}), 24 + 24 + 5, 1e-7);
+    EXPECT_NEAR(default_safe_height(std::vector{tilted}, Vec3::UnitZ()), 30 + 5, 1e-7);
+    EXPECT_NEAR(default_safe_height(std::vector{tilted}, Vec3{0.6, 0, 0.8}), 24 + 24 + 5,
+                1e-7);
     const Surface hill = test::graph(
         test::monomial(0, 0, 7) + test::monomial(2, 0, -0.1) + test::monomial(0, 2, -0.1),
         {{-10, 20}, {-15, 10}}, {2, 2});
-    EXPECT_NEAR(default_safe_height(hill, Vec3::UnitZ()), 7 + 5, 1e-7);
+    EXPECT_NEAR(default_safe_height(std::vector{hill}, Vec3::UnitZ()), 7 + 5, 1e-7);
 }
 
 }  // namespace

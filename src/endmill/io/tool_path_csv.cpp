@@ -15,9 +15,10 @@
 namespace endmill {
 namespace {
 
-constexpr std::string_view header =
-    "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z,u,v,"
-    "contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,normal_z\n";
+constexpr std::string_view location_columns =
+    "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z";
+constexpr std::string_view contact_columns =
+    ",u,v,contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,normal_z\n";
 constexpr std::string_view no_contact = ",,,,,,,,";
 constexpr std::size_t points_per_chunk = 2048;
 constexpr std::size_t chunks_per_batch = 64;  // bounds the text that is held twice
@@ -49,6 +50,8 @@ private:
 
 class RowWriter {
 public:
+    explicit RowWriter(bool has_patches) : has_patches_{has_patches} {}
+
     void append(std::string& text, const PathPoint& point)
     {
         text += std::to_string(point.pass);
@@ -58,6 +61,10 @@ public:
         text += move_name(point.move);
         append(text, point.location.tip, 0);
         append(text, point.location.axis, 3);
+        if (has_patches_) {
+            text += ',';
+            text += std::to_string(point.patch);
+        }
         if (point.contact) {
             columns_[6].append(text, point.contact->u);
             columns_[7].append(text, point.contact->v);
@@ -76,14 +83,15 @@ private:
             columns_[column + c].append(text, vector[c]);
     }
 
+    bool has_patches_;
     std::array<NumberColumn, 14> columns_;
 };
 
 // The lines of some points, beginning without what came before them: chunks are
 // independent of each other.
-std::string rows(std::span<const PathPoint> points)
+std::string rows(std::span<const PathPoint> points, bool has_patches)
 {
-    RowWriter writer;
+    RowWriter writer{has_patches};
     std::string text;
     for (const PathPoint& point : points)
         writer.append(text, point);
@@ -95,7 +103,11 @@ std::string rows(std::span<const PathPoint> points)
 std::string tool_path_csv(const ToolPath& path)
 {
     const std::span<const PathPoint> points = path.points;
-    std::string csv{header};
+    const bool has_patches =
+        std::ranges::any_of(points, [](const PathPoint& p) { return p.patch != 0; });
+    std::string csv{location_columns};
+    csv += has_patches ? ",patch" : "";
+    csv += contact_columns;
     std::vector<std::string> chunks(chunks_per_batch);
     constexpr std::size_t points_per_batch = points_per_chunk * chunks_per_batch;
     for (std::size_t first = 0; first < points.size(); first += points_per_batch) {
@@ -106,8 +118,9 @@ std::string tool_path_csv(const ToolPath& path)
         parallel_for(count, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const std::size_t at = i * points_per_chunk;
-                chunks[i] = rows(
-                    batch.subspan(at, std::min(points_per_chunk, batch.size() - at)));
+                chunks[i] =
+                    rows(batch.subspan(at, std::min(points_per_chunk, batch.size() - at)),
+                         has_patches);
             }
         });
         for (std::size_t i = 0; i < count; ++i)

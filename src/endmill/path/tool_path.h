@@ -35,7 +35,8 @@ struct PathPoint {
     Move move;
     CutterLocation location;
     std::optional<SurfaceContact>
-        contact;  ///< none where the cutter is clear of the part
+        contact;    ///< none where the cutter is clear of the part
+    int patch = 0;  ///< of a part of several surfaces: whose pass this is, from 0
 };
 
 /// What the cutter does, in order. Between points the tip goes straight.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "endmill/surface/iso_line.h"
 
@@ -120,25 +121,38 @@ bool may_be_worst(const IsoLine& line, const Cut& cut, const ChordError& error)
 
 ChordError chord_error(const Surface& surface, const ToolPath& path, Parameter along)
 {
-    const Surface turned = along == Parameter::U ? surface : transposed(surface);
+    return chord_error(std::span{&surface, 1}, path, along);
+}
+
+ChordError chord_error(std::span<const Surface> surfaces, const ToolPath& path,
+                       Parameter along)
+{
+    std::vector<Surface> turned;
+    for (const Surface& surface : surfaces)
+        turned.push_back(along == Parameter::U ? surface : transposed(surface));
     const auto parameters = [&](const PathPoint& point) {
         const auto& [u, v, contact] = *point.contact;
         return along == Parameter::U ? SurfacePoint{u, v} : SurfacePoint{v, u};
     };
     ChordError error{0, 0, {0, 0}};
     std::optional<IsoLine> line;
+    int patch_of_line = 0;
     for (std::size_t k = 1; k < path.points.size(); ++k) {
         const PathPoint& end = path.points[k];
         if (end.move != Move::Cut)
             continue;
         const PathPoint& start = path.points[k - 1];
         const SurfacePoint from = parameters(start);
-        if (!line || line->v() != from.v)
-            line.emplace(turned, from.v);
+        if (!line || line->v() != from.v || patch_of_line != start.patch)
+            line.emplace(turned[start.patch], from.v);
+        patch_of_line = start.patch;
         const Cut cut{from.u, parameters(end).u, start.contact->contact.point,
                       end.contact->contact.point};
+        const double before = error.greatest_mm;
         if (may_be_worst(*line, cut, error))
             measure_cut(*line, cut, error);
+        if (error.greatest_mm > before)
+            error.patch = start.patch;
     }
     if (along == Parameter::V)
         std::swap(error.at.u, error.at.v);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+
 #include "endmill/path/tool_path.h"
 #include "endmill/surface/surface.h"
 
@@ -11,6 +13,7 @@ struct ChordError {
     double greatest_mm;  ///< from a point of the line to the chord
     double pitch_mm;     ///< greatest distance between neighbouring samples
     SurfacePoint at;     ///< where
+    int patch = 0;       ///< of a part of several surfaces: on which, from 0
 };
 
 /// Measures the cuts of `path`, each at samples of its iso-parametric line that lie
@@ -21,5 +24,10 @@ struct ChordError {
 /// \param along the parameter along which the passes run.
 /// \pre the contacts of a pass share their other parameter.
 ChordError chord_error(const Surface& surface, const ToolPath& path, Parameter along);
+
+/// The same for a path over several surfaces.
+/// \pre the path's patches are numbers of `surfaces`.
+ChordError chord_error(std::span<const Surface> surfaces, const ToolPath& path,
+                       Parameter along);
 
 }  // namespace endmill

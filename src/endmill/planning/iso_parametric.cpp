@@ -195,6 +195,29 @@ IsoParametricPlan plan_iso_parametric(const Surface& surface, const BallCutter& 
             std::move(result.governing)};
 }
 
+IsoParametricPlan plan_iso_parametric(std::span<const Surface> surfaces,
+                                      const BallCutter& cutter,
+                                      const IsoParametricOptions& options)
+{
+    if (surfaces.size() == 1)
+        return plan_iso_parametric(surfaces.front(), cutter, options);
+    std::vector<ToolPath> paths;
+    std::vector<std::optional<GoverningPoint>> governing;
+    IsoParametricOptions own = options;
+    for (const Surface& surface : surfaces) {
+        const auto share_before = double(paths.size()) / double(surfaces.size());
+        if (options.progress)
+            own.progress = [&](double share) {
+                options.progress(share_before + share / double(surfaces.size()));
+            };
+        IsoParametricPlan plan = plan_iso_parametric(surface, cutter, own);
+        own.most_points -= plan.path.points.size();
+        governing.insert(governing.end(), plan.governing.begin(), plan.governing.end());
+        paths.push_back(std::move(plan.path));
+    }
+    return {join_paths(paths, options.link), std::move(governing)};
+}
+
 double estimated_points(const Surface& surface, const BallCutter& cutter,
                         const IsoParametricOptions& options)
 {

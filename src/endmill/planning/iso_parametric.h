@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "endmill/path/tool_path.h"
@@ -96,6 +97,13 @@ struct IsoParametricPlan {
 /// point, if the normal has a limit there.
 /// \throws LimitError if the path has more than `most_points` points.
 IsoParametricPlan plan_iso_parametric(const Surface& surface, const BallCutter& cutter,
+                                      const IsoParametricOptions& options);
+
+/// A path over each of `surfaces` by itself, in their order, joined by `join_paths`; the
+/// governing points follow each other, numbers of passes count on.
+/// \throws as the above; `most_points` is that of all.
+IsoParametricPlan plan_iso_parametric(std::span<const Surface> surfaces,
+                                      const BallCutter& cutter,
                                       const IsoParametricOptions& options);
 
 /// Rough number of points that plan_iso_parametric would return, within a factor of two

@@ -9,6 +9,17 @@
 namespace endmill {
 namespace {
 
+// The same location at the safe height.
+CutterLocation lifted(const CutterLocation& location, const LinkOptions& options)
+{
+    const double height = location.tip.dot(options.axis);
+    if (height > options.safe_height)
+        throw GeometryError{"the safe height " + to_text(options.safe_height) +
+                            " mm lies below the path, which reaches " + to_text(height) +
+                            " mm"};
+    return {location.tip + (options.safe_height - height) * options.axis, location.axis};
+}
+
 class PathBuilder {
 public:
     PathBuilder(const BallCutter& cutter, const LinkOptions& options, std::size_t points)
@@ -29,24 +40,13 @@ public:
     void lift_over(const SurfaceContact& contact)
     {
         const CutterLocation next = locate(cutter_, contact.contact, options_.axis);
-        add(Move::Retract, lifted(path_.points.back().location), std::nullopt);
-        add(Move::Rapid, lifted(next), std::nullopt);
+        add(Move::Retract, lifted(path_.points.back().location, options_), std::nullopt);
+        add(Move::Rapid, lifted(next, options_), std::nullopt);
     }
 
     ToolPath take() { return std::move(path_); }
 
 private:
-    CutterLocation lifted(const CutterLocation& location) const
-    {
-        const double height = location.tip.dot(options_.axis);
-        if (height > options_.safe_height)
-            throw GeometryError{"the safe height " + to_text(options_.safe_height) +
-                                " mm lies below the path, which reaches " +
-                                to_text(height) + " mm"};
-        return {location.tip + (options_.safe_height - height) * options_.axis,
-                location.axis};
-    }
-
     void add(Move move, const CutterLocation& location,
              const std::optional<SurfaceContact>& contact)
     {
@@ -85,6 +85,35 @@ ToolPath link_passes(std::span<const Pass> passes, const BallCutter& cutter,
             builder.add(Move::Cut, contact(k));
     }
     return builder.take();
+}
+
+ToolPath join_paths(std::span<const ToolPath> paths, const LinkOptions& options)
+{
+    ToolPath joined;
+    int passes = 0;
+    for (std::size_t number = 0; number < paths.size(); ++number) {
+        const auto& points = paths[number].points;
+        if (points.empty())
+            continue;
+        const int patch = static_cast<int>(number);
+        int lifts = 0;  // rows before the first pass of this path, which they count to
+        if (!joined.points.empty()) {
+            const CutterLocation from = lifted(joined.points.back().location, options);
+            const CutterLocation to = lifted(points.front().location, options);
+            joined.points.push_back({passes, 0, Move::Retract, from, {}, patch});
+            joined.points.push_back({passes, 1, Move::Rapid, to, {}, patch});
+            lifts = 2;
+        }
+        for (PathPoint point : points) {
+            if (point.pass == 0)
+                point.point += lifts;
+            point.pass += passes;
+            point.patch = patch;
+            joined.points.push_back(point);
+        }
+        passes = joined.points.back().pass + 1;
+    }
+    return joined;
 }
 
 }  // namespace endmill

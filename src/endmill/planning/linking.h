@@ -31,4 +31,10 @@ struct LinkOptions {
 ToolPath link_passes(std::span<const Pass> passes, const BallCutter& cutter,
                      const LinkOptions& options);
 
+/// Joins the paths over the surfaces of a part to one, in their order: from each the
+/// cutter is lifted, moved over the start of the next and lowered. Passes count on, and
+/// each point's `patch` is the number of its path; a path without points is passed over.
+/// \throws GeometryError if the safe height lies below a path.
+ToolPath join_paths(std::span<const ToolPath> paths, const LinkOptions& options);
+
 }  // namespace endmill

@@ -30,9 +30,9 @@ double default_tolerance(const BallCutter& ball)
     return 2 * ball.radius() / tolerances_per_diameter;
 }
 
-double default_safe_height(const Surface& surface, const Vec3& axis)
+double default_safe_height(std::span<const Surface> surfaces, const Vec3& axis)
 {
-    return extent(surface, axis).high + clearance;
+    return extent(surfaces, axis).high + clearance;
 }
 
 }  // namespace endmill

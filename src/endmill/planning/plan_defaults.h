@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "endmill/cutter/ball_cutter.h"
 #include "endmill/surface/largest_cutter.h"
@@ -24,7 +25,7 @@ std::optional<double> default_diameter(const std::optional<CutterLimit>& limit);
 double default_tolerance(const BallCutter& ball);
 
 /// Height in mm along `axis`, a unit vector, at which the cutter moves freely: 5 mm above
-/// the highest point of the surface, to within 1e-9 of the surface's diagonal.
-double default_safe_height(const Surface& surface, const Vec3& axis);
+/// the highest point of the surfaces, to within 1e-9 of their diagonals.
+double default_safe_height(std::span<const Surface> surfaces, const Vec3& axis);
 
 }  // namespace endmill

@@ -162,4 +162,17 @@ void require_reachable(const Surface& surface, const Vec3& axis, double side)
                         "; expected above 0 everywhere"};
 }
 
+void require_reachable(std::span<const Surface> surfaces, const Vec3& axis,
+                       std::span<const double> sides)
+{
+    if (surfaces.size() == 1)
+        return require_reachable(surfaces.front(), axis, sides.front());
+    for (std::size_t number = 0; number < surfaces.size(); ++number)
+        try {
+            require_reachable(surfaces[number], axis, sides[number]);
+        } catch (const GeometryError& error) {
+            throw GeometryError{"patch " + std::to_string(number) + ": " + error.what()};
+        }
+}
+
 }  // namespace endmill

@@ -41,4 +41,9 @@ std::optional<UnreachablePlace> find_unreachable_place(const Surface& surface,
 /// \throws GeometryError with the place that find_unreachable_place finds, if any.
 void require_reachable(const Surface& surface, const Vec3& axis, double side);
 
+/// The same for each of `surfaces`; the error names the patch, from 0.
+/// \param sides from tool_side_signs.
+void require_reachable(std::span<const Surface> surfaces, const Vec3& axis,
+                       std::span<const double> sides);
+
 }  // namespace endmill
