@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "endmill/core/vec.h"
+
+namespace endmill {
+
+/// A triangle by the numbers of its corners, counter-clockwise seen from outside.
+using Triangle = std::array<std::int32_t, 3>;
+
+/// Triangles over points that they share. An immutable value of 12 bytes a triangle and
+/// 24 a point. Nothing is asked of its topology: `mesh_checks.h` tells what it is like.
+class TriangleMesh {
+public:
+    TriangleMesh() = default;
+
+    /// \param points    in mm.
+    /// \param triangles numbers of points, from 0.
+    /// \throws DomainError if a point is not finite, a number is out of range, or there
+    /// are more than 2^31 - 1 of either.
+    TriangleMesh(std::vector<Vec3> points, std::vector<Triangle> triangles);
+
+    std::span<const Vec3> points() const { return points_; }  ///< mm
+    std::span<const Triangle> triangles() const { return triangles_; }
+
+    /// The corners of triangle `number`, in mm.
+    std::array<Vec3, 3> corners(std::size_t number) const
+    {
+        const auto& [a, b, c] = triangles_[number];
+        return {points_[a], points_[b], points_[c]};
+    }
+
+private:
+    std::vector<Vec3> points_;
+    std::vector<Triangle> triangles_;
+};
+
+}  // namespace endmill

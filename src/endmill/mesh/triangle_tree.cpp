@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/mesh/triangle_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "endmill/core/error.h"
+
+namespace endmill {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr float no_box = std::numeric_limits<float>::infinity();
+constexpr double largest_length = 1e30;  // mm: boxes and squares stay finite
+constexpr std::size_t fan_out = 4;       // children of a node, triangles of a leaf
+// By which boxes are larger than they need be, of the largest coordinate: far more than
+// the rounding of a distance, so that a box is never farther than what it holds.
+constexpr double box_margin = 1e-12;
+// The same for what rounding does to a ray with a far origin and to a large distance.
+constexpr double question_margin = 1e-13;
+
+double largest_coordinate(const Vec3& point)
+{
+    return point.lpNorm<Eigen::Infinity>();
+}
+
+bool is_within_reach(const Vec3& point)
+{
+    return (point.array().abs() <= largest_length).all();  // no NaN is
+}
+
+float rounded_down(double value)
+{
+    const auto rounded = static_cast<float>(value);
+    return rounded <= value ? rounded : std::nextafter(rounded, -no_box);
+}
+
+// What the order of the tree is made from.
+struct Centre {
+    std::array<float, 3> place;
+    std::int32_t triangle;
+};
+
+int widest_axis(std::span<const Centre> centres)
+{
+    std::array<float, 3> low = centres.front().place;
+    std::array<float, 3> high = low;
+    for (const Centre& centre : centres)
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], centre.place[axis]);
+            high[axis] = std::max(high[axis], centre.place[axis]);
+        }
+    int widest = 0;
+    for (int axis = 1; axis < 3; ++axis)
+        if (high[axis] - low[axis] > high[widest] - low[widest])
+            widest = axis;
+    return widest;
+}
+
+// Puts neighbours next to each other: the lower half of `capacity` places gets those that
+// are lower along the widest axis, and so on down to leaves.
+void arrange_centres(std::span<Centre> centres, std::size_t capacity)
+{
+    if (centres.size() <= fan_out)
+        return;
+    const std::size_t half = capacity / 2;
+    if (centres.size() <= half)
+        return arrange_centres(centres, half);
+    const int axis = widest_axis(centres);
+    std::ranges::nth_element(centres, centres.begin() + static_cast<std::ptrdiff_t>(half),
+                             [axis](const Centre& a, const Centre& b) {
+                                 return std::pair{a.place[axis], a.triangle} <
+                                        std::pair{b.place[axis], b.triangle};
+                             });
+    arrange_centres(centres.first(half), half);
+    arrange_centres(centres.subspan(half), half);
+}
+
+// The ends are taken in one order, so that triangles which share an edge find the same.
+Vec3 nearest_on_segment(const Vec3& place, const Vec3& end_a, const Vec3& end_b)
+{
+    const bool in_order = !std::ranges::lexicographical_compare(end_b, end_a);
+    const Vec3& a = in_order ? end_a : end_b;
+    const Vec3& b = in_order ? end_b : end_a;
+    const Vec3 along = b - a;
+    const double share = along.dot(place - a);
+    const double square = along.squaredNorm();
+    if (!(share > 0))
+        return a;
+    return share < square ? Vec3{a + share / square * along} : b;
+}
+
+Vec3 nearer(const Vec3& place, const Vec3& a, const Vec3& b)
+{
+    return (a - place).squaredNorm() <= (b - place).squaredNorm() ? a : b;
+}
+
+// In the frame of the longest side and the height over it, whose digits do not suffer if
+// the triangle is thin: s counts along that side a-b, h along the height to c. The angles
+// at a and b are acute, so that a place below the side is nearest to it.
+Vec3 nearest_on_triangle(const Vec3& place, std::array<Vec3, 3> corners)
+{
+    const std::array<double, 3> squares{(corners[1] - corners[0]).squaredNorm(),
+                                        (corners[2] - corners[1]).squaredNorm(),
+                                        (corners[0] - corners[2]).squaredNorm()};
+    const auto longest = std::ranges::max_element(squares) - squares.begin();
+    const Vec3& a = corners[longest];
+    const Vec3& b = corners[(longest + 1) % 3];
+    const Vec3& c = corners[(longest + 2) % 3];
+    const Vec3 side = b - a;
+    const double top = side.dot(c - a) / squares[longest];
+    const Vec3 height = c - a - top * side;
+    const double s = side.dot(place - a) / squares[longest];
+    const double h = height.dot(place - a - s * side) / height.squaredNorm();
+    if (!(h > 0))  // or the triangle has no height
+        return nearest_on_segment(place, a, b);
+    if (h * top <= s && s <= 1 - h * (1 - top))
+        return a + s * side + h * height;
+    return nearer(place, nearest_on_segment(place, a, c),
+                  nearest_on_segment(place, b, c));
+}
+
+}  // namespace
+
+// Keeps the nearest point so far, and tells what may be nearer.
+struct TriangleTree::NearestQuery {
+    Vec3 place;
+    NearestPoint best{{}, infinity, 0};
+    double least_square = infinity;  // mm^2
+
+    double limit() const { return least_square; }
+
+    // Squares of the distances to four boxes.
+    std::array<double, fan_out> bounds(const Boxes& boxes) const
+    {
+        std::array<double, fan_out> squares{};
+        for (int axis = 0; axis < 3; ++axis)
+            for (std::size_t k = 0; k < fan_out; ++k) {
+                const double below = boxes.low[axis][k] - place[axis];
+                const double above = place[axis] - boxes.high[axis][k];
+                const double beside = below > above ? below : above;
+                const double offset = beside > 0 ? beside : 0;
+                squares[k] += offset * offset;
+            }
+        for (double& square : squares)
+            square *= 1 - question_margin;
+        return squares;
+    }
+
+    void look_at(const TriangleMesh& mesh, std::size_t triangle)
+    {
+        const Vec3 point = nearest_on_triangle(place, mesh.corners(triangle));
+        const double square = (point - place).squaredNorm();
+        if (square < least_square ||
+            (square == least_square && triangle < best.triangle)) {
+            least_square = square;
+            best.point = point;
+            best.triangle = triangle;
+        }
+    }
+};
+
+// Keeps the first hit so far. Axes are renamed so that the ray goes mainly along the last;
+// seen along the ray, it is a point, and what it hits is decided in the plane.
+struct TriangleTree::RayQuery {
+    Ray ray;
+    std::array<int, 3> axes{};
+    Vec3 shear = Vec3::Zero();         // of each axis against the main one, and 1 / that
+    std::array<double, 3> inverse{};   // of the direction
+    std::array<bool, 3> is_falling{};  // the direction, along each axis
+    Vec3 margin = Vec3::Zero();        // mm
+    double greatest_t = infinity;
+    bool any_will_do = false;
+    std::optional<std::size_t> triangle{};
+
+    double limit() const { return any_will_do && triangle ? -infinity : greatest_t; }
+
+    // The t at which the ray enters four boxes, infinite if it does not.
+    std::array<double, fan_out> bounds(const Boxes& boxes) const
+    {
+        std::array<double, fan_out> enter{};
+        std::array<double, fan_out> leave;
+        leave.fill(infinity);
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool falls = is_falling[axis];
+            const float* const first = falls ? boxes.high[axis] : boxes.low[axis];
+            const float* const last = falls ? boxes.low[axis] : boxes.high[axis];
+            const double margin_here = falls ? -margin[axis] : margin[axis];
+            const double begin = ray.origin[axis] + margin_here;
+            const double end = ray.origin[axis] - margin_here;
+            for (std::size_t k = 0; k < fan_out; ++k) {
+                const double in = (first[k] - begin) * inverse[axis];
+                const double out = (last[k] - end) * inverse[axis];
+                enter[k] = in > enter[k] ? in : enter[k];
+                leave[k] = out < leave[k] ? out : leave[k];
+            }
+        }
+        for (std::size_t k = 0; k < fan_out; ++k)
+            if (!(enter[k] <= leave[k]))
+                enter[k] = infinity;
+        return enter;
+    }
+
+    void look_at(const TriangleMesh& mesh, std::size_t number)
+    {
+        std::array<double, 3> x;
+        std::array<double, 3> y;
+        std::array<double, 3> t;
+        const auto corners = mesh.corners(number);
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 from = corners[k] - ray.origin;
+            x[k] = from[axes[0]] - shear[0] * from[axes[2]];
+            y[k] = from[axes[1]] - shear[1] * from[axes[2]];
+            t[k] = shear[2] * from[axes[2]];
+        }
+        // Twice the areas that the ray makes with the sides. A rounded difference of
+        // products is never of the wrong sign, at worst 0, which counts as inside.
+        const double u = x[2] * y[1] - y[2] * x[1];
+        const double v = x[0] * y[2] - y[0] * x[2];
+        const double w = x[1] * y[0] - y[1] * x[0];
+        if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0))
+            return;
+        const double whole = u + v + w;
+        if (whole == 0)
+            return;
+        const double hit = u / whole * t[0] + v / whole * t[1] + w / whole * t[2];
+        if (hit >= 0 && (hit < greatest_t ||
+                         (hit == greatest_t && (!triangle || number < *triangle)))) {
+            greatest_t = hit;
+            triangle = number;
+        }
+    }
+};
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_{&mesh}
+{
+    for (const Vec3& point : mesh.points())
+        largest_coordinate_ = std::max(largest_coordinate_, largest_coordinate(point));
+    require(largest_coordinate_ <= largest_length,
+            "TriangleTree: coordinates must be within 1e30 mm");
+    if (mesh.triangles().empty())
+        return;
+    arrange();
+    enclose();
+}
+
+void TriangleTree::arrange()
+{
+    std::vector<Centre> centres;
+    centres.reserve(mesh_->triangles().size());
+    for (std::size_t k = 0; k < mesh_->triangles().size(); ++k) {
+        const auto [a, b, c] = mesh_->corners(k);
+        const Eigen::Vector3f sum = (a + b + c).cast<float>();
+        centres.push_back({{sum.x(), sum.y(), sum.z()}, static_cast<std::int32_t>(k)});
+    }
+    std::size_t capacity = fan_out;
+    while (capacity < centres.size())
+        capacity *= fan_out;
+    arrange_centres(centres, capacity);
+    order_.reserve(centres.size());
+    for (const Centre& centre : centres)
+        order_.push_back(centre.triangle);
+}
+
+void TriangleTree::enclose()
+{
+    constexpr Boxes nothing = [] {
+        Boxes boxes{};
+        for (int axis = 0; axis < 3; ++axis)
+            for (std::size_t k = 0; k < fan_out; ++k) {
+                boxes.low[axis][k] = no_box;
+                boxes.high[axis][k] = -no_box;
+            }
+        return boxes;
+    }();
+    const auto nodes_over = [](std::size_t count) {
+        return (count + fan_out - 1) / fan_out;
+    };
+    const Vec3 margin = Vec3::Constant(box_margin * largest_coordinate_);
+    const std::size_t leaves = nodes_over(order_.size());
+    levels_.emplace_back(nodes_over(leaves), nothing);
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+        const auto [a, b, c] = mesh_->corners(order_[k]);
+        const Vec3 low = a.cwiseMin(b).cwiseMin(c) - margin;
+        const Vec3 high = a.cwiseMax(b).cwiseMax(c) + margin;
+        const std::size_t leaf = k / fan_out;
+        Boxes& boxes = levels_[0][leaf / fan_out];
+        for (int axis = 0; axis < 3; ++axis) {
+            float& box_low = boxes.low[axis][leaf % fan_out];
+            float& box_high = boxes.high[axis][leaf % fan_out];
+            box_low = std::min(box_low, rounded_down(low[axis]));
+            box_high = std::max(box_high, -rounded_down(-high[axis]));
+        }
+    }
+    while (levels_.back().size() > 1) {
+        const std::vector<Boxes>& below = levels_.back();
+        std::vector<Boxes> level(nodes_over(below.size()), nothing);
+        for (std::size_t k = 0; k < below.size(); ++k)
+            for (int axis = 0; axis < 3; ++axis) {
+                level[k / fan_out].low[axis][k % fan_out] =
+                    *std::ranges::min_element(below[k].low[axis]);
+                level[k / fan_out].high[axis][k % fan_out] =
+                    *std::ranges::max_element(below[k].high[axis]);
+            }
+        levels_.push_back(std::move(level));
+    }
+}
+
+template <typename Query>
+void TriangleTree::ask_triangles(Query& query, std::size_t leaf) const
+{
+    const std::size_t begin = leaf * fan_out;
+    const std::size_t end = std::min(begin + fan_out, order_.size());
+    for (std::size_t k = begin; k < end; ++k)
+        query.look_at(*mesh_, static_cast<std::size_t>(order_[k]));
+}
+
+// From the top down, the nearest child first, and none that is beyond the query's limit.
+template <typename Query>
+void TriangleTree::ask(Query& query) const
+{
+    struct Child {
+        double bound;
+        std::uint32_t node;
+        std::int32_t level;  // -1: a leaf
+    };
+    // 2^31 triangles make 15 levels, each of which leaves three children to be visited.
+    std::array<Child, 64> waiting;
+    std::size_t count = 0;
+    waiting[count++] = {0, 0, static_cast<std::int32_t>(levels_.size()) - 1};
+    while (count > 0) {
+        const Child next = waiting[--count];
+        if (next.bound > query.limit())
+            continue;
+        if (next.level < 0) {
+            ask_triangles(query, next.node);
+            continue;
+        }
+        const std::size_t before = count;
+        const auto bounds = query.bounds(levels_[next.level][next.node]);
+        for (std::uint32_t k = 0; k < fan_out; ++k) {
+            if (!(bounds[k] <= query.limit() && bounds[k] < infinity))
+                continue;
+            std::size_t place = count++;
+            for (; place > before && waiting[place - 1].bound < bounds[k]; --place)
+                waiting[place] = waiting[place - 1];
+            waiting[place] = {bounds[k], next.node * 4 + k, next.level - 1};
+        }
+    }
+}
+
+std::optional<NearestPoint> TriangleTree::nearest(const Vec3& place,
+                                                  std::optional<std::size_t> hint) const
+{
+    require(is_within_reach(place), "TriangleTree: a place must be within 1e30 mm");
+    require(!hint || *hint < order_.size(), "TriangleTree: the hint is no triangle");
+    if (order_.empty())
+        return std::nullopt;
+    NearestQuery query{place};
+    if (hint)
+        query.look_at(*mesh_, *hint);
+    ask(query);
+    query.best.distance = std::sqrt(query.least_square);
+    return query.best;
+}
+
+TriangleTree::RayQuery TriangleTree::query(const Ray& ray, double greatest_t) const
+{
+    require(is_within_reach(ray.origin), "TriangleTree: a ray must begin within 1e30 mm");
+    const double length = ray.direction.stableNorm();
+    require(1e-100 <= length && length <= 1e100,
+            "TriangleTree: a ray's direction must be 1e-100 to 1e100 long");
+    RayQuery query{ray};
+    query.greatest_t = greatest_t;
+    int main_axis = 0;
+    ray.direction.cwiseAbs().maxCoeff(&main_axis);
+    query.axes = {(main_axis + 1) % 3, (main_axis + 2) % 3, main_axis};
+    const double along = ray.direction[main_axis];
+    query.shear = {ray.direction[query.axes[0]] / along,
+                   ray.direction[query.axes[1]] / along, 1 / along};
+    // Where the direction is 0, a box is entered at once or never; any large number does.
+    constexpr double never = 1e250;
+    for (int axis = 0; axis < 3; ++axis) {
+        query.is_falling[axis] = std::signbit(ray.direction[axis]);
+        query.inverse[axis] = std::clamp(1 / ray.direction[axis], -never, never);
+    }
+    query.margin = Vec3::Constant(question_margin *
+                                  (largest_coordinate(ray.origin) + largest_coordinate_));
+    return query;
+}
+
+std::optional<RayHit> TriangleTree::first_hit(const Ray& ray) const
+{
+    RayQuery asked = query(ray, infinity);
+    if (!order_.empty())
+        ask(asked);
+    if (!asked.triangle)
+        return std::nullopt;
+    return RayHit{asked.greatest_t, ray.origin + asked.greatest_t * ray.direction,
+                  *asked.triangle};
+}
+
+bool TriangleTree::any_hit(const Ray& ray, double greatest_t) const
+{
+    RayQuery asked = query(ray, greatest_t);
+    asked.any_will_do = true;
+    if (!order_.empty())
+        ask(asked);
+    return asked.triangle.has_value();
+}
+
+}  // namespace endmill
