@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/surface/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/mesh/weld.h"
+#include "endmill/surface/collapsed_edge.h"
+#include "endmill/surface/patch_sides.h"
+#include "endmill/surface/sampling_levels.h"
+
+namespace endmill {
+namespace {
+
+// Points of meeting sides nearer than this, as a share of the size, are one.
+constexpr double same_point_share = 1e-9;
+constexpr double rounding_share = 1e-11;  // of the largest coordinate
+
+using Index = std::int32_t;
+
+// A mesh that grows, and the normals at its points.
+struct Draft {
+    std::vector<Vec3> points;
+    std::vector<Triangle> triangles;
+    std::vector<Vec3> normals;  // zero where the surface has none
+
+    Index add(const Surface& surface, int i, int j, const SurfacePoint& at, double side)
+    {
+        const SurfaceJet jet = surface.jet_in_patch(i, j, at.u, at.v);
+        const auto inward = [&](Parameter along, double parameter) {
+            return parameter < surface.range(along).high ? 1 : -1;
+        };
+        const auto normal =
+            limit_normal(jet, {inward(Parameter::U, at.u), inward(Parameter::V, at.v)});
+        points.push_back(jet.point);
+        normals.push_back(normal ? Vec3{side * *normal} : Vec3::Zero());
+        return static_cast<Index>(points.size() - 1);
+    }
+
+    void add_triangle(Index a, Index b, Index c, double side)
+    {
+        if (side > 0)
+            triangles.push_back({a, b, c});
+        else
+            triangles.push_back({a, c, b});
+    }
+};
+
+// Numbers of the points along one side of a patch, ends included.
+using SidePoints = std::vector<Index>;
+
+// Draws the patches of one surface into a draft.
+class SurfaceSampler {
+public:
+    SurfaceSampler(const Surface& surface, double side, const SamplingLevels& levels,
+                   Draft& draft)
+        : surface_{surface},
+          side_{side},
+          levels_{levels},
+          draft_{draft},
+          columns_{surface.patches(Parameter::U)},
+          rows_{surface.patches(Parameter::V)}
+    {
+    }
+
+    void draw()
+    {
+        add_corners();
+        for (int j = 0; j <= rows_; ++j)
+            for (int i = 0; i < columns_; ++i)
+                along_u_.push_back(side_points(Parameter::U, i, j));
+        for (int j = 0; j < rows_; ++j)
+            for (int i = 0; i <= columns_; ++i)
+                along_v_.push_back(side_points(Parameter::V, i, j));
+        for (int j = 0; j < rows_; ++j)
+            for (int i = 0; i < columns_; ++i)
+                draw_patch(i, j);
+    }
+
+private:
+    double break_at(Parameter along, int number) const
+    {
+        return surface_.breaks(along)[number];
+    }
+
+    // The parameter at a share of patch `number`; its ends are the breaks to the bit.
+    double parameter(Parameter along, int number, int part, int parts) const
+    {
+        return std::lerp(break_at(along, number), break_at(along, number + 1),
+                         part / double(parts));
+    }
+
+    Index add(int i, int j, const SurfacePoint& at)
+    {
+        return draft_.add(surface_, std::min(i, columns_ - 1), std::min(j, rows_ - 1), at,
+                          side_);
+    }
+
+    void add_corners()
+    {
+        for (int j = 0; j <= rows_; ++j)
+            for (int i = 0; i <= columns_; ++i)
+                corners_.push_back(
+                    add(i, j, {break_at(Parameter::U, i), break_at(Parameter::V, j)}));
+    }
+
+    Index corner(int i, int j) const { return corners_[j * (columns_ + 1) + i]; }
+
+    // The side along `along` that starts at corner (i, j).
+    SidePoints side_points(Parameter along, int i, int j)
+    {
+        const bool is_u = along == Parameter::U;
+        const int parts = 1 << levels_.side(along, i, j);
+        SidePoints points{corner(i, j)};
+        for (int k = 1; k < parts; ++k)
+            points.push_back(
+                add(i, j,
+                    {is_u ? parameter(along, i, k, parts) : break_at(Parameter::U, i),
+                     is_u ? break_at(Parameter::V, j) : parameter(along, j, k, parts)}));
+        points.push_back(corner(i + (is_u ? 1 : 0), j + (is_u ? 0 : 1)));
+        return points;
+    }
+
+    void draw_patch(int i, int j)
+    {
+        const PatchLevels levels = levels_.patch(i, j);
+        const int n = 1 << levels.u;
+        const int m = 1 << levels.v;
+        const SidePoints* low_v = &along_u_[j * columns_ + i];
+        const SidePoints* high_v = &along_u_[(j + 1) * columns_ + i];
+        const SidePoints* low_u = &along_v_[j * (columns_ + 1) + i];
+        const SidePoints* high_u = &along_v_[j * (columns_ + 1) + i + 1];
+        const auto inner = static_cast<Index>(draft_.points.size());
+        for (int l = 1; l < m; ++l)
+            for (int k = 1; k < n; ++k)
+                add(i, j,
+                    {parameter(Parameter::U, i, k, n), parameter(Parameter::V, j, l, m)});
+        const auto point = [&](int k, int l) -> Index {
+            if (l == 0)
+                return (*low_v)[k * ((low_v->size() - 1) / n)];
+            if (l == m)
+                return (*high_v)[k * ((high_v->size() - 1) / n)];
+            if (k == 0)
+                return (*low_u)[l * ((low_u->size() - 1) / m)];
+            if (k == n)
+                return (*high_u)[l * ((high_u->size() - 1) / m)];
+            return inner + (l - 1) * (n - 1) + k - 1;
+        };
+        std::vector<Index> outline;
+        for (int l = 0; l < m; ++l)
+            for (int k = 0; k < n; ++k) {
+                if (k > 0 && k + 1 < n && l > 0 && l + 1 < m) {
+                    draw_quadrangle(point(k, l), point(k + 1, l), point(k + 1, l + 1),
+                                    point(k, l + 1));
+                    continue;
+                }
+                outline.clear();
+                append_part(outline, l == 0 ? low_v : nullptr, k, n, false, point(k, l));
+                append_part(outline, k + 1 == n ? high_u : nullptr, l, m, false,
+                            point(k + 1, l));
+                append_part(outline, l + 1 == m ? high_v : nullptr, k, n, true,
+                            point(k + 1, l + 1));
+                append_part(outline, k == 0 ? low_u : nullptr, l, m, true,
+                            point(k, l + 1));
+                draw_cell(outline, {i,
+                                    j,
+                                    {parameter(Parameter::U, i, 2 * k + 1, 2 * n),
+                                     parameter(Parameter::V, j, 2 * l + 1, 2 * m)}});
+            }
+    }
+
+    // Appends the points of part `number` of `parts` of a side, but for the last: all that
+    // the side has there, or only `first` if it is no side of the patch.
+    static void append_part(std::vector<Index>& outline, const SidePoints* side,
+                            int number, int parts, bool backwards, Index first)
+    {
+        if (!side) {
+            outline.push_back(first);
+            return;
+        }
+        const auto steps = static_cast<int>(side->size() - 1) / parts;
+        for (int k = 0; k < steps; ++k)
+            outline.push_back(
+                (*side)[backwards ? (number + 1) * steps - k : number * steps + k]);
+    }
+
+    // Split along its shorter diagonal.
+    void draw_quadrangle(Index a, Index b, Index c, Index d)
+    {
+        const auto& points = draft_.points;
+        if ((points[a] - points[c]).squaredNorm() <=
+            (points[b] - points[d]).squaredNorm()) {
+            draft_.add_triangle(a, b, c, side_);
+            draft_.add_triangle(a, c, d, side_);
+        } else {
+            draft_.add_triangle(a, b, d, side_);
+            draft_.add_triangle(b, c, d, side_);
+        }
+    }
+
+    struct CellMiddle {
+        int i;
+        int j;
+        SurfacePoint at;
+    };
+
+    // A cell with more points than corners is fanned from its middle.
+    void draw_cell(const std::vector<Index>& outline, const CellMiddle& middle)
+    {
+        if (outline.size() == 4) {
+            draw_quadrangle(outline[0], outline[1], outline[2], outline[3]);
+            return;
+        }
+        const Index centre = add(middle.i, middle.j, middle.at);
+        for (std::size_t k = 0; k < outline.size(); ++k)
+            draft_.add_triangle(centre, outline[k], outline[(k + 1) % outline.size()],
+                                side_);
+    }
+
+    const Surface& surface_;
+    double side_;
+    const SamplingLevels& levels_;
+    Draft& draft_;
+    int columns_;
+    int rows_;
+    std::vector<Index> corners_;
+    std::vector<SidePoints> along_u_;  // that start at corner (i, j): [j * columns + i]
+    std::vector<SidePoints> along_v_;  // [j * (columns + 1) + i]
+};
+
+bool has_pole(const Surface& surface)
+{
+    for (int j = 0; j < surface.patches(Parameter::V); ++j)
+        for (int i = 0; i < surface.patches(Parameter::U); ++i)
+            for (const Parameter along : {Parameter::U, Parameter::V})
+                if (is_collapsed(surface.patch(i, j), along, 0) ||
+                    is_collapsed(surface.patch(i, j), along, 1))
+                    return true;
+    return false;
+}
+
+// Makes points one that lie nearer than `tolerance`, and leaves out the triangles that
+// so lose a corner.
+Draft welded(const Draft& draft, double tolerance)
+{
+    const TriangleMesh before{draft.points, draft.triangles};
+    const TriangleMesh after = weld(before, tolerance).mesh;
+    Draft result{{after.points().begin(), after.points().end()},
+                 {},
+                 std::vector<Vec3>(after.points().size(), Vec3::Zero())};
+    for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
+        const Triangle& corners = after.triangles()[t];
+        for (int k = 0; k < 3; ++k)
+            if (result.normals[corners[k]].isZero())
+                result.normals[corners[k]] = draft.normals[draft.triangles[t][k]];
+        if (corners[0] != corners[1] && corners[1] != corners[2] &&
+            corners[2] != corners[0])
+            result.triangles.push_back(corners);
+    }
+    return result;
+}
+
+// Gives points without a normal the mean of their triangles', weighted by area.
+void complete_normals(Draft& draft)
+{
+    std::vector<Vec3> sums;
+    for (const Triangle& t : draft.triangles)
+        for (const Index corner : t) {
+            if (!draft.normals[corner].isZero())
+                continue;
+            if (sums.empty())
+                sums.assign(draft.points.size(), Vec3::Zero());
+            const Vec3& a = draft.points[t[0]];
+            sums[corner] += (draft.points[t[1]] - a).cross(draft.points[t[2]] - a);
+        }
+    for (std::size_t k = 0; k < sums.size(); ++k)
+        if (draft.normals[k].isZero())
+            draft.normals[k] = sums[k].stableNormalized();
+}
+
+void require_room(double triangles, std::size_t most)
+{
+    if (triangles > static_cast<double>(most))
+        throw LimitError{"the mesh would have about " + to_text(triangles) +
+                         " triangles; expected at most " + std::to_string(most)};
+}
+
+SampledSurface finished(Draft draft, double max_chord_error_mm)
+{
+    complete_normals(draft);
+    return {TriangleMesh{std::move(draft.points), std::move(draft.triangles)},
+            std::move(draft.normals), max_chord_error_mm};
+}
+
+// Points nearer than this are one: a share of the size, and above the roundings of
+// coordinates far from the origin.
+double same_point_mm(std::span<const Surface> surfaces, const Draft& draft)
+{
+    double size = 0;
+    for (const Surface& surface : surfaces)
+        size = std::max(size, surface.diagonal());
+    double farthest = 0;
+    for (const Vec3& point : draft.points)
+        farthest = std::max(farthest, point.lpNorm<Eigen::Infinity>());
+    return std::max(same_point_share * size, rounding_share * farthest);
+}
+
+}  // namespace
+
+SampledSurface sampled(std::span<const Surface> surfaces, std::span<const double> sides,
+                       double chord_tolerance, std::size_t most_triangles)
+{
+    require(std::isfinite(chord_tolerance) && chord_tolerance > 0,
+            "sampled: need 0 < chord tolerance");
+    std::vector<Surface> pieces;
+    std::vector<double> piece_sides;
+    for (std::size_t number = 0; number < surfaces.size(); ++number)
+        for (Surface& piece : parted_at_gaps(surfaces[number])) {
+            pieces.push_back(std::move(piece));
+            piece_sides.push_back(sides[number]);
+        }
+    std::vector<SamplingLevels> levels;
+    for (const Surface& piece : pieces)
+        levels.emplace_back(piece, chord_tolerance);
+    const bool meet = match_meeting_sides(pieces, levels);
+    double triangles = 0;
+    double error = 0;
+    for (const SamplingLevels& own : levels) {
+        triangles += own.triangles();
+        error = std::max(error, own.chord_error_mm());
+    }
+    require_room(triangles, most_triangles);
+    Draft draft;
+    for (std::size_t number = 0; number < pieces.size(); ++number)
+        SurfaceSampler{pieces[number], piece_sides[number], levels[number], draft}.draw();
+    if (meet || std::ranges::any_of(pieces, has_pole))
+        draft = welded(draft, same_point_mm(pieces, draft));
+    return finished(std::move(draft), error);
+}
+
+SampledSurface sampled_on_grid(std::span<const Surface> surfaces,
+                               std::span<const double> sides, int lines,
+                               std::size_t most_triangles)
+{
+    require(lines >= 2, "sampled_on_grid: need at least two lines");
+    const double cells = double(lines - 1) * (lines - 1);
+    require_room(2 * cells * static_cast<double>(surfaces.size()), most_triangles);
+    Draft draft;
+    double error = 0;
+    bool poles = false;
+    for (std::size_t number = 0; number < surfaces.size(); ++number) {
+        const Surface& surface = surfaces[number];
+        poles = poles || has_pole(surface);
+        const auto start = static_cast<Index>(draft.points.size());
+        const auto parameter = [&](Parameter along, double line) {
+            const auto [low, high] = surface.range(along);
+            return std::lerp(low, high, line / (lines - 1));
+        };
+        const auto patch = [&](Parameter along, double value) {
+            return surface.patch_number(along, value);
+        };
+        for (int l = 0; l < lines; ++l)
+            for (int k = 0; k < lines; ++k) {
+                const double u = parameter(Parameter::U, k);
+                const double v = parameter(Parameter::V, l);
+                draft.add(surface, patch(Parameter::U, u), patch(Parameter::V, v), {u, v},
+                          sides[number]);
+            }
+        for (int l = 0; l + 1 < lines; ++l)
+            for (int k = 0; k + 1 < lines; ++k) {
+                const Index a = start + l * lines + k;
+                draft.add_triangle(a, a + 1, a + lines + 1, sides[number]);
+                draft.add_triangle(a, a + lines + 1, a + lines, sides[number]);
+                error = std::max(
+                    error,
+                    grid_cell_error(
+                        surface, {parameter(Parameter::U, k), parameter(Parameter::V, l)},
+                        {parameter(Parameter::U, k + 1),
+                         parameter(Parameter::V, l + 1)}));
+            }
+    }
+    if (poles)
+        draft = welded(draft, same_point_mm(surfaces, draft));
+    return finished(std::move(draft), error);
+}
+
+}  // namespace endmill
