@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/mesh/weld.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "endmill/core/error.h"
+#include "endmill/mesh/disjoint_sets.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::size_t most_numbers = std::numeric_limits<std::int32_t>::max();
+// Of the largest coordinate: with less, a cell's number would lose digits.
+constexpr double least_tolerance = 1e-12;
+// Side of a cell in tolerances: a little under 1 / sqrt(3), so that points of one cell
+// are surely within the tolerance of each other, rounding of the cell's number included.
+constexpr double cell_side = 0.577;
+
+// How far ahead slots are fetched.
+constexpr std::size_t triangles_ahead = 6;
+
+std::uint64_t hash(const Vec3& point)
+{
+    // Multiplication carries low bits up, the shift brings high bits down. The factor is
+    // 2^64 over the golden ratio, odd and without pattern.
+    std::uint64_t mixed = 0;
+    for (const double coordinate : point) {
+        mixed = (mixed ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9E3779B97F4A7C15U;
+        mixed ^= mixed >> 32U;
+    }
+    return mixed;
+}
+
+// Of bits, so that points that are no numbers, refused later, are not all different.
+bool are_same(const Vec3& a, const Vec3& b)
+{
+    return std::memcmp(a.data(), b.data(), sizeof(double[3])) == 0;
+}
+
+// Gives equal points equal numbers, from 0 in order of appearance: a table of slots in
+// which a point is looked for from the place that its hash names.
+class PointNumbers {
+public:
+    std::int32_t number_of(const Vec3& place)
+    {
+        const Vec3 point = place.array() + 0.0;  // -0 + 0 = 0
+        const std::uint64_t hashed = hash(point);
+        const auto tag = static_cast<std::uint32_t>(hashed >> 32U);
+        std::size_t slot = hashed & mask();
+        for (; slots_[slot].number >= 0; slot = (slot + 1) & mask())
+            if (slots_[slot].tag == tag && are_same(points_[slots_[slot].number], point))
+                return slots_[slot].number;
+        const auto number = static_cast<std::int32_t>(points_.size());
+        slots_[slot] = {tag, number};
+        points_.push_back(point);
+        if (4 * points_.size() > 3 * slots_.size())
+            double_slots();
+        return number;
+    }
+
+    // Fetches the slot at which `point` will be looked for. Triangles in no order come to
+    // slots that no cache holds; asked for some triangles ahead, they are there in time.
+    void will_look_for(const Vec3& point) const
+    {
+        __builtin_prefetch(&slots_[hash(point.array() + 0.0) & mask()]);
+    }
+
+    std::vector<Vec3> points() &&
+    {
+        points_.shrink_to_fit();
+        return std::move(points_);
+    }
+
+private:
+    struct Slot {
+        std::uint32_t tag = 0;  // the half of the hash that tells most others apart
+        std::int32_t number = -1;
+    };
+
+    std::size_t mask() const { return slots_.size() - 1; }
+
+    void double_slots()
+    {
+        slots_ = std::vector<Slot>(2 * slots_.size());
+        for (std::size_t number = 0; number < points_.size(); ++number) {
+            const std::uint64_t hashed = hash(points_[number]);
+            std::size_t slot = hashed & mask();
+            while (slots_[slot].number >= 0)
+                slot = (slot + 1) & mask();
+            slots_[slot] = {static_cast<std::uint32_t>(hashed >> 32U),
+                            static_cast<std::int32_t>(number)};
+        }
+    }
+
+    std::vector<Slot> slots_{1024};
+    std::vector<Vec3> points_;
+};
+
+using CellNumber = std::array<std::int64_t, 3>;
+
+struct PointInCell {
+    CellNumber cell;
+    std::int32_t point;
+};
+
+// A run of points in one cell, of a list that is sorted by cell.
+struct Cell {
+    CellNumber number;
+    std::span<const PointInCell> points;
+};
+
+std::vector<PointInCell> sorted_by_cell(std::span<const Vec3> points, double side)
+{
+    std::vector<PointInCell> sorted;
+    sorted.reserve(points.size());
+    for (const Vec3& point : points) {
+        const auto along = [&](int axis) {
+            return static_cast<std::int64_t>(std::floor(point[axis] / side));
+        };
+        sorted.push_back(
+            {{along(0), along(1), along(2)}, static_cast<std::int32_t>(sorted.size())});
+    }
+    std::ranges::sort(sorted, [](const PointInCell& a, const PointInCell& b) {
+        return std::pair{a.cell, a.point} < std::pair{b.cell, b.point};
+    });
+    return sorted;
+}
+
+std::vector<Cell> cells_of(std::span<const PointInCell> sorted)
+{
+    std::vector<Cell> cells;
+    for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
+        while (end < sorted.size() && sorted[end].cell == sorted[begin].cell)
+            ++end;
+        cells.push_back({sorted[begin].cell, sorted.subspan(begin, end - begin)});
+    }
+    return cells;
+}
+
+// One of each opposite pair of steps to the cells that a tolerance reaches: two each way.
+std::vector<CellNumber> steps_to_later_cells()
+{
+    std::vector<CellNumber> steps;
+    for (std::int64_t x = 0; x <= 2; ++x)
+        for (std::int64_t y = -2; y <= 2; ++y)
+            for (std::int64_t z = -2; z <= 2; ++z)
+                if (CellNumber{x, y, z} > CellNumber{0, 0, 0})
+                    steps.push_back({x, y, z});
+    return steps;
+}
+
+bool come_near(const Cell& a, const Cell& b, std::span<const Vec3> points,
+               double tolerance)
+{
+    return std::ranges::any_of(a.points, [&](const PointInCell& p) {
+        return std::ranges::any_of(b.points, [&](const PointInCell& q) {
+            const Vec3 apart = points[p.point] - points[q.point];
+            return std::hypot(apart.x(), apart.y(), apart.z()) <= tolerance;
+        });
+    });
+}
+
+// Cells are in order, and so are the cells one step away: two fingers find all pairs.
+void join_cells_a_step_apart(DisjointSets& clusters, std::span<const Cell> cells,
+                             const CellNumber& step, std::span<const Vec3> points,
+                             double tolerance)
+{
+    auto other = cells.begin();
+    for (const Cell& cell : cells) {
+        const auto [x, y, z] = cell.number;
+        const CellNumber wanted{x + step[0], y + step[1], z + step[2]};
+        while (other != cells.end() && other->number < wanted)
+            ++other;
+        if (other == cells.end())
+            return;
+        const std::int32_t here = cell.points.front().point;
+        const std::int32_t there = other->points.front().point;
+        if (other->number == wanted && clusters.least(here) != clusters.least(there) &&
+            come_near(cell, *other, points, tolerance))
+            clusters.join(here, there);
+    }
+}
+
+DisjointSets clusters_within(std::span<const Vec3> points, double tolerance)
+{
+    const auto sorted = sorted_by_cell(points, cell_side * tolerance);
+    const std::vector<Cell> cells = cells_of(sorted);
+    DisjointSets clusters{points.size()};
+    for (const Cell& cell : cells)
+        for (const PointInCell& member : cell.points)
+            clusters.join(cell.points.front().point, member.point);
+    for (const CellNumber& step : steps_to_later_cells())
+        join_cells_a_step_apart(clusters, cells, step, points, tolerance);
+    return clusters;
+}
+
+void rename(std::vector<Triangle>& triangles, std::span<const std::int32_t> names)
+{
+    for (Triangle& triangle : triangles)
+        for (std::int32_t& corner : triangle)
+            corner = names[corner];
+}
+
+bool comes_before(const Vec3& a, const Vec3& b)
+{
+    return std::ranges::lexicographical_compare(a, b);
+}
+
+WeldedMesh weld_within(const TriangleMesh& mesh, double tolerance)
+{
+    const std::span<const Vec3> points = mesh.points();
+    DisjointSets clusters = clusters_within(points, tolerance);
+    std::vector<std::int32_t> names(points.size());
+    std::vector<Vec3> chosen;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const auto number = static_cast<std::int32_t>(k);
+        const std::int32_t first = clusters.least(number);
+        if (first == number) {
+            names[k] = static_cast<std::int32_t>(chosen.size());
+            chosen.push_back(points[k]);
+        } else {
+            names[k] = names[first];
+            if (comes_before(points[k], chosen[names[k]]))
+                chosen[names[k]] = points[k];
+        }
+    }
+    double largest_move = 0;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        largest_move = std::max(largest_move, (points[k] - chosen[names[k]]).norm());
+
+    std::vector<Triangle> triangles{mesh.triangles().begin(), mesh.triangles().end()};
+    rename(triangles, names);
+    const std::size_t welded = points.size() - chosen.size();
+    return {{std::move(chosen), std::move(triangles)}, welded, largest_move};
+}
+
+// `count`: of points before their equals were made one, which left `exact`.
+WeldedMesh weld_rest(TriangleMesh exact, std::size_t count, double tolerance)
+{
+    const std::size_t welded = count - exact.points().size();
+    if (tolerance == 0)
+        return {std::move(exact), welded, 0};
+    double largest = 0;
+    for (const Vec3& point : exact.points())
+        largest = std::max(largest, point.lpNorm<Eigen::Infinity>());
+    require(std::isfinite(tolerance) && tolerance >= least_tolerance * largest,
+            "weld: the tolerance must be 0, or at least 1e-12 of the largest coordinate");
+    WeldedMesh result = weld_within(exact, tolerance);
+    result.welded_points += welded;
+    return result;
+}
+
+}  // namespace
+
+WeldedMesh weld(std::span<const std::array<Vec3, 3>> soup, double tolerance)
+{
+    require(soup.size() <= most_numbers / 3, "weld: at most 715 827 882 triangles");
+    require(tolerance >= 0, "weld: the tolerance must not be negative");
+    PointNumbers numbers;
+    std::vector<Triangle> triangles;
+    triangles.reserve(soup.size());
+    for (std::size_t k = 0; k < soup.size(); ++k) {
+        for (const Vec3& corner : soup[std::min(k + triangles_ahead, soup.size() - 1)])
+            numbers.will_look_for(corner);
+        const auto& [a, b, c] = soup[k];
+        const std::int32_t first = numbers.number_of(a);
+        const std::int32_t second = numbers.number_of(b);
+        triangles.push_back({first, second, numbers.number_of(c)});
+    }
+    return weld_rest({std::move(numbers).points(), std::move(triangles)}, 3 * soup.size(),
+                     tolerance);
+}
+
+WeldedMesh weld(const TriangleMesh& mesh, double tolerance)
+{
+    require(tolerance >= 0, "weld: the tolerance must not be negative");
+    PointNumbers numbers;
+    std::vector<std::int32_t> names;
+    names.reserve(mesh.points().size());
+    for (const Vec3& point : mesh.points())
+        names.push_back(numbers.number_of(point));
+    std::vector<Triangle> triangles{mesh.triangles().begin(), mesh.triangles().end()};
+    rename(triangles, names);
+    return weld_rest({std::move(numbers).points(), std::move(triangles)},
+                     mesh.points().size(), tolerance);
+}
+
+}  // namespace endmill
