@@ -31,11 +31,10 @@ bool is_within(double mm, const ReadLimits& limits)
     if (!std::isfinite(value))
         throw complaint(source, "E_NONFINITE", place, found, "a finite number");
     const std::string converted =
-        source.mm_per_unit == 1 ? ""
-                                : " (" + shown(source.mm_per_unit * value) + " mm)";
-    throw complaint(source, "E_RANGE", place, found + converted,
-                    "at most " + shown(source.limits.max_extent_mm) +
-                        " mm (--max-extent)");
+        source.mm_per_unit == 1 ? "" : " (" + shown(source.mm_per_unit * value) + " mm)";
+    throw complaint(
+        source, "E_RANGE", place, found + converted,
+        "at most " + shown(source.limits.max_extent_mm) + " mm (--max-extent)");
 }
 
 }  // namespace

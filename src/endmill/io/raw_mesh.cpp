@@ -2,6 +2,7 @@
 #include "endmill/io/raw_mesh.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "endmill/io/polygon_fan.h"
 
@@ -14,8 +15,8 @@ RawMeshBuilder::RawMeshBuilder(const MeshSource& source, std::size_t points,
     require_numbers(source, points);
     require_numbers(source, faces);
     require_memory_for(static_cast<double>(points), static_cast<double>(faces));
-    mesh_.points.reserve(points);
-    mesh_.triangles.reserve(faces);
+    points_.reserve(points);
+    triangles_.reserve(faces);
 }
 
 void RawMeshBuilder::add_face(std::span<const std::int32_t> corners, FilePlace place)
@@ -27,6 +28,11 @@ void RawMeshBuilder::add_face(std::span<const std::int32_t> corners, FilePlace p
         add_fan(corners, place);
 }
 
+RawMesh RawMeshBuilder::take()
+{
+    return {{std::move(points_), std::move(triangles_)}, split_faces_, out_of_plane_mm_};
+}
+
 void RawMeshBuilder::require_corners(std::span<const std::int32_t> corners,
                                      FilePlace place)
 {
@@ -35,8 +41,8 @@ void RawMeshBuilder::require_corners(std::span<const std::int32_t> corners,
                         "a face of " + std::to_string(corners.size()) + " corner" +
                             (corners.size() == 1 ? "" : "s"),
                         "at least 3");
-    bool has_one_twice = corners[0] == corners[1] || corners[1] == corners[2] ||
-                         corners[2] == corners[0];
+    bool has_one_twice =
+        corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
     if (corners.size() > 3) {
         sorted_.assign(corners.begin(), corners.end());
         std::ranges::sort(sorted_);
@@ -51,15 +57,15 @@ void RawMeshBuilder::add_fan(std::span<const std::int32_t> corners, FilePlace pl
 {
     polygon_.clear();
     for (const std::int32_t corner : corners)
-        polygon_.push_back(mesh_.points[corner]);
+        polygon_.push_back(points_[corner]);
     const auto hub = fan_corner(polygon_);
     if (!hub)
         throw complaint(source_, "E_POLYGON", place,
                         "a face of " + std::to_string(corners.size()) +
                             " corners that is far from convex or crosses itself",
                         "triangles or convex faces");
-    ++mesh_.split_faces;
-    mesh_.out_of_plane_mm = std::max(mesh_.out_of_plane_mm, out_of_plane(polygon_));
+    ++split_faces_;
+    out_of_plane_mm_ = std::max(out_of_plane_mm_, out_of_plane(polygon_));
     const std::size_t count = corners.size();
     for (std::size_t i = 2; i < count; ++i)
         add_triangle({corners[*hub], corners[(*hub + i - 1) % count],
@@ -68,16 +74,15 @@ void RawMeshBuilder::add_fan(std::span<const std::int32_t> corners, FilePlace pl
 
 void RawMeshBuilder::add_triangle(const Triangle& triangle)
 {
-    std::vector<Triangle>& triangles = mesh_.triangles;
-    if (triangles.size() == triangles.capacity()) {
+    if (triangles_.size() == triangles_.capacity()) {
         // Both the old and the new, larger array are there while one is copied.
-        const std::size_t more = std::max<std::size_t>(1024, triangles.size() / 2);
-        require_numbers(source_, triangles.size() + more);
-        require_memory_for(static_cast<double>(mesh_.points.size()),
-                           static_cast<double>(2 * triangles.size() + more));
-        triangles.reserve(triangles.size() + more);
+        const std::size_t more = std::max<std::size_t>(1024, triangles_.size() / 2);
+        require_numbers(source_, triangles_.size() + more);
+        require_memory_for(static_cast<double>(points_.size()),
+                           static_cast<double>(2 * triangles_.size() + more));
+        triangles_.reserve(triangles_.size() + more);
     }
-    triangles.push_back(triangle);
+    triangles_.push_back(triangle);
 }
 
 void RawMeshBuilder::require_memory_for(double points, double triangles) const

@@ -12,13 +12,12 @@
 
 namespace endmill {
 
-/// The triangles of a mesh file as they stand there: corners exist and are finite, but
-/// points may coincide or be unused, and triangles may have no area.
+/// A mesh as it stands in a file: points may coincide or be unused, and triangles may have
+/// no area.
 struct RawMesh {
-    std::vector<Vec3> points;         ///< mm
-    std::vector<Triangle> triangles;  ///< numbers of points, from 0
-    std::size_t split_faces = 0;      ///< faces of more than three corners in the file
-    double out_of_plane_mm = 0;       ///< how far a corner of these is off its plane
+    TriangleMesh mesh;
+    std::size_t split_faces;  ///< faces of more than three corners in the file
+    double out_of_plane_mm;   ///< how far a corner of these is off its plane, at most
 };
 
 /// Collects a RawMesh while a file with numbered points is read.
@@ -30,9 +29,9 @@ public:
     /// if there are too many to be numbered.
     RawMeshBuilder(const MeshSource& source, std::size_t points, std::size_t faces);
 
-    std::size_t points() const { return mesh_.points.size(); }  ///< so far
+    std::size_t points() const { return points_.size(); }  ///< so far
 
-    void add_point(const Vec3& point) { mesh_.points.push_back(point); }  ///< mm
+    void add_point(const Vec3& point) { points_.push_back(point); }  ///< mm
 
     /// Adds a face; one of more than three corners becomes a fan of triangles.
     /// \param corners numbers of points that exist.
@@ -42,7 +41,7 @@ public:
     void add_face(std::span<const std::int32_t> corners, FilePlace place);
 
     /// What was added; the builder is of no use afterwards.
-    RawMesh take() { return std::move(mesh_); }
+    RawMesh take();
 
 private:
     void require_corners(std::span<const std::int32_t> corners, FilePlace place);
@@ -51,8 +50,11 @@ private:
     void require_memory_for(double points, double triangles) const;
 
     const MeshSource& source_;
-    RawMesh mesh_;
-    std::vector<Vec3> polygon_;        // corners of the face that is being split
+    std::vector<Vec3> points_;
+    std::vector<Triangle> triangles_;
+    std::size_t split_faces_ = 0;
+    double out_of_plane_mm_ = 0;
+    std::vector<Vec3> polygon_;         // corners of the face that is being split
     std::vector<std::int32_t> sorted_;  // their numbers, in order
 };
 

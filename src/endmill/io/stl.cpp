@@ -17,7 +17,9 @@ namespace endmill {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "numbers are copied between the file and memory as they are");
+              "numbers are copied between file and memory as they are");
+
+using Soup = std::vector<std::array<Vec3, 3>>;
 
 constexpr std::size_t count_at = 80;  // after a header of any content
 constexpr std::size_t header_bytes = 84;
@@ -80,44 +82,35 @@ bool looks_ascii(std::string_view content)
                     "");
 }
 
-// A mesh of `triangles` triangles without shared points, whose points are to be filled in.
-RawMesh unshared_triangles(const MeshSource& source, std::uint64_t triangles)
+// Room for so many triangles, within the limits.
+Soup empty_soup(const MeshSource& source, std::uint64_t most_triangles)
 {
-    require_numbers(source, 3 * triangles);
-    constexpr std::size_t bytes = 3 * sizeof(Vec3) + sizeof(Triangle);
+    require_numbers(source, 3 * most_triangles);
     require_memory(source.file,
-                   static_cast<double>(source.content.size() + bytes * triangles),
+                   static_cast<double>(source.content.size() +
+                                       sizeof(Soup::value_type) * most_triangles),
                    source.limits);
-    RawMesh mesh;
-    mesh.points.reserve(3 * triangles);
-    mesh.triangles.reserve(triangles);
-    return mesh;
+    Soup soup;
+    soup.reserve(most_triangles);
+    return soup;
 }
 
-void add_triangle_of_last_points(RawMesh& mesh)
-{
-    const auto next = static_cast<std::int32_t>(mesh.points.size());
-    mesh.triangles.push_back({next - 3, next - 2, next - 1});
-}
-
-RawMesh read_binary(const MeshSource& source)
+Soup read_binary(const MeshSource& source)
 {
     const std::uint32_t count = claimed_triangles(source.content);
-    RawMesh mesh = unshared_triangles(source, count);
-    std::size_t at = header_bytes;
+    Soup soup = empty_soup(source, count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        at += normal_bytes;
-        for (int corner = 0; corner < 3; ++corner) {
+        std::size_t at = header_bytes + triangle_bytes * i + normal_bytes;
+        std::array<Vec3, 3>& corners = soup.emplace_back();
+        for (Vec3& corner : corners) {
             std::array<float, 3> numbers;
             std::memcpy(numbers.data(), source.content.data() + at, corner_bytes);
-            mesh.points.push_back(point_mm(source, {numbers[0], numbers[1], numbers[2]},
-                                           FilePlace::byte(at)));
+            corner = point_mm(source, {numbers[0], numbers[1], numbers[2]},
+                              FilePlace::byte(at));
             at += corner_bytes;
         }
-        add_triangle_of_last_points(mesh);
-        at += triangle_bytes - normal_bytes - 3 * corner_bytes;
     }
-    return mesh;
+    return soup;
 }
 
 // The grammar of ASCII STL, whose words may be spread over lines as one likes.
@@ -126,18 +119,17 @@ public:
     explicit AsciiReader(const MeshSource& source)
         : source_{source},
           scanner_{source.content, {source.file, "E_STL_SYNTAX"}},
-          mesh_{unshared_triangles(source,
-                                   source.content.size() / shortest_facet.size())}
+          soup_{empty_soup(source, 1 + source.content.size() / shortest_facet.size())}
     {
     }
 
-    RawMesh read()
+    Soup read()
     {
         expect("solid");
         do
             read_solid();
         while (another_solid());
-        return std::move(mesh_);
+        return std::move(soup_);
     }
 
 private:
@@ -170,13 +162,13 @@ private:
             scanner_.number();
         expect("outer");
         expect("loop");
-        for (int corner = 0; corner < 3; ++corner) {
+        std::array<Vec3, 3>& corners = soup_.emplace_back();
+        for (Vec3& corner : corners) {
             expect("vertex");
-            mesh_.points.push_back(scan_point_mm(scanner_, source_));
+            corner = scan_point_mm(scanner_, source_);
         }
         expect("endloop");
         expect("endfacet");
-        add_triangle_of_last_points(mesh_);
     }
 
     void expect(std::string_view keyword)
@@ -188,13 +180,20 @@ private:
 
     const MeshSource& source_;
     TextScanner scanner_;
-    RawMesh mesh_;
+    Soup soup_;
 };
 
 // Unit normal, or zero if the triangle has no area.
 Vec3 facet_normal(const std::array<Vec3, 3>& corners)
 {
-    return (corners[1] - corners[0]).cross(corners[2] - corners[0]).stableNormalized();
+    // Of edges in proportion to the longest, so that no product overflows.
+    const Vec3 a = corners[1] - corners[0];
+    const Vec3 b = corners[2] - corners[0];
+    const double size =
+        std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>());
+    if (size == 0)
+        return Vec3::Zero();
+    return (a / size).cross(b / size).stableNormalized();
 }
 
 void append_floats(std::string& text, const Vec3& vector)
@@ -227,7 +226,7 @@ bool is_binary_stl(std::string_view content)
            content.size() == binary_size(claimed_triangles(content));
 }
 
-RawMesh parse_stl(const MeshSource& source)
+std::vector<std::array<Vec3, 3>> parse_stl(const MeshSource& source)
 {
     if (is_binary_stl(source.content))
         return read_binary(source);

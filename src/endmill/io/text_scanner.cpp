@@ -96,8 +96,8 @@ void TextScanner::refuse_whole_number()
     const std::string_view spelled = word();
     const bool is_whole =
         !spelled.empty() &&
-        spelled.substr(spelled.starts_with('-') ? 1 : 0).find_first_not_of("0123456789") ==
-            std::string_view::npos &&
+        spelled.substr(spelled.starts_with('-') ? 1 : 0)
+                .find_first_not_of("0123456789") == std::string_view::npos &&
         spelled != "-";
     if (is_whole)
         throw FormatError{"E_RANGE",

@@ -21,7 +21,7 @@ public:
     struct Kind {
         std::string file;         ///< its name for messages
         std::string syntax_code;  ///< of its FormatErrors, such as "E_STL_SYNTAX"
-        char comment = '\0';      ///< begins a comment up to the end of the line, if not 0
+        char comment = '\0';  ///< begins a comment up to the end of the line, if not 0
     };
 
     /// \param text outlives the scanner, which stands before its first line.
