@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "endmill/mesh/triangle_mesh.h"
+
+namespace endmill {
+
+/// An edge by the numbers of its ends, the lower first.
+using Edge = std::array<std::int32_t, 2>;
+
+/// A triangle's use of an edge. Sorts by the edge's higher end.
+class EdgeUse {
+public:
+    EdgeUse() = default;
+    EdgeUse(std::int32_t from, std::int32_t to, std::size_t triangle)
+        : bits_{std::uint64_t(from < to ? to : from) << 33U |
+                std::uint64_t(from > to) << 32U | triangle}
+    {
+    }
+
+    /// The edge's end with the higher number.
+    std::int32_t high() const { return static_cast<std::int32_t>(bits_ >> 33U); }
+    /// Whether the triangle runs along the edge from the lower number to the higher.
+    bool is_forward() const { return (bits_ >> 32U & 1U) == 0; }
+    std::int32_t triangle() const
+    {
+        return static_cast<std::int32_t>(bits_);
+    }  ///< number
+
+    std::strong_ordering operator<=>(const EdgeUse&) const = default;
+
+private:
+    std::uint64_t bits_ = 0;  // high end, backward, triangle: 31, 1 and 32 bits
+};
+
+/// Whether a triangle names one point twice.
+inline bool repeats_a_corner(const Triangle& triangle)
+{
+    const auto& [a, b, c] = triangle;
+    return a == b || b == c || c == a;
+}
+
+/// All edges of a mesh, each with the triangles that use it; sorted, by a count of the
+/// edges at each lower end. 24 bytes a triangle and 8 a point. Triangles that repeat a
+/// corner have no edges here.
+class EdgeUses {
+public:
+    explicit EdgeUses(const TriangleMesh& mesh);
+
+    /// Calls `visit(Edge, std::span<const EdgeUse>)` for each edge in rising order.
+    template <typename Visit>
+    void for_each(const Visit& visit) const
+    {
+        for (std::size_t low = 0; low + 1 < begin_.size(); ++low) {
+            std::size_t first = begin_[low];
+            for (std::size_t k = first; k < begin_[low + 1]; first = k) {
+                const std::int32_t high = uses_[first].high();
+                while (k < begin_[low + 1] && uses_[k].high() == high)
+                    ++k;
+                visit(Edge{static_cast<std::int32_t>(low), high},
+                      std::span{uses_}.subspan(first, k - first));
+            }
+        }
+    }
+
+private:
+    std::vector<std::size_t> begin_;  // of the uses of the edges at each lower end
+    std::vector<EdgeUse> uses_;
+};
+
+/// The triangles that have the same three corners, in whatever order, as one before them;
+/// in rising order. Triangles that repeat a corner are not among them.
+std::vector<std::int32_t> duplicate_triangles(const TriangleMesh& mesh,
+                                              const EdgeUses& edges);
+
+}  // namespace endmill
