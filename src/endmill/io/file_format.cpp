@@ -29,7 +29,7 @@ constexpr std::array beginnings{
     Beginning{"STOFF"sv, "OFF"},
     Beginning{"ply"sv, "PLY"},
     Beginning{"ISO-10303-21"sv, "STEP"},
-    Beginning{"# vtk"sv, "VTK"},
+    Beginning{"# vtk DataFile"sv, "VTK"},
     Beginning{"<VTKFile"sv, "VTK"},
     Beginning{"<"sv, "XML"},
     Beginning{"%"sv, "G-code"},

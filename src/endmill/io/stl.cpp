@@ -186,9 +186,9 @@ private:
 // Unit normal, or zero if the triangle has no area.
 Vec3 facet_normal(const std::array<Vec3, 3>& corners)
 {
-    // Of edges in proportion to the longest, so that no product overflows.
-    const Vec3 a = corners[1] - corners[0];
-    const Vec3 b = corners[2] - corners[0];
+    // Of half the edges, in proportion to the longer, so that nothing overflows.
+    const Vec3 a = corners[1] / 2 - corners[0] / 2;
+    const Vec3 b = corners[2] / 2 - corners[0] / 2;
     const double size =
         std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>());
     if (size == 0)
