@@ -44,7 +44,7 @@ std::string checked_extension(std::string_view content, const std::string& file,
                               const std::filesystem::path& path)
 {
     constexpr std::size_t longest_echo = 40;
-    const std::string extension = lower_case(path.extension().string());
+    std::string extension = lower_case(path.extension().string());
     const auto format = recognized_format(content);
     if (std::ranges::find(extensions, extension) == extensions.end()) {
         const std::string guess =

@@ -41,7 +41,7 @@ bool is_within(double mm, const ReadLimits& limits)
 
 Vec3 point_mm(const MeshSource& source, const Vec3& coordinates, FilePlace place)
 {
-    const Vec3 point = source.mm_per_unit * coordinates;
+    Vec3 point = source.mm_per_unit * coordinates;
     for (int c = 0; c < 3; ++c)
         if (!is_within(point[c], source.limits))
             refuse_coordinate(source, coordinates[c], place);
