@@ -30,9 +30,9 @@ class FormatError : public Error {
 public:
     /// What is wrong with a file, and where.
     struct Complaint {
-        std::string file;      ///< its path, as the caller gave it
-        std::string place;     ///< "LINE", "LINE:COLUMN", "@BYTE", a JSON pointer, or empty
-        std::string found;     ///< what stands there
+        std::string file;   ///< its path, as the caller gave it
+        std::string place;  ///< "LINE", "LINE:COLUMN", "@BYTE", a JSON pointer, or empty
+        std::string found;  ///< what stands there
         std::string expected;  ///< what should; empty if that goes without saying
     };
 
