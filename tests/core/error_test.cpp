@@ -40,6 +40,13 @@ TEST(FormatError, NamesFilePlaceFindingAndExpectation)
     EXPECT_EQ(error.place(), "3:7");
 }
 
+TEST(FormatError, NamesAByteOfABinaryFile)
+{
+    const FormatError error{"E_STL_SIZE", {"part.stl", "@80", "too short", "more"}};
+    EXPECT_STREQ(error.what(), "part.stl@80: too short; expected more");
+    EXPECT_EQ(error.place(), "@80");
+}
+
 TEST(FormatError, LeavesOutWhatIsNotKnown)
 {
     EXPECT_STREQ((FormatError{"E_FILE", {"part.json", "", "it is empty", ""}}.what()),

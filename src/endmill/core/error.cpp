@@ -10,7 +10,7 @@ std::string sentence(const FormatError::Complaint& complaint)
 {
     std::string text = complaint.file;
     if (!complaint.place.empty())
-        text += ":" + complaint.place;
+        text += (complaint.place.starts_with('@') ? "" : ":") + complaint.place;
     text += ": " + complaint.found;
     if (!complaint.expected.empty())
         text += "; expected " + complaint.expected;

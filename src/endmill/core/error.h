@@ -25,14 +25,14 @@ public:
 };
 
 /// An input file is missing, unreadable or malformed. The message reads
-/// "FILE:PLACE: FOUND; expected EXPECTED".
+/// "FILE:PLACE: FOUND; expected EXPECTED", or "FILE@BYTE: …" in a binary file.
 class FormatError : public Error {
 public:
     /// What is wrong with a file, and where.
     struct Complaint {
-        std::string file;      ///< its path, as the caller gave it
-        std::string place;     ///< "LINE", "LINE:COLUMN", a JSON pointer, or empty
-        std::string found;     ///< what stands there
+        std::string file;   ///< its path, as the caller gave it
+        std::string place;  ///< "LINE", "LINE:COLUMN", "@BYTE", a JSON pointer, or empty
+        std::string found;  ///< what stands there
         std::string expected;  ///< what should; empty if that goes without saying
     };
 

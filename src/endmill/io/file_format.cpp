@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <cstdint>
+
+#include "endmill/io/stl.h"
 
 namespace endmill {
 namespace {
@@ -29,28 +29,13 @@ constexpr std::array beginnings{
     Beginning{"STOFF"sv, "OFF"},
     Beginning{"ply"sv, "PLY"},
     Beginning{"ISO-10303-21"sv, "STEP"},
-    Beginning{"# vtk"sv, "VTK"},
+    Beginning{"# vtk DataFile"sv, "VTK"},
     Beginning{"<VTKFile"sv, "VTK"},
     Beginning{"<"sv, "XML"},
     Beginning{"%"sv, "G-code"},
     Beginning{"pass,point,move"sv, "CSV"},
     Beginning{"tip_x_mm,"sv, "CSV"},
 };
-
-// A binary STL has nothing at its beginning, but its size tells: 84 bytes and 50 a
-// triangle.
-bool is_binary_stl(std::string_view content)
-{
-    constexpr std::size_t header_bytes = 80;
-    constexpr std::uint64_t triangle_bytes = 50;
-    if (content.size() < header_bytes + 4)
-        return false;
-    std::uint64_t triangles = 0;
-    for (std::size_t i = 4; i-- > 0;)
-        triangles =
-            256 * triangles + static_cast<unsigned char>(content[header_bytes + i]);
-    return content.size() == header_bytes + 4 + triangle_bytes * triangles;
-}
 
 // The first line that is neither empty nor a comment.
 std::string_view first_statement(std::string_view content)
@@ -78,6 +63,7 @@ bool is_obj(std::string_view content)
 
 std::optional<std::string_view> recognized_format(std::string_view content)
 {
+    // A binary STL may begin with anything: its size tells.
     if (is_binary_stl(content))
         return "STL";
     std::string_view text = content;

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/io/mesh_text.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "endmill/io/obj.h"
+#include "endmill/io/off.h"
+#include "endmill/io/ply.h"
+#include "endmill/io/stl.h"
+
+namespace endmill {
+
+MeshFormat mesh_format(std::string_view name)
+{
+    const auto found = std::ranges::find(mesh_format_names, name);
+    assert(found != mesh_format_names.end());
+    return static_cast<MeshFormat>(found - mesh_format_names.begin());
+}
+
+std::string_view mesh_extension(MeshFormat format)
+{
+    switch (format) {
+        case MeshFormat::Obj:
+            return ".obj";
+        case MeshFormat::Ply:
+            return ".ply";
+        case MeshFormat::Off:
+            return ".off";
+        default:
+            return ".stl";
+    }
+}
+
+std::string mesh_text(const TriangleMesh& mesh, MeshFormat format)
+{
+    switch (format) {
+        case MeshFormat::Stl:
+            return stl_text(mesh);
+        case MeshFormat::StlAscii:
+            return stl_ascii_text(mesh);
+        case MeshFormat::Obj:
+            return obj_text(mesh);
+        case MeshFormat::Ply:
+            return ply_text(mesh);
+        default:
+            return off_text(mesh);
+    }
+}
+
+}  // namespace endmill
