@@ -2,6 +2,7 @@
 // Damaged mesh files: whatever a reader makes of them, it is a sound mesh or an error that
 // endmill throws on purpose, and it takes memory in proportion to the file.
 
+#include <algorithm>
 #include <cstdlib>
 #include <new>
 
@@ -34,7 +35,7 @@ void* counted_allocation(std::size_t size)
 
 void counted_release(void* place)
 {
-    bytes_in_use -= malloc_usable_size(place);
+    bytes_in_use -= place != nullptr ? malloc_usable_size(place) : 0;
     std::free(place);
 }
 
@@ -43,6 +44,15 @@ void counted_release(void* place)
 void* operator new(std::size_t size)
 {
     return counted_allocation(size);
+}
+// The address sanitizer's own would not go together with the `delete` below.
+void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept
+{
+    try {
+        return counted_allocation(size);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
 }
 void operator delete(void* place) noexcept
 {

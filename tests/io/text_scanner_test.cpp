@@ -159,10 +159,10 @@ TEST(TextScanner, ShowsNoControlCharactersAndNoLongWords)
 
 TEST(TextScanner, RefusesLinesOverOneMebibyte)
 {
-    const std::size_t longest = 1048576;
-    TextScanner sound = scanner(std::string(longest, 'x'));
+    const std::string longest(1048576, 'x');
+    TextScanner sound = scanner(longest);
     EXPECT_TRUE(sound.next_line());
-    const std::string text = "a\n" + std::string(longest + 1, 'x') + "\n";
+    const std::string text = "a\n" + longest + "x\n";
     TextScanner words = scanner(text);
     words.next_line();
     EXPECT_EQ(complaint_of([&] { words.next_line(); }),
