@@ -33,6 +33,7 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 
 /// The commands. Each adds itself to `program` and sets `action` when it is chosen.
 void add_info_command(CLI::App& program, Action& action);
+void add_sample_command(CLI::App& program, Action& action);
 void add_plan_command(CLI::App& program, Action& action);
 void add_eval_command(CLI::App& program, Action& action);
 void add_cite_command(CLI::App& program, Action& action);

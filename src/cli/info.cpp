@@ -7,6 +7,7 @@
 #include "cli/console.h"
 #include "cli/info_summary.h"
 #include "cli/surface_facts.h"
+#include "endmill/core/error.h"
 #include "endmill/io/output_folder.h"
 #include "endmill/surface/patch_borders.h"
 
@@ -15,28 +16,43 @@ namespace {
 
 struct InfoOptions {
     CommonOptions common;
-    std::string part;
+    PartOptions part;
     Vec3 axis = Vec3::UnitZ();
     bool g1_is_required = false;
 };
 
+void write_summary(const InfoOptions& options, const Json& summary)
+{
+    if (options.common.output.empty())
+        return;
+    OutputFolder folder{options.common.output, options.common.force};
+    folder.protect(options.part.path);
+    folder.write("summary.json", summary.dump(2) + "\n");
+    folder.publish();
+}
+
 ExitCode run_info(const InfoOptions& options)
 {
-    const SurfaceFile file = read_part(options.part, options.common);
-    const SurfaceContinuity whole = continuity(std::span<const Surface>{file.surfaces});
-    const Json summary = info_summary(file, whole, options.axis);
-    if (!options.common.output.empty()) {
-        OutputFolder folder{options.common.output, options.common.force};
-        folder.protect(options.part);
-        folder.write("summary.json", summary.dump(2) + "\n");
-        folder.publish();
+    const PartFile file = read_part_for(options.part, options.common);
+    const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
+    if (!surfaces) {
+        if (options.g1_is_required)
+            throw DomainError{options.part.path +
+                              ": --require g1 is for surfaces; found a mesh"};
+        const Json summary = mesh_summary(file, options.part);
+        write_summary(options, summary);
+        print_result(options.common, summary, mesh_text(summary));
+        return ExitCode::Yes;
     }
-    print_result(options.common, summary, info_text(summary));
+    const SurfaceContinuity whole = continuity(std::span{*surfaces});
+    const Json summary = surface_summary(file, whole, options.axis);
+    write_summary(options, summary);
+    print_result(options.common, summary, surface_text(summary));
     if (whole.continuity == Continuity::G1)
         return ExitCode::Yes;
     if (options.g1_is_required)
-        return refuse_break(options.part, whole, options.common);
-    warn(options.common, options.part + ": " + break_text(whole));
+        return refuse_break(options.part.path, whole, options.common);
+    warn(options.common, options.part.path + ": " + break_text(whole));
     return ExitCode::Yes;
 }
 
@@ -47,8 +63,7 @@ void add_info_command(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand(
         "info", "size, area, continuity, curvature and largest ball cutter of a part");
     const auto options = std::make_shared<InfoOptions>();
-    command->add_option("PART", options->part, "surface file (endmill-surface/1)")
-        ->required();
+    add_part_options(*command, options->part);
     add_axis_option(*command, options->axis);
     add_require_option(*command, options->g1_is_required);
     add_common_options(*command, options->common);

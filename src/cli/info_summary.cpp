@@ -5,8 +5,9 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
-#include "cli/surface_facts.h"
+#include "endmill/mesh/mesh_checks.h"
 #include "endmill/surface/area.h"
 #include "endmill/surface/extent.h"
 #include "endmill/surface/tool_side.h"
@@ -62,10 +63,10 @@ std::string place_shown(const Json& place)
 
 }  // namespace
 
-Json info_summary(const SurfaceFile& file, const SurfaceContinuity& continuity,
-                  const Vec3& axis)
+Json surface_summary(const PartFile& file, const SurfaceContinuity& continuity,
+                     const Vec3& axis)
 {
-    const std::span<const Surface> surfaces = file.surfaces;
+    const std::span<const Surface> surfaces = std::get<std::vector<Surface>>(file.part);
     const bool several = surfaces.size() > 1;
     const std::vector<double> sides = tool_side_signs(surfaces, axis);
     const auto curvature = curvature_range(surfaces, sides);
@@ -87,7 +88,7 @@ Json info_summary(const SurfaceFile& file, const SurfaceContinuity& continuity,
     return summary;
 }
 
-std::string info_text(const Json& s)
+std::string surface_text(const Json& s)
 {
     return fmt::format(
         "{}: {}\n"
@@ -109,6 +110,53 @@ std::string info_text(const Json& s)
         s["unreachable_at"].is_null()
             ? "all of the surface can be touched"
             : "not all can be touched: not" + place_shown(s["unreachable_at"]).substr(1));
+}
+
+Json mesh_summary(const PartFile& file, const PartOptions& options)
+{
+    const auto& mesh = std::get<TriangleMesh>(file.part);
+    const MeshReport report = mesh_report(mesh);
+    Eigen::AlignedBox3d box;
+    for (const Vec3& point : mesh.points())
+        box.extend(point);
+    Json summary{{"name", file.name}, {"source", file.source}};
+    summary["size_mm"] = vector_json(box.sizes());
+    summary["area_mm2"] = report.area;
+    summary["triangles"] = mesh.triangles().size();
+    summary["vertices"] = mesh.points().size();
+    summary["components"] = report.components;
+    summary["boundary_edges"] = report.boundary_edges;
+    summary["non_manifold_edges"] = report.non_manifold_edges;
+    summary["degenerate"] = file.degenerate_triangles;
+    summary["duplicates"] = report.duplicate_triangles;
+    summary["volume_mm3"] = report.volume ? Json(*report.volume) : Json(nullptr);
+    summary["units"] = length_unit_names[static_cast<std::size_t>(options.units)];
+    summary["up"] = up_axis_names[static_cast<std::size_t>(options.up)];
+    for (const char* key :
+         {"patches", "continuity", "worst_break_deg", "min_curvature_per_mm",
+          "max_curvature_per_mm", "max_cutter_radius_mm", "max_cutter_radius_at"})
+        summary[key] = nullptr;
+    return summary;
+}
+
+std::string mesh_text(const Json& s)
+{
+    return fmt::format(
+        "{}: {} triangles, {} points, {} {}\n"
+        "size             {} x {} x {} mm\n"
+        "area             {} mm2\n"
+        "volume           {}\n"
+        "edges            {} of a border, {} of more than two triangles\n"
+        "triangles        {} degenerate left out, {} duplicate\n",
+        s["name"].get<std::string>(), s["triangles"].get<std::size_t>(),
+        s["vertices"].get<std::size_t>(), s["components"].get<std::size_t>(),
+        s["components"] == 1 ? "piece" : "pieces", shown(s["size_mm"][0]),
+        shown(s["size_mm"][1]), shown(s["size_mm"][2]), shown(s["area_mm2"]),
+        s["volume_mm3"].is_null() ? "none: the mesh is open"
+                                  : shown(s["volume_mm3"]) + " mm3",
+        s["boundary_edges"].get<std::size_t>(),
+        s["non_manifold_edges"].get<std::size_t>(), s["degenerate"].get<std::size_t>(),
+        s["duplicates"].get<std::size_t>());
 }
 
 }  // namespace endmill

@@ -31,6 +31,7 @@ ExitCode run(int argc, char** argv, bool json_errors)
     program.require_subcommand(1);
     Action action;
     add_info_command(program, action);
+    add_sample_command(program, action);
     add_plan_command(program, action);
     add_eval_command(program, action);
     add_cite_command(program, action);

@@ -61,7 +61,7 @@ void complete(PlanOptions& options, std::span<const Surface> surfaces, double di
 
 ExitCode run_plan(PlanOptions options)
 {
-    const SurfaceFile file = read_part(options.part, options.common);
+    const SurfaceFile file = read_surface_for(options.part, "plan", options.common);
     const std::span<const Surface> surfaces = file.surfaces;
     PlanContext context{file.name, file.source, continuity(surfaces),
                         {},        0,           surfaces.size() > 1};

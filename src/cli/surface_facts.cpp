@@ -3,20 +3,57 @@
 
 #include <array>
 #include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/arguments.h"
 #include "cli/console.h"
+#include "endmill/core/error.h"
 
 namespace endmill {
 
-SurfaceFile read_part(const std::string& path, const CommonOptions& options)
+void add_part_options(CLI::App& command, PartOptions& part)
 {
-    SurfaceFile file = read_surface(path, options.limits);
+    command
+        .add_option("PART", part.path,
+                    "surface file (endmill-surface/1), or mesh (.stl, .obj, .ply, .off)")
+        ->required();
+    static constexpr std::array units{Choice<LengthUnit>{"mm", LengthUnit::Mm},
+                                      Choice<LengthUnit>{"inch", LengthUnit::Inch}};
+    static constexpr std::array axes{
+        Choice<UpAxis>{"z", UpAxis::Z},       Choice<UpAxis>{"y", UpAxis::Y},
+        Choice<UpAxis>{"x", UpAxis::X},       Choice<UpAxis>{"-x", UpAxis::MinusX},
+        Choice<UpAxis>{"-y", UpAxis::MinusY}, Choice<UpAxis>{"-z", UpAxis::MinusZ}};
+    add_choice<LengthUnit>(command, "--units", part.units, units,
+                           "what a 1 in a mesh file stands for; default mm");
+    add_choice<UpAxis>(command, "--up", part.up, axes,
+                       "the axis of a mesh file that points upwards; default z");
+}
+
+void add_surface_argument(CLI::App& command, std::string& path)
+{
+    command.add_option("SURFACE", path, "surface file (endmill-surface/1)")->required();
+}
+
+PartFile read_part_for(const PartOptions& part, const CommonOptions& options)
+{
+    PartFile file = read_part(part.path, {options.limits, part.units, part.up});
     for (const std::string& note : file.notes)
-        warn(options, fmt::format("{}: {}", path, note));
+        warn(options, fmt::format("{}: {}", part.path, note));
     return file;
+}
+
+SurfaceFile read_surface_for(const std::string& path, const std::string& command,
+                             const CommonOptions& options)
+{
+    PartFile file = read_part_for({path}, options);
+    auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
+    if (!surfaces)
+        throw DomainError{path + ": found a mesh; " + command +
+                          " expects a surface file (endmill-surface/1)"};
+    return {std::move(file.name), std::move(file.source), std::move(*surfaces),
+            std::move(file.notes)};
 }
 
 std::string output_folder(const std::string& input, const std::string& command,

@@ -5,15 +5,34 @@
 #include <string>
 
 #include "cli/command.h"
+#include "endmill/io/part_file.h"
 #include "endmill/io/surface_file.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/largest_cutter.h"
 
 namespace endmill {
 
-/// Reads the surface that a command is given. Its notes become warnings.
-/// \throws FormatError, LimitError as read_surface.
-SurfaceFile read_part(const std::string& path, const CommonOptions& options);
+/// What a command is told of its part.
+struct PartOptions {
+    std::string path;
+    LengthUnit units = LengthUnit::Mm;
+    UpAxis up = UpAxis::Z;
+};
+
+/// The argument PART and the options --units and --up, which are for meshes.
+void add_part_options(CLI::App& command, PartOptions& part);
+
+/// The argument SURFACE, for a command that a mesh cannot serve.
+void add_surface_argument(CLI::App& command, std::string& path);
+
+/// Reads the part that a command is given. Its notes become warnings.
+/// \throws FormatError, LimitError, DomainError as read_part.
+PartFile read_part_for(const PartOptions& part, const CommonOptions& options);
+
+/// The same where only surfaces serve.
+/// \throws DomainError if the part is a mesh.
+SurfaceFile read_surface_for(const std::string& path, const std::string& command,
+                             const CommonOptions& options);
 
 /// The folder for the results: --output, or ./NAME-COMMAND after the input's name.
 std::string output_folder(const std::string& input, const std::string& command,

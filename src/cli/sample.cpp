@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// endmill sample: a surface as a triangle mesh.
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "build_facts.h"
+#include "cli/arguments.h"
+#include "cli/console.h"
+#include "cli/surface_facts.h"
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/io/mesh_text.h"
+#include "endmill/io/output_folder.h"
+#include "endmill/io/ply.h"
+#include "endmill/surface/extent.h"
+#include "endmill/surface/sampling.h"
+#include "endmill/surface/tool_side.h"
+
+namespace endmill {
+namespace {
+
+// Memory that a triangle takes, with its share of points, until its file is written.
+constexpr double bytes_per_triangle = 250;
+// The chord tolerance that is chosen, as a share of the part's longest side.
+constexpr double default_share = 1e-3;
+
+struct SampleOptions {
+    CommonOptions common;
+    std::string surface;
+    std::optional<double> chord_tolerance;
+    std::optional<int> lines;  // of a grid
+    MeshFormat format = MeshFormat::Stl;
+    Vec3 axis = Vec3::UnitZ();
+};
+
+// A thousandth of the part's longest side, rounded down to one digit.
+double default_tolerance(std::span<const Surface> surfaces)
+{
+    double longest = 0;
+    for (int c = 0; c < 3; ++c)
+        longest = std::max(longest, extent(surfaces, Vec3::Unit(c)).length());
+    const double tolerance = default_share * longest;
+    const double digit = std::pow(10, std::floor(std::log10(tolerance)));
+    return std::floor(tolerance / digit) * digit;
+}
+
+struct Sampling {
+    SampledSurface found;
+    Json settings;  // how it was sampled
+};
+
+Sampling sampled_as_asked(const SampleOptions& options, std::span<const Surface> surfaces)
+{
+    const std::vector<double> sides = tool_side_signs(surfaces, options.axis);
+    const auto most = static_cast<std::size_t>(options.common.limits.max_memory_gib *
+                                               0x1p30 / bytes_per_triangle);
+    if (options.lines)
+        return {sampled_on_grid(surfaces, sides, *options.lines, most),
+                {{"grid", *options.lines}, {"max_chord_error_is", "measured"}}};
+    const double tolerance =
+        options.chord_tolerance ? *options.chord_tolerance : default_tolerance(surfaces);
+    return {sampled(surfaces, sides, tolerance, most),
+            {{"chord_tolerance_mm", tolerance}, {"max_chord_error_is", "bound"}}};
+}
+
+std::string file_text(const SampledSurface& sampled, MeshFormat format)
+{
+    return format == MeshFormat::Ply ? ply_text(sampled.mesh, sampled.normals)
+                                     : mesh_text(sampled.mesh, format);
+}
+
+std::string summary_text(const Json& s, const OutputFolder& folder)
+{
+    const std::string how =
+        s.contains("grid") ? fmt::format("grid of {0} x {0} places", s["grid"].get<int>())
+                           : fmt::format("chord tolerance {:g} mm",
+                                         s["chord_tolerance_mm"].get<double>());
+    return fmt::format(
+        "{}: {} triangles, {} points; {}, error {} {:.4g} mm\nwritten to {}\n",
+        s["name"].get<std::string>(), s["triangles"].get<std::size_t>(),
+        s["vertices"].get<std::size_t>(), how,
+        s.contains("grid") ? "measured" : "at most",
+        s["max_chord_error_mm"].get<double>(), folder.path().string());
+}
+
+ExitCode run_sample(const SampleOptions& options)
+{
+    const SurfaceFile file = read_surface_for(options.surface, "sample", options.common);
+    const Sampling sampling = sampled_as_asked(options, file.surfaces);
+    const std::string name = "mesh" + std::string{mesh_extension(options.format)};
+    Json summary{{"name", file.name},
+                 {"source", file.source},
+                 {"endmill", program_version},
+                 {"triangles", sampling.found.mesh.triangles().size()},
+                 {"vertices", sampling.found.mesh.points().size()},
+                 {"max_chord_error_mm", sampling.found.max_chord_error_mm},
+                 {"file", name}};
+    summary.update(sampling.settings);
+    summary["format"] = mesh_format_names[static_cast<std::size_t>(options.format)];
+
+    OutputFolder folder{output_folder(options.surface, "sample", options.common),
+                        options.common.force};
+    folder.protect(options.surface);
+    folder.write(name, file_text(sampling.found, options.format));
+    folder.write("summary.json", summary.dump(2) + "\n");
+    for (const char* other : {"mesh.stl", "mesh.obj", "mesh.ply", "mesh.off"})
+        folder.remove_unless_written(other);
+    folder.publish();
+    print_result(options.common, summary, summary_text(summary, folder));
+    return ExitCode::Yes;
+}
+
+}  // namespace
+
+void add_sample_command(CLI::App& program, Action& action)
+{
+    CLI::App* command = program.add_subcommand("sample", "a triangle mesh of a surface");
+    const auto options = std::make_shared<SampleOptions>();
+    add_surface_argument(*command, options->surface);
+    CLI::Option* tolerance = add_number(
+        *command,
+        {"--chord-tolerance", "MM",
+         "greatest distance from the surface to the mesh; default a thousandth of the "
+         "longest side"},
+        options->chord_tolerance);
+    add_whole_number(*command,
+                     {"--grid", "sample N by N places of each surface instead", 2, 20000},
+                     [options](int lines) { options->lines = lines; })
+        ->type_name("N")
+        ->excludes(tolerance);
+    static constexpr std::array formats{
+        Choice<MeshFormat>{"stl", MeshFormat::Stl},
+        Choice<MeshFormat>{"stl-ascii", MeshFormat::StlAscii},
+        Choice<MeshFormat>{"obj", MeshFormat::Obj},
+        Choice<MeshFormat>{"ply", MeshFormat::Ply},
+        Choice<MeshFormat>{"off", MeshFormat::Off}};
+    add_choice<MeshFormat>(*command, "--format", options->format, formats,
+                           "kind of mesh file; default stl (binary, rounded to float)");
+    add_axis_option(*command, options->axis);
+    add_common_options(*command, options->common);
+    command->footer(
+        "Writes mesh.stl, mesh.obj, mesh.ply (with normals) or mesh.off, and\n"
+        "summary.json, to --output (default ./NAME-sample).\n\n"
+        "Example:\n  endmill sample datasets/surfaces/net_rot24_7D.json "
+        "--chord-tolerance 0.05 --format ply");
+    command->callback(
+        [options, &action] { action = [options] { return run_sample(*options); }; });
+}
+
+}  // namespace endmill

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "endmill/io/mesh_file.h"
+#include "endmill/surface/part.h"
+
+namespace endmill {
+
+/// A part and what its file says about it.
+struct PartFile {
+    std::string name;    ///< the file's, or else its path without folder and extension
+    std::string source;  ///< where the numbers come from; empty if the file is silent
+    Part part;           ///< in mm
+    std::size_t degenerate_triangles;  ///< of a mesh, left out when it was read
+    std::vector<std::string> notes;    ///< what a reader should know
+};
+
+/// Reads a surface file, told by its content, or else a mesh file. A mesh whose triangles
+/// are turned over is put right (`oriented`) with a note.
+/// \throws FormatError, LimitError as `read_surface` and `read_mesh`.
+/// \throws DomainError if units or an upward axis are given for a surface, whose file
+/// speaks for itself.
+PartFile read_part(const std::filesystem::path& path,
+                   const MeshReadOptions& options = {});
+
+}  // namespace endmill

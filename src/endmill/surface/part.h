@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "endmill/mesh/triangle_mesh.h"
+#include "endmill/surface/surface.h"
+
+namespace endmill {
+
+/// What is to be made: one surface or several, each planned by itself, or a mesh.
+using Part = std::variant<std::vector<Surface>, TriangleMesh>;
+
+}  // namespace endmill
