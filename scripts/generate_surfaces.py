@@ -1,106 +1,62 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the surfaces of datasets/surfaces that have a closed form, the same bytes every time.
+"""Writes the surfaces of datasets/surfaces, or of another FOLDER, the same bytes every time.
 
-Each is a polynomial of degree three or less in the parameters, so that a composite bicubic
-Bezier net represents it exactly: control point (i, j) is the polynomial's blossom at the
-knots of i and j, computed in fractions. The net_*.json files are data and not made here.
+Usage: scripts/generate_surfaces.py [FOLDER]
+
+The net_*.json files are data and not made here.
 """
 import json
 import sys
-from fractions import Fraction
 from pathlib import Path
+
+from generation.bezier_nets import bezier_surfaces
+from generation.height_grids import height_grids
+from generation.round_shapes import nurbs_surfaces
+from generation.teapot import teapot
 
 FOLDER = Path(__file__).resolve().parent.parent / "datasets/surfaces"
 
-
-def blossom_power(power, arguments):
-    """The symmetric trilinear form of t^power at three arguments, exact."""
-    a, b, c = arguments
-    return [Fraction(1), (a + b + c) / 3, (a * b + b * c + c * a) / 3, a * b * c][power]
+# How deep the lists are that get a line of their own: rows of points or of numbers.
+ROW_DEPTH = {"control_points": 2, "patches": 2, "weights": 1, "z": 1}
 
 
-def knot_triples(breaks):
-    """The blossom's arguments for the control points of a curve over `breaks`, joints shared."""
-    triples = []
-    for low, high in zip(breaks, breaks[1:]):
-        triples += [(low, low, low), (low, low, high), (low, high, high)]
-    return triples + [(breaks[-1],) * 3]
+def depth(value):
+    return 1 + depth(value[0]) if isinstance(value, list) else 0
 
 
-def coefficient(polynomial, at_s, at_t):
-    """The blossom of sum c s^p t^q, given as {(p, q): c}."""
-    return sum(c * blossom_power(p, at_s) * blossom_power(q, at_t)
-               for (p, q), c in polynomial.items())
+def indented(value, row_depth, indent):
+    """JSON with a line for every list of that depth."""
+    if depth(value) <= row_depth:
+        return " " * indent + json.dumps(value)
+    inner = ",\n".join(indented(item, row_depth, indent + 1) for item in value)
+    return f"{' ' * indent}[\n{inner}\n{' ' * indent}]"
 
 
-def net(surface):
-    """Control points [v][u] of `surface`."""
-    us, vs = knot_triples(surface["breaks_s"]), knot_triples(surface["breaks_t"])
-    return [[[float(coefficient(surface[axis], s, t)) for axis in "xyz"] for s in us] for t in vs]
+def surface_text(name, content):
+    """The file, a row of the net or grid a line."""
+    members = {"format": "endmill-surface/1", "name": name, **content}
+    lines = [f" {json.dumps(key)}: " + indented(value, ROW_DEPTH.get(key, 1), 1).lstrip()
+             for key, value in members.items()]
+    return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
-def equal_parts(low, high, count):
-    """`count` + 1 borders from low to high, exact."""
-    return [Fraction(low) + Fraction(high - low, count) * k for k in range(count + 1)]
+def surfaces():
+    """name -> content."""
+    return {**bezier_surfaces(), **nurbs_surfaces(), **height_grids(), "teapot": teapot()}
 
 
-S, T, S2, T2 = (1, 0), (0, 1), (2, 0), (0, 2)
-WIDTH, DEPTH = equal_parts(0, 200, 3), equal_parts(0, 120, 2)
-
-SURFACES = {
-    "plane": {
-        "source": "Generated: z = 0 over 200 x 120 mm.",
-        "breaks_s": WIDTH, "breaks_t": DEPTH,
-        "x": {S: 1}, "y": {T: 1}, "z": {},
-    },
-    "tilted-plane": {
-        "source": "Generated: z = 3 x / 4 over 200 x 120 mm; its lines along u are 250 mm long.",
-        "breaks_s": WIDTH, "breaks_t": DEPTH,
-        "x": {S: 1}, "y": {T: 1}, "z": {S: Fraction(3, 4)},
-    },
-    "sheared-plane": {
-        "source": "Generated: z = 0 over a parallelogram, x = s + t / 2, y = t"
-                  " for s in 0 ... 200 and t in 0 ... 120 mm.",
-        "breaks_s": WIDTH, "breaks_t": DEPTH,
-        "x": {S: 1, T: Fraction(1, 2)}, "y": {T: 1}, "z": {},
-    },
-    "saddle": {
-        "source": "Generated: z = (x^2 - y^2) / 64 over -45 ... 45 mm both ways;"
-                  " the largest ball cutter has a radius of 32 mm, at the origin.",
-        "breaks_s": equal_parts(-45, 45, 3), "breaks_t": equal_parts(-45, 45, 3),
-        "x": {S: 1}, "y": {T: 1}, "z": {S2: Fraction(1, 64), T2: Fraction(-1, 64)},
-    },
-    "parabolic-cylinder": {
-        "source": "Generated: z = y^2 / 40 over x in 0 ... 200 and y in -60 ... 60 mm;"
-                  " the largest ball cutter has a radius of 20 mm, along y = 0.",
-        "breaks_s": WIDTH, "breaks_t": equal_parts(-60, 60, 2),
-        "x": {S: 1}, "y": {T: 1}, "z": {T2: Fraction(1, 40)},
-    },
-}
-
-
-def surface_text(name, surface):
-    """The file, a row of the net a line."""
-    head = {
-        "format": "endmill-surface/1", "name": name, "source": surface["source"],
-        "type": "bezier", "patches_u": len(surface["breaks_s"]) - 1,
-        "patches_v": len(surface["breaks_t"]) - 1,
-    }
-    lines = [f" {json.dumps(key)}: {json.dumps(value)}" for key, value in head.items()]
-    rows = ",\n".join(f"  {json.dumps(row)}" for row in net(surface))
-    return "{\n" + ",\n".join(lines) + f',\n "control_points": [\n{rows}\n ]\n}}\n'
-
-
-def main():
-    if len(sys.argv) > 1:
+def main(arguments):
+    if len(arguments) > 1 or any(a.startswith("-") for a in arguments):
         print(__doc__.strip())
-        return 0 if sys.argv[1:] in (["--help"], ["-h"]) else 2
-    for name, surface in SURFACES.items():
-        (FOLDER / f"{name}.json").write_text(surface_text(name, surface), encoding="utf-8")
-        print(f"datasets/surfaces/{name}.json")
+        return 0 if arguments in (["--help"], ["-h"]) else 2
+    folder = Path(arguments[0]) if arguments else FOLDER
+    for name, content in surfaces().items():
+        path = folder / f"{name}.json"
+        path.write_text(surface_text(name, content), encoding="utf-8")
+        print(path)
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

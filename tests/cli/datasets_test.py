@@ -50,7 +50,8 @@ class SurfacesReadme(ProgramTest):
         self.assertLessEqual(abs(value - number(text)), 0.5 * 10**-digits * (1 + 1e-9), message)
 
     def test_every_surface_is_described(self):
-        names = {*described("Fitted nets"), *described("Surfaces with a closed form")}
+        names = {*described("Fitted nets"), *described("Surfaces with a closed form"),
+                 *described("Height grids"), "teapot.json"}
         self.assertEqual(names, {path.name for path in SURFACES.glob("*.json")})
 
     def test_areas_and_largest_balls_of_the_fitted_nets(self):
@@ -78,8 +79,8 @@ class SurfacesReadme(ProgramTest):
             size = re.search(r"over (\d+) x (\d+) mm", surface)
             for value, expected in zip(facts["size_mm"], size.groups() if size else ()):
                 self.assertAlmostEqual(value, int(expected), delta=1e-9)
-            for pattern, key in ((r"area ([\d ]+) mm²", "area_mm2"),
-                                 (r"largest ball radius (\d+) mm", "max_cutter_radius_mm")):
+            for pattern, key in ((r"area ([\d .]+) mm²", "area_mm2"),
+                                 (r"largest ball radius ([\d.]+) mm", "max_cutter_radius_mm")):
                 for expected in re.findall(pattern, known):
                     self.assertAlmostEqual(facts[key], number(expected), delta=1e-6)
                     told += 1
@@ -91,7 +92,20 @@ class SurfacesReadme(ProgramTest):
                                     "--count-links", "no", "-o", name)
                 self.assertAlmostEqual(plan["tcd_mm"] / plan["passes"], number(length), delta=1e-9)
                 told += 1
-        self.assertEqual(told, 6)
+        self.assertEqual(told, 13)
+
+    def test_the_surfaces_that_face_up_do(self):
+        for name, (_, known) in described("Surfaces with a closed form").items():
+            if "N·z ≥" in known:
+                self.assertIsNone(self.summary("info", SURFACES / name)["unreachable_at"], name)
+
+    def test_the_teapot(self):
+        text = README.split("\n## The Utah teapot\n")[1]
+        facts = self.summary("info", SURFACES / "teapot.json")
+        self.assertEqual(facts["patches"], 32)
+        for stated, size in zip(re.search(r"of ([\d.]+) x ([\d.]+) x ([\d.]+) mm", text).groups(),
+                                facts["size_mm"]):
+            self.assert_rounds_to(size, stated, "teapot")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Small closed parts: (vertices, triangles), counter-clockwise seen from outside, in mm."""
+from math import cos, pi, sin
+
+DOME_SIDES = 48  # a multiple of 8: the corners of the plate share the rim evenly
+DOME_RINGS = 12
+
+# So that no file depends on the last bits of a mathematical library.
+DECIMALS = 9
+
+
+def fan(corners):
+    """Triangles of a face that its first corner sees whole."""
+    return [(corners[0], a, b) for a, b in zip(corners[1:], corners[2:])]
+
+
+def box_corners(low, high):
+    """The lower four, then the upper four, each counter-clockwise seen from above."""
+    (x0, y0, z0), (x1, y1, z1) = low, high
+    return [(x, y, z) for z in (z0, z1) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))]
+
+
+def ring_of_quads(lower, upper):
+    """Triangles between two closed rows of vertices, counter-clockwise seen from above."""
+    count = len(lower)
+    faces = [(lower[k], lower[(k + 1) % count], upper[(k + 1) % count], upper[k])
+             for k in range(count)]
+    return [triangle for face in faces for triangle in fan(face)]
+
+
+def extrusion(outline, y0, y1):
+    """A prism along y over an outline of (x, z) that its first corner sees whole."""
+    count = len(outline)
+    front, back = list(range(count)), list(range(count, 2 * count))
+    vertices = [(x, y, z) for y in (y0, y1) for x, z in outline]
+    return vertices, fan(front) + fan(back[:1] + back[:0:-1]) + ring_of_quads(back, front)
+
+
+def prism():
+    """A roof: 40 mm wide, 15 mm high, flanks of 25 mm, 60 mm long."""
+    return extrusion([(0, 15), (-20, 0), (20, 0)], 0, 60)
+
+
+def v_groove():
+    """A block with a groove along y, 24 mm wide and 9 mm deep, flanks of 15 mm."""
+    return extrusion([(0, 11), (-12, 20), (-30, 20), (-30, 0), (30, 0), (30, 20), (12, 20)],
+                     -20, 20)
+
+
+def pocket():
+    """A block with a pocket of 40 x 20 x 10 mm in the middle of its top."""
+    vertices = box_corners((-30, -20, 0), (30, 20, 20)) + box_corners((-20, -10, 10), (20, 10, 20))
+    bottom, top, floor, rim = [list(range(k, k + 4)) for k in (0, 4, 8, 12)]
+    return vertices, (fan(bottom[::-1]) + ring_of_quads(bottom, top) + ring_of_quads(top, rim)
+                      + ring_of_quads(rim, floor) + fan(floor))
+
+
+def corner_of_side(side):
+    """The corner of the plate that a side of the dome's rim is turned to."""
+    return (side + DOME_SIDES // 8) // (DOME_SIDES // 4) % 4
+
+
+def dome():
+    """A half ball of radius 20 mm, vertices on the sphere, on a plate of 60 x 60 x 10 mm."""
+    vertices = box_corners((-30, -30, 0), (30, 30, 10))
+    rings = []
+    for ring in range(DOME_RINGS):
+        latitude = pi / 2 * ring / DOME_RINGS
+        rings.append(range(len(vertices), len(vertices) + DOME_SIDES))
+        for side in range(DOME_SIDES):
+            longitude = 2 * pi * (side / DOME_SIDES - 3 / 8)  # -135 degrees: the first corner
+            direction = (cos(latitude) * cos(longitude), cos(latitude) * sin(longitude),
+                         sin(latitude))
+            x, y, z = (round(20 * c, DECIMALS) + 0.0 for c in direction)  # + 0: no -0
+            vertices.append((x, y, 10 + z))
+    vertices.append((0, 0, 30))
+
+    bottom, top, rim = list(range(4)), list(range(4, 8)), rings[0]
+    triangles = fan(bottom[::-1]) + ring_of_quads(bottom, top)
+    for side in range(DOME_SIDES):
+        before, here = (corner_of_side(s) for s in (side - 1, side))
+        if before != here:
+            triangles.append((top[before], top[here], rim[side]))
+        triangles.append((top[here], rim[(side + 1) % DOME_SIDES], rim[side]))
+    for lower, upper in zip(rings, rings[1:]):
+        triangles += ring_of_quads(lower, upper)
+    last, pole = rings[-1], len(vertices) - 1
+    triangles += [(last[k], last[(k + 1) % DOME_SIDES], pole) for k in range(DOME_SIDES)]
+    return vertices, triangles

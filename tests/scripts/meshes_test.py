@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The numbers in datasets/meshes/README.md against the files that they describe."""
+import re
+import unittest
+from math import cos, dist, pi, sin
+
+from fake_tree import ROOT
+from mesh_files import border_edges, edges, read_mesh, sheets_at, volume
+from readme_tables import number, rounds_to, table
+
+FOLDER = ROOT / "datasets/meshes"
+README = FOLDER / "README.md"
+STATED = table(README, "Files")
+
+
+def frusta(radius, sides, rings):
+    """The volume of a half ball's mesh: pyramid frusta over regular polygons, and a pyramid."""
+    def area(ring):
+        return sides / 2 * sin(2 * pi / sides) * (radius * cos(pi / 2 * ring / rings))**2
+
+    def height(ring):
+        return radius * sin(pi / 2 * ring / rings)
+
+    return sum((height(k + 1) - height(k)) / 3
+               * (area(k) + area(k + 1) + (area(k) * area(k + 1))**0.5) for k in range(rings))
+
+
+CLOSED_FORMS = {
+    "pocket.stl": 60 * 40 * 20 - 40 * 20 * 10,
+    "dome.stl": 60 * 60 * 10 + frusta(20, 48, 12),
+    "v-groove.stl": 60 * 40 * 20 - 24 * 9 / 2 * 40,
+    "prism.obj": 40 * 15 / 2 * 60, "prism.ply": 40 * 15 / 2 * 60, "prism.off": 40 * 15 / 2 * 60,
+}
+
+
+def distance_to_facet(radius, sides, rings, ring):
+    """From the centre of the half ball to a flat facet between two rings."""
+    (x0, z0), (x1, z1) = ((radius * cos(pi / sides) * cos(angle), radius * sin(angle))
+                          for angle in (pi / 2 * k / rings for k in (ring, ring + 1)))
+    return abs(x0 * z1 - x1 * z0) / dist((x0, z0), (x1, z1))
+
+
+def distance_to_triangle(corners, parts=20):
+    """From the origin, the least of a grid of points on the triangle."""
+    a, b, c = corners
+    return min(sum(((i * x + j * y + (parts - i - j) * z) / parts)**2 for x, y, z in zip(a, b, c))
+               for i in range(parts + 1) for j in range(parts + 1 - i))**0.5
+
+
+class Meshes(unittest.TestCase):
+    def setUp(self):
+        self.meshes = {path.name: read_mesh(path) for path in FOLDER.iterdir() if path != README}
+
+    def test_every_mesh_is_described(self):
+        self.assertEqual(set(STATED), set(self.meshes))
+
+    def test_counts_and_sizes(self):
+        for name, (vertices, triangles) in self.meshes.items():
+            _, _, count, points, size, *_ = STATED[name]
+            self.assertEqual((len(triangles), len(vertices)), (number(count), number(points)), name)
+            for text, values in zip(size.split(" x "), zip(*vertices)):
+                self.assertTrue(rounds_to(max(values) - min(values), text), (name, text))
+
+    def test_every_edge_occurs_once_in_each_direction(self):
+        for name, (_, triangles) in self.meshes.items():
+            with self.subTest(name):
+                self.assertEqual(max(edges(triangles).values()), 1)
+                border = len(border_edges(triangles))
+                self.assertEqual(STATED[name][5], f"{border} border edges" if border else "closed")
+
+    def test_one_sheet_around_every_vertex(self):
+        touching = {name: [vertices[k] for k, sheets in sheets_at(triangles).items() if sheets > 1]
+                    for name, (vertices, triangles) in self.meshes.items()}
+        # The lower end of the teapot's handle touches the body.
+        self.assertEqual(touching.pop("teapot-288.off"), [(-2, 0, 0.9)])
+        self.assertFalse(any(touching.values()), touching)
+
+    def test_volumes(self):
+        for name, (vertices, triangles) in self.meshes.items():
+            stated = STATED[name][6]
+            if border_edges(triangles):
+                self.assertEqual(stated, "–")
+                continue
+            relative = 1e-6 if name == "dome.stl" else 1e-14  # single precision
+            found, expected = volume(vertices, triangles), CLOSED_FORMS[name]
+            self.assertLessEqual(abs(found / expected - 1), relative, name)
+            self.assertTrue(rounds_to(expected, stated), (name, expected))
+
+    def test_the_prism_is_the_same_in_three_formats(self):
+        self.assertEqual(self.meshes["prism.obj"], self.meshes["prism.ply"])
+        self.assertEqual(self.meshes["prism.obj"], self.meshes["prism.off"])
+
+    def test_the_dome_is_within_its_chord_error(self):
+        vertices, triangles = self.meshes["dome.stl"]
+        top = [(x, y, z - 10) for x, y, z in vertices]
+        radii = [dist(v, (0, 0, 0)) for v in top if v[2] > 1]
+        self.assertLessEqual(max(abs(r - 20) for r in radii), 3e-6)  # single precision
+        cap = [[top[k] for k in triangle] for triangle in triangles
+               if any(top[k][2] > 1 for k in triangle)]
+        self.assertEqual(len(cap), 48 * 23)
+        error = 20 - min(distance_to_facet(20, 48, 12, ring) for ring in range(12))
+        stated = re.search(r"chord error ([\d.]+) mm", STATED["dome.stl"][0]).group(1)
+        self.assertTrue(rounds_to(error, stated), error)
+        sampled = 20 - min(map(distance_to_triangle, cap))
+        self.assertLessEqual(abs(sampled - error), 1e-3)
+
+
+if __name__ == "__main__":
+    unittest.main()
