@@ -19,7 +19,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int samples_per_side = 33;             // of a patch, for curvature
 constexpr std::size_t candidates_to_refine = 5;  // of a patch, or of all pairs
-constexpr double most_pair_samples = 260'000;
+constexpr double most_pair_samples = 40'000;
 // Nearer pairs, in widths of a patch, are left to curvature: they would only find it
 // again with rounding, or a crease, which admits no ball at all and is told by
 // `continuity`.
@@ -33,6 +33,9 @@ struct Candidate {
     double value;  // smaller is better
     int i, j;      // the patch
     SurfacePoint at;
+    // How much the samples around it lie higher: more than the bottom of the basin can
+    // lie lower, being nearer.
+    double rise = 0;
 };
 
 // Whether a partial is so short that it may be rounding: next to a collapsed edge.
@@ -104,11 +107,14 @@ std::vector<Candidate> basins(const CurvatureField& field, int i, int j)
             const int right = std::min(column + 1, samples_per_side - 1);
             const int above = std::min(row + 1, samples_per_side - 1);
             const double value = values(column, row);
-            const double least =
-                values.block(left, below, right - left + 1, above - below + 1).minCoeff();
-            if (value <= least && std::isfinite(value))
-                found.push_back(
-                    {value, i, j, {parameter(u_range, column), parameter(v_range, row)}});
+            const auto around =
+                values.block(left, below, right - left + 1, above - below + 1);
+            if (value <= around.minCoeff() && std::isfinite(value))
+                found.push_back({value,
+                                 i,
+                                 j,
+                                 {parameter(u_range, column), parameter(v_range, row)},
+                                 around.maxCoeff() - value});
         }
     std::ranges::stable_sort(found, {}, &Candidate::value);
     if (found.size() > candidates_to_refine)
@@ -143,21 +149,18 @@ std::optional<Candidate> least_principal_value(const CurvatureField& field)
             by_patch[number] = basins(field, static_cast<int>(number) % columns,
                                       static_cast<int>(number) / columns);
     });
-    double best_sample = infinity;
+    std::vector<Candidate> starts;
     for (const auto& patch : by_patch)
-        if (!patch.empty())
-            best_sample = std::min(best_sample, patch.front().value);
-    // Between neighbouring samples a basin is not half as deep again.
-    const double worth_refining = best_sample + std::abs(best_sample) / 2;
+        starts.insert(starts.end(), patch.begin(), patch.end());
+    std::ranges::stable_sort(starts, {}, &Candidate::value);
     std::optional<Candidate> least;
-    for (const auto& patch : by_patch)
-        for (const Candidate& start : patch) {
-            if (!(start.value <= worth_refining))
-                continue;
-            const Candidate found = refined(field, start);
-            if (!least || found.value < least->value)
-                least = found;
-        }
+    for (const Candidate& start : starts) {
+        if (least && start.value - start.rise >= least->value)
+            continue;
+        const Candidate found = refined(field, start);
+        if (!least || found.value < least->value)
+            least = found;
+    }
     return least;
 }
 
