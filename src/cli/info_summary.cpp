@@ -128,6 +128,7 @@ Json mesh_summary(const PartFile& file, const PartOptions& options)
     summary["boundary_edges"] = report.boundary_edges;
     summary["non_manifold_edges"] = report.non_manifold_edges;
     summary["degenerate"] = file.degenerate_triangles;
+    summary["welded"] = file.welded_points;
     summary["duplicates"] = report.duplicate_triangles;
     summary["volume_mm3"] = report.volume ? Json(*report.volume) : Json(nullptr);
     summary["units"] = length_unit_names[static_cast<std::size_t>(options.units)];

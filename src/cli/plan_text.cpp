@@ -36,7 +36,8 @@ std::string direction_text(const Json& s)
         s["ncl"].get<std::size_t>(), s["tcd_mm"].get<double>(),
         s["tcd_cl_mm"].get<double>(), s["link_mm"].get<double>(), chord_error,
         chord_error / tolerance);
-    if (chord_error > tolerance)
+    constexpr double rounding = 1e-9;
+    if (chord_error > tolerance * (1 + rounding))
         text += ": mode paper looks at each step's start only";
     text += "\n";
     if (s.contains("time_min"))

@@ -97,10 +97,7 @@ ReadAndWelded read_soup(std::string& content, const MeshSource& source)
         source.file,
         triangles * (sizeof soup[0] + sizeof(Triangle) + 3 * bytes_per_welded_point),
         source.limits);
-    ReadAndWelded result{weld(soup), {}};
-    result.notes.push_back(counted(3 * soup.size(), "corner") + " were welded into " +
-                           counted(result.welded.mesh.points().size(), "point"));
-    return result;
+    return {weld(soup), {}};
 }
 
 RawMesh parse_indexed(const MeshSource& source, std::string_view extension)

@@ -21,7 +21,7 @@ PartFile surface_part(const std::string& content, const std::filesystem::path& p
         throw DomainError{shown_path(path) +
                           ": --units and --up are for meshes; a surface file says its "
                           "unit itself"};
-    return {std::move(file.name), std::move(file.source), std::move(file.surfaces), 0,
+    return {std::move(file.name), std::move(file.source), std::move(file.surfaces), 0, 0,
             std::move(file.notes)};
 }
 
@@ -38,11 +38,9 @@ PartFile mesh_part(std::string content, const std::filesystem::path& path,
                 std::to_string(upright.turned_triangles) +
                 " triangles were turned over, so that all face outwards");
     }
-    return {std::move(file.name),
-            {},
-            std::move(file.mesh),
-            file.degenerate_triangles,
-            std::move(file.notes)};
+    return {std::move(file.name), {},
+            std::move(file.mesh), file.degenerate_triangles,
+            file.welded_points,   std::move(file.notes)};
 }
 
 // A file named for a surface is read as one, so that its faults are told as such.

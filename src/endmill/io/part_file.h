@@ -17,6 +17,7 @@ struct PartFile {
     std::string source;  ///< where the numbers come from; empty if the file is silent
     Part part;           ///< in mm
     std::size_t degenerate_triangles;  ///< of a mesh, left out when it was read
+    std::size_t welded_points;         ///< of a mesh, that were others' equal
     std::vector<std::string> notes;    ///< what a reader should know
 };
 
