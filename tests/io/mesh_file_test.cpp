@@ -116,7 +116,7 @@ TEST(ReadMesh, WeldsAndDropsAndSaysSo)
 
     const TriangleMesh box = test::box_mesh({0, 0, 0}, {1, 2, 3});
     EXPECT_THAT(parse_mesh(mesh_text(box, MeshFormat::Stl), "a.stl").notes,
-                testing::IsEmpty());
+                ElementsAre());
     EXPECT_THAT(
         parse_mesh("OFF 4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "a.off").notes,
         ElementsAre("1 face of more than 3 corners was split into triangles, "
