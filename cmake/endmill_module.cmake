@@ -7,27 +7,49 @@ function(endmill_precompile target)
                             <functional> <optional> <span> <string> <vector> ${ARGN})
 endfunction()
 
+# endmill_internal_headers(RESULT header...): those with a line `// Internal to ...`.
+function(endmill_internal_headers result)
+  set(internal)
+  foreach(header IN LISTS ARGN)
+    file(STRINGS ${header} marker REGEX "^// Internal to " LIMIT_COUNT 1)
+    if(marker)
+      list(APPEND internal ${header})
+    endif()
+  endforeach()
+  set(${result} ${internal} PARENT_SCOPE)
+endfunction()
+
 # endmill_module(NAME [USES module...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...])
 #
 # Declares src/endmill/NAME as the library endmill::NAME and tests/NAME as its test
 # program. USES is the module's complete list of arrows to other modules;
-# scripts/check_layers.py fails when an #include follows an arrow not named here.
+# scripts/check_layers.py fails when an #include follows an arrow not named here. LIBRARIES
+# and PRIVATE_LIBRARIES come from packages that endmill_dependency finds. The library is
+# installed with its headers, but those with a line `// Internal to ...`.
 function(endmill_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;LIBRARIES;PRIVATE_LIBRARIES")
   file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/endmill/${name}/*.h)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/endmill/${name}/*.cpp)
   file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
+  endmill_internal_headers(internal ${headers})
+  list(REMOVE_ITEM headers ${internal})
   list(TRANSFORM arg_USES PREPEND endmill::)
 
   add_library(endmill_${name} ${sources})
   add_library(endmill::${name} ALIAS endmill_${name})
   target_sources(endmill_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src
                  FILES ${headers})
+  target_sources(endmill_${name} PRIVATE FILE_SET internal TYPE HEADERS
+                 BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${internal})
   target_compile_features(endmill_${name} PUBLIC cxx_std_20)
   target_link_libraries(endmill_${name} PUBLIC ${arg_USES} ${arg_LIBRARIES}
-                        PRIVATE ${arg_PRIVATE_LIBRARIES} endmill_warnings)
-  set_target_properties(endmill_${name} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
+                        PRIVATE ${arg_PRIVATE_LIBRARIES} $<BUILD_INTERFACE:endmill_warnings>)
+  set_target_properties(endmill_${name} PROPERTIES EXPORT_NAME ${name}
+                        VERIFY_INTERFACE_HEADER_SETS ON)
   endmill_precompile(endmill_${name})
+  if(ENDMILL_INSTALL)
+    install(TARGETS endmill_${name} EXPORT endmillTargets FILE_SET HEADERS)
+  endif()
 
   if(ENDMILL_BUILD_TESTS AND tests)
     add_executable(endmill_${name}_test ${tests})

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The installed build: what lies there, and a project that uses it, also after a move.
+
+The tests' order is that of their names: the prefix is moved between the two builds.
+"""
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ.get("ENDMILL_BUILD", ROOT / "build/release"))
+SURFACE = ROOT / "datasets/surfaces/net_rot24_7D.json"
+
+
+def run(*command, **options):
+    """The finished process of one command, whatever it returned."""
+    return subprocess.run([*map(str, command)], capture_output=True, text=True, check=False,
+                          timeout=120, stdin=subprocess.DEVNULL, **options)
+
+
+def modules():
+    """The names of the modules."""
+    return sorted(path.name for path in (ROOT / "src/endmill").iterdir() if path.is_dir())
+
+
+class InstalledTest(unittest.TestCase):
+    """Tests on one temporary installation."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name).resolve()
+        cls.prefix = cls.folder / "first"
+        done = run("cmake", "--install", BUILD, "--prefix", cls.prefix)
+        if done.returncode:
+            raise RuntimeError(done.stdout + done.stderr)
+
+    def succeed(self, *command, **options):
+        """What a command that must succeed prints."""
+        done = run(*command, **options)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout
+
+    def build(self, source, build, *options):
+        """Builds a project against the prefix, in a clean folder."""
+        self.succeed("cmake", "-S", source, "-B", build, "-G", "Ninja",
+                     f"-DCMAKE_PREFIX_PATH={self.prefix}", *options)
+        self.succeed("cmake", "--build", build)
+
+    def headers(self):
+        """The installed headers, as one includes them."""
+        include = self.prefix / "include"
+        return sorted(str(path.relative_to(include)) for path in include.rglob("*.h"))
+
+
+class WhatIsInstalled(InstalledTest):
+    def test_is_the_program_the_libraries_and_the_licence_but_no_data(self):
+        files = {str(path.relative_to(self.prefix)) for path in self.prefix.rglob("*")
+                 if path.is_file() and path.suffix != ".h"}
+        package = {path for path in files if "/cmake/endmill/" in path}
+        libraries = {path for path in files if path.endswith(".a")}
+        self.assertEqual({Path(path).name for path in libraries},
+                         {f"libendmill_{module}.a" for module in modules()})
+        self.assertEqual({Path(path).name for path in package},
+                         {"endmillConfig.cmake", "endmillConfigVersion.cmake",
+                          "endmillTargets.cmake", "endmillTargets-release.cmake"})
+        self.assertEqual(files - package - libraries,
+                         {"bin/endmill", "share/doc/endmill/LICENSE"})
+
+    def test_headers_are_all_but_the_internal_ones(self):
+        public = [path for path in (ROOT / "src").glob("endmill/*/*.h")
+                  if "\n// Internal to " not in path.read_text(encoding="utf-8")]
+        self.assertEqual(self.headers(),
+                         sorted(str(path.relative_to(ROOT / "src")) for path in public))
+        self.assertNotIn("endmill/io/strict_json.h", self.headers())
+
+    def test_modules_are_components_and_complete_with_what_they_need(self):
+        self.build(ROOT / "tests/consumer/whole", self.folder / "whole",
+                   f"-DMODULES={';'.join(modules())}")
+
+    def test_package_names_no_folder_of_this_machine(self):
+        for path in self.prefix.rglob("*.cmake"):
+            text = path.read_text(encoding="utf-8")
+            for folder in (ROOT, BUILD, self.folder):
+                self.assertNotIn(str(folder), text, path.name)
+
+    def test_version_is_that_of_the_program_and_another_minor_one_does_not_fit(self):
+        script = self.folder / "find.cmake"
+        script.write_text("find_package(endmill 0.999 QUIET)\n"
+                          "message(STATUS ${endmill_CONSIDERED_VERSIONS})\n", encoding="utf-8")
+        said = self.succeed("cmake", f"-DCMAKE_PREFIX_PATH={self.prefix}", "-P", script)
+        version = self.succeed(self.prefix / "bin/endmill", "--version").split()[-1]
+        self.assertEqual(said.split()[-1], version)
+
+
+class Consumer(InstalledTest):
+    def built(self, name):
+        """The consumer, built against the prefix."""
+        self.build(ROOT / "tests/consumer", self.folder / name)
+        return self.folder / name / "consumer"
+
+    def assert_plans_as_the_program(self, consumer):
+        facts = json.loads(self.succeed(
+            self.prefix / "bin/endmill", "plan", SURFACE, "--cutter", "ball:15", "--direction", "u",
+            "--chord-tolerance", "0.5", "--scallop", "0.5", "--force", "--json", cwd=self.folder))
+        self.assertEqual(self.succeed(consumer, SURFACE), f"{facts['ncl']}\n")
+
+    def test_1_finds_builds_and_plans_as_the_program_does(self):
+        consumer = self.built("build")
+        self.assert_plans_as_the_program(consumer)
+        done = run(consumer, "no_such_file.json")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("no_such_file.json", done.stderr)
+
+    def test_2_does_so_where_the_prefix_is_moved(self):
+        moved = self.folder / "a place/moved"
+        moved.parent.mkdir()
+        type(self).prefix = self.prefix.rename(moved)
+        self.assert_plans_as_the_program(self.built("build-moved"))
+
+
+if __name__ == "__main__":
+    unittest.main()
