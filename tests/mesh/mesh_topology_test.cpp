@@ -46,7 +46,8 @@ TEST(MeshTopology, FindsTheNeighboursThatRunAlongTheSidesBackwards)
     std::vector<Triangle> triangles = test::triangles_of(mesh);
     std::ranges::shuffle(triangles, random.engine());
     for (Triangle& triangle : triangles)
-        std::ranges::rotate(triangle, triangle.begin() + int(random.uniform(0, 3)));
+        std::rotate(triangle.begin(), triangle.begin() + int(random.uniform(0, 3)),
+                    triangle.end());
     const MeshTopology topology{{test::points_of(mesh), triangles}};
     for (std::size_t k = 0; k < triangles.size(); ++k)
         for (int side = 0; side < 3; ++side) {
@@ -151,9 +152,9 @@ TEST(MeshTopology, NamesWhereAMeshIsNotManifold)
 TEST(MeshTopology, TakesTrianglesOfAFanInAnyOrder)
 {
     // Around one point, so that fans come and go while it is made.
-    std::vector<Triangle> fan;
+    std::vector<Triangle> fan(7);
     for (int k = 0; k < 7; ++k)
-        fan.push_back({0, 1 + k, 1 + (k + 1) % 7});
+        fan[k] = {0, 1 + k, 1 + (k + 1) % 7};
     test::Random random{3};
     for (int trial = 0; trial < 200; ++trial) {
         std::ranges::shuffle(fan, random.engine());

@@ -143,7 +143,7 @@ std::vector<std::int32_t> MeshTopology::one_ring(std::int32_t point) const
         ring.push_back(at->idx());
     std::ranges::reverse(ring);
     if (!ring.empty() && !half_edges_->is_boundary(centre))
-        std::ranges::rotate(ring, std::ranges::min_element(ring));
+        std::rotate(ring.begin(), std::ranges::min_element(ring), ring.end());
     return ring;
 }
 

@@ -15,7 +15,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr float no_box = std::numeric_limits<float>::infinity();
 constexpr double largest_length = 1e30;  // mm: boxes and squares stay finite
-constexpr std::size_t fan_out = 4;       // children of a node, triangles of a leaf
+// Of a ray, so that neither it nor its inverse loses digits.
+constexpr double shortest_direction = 1e-100;
+constexpr double longest_direction = 1e100;
+constexpr std::size_t fan_out = 4;  // children of a node, triangles of a leaf
 // By which boxes are larger than they need be, of the largest coordinate: far more than
 // the rounding of a distance, so that a box is never farther than what it holds.
 constexpr double box_margin = 1e-12;
@@ -36,6 +39,11 @@ float rounded_down(double value)
 {
     const auto rounded = static_cast<float>(value);
     return rounded <= value ? rounded : std::nextafter(rounded, -no_box);
+}
+
+Eigen::Index place_in_node(std::size_t child)
+{
+    return static_cast<Eigen::Index>(child % fan_out);
 }
 
 // What the order of the tree is made from.
@@ -283,8 +291,8 @@ void TriangleTree::enclose()
         const std::size_t leaf = k / fan_out;
         Boxes& boxes = levels_[0][leaf / fan_out];
         for (int axis = 0; axis < 3; ++axis) {
-            float& box_low = boxes.low[axis][leaf % fan_out];
-            float& box_high = boxes.high[axis][leaf % fan_out];
+            float& box_low = boxes.low[axis][place_in_node(leaf)];
+            float& box_high = boxes.high[axis][place_in_node(leaf)];
             box_low = std::min(box_low, rounded_down(low[axis]));
             box_high = std::max(box_high, -rounded_down(-high[axis]));
         }
@@ -294,8 +302,9 @@ void TriangleTree::enclose()
         std::vector<Boxes> level(nodes_over(below.size()), nothing);
         for (std::size_t k = 0; k < below.size(); ++k)
             for (int axis = 0; axis < 3; ++axis) {
-                level[k / fan_out].low[axis][k % fan_out] = below[k].low[axis].minCoeff();
-                level[k / fan_out].high[axis][k % fan_out] =
+                level[k / fan_out].low[axis][place_in_node(k)] =
+                    below[k].low[axis].minCoeff();
+                level[k / fan_out].high[axis][place_in_node(k)] =
                     below[k].high[axis].maxCoeff();
             }
         levels_.push_back(std::move(level));
@@ -364,7 +373,7 @@ TriangleTree::RayQuery TriangleTree::query(const Ray& ray, double greatest_t) co
 {
     require(is_within_reach(ray.origin), "TriangleTree: a ray must begin within 1e30 mm");
     const double length = ray.direction.stableNorm();
-    require(1e-100 <= length && length <= 1e100,
+    require(shortest_direction <= length && length <= longest_direction,
             "TriangleTree: a ray's direction must be 1e-100 to 1e100 long");
     RayQuery query{ray};
     query.greatest_t = greatest_t;
