@@ -52,9 +52,11 @@ TEST(WithoutDegenerateOrDuplicate, KeepsTheFirstOfEqualTriangles)
 TEST(WithoutDegenerateOrDuplicate, LeavesNothingForTheReportToCount)
 {
     test::Random random{1};
-    std::vector<Vec3> points;
-    for (int k = 0; k < 27; ++k)
-        points.emplace_back(k % 3, k / 3 % 3, k / 9);
+    std::vector<Vec3> points(27);
+    for (int k = 0; k < 27; ++k) {
+        const Eigen::Vector3i place{k % 3, k / 3 % 3, k / 9};
+        points[k] = place.cast<double>();
+    }
     std::vector<Triangle> triangles(800);
     for (Triangle& triangle : triangles)
         for (std::int32_t& corner : triangle)

@@ -123,9 +123,9 @@ TEST(WeldWithTolerance, JoinsWhatLookingAtEveryPairJoins)
         for (Vec3& point : points)
             point = test::random_point(random, 1) + Vec3{7, -3, 0};
         const std::vector<int> colours = clusters_by_pairs(points, tolerance);
-        std::vector<Triangle> triangles;
+        std::vector<Triangle> triangles(200);
         for (int k = 0; k < 200; ++k)
-            triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+            triangles[k] = {3 * k, 3 * k + 1, 3 * k + 2};
         const WeldedMesh welded = weld(TriangleMesh{points, triangles}, tolerance);
 
         EXPECT_EQ(welded.mesh.points().size(),

@@ -38,7 +38,8 @@ EdgeUses::EdgeUses(const TriangleMesh& mesh) : begin_(mesh.points().size() + 1)
                   });
     for (std::size_t low = 0; low + 1 < begin_.size(); ++low)
         std::ranges::sort(
-            std::span{uses_}.subspan(begin_[low], begin_[low + 1] - begin_[low]));
+            std::span{uses_}.subspan(begin_[low], begin_[low + 1] - begin_[low]),
+            [](const EdgeUse& a, const EdgeUse& b) { return a.rank() < b.rank(); });
 }
 
 std::vector<std::int32_t> duplicate_triangles(const TriangleMesh& mesh,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,7 +14,7 @@ namespace endmill {
 /// An edge by the numbers of its ends, the lower first.
 using Edge = std::array<std::int32_t, 2>;
 
-/// A triangle's use of an edge. Sorts by the edge's higher end.
+/// A triangle's use of an edge.
 class EdgeUse {
 public:
     EdgeUse() = default;
@@ -34,7 +33,8 @@ public:
         return static_cast<std::int32_t>(bits_);
     }  ///< number
 
-    std::strong_ordering operator<=>(const EdgeUse&) const = default;
+    /// Rises with the edge's higher end; of equal ones, first the forward uses.
+    std::uint64_t rank() const { return bits_; }
 
 private:
     std::uint64_t bits_ = 0;  // high end, backward, triangle: 31, 1 and 32 bits

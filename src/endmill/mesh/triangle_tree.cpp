@@ -15,7 +15,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr float no_box = std::numeric_limits<float>::infinity();
 constexpr double largest_length = 1e30;  // mm: boxes and squares stay finite
-constexpr std::size_t fan_out = 4;       // children of a node, triangles of a leaf
+// Of a ray, so that neither it nor its inverse loses digits.
+constexpr double shortest_direction = 1e-100;
+constexpr double longest_direction = 1e100;
+constexpr std::size_t fan_out = 4;  // children of a node, triangles of a leaf
 // By which boxes are larger than they need be, of the largest coordinate: far more than
 // the rounding of a distance, so that a box is never farther than what it holds.
 constexpr double box_margin = 1e-12;
@@ -36,6 +39,11 @@ float rounded_down(double value)
 {
     const auto rounded = static_cast<float>(value);
     return rounded <= value ? rounded : std::nextafter(rounded, -no_box);
+}
+
+Eigen::Index place_in_node(std::size_t child)
+{
+    return static_cast<Eigen::Index>(child % fan_out);
 }
 
 // What the order of the tree is made from.
@@ -101,7 +109,7 @@ Vec3 nearer(const Vec3& place, const Vec3& a, const Vec3& b)
 // In the frame of the longest side and the height over it, whose digits do not suffer if
 // the triangle is thin: s counts along that side a-b, h along the height to c. The angles
 // at a and b are acute, so that a place below the side is nearest to it.
-Vec3 nearest_on_triangle(const Vec3& place, std::array<Vec3, 3> corners)
+Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners)
 {
     const std::array<double, 3> squares{(corners[1] - corners[0]).squaredNorm(),
                                         (corners[2] - corners[1]).squaredNorm(),
@@ -128,31 +136,40 @@ Vec3 nearest_on_triangle(const Vec3& place, std::array<Vec3, 3> corners)
 // Keeps the nearest point so far, and tells what may be nearer.
 struct TriangleTree::NearestQuery {
     Vec3 place;
+    double margin;  // mm, of a box
     NearestPoint best{{}, infinity, 0};
     double least_square = infinity;  // mm^2
 
     double limit() const { return least_square; }
 
     // Squares of the distances to four boxes.
-    std::array<double, fan_out> bounds(const Boxes& boxes) const
+    Eigen::Array4d bounds(const Boxes& boxes) const
     {
-        std::array<double, fan_out> squares{};
-        for (int axis = 0; axis < 3; ++axis)
-            for (std::size_t k = 0; k < fan_out; ++k) {
-                const double below = boxes.low[axis][k] - place[axis];
-                const double above = place[axis] - boxes.high[axis][k];
-                const double beside = below > above ? below : above;
-                const double offset = beside > 0 ? beside : 0;
-                squares[k] += offset * offset;
-            }
-        for (double& square : squares)
-            square *= 1 - question_margin;
-        return squares;
+        Eigen::Array4d squares = Eigen::Array4d::Zero();
+        for (int axis = 0; axis < 3; ++axis) {
+            const Eigen::Array4d below = boxes.low[axis].cast<double>() - place[axis];
+            const Eigen::Array4d above = place[axis] - boxes.high[axis].cast<double>();
+            squares += below.max(above).max(0).square();
+        }
+        return (1 - question_margin) * squares;
+    }
+
+    // The same for the box of a triangle, a third of the work of the triangle itself.
+    double bound(const std::array<Vec3, 3>& corners) const
+    {
+        const auto& [a, b, c] = corners;
+        const Vec3 below = a.cwiseMin(b).cwiseMin(c) - place;
+        const Vec3 above = place - a.cwiseMax(b).cwiseMax(c);
+        const Vec3 offset = (below.cwiseMax(above).array() - margin).cwiseMax(0);
+        return (1 - question_margin) * offset.squaredNorm();
     }
 
     void look_at(const TriangleMesh& mesh, std::size_t triangle)
     {
-        const Vec3 point = nearest_on_triangle(place, mesh.corners(triangle));
+        const std::array<Vec3, 3> corners = mesh.corners(triangle);
+        if (bound(corners) > least_square)
+            return;
+        const Vec3 point = nearest_on_triangle(place, corners);
         const double square = (point - place).squaredNorm();
         if (square < least_square ||
             (square == least_square && triangle < best.triangle)) {
@@ -171,7 +188,7 @@ struct TriangleTree::RayQuery {
     Vec3 shear = Vec3::Zero();         // of each axis against the main one, and 1 / that
     std::array<double, 3> inverse{};   // of the direction
     std::array<bool, 3> is_falling{};  // the direction, along each axis
-    Vec3 margin = Vec3::Zero();        // mm
+    double margin = 0;                 // mm, of a box
     double greatest_t = infinity;
     bool any_will_do = false;
     std::optional<std::size_t> triangle{};
@@ -179,29 +196,21 @@ struct TriangleTree::RayQuery {
     double limit() const { return any_will_do && triangle ? -infinity : greatest_t; }
 
     // The t at which the ray enters four boxes, infinite if it does not.
-    std::array<double, fan_out> bounds(const Boxes& boxes) const
+    Eigen::Array4d bounds(const Boxes& boxes) const
     {
-        std::array<double, fan_out> enter{};
-        std::array<double, fan_out> leave;
-        leave.fill(infinity);
+        Eigen::Array4d enter = Eigen::Array4d::Zero();
+        Eigen::Array4d leave = Eigen::Array4d::Constant(infinity);
         for (int axis = 0; axis < 3; ++axis) {
             const bool falls = is_falling[axis];
-            const float* const first = falls ? boxes.high[axis] : boxes.low[axis];
-            const float* const last = falls ? boxes.low[axis] : boxes.high[axis];
-            const double margin_here = falls ? -margin[axis] : margin[axis];
-            const double begin = ray.origin[axis] + margin_here;
-            const double end = ray.origin[axis] - margin_here;
-            for (std::size_t k = 0; k < fan_out; ++k) {
-                const double in = (first[k] - begin) * inverse[axis];
-                const double out = (last[k] - end) * inverse[axis];
-                enter[k] = in > enter[k] ? in : enter[k];
-                leave[k] = out < leave[k] ? out : leave[k];
-            }
+            const Eigen::Array4f& first = falls ? boxes.high[axis] : boxes.low[axis];
+            const Eigen::Array4f& last = falls ? boxes.low[axis] : boxes.high[axis];
+            const double outwards = falls ? -margin : margin;
+            const double begin = ray.origin[axis] + outwards;
+            const double end = ray.origin[axis] - outwards;
+            enter = enter.max((first.cast<double>() - begin) * inverse[axis]);
+            leave = leave.min((last.cast<double>() - end) * inverse[axis]);
         }
-        for (std::size_t k = 0; k < fan_out; ++k)
-            if (!(enter[k] <= leave[k]))
-                enter[k] = infinity;
-        return enter;
+        return (enter <= leave).select(enter, infinity);
     }
 
     void look_at(const TriangleMesh& mesh, std::size_t number)
@@ -267,15 +276,8 @@ void TriangleTree::arrange()
 
 void TriangleTree::enclose()
 {
-    constexpr Boxes nothing = [] {
-        Boxes boxes{};
-        for (int axis = 0; axis < 3; ++axis)
-            for (std::size_t k = 0; k < fan_out; ++k) {
-                boxes.low[axis][k] = no_box;
-                boxes.high[axis][k] = -no_box;
-            }
-        return boxes;
-    }();
+    const Eigen::Array4f none = Eigen::Array4f::Constant(no_box);
+    const Boxes nothing{{none, none, none}, {-none, -none, -none}};
     const auto nodes_over = [](std::size_t count) {
         return (count + fan_out - 1) / fan_out;
     };
@@ -289,8 +291,8 @@ void TriangleTree::enclose()
         const std::size_t leaf = k / fan_out;
         Boxes& boxes = levels_[0][leaf / fan_out];
         for (int axis = 0; axis < 3; ++axis) {
-            float& box_low = boxes.low[axis][leaf % fan_out];
-            float& box_high = boxes.high[axis][leaf % fan_out];
+            float& box_low = boxes.low[axis][place_in_node(leaf)];
+            float& box_high = boxes.high[axis][place_in_node(leaf)];
             box_low = std::min(box_low, rounded_down(low[axis]));
             box_high = std::max(box_high, -rounded_down(-high[axis]));
         }
@@ -300,10 +302,10 @@ void TriangleTree::enclose()
         std::vector<Boxes> level(nodes_over(below.size()), nothing);
         for (std::size_t k = 0; k < below.size(); ++k)
             for (int axis = 0; axis < 3; ++axis) {
-                level[k / fan_out].low[axis][k % fan_out] =
-                    *std::ranges::min_element(below[k].low[axis]);
-                level[k / fan_out].high[axis][k % fan_out] =
-                    *std::ranges::max_element(below[k].high[axis]);
+                level[k / fan_out].low[axis][place_in_node(k)] =
+                    below[k].low[axis].minCoeff();
+                level[k / fan_out].high[axis][place_in_node(k)] =
+                    below[k].high[axis].maxCoeff();
             }
         levels_.push_back(std::move(level));
     }
@@ -340,7 +342,7 @@ void TriangleTree::ask(Query& query) const
             continue;
         }
         const std::size_t before = count;
-        const auto bounds = query.bounds(levels_[next.level][next.node]);
+        const Eigen::Array4d bounds = query.bounds(levels_[next.level][next.node]);
         for (std::uint32_t k = 0; k < fan_out; ++k) {
             if (!(bounds[k] <= query.limit() && bounds[k] < infinity))
                 continue;
@@ -359,7 +361,7 @@ std::optional<NearestPoint> TriangleTree::nearest(const Vec3& place,
     require(!hint || *hint < order_.size(), "TriangleTree: the hint is no triangle");
     if (order_.empty())
         return std::nullopt;
-    NearestQuery query{place};
+    NearestQuery query{place, box_margin * largest_coordinate_};
     if (hint)
         query.look_at(*mesh_, *hint);
     ask(query);
@@ -371,7 +373,7 @@ TriangleTree::RayQuery TriangleTree::query(const Ray& ray, double greatest_t) co
 {
     require(is_within_reach(ray.origin), "TriangleTree: a ray must begin within 1e30 mm");
     const double length = ray.direction.stableNorm();
-    require(1e-100 <= length && length <= 1e100,
+    require(shortest_direction <= length && length <= longest_direction,
             "TriangleTree: a ray's direction must be 1e-100 to 1e100 long");
     RayQuery query{ray};
     query.greatest_t = greatest_t;
@@ -387,8 +389,8 @@ TriangleTree::RayQuery TriangleTree::query(const Ray& ray, double greatest_t) co
         query.is_falling[axis] = std::signbit(ray.direction[axis]);
         query.inverse[axis] = std::clamp(1 / ray.direction[axis], -never, never);
     }
-    query.margin = Vec3::Constant(question_margin *
-                                  (largest_coordinate(ray.origin) + largest_coordinate_));
+    query.margin =
+        question_margin * (largest_coordinate(ray.origin) + largest_coordinate_);
     return query;
 }
 

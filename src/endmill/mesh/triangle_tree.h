@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -74,8 +75,8 @@ public:
 private:
     // The boxes of four children, rounded outwards; of those missing, nothing's.
     struct Boxes {
-        float low[3][4];
-        float high[3][4];
+        std::array<Eigen::Array4f, 3> low;  // along each axis, in mm
+        std::array<Eigen::Array4f, 3> high;
     };
     struct NearestQuery;
     struct RayQuery;

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -41,7 +40,11 @@ std::uint64_t hash(const Vec3& point)
 // Of bits, so that points that are no numbers, refused later, are not all different.
 bool are_same(const Vec3& a, const Vec3& b)
 {
-    return std::memcmp(a.data(), b.data(), sizeof(double[3])) == 0;
+    const auto bits = [](double coordinate) {
+        return std::bit_cast<std::uint64_t>(coordinate);
+    };
+    return bits(a.x()) == bits(b.x()) && bits(a.y()) == bits(b.y()) &&
+           bits(a.z()) == bits(b.z());
 }
 
 // Gives equal points equal numbers, from 0 in order of appearance: a table of slots in

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Speed and memory of triangle meshes, beside what is asked of them.
+//
+//   benchmarks-mesh OUTPUT_FOLDER
+//
+// About 20 s; measures time, so nothing else should run. Columns: README.md beside this.
+
+#include <optional>
+
+#include "benchmarks/mesh/bumps.h"
+#include "endmill/mesh/mesh_checks.h"
+#include "endmill/mesh/triangle_tree.h"
+#include "endmill/mesh/weld.h"
+#include "support/experiment.h"
+#include "support/peak_memory.h"
+#include "support/shortest_times.h"
+
+using namespace endmill;
+
+namespace {
+
+// Places 0.006 mm apart at a height over the middle of the mesh, each asked about with
+// the answer of the one before as a hint.
+double walk_over(const TriangleTree& tree, double middle_mm, double above_mm)
+{
+    std::optional<std::size_t> hint;
+    double sum = 0;
+    for (int k = 0; k < calls_in_a_go; ++k) {
+        const double x = middle_mm + 0.006 * k;
+        const double y = middle_mm / 2 + 0.001 * k;
+        const auto found = tree.nearest({x, y, height(x, y) + above_mm}, hint);
+        hint = found->triangle;
+        sum += found->distance;
+    }
+    return sum;
+}
+
+double cast_down(const TriangleTree& tree, double middle_mm)
+{
+    double sum = 0;
+    for (double x = middle_mm; x < middle_mm + 0.006 * (calls_in_a_go - 0.5); x += 0.006)
+        sum += tree.first_hit({{x, middle_mm / 2, 9}, {0.1, 0.2, -1}})->t;
+    return sum;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return run_experiment(argc, argv, "benchmarks/mesh", [](Experiment& run) {
+        const auto along = static_cast<std::int32_t>(run.number("cells_along"));
+        const double cell_mm = run.number("cell_mm");
+        const double bytes = peak_memory_bytes([&] { bumps(along, cell_mm); });
+        const TriangleMesh mesh = bumps(along, cell_mm);
+        const auto soup = soup_of(mesh);
+        const TriangleTree tree{mesh};
+        const double middle_mm = along * cell_mm / 2;
+        add_benchmark("weld", [&] { return weld(soup).welded_points; });
+        add_benchmark("checks", [&] { return mesh_report(mesh).components; });
+        add_benchmark("tree", [&] { return TriangleTree{mesh}.nearest({0, 0, 0}); });
+        add_benchmark("near", [&] { return walk_over(tree, middle_mm, 0.1); });
+        add_benchmark("far", [&] { return walk_over(tree, middle_mm, 1); });
+        add_benchmark("ray", [&] { return cast_down(tree, middle_mm); });
+        const ShortestTimes times = shortest_times();
+        const auto triangles = static_cast<double>(mesh.triangles().size());
+        CsvTable result{{"row", "triangles", "measured", "unit", "bar_at_most"}};
+        const auto add = [&](auto row, double measured, auto unit, const CsvCell& bar) {
+            result.add_row({row, triangles, measured, unit, bar});
+        };
+        constexpr double us = 1e6 / calls_in_a_go;
+        add("a mesh", bytes / triangles, "bytes a triangle", 60);
+        add("welding its triangles", times.of("weld").cpu_s, "s", 0.25);
+        add("its checks", times.of("checks").cpu_s, "s", 0.15);
+        add("its tree", times.of("tree").cpu_s, "s", {});
+        add("nearest point, 0.1 mm away", us * times.of("near").cpu_s, "us", 3);
+        add("nearest point, 1 mm away", us * times.of("far").cpu_s, "us", 3);
+        add("first hit of a ray", us * times.of("ray").cpu_s, "us", {});
+        run.write_result(result);
+    });
+}
