@@ -17,7 +17,9 @@ namespace endmill {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int samples_per_side = 33;             // of a patch, for curvature
+constexpr int most_samples_per_side = 33;        // of a patch, for curvature
+constexpr int least_samples_per_side = 5;        // of a patch of very many
+constexpr double most_curvature_samples = 4e6;   // of a surface
 constexpr std::size_t candidates_to_refine = 5;  // of a patch, or of all pairs
 constexpr double most_pair_samples = 40'000;
 // Nearer pairs, in widths of a patch, are left to curvature: they would only find it
@@ -85,27 +87,36 @@ PatchBox patch_box(const Surface& surface, int i, int j)
     return {range(Parameter::U, i), range(Parameter::V, j)};
 }
 
+int curvature_samples_per_side(const Surface& surface)
+{
+    const double patches =
+        double(surface.patches(Parameter::U)) * surface.patches(Parameter::V);
+    return std::clamp(static_cast<int>(std::sqrt(most_curvature_samples / patches)),
+                      least_samples_per_side, most_samples_per_side);
+}
+
 // The least samples of a patch that are no greater than the eight around them: one for
 // each basin, however many samples of one basin undercut the bottom of another.
 std::vector<Candidate> basins(const CurvatureField& field, int i, int j)
 {
     const auto [u_range, v_range] = patch_box(field.surface, i, j);
-    const auto parameter = [](Interval range, int k) {
-        return std::lerp(range.low, range.high, k / (samples_per_side - 1.0));
+    const int samples = curvature_samples_per_side(field.surface);
+    const auto parameter = [&](Interval range, int k) {
+        return std::lerp(range.low, range.high, k / (samples - 1.0));
     };
-    Eigen::Matrix<double, samples_per_side, samples_per_side> values;
-    for (int row = 0; row < samples_per_side; ++row)
-        for (int column = 0; column < samples_per_side; ++column)
+    Eigen::MatrixXd values{samples, samples};
+    for (int row = 0; row < samples; ++row)
+        for (int column = 0; column < samples; ++column)
             values(column, row) =
                 field(i, j, {parameter(u_range, column), parameter(v_range, row)});
 
     std::vector<Candidate> found;
-    for (int row = 0; row < samples_per_side; ++row)
-        for (int column = 0; column < samples_per_side; ++column) {
+    for (int row = 0; row < samples; ++row)
+        for (int column = 0; column < samples; ++column) {
             const int left = std::max(column - 1, 0);
             const int below = std::max(row - 1, 0);
-            const int right = std::min(column + 1, samples_per_side - 1);
-            const int above = std::min(row + 1, samples_per_side - 1);
+            const int right = std::min(column + 1, samples - 1);
+            const int above = std::min(row + 1, samples - 1);
             const double value = values(column, row);
             const auto around =
                 values.block(left, below, right - left + 1, above - below + 1);
@@ -131,7 +142,8 @@ Candidate refined(const CurvatureField& field, const Candidate& start)
         },
         {Eigen::Vector2d{u.low, v.low}, Eigen::Vector2d{u.high, v.high}},
         Eigen::Vector2d{start.at.u, start.at.v},
-        std::min(u.length(), v.length()) / (samples_per_side - 1));
+        std::min(u.length(), v.length()) /
+            (curvature_samples_per_side(field.surface) - 1));
     if (!(found.value < start.value))
         return start;
     return {found.value, start.i, start.j, {found.at[0], found.at[1]}};
@@ -177,23 +189,36 @@ struct SurfaceSample {
     Vec3 normal;  // on the tool's side
 };
 
-// Samples of all patches of a surface, borders once; places without a normal are passed
-// over.
-void add_samples(const SidedSurfaces& part, std::size_t number, int per_side,
+// Parameters of the lines of samples: `per_patch` to a patch, borders included; if that
+// is less than one, evenly over the range.
+std::vector<double> sample_lines(const Surface& surface, Parameter along,
+                                 double per_patch)
+{
+    const auto breaks = surface.breaks(along);
+    if (per_patch < 1) {
+        const int lines =
+            std::max(2, static_cast<int>(per_patch * double(breaks.size())));
+        std::vector<double> values;
+        for (int k = 0; k < lines; ++k)
+            values.push_back(
+                std::lerp(breaks.front(), breaks.back(), k / double(lines - 1)));
+        return values;
+    }
+    const int steps = static_cast<int>(per_patch);
+    std::vector<double> values{breaks.front()};
+    for (std::size_t k = 1; k < breaks.size(); ++k)
+        for (int step = 1; step <= steps; ++step)
+            values.push_back(std::lerp(breaks[k - 1], breaks[k], step / double(steps)));
+    return values;
+}
+
+// Samples of a surface; places without a normal are passed over.
+void add_samples(const SidedSurfaces& part, std::size_t number, double per_patch,
                  std::vector<SurfaceSample>& samples)
 {
     const Surface& surface = part.surfaces[number];
-    const auto parameters = [&](Parameter along) {
-        const auto breaks = surface.breaks(along);
-        std::vector<double> values{breaks.front()};
-        for (std::size_t k = 1; k < breaks.size(); ++k)
-            for (int step = 1; step <= per_side; ++step)
-                values.push_back(
-                    std::lerp(breaks[k - 1], breaks[k], step / double(per_side)));
-        return values;
-    };
-    const std::vector<double> along_u = parameters(Parameter::U);
-    for (const double v : parameters(Parameter::V))
+    const auto along_u = sample_lines(surface, Parameter::U, per_patch);
+    for (const double v : sample_lines(surface, Parameter::V, per_patch))
         for (const double u : along_u) {
             const SurfaceTangents tangents = surface.tangents(u, v);
             if (!is_near_pole(surface, tangents.du, tangents.dv) &&
@@ -207,14 +232,15 @@ void add_samples(const SidedSurfaces& part, std::size_t number, int per_side,
 
 std::vector<SurfaceSample> samples_of(const SidedSurfaces& part)
 {
+    constexpr double most_per_patch = 48;
     double patches = 0;
     for (const Surface& surface : part.surfaces)
         patches += double(surface.patches(Parameter::U)) * surface.patches(Parameter::V);
-    const int per_side =
-        std::clamp(static_cast<int>(std::sqrt(most_pair_samples / patches)), 4, 48);
+    const double per_patch =
+        std::min(std::sqrt(most_pair_samples / patches), most_per_patch);
     std::vector<SurfaceSample> samples;
     for (std::size_t number = 0; number < part.surfaces.size(); ++number)
-        add_samples(part, number, per_side, samples);
+        add_samples(part, number, per_patch, samples);
     return samples;
 }
 
