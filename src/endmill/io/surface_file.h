@@ -20,7 +20,8 @@ struct SurfaceFile {
         notes;  ///< what a reader should know: a unit converted, a pole
 };
 
-/// Reads a file of format "endmill-surface/1"; every key of the format is checked, and `name` and `source` come out as `printable` makes them.
+/// Reads a file of format "endmill-surface/1"; every key of the format is checked, and
+/// `name` and `source` come out as `printable` makes them.
 /// \throws FormatError as `read_file` and `JsonDocument`, and
 ///         E_FORMAT if the content is something else;
 ///         E_JSON for a wrong type, a missing or unknown key, a count outside 1 … 10000
