@@ -127,6 +127,7 @@ Json mesh_summary(const PartFile& file, const PartOptions& options)
     summary["components"] = report.components;
     summary["boundary_edges"] = report.boundary_edges;
     summary["non_manifold_edges"] = report.non_manifold_edges;
+    summary["inconsistent_edges"] = report.inconsistent_edges;
     summary["degenerate"] = file.degenerate_triangles;
     summary["welded"] = file.welded_points;
     summary["duplicates"] = report.duplicate_triangles;
@@ -147,16 +148,18 @@ std::string mesh_text(const Json& s)
         "size             {} x {} x {} mm\n"
         "area             {} mm2\n"
         "volume           {}\n"
-        "edges            {} of a border, {} of more than two triangles\n"
+        "edges            {} of a border, {} of more than two triangles, {} whose "
+        "triangles disagree\n"
         "triangles        {} degenerate left out, {} duplicate\n",
         s["name"].get<std::string>(), s["triangles"].get<std::size_t>(),
         s["vertices"].get<std::size_t>(), s["components"].get<std::size_t>(),
         s["components"] == 1 ? "piece" : "pieces", shown(s["size_mm"][0]),
         shown(s["size_mm"][1]), shown(s["size_mm"][2]), shown(s["area_mm2"]),
-        s["volume_mm3"].is_null() ? "none: the mesh is open"
+        s["volume_mm3"].is_null() ? "none: the mesh is open, or its triangles disagree"
                                   : shown(s["volume_mm3"]) + " mm3",
         s["boundary_edges"].get<std::size_t>(),
-        s["non_manifold_edges"].get<std::size_t>(), s["degenerate"].get<std::size_t>(),
+        s["non_manifold_edges"].get<std::size_t>(),
+        s["inconsistent_edges"].get<std::size_t>(), s["degenerate"].get<std::size_t>(),
         s["duplicates"].get<std::size_t>());
 }
 

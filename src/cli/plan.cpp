@@ -14,6 +14,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
 #include "endmill/io/output_folder.h"
+#include "endmill/io/printable.h"
 #include "endmill/planning/path_memory.h"
 #include "endmill/planning/plan_defaults.h"
 #include "endmill/surface/patch_borders.h"
@@ -84,7 +85,8 @@ ExitCode run_plan(PlanOptions options)
     folder.publish();
     print_result(options.common, result.summary,
                  limit_text(context.limit) + settings_text(context, options) +
-                     result.text + "written to " + folder.path().string() + "\n");
+                     result.text + "written to " + printable(folder.path().string()) +
+                     "\n");
     return ExitCode::Yes;
 }
 

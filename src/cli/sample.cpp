@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // endmill sample: a surface as a triangle mesh.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -11,12 +12,10 @@
 #include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/surface_facts.h"
-#include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
 #include "endmill/io/mesh_text.h"
 #include "endmill/io/output_folder.h"
 #include "endmill/io/ply.h"
-#include "endmill/surface/extent.h"
+#include "endmill/io/printable.h"
 #include "endmill/surface/sampling.h"
 #include "endmill/surface/tool_side.h"
 
@@ -25,8 +24,8 @@ namespace {
 
 // Memory that a triangle takes, with its share of points, until its file is written.
 constexpr double bytes_per_triangle = 250;
-// The chord tolerance that is chosen, as a share of the part's longest side.
-constexpr double default_share = 1e-3;
+// Rounding to float in mm below which nobody minds.
+constexpr double float_worth_telling = 1e-4;
 
 struct SampleOptions {
     CommonOptions common;
@@ -37,17 +36,6 @@ struct SampleOptions {
     Vec3 axis = Vec3::UnitZ();
 };
 
-// A thousandth of the part's longest side, rounded down to one digit.
-double default_tolerance(std::span<const Surface> surfaces)
-{
-    double longest = 0;
-    for (int c = 0; c < 3; ++c)
-        longest = std::max(longest, extent(surfaces, Vec3::Unit(c)).length());
-    const double tolerance = default_share * longest;
-    const double digit = std::pow(10, std::floor(std::log10(tolerance)));
-    return std::floor(tolerance / digit) * digit;
-}
-
 struct Sampling {
     SampledSurface found;
     Json settings;  // how it was sampled
@@ -56,15 +44,25 @@ struct Sampling {
 Sampling sampled_as_asked(const SampleOptions& options, std::span<const Surface> surfaces)
 {
     const std::vector<double> sides = tool_side_signs(surfaces, options.axis);
-    const auto most = static_cast<std::size_t>(options.common.limits.max_memory_gib *
-                                               0x1p30 / bytes_per_triangle);
+    const auto most = static_cast<std::size_t>(
+        std::min(options.common.limits.max_memory_gib * 0x1p30 / bytes_per_triangle,
+                 double(most_possible_triangles)));
     if (options.lines)
         return {sampled_on_grid(surfaces, sides, *options.lines, most),
                 {{"grid", *options.lines}, {"max_chord_error_is", "measured"}}};
-    const double tolerance =
-        options.chord_tolerance ? *options.chord_tolerance : default_tolerance(surfaces);
+    const double tolerance = options.chord_tolerance ? *options.chord_tolerance
+                                                     : default_chord_tolerance(surfaces);
     return {sampled(surfaces, sides, tolerance, most),
             {{"chord_tolerance_mm", tolerance}, {"max_chord_error_is", "bound"}}};
+}
+
+// Half a unit in the last place of a float, along all three coordinates.
+double float_rounding_mm(const TriangleMesh& mesh)
+{
+    double farthest = 0;
+    for (const Vec3& point : mesh.points())
+        farthest = std::max(farthest, point.lpNorm<Eigen::Infinity>());
+    return std::sqrt(3.0) * 0x1p-24 * farthest;
 }
 
 std::string file_text(const SampledSurface& sampled, MeshFormat format)
@@ -84,13 +82,24 @@ std::string summary_text(const Json& s, const OutputFolder& folder)
         s["name"].get<std::string>(), s["triangles"].get<std::size_t>(),
         s["vertices"].get<std::size_t>(), how,
         s.contains("grid") ? "measured" : "at most",
-        s["max_chord_error_mm"].get<double>(), folder.path().string());
+        s["max_chord_error_mm"].get<double>(), printable(folder.path().string()));
 }
 
 ExitCode run_sample(const SampleOptions& options)
 {
     const SurfaceFile file = read_surface_for(options.surface, "sample", options.common);
-    const Sampling sampling = sampled_as_asked(options, file.surfaces);
+    Sampling sampling = sampled_as_asked(options, file.surfaces);
+    if (options.format == MeshFormat::Stl) {
+        const double rounding = float_rounding_mm(sampling.found.mesh);
+        if (rounding > sampling.found.max_chord_error_mm &&
+            rounding > float_worth_telling)
+            warn(
+                options.common,
+                fmt::format("binary STL rounds these coordinates by up to {:.2g} mm; the "
+                            "other formats do not",
+                            rounding));
+        sampling.found.max_chord_error_mm += rounding;
+    }
     const std::string name = "mesh" + std::string{mesh_extension(options.format)};
     Json summary{{"name", file.name},
                  {"source", file.source},

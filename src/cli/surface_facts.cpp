@@ -110,6 +110,10 @@ void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit,
 
 std::string break_text(const SurfaceContinuity& continuity)
 {
+    if (continuity.continuity == Continuity::None)
+        return fmt::format("patches meet with a gap of {:.6g} mm at {}; expected none",
+                           continuity.worst.gap_mm,
+                           place_text(continuity.worst.at, continuity.worst.point));
     return fmt::format(
         "patches meet with a break of {:.6g} degrees at {}: the surface is {}; expected "
         "G1",

@@ -65,9 +65,10 @@ TEST(ControlNet, LengthsAreConvertedBeforeTheyAreMeasured)
         });
     };
     EXPECT_THAT(lengths("[1, -3.5]"), ElementsAre(25.4, -3.5 * 25.4));
-    EXPECT_THAT([&] { lengths("[1, 4]"); },
-                ThrowsMessage<FormatError>(StartsWith(
-                    "f.json:/1: coordinate 4; expected at most 100 mm (--max-extent)")));
+    EXPECT_THAT(
+        [&] { lengths("[1, 4]"); },
+        ThrowsMessage<FormatError>(StartsWith(
+            "f.json:/1: coordinate 4 (101.6 mm); expected at most 100 mm (--max-")));
 }
 
 TEST(ControlNet, WeightsHaveNoUnit)
@@ -76,7 +77,7 @@ TEST(ControlNet, WeightsHaveNoUnit)
         read_text("[[1, 2], [0.5, 4]]", [](const JsonValue& root, const auto&) {
             return read_weights(root, {2, "columns"}, {2, "rows"});
         });
-    EXPECT_THAT(weights, ElementsAre(1, 2, 0.5, 4));
+    EXPECT_THAT(weights, ElementsAre(0.25, 0.5, 0.125, 1)) << "in ratio";
 }
 
 }  // namespace

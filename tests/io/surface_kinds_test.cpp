@@ -112,6 +112,9 @@ TEST(SurfaceKinds, RefuseUnsoundKnotsDegreesAndWeights)
               "E_SURFACE f.json:/weights/0/1: weight 0; expected a number above zero");
     EXPECT_EQ(with("[[1, 1], [", "[[1, -2.5], ["),
               "E_SURFACE f.json:/weights/0/1: weight -2.5; expected a number above zero");
+    EXPECT_EQ(with("[[1, 1], [", "[[1, 1e5], ["),
+              "E_SURFACE f.json:/weights: weights from 0.7071067811865476 to 1e+05; "
+              "expected weights that differ by a factor of at most 10000");
     EXPECT_EQ(with("[[1, 1], [", "[[1], ["),
               "E_SURFACE f.json:/weights/0: row has 1 number; expected 2 (knots_u - "
               "degree_u - 1)");
@@ -150,7 +153,8 @@ TEST(SurfaceKinds, RefuseGridsThatAreNone)
         return complaint_about(replaced(grid, from, to));
     };
     EXPECT_EQ(with("[0, 1, 2]", "[0, 2, 2]"),
-              "E_SURFACE f.json:/x/2: 2 after 2; expected grid lines that rise");
+              "E_SURFACE f.json:/x/2: 2 after 2; expected grid lines that rise, each by "
+              "more than 1e-9 of the range");
     EXPECT_EQ(with("\"y\": [0, 2]", "\"y\": [0]"),
               "E_SURFACE f.json:/y: 1 grid line; expected at least 2");
     EXPECT_EQ(with("[0, 1, 4]", "[0, 1]"),

@@ -152,5 +152,15 @@ TEST(ChordError, OfPlannedPathsIsWhatADenseScanFinds)
     }
 }
 
+TEST(ChordError, OfACutOverARidgeIsItsHeight)
+{
+    // a roof of planes, 15 mm high and 40 mm wide: its lines bend at the ridge alone
+    const Surface roof = test::valley(20, 30, -0.75);
+    const ChordError error =
+        chord_error(roof, pass_through(roof, {0, 2}, 0.5), Parameter::U);
+    EXPECT_NEAR(error.greatest_mm, 15, 1e-9);
+    EXPECT_NEAR(error.at.u, 1, 1e-6);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -87,6 +87,14 @@ TEST(FirstRiseToZero, IsFoundWhereThePolynomialBarelyRises)
     EXPECT_NEAR(*found, 0.5, 2e-7);
 }
 
+TEST(FirstRiseToZero, IsNotTheZeroAtTheEndIfThereIsOneBefore)
+{
+    // (t - 1/4) (1 - t) and (5 t - 1) (1 - t)
+    EXPECT_EQ(first_rise_to_zero({-0.25, 0.375, 0}).value(), 0.25);
+    EXPECT_NEAR(first_rise_to_zero({-1, 2, 0}).value(), 0.2, 1e-15);
+    EXPECT_EQ(first_rise_to_zero({-1, -1, 0}).value(), 1);
+}
+
 TEST(FirstRiseToZero, IsNothingBelowZeroThroughout)
 {
     EXPECT_FALSE(first_rise_to_zero({-1, 3, -9, 3, -1, -2}));

@@ -115,6 +115,10 @@ TEST(HeightGrid, RefusesAGridThatIsNone)
     EXPECT_THROW(height_grid(line, {}, z), DomainError);
     EXPECT_THROW(height_grid(line, line, std::vector<double>(8, 0.0)), DomainError);
     EXPECT_THROW(height_grid(std::vector<double>{0, 1, 1}, line, z), DomainError);
+    const std::vector<double> close{0, 1e-12, 1, 2, 3};
+    EXPECT_THROW(height_grid(close, line, std::vector<double>(15, 0.0)), DomainError);
+    const std::vector<double> endless{0, 1, INFINITY};
+    EXPECT_THROW(height_grid(line, endless, z), DomainError);
     std::vector<double> bad = z;
     bad[3] = NAN;
     EXPECT_THROW(height_grid(line, line, bad), DomainError);

@@ -183,6 +183,22 @@ TEST(Nurbs, TorusHasItsCurvatureAreaAndLargestBall)
     EXPECT_NEAR(limit->radius_mm, -r * rho / (rho - R), 1e-9 * 100);
 }
 
+TEST(Nurbs, LargestBallDoesNotDependOnTheScaleOfItsKnots)
+{
+    Nurbs trough = test::cylinder(12, 30, pi + 0.3, 2 * pi - 0.3, 2);
+    const auto expected = largest_cutter(nurbs_surface(trough), 1);
+    ASSERT_TRUE(expected);
+    for (const double scale : {1e-40, 1e-6, 1e9, 1e40}) {
+        Nurbs scaled = trough;
+        for (SplineParameter* parameter : {&scaled.u, &scaled.v})
+            for (double& knot : parameter->knots)
+                knot *= scale;
+        const auto found = largest_cutter(nurbs_surface(scaled), 1);
+        ASSERT_TRUE(found) << scale;
+        EXPECT_NEAR(found->radius_mm, expected->radius_mm, 1e-6) << scale;
+    }
+}
+
 TEST(Nurbs, FlawsAreToldByName)
 {
     EXPECT_EQ(flaw({2, {0, 0, 0, 1, 1, 1}}), "");
@@ -195,6 +211,11 @@ TEST(Nurbs, FlawsAreToldByName)
               "a knot is repeated more than degree + 1 times");
     EXPECT_EQ(flaw({1, {0, 1, 1, 2}}),
               "the range between knot [degree] and knot [points] is empty");
+    for (const double range : {1e-60, 1e60})
+        EXPECT_EQ(
+            flaw({1, {0, 0, range, range}}),
+            "the range between knot [degree] and knot [points] is not within 1e-50 … "
+            "1e50");
     EXPECT_EQ(flaw({1, {0, 0, 1e-13, 1, 1}}),
               "two knots lie closer than 1e-12 of the range");
     const SplineParameter line{1, {0, 0, 1, 1}};

@@ -58,6 +58,17 @@ TEST(PatchBorders, OfAFoldedRoofAreG0AtItsAngle)
     EXPECT_NEAR(found.worst.normals.degrees(), 60, 1e-9);
 }
 
+TEST(PatchBorders, OfASheetFoldedBackAreG0AtAHalfTurn)
+{
+    const Surface sheet = test::plane(10, 20);
+    const Surface above = test::graph(
+        test::monomial(0, 0, 3) + test::monomial(1, 0, -0.3), {{0, 10}, {0, 20}});
+    const SurfaceContinuity fold = continuity(std::vector{sheet, above});
+    EXPECT_EQ(fold.continuity, Continuity::G0);
+    EXPECT_NEAR(fold.worst.normals.degrees(),
+                180 - std::atan(0.3) * 180 / std::numbers::pi, 1e-9);
+}
+
 TEST(PatchBorders, OfASphereInPiecesOfOtherParametersAreG1)
 {
     // two pieces that share an arc, cut into other lengths of parameter

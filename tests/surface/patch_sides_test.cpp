@@ -41,11 +41,15 @@ TEST(PatchSides, OfAClosedSurfaceMeetAtItsSeam)
 
 TEST(PatchSides, BetweenTheSameEndsButOnTwoCurvesDoNotMeet)
 {
-    // a lens: both sides run from pole to pole, 90 degrees apart
-    const double top = std::numbers::pi / 2;
-    const std::vector<Surface> lens{
-        nurbs_surface(test::torus(0, 9, {0, top, -top, top, 2}))};
+    // a lens: the parabolas y = +-(1 - x^2) between two poles
+    const std::vector<Surface> lens{test::polynomial_surface(
+        {test::monomial(1, 0, 1), test::monomial(0, 1, 1) + test::monomial(2, 1, -1),
+         test::monomial(0, 0, 0)},
+        {{-1, 1}, {-1, 1}})};
     const auto sides = patch_sides(lens);
+    ASSERT_EQ(sides.size(), 2U);
+    EXPECT_LT((sides[0].ends[0] - sides[1].ends[0]).norm(), 1e-12);
+    EXPECT_LT((sides[0].ends[1] - sides[1].ends[1]).norm(), 1e-12);
     EXPECT_TRUE(meeting_sides(sides, same_end_mm(lens)).empty());
 }
 

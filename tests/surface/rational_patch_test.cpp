@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/surface/area.h"
 #include "endmill/surface/bernstein_net.h"
 #include "endmill/surface/collapsed_edge.h"
 #include "endmill/surface/extent.h"
@@ -259,6 +260,19 @@ TEST(RationalPatch, ExtentOfASphereIsItsRadius)
     EXPECT_NEAR(extent(cap, Vec3::UnitZ()).high, 9, 1e-8);
     const Vec3 direction = Vec3{1, 0.3, 1}.normalized();
     EXPECT_NEAR(extent(cap, direction).high, 9, 1e-8);
+}
+
+TEST(RationalPatch, OfAPlaneIsReachedWhateverItsWeights)
+{
+    const std::vector<Vec3> net{{0, 0, 0}, {9, 0, 0}, {0, 7, 0}, {9, 7, 0}};
+    for (const double ratio : {1.0, 60.0, 1e2, 1e3})
+        for (const double scale : {1e-150, 1.0, 3e150}) {
+            const std::vector<double> weights{scale, scale / ratio, scale, scale};
+            const Surface plane{{0, 1}, {0, 1}, {BezierPatch{1, 1, net, weights}}};
+            EXPECT_FALSE(find_unreachable_place(plane, Vec3::UnitZ(), 1)) << ratio;
+            EXPECT_TRUE(find_unreachable_place(plane, Vec3::UnitX(), 1)) << ratio;
+            EXPECT_NEAR(area(plane), 63, 1e-7);
+        }
 }
 
 TEST(RationalPatch, PoleOfASphereIsACollapsedEdgeThatTheToolReaches)

@@ -64,7 +64,7 @@ TEST(SamplingLevels, RefuseAToleranceThatIsRounding)
 
 TEST(GridCellError, OfATwistedCellIsItsClosedForm)
 {
-    // z = x y over the unit square lies (1 - t) s t below or above the diagonal's planes
+    // z = x y over the unit square, and the least of x and y on the diagonal's planes
     const Surface twist = test::graph(test::monomial(1, 1, 1), {{0, 1}, {0, 1}});
     double expected = 0;
     for (const double s : {0.125, 0.375, 0.625, 0.875})

@@ -202,6 +202,19 @@ TEST(Sampling, OnAGridHasItsPlacesAndMeasuresItsError)
     EXPECT_GE(found.max_chord_error_mm, 0.9 * sagitta);
 }
 
+TEST(Sampling, OfALineIsRefused)
+{
+    const std::vector<Vec3> line{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+    const std::vector<Surface> surfaces{
+        Surface{{0, 1}, {0, 1}, {BezierPatch{1, 1, {line.data(), 4}}}}};
+    const SampledSurface flat = sampled_up(surfaces, 0.1);
+    EXPECT_EQ(mesh_report(flat.mesh).area, 0) << "folded on itself";
+    const std::vector<Vec3> collapsed{{0, 0, 0}, {3, 0, 0}, {0, 0, 0}, {3, 0, 0}};
+    const std::vector<Surface> line_only{
+        Surface{{0, 1}, {0, 1}, {BezierPatch{1, 1, {collapsed.data(), 4}}}}};
+    EXPECT_THROW(sampled_up(line_only, 0.1), GeometryError);
+}
+
 TEST(Sampling, RefusesWhatCannotBe)
 {
     const std::vector<Surface> plane{test::plane(10, 10)};
@@ -213,6 +226,50 @@ TEST(Sampling, RefusesWhatCannotBe)
     const std::vector<Surface> bent{test::saddle(20, 10)};
     EXPECT_THROW(sampled(bent, up, 1e-4, 1000), LimitError);
     EXPECT_THROW(sampled(bent, up, 1e-300), LimitError);
+}
+
+TEST(Sampling, AtTheApexOfAConeHasTheMeanOfItsTriangles)
+{
+    const test::UnitArc arc = test::unit_arc(0, 2 * pi, 4);
+    Nurbs cone{{2, arc.knots}, {1, {0, 0, 1, 1}}, {}, {}};
+    for (const double radius : {10.0, 0.0})
+        for (std::size_t i = 0; i < arc.points.size(); ++i) {
+            cone.control_points.emplace_back(radius * arc.points[i].x(),
+                                             radius * arc.points[i].y(), 10 - radius);
+            cone.weights.push_back(arc.weights[i]);
+        }
+    const SampledSurface found = sampled_up({nurbs_surface(cone)}, 0.05);
+    int apexes = 0;
+    for (std::size_t k = 0; k < found.normals.size(); ++k)
+        if (found.mesh.points()[k].z() > 10 - 1e-6) {
+            ++apexes;
+            EXPECT_LT((found.normals[k] - Vec3::UnitZ()).norm(), 1e-6);
+        }
+    EXPECT_EQ(apexes, 1);
+}
+
+TEST(Sampling, FarFromTheOriginIsTheSameMesh)
+{
+    const double top = pi / 2;
+    const TriangleMesh near =
+        sampled_up({nurbs_surface(test::torus(0, 9, {0, top, 0.3, top}))}, 0.05).mesh;
+    Nurbs cap = test::torus(0, 9, {0, top, 0.3, top});
+    for (Vec3& point : cap.control_points)
+        point += Vec3{4e5, -3e5, 2e5};
+    const TriangleMesh far = sampled_up({nurbs_surface(cap)}, 0.05).mesh;
+    EXPECT_EQ(far.triangles().size(), near.triangles().size());
+    EXPECT_EQ(far.points().size(), near.points().size());
+}
+
+TEST(DefaultChordTolerance, IsAThousandthOfTheLongestSideToADigit)
+{
+    const auto of_length = [](double length) {
+        return default_chord_tolerance(std::vector{test::plane(length, 1)});
+    };
+    EXPECT_NEAR(of_length(60), 0.06, 1e-12);
+    EXPECT_NEAR(of_length(300), 0.3, 1e-12);
+    EXPECT_NEAR(of_length(10 - 1e-15), 0.01, 1e-12);
+    EXPECT_NEAR(of_length(123), 0.1, 1e-12);
 }
 
 }  // namespace

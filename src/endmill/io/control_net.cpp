@@ -15,9 +15,10 @@ double read_length(const JsonValue& value, const SurfaceNumbers& numbers)
     const double length = numbers.unit * value.number();
     const double most = numbers.limits.max_extent_mm;
     if (!(std::abs(length) <= most))
-        throw value.complaint("coordinate " + value.shown(),
-                              "at most " + to_text(most) + " mm (--max-extent)",
-                              "E_RANGE");
+        throw value.complaint(
+            "coordinate " + value.shown() +
+                (numbers.unit == 1 ? "" : " (" + to_text(length) + " mm)"),
+            "at most " + to_text(most) + " mm (--max-extent)", "E_RANGE");
     return length;
 }
 
@@ -89,8 +90,9 @@ ControlNet read_net(const JsonValue& value, const SurfaceNumbers& numbers,
         for (std::size_t i = 0; i < net.columns; ++i)
             net.points.push_back(read_point(row.item(i), numbers));
     }
-    if (std::ranges::all_of(net.points,
-                            [&](const Vec3& p) { return p == net.points.front(); }))
+    if (net.points.size() > 1 && std::ranges::all_of(net.points, [&](const Vec3& p) {
+            return p == net.points.front();
+        }))
         throw value.complaint("all control points are equal", "a surface", "E_SURFACE");
     return net;
 }
@@ -115,13 +117,26 @@ std::vector<double> read_length_rows(const JsonValue& value,
 std::vector<double> read_weights(const JsonValue& value, const ExpectedCount& columns,
                                  const ExpectedCount& rows)
 {
-    return read_rows(value, columns, rows, [](const JsonValue& item) {
-        const double weight = item.number();
-        if (!(weight > 0))
-            throw item.complaint("weight " + item.shown(), "a number above zero",
-                                 "E_SURFACE");
-        return weight;
-    });
+    constexpr double greatest_ratio = 1e4;  // beyond it partials lose their digits
+    std::vector<double> weights =
+        read_rows(value, columns, rows, [](const JsonValue& item) {
+            const double weight = item.number();
+            if (!(weight > 0))
+                throw item.complaint("weight " + item.shown(), "a number above zero",
+                                     "E_SURFACE");
+            return weight;
+        });
+    const auto [least, greatest] = std::ranges::minmax(weights);
+    if (greatest > greatest_ratio * least)
+        throw value.complaint(
+            "weights from " + to_text(least) + " to " + to_text(greatest),
+            "weights that differ by a factor of at most " + to_text(greatest_ratio),
+            "E_SURFACE");
+    // Only ratios matter; a power of two rounds nothing.
+    const int exponent = std::ilogb(greatest);
+    for (double& weight : weights)
+        weight = std::ldexp(weight, -exponent);
+    return weights;
 }
 
 }  // namespace endmill

@@ -48,8 +48,10 @@ std::vector<double> read_length_rows(const JsonValue& value,
                                      const ExpectedCount& columns,
                                      const ExpectedCount& rows);
 
-/// The numbers above zero in the rows of `value`, the row running slowest.
-/// \throws FormatError E_SURFACE for one that is not above zero or a wrong count.
+/// The numbers above zero in the rows of `value`, the row running slowest, scaled by one
+/// power of two so that the greatest is in 1 … 2.
+/// \throws FormatError E_SURFACE for one that is not above zero, weights that differ by
+/// more than a factor of 10 000, or a wrong count.
 std::vector<double> read_weights(const JsonValue& value, const ExpectedCount& columns,
                                  const ExpectedCount& rows);
 

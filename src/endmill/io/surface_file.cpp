@@ -85,6 +85,16 @@ const std::array<Kind, 4>& kinds()
     return all;
 }
 
+// What the file holds breaks a rule of the library that the reader did not look for.
+std::vector<Surface> read_kind(const Kind& kind, const SurfaceNumbers& numbers)
+{
+    try {
+        return kind.read(numbers);
+    } catch (const DomainError& error) {
+        throw numbers.root.complaint(error.what(), "sound numbers", "E_SURFACE");
+    }
+}
+
 const Kind& kind_of(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 7> common_keys{
@@ -269,7 +279,7 @@ SurfaceFile parse_surface(std::string_view content, const std::filesystem::path&
 
     const double unit = mm_per_unit(root);
     std::vector<Surface> surfaces =
-        kind.read({root, unit, tool_side(root), file, limits});
+        read_kind(kind, {root, unit, tool_side(root), file, limits});
     std::vector<std::string> notes = pole_notes(surfaces);
     if (unit != 1)
         notes.emplace_back("lengths were converted from inch to mm");

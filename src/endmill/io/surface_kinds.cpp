@@ -9,6 +9,7 @@
 #include "endmill/core/numbers.h"
 #include "endmill/io/control_net.h"
 #include "endmill/surface/bernstein_basis.h"
+#include "endmill/surface/extent.h"
 #include "endmill/surface/height_grid.h"
 #include "endmill/surface/nurbs.h"
 
@@ -75,11 +76,12 @@ void require_rising(const JsonValue& value, const std::vector<double>& lines)
     if (lines.size() < 2)
         throw value.complaint(counted(lines.size(), "grid line"), "at least 2",
                               "E_SURFACE");
+    const double least = least_grid_interval * (lines.back() - lines.front());
     for (std::size_t k = 1; k < lines.size(); ++k)
-        if (!(lines[k] > lines[k - 1]))
+        if (!(lines[k] - lines[k - 1] > std::max(least, 0.0)))
             throw value.item(k).complaint(
                 value.item(k).shown() + " after " + value.item(k - 1).shown(),
-                "grid lines that rise", "E_SURFACE");
+                "grid lines that rise, each by more than 1e-9 of the range", "E_SURFACE");
 }
 
 }  // namespace
@@ -144,10 +146,23 @@ std::vector<Surface> read_height_grid(const SurfaceNumbers& numbers)
     const std::vector<double> y = read_lengths(y_value, numbers);
     require_rising(x_value, x);
     require_rising(y_value, y);
+    // Each height becomes a patch of 16 points about, and a few numbers while it does.
+    constexpr double bytes_per_height = 600;
+    require_memory(numbers.file, bytes_per_height * double(x.size()) * double(y.size()),
+                   numbers.limits);
     const std::vector<double> z =
         read_length_rows(numbers.root.member("z"), numbers, {x.size(), "length of x"},
                          {y.size(), "length of y"});
-    return {height_grid(x, y, z, numbers.tool_side)};
+    const Surface surface = height_grid(x, y, z, numbers.tool_side);
+    const double most = numbers.limits.max_extent_mm;
+    const auto [low, high] = extent(surface, Vec3::UnitZ());
+    if (std::max(-low, high) > most)
+        throw numbers.root.member("z").complaint(
+            "the surface between its heights reaches " + to_text(std::max(-low, high)) +
+                " mm",
+            "at most " + to_text(most) + " mm: grid lines that are spaced more evenly",
+            "E_RANGE");
+    return {surface};
 }
 
 }  // namespace endmill

@@ -113,8 +113,7 @@ void measure_cut(const IsoLine& line, const Cut& cut, ChordError& error)
 bool may_be_worst(const IsoLine& line, const Cut& cut, const ChordError& error)
 {
     const auto [low, high] = std::minmax(cut.from, cut.to);
-    const double bound = (high - low) * (high - low) / 8 * line.bend_bound(low, high);
-    return bound > error.greatest_mm;
+    return line.chord_error_bound(low, high) > error.greatest_mm;
 }
 
 }  // namespace

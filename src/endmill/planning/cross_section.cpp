@@ -11,6 +11,7 @@ namespace {
 
 constexpr int most_iterations = 8;
 constexpr double most_patches_a_step = 0.3;
+constexpr double small_step_patches = 0.1;
 constexpr double residual_share = 1e-12;  // of the surface's diagonal
 // Share of the residual allowed below which an expected one need not be seen.
 constexpr double sure_share = 1e-3;
@@ -66,8 +67,9 @@ CheckPlanePoint check_plane_point(const Surface& surface, const FeedFrame& frame
     const double width_u = surface.patch_width(Parameter::U, frame.at.u);
     const double width_v = surface.patch_width(Parameter::V, frame.at.v);
     SurfacePoint at = bent_estimate(estimate, frame, distance);
-    double residual_before = 0;  // none
-    for (int iteration = 0; iteration <= most_iterations; ++iteration) {
+    double residual_before = 0;  // none that counts
+    int iteration = 0;
+    for (; iteration <= most_iterations; ++iteration) {
         const SurfaceTangents tangents = surface.tangents(at.u, at.v);
         const Vec3 chord = tangents.point - frame.jet.point;
         const double along = chord.dot(frame.feed);
@@ -91,16 +93,19 @@ CheckPlanePoint check_plane_point(const Surface& surface, const FeedFrame& frame
         const double share = is_whole ? 1 : most_patches_a_step / patches;
         at.u += share * step_u;
         at.v += share * step_v;
-        // Steps that at least halve from here on sum to no more than this one.
-        if (is_whole && at.v - patches * width_v > most_v)
+        // Steps that at least halve from here on, as small or converging ones do, sum to
+        // no more than this one.
+        const bool halves = iteration == 0 ? patches <= small_step_patches
+                                           : residual <= residual_before / 2;
+        if (is_whole && halves && at.v - patches * width_v > most_v)
             return {at, false, iteration + 1};
         // Newton's steps square the residual: the next one is known without a look.
         const double ratio = residual / residual_before;
         if (is_whole && residual * ratio * ratio <= sure_share * tolerance)
             return {at, true, iteration + 1};
-        residual_before = residual;
+        residual_before = is_whole ? residual : 0;
     }
-    return {estimate, false, most_iterations};
+    return {estimate, false, std::min(iteration, most_iterations)};
 }
 
 double cross_curvature(const FeedFrame& frame)

@@ -43,8 +43,8 @@ struct CheckPlanePoint {
 /// ends of the surface the polynomials of its border patches go on.
 /// Source: [KimChoi, eq. (9), (10)]; eq. (6), (7) are the same with a small distance.
 /// \param distance in mm.
-/// \param most_v   the search ends, not converged, once its steps show v to lie beyond:
-///                 the place is then of no interest.
+/// \param most_v   the search ends, not converged, once v is sure to lie beyond if steps
+///                 go on to halve at least: the place is then of no interest.
 CheckPlanePoint check_plane_point(
     const Surface& surface, const FeedFrame& frame, double distance,
     double most_v = std::numeric_limits<double>::infinity());

@@ -211,7 +211,7 @@ IsoParametricPlan plan_iso_parametric(std::span<const Surface> surfaces,
                 options.progress(share_before + share / double(surfaces.size()));
             };
         IsoParametricPlan plan = plan_iso_parametric(surface, cutter, own);
-        own.most_points -= plan.path.points.size();
+        own.most_points -= std::min(own.most_points, plan.path.points.size());
         governing.insert(governing.end(), plan.governing.begin(), plan.governing.end());
         paths.push_back(std::move(plan.path));
     }

@@ -17,7 +17,7 @@ using Rule = boost::math::quadrature::gauss<double, 10>;
 constexpr double agreement = 1e-10;
 // The same as a share of the surface's diagonal squared: below it all is rounding.
 constexpr double rounding = 1e-15;
-constexpr int deepest_halving = 6;
+constexpr int deepest_halving = 10;
 
 struct Cell {
     double u;

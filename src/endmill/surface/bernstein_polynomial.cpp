@@ -53,7 +53,8 @@ ValueAndSlope evaluate(BernsteinPolynomial b, double t)
 bool has_one_sign_change(const BernsteinPolynomial& b)
 {
     const auto first = std::ranges::find_if(b, [](double c) { return c >= 0; });
-    return std::all_of(first, b.end(), [](double c) { return c >= 0; });
+    // A zero at the end is a root of its own.
+    return b.back() > 0 && std::all_of(first, b.end(), [](double c) { return c >= 0; });
 }
 
 // The only root, where the polynomial rises from below zero to zero or above.

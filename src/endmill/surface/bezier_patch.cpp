@@ -155,9 +155,14 @@ BezierPatch BezierPatch::from_homogeneous(int degree_u, int degree_v,
             "BezierPatch: control points must be finite");
     require(std::ranges::all_of(net, [](const auto& point) { return point[3] > 0; }),
             "BezierPatch: weights must be above zero");
+    // Only ratios of weights matter; halving and doubling round nothing.
+    double greatest = 0;
+    for (const Eigen::Vector4d& point : net)
+        greatest = std::max(greatest, point[3]);
+    const int exponent = is_rational ? std::ilogb(greatest) : 0;
     for (int c = 0; c < (is_rational ? 4 : 3); ++c)
         for (const Eigen::Vector4d& point : net)
-            patch.nets_.push_back(point[c]);
+            patch.nets_.push_back(std::ldexp(point[c], -exponent));
     return patch;
 }
 

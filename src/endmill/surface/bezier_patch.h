@@ -55,7 +55,8 @@ public:
         return is_rational_ ? Vec3{point.head<3>() / point[3]} : Vec3{point.head<3>()};
     }
 
-    /// (w x, w y, w z, w) of P_ij and its weight; w = 1 without weights.
+    /// (w x, w y, w z, w) of P_ij and its weight, all scaled by one power of two so that
+    /// the greatest w is in 1 … 2; w = 1 without weights.
     Eigen::Vector4d homogeneous_point(int i, int j) const
     {
         const double* at = nets_.data() + j * (degree_u_ + 1) + i;

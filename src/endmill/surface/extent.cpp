@@ -14,6 +14,7 @@ namespace {
 
 // What remains between the bound and a point that attains it, as a share of the diagonal.
 constexpr double bound_gap = 1e-9;
+constexpr double rounding = 1e-14;  // of a coordinate, in bounds far from the origin
 
 // A piece of a patch by the polynomials w r . direction and w.
 struct BoundedPiece {
@@ -46,8 +47,9 @@ double greatest_height(const Surface& surface, const Vec3& direction)
         for (int i = 0; i < surface.patches(Parameter::U); ++i)
             add({height_net(surface.patch(i, j), direction), {0, 0}, 1, 1},
                 {weight_net(surface.patch(i, j)), {0, 0}, 1, 1});
-    while (!pieces.empty() &&
-           pieces.top().bound > attained + bound_gap * surface.diagonal()) {
+    while (!pieces.empty() && pieces.top().bound > attained +
+                                                       bound_gap * surface.diagonal() +
+                                                       rounding * std::abs(attained)) {
         auto [low, high] = halves(pieces.top().height);
         auto [low_weight, high_weight] = halves(pieces.top().weight);
         pieces.pop();

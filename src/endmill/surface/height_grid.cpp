@@ -84,10 +84,15 @@ double greville(const SplineParameter& parameter, int i)
     return sum / parameter.degree;
 }
 
+// Whether all intervals are wider than rounding, as a share of the range.
 bool rises(std::span<const double> lines)
 {
-    return std::ranges::all_of(lines, [](double t) { return std::isfinite(t); }) &&
-           std::ranges::adjacent_find(lines, std::ranges::greater_equal{}) == lines.end();
+    if (!std::ranges::all_of(lines, [](double t) { return std::isfinite(t); }))
+        return false;
+    const double least = least_grid_interval * (lines.back() - lines.front());
+    return std::ranges::adjacent_find(lines, [&](double low, double high) {
+               return !(high - low > least);
+           }) == lines.end();
 }
 
 }  // namespace

@@ -198,6 +198,22 @@ double IsoLine::bend_bound(double from, double to) const
     return bound;
 }
 
+double IsoLine::chord_error_bound(double from, double to) const
+{
+    const double width = to - from;
+    double bound = width * width / 8 * bend_bound(from, to);
+    for (int i = piece_number(from) + 1; i < static_cast<int>(pieces_.size()); ++i) {
+        if (to <= breaks_[i])
+            break;
+        const SurfaceJet below =
+            jet_of(pieces_[i - 1], 1, 1 / (breaks_[i] - breaks_[i - 1]));
+        const SurfaceJet above = jet_of(pieces_[i], 0, 1 / (breaks_[i + 1] - breaks_[i]));
+        bound +=
+            width / 4 * (above.du - below.du).norm() + (above.point - below.point).norm();
+    }
+    return bound;
+}
+
 std::optional<double> IsoLine::first_reach(double from, const Vec3& direction,
                                            double distance) const
 {

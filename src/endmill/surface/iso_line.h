@@ -28,10 +28,15 @@ public:
     /// The surface's jet at (u, v), one-sided at a border, see Surface::patch_number.
     SurfaceJet jet(double u) const;
 
-    /// A bound on |d2r/du2| over [from, to], in mm per unit of u squared: a chord over it
-    /// strays from the line by at most (to - from)^2 / 8 times as much. Attained where
-    /// the surface is bicubic without weights, else from the hulls of control points.
+    /// A bound on |d2r/du2| over [from, to] within the patches, in mm per unit of u
+    /// squared. Attained where the surface is bicubic without weights, else from the
+    /// hulls of control points.
     double bend_bound(double from, double to) const;
+
+    /// A bound in mm on the distance of the line over [from, to] from its chord: w^2 / 8
+    /// times the bend bound, w = to - from, and w / 4 times each jump of dr/du and the
+    /// whole of each gap at the borders between.
+    double chord_error_bound(double from, double to) const;
 
     /// Smallest u > `from` at which the line has gone `distance` beyond its point at
     /// `from`, measured along `direction`: (r(u) - r(from)) . direction = distance.

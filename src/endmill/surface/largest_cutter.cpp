@@ -21,7 +21,7 @@ constexpr int most_samples_per_side = 33;        // of a patch, for curvature
 constexpr int least_samples_per_side = 5;        // of a patch of very many
 constexpr double most_curvature_samples = 4e6;   // of a surface
 constexpr std::size_t candidates_to_refine = 5;  // of a patch, or of all pairs
-constexpr double most_pair_samples = 40'000;
+constexpr double most_pair_samples = 15'000;
 // Nearer pairs, in widths of a patch, are left to curvature: they would only find it
 // again with rounding, or a crease, which admits no ball at all and is told by
 // `continuity`.
@@ -40,12 +40,16 @@ struct Candidate {
     double rise = 0;
 };
 
-// Whether a partial is so short that it may be rounding: next to a collapsed edge.
-bool is_near_pole(const Surface& surface, const Vec3& du, const Vec3& dv)
+// Whether a partial is so short, in the parameters of its patch, that it may be rounding:
+// next to a collapsed edge.
+bool is_near_pole(const Surface& surface, const SurfacePoint& at, const Vec3& du,
+                  const Vec3& dv)
 {
     constexpr double shortest = 1e-8;  // of the surface's diagonal
+    const double along_u = du.norm() * surface.patch_width(Parameter::U, at.u);
+    const double along_v = dv.norm() * surface.patch_width(Parameter::V, at.v);
     return surface.diagonal() == 0 ||
-           std::min(du.norm(), dv.norm()) <= shortest * surface.diagonal();
+           std::min(along_u, along_v) <= shortest * surface.diagonal();
 }
 
 // A principal curvature to minimise; infinite where there is no normal.
@@ -59,7 +63,7 @@ struct CurvatureField {
     double operator()(int i, int j, const SurfacePoint& at) const
     {
         const SurfaceJet jet = surface.jet_in_patch(i, j, at.u, at.v);
-        if (is_near_pole(surface, jet.du, jet.dv) ||
+        if (is_near_pole(surface, at, jet.du, jet.dv) ||
             is_singular({jet.point, jet.du, jet.dv}))
             return infinity;
         return value(principal_curvatures(fundamental_forms(jet, side)));
@@ -221,7 +225,7 @@ void add_samples(const SidedSurfaces& part, std::size_t number, double per_patch
     for (const double v : sample_lines(surface, Parameter::V, per_patch))
         for (const double u : along_u) {
             const SurfaceTangents tangents = surface.tangents(u, v);
-            if (!is_near_pole(surface, tangents.du, tangents.dv) &&
+            if (!is_near_pole(surface, {u, v}, tangents.du, tangents.dv) &&
                 !is_singular(tangents))
                 samples.push_back({number,
                                    {u, v},
@@ -317,7 +321,8 @@ BoxMinimum refined_pair(const SidedSurfaces& part, const Pair& start)
         const Surface& surface = part.surfaces[number];
         const SurfaceTangents tangents = surface.tangents(u, v);
         const bool has_normal =
-            !is_near_pole(surface, tangents.du, tangents.dv) && !is_singular(tangents);
+            !is_near_pole(surface, {u, v}, tangents.du, tangents.dv) &&
+            !is_singular(tangents);
         const Vec3 normal =
             has_normal ? Vec3{part.sides[number] * unit_normal(tangents)} : Vec3::Zero();
         return {number, {u, v}, tangents.point, normal};

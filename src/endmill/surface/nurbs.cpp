@@ -15,6 +15,9 @@ namespace {
 
 // A narrower span, as a share of the range, is a rounding of a repeated knot.
 constexpr double least_span = 1e-12;
+// Beyond these, fourth powers of partials would overflow or vanish.
+constexpr double least_range = 1e-50;
+constexpr double greatest_range = 1e50;
 
 // A stretch between different knots, and the spline there in Bezier form.
 struct Span {
@@ -130,6 +133,9 @@ std::string flaw(const SplineParameter& parameter)
     const double range = knots[parameter.points()] - knots[degree];
     if (!(range > 0) || !std::isfinite(range))
         return "the range between knot [degree] and knot [points] is empty";
+    if (range < least_range || range > greatest_range)
+        return "the range between knot [degree] and knot [points] is not within 1e-50 … "
+               "1e50";
     for (const int start : span_starts(parameter))
         if (knots[start + 1] - knots[start] <= least_span * range)
             return "two knots lie closer than 1e-12 of the range";

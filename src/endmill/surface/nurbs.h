@@ -28,7 +28,7 @@ struct Nurbs {
 /// What is wrong with `parameter`, for a message; empty if nothing is: the degree is in
 /// 1 … 25; the knots are finite and do not fall; none is repeated more than degree + 1
 /// times; there are at least degree + 1 control points; the range from knot [degree] to
-/// knot [points] is not empty; and its spans are wider than 1e-12 of it.
+/// knot [points] is within 1e-50 … 1e50; and its spans are wider than 1e-12 of it.
 std::string flaw(const SplineParameter& parameter);
 
 /// The surface of `nurbs` over its own knot range, from knot [degree] to knot [points]:

@@ -52,14 +52,26 @@ double nearest_parameter(const PatchSide& side, const Vec3& point)
     return std::clamp(t + step, 0.0, 1.0);
 }
 
-// The angle between the planes, whichever way the normals point.
-double plane_angle(const SurfaceTangents& one, const SurfaceTangents& other)
+// The unit direction into the surface, in its tangent plane and across the side; zero
+// where the surface has no normal.
+Vec3 inward(const PatchSide& side, const SurfaceTangents& at)
 {
-    if (is_singular(one) || is_singular(other))
-        return 0;
-    const Vec3 n = unit_normal(one);
-    const Vec3 m = unit_normal(other);
-    return std::atan2(n.cross(m).norm(), std::abs(n.dot(m)));
+    if (is_singular(at))
+        return Vec3::Zero();
+    const bool is_u = side.along == Parameter::U;
+    const Vec3 along = (is_u ? at.du : at.dv).normalized();
+    const Vec3 across = (side.end == 0 ? 1 : -1) * (is_u ? at.dv : at.du);
+    return (across - across.dot(along) * along).normalized();
+}
+
+// How much the surface turns across the border: 0 if it goes straight on, 180 degrees if
+// it folds back on itself.
+double turn(const PatchSide& one, const SurfaceTangents& here, const PatchSide& other,
+            const SurfaceTangents& there)
+{
+    const Vec3 onwards = -inward(one, here);
+    const Vec3 beyond = inward(other, there);
+    return std::atan2(onwards.cross(beyond).norm(), onwards.dot(beyond));
 }
 
 BorderBreak break_between(const PatchSide& one, const PatchSide& other, double size)
@@ -71,7 +83,7 @@ BorderBreak break_between(const PatchSide& one, const PatchSide& other, double s
         const SurfaceTangents there =
             other.tangents(nearest_parameter(other, here.point));
         worst.gap_mm = std::max(worst.gap_mm, (here.point - there.point).norm());
-        const Angle angle = Angle::radians(plane_angle(here, there));
+        const Angle angle = Angle::radians(turn(one, here, other, there));
         if (angle.radians() > worst.normals.radians()) {
             worst.at = one.at(t);
             worst.point = here.point;

@@ -11,10 +11,11 @@ namespace {
 
 constexpr double same_end_share = 1e-6;  // of the part's size
 
-// Sums of this are neighbours if the ends of two sides are the same.
-double middle_x(const PatchSide& side)
+// Neighbours by this number if the ends of two sides are the same: their sum, seen in a
+// direction that patches do not usually stand in.
+double middle_of_ends(const PatchSide& side)
 {
-    return side.ends[0].x() + side.ends[1].x();
+    return (side.ends[0] + side.ends[1]).dot(Vec3{0.742, 0.518, 0.425});
 }
 
 PatchSide side_of(std::span<const Surface> surfaces, std::size_t number, Parameter along,
@@ -54,7 +55,7 @@ double reach(const PatchSide& side)
 // same ends.
 bool runs_beside(const PatchSide& one, const PatchSide& other)
 {
-    constexpr double beside = 0.05;  // of the side's reach; samples lie nearer than this
+    constexpr double beside = 0.05;  // of the side's reach: samples lie about 0.03 apart
     constexpr int samples = 32;
     const Vec3 middle = one.tangents(0.5).point;
     double least = std::numeric_limits<double>::infinity();
@@ -114,13 +115,13 @@ std::vector<std::pair<std::size_t, std::size_t>> meeting_sides(
 {
     std::vector<std::size_t> order(sides.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {},
-                             [&](std::size_t number) { return middle_x(sides[number]); });
+    std::ranges::stable_sort(
+        order, {}, [&](std::size_t number) { return middle_of_ends(sides[number]); });
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (auto one = order.begin(); one != order.end(); ++one)
         for (auto other = one + 1;
              other != order.end() &&
-             middle_x(sides[*other]) <= middle_x(sides[*one]) + 4 * same_end;
+             middle_of_ends(sides[*other]) <= middle_of_ends(sides[*one]) + 4 * same_end;
              ++other)
             if (meet(sides[*one], sides[*other], same_end))
                 pairs.emplace_back(std::min(*one, *other), std::max(*one, *other));

@@ -13,6 +13,7 @@
 #include "endmill/core/numbers.h"
 #include "endmill/mesh/weld.h"
 #include "endmill/surface/collapsed_edge.h"
+#include "endmill/surface/extent.h"
 #include "endmill/surface/patch_sides.h"
 #include "endmill/surface/sampling_levels.h"
 
@@ -22,6 +23,8 @@ namespace {
 // Points of meeting sides nearer than this, as a share of the size, are one.
 constexpr double same_point_share = 1e-9;
 constexpr double rounding_share = 1e-11;  // of the largest coordinate
+// Distance of unit normals beyond which they are not one.
+constexpr double same_normal = 1e-6;
 
 using Index = std::int32_t;
 
@@ -247,23 +250,30 @@ bool has_pole(const Surface& surface)
 }
 
 // Makes points one that lie nearer than `tolerance`, and leaves out the triangles that
-// so lose a corner.
-Draft welded(const Draft& draft, double tolerance)
+// so lose a corner. Where normals disagree none is kept.
+Draft welded(const Draft& draft, double tolerance, double& max_chord_error_mm)
 {
-    const TriangleMesh before{draft.points, draft.triangles};
-    const TriangleMesh after = weld(before, tolerance).mesh;
-    Draft result{{after.points().begin(), after.points().end()},
-                 {},
-                 std::vector<Vec3>(after.points().size(), Vec3::Zero())};
+    const WeldedMesh after = weld(TriangleMesh{draft.points, draft.triangles}, tolerance);
+    max_chord_error_mm += after.largest_move;
+    const auto points = after.mesh.points();
+    std::vector<std::optional<Vec3>> normals(points.size());
+    Draft result{{points.begin(), points.end()}, {}, {}};
     for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
-        const Triangle& corners = after.triangles()[t];
-        for (int k = 0; k < 3; ++k)
-            if (result.normals[corners[k]].isZero())
-                result.normals[corners[k]] = draft.normals[draft.triangles[t][k]];
+        const Triangle& corners = after.mesh.triangles()[t];
+        for (int k = 0; k < 3; ++k) {
+            const Vec3& own = draft.normals[draft.triangles[t][k]];
+            auto& normal = normals[corners[k]];
+            if (!normal)
+                normal = own;
+            else if ((*normal - own).norm() > same_normal)
+                normal = Vec3::Zero();
+        }
         if (corners[0] != corners[1] && corners[1] != corners[2] &&
             corners[2] != corners[0])
             result.triangles.push_back(corners);
     }
+    for (const auto& normal : normals)
+        result.normals.push_back(normal.value_or(Vec3::Zero()));
     return result;
 }
 
@@ -287,13 +297,17 @@ void complete_normals(Draft& draft)
 
 void require_room(double triangles, std::size_t most)
 {
+    most = std::min(most, most_possible_triangles);
     if (triangles > static_cast<double>(most))
         throw LimitError{"the mesh would have about " + to_text(triangles) +
-                         " triangles; expected at most " + std::to_string(most)};
+                         " triangles; expected at most " + std::to_string(most) +
+                         ": a larger tolerance or a coarser grid makes fewer"};
 }
 
 SampledSurface finished(Draft draft, double max_chord_error_mm)
 {
+    if (draft.triangles.empty())
+        throw GeometryError{"the surface has no area: it is a point or a line"};
     complete_normals(draft);
     return {TriangleMesh{std::move(draft.points), std::move(draft.triangles)},
             std::move(draft.normals), max_chord_error_mm};
@@ -314,11 +328,24 @@ double same_point_mm(std::span<const Surface> surfaces, const Draft& draft)
 
 }  // namespace
 
+double default_chord_tolerance(std::span<const Surface> surfaces)
+{
+    constexpr double share = 1e-3;
+    constexpr double rounding = 1e-9;  // a side of 10 mm less its rounding has 10 mm
+    double longest = 0;
+    for (int c = 0; c < 3; ++c)
+        longest = std::max(longest, extent(surfaces, Vec3::Unit(c)).length());
+    const double tolerance = share * longest * (1 + rounding);
+    const double digit = std::pow(10, std::floor(std::log10(tolerance)));
+    return std::floor(tolerance / digit) * digit;
+}
+
 SampledSurface sampled(std::span<const Surface> surfaces, std::span<const double> sides,
                        double chord_tolerance, std::size_t most_triangles)
 {
     require(std::isfinite(chord_tolerance) && chord_tolerance > 0,
             "sampled: need 0 < chord tolerance");
+    require(surfaces.size() == sides.size(), "sampled: need a side for each surface");
     std::vector<Surface> pieces;
     std::vector<double> piece_sides;
     for (std::size_t number = 0; number < surfaces.size(); ++number)
@@ -341,7 +368,7 @@ SampledSurface sampled(std::span<const Surface> surfaces, std::span<const double
     for (std::size_t number = 0; number < pieces.size(); ++number)
         SurfaceSampler{pieces[number], piece_sides[number], levels[number], draft}.draw();
     if (meet || std::ranges::any_of(pieces, has_pole))
-        draft = welded(draft, same_point_mm(pieces, draft));
+        draft = welded(draft, same_point_mm(pieces, draft), error);
     return finished(std::move(draft), error);
 }
 
@@ -350,6 +377,8 @@ SampledSurface sampled_on_grid(std::span<const Surface> surfaces,
                                std::size_t most_triangles)
 {
     require(lines >= 2, "sampled_on_grid: need at least two lines");
+    require(surfaces.size() == sides.size(),
+            "sampled_on_grid: need a side for each surface");
     const double cells = double(lines - 1) * (lines - 1);
     require_room(2 * cells * static_cast<double>(surfaces.size()), most_triangles);
     Draft draft;
@@ -387,7 +416,7 @@ SampledSurface sampled_on_grid(std::span<const Surface> surfaces,
             }
     }
     if (poles)
-        draft = welded(draft, same_point_mm(surfaces, draft));
+        draft = welded(draft, same_point_mm(surfaces, draft), error);
     return finished(std::move(draft), error);
 }
 

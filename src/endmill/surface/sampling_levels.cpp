@@ -76,7 +76,8 @@ SamplingLevels::SamplingLevels(const Surface& surface, double chord_tolerance)
             const auto levels = fewest_cells(pieces, chord_tolerance);
             if (!levels)
                 throw LimitError{"a chord tolerance of " + to_text(chord_tolerance) +
-                                 " mm needs more than 2^20 cells along a patch"};
+                                 " mm needs more than 2^20 cells along a patch; expected "
+                                 "a larger one"};
             patches_.push_back(*levels);
             chord_error_mm_ = std::max(chord_error_mm_, chord_error(pieces, *levels));
             raise_side(Parameter::U, i, j, levels->u);

@@ -29,7 +29,7 @@ LocalParameter localize(std::span<const double> breaks, int number, double param
 
 bool rises(std::span<const double> breaks)
 {
-    return std::isfinite(breaks.front()) && std::isfinite(breaks.back()) &&
+    return std::ranges::all_of(breaks, [](double b) { return std::isfinite(b); }) &&
            std::ranges::adjacent_find(breaks, std::ranges::greater_equal{}) ==
                breaks.end();
 }

@@ -18,30 +18,36 @@ namespace {
 
 using Rule = boost::math::quadrature::gauss<double, 30>;
 
-// Share of the product of the longest partials below which (du x dv) . axis is rounding:
-// the ball would touch at its equator.
+// Share of the greatest normal below which w^3 (du x dv) . axis is rounding: the ball
+// would touch at its equator. With weights the least normal may itself be a small share.
 constexpr double side_contact = 1e-12;
+constexpr double rational_side_contact = 1e-14;
 // Pieces narrower than this are decided at their corners.
 constexpr double least_width = 0x1p-14;
 
-// A bound on w^3 |du| |dv| over the patch, of its order of magnitude.
-double longest_partials(const BezierPatch& patch)
+// What |w^3 (du x dv)| comes to over the patch at most, of its order of magnitude: from
+// the homogeneous control points as seen from the first one.
+double greatest_normal(const BezierPatch& patch)
 {
     const int p = patch.degree(Parameter::U);
     const int q = patch.degree(Parameter::V);
+    const Vec3 corner = patch.control_point(0, 0);
+    const auto point = [&](int i, int j) -> Vec3 {
+        const Eigen::Vector4d h = patch.homogeneous_point(i, j);
+        return h.head<3>() - h[3] * corner;
+    };
     double du = 0;
     double dv = 0;
+    double w = 0;
     for (int j = 0; j <= q; ++j)
         for (int i = 0; i <= p; ++i) {
-            const Vec3 point = patch.control_point(i, j);
             if (i < p)
-                du = std::max(du, (patch.control_point(i + 1, j) - point).norm());
+                du = std::max(du, (point(i + 1, j) - point(i, j)).norm());
             if (j < q)
-                dv = std::max(dv, (patch.control_point(i, j + 1) - point).norm());
+                dv = std::max(dv, (point(i, j + 1) - point(i, j)).norm());
+            w = std::max(w, patch.homogeneous_point(i, j)[3]);
         }
-    const BernsteinNet weights = weight_net(patch);
-    const double ratio = weights.maxCoeff() / weights.minCoeff();
-    return p * q * du * dv * std::pow(ratio, 4) * std::pow(weights.maxCoeff(), 3);
+    return p * q * du * dv * w;
 }
 
 // A corner of the piece, in the patch's own parameters, where the polynomial is not above
@@ -131,7 +137,9 @@ std::optional<UnreachablePlace> find_unreachable_place(const Surface& surface,
     for (int j = 0; j < surface.patches(Parameter::V); ++j)
         for (int i = 0; i < surface.patches(Parameter::U); ++i) {
             const BezierPatch& patch = surface.patch(i, j);
-            const double least = side_contact * longest_partials(patch);
+            const double share =
+                patch.is_rational() ? rational_side_contact : side_contact;
+            const double least = share * greatest_normal(patch);
             const auto found = place_not_above(
                 {reduced_normal_net(patch, side * axis), {0, 0}, 1, 1}, least);
             if (!found)
