@@ -9,21 +9,24 @@ usage() {
 scripts/test.sh [--all] [--help]
 
 Installs missing packages (Debian, root), builds the presets release and asan
-(address and undefined-behaviour sanitizers), runs all tests of both, then
-clang-tidy on the files that changed since the merge base with origin/main
-(on main itself: since the commit before).
+(address and undefined-behaviour sanitizers), runs all tests of both, fuzzes each
+reader for 5 s (scripts/fuzz.sh), then clang-tidy on the files that changed since
+the merge base with origin/main (on main itself: since the commit before).
 
-  --all    clang-tidy on every file
+  --all    fuzzes for 60 s each, compiles every installed header alone, and
+           clang-tidy on every file
 
-Build folders: build/release, build/asan. Safe to run again: only what changed
-is rebuilt. Exit 0 if everything passed, 1 otherwise.
+Build folders: build/release, build/asan, build/fuzz. Safe to run again: only what
+changed is rebuilt. Exit 0 if everything passed, 1 otherwise.
 HELP
 }
 
+all=false
+fuzz_seconds=5
 tidy_options=()
 for argument in "$@"; do
     case "$argument" in
-        --all) tidy_options=(--all) ;;
+        --all) all=true fuzz_seconds=60 tidy_options=(--all) ;;
         --help | -h) usage; exit 0 ;;
         *) echo "test.sh: unknown argument $argument, see --help" >&2; exit 2 ;;
     esac
@@ -46,6 +49,22 @@ run_tests() {
     summaries+=("$preset: $(grep 'tests passed,' "$log" || echo 'no test summary')")
 }
 
+# What they find is kept in build/fuzz/findings.
+run_fuzzers() {
+    local log=build/fuzz.log said
+    step "fuzz: $fuzz_seconds s for each reader"
+    scripts/fuzz.sh "$fuzz_seconds" 2>&1 | tee "$log" || failed+=("fuzzers")
+    said=$(sed -n 's/^fuzz.sh: //p' "$log")
+    summaries+=("fuzz: ${said:-not run}")
+}
+
+# A header that needs another one before it is no interface.
+compile_headers() {
+    step "headers: each alone"
+    cmake --build --preset release --target all_verify_interface_header_sets ||
+        failed+=("headers")
+}
+
 step "set-up"
 scripts/setup.sh
 for preset in release asan; do
@@ -56,6 +75,10 @@ for preset in release asan; do
 done
 run_tests release
 run_tests asan --label-exclude '^scripts$'
+run_fuzzers
+if $all; then
+    compile_headers
+fi
 step "clang-tidy"
 /usr/bin/python3 scripts/check_tidy.py "${tidy_options[@]}" || failed+=("clang-tidy")
 

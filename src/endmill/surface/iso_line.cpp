@@ -145,7 +145,8 @@ double IsoLine::bend_bound_of(int piece, double low, double high) const
 {
     const double start = breaks_[piece];
     const double width = breaks_[piece + 1] - start;
-    const auto& [is_rational, nets] = pieces_[piece];
+    const bool is_rational = pieces_[piece].is_rational;
+    const Eigen::MatrixXd& nets = pieces_[piece].nets;
     if (pieces_[piece].is_cubic()) {  // linear, and so greatest at an end
         const auto bend = [&](double u) -> Vec3 {
             return CubicNets{nets.data()}.leftCols<3>().transpose() *
