@@ -42,6 +42,8 @@ function(endmill_module name)
   target_sources(endmill_${name} PRIVATE FILE_SET internal TYPE HEADERS
                  BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${internal})
   target_compile_features(endmill_${name} PUBLIC cxx_std_20)
+  # A fused a b - c d keeps the rounding of one product: its sign would hang on the machine.
+  target_compile_options(endmill_${name} PRIVATE -ffp-contract=off)
   target_link_libraries(endmill_${name} PUBLIC ${arg_USES} ${arg_LIBRARIES}
                         PRIVATE ${arg_PRIVATE_LIBRARIES} $<BUILD_INTERFACE:endmill_warnings>)
   set_target_properties(endmill_${name} PROPERTIES EXPORT_NAME ${name}

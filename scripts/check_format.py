@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails if clang-format would change a C++ file under src, experiments or tests."""
+"""Fails if clang-format would change a C++ file under src, experiments or tests, or if what
+a merge or a patch left behind is committed."""
 import os
 import subprocess
 import sys
@@ -24,6 +25,13 @@ def would_change(files):
     return done.stdout + done.stderr if done.returncode else ""
 
 
+def leftovers(root):
+    """Committed files that `patch` or a merge leaves behind; none outside a repository."""
+    command = ["git", "ls-files", "*.orig", "*.rej"]
+    done = subprocess.run(command, cwd=root, capture_output=True, text=True, check=False)
+    return done.stdout.splitlines()
+
+
 def main(root):
     files = sources(root)
     cores = os.cpu_count() or 1
@@ -32,7 +40,10 @@ def main(root):
     print(said or f"{len(files)} files are formatted")
     if said:
         print("clang-format -i FILE... puts this right")
-    return bool(said)
+    left = leftovers(root)
+    for file in left:
+        print(f"{file} is left over from a merge or a patch: git rm it")
+    return bool(said or left)
 
 
 if __name__ == "__main__":

@@ -3,8 +3,11 @@
 // endmill throws on purpose, and it takes memory in proportion to the file.
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
+#include <numbers>
 
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -12,9 +15,11 @@
 #include "endmill/core/error.h"
 #include "endmill/io/mesh_file.h"
 #include "endmill/io/mesh_text.h"
+#include "endmill/io/part_file.h"
 #include "endmill/mesh/collinear.h"
 #include "ply_samples.h"
 #include "random.h"
+#include "temporary_folder.h"
 #include "test_meshes.h"
 
 namespace {
@@ -190,6 +195,87 @@ TEST(LyingMesh, IsGivenNoMemoryForWhatItClaims)
     for (const Sample& lie : lies)
         EXPECT_LT(memory_of_reading(lie.content, lie.path), 20000U) << lie.content;
 }
+
+// A file that takes far more memory than it has bytes.
+struct Greedy {
+    const char* name;
+    std::string path;
+    std::string content;
+};
+
+TriangleMesh many_tetrahedra()
+{
+    std::vector<Vec3> points;
+    std::vector<Triangle> triangles;
+    for (int k = 0; k < 12'000; k += 4) {
+        for (const Vec3& corner :
+             {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+            points.emplace_back(corner + Vec3{0, double(k), double(k % 3)});
+        for (const Triangle& t : {Triangle{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+            triangles.push_back({k + t[0], k + t[1], k + t[2]});
+    }
+    return {std::move(points), std::move(triangles)};
+}
+
+std::string flat_height_grid(int lines)
+{
+    std::string axis = "[0";
+    std::string row = "[0";
+    for (int k = 1; k < lines; ++k) {
+        axis += "," + std::to_string(k);
+        row += ",0";
+    }
+    std::string rows = row + "]";
+    for (int k = 1; k < lines; ++k)
+        rows += "," + row + "]";
+    return R"({"format":"endmill-surface/1","type":"height-grid","x":)" + axis +
+           R"(],"y":)" + axis + R"(],"z":[)" + rows + "]}";
+}
+
+std::string ply_of_one_polygon(std::int32_t corners)
+{
+    const std::string count = std::to_string(corners);
+    std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex " + count +
+                       "\nproperty double x\nproperty double y\nproperty double z\n"
+                       "element face 1\nproperty list int int vertex_index\nend_header\n";
+    for (std::int32_t k = 0; k < corners; ++k) {
+        append_number(text, std::cos(2 * std::numbers::pi * k / corners), false);
+        append_number(text, std::sin(2 * std::numbers::pi * k / corners), false);
+        append_number(text, 0.0, false);
+    }
+    append_number(text, corners, false);
+    for (std::int32_t k = 0; k < corners; ++k)
+        append_number(text, k, false);
+    return text;
+}
+
+class GreedyFile : public testing::TestWithParam<Greedy> {};
+
+TEST_P(GreedyFile, TakesAboutTheLimitAtMostAndIsNotRefusedMuchTooEarly)
+{
+    constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
+    const TemporaryFolder folder;
+    const auto path = folder.put(GetParam().path, GetParam().content);
+    const auto memory_within = [&](double limit) {
+        const std::size_t before = bytes_in_use;
+        most_bytes_in_use = before;
+        read_part(path, {.limits = {.max_memory_gib = limit / bytes_per_gib}});
+        return static_cast<double>(most_bytes_in_use - before);
+    };
+    const double needed = memory_within(bytes_per_gib);
+    for (double limit = 0.2 * needed; limit < 0.9 * needed; limit *= 1.05)
+        EXPECT_THROW(memory_within(limit), LimitError) << limit << " of " << needed;
+    EXPECT_NO_THROW(memory_within(2.5 * needed)) << needed;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfEveryKind, GreedyFile,
+    testing::Values(
+        Greedy{"Bodies", "f.off", mesh_text(many_tetrahedra(), MeshFormat::Off)},
+        Greedy{"BodiesOfCorners", "f.stl", mesh_text(many_tetrahedra(), MeshFormat::Stl)},
+        Greedy{"HeightGrid", "f.json", flat_height_grid(60)},
+        Greedy{"Polygon", "f.ply", ply_of_one_polygon(20'000)}),
+    [](const auto& sample) { return sample.param.name; });
 
 }  // namespace
 }  // namespace endmill

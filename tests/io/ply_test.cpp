@@ -2,6 +2,7 @@
 #include "endmill/io/ply.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -206,6 +207,26 @@ TEST(ParsePly, RefusesWhatNeedsMoreMemoryThanTheLimit)
     const std::string text = binary_ply(false);
     EXPECT_THROW(parse_ply({text, "f", {.max_memory_gib = 3e-7}}), LimitError);
     EXPECT_NO_THROW(parse_ply({text, "f", {.max_memory_gib = 1e-6}}));
+}
+
+TEST(ParsePly, RefusesAFaceWhoseCornersNeedMoreMemoryThanTheLimit)
+{
+    // A byte a corner, of which each takes several numbers while the face is looked at.
+    constexpr std::uint32_t corners = 1'000'000;
+    std::string text =
+        "ply\nformat binary_little_endian 1.0\n"
+        "element vertex 1\nproperty char x\nproperty char y\nproperty char z\n"
+        "element face 1\nproperty list uint uchar vertex_index\nend_header\n" +
+        std::string(3, '\0');
+    append_number(text, corners, false);
+    text.append(corners, '\0');
+    const auto complaint_within = [&](double bytes) {
+        const double gib = bytes / (1024.0 * 1024 * 1024);
+        return complaint_of([&] { parse_ply({text, "f", {.max_memory_gib = gib}}); });
+    };
+    EXPECT_THAT(complaint_within(9e6),
+                testing::StartsWith("E_LIMIT f: reading it needs"));
+    EXPECT_THAT(complaint_within(5e7), testing::StartsWith("E_DEGENERATE"));
 }
 
 TEST(PlyText, WritesNormalsThatReadersMaySkip)

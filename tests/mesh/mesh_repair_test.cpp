@@ -2,6 +2,8 @@
 #include "endmill/mesh/mesh_repair.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 #include <gtest/gtest.h>
 
@@ -139,6 +141,127 @@ TEST(Oriented, TurnsWhatIsInACavityWithTheOutermostPiece)
     EXPECT_EQ(oriented(nested).turned_triangles, 0U);
     const OrientedMesh result = oriented(inside_out(nested));
     EXPECT_EQ(test::soup_of(result.mesh), test::soup_of(nested));
+}
+
+// Boxes, each with its triangles facing inwards or not.
+struct Boxes {
+    std::vector<Vec3> low;
+    std::vector<Vec3> high;
+    std::vector<bool> inwards;
+
+    void add(const Vec3& a, const Vec3& b, bool is_inwards)
+    {
+        low.push_back(a);
+        high.push_back(b);
+        inwards.push_back(is_inwards);
+    }
+    TriangleMesh mesh() const
+    {
+        std::vector<Vec3> points;
+        std::vector<Triangle> triangles;
+        for (std::size_t k = 0; k < low.size(); ++k) {
+            const auto shift = static_cast<std::int32_t>(points.size());
+            const TriangleMesh box = test::box_mesh(low[k], high[k]);
+            points.insert(points.end(), box.points().begin(), box.points().end());
+            for (auto [p, q, r] : box.triangles()) {
+                if (inwards[k])
+                    std::swap(q, r);
+                triangles.push_back({p + shift, q + shift, r + shift});
+            }
+        }
+        return {std::move(points), std::move(triangles)};
+    }
+    double size(std::size_t k) const { return (high[k] - low[k]).prod(); }
+    // By looking at all of them: a box encloses another if its sides do.
+    std::size_t outermost_around(std::size_t inner) const
+    {
+        std::size_t outermost = inner;
+        for (std::size_t k = 0; k < low.size(); ++k)
+            if ((low[k].array() < low[inner].array()).all() &&
+                (high[k].array() > high[inner].array()).all() &&
+                size(k) > size(outermost))
+                outermost = k;
+        return outermost;
+    }
+};
+
+TEST(Oriented, TurnsThousandsOfBodiesInAPlaneAcrossAnAxisAtOnce)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        Boxes boxes;
+        for (int k = 0; k < 20'000; ++k) {
+            Vec3 low = Vec3::Zero();
+            low[(axis + 1) % 3] = 2 * (k % 100);
+            low[(axis + 2) % 3] = 2 * (k / 100);
+            boxes.add(low, low + Vec3::Ones(), k % 4 == 0);
+        }
+        const OrientedMesh result = oriented(boxes.mesh());
+        EXPECT_EQ(result.turned_triangles, 12U * 5000);
+        EXPECT_NEAR(volume(result.mesh), 20'000, 1e-7);
+    }
+}
+
+TEST(Oriented, TurnsThousandsOfNestedShellsWithTheOutermostAtOnce)
+{
+    test::Random random{3};
+    for (const bool outermost_inwards : {true, false}) {
+        Boxes shells;
+        for (int k = 1; k < 5000; ++k)
+            shells.add(Vec3::Constant(-k), Vec3::Constant(k), random.uniform(0, 1) < 0.5);
+        shells.add(Vec3::Constant(-5000), Vec3::Constant(5000), outermost_inwards);
+        EXPECT_EQ(oriented(shells.mesh()).turned_triangles,
+                  outermost_inwards ? 12U * 5000 : 0U);
+    }
+}
+
+TEST(Oriented, OfBoxesThatLieAnyhowIsWhatLookingAtAllPairsFinds)
+{
+    test::Random random{4};
+    for (const double largest : {0.2, 2.0, 9.0}) {
+        Boxes boxes;
+        for (int k = 0; k < 1000; ++k) {
+            const Vec3 centre = test::random_point(random, 10);
+            Vec3 half;
+            for (double& side : half)
+                side = largest * random.uniform(0.01, 1) * random.uniform(0.01, 1);
+            boxes.add(centre - half, centre + half, random.uniform(0, 1) < 0.5);
+        }
+        const TriangleMesh given = boxes.mesh();
+        const OrientedMesh result = oriented(given);
+        for (std::size_t k = 0; k < boxes.low.size(); ++k) {
+            const bool turned =
+                result.mesh.triangles()[12 * k] != given.triangles()[12 * k];
+            EXPECT_EQ(turned, boxes.inwards[boxes.outermost_around(k)]) << k;
+        }
+    }
+}
+
+TEST(Oriented, TellsWhatIsInATorusFromWhatIsInItsHole)
+{
+    test::Random random{5};
+    const std::vector<Vec3> on_torus = test::points_of(torus);
+    for (const bool is_level_with_its_points : {false, true}) {
+        Boxes boxes;
+        std::size_t inside = 0;
+        while (boxes.low.size() < 400) {
+            Vec3 place = test::random_point(random, 3.9);
+            place.z() /= 4;
+            if (is_level_with_its_points) {
+                const auto k = static_cast<std::size_t>(random.uniform(0, 600));
+                place.tail<2>() = on_torus[k].tail<2>();
+            }
+            const double from_circle =
+                std::hypot(std::hypot(place.x(), place.y()) - 3, place.z());
+            if (std::abs(place.z()) > 0.98 || std::abs(from_circle - 1) < 0.05)
+                continue;
+            boxes.add(place, place + Vec3::Constant(1e-3), false);
+            inside += from_circle < 1;
+        }
+        ASSERT_GT(inside, 50U);
+        ASSERT_LT(inside, 350U);
+        const OrientedMesh result = oriented(test::both(inside_out(torus), boxes.mesh()));
+        EXPECT_EQ(result.turned_triangles, torus.triangles().size() + 12 * inside);
+    }
 }
 
 TEST(Oriented, LeavesAMoebiusStripAloneAndSaysSo)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/io/part_file.h"
 
+#include <algorithm>
+#include <cctype>
+#include <string_view>
 #include <utility>
 
 #include "endmill/core/error.h"
@@ -25,28 +28,77 @@ PartFile surface_part(const std::string& content, const std::filesystem::path& p
             std::move(file.notes)};
 }
 
+std::string counted(std::size_t count, const std::string& thing)
+{
+    return std::to_string(count) + ' ' + thing + (count == 1 ? " was " : "s were ");
+}
+
+// Whether `oriented` may find something to turn. Bodies beside each other, or that touch
+// along an edge, may each be inside out whatever the sign of their common volume.
+bool may_be_turned(const MeshReport& report)
+{
+    return report.inconsistent_edges > 0 || report.components > 1 ||
+           report.non_manifold_edges > 0 || (report.volume && *report.volume < 0);
+}
+
+// What `oriented` takes at most, the mesh and its copy included.
+double bytes_to_orient(const TriangleMesh& mesh, const MeshReport& report)
+{
+    constexpr double bytes_per_point = 64;
+    constexpr double bytes_per_triangle = 160;
+    constexpr double bytes_per_piece = 700;
+    // Pieces end at edges of more than two triangles; components do not.
+    const auto pieces = std::min<std::size_t>(
+        report.components + 2 * report.non_manifold_edges, mesh.triangles().size());
+    return bytes_per_point * static_cast<double>(mesh.points().size()) +
+           bytes_per_triangle * static_cast<double>(mesh.triangles().size()) +
+           bytes_per_piece * static_cast<double>(pieces);
+}
+
+void put_right(MeshFile& file)
+{
+    OrientedMesh upright = oriented(file.mesh);
+    file.mesh = std::move(upright.mesh);
+    if (upright.turned_triangles > 0) {
+        const auto volume = mesh_report(file.mesh).volume;
+        const bool is_solid = volume && *volume > 0;
+        file.notes.push_back(
+            counted(upright.turned_triangles, "triangle") + "turned over, so that " +
+            (is_solid ? "all face outwards"
+                      : "neighbours face the same side and closed pieces outwards"));
+    }
+    if (upright.unorientable > 0)
+        file.notes.push_back(counted(upright.unorientable, "piece") +
+                             "left as read, of one side only, like a Moebius strip");
+}
+
 PartFile mesh_part(std::string content, const std::filesystem::path& path,
                    const MeshReadOptions& options)
 {
     MeshFile file = parse_mesh(std::move(content), path, options);
     const MeshReport report = mesh_report(file.mesh);
-    if (report.inconsistent_edges > 0 || (report.volume && *report.volume < 0)) {
-        OrientedMesh upright = oriented(file.mesh);
-        file.mesh = std::move(upright.mesh);
-        if (upright.turned_triangles > 0)
-            file.notes.push_back(
-                std::to_string(upright.turned_triangles) +
-                " triangles were turned over, so that all face outwards");
+    if (may_be_turned(report)) {
+        require_memory(shown_path(path), bytes_to_orient(file.mesh, report),
+                       options.limits);
+        put_right(file);
     }
     return {std::move(file.name), {},
             std::move(file.mesh), file.degenerate_triangles,
             file.welded_points,   std::move(file.notes)};
 }
 
+bool is_letter_case_apart(unsigned char a, unsigned char b)
+{
+    return std::tolower(a) == std::tolower(b);
+}
+
 // A file named for a surface is read as one, so that its faults are told as such.
 bool is_surface(const std::string& content, const std::filesystem::path& path)
 {
-    return path.extension() == ".json" || recognized_format(content) == "JSON";
+    const std::string extension = path.extension().string();
+    return std::ranges::equal(extension, std::string_view{".json"},
+                              is_letter_case_apart) ||
+           recognized_format(content) == "JSON";
 }
 
 }  // namespace

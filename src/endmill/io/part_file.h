@@ -21,9 +21,11 @@ struct PartFile {
     std::vector<std::string> notes;    ///< what a reader should know
 };
 
-/// Reads a surface file, told by its content, or else a mesh file. A mesh whose triangles
-/// are turned over is put right (`oriented`) with a note.
-/// \throws FormatError, LimitError as `read_surface` and `read_mesh`.
+/// Reads a surface file, told by its content or the extension .json, in capitals or not;
+/// or else a mesh file. Pieces of a mesh that are turned over, or of which triangles are,
+/// are put right (`oriented`); a note says so, and how many have one side only.
+/// \throws FormatError, LimitError as `read_surface` and `read_mesh`; LimitError also if
+/// putting right needs more memory than the limit.
 /// \throws DomainError if units or an upward axis are given for a surface, whose file
 /// speaks for itself.
 PartFile read_part(const std::filesystem::path& path,

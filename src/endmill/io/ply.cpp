@@ -20,6 +20,8 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr std::size_t longest_echo = 40;
 constexpr std::size_t least_corners = 3;  // of a face that is not refused
+// Of a corner while its face is split: its number twice, and its point (raw_mesh.h).
+constexpr double bytes_per_corner = 2 * sizeof(std::int32_t) + sizeof(Vec3);
 
 // The numbers after an ASCII header: an item a line.
 class AsciiItems {
@@ -282,7 +284,13 @@ private:
     void read_corners(const PlyProperty& property)
     {
         const std::size_t count = list_length(property);
+        require_memory(source_.file,
+                       static_cast<double>(source_.content.size()) +
+                           sizeof(Vec3) * static_cast<double>(mesh_.points()) +
+                           bytes_per_corner * static_cast<double>(count),
+                       source_.limits);
         corners_.clear();
+        corners_.reserve(count);
         for (std::size_t i = 0; i < count; ++i) {
             const FilePlace place = items_.place();
             corners_.push_back(point_number(source_, items_.whole_number(property.type),

@@ -56,6 +56,7 @@ void RawMeshBuilder::require_corners(std::span<const std::int32_t> corners,
 void RawMeshBuilder::add_fan(std::span<const std::int32_t> corners, FilePlace place)
 {
     polygon_.clear();
+    polygon_.reserve(corners.size());
     for (const std::int32_t corner : corners)
         polygon_.push_back(points_[corner]);
     const auto hub = fan_corner(polygon_);

@@ -56,6 +56,14 @@ double patch_bytes(const SplineParameter& u, const SplineParameter& v)
     return along(u) * along(v) * 4 * sizeof(double);
 }
 
+// The same for a height grid, a cell of which takes a bicubic patch of 440 bytes; on top
+// come the heights, in the tree, as numbers and as control points.
+double grid_bytes(std::size_t columns, std::size_t rows)
+{
+    constexpr double bytes_per_height = 560;
+    return bytes_per_height * static_cast<double>(columns) * static_cast<double>(rows);
+}
+
 ExpectedCount points_along(const SplineParameter& parameter, const std::string& name)
 {
     return {static_cast<std::size_t>(parameter.points()),
@@ -84,6 +92,14 @@ void require_rising(const JsonValue& value, const std::vector<double>& lines)
                 "grid lines that rise, each by more than 1e-9 of the range", "E_SURFACE");
 }
 
+// Not by an initializer list, which would copy the surface.
+std::vector<Surface> alone(Surface surface)
+{
+    std::vector<Surface> surfaces;
+    surfaces.push_back(std::move(surface));
+    return surfaces;
+}
+
 }  // namespace
 
 std::vector<Surface> read_bezier(const SurfaceNumbers& numbers)
@@ -99,8 +115,9 @@ std::vector<Surface> read_bezier(const SurfaceNumbers& numbers)
     const ControlNet net = read_net(numbers.root.member("control_points"), numbers,
                                     points(patches_u, "3 patches_u + 1"),
                                     points(patches_v, "3 patches_v + 1"));
-    return {composite_bezier(static_cast<int>(patches_u), static_cast<int>(patches_v),
-                             net.points, numbers.tool_side)};
+    return alone(composite_bezier(static_cast<int>(patches_u),
+                                  static_cast<int>(patches_v), net.points,
+                                  numbers.tool_side));
 }
 
 std::vector<Surface> read_nurbs(const SurfaceNumbers& numbers)
@@ -114,7 +131,7 @@ std::vector<Surface> read_nurbs(const SurfaceNumbers& numbers)
     if (const auto weights = numbers.root.find_member("weights"))
         nurbs.weights = read_weights(*weights, columns, rows);
     require_memory(numbers.file, patch_bytes(nurbs.u, nurbs.v), numbers.limits);
-    return {nurbs_surface(nurbs, numbers.tool_side)};
+    return alone(nurbs_surface(nurbs, numbers.tool_side));
 }
 
 std::vector<Surface> read_bezier_patches(const SurfaceNumbers& numbers)
@@ -146,14 +163,11 @@ std::vector<Surface> read_height_grid(const SurfaceNumbers& numbers)
     const std::vector<double> y = read_lengths(y_value, numbers);
     require_rising(x_value, x);
     require_rising(y_value, y);
-    // Each height becomes a patch of 16 points about, and a few numbers while it does.
-    constexpr double bytes_per_height = 600;
-    require_memory(numbers.file, bytes_per_height * double(x.size()) * double(y.size()),
-                   numbers.limits);
     const std::vector<double> z =
         read_length_rows(numbers.root.member("z"), numbers, {x.size(), "length of x"},
                          {y.size(), "length of y"});
-    const Surface surface = height_grid(x, y, z, numbers.tool_side);
+    require_memory(numbers.file, grid_bytes(x.size(), y.size()), numbers.limits);
+    Surface surface = height_grid(x, y, z, numbers.tool_side);
     const double most = numbers.limits.max_extent_mm;
     const auto [low, high] = extent(surface, Vec3::UnitZ());
     if (std::max(-low, high) > most)
@@ -162,7 +176,7 @@ std::vector<Surface> read_height_grid(const SurfaceNumbers& numbers)
                 " mm",
             "at most " + to_text(most) + " mm: grid lines that are spaced more evenly",
             "E_RANGE");
-    return {surface};
+    return alone(std::move(surface));
 }
 
 }  // namespace endmill
