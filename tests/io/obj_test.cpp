@@ -88,10 +88,15 @@ TEST(ParseObj, RefusesWhatIsNoMesh)
     EXPECT_EQ(complaint_about("v 0 0 0 white\n"),
               "E_OBJ_SYNTAX f.obj:1: \"white\"; expected a number");
     for (const std::string corner : {"x", "1/", "1//", "1/2/", "1/2/3/4", "/1", "1.0",
-                                     "1/a", "1\\", "\\", "99999999999999999999"})
-        EXPECT_EQ(complaint_about(points + "f 1 2 " + corner + "\n"),
+                                     "1/a", "1\\", "\\", "99999999999999999999"}) {
+        std::string text = points;
+        text += "f 1 2 ";
+        text += corner;
+        text += "\n";
+        EXPECT_EQ(complaint_about(text),
                   "E_OBJ_SYNTAX f.obj:5: \"" + corner +
                       "\"; expected a corner: v, v/vt, v//vn or v/vt/vn");
+    }
 }
 
 // Rows 31 to 33 of the malformed inputs.

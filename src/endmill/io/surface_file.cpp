@@ -165,21 +165,26 @@ bool is_pole(const Surface& surface, Parameter along, int end)
 }
 
 // A border whose control points are one is a pole: sound, but without a normal there.
+std::string pole_note(const Surface& surface, Parameter along, int end,
+                      const std::string& of_patch)
+{
+    const Interval range = surface.range(along);
+    return "pole: the border " + std::string{along == Parameter::U ? "u" : "v"} + " = " +
+           to_text(end == 0 ? range.low : range.high) + of_patch +
+           " is a single point, without a normal";
+}
+
 std::vector<std::string> pole_notes(std::span<const Surface> surfaces)
 {
     std::vector<std::string> notes;
-    for (std::size_t number = 0; number < surfaces.size(); ++number)
+    for (std::size_t number = 0; number < surfaces.size(); ++number) {
+        const std::string of_patch =
+            surfaces.size() > 1 ? " of patch " + std::to_string(number) : "";
         for (const Parameter along : {Parameter::U, Parameter::V})
-            for (const int end : {0, 1}) {
-                if (!is_pole(surfaces[number], along, end))
-                    continue;
-                const Interval range = surfaces[number].range(along);
-                notes.push_back(
-                    "pole: the border " + std::string{along == Parameter::U ? "u" : "v"} +
-                    " = " + to_text(end == 0 ? range.low : range.high) +
-                    (surfaces.size() > 1 ? " of patch " + std::to_string(number) : "") +
-                    " is a single point, without a normal");
-            }
+            for (const int end : {0, 1})
+                if (is_pole(surfaces[number], along, end))
+                    notes.push_back(pole_note(surfaces[number], along, end, of_patch));
+    }
     return notes;
 }
 

@@ -33,23 +33,45 @@ double greatest_corner(const Eigen::ArrayXXd& net)
         {net(0, 0), net(last_row, 0), net(0, last_column), net(last_row, last_column)});
 }
 
+template <class Use>
+void for_each_patch(const Surface& surface, const Use& use)
+{
+    for (int j = 0; j < surface.patches(Parameter::V); ++j)
+        for (int i = 0; i < surface.patches(Parameter::U); ++i)
+            use(surface.patch(i, j));
+}
+
+Eigen::ArrayXXd heights_of(const BernsteinNet& height, const BernsteinNet& weight)
+{
+    return height.array() / weight.array();
+}
+
 // Greatest r . direction; attained by a point of the surface.
 double greatest_height(const Surface& surface, const Vec3& direction)
 {
-    std::priority_queue<BoundedPiece> pieces;
     double attained = -std::numeric_limits<double>::infinity();
-    const auto add = [&](BernsteinPiece height, BernsteinPiece weight) {
-        const Eigen::ArrayXXd heights = height.net.array() / weight.net.array();
-        attained = std::max(attained, greatest_corner(heights));
-        pieces.push({heights.maxCoeff(), std::move(height), std::move(weight)});
+    for_each_patch(surface, [&](const BezierPatch& patch) {
+        attained = std::max(
+            attained,
+            greatest_corner(heights_of(height_net(patch, direction), weight_net(patch))));
+    });
+    const auto may_reach_higher = [&](double bound) {
+        return bound >
+               attained + bound_gap * surface.diagonal() + rounding * std::abs(attained);
     };
-    for (int j = 0; j < surface.patches(Parameter::V); ++j)
-        for (int i = 0; i < surface.patches(Parameter::U); ++i)
-            add({height_net(surface.patch(i, j), direction), {0, 0}, 1, 1},
-                {weight_net(surface.patch(i, j)), {0, 0}, 1, 1});
-    while (!pieces.empty() && pieces.top().bound > attained +
-                                                       bound_gap * surface.diagonal() +
-                                                       rounding * std::abs(attained)) {
+    std::priority_queue<BoundedPiece> pieces;
+    const auto add = [&](BernsteinPiece height, BernsteinPiece weight) {
+        const Eigen::ArrayXXd heights = heights_of(height.net, weight.net);
+        attained = std::max(attained, greatest_corner(heights));
+        const double bound = heights.maxCoeff();
+        if (may_reach_higher(bound))
+            pieces.push({bound, std::move(height), std::move(weight)});
+    };
+    for_each_patch(surface, [&](const BezierPatch& patch) {
+        add({height_net(patch, direction), {0, 0}, 1, 1},
+            {weight_net(patch), {0, 0}, 1, 1});
+    });
+    while (!pieces.empty() && may_reach_higher(pieces.top().bound)) {
         auto [low, high] = halves(pieces.top().height);
         auto [low_weight, high_weight] = halves(pieces.top().weight);
         pieces.pop();

@@ -131,8 +131,8 @@ SurfaceJet IsoLine::jet_of(const Piece& piece, double t, double slope)
     const auto vector = [&](int along, int across) -> Vec3 {
         return partials.col(along).segment<3>(across * coordinates);
     };
-    const SurfaceJet jet{vector(0, 0), vector(1, 0), vector(0, 1),
-                         vector(2, 0), vector(1, 1), vector(0, 2)};
+    SurfaceJet jet{vector(0, 0), vector(1, 0), vector(0, 1),
+                   vector(2, 0), vector(1, 1), vector(0, 2)};
     if (!piece.is_rational)
         return jet;
     Eigen::Matrix3d weights;

@@ -202,10 +202,9 @@ std::vector<double> sample_lines(const Surface& surface, Parameter along,
     if (per_patch < 1) {
         const int lines =
             std::max(2, static_cast<int>(per_patch * double(breaks.size())));
-        std::vector<double> values;
+        std::vector<double> values(lines);
         for (int k = 0; k < lines; ++k)
-            values.push_back(
-                std::lerp(breaks.front(), breaks.back(), k / double(lines - 1)));
+            values[k] = std::lerp(breaks.front(), breaks.back(), k / double(lines - 1));
         return values;
     }
     const int steps = static_cast<int>(per_patch);

@@ -131,67 +131,88 @@ private:
         return points;
     }
 
+    // The points of a patch of n by m cells: those of its sides, and its own.
+    struct PatchPoints {
+        int n;
+        int m;
+        const SidePoints& low_v;
+        const SidePoints& high_u;
+        const SidePoints& high_v;
+        const SidePoints& low_u;
+        Index inner;  // the first of its own
+
+        Index at(int k, int l) const
+        {
+            if (l == 0 || l == m)
+                return on_side(l == 0 ? low_v : high_v, k, n);
+            if (k == 0 || k == n)
+                return on_side(k == 0 ? low_u : high_u, l, m);
+            return inner + (l - 1) * (n - 1) + k - 1;
+        }
+
+        bool is_inside(int k, int l) const
+        {
+            return k > 0 && k + 1 < n && l > 0 && l + 1 < m;
+        }
+
+        static Index on_side(const SidePoints& side, int part, int parts)
+        {
+            return side[part * ((side.size() - 1) / parts)];
+        }
+    };
+
     void draw_patch(int i, int j)
     {
         const PatchLevels levels = levels_.patch(i, j);
         const int n = 1 << levels.u;
         const int m = 1 << levels.v;
-        const SidePoints* low_v = &along_u_[j * columns_ + i];
-        const SidePoints* high_v = &along_u_[(j + 1) * columns_ + i];
-        const SidePoints* low_u = &along_v_[j * (columns_ + 1) + i];
-        const SidePoints* high_u = &along_v_[j * (columns_ + 1) + i + 1];
-        const auto inner = static_cast<Index>(draft_.points.size());
+        const PatchPoints points{n,
+                                 m,
+                                 along_u_[j * columns_ + i],
+                                 along_v_[j * (columns_ + 1) + i + 1],
+                                 along_u_[(j + 1) * columns_ + i],
+                                 along_v_[j * (columns_ + 1) + i],
+                                 static_cast<Index>(draft_.points.size())};
         for (int l = 1; l < m; ++l)
             for (int k = 1; k < n; ++k)
                 add(i, j,
                     {parameter(Parameter::U, i, k, n), parameter(Parameter::V, j, l, m)});
-        const auto point = [&](int k, int l) -> Index {
-            if (l == 0)
-                return (*low_v)[k * ((low_v->size() - 1) / n)];
-            if (l == m)
-                return (*high_v)[k * ((high_v->size() - 1) / n)];
-            if (k == 0)
-                return (*low_u)[l * ((low_u->size() - 1) / m)];
-            if (k == n)
-                return (*high_u)[l * ((high_u->size() - 1) / m)];
-            return inner + (l - 1) * (n - 1) + k - 1;
-        };
-        std::vector<Index> outline;
         for (int l = 0; l < m; ++l)
-            for (int k = 0; k < n; ++k) {
-                if (k > 0 && k + 1 < n && l > 0 && l + 1 < m) {
-                    draw_quadrangle(point(k, l), point(k + 1, l), point(k + 1, l + 1),
-                                    point(k, l + 1));
-                    continue;
-                }
-                outline.clear();
-                append_part(outline, l == 0 ? low_v : nullptr, k, n, false, point(k, l));
-                append_part(outline, k + 1 == n ? high_u : nullptr, l, m, false,
-                            point(k + 1, l));
-                append_part(outline, l + 1 == m ? high_v : nullptr, k, n, true,
-                            point(k + 1, l + 1));
-                append_part(outline, k == 0 ? low_u : nullptr, l, m, true,
-                            point(k, l + 1));
-                draw_cell(outline, {i,
-                                    j,
-                                    {parameter(Parameter::U, i, 2 * k + 1, 2 * n),
-                                     parameter(Parameter::V, j, 2 * l + 1, 2 * m)}});
-            }
+            for (int k = 0; k < n; ++k)
+                if (points.is_inside(k, l))
+                    draw_quadrangle(points.at(k, l), points.at(k + 1, l),
+                                    points.at(k + 1, l + 1), points.at(k, l + 1));
+                else
+                    draw_cell(outline(points, k, l),
+                              {i,
+                               j,
+                               {parameter(Parameter::U, i, 2 * k + 1, 2 * n),
+                                parameter(Parameter::V, j, 2 * l + 1, 2 * m)}});
     }
 
-    // Appends the points of part `number` of `parts` of a side, but for the last: all that
-    // the side has there, or only `first` if it is no side of the patch.
-    static void append_part(std::vector<Index>& outline, const SidePoints* side,
-                            int number, int parts, bool backwards, Index first)
+    // All points around cell (k, l), counter-clockwise in u and v.
+    static std::vector<Index> outline(const PatchPoints& points, int k, int l)
     {
-        if (!side) {
-            outline.push_back(first);
-            return;
-        }
-        const auto steps = static_cast<int>(side->size() - 1) / parts;
-        for (int k = 0; k < steps; ++k)
-            outline.push_back(
-                (*side)[backwards ? (number + 1) * steps - k : number * steps + k]);
+        const auto& [n, m, low_v, high_u, high_v, low_u, inner] = points;
+        std::vector<Index> outline;
+        const auto append = [&](const SidePoints& side, int part, int parts,
+                                bool backwards) {
+            const auto steps = static_cast<int>(side.size() - 1) / parts;
+            for (int step = 0; step < steps; ++step)
+                outline.push_back(
+                    side[backwards ? (part + 1) * steps - step : part * steps + step]);
+        };
+        const SidePoints bottom{points.at(k, l), points.at(k + 1, l)};
+        const SidePoints right{points.at(k + 1, l), points.at(k + 1, l + 1)};
+        const SidePoints top{points.at(k, l + 1), points.at(k + 1, l + 1)};
+        const SidePoints left{points.at(k, l), points.at(k, l + 1)};
+        // A side of the patch may have more points there than the cell's two.
+        append(l == 0 ? low_v : bottom, l == 0 ? k : 0, l == 0 ? n : 1, false);
+        append(k + 1 == n ? high_u : right, k + 1 == n ? l : 0, k + 1 == n ? m : 1,
+               false);
+        append(l + 1 == m ? high_v : top, l + 1 == m ? k : 0, l + 1 == m ? n : 1, true);
+        append(k == 0 ? low_u : left, k == 0 ? l : 0, k == 0 ? m : 1, true);
+        return outline;
     }
 
     // Split along its shorter diagonal.
@@ -354,6 +375,7 @@ SampledSurface sampled(std::span<const Surface> surfaces, std::span<const double
             piece_sides.push_back(sides[number]);
         }
     std::vector<SamplingLevels> levels;
+    levels.reserve(pieces.size());
     for (const Surface& piece : pieces)
         levels.emplace_back(piece, chord_tolerance);
     const bool meet = match_meeting_sides(pieces, levels);
