@@ -40,6 +40,12 @@ ExitCode run_info(const InfoOptions& options)
             throw DomainError{options.part.path +
                               ": --require g1 is for surfaces; found a mesh"};
         const Json summary = mesh_summary(file, options.part);
+        if (summary["non_manifold_edges"] != 0)
+            warn(options.common, options.part.path + ": " +
+                                     summary["non_manifold_edges"].dump() +
+                                     " edges belong to more than two triangles, the "
+                                     "first between points " +
+                                     summary["first_non_manifold_edge"].dump());
         write_summary(options, summary);
         print_result(options.common, summary, mesh_text(summary));
         return ExitCode::Yes;

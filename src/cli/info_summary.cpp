@@ -127,6 +127,9 @@ Json mesh_summary(const PartFile& file, const PartOptions& options)
     summary["components"] = report.components;
     summary["boundary_edges"] = report.boundary_edges;
     summary["non_manifold_edges"] = report.non_manifold_edges;
+    summary["first_non_manifold_edge"] = report.first_non_manifold_edge
+                                             ? Json(*report.first_non_manifold_edge)
+                                             : Json(nullptr);
     summary["inconsistent_edges"] = report.inconsistent_edges;
     summary["degenerate"] = file.degenerate_triangles;
     summary["welded"] = file.welded_points;

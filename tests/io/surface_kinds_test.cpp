@@ -175,6 +175,16 @@ TEST(SurfaceKinds, PatchOfAPoleIsNamed)
                                      "point, without a normal"));
 }
 
+TEST(SurfaceKinds, CornerWithoutANormalIsNamed)
+{
+    // at the corner (1, 0) both partials go along x
+    EXPECT_THAT(parse_surface(start + R"("bezier-patches", "patches": [
+ [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [2, 0, 0]]]]})",
+                              "f")
+                    .notes,
+                testing::ElementsAre("pole: the corner u = 1, v = 0 has no normal"));
+}
+
 TEST(SurfaceKinds, MemoryOfTheirPatchesIsCountedBeforeItIsTaken)
 {
     std::string knots = "0";

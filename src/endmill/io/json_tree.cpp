@@ -227,7 +227,9 @@ private:
             message.erase(echo, message.rfind('\'') + 1 - echo);
         const auto split = message.rfind(before_expected);
         if (split == std::string::npos)
-            return {printable(message, longest_message), "valid JSON"};
+            return {printable(message, longest_message),
+                    message.starts_with("number overflow") ? "a finite number"
+                                                           : "valid JSON"};
         return {printable(message.substr(0, split), longest_message),
                 printable(message.substr(split + before_expected.size()), longest_echo)};
     }

@@ -174,6 +174,27 @@ std::string pole_note(const Surface& surface, Parameter along, int end,
            " is a single point, without a normal";
 }
 
+// A corner whose partials are parallel, or one of them vanishes, though both sides have
+// a length.
+std::vector<std::string> corner_notes(const Surface& surface, const std::string& of_patch)
+{
+    std::vector<std::string> notes;
+    for (const int end_u : {0, 1})
+        for (const int end_v : {0, 1}) {
+            if (is_pole(surface, Parameter::U, end_u) ||
+                is_pole(surface, Parameter::V, end_v))
+                continue;
+            const Interval u = surface.range(Parameter::U);
+            const Interval v = surface.range(Parameter::V);
+            const SurfacePoint at{end_u == 0 ? u.low : u.high,
+                                  end_v == 0 ? v.low : v.high};
+            if (is_singular(surface.tangents(at.u, at.v)))
+                notes.push_back("pole: the corner u = " + to_text(at.u) +
+                                ", v = " + to_text(at.v) + of_patch + " has no normal");
+        }
+    return notes;
+}
+
 std::vector<std::string> pole_notes(std::span<const Surface> surfaces)
 {
     std::vector<std::string> notes;
@@ -184,6 +205,8 @@ std::vector<std::string> pole_notes(std::span<const Surface> surfaces)
             for (const int end : {0, 1})
                 if (is_pole(surfaces[number], along, end))
                     notes.push_back(pole_note(surfaces[number], along, end, of_patch));
+        for (std::string& note : corner_notes(surfaces[number], of_patch))
+            notes.push_back(std::move(note));
     }
     return notes;
 }
