@@ -57,7 +57,8 @@ function(endmill_module name)
     add_executable(endmill_${name}_test ${tests})
     target_link_libraries(endmill_${name}_test PRIVATE endmill::${name} endmill_test_support
                           endmill_warnings GTest::gtest_main)
-    target_compile_options(endmill_${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_compile_options(endmill_${name}_test PRIVATE $<$<CONFIG:Release>:-O1>
+                           $<$<CONFIG:Asan>:-O0>)
     endmill_precompile(endmill_${name}_test <gtest/gtest.h>)
     gtest_discover_tests(endmill_${name}_test TEST_PREFIX ${name}. PROPERTIES LABELS ${name})
   endif()
