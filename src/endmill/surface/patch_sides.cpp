@@ -10,6 +10,8 @@ namespace endmill {
 namespace {
 
 constexpr double same_end_share = 1e-6;  // of the part's size
+// More sides at one place belong to patches that lie on each other: enough are told.
+constexpr int most_partners = 8;
 
 // Neighbours by this number if the ends of two sides are the same: their sum, seen in a
 // direction that patches do not usually stand in.
@@ -118,13 +120,17 @@ std::vector<std::pair<std::size_t, std::size_t>> meeting_sides(
     std::ranges::stable_sort(
         order, {}, [&](std::size_t number) { return middle_of_ends(sides[number]); });
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    for (auto one = order.begin(); one != order.end(); ++one)
+    for (auto one = order.begin(); one != order.end(); ++one) {
+        int partners = 0;
         for (auto other = one + 1;
-             other != order.end() &&
+             other != order.end() && partners < most_partners &&
              middle_of_ends(sides[*other]) <= middle_of_ends(sides[*one]) + 4 * same_end;
              ++other)
-            if (meet(sides[*one], sides[*other], same_end))
+            if (meet(sides[*one], sides[*other], same_end)) {
                 pairs.emplace_back(std::min(*one, *other), std::max(*one, *other));
+                ++partners;
+            }
+    }
     return pairs;
 }
 

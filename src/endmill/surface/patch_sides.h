@@ -34,7 +34,8 @@ struct PatchSide {
 std::vector<PatchSide> patch_sides(std::span<const Surface> surfaces);
 
 /// Pairs of `sides`, by their numbers, whose ends are the same two points to `same_end`
-/// mm, in either order, and between them lie beside each other.
+/// mm, in either order, and between them lie beside each other; of very many sides at one
+/// place, each with 8 others.
 std::vector<std::pair<std::size_t, std::size_t>> meeting_sides(
     std::span<const PatchSide> sides, double same_end);
 
