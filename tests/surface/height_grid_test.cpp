@@ -92,9 +92,9 @@ TEST(HeightGrid, ConvergesWithTheFourthPower)
     const auto wave = [](double x, double y) { return std::sin(x) * std::cos(0.7 * y); };
     double before = 1;
     for (const int lines : {11, 21, 41}) {
-        std::vector<double> grid;
+        std::vector<double> grid(lines);
         for (int k = 0; k < lines; ++k)
-            grid.push_back(4.0 * k / (lines - 1));
+            grid[k] = 4.0 * k / (lines - 1);
         const Surface surface = height_grid(grid, grid, heights(grid, grid, wave));
         double worst = 0;
         for (double u = 0.01; u < 4; u += 0.037)

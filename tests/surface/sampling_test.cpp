@@ -46,10 +46,10 @@ double measured_error(const Surface& surface, const TriangleMesh& mesh)
 
 TEST(Sampling, KeepsItsToleranceOnEveryKindOfSurface)
 {
-    std::vector<double> x;
+    std::vector<double> x(9);
     std::vector<double> z;
     for (int k = 0; k < 9; ++k)
-        x.push_back(5.0 * k);
+        x[k] = 5.0 * k;
     for (const double b : x)
         for (const double a : x)
             z.push_back(4 * std::sin(0.2 * a) * std::cos(0.17 * b));
