@@ -46,8 +46,9 @@ TEST(BendBounds, HoldAndAreOfUse)
                     EXPECT_GE(piece.uu, sampled.uu * (1 - 1e-12) - 1e-9);
                     EXPECT_GE(piece.uv, sampled.uv * (1 - 1e-12) - 1e-9);
                     EXPECT_GE(piece.vv, sampled.vv * (1 - 1e-12) - 1e-9);
-                    const double useful = rational ? 100 : 2;
-                    EXPECT_LE(piece.vv, useful * sampled.vv + 10);
+                    if (!rational) {  // else only safe: the terms of Leibniz add up
+                        EXPECT_LE(piece.vv, 2 * sampled.vv + 10);
+                    }
                 }
         }
 }
@@ -65,6 +66,7 @@ TEST(BendBounds, OfAnArcAreNearItsSecondDerivative)
         EXPECT_EQ(piece.uu, 0);
     }
     EXPECT_GE(bound, sampled);
+    // 2.2 when this was written, and no more is known: a guard, not a promise.
     EXPECT_LE(bound, 2.5 * sampled);
 }
 
