@@ -41,10 +41,10 @@ ExitCode run_info(const InfoOptions& options)
                               ": --require g1 is for surfaces; found a mesh"};
         const Json summary = mesh_summary(file, options.part);
         if (summary["non_manifold_edges"] != 0)
-            warn(options.common, options.part.path + ": " +
+            warn(options.common, options.part.path +
+                                     ": edges of more than two triangles: " +
                                      summary["non_manifold_edges"].dump() +
-                                     " edges belong to more than two triangles, the "
-                                     "first between points " +
+                                     ", the first between points " +
                                      summary["first_non_manifold_edge"].dump());
         write_summary(options, summary);
         print_result(options.common, summary, mesh_text(summary));

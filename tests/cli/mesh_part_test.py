@@ -39,7 +39,7 @@ class MeshPart(ProgramTest):
         fan = "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n"
         done = endmill("info", self.file(fan, "fan.obj"))
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("1 edges belong to more than two triangles, the first between points [0,1]", done.stderr)
+        self.assertIn("edges of more than two triangles: 1, the first between points [0,1]", done.stderr)
 
     def test_units_and_up_turn_it_upright(self):
         facts = self.summary("info", self.file(BOX, "box.obj"), "--units", "inch", "--up", "x")

@@ -146,5 +146,12 @@ TEST(Numbers, DoNotDependOnTheLocale)
     std::setlocale(LC_ALL, "C");
 }
 
+TEST(Numbers, CountThingsInTheSingularOrThePlural)
+{
+    EXPECT_EQ(counted(0, "point"), "0 points");
+    EXPECT_EQ(counted(1, "point"), "1 point");
+    EXPECT_EQ(counted(12, "point"), "12 points");
+}
+
 }  // namespace
 }  // namespace endmill

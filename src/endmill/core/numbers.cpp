@@ -38,4 +38,11 @@ std::optional<double> number_from_text(std::string_view text)
     return value;
 }
 
+std::string counted(std::size_t count, std::string_view thing)
+{
+    std::string text = std::to_string(count) + ' ';
+    text += thing;
+    return count == 1 ? text : text + 's';
+}
+
 }  // namespace endmill

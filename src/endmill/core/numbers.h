@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,5 +19,8 @@ void append_text(std::string& text, double value);
 /// \return nothing if `text` is not one decimal number, or if it overflows, underflows
 /// to zero, or spells infinity or NaN.
 std::optional<double> number_from_text(std::string_view text);
+
+/// "1 point", "2 points".
+std::string counted(std::size_t count, std::string_view thing);
 
 }  // namespace endmill

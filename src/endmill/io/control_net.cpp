@@ -68,11 +68,6 @@ std::vector<double> read_rows(const JsonValue& value, const ExpectedCount& colum
 
 }  // namespace
 
-std::string counted(std::size_t count, const char* thing)
-{
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
 ControlNet read_net(const JsonValue& value, const SurfaceNumbers& numbers,
                     const std::optional<ExpectedCount>& columns,
                     const std::optional<ExpectedCount>& rows)

@@ -12,9 +12,6 @@
 
 namespace endmill {
 
-/// "1 point", "2 points".
-std::string counted(std::size_t count, const char* thing);
-
 /// How many rows and columns an array must have, and why, for a message.
 struct ExpectedCount {
     std::size_t count;

@@ -63,11 +63,6 @@ std::string checked_extension(std::string_view content, const std::string& file,
     return extension;
 }
 
-std::string counted(std::size_t count, const std::string& thing)
-{
-    return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
-}
-
 std::string_view was_or_were(std::size_t count)
 {
     return count == 1 ? " was " : " were ";

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/io/mesh_text.h"
 
-#include <algorithm>
-#include <cassert>
-
 #include "endmill/io/obj.h"
 #include "endmill/io/off.h"
 #include "endmill/io/ply.h"
 #include "endmill/io/stl.h"
 
 namespace endmill {
-
-MeshFormat mesh_format(std::string_view name)
-{
-    const auto found = std::ranges::find(mesh_format_names, name);
-    assert(found != mesh_format_names.end());
-    return static_cast<MeshFormat>(found - mesh_format_names.begin());
-}
 
 std::string_view mesh_extension(MeshFormat format)
 {

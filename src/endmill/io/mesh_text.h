@@ -16,9 +16,6 @@ enum class MeshFormat { Stl, StlAscii, Obj, Ply, Off };
 inline constexpr std::array<std::string_view, 5> mesh_format_names{"stl", "stl-ascii",
                                                                    "obj", "ply", "off"};
 
-/// \pre `name` is one of `mesh_format_names`.
-MeshFormat mesh_format(std::string_view name);
-
 /// The extension of such files, ".stl", ".obj", ".ply" or ".off".
 std::string_view mesh_extension(MeshFormat format);
 

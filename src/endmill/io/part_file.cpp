@@ -28,7 +28,7 @@ PartFile surface_part(const std::string& content, const std::filesystem::path& p
             std::move(file.notes)};
 }
 
-std::string counted(std::size_t count, const std::string& thing)
+std::string counted_that_were(std::size_t count, const std::string& thing)
 {
     return std::to_string(count) + ' ' + thing + (count == 1 ? " was " : "s were ");
 }
@@ -63,12 +63,13 @@ void put_right(MeshFile& file)
         const auto volume = mesh_report(file.mesh).volume;
         const bool is_solid = volume && *volume > 0;
         file.notes.push_back(
-            counted(upright.turned_triangles, "triangle") + "turned over, so that " +
+            counted_that_were(upright.turned_triangles, "triangle") +
+            "turned over, so that " +
             (is_solid ? "all face outwards"
                       : "neighbours face the same side and closed pieces outwards"));
     }
     if (upright.unorientable > 0)
-        file.notes.push_back(counted(upright.unorientable, "piece") +
+        file.notes.push_back(counted_that_were(upright.unorientable, "piece") +
                              "left as read, of one side only, like a Moebius strip");
 }
 
