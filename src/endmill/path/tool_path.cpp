@@ -20,4 +20,13 @@ std::string_view move_name(Move move)
     return {};
 }
 
+std::optional<Move> move_from_name(std::string_view name)
+{
+    for (const Move move :
+         {Move::Cut, Move::Link, Move::Rapid, Move::Plunge, Move::Retract})
+        if (move_name(move) == name)
+            return move;
+    return std::nullopt;
+}
+
 }  // namespace endmill

@@ -21,6 +21,9 @@ enum class Move {
 /// The word for `move` in files: "cut", "link", "rapid", "plunge" or "retract".
 std::string_view move_name(Move move);
 
+/// The move that `name` stands for, if any.
+std::optional<Move> move_from_name(std::string_view name);
+
 /// Contact of the cutter with a parametric surface.
 struct SurfaceContact {
     double u;
@@ -39,9 +42,20 @@ struct PathPoint {
     int patch = 0;  ///< of a part of several surfaces: whose pass this is, from 0
 };
 
+/// What the machine is told of the move to a point; none where nothing is said.
+struct CuttingConditions {
+    std::optional<double> feed_mm_per_min;
+    std::optional<double> spindle_rpm;
+    std::optional<int> tool;  ///< its number
+
+    /// Whether both say the same.
+    friend bool operator==(const CuttingConditions&, const CuttingConditions&) = default;
+};
+
 /// What the cutter does, in order. Between points the tip goes straight.
 struct ToolPath {
     std::vector<PathPoint> points;
+    std::vector<CuttingConditions> conditions = {};  ///< none, or one a point
 };
 
 }  // namespace endmill
