@@ -254,6 +254,10 @@ std::optional<SweepEntry> entry_between(const StraightSweep& sweep, const Plan& 
             left.high = t;
             continue;
         }
+        if (!std::isfinite(gap.value)) {  // just outside the outline, by rounding
+            left.low = t;
+            continue;
+        }
         const double tangent = t - gap.value / gap.rate;
         if (gap.rate > 0) {
             left.high = std::min(left.high, std::isfinite(tangent) ? tangent : t);
