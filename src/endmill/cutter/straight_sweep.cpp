@@ -57,7 +57,7 @@ StraightSweep::Height StraightSweep::at(double x, double y) const
     else
         along = corner_along(s, e * e, low, high);
     // The ends of the range lie on the rim of the cutter but for rounding.
-    const double distance = std::min(std::hypot(s - along, e), R);
+    const double distance = std::min(std::sqrt((s - along) * (s - along) + e * e), R);
     return {from_.z() + slope_ * along + cutter_.profile(distance), along};
 }
 

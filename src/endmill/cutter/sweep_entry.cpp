@@ -17,6 +17,8 @@ using Eigen::Vector2d;
 // Rise of a move, as a share of its length, below which it is level: its heights are then
 // off by no more than that.
 constexpr double level_rise = 1e-13;
+// Of the lengths that go into a gap: what their rounding makes of it, and of an entry.
+constexpr double rounding_share = 1e-15;
 // More than a bracketed search of doubles ever needs: it halves at least every other time.
 constexpr int most_iterations = 200;
 // One step of a search in so many halves the range, for sure progress.
@@ -236,21 +238,22 @@ Gap gap_at(const StraightSweep& sweep, const Plan& plan, const Line& line, doubl
     return {height.z - at.z(), rate, normal};
 }
 
-// The entry in `left`, at whose low end the gap is positive: from there tangents come
-// near it and never past it.
+// The entry in `left`, which holds it if there is one; `inside` tells that the high end
+// lies in the region. Tangents from outside come near the entry and never past it.
 std::optional<SweepEntry> entry_between(const StraightSweep& sweep, const Plan& plan,
-                                        const Line& line, Stretch left)
+                                        const Line& line, Stretch left, bool inside)
 {
     const double rounding =
-        1e-15 * (sweep.cutter().radius() + plan.length + std::abs(left.low));
-    bool is_inside_known = false;
-    for (int i = 0; i < most_iterations && left.high - left.low > rounding; ++i) {
+        rounding_share *
+        (sweep.cutter().radius() + plan.length + std::abs(left.low) +
+         line.origin.lpNorm<Eigen::Infinity>() + sweep.from().lpNorm<Eigen::Infinity>());
+    for (int i = 1; i < most_iterations && left.high - left.low > rounding; ++i) {
         // At the rim itself S is steep without bound: there only halving helps.
-        const bool halve = !is_inside_known || i % steps_per_halving == 0;
+        const bool halve = !inside || i % steps_per_halving == 0;
         const double t = halve ? left.low + (left.high - left.low) / 2 : left.low;
         const Gap gap = gap_at(sweep, plan, line, t);
         if (gap.value <= 0) {
-            is_inside_known = true;
+            inside = true;
             left.high = t;
             continue;
         }
@@ -263,46 +266,97 @@ std::optional<SweepEntry> entry_between(const StraightSweep& sweep, const Plan& 
             left.high = std::min(left.high, std::isfinite(tangent) ? tangent : t);
         } else if (gap.rate < 0) {
             left.low = std::max(left.low, std::isfinite(tangent) ? tangent : t);
-            if (is_inside_known && tangent == t && std::isfinite(gap.rate))
+            if (inside && tangent - t <= rounding && std::isfinite(gap.rate))
                 break;
         } else {
             return std::nullopt;  // the least gap is positive
         }
     }
-    if (!is_inside_known || left.is_empty())
+    if (!inside || left.is_empty())
         return std::nullopt;
     const Gap gap = gap_at(sweep, plan, line, left.low);
     const bool is_at_side = !std::isfinite(gap.value);  // just outside, by rounding
     return SweepEntry{left.low, is_at_side ? outline_normal(plan, left.low) : gap.normal};
 }
 
-std::optional<SweepEntry> corner_entry(const StraightSweep& sweep, const Line& line)
+// Whether the line is certain to be outside the region from `from` on down to where it has
+// long left it below: a plane that the region lies beyond, near the place at `before`,
+// shows most of what a look at S would.
+bool is_outside(const StraightSweep& sweep, const Plan& plan, double from, double before)
+{
+    const double r = sweep.cutter().corner_radius();
+    const double flat = sweep.cutter().flat_radius();
+    const Vector2d at = plan.start + before * plan.rate;
+    const double z = plan.start_z + before * plan.rate_z;
+    const double along = std::clamp(at.x(), 0.0, plan.length);
+    const double rise = plan.length > 0 ? plan.rise * (along / plan.length) : plan.rise;
+    // From the place to the circle of the corner's centres where the cutter is level.
+    Vector2d way = Vector2d{along, 0} - at;
+    const double distance = way.norm();
+    way *= distance > flat ? 1 - flat / distance : 0;
+    const double up = std::max(0.0, rise + r - z);
+    const double gap = std::sqrt(way.squaredNorm() + up * up);
+    if (!(gap > 0))
+        return false;
+    const double across = way.norm();
+    // The support of the region against the way; a slope of the move tilts it.
+    const double rate = way.x() * plan.length + up * plan.rise;
+    const double share = plan.length > 0 ? along / plan.length : 0;
+    const double least = way.x() * along + up * (rise + r) +
+                         std::min(-share * rate, (1 - share) * rate) - flat * across -
+                         r * gap;
+    const double at_before = way.dot(at) + up * z;
+    const double at_from =
+        at_before + (from - before) * (way.dot(plan.rate) + up * plan.rate_z);
+    return at_before < least && at_from < least;
+}
+
+std::optional<SweepEntry> corner_entry(const StraightSweep& sweep, const Line& line,
+                                       double before)
 {
     const Plan plan = plan_of(sweep, line);
-    const Stretch left = within_outline(plan, sweep.cutter().radius());
+    Stretch left = within_outline(plan, sweep.cutter().radius());
     if (left.is_empty())
         return std::nullopt;
     if (!std::isfinite(left.low)) {  // upright: S is one number
         const Gap gap = gap_at(sweep, plan, line, 0);
         const Stretch above = where_positive(-gap.value, plan.rate_z);
-        return above.is_empty() ? std::nullopt
-                                : std::optional{SweepEntry{above.low, gap.normal}};
+        return above.is_empty() || above.low >= before
+                   ? std::nullopt
+                   : std::optional{SweepEntry{above.low, gap.normal}};
     }
-    const Gap first = gap_at(sweep, plan, line, left.low);
-    if (first.value <= 0)
+    if (left.low >= before)
+        return std::nullopt;
+    bool inside = false;
+    if (before < left.high) {
+        if (is_outside(sweep, plan, left.low, before))
+            return std::nullopt;
+        // One look at `before` tells most: either the entry comes later, or the tangent
+        // there, which passes below S, leads to a place that the entry does not precede.
+        const Gap gap = gap_at(sweep, plan, line, before);
+        inside = gap.value <= 0;
+        if (gap.rate < 0 && !inside)
+            return std::nullopt;
+        left.high = before;
+        const double tangent = before - gap.value / gap.rate;
+        if (inside && gap.rate < 0 && tangent > left.low)
+            return entry_between(sweep, plan, line, {tangent, before}, inside);
+    }
+    if (gap_at(sweep, plan, line, left.low).value <= 0)
         return SweepEntry{left.low, outline_normal(plan, left.low)};
-    return entry_between(sweep, plan, line, left);
+    return entry_between(sweep, plan, line, left, inside);
 }
 
 }  // namespace
 
-std::optional<SweepEntry> sweep_entry(const StraightSweep& sweep, const Line& line)
+std::optional<SweepEntry> sweep_entry(const StraightSweep& sweep, const Line& line,
+                                      double before)
 {
-    if (sweep.cutter().is_ball())
-        return ball_entry(sweep, line);
-    if (sweep.cutter().is_flat())
-        return flat_entry(sweep, line);
-    return corner_entry(sweep, line);
+    if (!sweep.cutter().is_ball() && !sweep.cutter().is_flat())
+        return corner_entry(sweep, line, before);
+    const auto entry =
+        sweep.cutter().is_ball() ? ball_entry(sweep, line) : flat_entry(sweep, line);
+    return entry && entry->t < before ? entry : std::nullopt;
 }
 
 }  // namespace endmill

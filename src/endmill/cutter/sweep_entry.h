@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "endmill/core/vec.h"
@@ -20,11 +21,13 @@ struct SweepEntry {
     Vec3 normal;  ///< there, unit, out of the region: into what the move leaves
 };
 
-/// The entry with the least t. Exact but for rounding for a ball and a flat cutter, by
-/// lines, circles, cylinders and spheres; of a bull-nose to 1e-12 of its size, by tangents
-/// to S, which is convex.
-/// \return nothing if the line misses the region.
-std::optional<SweepEntry> sweep_entry(const StraightSweep& sweep, const Line& line);
+/// The entry with the least t, if that is below `before` (mm), which makes a no come soon.
+/// Exact but for rounding for a ball and a flat cutter, by lines, circles, cylinders and
+/// spheres; of a bull-nose to 1e-12 of its size, by tangents to S, which is convex.
+/// \return nothing if the line misses the region, or enters it later.
+std::optional<SweepEntry> sweep_entry(
+    const StraightSweep& sweep, const Line& line,
+    double before = std::numeric_limits<double>::infinity());
 
 /// Whether the move clears `point`, or touches it.
 inline bool clears(const StraightSweep& sweep, const Vec3& point)

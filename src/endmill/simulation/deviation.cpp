@@ -1,0 +1,408 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/simulation/deviation.h"
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/core/parallel.h"
+#include "endmill/simulation/cell_bounds.h"
+
+namespace endmill {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// Share of a limit to within which a maximum is sought, if that is more than the slack.
+constexpr double sharpness = 0.05;
+// Cells that the refinement of one tile may come to: a hundred times its own on each of
+// the last few levels. Beyond them its doubt stays, as at the last level.
+constexpr std::size_t most_refined_cells = 200'000;
+
+// What has been found on some cells.
+struct Extremes {
+    DeviationPlace highest{-infinite};
+    DeviationPlace deepest{infinite};
+    double upper = -infinite;  // no rest is higher
+    double lower = infinite;   // no gouge is deeper
+    bool is_cut = false;
+    std::size_t rays = 0;
+
+    void take(const MeasuredCell& cell)
+    {
+        ++rays;
+        is_cut = is_cut || cell.left.sweep >= 0;
+        const DeviationPlace place{cell.left.left, cell.ray, cell.cell.chart,
+                                   cell.cell.centre(), cell.left.sweep};
+        if (place.left > highest.left)
+            highest = place;
+        if (place.left < deepest.left)
+            deepest = place;
+    }
+    void bound(double most, double least)
+    {
+        upper = std::max(upper, most);
+        lower = std::min(lower, least);
+    }
+    // Of equal ones the first stays, so the order of the tiles decides.
+    void merge(const Extremes& other)
+    {
+        if (other.highest.left > highest.left)
+            highest = other.highest;
+        if (other.deepest.left < deepest.left)
+            deepest = other.deepest;
+        upper = std::max(upper, other.upper);
+        lower = std::min(lower, other.lower);
+        is_cut = is_cut || other.is_cut;
+        rays += other.rays;
+    }
+};
+
+// Bounds beyond which a cell has to be looked at more closely.
+struct Doubt {
+    double upper;
+    double lower;
+
+    bool holds(double most, double least) const { return most > upper || least < lower; }
+};
+
+// The most that a maximum may turn out higher without changing anything.
+double threshold(double found, double limit)
+{
+    const double raised = limit + verdict_slack;
+    const double sharp = found + std::max(verdict_slack, sharpness * limit);
+    return found <= raised ? std::min(sharp, raised) : sharp;
+}
+
+class TileMeasure {
+public:
+    TileMeasure(const PartCharts& charts, const SweepTree& tree,
+                const DeviationOptions& options, const PartTile& tile)
+        : charts_{charts},
+          tree_{tree},
+          options_{options},
+          tile_{tile}
+    {
+        const auto corners = static_cast<std::size_t>(tile.whole.corners);
+        bend_ = charts.bend(tile.whole.chart, tile.whole.centre());
+        for (std::size_t k = 0; k < corners; ++k) {
+            const PartCharts::Bend bend = charts.bend(tile.whole.chart, tile.whole.at[k]);
+            bend_.convex = std::max(bend_.convex, bend.convex);
+            bend_.any = std::max(bend_.any, bend.any);
+        }
+        measure();
+    }
+
+    // The cells of the tile that have a normal, and their numbers in it.
+    std::span<const MeasuredCell> cells() const { return cells_; }
+    std::span<const int> numbers() const { return numbers_; }
+
+    Extremes extremes() const
+    {
+        Extremes found;
+        for (const MeasuredCell& cell : cells_) {
+            found.take(cell);
+            found.bound(most_left(cell, {}), least_left(cell));
+        }
+        return found;
+    }
+
+    // The same with every doubtful cell refined.
+    Extremes refined(const Doubt& doubt)
+    {
+        Extremes found;
+        double margin = 0;
+        for (const MeasuredCell& cell : cells_)
+            if (doubt.holds(most_left(cell, {}), least_left(cell)))
+                margin = std::max(margin, owner_margin(cell));
+        const std::vector<std::int32_t> near = rays_->near_sweeps(tree_, margin);
+        refined_cells_ = 0;
+        for (const MeasuredCell& cell : cells_)
+            refine(cell, doubt, {0, near}, found);
+        return found;
+    }
+
+private:
+    void measure()
+    {
+        std::array<PartRay, most_tile_cells> rays;
+        std::array<double, most_tile_cells> lengths;
+        std::size_t count = 0;
+        for (int k = 0; k < tile_.cells(); ++k) {
+            const PartCell cell = tile_.cell(k);
+            const auto ray = charts_.ray(cell.chart, cell.centre());
+            if (!ray)
+                continue;
+            rays[count] = *ray;
+            const MownRay in_stock = stock(*ray);
+            lengths[count] = in_stock.left;
+            cells_.push_back({cell, *ray, cell.reach(*ray), in_stock, bend_});
+            numbers_.push_back(k);
+            ++count;
+        }
+        if (count == 0)
+            return;
+        rays_.emplace(std::span{rays}.first(count), std::span{lengths}.first(count));
+        rays_->mow(tree_);
+        for (std::size_t k = 0; k < count; ++k)
+            if (const MownRay& mown = (*rays_)[static_cast<int>(k)]; mown.sweep >= 0)
+                cells_[k].left = mown;
+    }
+
+    MownRay stock(const PartRay& ray) const
+    {
+        return options_.stock ? options_.stock(ray) : MownRay{infinite, 0, -1};
+    }
+
+    const Cutter& cutter() const { return tree_.sweeps().front().cutter(); }
+
+    // By the sweep that made it, and by `others` if there are any.
+    double most_left(const MeasuredCell& cell, std::span<const std::int32_t> others) const
+    {
+        if (cell.left.sweep < 0)
+            return most_left_by_slope(cell, Cutter::flat(1));
+        const double by_slope = most_left_by_slope(cell, cutter());
+        if (others.empty() && !cutter().is_flat())
+            return by_slope;
+        const std::int32_t own[] = {cell.left.sweep};
+        return std::min(by_slope, most_left_by_corners(cell, charts_, tree_.sweeps(),
+                                                       others.empty() ? own : others));
+    }
+
+    double least_left(const MeasuredCell& cell) const
+    {
+        if (cell.left.sweep < 0)
+            return cell.left.left;
+        return cell.left.left - hidden_gouge(cell, cutter());
+    }
+
+    // How far a cell has been halved, and the sweeps that may matter to it.
+    struct Depth {
+        int level;
+        std::span<const std::int32_t> sweeps;
+    };
+
+    void refine(const MeasuredCell& cell, const Doubt& doubt, const Depth& depth,
+                Extremes& found)
+    {
+        found.take(cell);
+        double most = most_left(cell, {});
+        const double least = least_left(cell);
+        if (!doubt.holds(most, least)) {
+            found.bound(most, least);
+            return;
+        }
+        const std::vector<std::int32_t> local =
+            local_sweeps(cell, tree_.sweeps(), depth.sweeps);
+        if (most > doubt.upper && !local.empty())
+            most = most_left(cell, local);
+        const bool is_last =
+            depth.level >= options_.max_refine || refined_cells_ >= most_refined_cells;
+        if (is_last || !doubt.holds(most, least)) {
+            found.bound(most, least);
+            return;
+        }
+        for (const PartCell& quarter : cell.cell.quarters()) {
+            ++refined_cells_;
+            if (const auto ray = charts_.ray(quarter.chart, quarter.centre()))
+                refine(measured(quarter, *ray, local), doubt, {depth.level + 1, local},
+                       found);
+        }
+    }
+
+    MeasuredCell measured(const PartCell& cell, const PartRay& ray,
+                          std::span<const std::int32_t> sweeps) const
+    {
+        MownRay least = stock(ray);
+        for (const std::int32_t number : sweeps) {
+            const StraightSweep& sweep = tree_.sweeps()[static_cast<std::size_t>(number)];
+            if (const auto left = mown(sweep, ray, least.left)) {
+                least = *left;
+                least.sweep = number;
+            }
+        }
+        return {cell, ray, cell.reach(ray), least, bend_};
+    }
+
+    const PartCharts& charts_;
+    const SweepTree& tree_;
+    const DeviationOptions& options_;
+    const PartTile& tile_;
+    PartCharts::Bend bend_;
+    std::vector<MeasuredCell> cells_;
+    std::vector<int> numbers_;
+    std::optional<MownRays> rays_;
+    std::size_t refined_cells_ = 0;
+};
+
+// The value that 99 % of the area does not reach, from a histogram over the leading bits
+// of each value, that is in steps of 1/2048 of it.
+double area_quantile(std::span<const float> values, std::span<const float> areas,
+                     double share)
+{
+    constexpr int dropped_bits = 12;
+    std::vector<double> bins(std::size_t{1} << (32 - 1 - dropped_bits));
+    double total = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const float value = std::max(values[i], 0.0F);
+        bins[std::bit_cast<std::uint32_t>(value) >> dropped_bits] += areas[i];
+        total += areas[i];
+    }
+    double sum = 0;
+    for (std::uint32_t bin = 0; bin < bins.size(); ++bin) {
+        sum += bins[bin];
+        if (bins[bin] > 0 && sum >= share * total)
+            return std::bit_cast<float>(bin << dropped_bits);
+    }
+    return 0;
+}
+
+void add_areas(Deviation& deviation, const DeviationLimits& limits)
+{
+    double rest = 0;
+    for (std::size_t i = 0; i < deviation.left.size(); ++i) {
+        const double left = deviation.left[i];
+        const double area = deviation.area[i];
+        deviation.area_mm2 += area;
+        rest += area * std::max(left, 0.0);
+        if (-left > limits.tolerance)
+            deviation.gouge_area_mm2 += area;
+        if (left > limits.scallop)
+            deviation.uncut_area_mm2 += area;
+    }
+    if (deviation.area_mm2 > 0)
+        deviation.mean_scallop_mm = rest / deviation.area_mm2;
+    deviation.p99_scallop_mm = area_quantile(deviation.left, deviation.area, 0.99);
+}
+
+void add_extremes(Deviation& deviation, const Extremes& found)
+{
+    deviation.rays = found.rays;
+    deviation.is_cut = found.is_cut;
+    deviation.max_scallop_mm = std::max(0.0, found.highest.left);
+    deviation.max_gouge_mm = std::max(0.0, -found.deepest.left);
+    if (found.highest.left > 0)
+        deviation.highest = found.highest;
+    if (found.deepest.left < 0)
+        deviation.deepest = found.deepest;
+    deviation.scallop_bound_mm = std::max(0.0, found.upper - deviation.max_scallop_mm);
+    deviation.gouge_bound_mm = std::max(0.0, -found.lower - deviation.max_gouge_mm);
+}
+
+void check(const DeviationOptions& options)
+{
+    require(options.limits.tolerance > 0 && std::isfinite(options.limits.tolerance),
+            "measure_deviation: need 0 < tolerance");
+    require(options.limits.scallop > 0 && std::isfinite(options.limits.scallop),
+            "measure_deviation: need 0 < scallop");
+    require(0 <= options.max_refine && options.max_refine <= 20,
+            "measure_deviation: need 0 <= max_refine <= 20");
+}
+
+// Tells how far the work is, whichever thread does it.
+class Progress {
+public:
+    Progress(const DeviationOptions& options, std::size_t steps)
+        : options_{options},
+          steps_{steps}
+    {
+    }
+    void step()
+    {
+        const std::size_t done = ++done_;
+        if (options_.progress && done % 256 == 0)
+            options_.progress(static_cast<double>(done) / static_cast<double>(steps_));
+    }
+
+private:
+    const DeviationOptions& options_;
+    std::size_t steps_;
+    std::atomic<std::size_t> done_ = 0;
+};
+
+}  // namespace
+
+Deviation measure_deviation(const PartCharts& charts, const SweepTree& tree,
+                            const DeviationOptions& options)
+{
+    check(options);
+    Deviation deviation;
+    deviation.pitch_mm = options.pitch;
+    deviation.tiles = part_tiles(charts, options.pitch, options.most_cells);
+    const std::size_t cells = cell_count(deviation.tiles);
+    deviation.left.assign(cells, 0);
+    deviation.area.assign(cells, 0);
+    std::vector<Extremes> of_tile(deviation.tiles.size());
+    Progress progress{options, 2 * of_tile.size()};
+    parallel_for(of_tile.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const PartTile& tile = deviation.tiles[i];
+            const TileMeasure measure{charts, tree, options, tile};
+            for (std::size_t k = 0; k < measure.cells().size(); ++k) {
+                const MeasuredCell& cell = measure.cells()[k];
+                const std::size_t at =
+                    tile.first + static_cast<std::size_t>(measure.numbers()[k]);
+                deviation.left[at] = static_cast<float>(cell.left.left);
+                deviation.area[at] = static_cast<float>(cell.cell.area(cell.ray));
+            }
+            of_tile[i] = measure.extremes();
+            progress.step();
+        }
+    });
+    Extremes found;
+    for (const Extremes& some : of_tile)
+        found.merge(some);
+    // What is refined follows from what all first rays have found, so that it does not
+    // hang on which thread was first.
+    const Doubt doubt{
+        threshold(std::max(0.0, found.highest.left), options.limits.scallop),
+        -threshold(std::max(0.0, -found.deepest.left), options.limits.tolerance)};
+    parallel_for(of_tile.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (doubt.holds(of_tile[i].upper, of_tile[i].lower))
+                of_tile[i] =
+                    TileMeasure{charts, tree, options, deviation.tiles[i]}.refined(doubt);
+            progress.step();
+        }
+    });
+    found = {};
+    for (const Extremes& some : of_tile)
+        found.merge(some);
+    add_extremes(deviation, found);
+    add_areas(deviation, options.limits);
+    return deviation;
+}
+
+std::string_view verdict_name(Verdict verdict)
+{
+    switch (verdict) {
+        case Verdict::Clean:
+            return "clean";
+        case Verdict::Gouged:
+            return "gouged";
+        case Verdict::Uncut:
+            return "uncut";
+        case Verdict::Undecided:
+            return "undecided";
+    }
+    return {};
+}
+
+Verdict verdict(const Deviation& deviation, const DeviationLimits& limits)
+{
+    const double tolerance = limits.tolerance + verdict_slack;
+    const double scallop = limits.scallop + verdict_slack;
+    if (deviation.max_gouge_mm > tolerance)
+        return Verdict::Gouged;
+    if (deviation.max_scallop_mm > scallop)
+        return Verdict::Uncut;
+    const bool is_certain =
+        deviation.max_gouge_mm + deviation.gouge_bound_mm <= tolerance &&
+        deviation.max_scallop_mm + deviation.scallop_bound_mm <= scallop;
+    return is_certain ? Verdict::Clean : Verdict::Undecided;
+}
+
+}  // namespace endmill

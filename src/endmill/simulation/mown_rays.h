@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "endmill/simulation/part_tiles.h"
+#include "endmill/simulation/sweep_tree.h"
+
+namespace endmill {
+
+/// A ray of the part, shortened to what the moves leave of it.
+struct MownRay {
+    double left = 0;   ///< mm along the normal: material left, or if negative taken away
+    double slope = 0;  ///< of what is left against the part there: tangent of the angle
+    std::int32_t sweep = -1;  ///< the sweep that made it; none if the stock's own surface
+};
+
+/// Rays of the part that lie near each other, and what the moves leave of each.
+/// Source: "mowing the lawn" of the field: every move shortens the rays that meet the
+/// region which it clears.
+///
+/// What is left of a ray is the least t at which a region that clears some point of it
+/// outside the part (t >= 0) is entered: a region that ends below the part's surface has
+/// taken something on another side of the part, whose own rays tell it.
+class MownRays {
+public:
+    /// \param rays at most most_tile_cells. \param lengths what each has before any move.
+    MownRays(std::span<const PartRay> rays, std::span<const double> lengths);
+
+    /// Shortens the rays by every sweep of the tree that reaches them.
+    void mow(const SweepTree& tree);
+
+    /// Shortens them by one sweep.
+    void mow(const StraightSweep& sweep, std::int32_t number);
+
+    /// Numbers of the sweeps that may clear something of the rays as they are now, or
+    /// within `margin` mm above what is left; each once, rising.
+    std::vector<std::int32_t> near_sweeps(const SweepTree& tree, double margin) const;
+
+    const MownRay& operator[](int k) const { return mown_[static_cast<std::size_t>(k)]; }
+
+private:
+    using Row = std::array<double, most_tile_cells>;
+
+    PartRay ray(std::size_t k) const;
+    double longest() const;
+    MownRays some() const;
+    bool may_matter(const SweepTree& tree, const Vec3& nearest, double margin) const;
+    bool is_out_of_reach(const Vec3& normal, double least, double margin) const;
+    bool may_reach(const StraightSweep& sweep, double margin, Row& short_by) const;
+
+    int count_;
+    Vec3 centre_;        // of the points
+    Vec3 upright_;       // along the mean of the normals, unit
+    double beside_ = 0;  // distances of the furthest points across and along the mean
+    double above_ = 0;
+    double tilt_ = 0;  // greatest length of a normal less the mean
+    std::array<Row, 3> point_{};
+    std::array<Row, 3> normal_{};
+    Row left_{};
+    std::array<MownRay, most_tile_cells> mown_{};
+    double longest_ = 0;
+};
+
+/// What one sweep leaves of a ray, were it the only one: see MownRays.
+/// \return nothing if it leaves `before` mm or more.
+std::optional<MownRay> mown(const StraightSweep& sweep, const PartRay& ray,
+                            double before = std::numeric_limits<double>::infinity());
+
+}  // namespace endmill

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/simulation/part_cell.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "endmill/core/error.h"
+#include "endmill/surface/curvature.h"
+#include "endmill/surface/tool_side.h"
+
+namespace endmill {
+namespace {
+
+using Eigen::Vector2d;
+
+// Of a unit normal's z: upright walls count as facing the tool, whatever their rounding.
+constexpr double wall_z = 1e-9;
+
+Vec3 area_vector(const std::array<Vec3, 3>& corners)
+{
+    return (corners[1] - corners[0]).cross(corners[2] - corners[0]) / 2;
+}
+
+}  // namespace
+
+Vector2d PartCell::centre() const
+{
+    Vector2d sum = at[0];
+    for (int k = 1; k < corners; ++k)
+        sum += at[static_cast<std::size_t>(k)];
+    return sum / corners;
+}
+
+std::array<PartCell, 4> PartCell::quarters() const
+{
+    const auto between = [&](std::size_t a, std::size_t b) -> Vector2d {
+        return (at[a] + at[b]) / 2;
+    };
+    if (corners == 3) {
+        const Vector2d ab = between(0, 1);
+        const Vector2d bc = between(1, 2);
+        const Vector2d ca = between(2, 0);
+        return {PartCell{chart, 3, {at[0], ab, ca}}, PartCell{chart, 3, {ab, at[1], bc}},
+                PartCell{chart, 3, {ca, bc, at[2]}}, PartCell{chart, 3, {ab, bc, ca}}};
+    }
+    const Vector2d ab = between(0, 1);
+    const Vector2d bc = between(1, 2);
+    const Vector2d cd = between(2, 3);
+    const Vector2d da = between(3, 0);
+    const Vector2d middle = (ab + cd) / 2;
+    return {PartCell{chart, 4, {at[0], ab, middle, da}},
+            PartCell{chart, 4, {ab, at[1], bc, middle}},
+            PartCell{chart, 4, {middle, bc, at[2], cd}},
+            PartCell{chart, 4, {da, middle, cd, at[3]}}};
+}
+
+double PartCell::area(const PartRay& centre_ray) const
+{
+    double twice = 0;  // of the area in the parameters
+    for (int k = 0; k < corners; ++k) {
+        const Vector2d& a = at[static_cast<std::size_t>(k)];
+        const Vector2d& b = at[static_cast<std::size_t>((k + 1) % corners)];
+        twice += a.x() * b.y() - b.x() * a.y();
+    }
+    return std::abs(twice) / 2 * centre_ray.du.cross(centre_ray.dv).norm();
+}
+
+double PartCell::reach(const PartRay& centre_ray) const
+{
+    const Vector2d middle = centre();
+    double reach2 = 0;
+    for (int k = 0; k < corners; ++k) {
+        const Vector2d away = at[static_cast<std::size_t>(k)] - middle;
+        reach2 = std::max(
+            reach2, (away.x() * centre_ray.du + away.y() * centre_ray.dv).squaredNorm());
+    }
+    return std::sqrt(reach2);
+}
+
+PartCharts::PartCharts(std::span<const Surface> surfaces, std::span<const double> sides)
+    : surfaces_{surfaces},
+      sides_{sides.begin(), sides.end()}
+{
+    require(surfaces.size() == sides.size(), "PartCharts: need a side for each surface");
+    for (std::uint32_t k = 0; k < surfaces.size(); ++k)
+        for (int j = 0; j < surfaces[k].patches(Parameter::V); ++j)
+            for (int i = 0; i < surfaces[k].patches(Parameter::U); ++i)
+                charts_.push_back({k, i, j});
+}
+
+PartCharts::PartCharts(const TriangleMesh& mesh) : mesh_{&mesh}
+{
+    for (std::uint32_t k = 0; k < mesh.triangles().size(); ++k) {
+        const Vec3 area = area_vector(mesh.corners(k));
+        if (area.norm() > 0 && area.z() >= -wall_z * area.norm())
+            charts_.push_back({k, 0, 0});
+    }
+}
+
+PartCell PartCharts::whole(std::uint32_t chart) const
+{
+    if (mesh_)
+        return {chart, 3, {Vector2d{0, 0}, Vector2d{1, 0}, Vector2d{0, 1}}};
+    const auto& [source, i, j] = charts_[chart];
+    const auto u = surfaces_[source].breaks(Parameter::U).subspan(i, 2);
+    const auto v = surfaces_[source].breaks(Parameter::V).subspan(j, 2);
+    return {chart,
+            4,
+            {Vector2d{u[0], v[0]}, Vector2d{u[1], v[0]}, Vector2d{u[1], v[1]},
+             Vector2d{u[0], v[1]}}};
+}
+
+std::optional<PartRay> PartCharts::ray(std::uint32_t chart, const Vector2d& at) const
+{
+    const auto& [source, i, j] = charts_[chart];
+    if (mesh_) {
+        const auto [a, b, c] = mesh_->corners(source);
+        const Vec3 normal = (b - a).cross(c - a).normalized();
+        return PartRay{a + at.x() * (b - a) + at.y() * (c - a), normal, b - a, c - a};
+    }
+    const Surface& surface = surfaces_[source];
+    const auto u = surface.breaks(Parameter::U).subspan(i, 2);
+    const auto v = surface.breaks(Parameter::V).subspan(j, 2);
+    const double width_u = u[1] - u[0];
+    const double width_v = v[1] - v[0];
+    SurfaceTangents tangents = surface.patch(i, j).tangents((at.x() - u[0]) / width_u,
+                                                            (at.y() - v[0]) / width_v);
+    tangents.du /= width_u;
+    tangents.dv /= width_v;
+    if (is_singular(tangents))
+        return std::nullopt;
+    const Vec3 normal = tangents.du.cross(tangents.dv).normalized();
+    return PartRay{tangents.point, sides_[source] * normal, tangents.du, tangents.dv};
+}
+
+PartCharts::Bend PartCharts::bend(std::uint32_t chart, const Vector2d& at) const
+{
+    if (mesh_)
+        return {0, 0};
+    const auto& [source, i, j] = charts_[chart];
+    const SurfaceJet jet = surfaces_[source].jet_in_patch(i, j, at.x(), at.y());
+    if (is_singular({jet.point, jet.du, jet.dv}))
+        return {0, 0};
+    const PrincipalCurvatures k =
+        principal_curvatures(fundamental_forms(jet, sides_[source]));
+    return {std::max(0.0, k.greatest), std::max(std::abs(k.least), std::abs(k.greatest))};
+}
+
+std::size_t PartCharts::source(std::uint32_t chart) const
+{
+    return charts_[chart].source;
+}
+
+PartCharts part_charts(const Part& part)
+{
+    if (const auto* mesh = std::get_if<TriangleMesh>(&part))
+        return PartCharts{*mesh};
+    const std::span<const Surface> surfaces = std::get<std::vector<Surface>>(part);
+    return PartCharts{surfaces, tool_side_signs(surfaces, Vec3::UnitZ())};
+}
+
+}  // namespace endmill
