@@ -3,23 +3,10 @@
 
 // Internal to simulation: a move over one tile of the stock, the innermost loops.
 
-#include <array>
-
 #include "endmill/cutter/cutter.h"
-#include "endmill/simulation/height_stock.h"
-#include "endmill/simulation/swept_move.h"
+#include "endmill/simulation/tile_heights.h"
 
 namespace endmill {
-
-/// Where the cells of a tile are.
-struct TilePlace {
-    std::array<double, HeightStock::tile_side> x;  ///< mm, centres of the columns
-    std::array<double, HeightStock::tile_side> y;  ///< mm, centres of the rows
-    double bottom_z;                               ///< mm
-};
-
-/// The place of a tile of a stock.
-TilePlace tile_place(const StockGrid& grid, int tile_column, int tile_row);
 
 /// What a move took from a tile.
 struct TileCut {
