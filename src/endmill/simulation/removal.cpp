@@ -28,7 +28,7 @@ void require_sound(const ToolPath& path, const RemovalOptions& options)
 {
     for (const PathPoint& point : path.points) {
         const Vec3& tip = point.location.tip;
-        require(tip.cwiseAbs().maxCoeff() <= largest_coordinate,
+        require(tip.allFinite() && tip.cwiseAbs().maxCoeff() <= largest_coordinate,
                 "remove_along: a tip is not within 1e9 mm");
         if (!((point.location.axis - Vec3::UnitZ()).norm() <= axis_slack))
             throw GeometryError{
