@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "endmill/simulation/height_stock.h"
+
+namespace endmill {
+
+/// Memory in bytes that the stock over `box` takes at most, the work of `remove_along`
+/// included but not its result, which grows with the path.
+/// \pre the box is finite and not turned over, 0 < pitch.
+double required_bytes(const Block& box, double pitch);
+
+/// The finest pitch of two digits, in mm, at which the stock over `box` fits `bytes`.
+/// \return nothing if not even a single tile fits.
+std::optional<double> fitting_pitch(const Block& box, double bytes);
+
+/// Refuses, before any memory is taken, a stock that would not fit `memory_gib`.
+/// \throws DomainError as `grid_over`.
+/// \throws LimitError that names need and limit, and a pitch that fits.
+void require_stock_memory(const Block& box, double pitch, double memory_gib);
+
+}  // namespace endmill

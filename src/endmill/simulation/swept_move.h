@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Internal to simulation: what the inner loops want to know of a move.
+
+#include "endmill/core/vec.h"
+
+namespace endmill {
+
+/// A straight move of the tip, taken apart as `StraightSweep` does: its direction over
+/// the xy plane, its length there and its slope. One that is vertical stands at its lower
+/// end.
+struct SweptMove {
+    double x;  ///< mm, of the tip where it begins
+    double y;
+    double z;
+    double rise;         ///< mm, z at the end less z
+    double length;       ///< mm, over the xy plane
+    double slope;        ///< rise / length; 0 for a vertical move
+    double direction_x;  ///< over the xy plane, unit
+    double direction_y;
+};
+
+/// \param from, to tips in mm.
+SweptMove swept_move(const Vec3& from, const Vec3& to);
+
+}  // namespace endmill

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/simulation/stock_memory.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
+
+namespace endmill {
+namespace {
+
+const Block saddle_box{{-60, -40, -15}, {60, 40, 20}};
+
+TEST(RequiredBytes, AreAtMostTwelveACell)
+{
+    for (const double pitch : {0.1, 0.05, 0.02}) {
+        const double cells = 120 / pitch * 80 / pitch;
+        EXPECT_LE(required_bytes(saddle_box, pitch), 12.4 * cells);
+        EXPECT_GE(required_bytes(saddle_box, pitch), 8 * cells);
+    }
+}
+
+TEST(FittingPitch, FitsAndTheNextFinerOneDoesNot)
+{
+    for (const double bytes : {5e6, 1e7, 3.3e8, 8e9}) {
+        const auto pitch = fitting_pitch(saddle_box, bytes);
+        ASSERT_TRUE(pitch);
+        EXPECT_LE(required_bytes(saddle_box, *pitch), bytes);
+        // Two digits: the next one is at least a hundredth finer, at most a tenth.
+        EXPECT_GT(required_bytes(saddle_box, *pitch * 0.89), bytes);
+    }
+}
+
+TEST(FittingPitch, IsNoneIfNothingFits)
+{
+    EXPECT_FALSE(fitting_pitch(saddle_box, 1000));
+    EXPECT_FALSE(fitting_pitch({{0, 0, 0}, {0, 0, 0}}, 1e9));
+}
+
+TEST(RequireStockMemory, SaysHowMuchAndWhatFits)
+{
+    EXPECT_NO_THROW(require_stock_memory(saddle_box, 0.1, 8));
+    try {
+        require_stock_memory(saddle_box, 0.001, 8);
+        FAIL() << "72 GiB were accepted";
+    } catch (const LimitError& error) {
+        const std::string what = error.what();
+        EXPECT_NE(what.find("120 x 80 mm"), std::string::npos) << what;
+        EXPECT_NE(what.find("cells of 0.001 mm"), std::string::npos) << what;
+        EXPECT_NE(what.find("72 GiB"), std::string::npos) << what;
+        EXPECT_NE(what.find("8 GiB (--max-memory)"), std::string::npos) << what;
+        EXPECT_NE(what.find("cells of 0.003 mm fit"), std::string::npos) << what;
+    }
+    EXPECT_THROW(require_stock_memory(saddle_box, 0, 8), DomainError);
+}
+
+}  // namespace
+}  // namespace endmill

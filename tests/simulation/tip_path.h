@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "endmill/path/tool_path.h"
+
+namespace endmill::test {
+
+/// A path of one kind of move through `tips`.
+inline ToolPath tip_path(const std::vector<Vec3>& tips, Move move = Move::Cut)
+{
+    ToolPath path;
+    for (const Vec3& tip : tips)
+        path.points.push_back({.pass = 0,
+                               .point = static_cast<int>(path.points.size()),
+                               .move = move,
+                               .location = {tip, Vec3::UnitZ()},
+                               .contact = {},
+                               .patch = 0});
+    return path;
+}
+
+}  // namespace endmill::test
