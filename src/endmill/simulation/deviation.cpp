@@ -11,16 +11,22 @@
 #include "endmill/core/numbers.h"
 #include "endmill/core/parallel.h"
 #include "endmill/simulation/cell_bounds.h"
+#include "endmill/simulation/part_distance.h"
 
 namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Share of a limit to within which a maximum is sought, if that is more than the slack.
-constexpr double sharpness = 0.05;
-// Cells that the refinement of one tile may come to: a hundred times its own on each of
-// the last few levels. Beyond them its doubt stays, as at the last level.
-constexpr std::size_t most_refined_cells = 200'000;
+// Shares of the limits to within which a maximum is sought, if that is more than the slack.
+constexpr double scallop_sharpness = 0.05;
+constexpr double gouge_sharpness = 0.25;
+// Cells that the refinement of one tile may come to: some hundred times its own. Beyond
+// them its doubt stays, as at the last level.
+constexpr std::size_t most_refined_cells = 20'000;
+// Halvings of a cell for a maximum's sake alone, when the verdict is known.
+constexpr int most_halvings_for_show = 2;
+// Of the scallop limit: how closely the distance from a part is known.
+constexpr double distance_share = 0.1;
 
 // What has been found on some cells.
 struct Extremes {
@@ -61,35 +67,46 @@ struct Extremes {
     }
 };
 
-// Bounds beyond which a cell has to be looked at more closely.
+// Bounds beyond which a cell has to be looked at more closely, and how closely at most.
 struct Doubt {
     double upper;
     double lower;
+    int halvings;
 
     bool holds(double most, double least) const { return most > upper || least < lower; }
 };
 
 // The most that a maximum may turn out higher without changing anything.
-double threshold(double found, double limit)
+double threshold(double found, double limit, double sharpness)
 {
     const double raised = limit + verdict_slack;
     const double sharp = found + std::max(verdict_slack, sharpness * limit);
     return found <= raised ? std::min(sharp, raised) : sharp;
 }
 
+// What is measured, and how.
+struct Measured {
+    const PartCharts& charts;
+    const SweepTree& tree;
+    const DeviationOptions& options;
+};
+
 class TileMeasure {
 public:
-    TileMeasure(const PartCharts& charts, const SweepTree& tree,
-                const DeviationOptions& options, const PartTile& tile)
-        : charts_{charts},
-          tree_{tree},
-          options_{options},
-          tile_{tile}
+    // `distance` of the part counts where more than the scallop limit is left, if known.
+    TileMeasure(const Measured& measured, const PartTile& tile,
+                const PartDistance* distance)
+        : charts_{measured.charts},
+          tree_{measured.tree},
+          options_{measured.options},
+          tile_{tile},
+          distance_{distance}
     {
         const auto corners = static_cast<std::size_t>(tile.whole.corners);
-        bend_ = charts.bend(tile.whole.chart, tile.whole.centre());
+        bend_ = charts_.bend(tile.whole.chart, tile.whole.centre());
         for (std::size_t k = 0; k < corners; ++k) {
-            const PartCharts::Bend bend = charts.bend(tile.whole.chart, tile.whole.at[k]);
+            const PartCharts::Bend bend =
+                charts_.bend(tile.whole.chart, tile.whole.at[k]);
             bend_.convex = std::max(bend_.convex, bend.convex);
             bend_.any = std::max(bend_.any, bend.any);
         }
@@ -150,6 +167,16 @@ private:
         for (std::size_t k = 0; k < count; ++k)
             if (const MownRay& mown = (*rays_)[static_cast<int>(k)]; mown.sweep >= 0)
                 cells_[k].left = mown;
+        for (MeasuredCell& cell : cells_)
+            shorten(cell);
+    }
+
+    // To the distance from the part of the place that is left, where that is less.
+    void shorten(MeasuredCell& cell) const
+    {
+        double& left = cell.left.left;
+        if (distance_ && left > options_.limits.scallop)
+            left = std::min(left, (*distance_)(cell.ray.point + left * cell.ray.normal));
     }
 
     MownRay stock(const PartRay& ray) const
@@ -179,18 +206,30 @@ private:
         return cell.left.left - hidden_gouge(cell, cutter());
     }
 
+    Doubt sharpened(const Doubt& doubt, const Extremes& found) const
+    {
+        const DeviationLimits& limits = options_.limits;
+        return {std::max(doubt.upper, threshold(found.highest.left, limits.scallop,
+                                                scallop_sharpness)),
+                std::min(doubt.lower, -threshold(-found.deepest.left, limits.tolerance,
+                                                 gouge_sharpness)),
+                doubt.halvings};
+    }
+
     // How far a cell has been halved, and the sweeps that may matter to it.
     struct Depth {
         int level;
         std::span<const std::int32_t> sweeps;
     };
 
-    void refine(const MeasuredCell& cell, const Doubt& doubt, const Depth& depth,
+    void refine(const MeasuredCell& cell, const Doubt& first_doubt, const Depth& depth,
                 Extremes& found)
     {
         found.take(cell);
         double most = most_left(cell, {});
         const double least = least_left(cell);
+        // What has been found here meanwhile may have settled more than the first rays.
+        const Doubt doubt = sharpened(first_doubt, found);
         if (!doubt.holds(most, least)) {
             found.bound(most, least);
             return;
@@ -205,11 +244,14 @@ private:
             found.bound(most, least);
             return;
         }
+        // Whether a sharp edge, or any, passes through the cell the middle does not tell.
+        const bool is_smooth = cell.left.sweep >= 0 && !cutter().is_flat();
+        const std::span<const std::int32_t> inherited = is_smooth ? local : depth.sweeps;
         for (const PartCell& quarter : cell.cell.quarters()) {
             ++refined_cells_;
             if (const auto ray = charts_.ray(quarter.chart, quarter.centre()))
-                refine(measured(quarter, *ray, local), doubt, {depth.level + 1, local},
-                       found);
+                refine(measured(quarter, *ray, inherited), first_doubt,
+                       {depth.level + 1, inherited}, found);
         }
     }
 
@@ -224,13 +266,16 @@ private:
                 least.sweep = number;
             }
         }
-        return {cell, ray, cell.reach(ray), least, bend_};
+        MeasuredCell found{cell, ray, cell.reach(ray), least, bend_};
+        shorten(found);
+        return found;
     }
 
     const PartCharts& charts_;
     const SweepTree& tree_;
     const DeviationOptions& options_;
     const PartTile& tile_;
+    const PartDistance* distance_;
     PartCharts::Bend bend_;
     std::vector<MeasuredCell> cells_;
     std::vector<int> numbers_;
@@ -323,57 +368,111 @@ private:
     std::atomic<std::size_t> done_ = 0;
 };
 
+// The whole part, tile by tile: once for the first rays, then for what is in doubt.
+class Measurement {
+public:
+    explicit Measurement(const Measured& measured)
+        : measured_{measured},
+          limits_{measured.options.limits}
+    {
+    }
+
+    Deviation run()
+    {
+        const DeviationOptions& options = measured_.options;
+        deviation_.pitch_mm = options.pitch;
+        deviation_.tiles =
+            part_tiles(measured_.charts, options.pitch, options.most_cells);
+        const std::size_t cells = cell_count(deviation_.tiles);
+        deviation_.left.assign(cells, 0);
+        deviation_.area.assign(cells, 0);
+        of_tile_.resize(deviation_.tiles.size());
+        Progress progress{options, 2 * of_tile_.size()};
+        for_tiles(progress, [&](std::size_t i) { measure(i, nullptr); });
+        Extremes found = merged();
+        std::optional<PartDistance> distance;
+        if (found.is_cut && found.highest.left > limits_.scallop) {
+            distance.emplace(measured_.charts, distance_share * limits_.scallop);
+            for_tiles(progress, [&](std::size_t i) {
+                if (of_tile_[i].highest.left > limits_.scallop)
+                    measure(i, &*distance);
+            });
+            found = merged();
+        }
+        refine(found, distance ? &*distance : nullptr, progress);
+        add_extremes(deviation_, merged());
+        add_areas(deviation_, limits_);
+        return std::move(deviation_);
+    }
+
+private:
+    template <typename Body>
+    void for_tiles(Progress& progress, const Body& body)
+    {
+        parallel_for(of_tile_.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                body(i);
+                progress.step();
+            }
+        });
+    }
+
+    void measure(std::size_t number, const PartDistance* distance)
+    {
+        const PartTile& tile = deviation_.tiles[number];
+        const TileMeasure measure{measured_, tile, distance};
+        for (std::size_t k = 0; k < measure.cells().size(); ++k) {
+            const MeasuredCell& cell = measure.cells()[k];
+            const std::size_t at =
+                tile.first + static_cast<std::size_t>(measure.numbers()[k]);
+            deviation_.left[at] = static_cast<float>(cell.left.left);
+            deviation_.area[at] = static_cast<float>(cell.cell.area(cell.ray));
+        }
+        of_tile_[number] = measure.extremes();
+    }
+
+    // What is refined follows from what all first rays have found, so that it does not
+    // hang on which thread was first.
+    void refine(const Extremes& found, const PartDistance* distance, Progress& progress)
+    {
+        const double rest = std::max(0.0, found.highest.left);
+        const double gouge = std::max(0.0, -found.deepest.left);
+        const bool is_known = rest > limits_.scallop + verdict_slack ||
+                              gouge > limits_.tolerance + verdict_slack;
+        const int halvings =
+            is_known ? std::min(most_halvings_for_show, measured_.options.max_refine)
+                     : measured_.options.max_refine;
+        const Doubt doubt{threshold(rest, limits_.scallop, scallop_sharpness),
+                          -threshold(gouge, limits_.tolerance, gouge_sharpness),
+                          halvings};
+        for_tiles(progress, [&](std::size_t i) {
+            if (doubt.holds(of_tile_[i].upper, of_tile_[i].lower))
+                of_tile_[i] =
+                    TileMeasure{measured_, deviation_.tiles[i], distance}.refined(doubt);
+        });
+    }
+
+    Extremes merged() const
+    {
+        Extremes found;
+        for (const Extremes& some : of_tile_)
+            found.merge(some);
+        return found;
+    }
+
+    Measured measured_;
+    DeviationLimits limits_;
+    Deviation deviation_;
+    std::vector<Extremes> of_tile_;
+};
+
 }  // namespace
 
 Deviation measure_deviation(const PartCharts& charts, const SweepTree& tree,
                             const DeviationOptions& options)
 {
     check(options);
-    Deviation deviation;
-    deviation.pitch_mm = options.pitch;
-    deviation.tiles = part_tiles(charts, options.pitch, options.most_cells);
-    const std::size_t cells = cell_count(deviation.tiles);
-    deviation.left.assign(cells, 0);
-    deviation.area.assign(cells, 0);
-    std::vector<Extremes> of_tile(deviation.tiles.size());
-    Progress progress{options, 2 * of_tile.size()};
-    parallel_for(of_tile.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const PartTile& tile = deviation.tiles[i];
-            const TileMeasure measure{charts, tree, options, tile};
-            for (std::size_t k = 0; k < measure.cells().size(); ++k) {
-                const MeasuredCell& cell = measure.cells()[k];
-                const std::size_t at =
-                    tile.first + static_cast<std::size_t>(measure.numbers()[k]);
-                deviation.left[at] = static_cast<float>(cell.left.left);
-                deviation.area[at] = static_cast<float>(cell.cell.area(cell.ray));
-            }
-            of_tile[i] = measure.extremes();
-            progress.step();
-        }
-    });
-    Extremes found;
-    for (const Extremes& some : of_tile)
-        found.merge(some);
-    // What is refined follows from what all first rays have found, so that it does not
-    // hang on which thread was first.
-    const Doubt doubt{
-        threshold(std::max(0.0, found.highest.left), options.limits.scallop),
-        -threshold(std::max(0.0, -found.deepest.left), options.limits.tolerance)};
-    parallel_for(of_tile.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (doubt.holds(of_tile[i].upper, of_tile[i].lower))
-                of_tile[i] =
-                    TileMeasure{charts, tree, options, deviation.tiles[i]}.refined(doubt);
-            progress.step();
-        }
-    });
-    found = {};
-    for (const Extremes& some : of_tile)
-        found.merge(some);
-    add_extremes(deviation, found);
-    add_areas(deviation, options.limits);
-    return deviation;
+    return Measurement{{charts, tree, options}}.run();
 }
 
 std::string_view verdict_name(Verdict verdict)

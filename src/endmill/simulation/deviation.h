@@ -71,6 +71,11 @@ struct Deviation {
 /// rays could change the verdict, or either maximum by more than the slack and a twentieth
 /// of its limit.
 ///
+/// Where more is left along the normal than the scallop limit, the distance of that place
+/// from the part counts if it is less: beside a wall, or in a corner, the ray of one face
+/// may stand in what is left on another. Once a limit is known to be broken, cells are
+/// refined only a few times more.
+///
 /// Between rays a gouge hides at most (d^2 / 2)(1 / r + k), d a cell's half diagonal, r
 /// the cutter's corner radius, k the part's convex curvature (with a sharp edge d sin phi,
 /// phi the slope), and a rest no more than the part's and the sweeps' own shape allows:

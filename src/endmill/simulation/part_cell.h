@@ -73,7 +73,9 @@ public:
     /// Number of the surface, or of the triangle, that a chart is of.
     std::size_t source(std::uint32_t chart) const;
 
-    bool is_mesh() const { return mesh_ != nullptr; }  ///< or surfaces
+    const TriangleMesh* mesh() const { return mesh_; }               ///< none of surfaces
+    std::span<const Surface> surfaces() const { return surfaces_; }  ///< none of a mesh
+    std::span<const double> sides() const { return sides_; }         ///< of the surfaces
 
 private:
     struct Chart {

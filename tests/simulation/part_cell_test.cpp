@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/simulation/part_cell.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include "test_meshes.h"
+#include "test_surfaces.h"
+
+namespace endmill {
+namespace {
+
+TEST(PartCharts, AreAllPatchesOfSurfacesWithNormalsUp)
+{
+    const Part part = std::vector<Surface>{test::plane(6, 4, {3, 2})};
+    const PartCharts charts = part_charts(part);
+    EXPECT_EQ(charts.count(), 6U);
+    for (std::uint32_t k = 0; k < charts.count(); ++k) {
+        const auto ray = charts.ray(k, charts.whole(k).centre());
+        ASSERT_TRUE(ray);
+        EXPECT_LT((ray->normal - Vec3::UnitZ()).norm(), 1e-15);
+    }
+}
+
+TEST(PartCharts, OfAMeshLeaveOutUndersides)
+{
+    const Part part = test::box_mesh({0, 0, 0}, {2, 3, 4});
+    const PartCharts charts = part_charts(part);
+    EXPECT_EQ(charts.count(), 10U);  // two triangles for the top and for each wall
+    for (std::uint32_t k = 0; k < charts.count(); ++k)
+        EXPECT_GE(charts.ray(k, {0.3, 0.3})->normal.z(), 0);
+}
+
+TEST(PartCell, QuartersHaveItsAreaAndHalfItsReach)
+{
+    const Part surfaces = std::vector<Surface>{test::plane(6, 4)};
+    const Part mesh = test::flat_mesh(1, 1);
+    for (const Part* part : {&surfaces, &mesh}) {
+        const PartCharts charts = part_charts(*part);
+        const PartCell whole = charts.whole(0);
+        const PartRay ray = *charts.ray(0, whole.centre());
+        double area = 0;
+        for (const PartCell& quarter : whole.quarters()) {
+            area += quarter.area(ray);
+            EXPECT_NEAR(quarter.reach(ray), whole.reach(ray) / 2, 1e-14);
+        }
+        EXPECT_NEAR(area, whole.area(ray), 1e-13);
+    }
+}
+
+TEST(PartCharts, HaveNoRayWhereThereIsNoNormal)
+{
+    // Both control rows of the border v = 0 are one point: a pole.
+    std::vector<Vec3> net;
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 4; ++i)
+            net.emplace_back(i * j, j, 0);
+    const Part part = std::vector<Surface>{composite_bezier(1, 1, net)};
+    const PartCharts charts = part_charts(part);
+    EXPECT_FALSE(charts.ray(0, {0.5, 0}));
+    EXPECT_TRUE(charts.ray(0, {0.5, 0.5}));
+}
+
+}  // namespace
+}  // namespace endmill

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/simulation/part_tiles.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include "endmill/core/error.h"
+#include "test_meshes.h"
+#include "test_surfaces.h"
+
+namespace endmill {
+namespace {
+
+void expect_cover(const Part& part, double pitch, double area)
+{
+    const PartCharts charts = part_charts(part);
+    const std::vector<PartTile> tiles = part_tiles(charts, pitch, 10'000'000);
+    double sum = 0;
+    std::size_t first = 0;
+    for (const PartTile& tile : tiles) {
+        EXPECT_EQ(tile.first, first);
+        first += static_cast<std::size_t>(tile.cells());
+        EXPECT_LE(tile.cells(), most_tile_cells);
+        for (int k = 0; k < tile.cells(); ++k) {
+            const PartCell cell = tile.cell(k);
+            const PartRay ray = *charts.ray(cell.chart, cell.centre());
+            sum += cell.area(ray);
+            EXPECT_LE(cell.reach(ray), pitch);  // the half diagonal of a square is 0.71
+        }
+    }
+    EXPECT_EQ(cell_count(tiles), first);
+    EXPECT_NEAR(sum / area, 1, 1e-4);
+}
+
+TEST(PartTiles, CoverASurfaceWithCellsNoLargerThanAsked)
+{
+    for (const double pitch : {20.0, 1.0, 0.13})
+        expect_cover(std::vector<Surface>{test::plane(7, 5, {2, 1})}, pitch, 35);
+}
+
+TEST(PartTiles, CoverAMeshOfLargeAndSmallTriangles)
+{
+    for (const double pitch : {20.0, 1.0, 0.13})
+        expect_cover(test::flat_mesh(4, 3), pitch, 12);
+}
+
+TEST(PartTiles, AreRefusedIfTheyAreTooMany)
+{
+    const Part part = std::vector<Surface>{test::plane(100, 100)};
+    EXPECT_THROW(part_tiles(part_charts(part), 0.01, 1000), LimitError);
+    EXPECT_THROW(part_tiles(part_charts(part), 0, 1000), DomainError);
+}
+
+}  // namespace
+}  // namespace endmill
