@@ -43,7 +43,7 @@ int main(int argc, char** argv)
         const Cutter bull{run.number("radius_mm"), run.number("corner_radius_mm")};
         const ToolPath of_ball = saddle_path(ball, lines, steps);
         const ToolPath of_bull = saddle_path(bull, lines, steps);
-        const double bytes =
+        const double peak =
             peak_memory_bytes([&] { removed_volume(of_ball, ball, coarse); });
         add_benchmark("ball", [&] { return removed_volume(of_ball, ball, coarse); });
         add_benchmark("fine ball", [&] { return removed_volume(of_ball, ball, fine); });
@@ -61,6 +61,8 @@ int main(int argc, char** argv)
         add("ball", fine, times.of("fine ball").wall_s, "s", {});
         add("bull-nose", coarse, times.of("bull").wall_s, "s", {});
         add("bull-nose", fine, times.of("fine bull").wall_s, "s", {});
+        constexpr double bytes_per_result = 16;  // a move
+        const double bytes = peak - bytes_per_result * moves;
         add("stock and work", coarse, bytes / cells(coarse), "bytes a cell", 12);
         run.write_result(result);
     });
