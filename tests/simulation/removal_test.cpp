@@ -102,7 +102,7 @@ TEST_P(RemovalOf, IsTheSameInAHundredPieces)
 TEST_P(RemovalOf, IsTheSameForEveryNumberOfThreads)
 {
     const ToolPath path = wild_path(3000, 3);
-    const RemovalOptions options{{{.diameter = 14, .from = 9, .to = 30}}};
+    const RemovalOptions options{{{.diameter = 14, .from = 6, .to = 30}}};
     std::vector<double> heights;
     std::vector<Removal> removals;
     for (const int threads : {1, 2, 3, 8}) {

@@ -43,14 +43,14 @@ TEST(RequireStockMemory, SaysHowMuchAndWhatFits)
     EXPECT_NO_THROW(require_stock_memory(saddle_box, 0.1, 8));
     try {
         require_stock_memory(saddle_box, 0.001, 8);
-        FAIL() << "72 GiB were accepted";
+        FAIL() << "85 GiB were accepted";
     } catch (const LimitError& error) {
         const std::string what = error.what();
         EXPECT_NE(what.find("120 x 80 mm"), std::string::npos) << what;
         EXPECT_NE(what.find("cells of 0.001 mm"), std::string::npos) << what;
-        EXPECT_NE(what.find("72 GiB"), std::string::npos) << what;
+        EXPECT_NE(what.find("85 GiB"), std::string::npos) << what;
         EXPECT_NE(what.find("8 GiB (--max-memory)"), std::string::npos) << what;
-        EXPECT_NE(what.find("cells of 0.003 mm fit"), std::string::npos) << what;
+        EXPECT_NE(what.find("cells of 0.0033 mm fit"), std::string::npos) << what;
     }
     EXPECT_THROW(require_stock_memory(saddle_box, 0, 8), DomainError);
 }

@@ -57,6 +57,57 @@ MoveBatch batch_of(const std::vector<test::SmallMove>& moves)
     return batch;
 }
 
+TEST(MoveBatch, KeepsSomeInTheirOrder)
+{
+    const auto moves = test::small_moves(12, 20);
+    MoveBatch batch = batch_of(moves);
+    std::array<std::uint8_t, MoveBatch::capacity> kept{};
+    kept[3] = kept[4] = kept[19] = 1;
+    batch.keep(kept.data());
+    ASSERT_EQ(batch.count, 3);
+    MoveBatch expected;
+    for (const int k : {3, 4, 19})
+        expected.add(moves[k].swept(), static_cast<std::uint32_t>(k));
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(batch.number[k], expected.number[k]);
+        EXPECT_EQ(batch.x[k], expected.x[k]);
+        EXPECT_EQ(batch.z[k], expected.z[k]);
+        EXPECT_EQ(batch.dy[k], expected.dy[k]);
+        EXPECT_EQ(batch.per_length2[k], expected.per_length2[k]);
+    }
+}
+
+TEST(CommonTop, LiesOverAllTilesAndSpansThem)
+{
+    const StockGrid grid{.low_x = 3,
+                         .low_y = -2,
+                         .pitch = 0.1,
+                         .columns = 24,
+                         .rows = 16,
+                         .bottom_z = -100};
+    test::Random random{13};
+    for (int n = 0; n < 100; ++n) {
+        std::vector<TileTop> tops;
+        for (int j = 0; j < 2; ++j)
+            for (int i = 0; i < 3; ++i)
+                tops.push_back(tile_top(sloping_tile(random), tile_place(grid, i, j)));
+        const TileTop common = common_top(tops);
+        for (int row = 0; row < 16; ++row)
+            for (int column = 0; column < 24; ++column) {
+                const double x = grid.x(column);
+                const double y = grid.y(row);
+                const TileTop& top = tops[row / 8 * 3 + column / 8];
+                const double z =
+                    top.z + (x - top.x) * top.slope_x + (y - top.y) * top.slope_y;
+                EXPECT_GE(common.z + (x - common.x) * common.slope_x +
+                              (y - common.y) * common.slope_y,
+                          z - 1e-12);
+                EXPECT_LE(std::abs(x - common.x), common.half_width + 1e-12);
+                EXPECT_LE(std::abs(y - common.y), common.half_width + 1e-12);
+            }
+    }
+}
+
 class MayTouch : public testing::TestWithParam<Cutter> {};
 
 // What is called clear must lower no cell; and of what lowers none most is called clear.

@@ -56,6 +56,7 @@ public:
             batch_.count = 0;
             for (; next < numbers.size() && batch_.count < MoveBatch::capacity; ++next)
                 batch_.add(moves_[numbers[next]], numbers[next]);
+            leave_out_clear_moves();
             for (WorkedTile& tile : tiles_)
                 work_on(tile);
         }
@@ -80,32 +81,47 @@ private:
             }
     }
 
+    // Those that pass clear over all tiles.
+    void leave_out_clear_moves()
+    {
+        tops_.clear();
+        for (WorkedTile& tile : tiles_)
+            tops_.push_back(current_top(tile));
+        find_touches(common_top(tops_), 0, batch_.count);
+        batch_.keep(touches_.data());
+    }
+
+    static const TileTop& current_top(WorkedTile& tile)
+    {
+        if (tile.is_lowered) {
+            tile.top = tile_top(tile.heights, tile.place);
+            tile.is_lowered = false;
+        }
+        return tile.top;
+    }
+
+    // Which moves first … last - 1 may touch the stock below `top`, with any part of the
+    // tool.
+    void find_touches(const TileTop& top, int first, int last)
+    {
+        may_touch(top, batch_, cutter_disc_, first, last, touches_.data());
+        std::array<std::uint8_t, MoveBatch::capacity> meets;
+        for (const BodyCylinder& body : tool_.body) {
+            may_touch(top, batch_, {body.radius, 0, body.above}, first, last,
+                      meets.data());
+            for (int k = first; k < last; ++k)
+                touches_[k] |= meets[k];
+        }
+    }
+
     void work_on(WorkedTile& tile)
     {
         for (int first = 0; first < batch_.count; first += moves_at_a_time) {
             const int last = std::min(batch_.count, first + moves_at_a_time);
-            if (tile.is_lowered) {
-                tile.top = tile_top(tile.heights, tile.place);
-                tile.is_lowered = false;
-            }
-            may_touch(tile.top, batch_, cutter_disc_, first, last, touches_.data());
-            if (!tool_.body.empty())
-                look_at_body(tile, first, last);
+            find_touches(current_top(tile), first, last);
             for (int k = first; k < last; ++k)
                 if (touches_[k])
                     work_on(tile, batch_.number[k]);
-        }
-    }
-
-    // A cylinder is compared where the cutter itself may be clear.
-    void look_at_body(const WorkedTile& tile, int first, int last)
-    {
-        std::array<std::uint8_t, MoveBatch::capacity> meets;
-        for (const BodyCylinder& body : tool_.body) {
-            may_touch(tile.top, batch_, {body.radius, 0, body.above}, first, last,
-                      meets.data());
-            for (int k = first; k < last; ++k)
-                touches_[k] |= meets[k];
         }
     }
 
@@ -144,6 +160,7 @@ private:
     PartOfRemoval& part_;
     SweptDisc cutter_disc_;
     std::vector<WorkedTile> tiles_;
+    std::vector<TileTop> tops_;
     MoveBatch batch_;
     std::array<std::uint8_t, MoveBatch::capacity> touches_;
 };

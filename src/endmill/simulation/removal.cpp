@@ -4,48 +4,44 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <string>
 
 #include "endmill/core/error.h"
-#include "endmill/core/parallel.h"
 #include "endmill/simulation/group_removal.h"
 #include "endmill/simulation/move_bins.h"
+#include "endmill/simulation/removable_path.h"
 #include "endmill/simulation/swept_move.h"
 
 namespace endmill {
 namespace {
 
-// Differences of such coordinates still tell a thousandth of a millimetre.
-constexpr double largest_coordinate = 1e9;  // mm
-// The axis is that of the grid but for the rounding of a unit vector.
-constexpr double axis_slack = 1e-9;
-// Moves that are taken apart at a time, and entries of a move and a group of tiles: they
-// bound the memory, and are enough to keep all threads busy.
-constexpr std::size_t most_moves = 8192;
-constexpr std::size_t most_entries = std::size_t{1} << 18;
+// How many moves are taken apart at a time, and entries of a move and a group of tiles:
+// about a byte a cell, and enough to keep all threads busy.
+struct PartSize {
+    std::size_t moves;
+    std::size_t entries;
+};
 
-void require_sound(const ToolPath& path, const RemovalOptions& options)
+PartSize part_size(const StockGrid& grid)
 {
-    for (const PathPoint& point : path.points) {
-        const Vec3& tip = point.location.tip;
-        require(tip.allFinite() && tip.cwiseAbs().maxCoeff() <= largest_coordinate,
-                "remove_along: a tip is not within 1e9 mm");
-        if (!((point.location.axis - Vec3::UnitZ()).norm() <= axis_slack))
-            throw GeometryError{
-                "the tool axis of pass " + std::to_string(point.pass) + ", point " +
-                std::to_string(point.point) +
-                " is not +z: removal of five-axis paths is not supported yet"};
-    }
+    const std::size_t cells = static_cast<std::size_t>(grid.columns) * grid.rows;
+    return {std::max<std::size_t>(4096, cells / 128),
+            std::max<std::size_t>(std::size_t{1} << 17, cells / 8)};
+}
+
+void require_sound(const RemovalOptions& options)
+{
     for (const ToolCylinder& cylinder : options.body)
-        require(cylinder.diameter > 0 && std::isfinite(cylinder.from),
+        require(cylinder.diameter > 0 && std::isfinite(cylinder.diameter) &&
+                    std::isfinite(cylinder.from),
                 "remove_along: a cylinder of the tool has no diameter");
 }
 
-// Moves first, first + 1, … of the path, at most `most_moves`. The first point is a move
-// that stays in place, if it cuts at all.
-std::vector<SweptMove> moves_from(const ToolPath& path, std::size_t first)
+// Moves first, first + 1, … of the path, at most `count`. The first point is a move that
+// stays in place, if it cuts at all.
+std::vector<SweptMove> moves_from(const ToolPath& path, std::size_t first,
+                                  std::size_t count)
 {
-    const std::size_t last = std::min(path.points.size(), first + most_moves);
+    const std::size_t last = std::min(path.points.size(), first + count);
     std::vector<SweptMove> moves;
     moves.reserve(last - first);
     for (std::size_t k = first; k < last; ++k) {
@@ -53,12 +49,6 @@ std::vector<SweptMove> moves_from(const ToolPath& path, std::size_t first)
         moves.push_back(swept_move(k == 0 ? to : path.points[k - 1].location.tip, to));
     }
     return moves;
-}
-
-bool cuts_at_start(const ToolPath& path)
-{
-    const Move move = path.points.front().move;
-    return move == Move::Plunge || move == Move::Cut;
 }
 
 // A power of two of which the volume of the stock is at most 2^61: the sum of all parts
@@ -69,7 +59,7 @@ double volume_unit(const HeightStock& stock)
     return volume > 0 ? std::ldexp(1, std::ilogb(volume) - 60) : 1;
 }
 
-void count(MoveCount& moves, std::size_t number, double depth)
+void add_move(MoveCount& moves, std::size_t number, double depth)
 {
     ++moves.count;
     if (!moves.first)
@@ -90,9 +80,9 @@ void add_part(Removal& removal, const PartOfRemoval& part, const ToolPath& path,
         if (!cuts && number > 0)
             ++removal.air_moves;
         if (cuts && path.points[number].move == Move::Rapid)
-            count(removal.rapid_cuts, number, depth);
+            add_move(removal.rapid_cuts, number, depth);
         if (part.body_depths[k] > least_cut_depth)
-            count(removal.collisions, number, part.body_depths[k]);
+            add_move(removal.collisions, number, part.body_depths[k]);
     }
 }
 
@@ -101,17 +91,19 @@ void add_part(Removal& removal, const PartOfRemoval& part, const ToolPath& path,
 Removal remove_along(HeightStock& stock, const ToolPath& path, const Cutter& cutter,
                      const RemovalOptions& options)
 {
-    require_sound(path, options);
+    require_removable(path);
+    require_sound(options);
     Removal removal;
     removal.removed.assign(path.points.size(), 0);
     removal.deepest.assign(path.points.size(), 0);
     const SweepingTool tool = sweeping_tool(cutter, options.body);
+    const PartSize size = part_size(stock.grid());
     const double unit = volume_unit(stock);
     std::int64_t total = 0;
     std::size_t first = !path.points.empty() && !cuts_at_start(path) ? 1 : 0;
     while (first < path.points.size()) {
-        const std::vector<SweptMove> moves = moves_from(path, first);
-        const MoveBins bins{stock.grid(), moves, tool.reach, most_entries};
+        const std::vector<SweptMove> moves = moves_from(path, first, size.moves);
+        const MoveBins bins{stock.grid(), moves, tool.reach, size.entries};
         const PartOfRemoval part =
             remove_part(stock, {moves.data(), bins.moves()}, bins, tool, unit);
         add_part(removal, part, path, first);

@@ -14,8 +14,9 @@ namespace endmill {
 namespace {
 
 constexpr double bytes_per_gib = 0x1p30;
-// A batch of moves taken apart, their bins, and the loops of each thread.
-constexpr double bytes_of_work = 4e6;
+// What `remove_along` takes for the moves at hand and their bins; measured with a margin.
+constexpr double work_bytes_per_cell = 1.5;
+constexpr double bytes_of_work = 2.5e6;
 
 // Tiles over a width; a tile more, for a grid is widened to whole cells and tiles.
 double tiles_across(double width, double pitch)
@@ -36,7 +37,7 @@ double required_bytes(const Block& box, double pitch)
 {
     const Vec3 size = box.high - box.low;
     return tiles_across(size.x(), pitch) * tiles_across(size.y(), pitch) *
-               HeightStock::tile_size * sizeof(double) +
+               HeightStock::tile_size * (sizeof(double) + work_bytes_per_cell) +
            bytes_of_work;
 }
 
@@ -46,7 +47,8 @@ std::optional<double> fitting_pitch(const Block& box, double bytes)
     const double largest = std::max(size.x(), size.y());
     // One tile and one more in each direction, whatever the pitch.
     constexpr double least_bytes =
-        4.0 * HeightStock::tile_size * sizeof(double) + bytes_of_work;
+        4.0 * HeightStock::tile_size * (sizeof(double) + work_bytes_per_cell) +
+        bytes_of_work;
     if (!(bytes >= least_bytes) || !(largest > 0))
         return std::nullopt;
     // A lower bound: as if the cells were all.

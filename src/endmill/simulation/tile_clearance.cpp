@@ -66,6 +66,56 @@ TileTop tile_top(HeightStock::ConstTile tile, const TilePlace& place)
     return top;
 }
 
+TileTop common_top(std::span<const TileTop> tops)
+{
+    TileTop common{};
+    double low_x = tops.front().x;
+    double low_y = tops.front().y;
+    double high_x = low_x;
+    double high_y = low_y;
+    for (const TileTop& top : tops) {
+        low_x = std::min(low_x, top.x);
+        low_y = std::min(low_y, top.y);
+        high_x = std::max(high_x, top.x);
+        high_y = std::max(high_y, top.y);
+        common.slope_x += top.slope_x / static_cast<double>(tops.size());
+        common.slope_y += top.slope_y / static_cast<double>(tops.size());
+        common.margin = std::max(common.margin, top.margin);
+    }
+    common.x = (low_x + high_x) / 2;
+    common.y = (low_y + high_y) / 2;
+    common.half_width =
+        std::max(high_x - low_x, high_y - low_y) / 2 + tops.front().half_width;
+    common.z = -std::numeric_limits<double>::infinity();
+    // Over a tile the difference of the planes is greatest at one of its corners.
+    for (const TileTop& top : tops)
+        common.z = std::max(common.z, top.z + (common.x - top.x) * common.slope_x +
+                                          (common.y - top.y) * common.slope_y +
+                                          (std::abs(top.slope_x - common.slope_x) +
+                                           std::abs(top.slope_y - common.slope_y)) *
+                                              top.half_width);
+    // The sums above round some ten times as often as those of a tile.
+    common.margin *= 10;
+    return common;
+}
+
+void MoveBatch::keep(const std::uint8_t* kept)
+{
+    int next = 0;
+    for (int k = 0; k < count; ++k) {
+        x[next] = x[k];
+        y[next] = y[k];
+        z[next] = z[k];
+        dx[next] = dx[k];
+        dy[next] = dy[k];
+        dz[next] = dz[k];
+        per_length2[next] = per_length2[k];
+        number[next] = number[k];
+        next += kept[k] ? 1 : 0;
+    }
+    count = next;
+}
+
 void MoveBatch::add(const SweptMove& move, std::uint32_t its_number)
 {
     const double length2 = move.length * move.length + move.rise * move.rise;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "endmill/simulation/swept_move.h"
 #include "endmill/simulation/tile_cut.h"
@@ -25,6 +26,10 @@ struct TileTop {
 /// The plane of the slope that fits the heights best, raised until it lies over all.
 TileTop tile_top(HeightStock::ConstTile tile, const TilePlace& place);
 
+/// A plane over all of the tiles that lie under `tops`, of their mean slope.
+/// \pre there is a tile.
+TileTop common_top(std::span<const TileTop> tops);
+
 /// Moves side by side, for the loops that look at many: a structure of arrays.
 struct MoveBatch {
     static constexpr int capacity = 256;
@@ -41,6 +46,9 @@ struct MoveBatch {
 
     /// \pre count < capacity
     void add(const SweptMove& move, std::uint32_t its_number);
+
+    /// Leaves only the moves with a 1, in their order.
+    void keep(const std::uint8_t* kept);
 };
 
 /// The rounded disc that sweeps: the points within `corner_radius` of a disc of

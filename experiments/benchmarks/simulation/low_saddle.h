@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "endmill/cutter/cutter.h"
+#include "endmill/path/tool_path.h"
+#include "endmill/simulation/height_stock.h"
+
+namespace endmill {
+
+/// z = 20 a b (a^2 - b^2) / (a^2 + b^2 + 1/4) with a = x / 40, b = y / 40 over [-60, 60]
+/// by [-40, 40] mm: a saddle of three valleys, no steeper than 34.3 degrees.
+struct LowSaddle {
+    static constexpr double half_length = 60;  ///< mm, along x
+    static constexpr double half_width = 40;   ///< mm, along y
+
+    /// Height in mm over (x, y) in mm.
+    static double height(double x, double y)
+    {
+        const double a = x / 40;
+        const double b = y / 40;
+        return 20 * a * b * (a * a - b * b) / (a * a + b * b + 0.25);
+    }
+
+    /// Unit normal, upwards.
+    static Vec3 normal(double x, double y)
+    {
+        const double a = x / 40;
+        const double b = y / 40;
+        const double over = a * a + b * b + 0.25;
+        const double share = 2 * a * b * (a * a - b * b) / (over * over);
+        const double slope_x = 0.5 * (b * (3 * a * a - b * b) / over - a * share);
+        const double slope_y = 0.5 * (a * (a * a - 3 * b * b) / over - b * share);
+        return Vec3{-slope_x, -slope_y, 1}.normalized();
+    }
+
+    /// The block that it is cut from, 1 mm more below it.
+    static Block block()
+    {
+        constexpr double lowest = -13.4;  // its corners of the valleys lie at -12.39
+        return {{-half_length, -half_width, lowest}, {half_length, half_width, 20}};
+    }
+};
+
+/// Lines along x, forwards and backwards, evenly over y, each in equal steps; the cutter
+/// touches the saddle at every point.
+inline ToolPath saddle_path(const Cutter& cutter, int lines, int steps)
+{
+    ToolPath path;
+    path.points.reserve(static_cast<std::size_t>(lines) * (steps + 1));
+    for (int line = 0; line < lines; ++line)
+        for (int step = 0; step <= steps; ++step) {
+            const int from_left = line % 2 == 0 ? step : steps - step;
+            const double x = LowSaddle::half_length * (2.0 * from_left / steps - 1);
+            const double y = LowSaddle::half_width * ((2.0 * line + 1) / lines - 1);
+            const Vec3 normal = LowSaddle::normal(x, y);
+            const Vec3 level{normal.x(), normal.y(), 0};
+            // The middle of the corner's circle, then the axis, then its lowest point.
+            Vec3 tip = Vec3{x, y, LowSaddle::height(x, y)} +
+                       cutter.corner_radius() * normal -
+                       cutter.corner_radius() * Vec3::UnitZ();
+            if (level.norm() > 0)
+                tip += cutter.flat_radius() * level.normalized();
+            path.points.push_back({.pass = line,
+                                   .point = step,
+                                   .move = step == 0 ? Move::Link : Move::Cut,
+                                   .location = {tip, Vec3::UnitZ()},
+                                   .contact = {},
+                                   .patch = 0});
+        }
+    return path;
+}
+
+}  // namespace endmill
