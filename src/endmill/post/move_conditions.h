@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Internal to post: what a program tells the machine of each move.
+
+#include <cstddef>
+
+#include "endmill/path/tool_path.h"
+
+namespace endmill {
+
+/// Feed, speed and tool of each move of a path, from the path or else from what is told
+/// for all of it, checked.
+class MoveConditions {
+public:
+    /// \param path outlives this. \param otherwise where the path says nothing.
+    /// \param decimals to which a feed is rounded when it is written.
+    /// \throws DomainError unless the path has no conditions or one a point.
+    MoveConditions(const ToolPath& path, const CuttingConditions& otherwise,
+                   int decimals);
+
+    /// Those of the move to a point, from 0. A rapid has no feed.
+    /// \throws DomainError if a move at feed has none, or one that is not above 0 once
+    ///         rounded; for a spindle speed or a tool number below 0, or not finite.
+    CuttingConditions at(std::size_t point);
+
+private:
+    void check_feed(std::size_t point, double feed);
+
+    const ToolPath& path_;
+    CuttingConditions otherwise_;
+    int decimals_;
+    double checked_feed_ = 0;
+};
+
+}  // namespace endmill
