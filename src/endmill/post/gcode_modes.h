@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "endmill/post/arc.h"
+#include "endmill/post/gcode_block.h"
+#include "endmill/post/text_lines.h"
+
+namespace endmill {
+
+/// What axis words do: G80 and before the first code, G0, G1, G2, G3.
+enum class Motion { None, Rapid, Straight, ClockwiseArc, CounterclockwiseArc };
+
+/// What G20 and G21 have said.
+enum class LengthUnit { Unsaid, Inch, Millimetre };
+
+/// What the G codes of a program leave in force, block after block.
+/// Source: the modal groups of RS-274/NGC (NISTIR 6556), section 3.4.
+struct GcodeModes {
+    Motion motion = Motion::None;
+    ArcPlane plane = ArcPlane::Xy;
+    LengthUnit unit = LengthUnit::Unsaid;
+    bool incremental = false;       ///< G91
+    bool absolute_centres = false;  ///< G90.1
+    bool inverse_time = false;      ///< G93
+    int coordinate_system = 0;      ///< 540 to 593, in tenths; 0 if never named
+    bool used_tool_length = false;  ///< whether there was a G43
+    bool used_blending = false;     ///< whether there was a G64
+
+    /// mm in the unit of length.
+    double mm_per_unit() const { return unit == LengthUnit::Inch ? 25.4 : 1; }
+
+    /// Puts the codes of `block` into force.
+    /// \throws FormatError at the line where `lines` stands for a code that is not of the
+    ///         subset, saying which kind it is; two codes of one group; a second
+    ///         coordinate system.
+    void apply(const GcodeBlock& block, const TextLines& lines);
+};
+
+/// \throws FormatError at the line where `lines` stands if an M code of `block` calls a
+///         subprogram, moves the tool's centre point or brings back a former state, or if
+///         two stop or two turn the spindle.
+void check_m_codes(const GcodeBlock& block, const TextLines& lines);
+
+}  // namespace endmill
