@@ -105,7 +105,10 @@ WrittenProgram apt(const ToolPath& path, const AptOptions& options)
     for (std::size_t i = 0; i < path.points.size(); ++i)
         writer.add_point(path.points[i], conditions.at(i));
     writer.add("FINI");
-    return writer.take();
+    WrittenProgram program = writer.take();
+    program.feed_mm_per_min = conditions.feeds();
+    program.spindle_rpm = conditions.speeds();
+    return program;
 }
 
 }  // namespace endmill

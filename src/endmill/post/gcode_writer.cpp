@@ -96,6 +96,8 @@ public:
         blocks_.add_line("%");
         program_.lines = blocks_.lines();
         program_.max_rounding_error_mm = blocks_.max_rounding_error_mm();
+        program_.feed_mm_per_min = told_.feeds();
+        program_.spindle_rpm = told_.speeds();
         program_.text = std::move(blocks_.text());
         return std::move(program_);
     }

@@ -49,6 +49,8 @@ CuttingConditions MoveConditions::at(std::size_t point)
         check_feed(point, *told.feed_mm_per_min);
     if (told.spindle_rpm && !(*told.spindle_rpm >= 0 && std::isfinite(*told.spindle_rpm)))
         refuse(point, "a spindle speed that is no number from 0", "one in rpm");
+    if (told.spindle_rpm)
+        speeds_.add(*told.spindle_rpm);
     if (told.tool && *told.tool < 0)
         refuse(point, "tool " + std::to_string(*told.tool), "a number from 0");
     return told;
@@ -66,6 +68,7 @@ void MoveConditions::check_feed(std::size_t point, double feed)
                "a feed of " + to_text(feed) + " mm/min, which rounds to 0 with " +
                    counted(static_cast<std::size_t>(decimals_), "decimal"),
                "a higher one, or more --decimals");
+    feeds_.add(feed);
     checked_feed_ = feed;
 }
 

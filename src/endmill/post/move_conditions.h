@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "endmill/path/tool_path.h"
+#include "endmill/post/written_program.h"
 
 namespace endmill {
 
@@ -24,6 +25,9 @@ public:
     ///         rounded; for a spindle speed or a tool number below 0, or not finite.
     CuttingConditions at(std::size_t point);
 
+    const NumberRange& feeds() const { return feeds_; }    ///< so far, in mm/min
+    const NumberRange& speeds() const { return speeds_; }  ///< so far, in rpm
+
 private:
     void check_feed(std::size_t point, double feed);
 
@@ -31,6 +35,8 @@ private:
     CuttingConditions otherwise_;
     int decimals_;
     double checked_feed_ = 0;
+    NumberRange feeds_;
+    NumberRange speeds_;
 };
 
 }  // namespace endmill
