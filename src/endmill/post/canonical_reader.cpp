@@ -23,7 +23,7 @@ constexpr double half_last_decimal = 5e-5;  // of four, in the program's unit
 constexpr double mm_per_inch = 25.4;
 
 // What cannot move the tool, nor change what a later line means.
-constexpr std::array<std::string_view, 46> idle_names{
+constexpr std::array<std::string_view, 47> idle_names{
     "CHANGE_TOOL_NUMBER_DONE",
     "CLAMP_AXIS",
     "CLEAR_AUX_OUTPUT_BIT",
@@ -62,6 +62,7 @@ constexpr std::array<std::string_view, 46> idle_names{
     "SET_MOTION_OUTPUT_BIT",
     "SET_MOTION_OUTPUT_VALUE",
     "SET_NAIVECAM_TOLERANCE",
+    "SET_SPINDLE_MODE",
     "SET_TOOL_TABLE_ENTRY",
     "SET_TRAVERSE_RATE",
     "START_CHANGE",
