@@ -27,10 +27,12 @@ std::string comment_text(std::string_view text)
 
 std::string opening_comment(std::string_view name, const std::optional<Cutter>& cutter)
 {
-    std::string text = "endmill: " + comment_text(name);
+    std::string text = "endmill: ";
+    if (const std::string clean = comment_text(name); !clean.empty())
+        text += clean + ", ";
     if (cutter)
-        text += ", cutter " + cutter_word(*cutter);
-    return text + ", tips";
+        text += "cutter " + cutter_word(*cutter) + ", ";
+    return text + "tips";
 }
 
 }  // namespace endmill

@@ -116,10 +116,10 @@ private:
     {
         const Motion motion = point.move == Move::Rapid ? Motion::Rapid : Motion::Feed;
         const Vec3& tip = point.location.tip;
+        if (told.tool != tool_)
+            change_tool(told, motion, tip);
         if (told.spindle_rpm)
             blocks_.set_speed(*told.spindle_rpm);
-        if (told.tool != tool_)
-            change_tool(*told.tool, motion, told, tip);
         const Vec3 from = blocks_.tip();
         if (!blocks_.add_move(motion, tip, told.feed_mm_per_min))
             ++program_.repeated_points;
@@ -134,15 +134,16 @@ private:
 
     // The first tool is put over the first point; a later one over the last point, and
     // down to it, so that the next move at feed is the path's own.
-    void change_tool(int tool, Motion next, const CuttingConditions& told,
-                     const Vec3& tip)
+    void change_tool(const CuttingConditions& told, Motion next, const Vec3& tip)
     {
         const std::optional<Vec3> back =
             tool_ ? std::optional{blocks_.tip()} : std::nullopt;
         if (back)
             retract();
-        tool_ = tool;
-        blocks_.add_block('T' + std::to_string(tool) + " M6");
+        tool_ = told.tool;
+        blocks_.add_block('T' + std::to_string(*told.tool) + " M6");
+        if (told.spindle_rpm)
+            blocks_.set_speed(*told.spindle_rpm);
         blocks_.start_spindle();
         go_over(back.value_or(tip));
         if (back && next == Motion::Feed)

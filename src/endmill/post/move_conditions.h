@@ -4,6 +4,7 @@
 // Internal to post: what a program tells the machine of each move.
 
 #include <cstddef>
+#include <limits>
 
 #include "endmill/path/tool_path.h"
 #include "endmill/post/written_program.h"
@@ -34,7 +35,7 @@ private:
     const ToolPath& path_;
     CuttingConditions otherwise_;
     int decimals_;
-    double checked_feed_ = 0;
+    double checked_feed_ = std::numeric_limits<double>::quiet_NaN();
     NumberRange feeds_;
     NumberRange speeds_;
 };
