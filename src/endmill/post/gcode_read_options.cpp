@@ -27,13 +27,15 @@ void check_options(const GcodeReadOptions& options)
     const auto is_positive = [](double value) {
         return std::isfinite(value) && value > 0;
     };
-    require(is_positive(options.arc_tolerance_mm), "need 0 < arc tolerance");
-    require(is_positive(options.max_extent_mm), "need 0 < largest extent");
+    require(is_positive(options.arc_tolerance_mm),
+            "GcodeReadOptions: need 0 < arc tolerance");
+    require(is_positive(options.max_extent_mm),
+            "GcodeReadOptions: need 0 < largest extent");
     require(std::isfinite(options.programmed_point_height_mm) &&
                 options.programmed_point_height_mm >= 0,
-            "need 0 <= height of the programmed point");
+            "GcodeReadOptions: need 0 <= height of the programmed point");
     require(options.most_points <= std::numeric_limits<int>::max(),
-            "need at most 2^31 - 1 points");
+            "GcodeReadOptions: need at most 2^31 - 1 points");
 }
 
 void check_extent(double coordinate_mm, const GcodeReadOptions& options,

@@ -141,7 +141,7 @@ private:
             builder_.remark("coordinate system first named in line " +
                             std::to_string(lines_.number()) +
                             ", after motion: taken as the one before");
-        if (block.g.contains(430))
+        if (modes_.used_tool_length && !before.used_tool_length)
             builder_.remark(
                 (block.has('H') ? "G43 H" + brief(block.value('H'))
                                 : std::string{"G43"}) +
@@ -215,7 +215,7 @@ private:
         if (!is_known())
             ++moves_left_out_;
         else if (!was_known)
-            start_path();
+            start_path(is_rapid);
         else if (along_arc)
             builder_.go_along(arcs.arc(start, position_), *feed_);
         else
@@ -257,9 +257,9 @@ private:
     }
 
     // The first point says where the path begins; nothing is cut on the way to it.
-    void start_path()
+    void start_path(bool is_rapid)
     {
-        ++moves_left_out_;
+        moves_left_out_ += is_rapid ? 0 : 1;
         start_line_ = lines_.number();
         builder_.go_to(position_, std::nullopt);
     }
@@ -288,12 +288,10 @@ private:
             return;
         if (start_line_ == 0)
             builder_.remark("all motion is left out: not every axis is given a position");
-        else if (moves_left_out_ > 1)
-            builder_.remark("the path begins in line " + std::to_string(start_line_) +
-                            ", where every axis has been given; " +
-                            counted(moves_left_out_ - 1, "move") + " before is left out");
         else
-            builder_.remark("the path begins in line " + std::to_string(start_line_));
+            builder_.remark("the path begins in line " + std::to_string(start_line_) +
+                            ", where every axis has been given; left out: " +
+                            counted(moves_left_out_, "move"));
     }
 
     void remark_on_modes()
@@ -310,8 +308,9 @@ private:
     Vec3 position_ = Vec3::Zero();  // of the programmed point, mm
     std::array<bool, 3> is_axis_known_ = {};
     int known_axes_ = 0;
-    std::size_t moves_left_out_ = 0;   // the one to the path's first point included
-    std::size_t start_line_ = 0;       // 0 before the path has begun
+    std::size_t moves_left_out_ =
+        0;                        // with the one to the path's first point, if it cuts
+    std::size_t start_line_ = 0;  // 0 before the path has begun
     std::size_t first_unit_line_ = 0;  // of the first G20 or G21 after lengths, 0 if none
     bool has_unsaid_lengths_ = false;
     bool has_inches_ = false;
