@@ -135,11 +135,11 @@ private:
 
     Move move() const
     {
+        if (!columns_.has(MoveWord))
+            return Move::Cut;
         const std::string_view word = cell(MoveWord);
         if (word == last_word_)
             return last_move_;
-        if (word.empty())
-            return Move::Cut;
         const std::optional<Move> move = move_from_name(word);
         if (!move)
             refuse(MoveWord, "cut, link, rapid, plunge or retract");
@@ -184,10 +184,11 @@ private:
         if (!read)
             return std::nullopt;
         const std::optional<Vec3> unit = unit_axis(*read);
+        const std::string_view name = column_name(first);  // less its "_x", the vector's
         if (!unit)
             throw lines_.complaint("E_CSV",
-                                   std::string{column_name(first)} + " … are of length " +
-                                       shown_length(*read),
+                                   std::string{name.substr(0, name.size() - 2)} +
+                                       " of length " + shown_length(*read),
                                    "length 1 within " + to_text(axis_length_tolerance));
         return unit;
     }
