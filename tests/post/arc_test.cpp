@@ -110,7 +110,7 @@ TEST(ArcChords, HaveTheirEndsOnTheCircleAndTheirMiddlesWithinTheTolerance)
                 double travelled = 0;
                 for (std::size_t i = 1; i <= count; ++i) {
                     const Vec3 point = chords.end(i);
-                    EXPECT_NEAR((point - centre).norm(), radius, 1e-12 * (radius + 10));
+                    EXPECT_NEAR((point - centre).norm(), radius, 2e-15 * (radius + 10));
                     EXPECT_NEAR(point[axes.normal], centre[axes.normal], 1e-14);
                     const Vec3 middle = (point + before) / 2;
                     EXPECT_LE(radius - (middle - centre).norm(), tolerance * (1 + 1e-9));

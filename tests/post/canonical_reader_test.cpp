@@ -137,6 +137,24 @@ TEST(ParseCanonical, PassesOverWhatDoesNotMove)
     EXPECT_EQ(program.path.points.size(), 1U);
 }
 
+// What the interpreter prints for M2, but for the coordinate system: its own test of a cam.
+TEST(ParseCanonical, ReadsTheEndOfAProgram)
+{
+    const Program program = read_canonical(
+        "SET_FEED_MODE(0, 0)\nSET_FEED_RATE(0.0000)\nSTOP_SPINDLE_TURNING(0)\n"
+        "SET_SPINDLE_MODE(0 0.0000)\nPROGRAM_END()\n");
+    EXPECT_THAT(program.remarks,
+                ElementsAre("four decimals: coordinates are known to 5e-05 mm"));
+}
+
+TEST(ParseCanonical, TakesTheToolThatIsSaidToBeThere)
+{
+    EXPECT_EQ(read_canonical("CHANGE_TOOL_NUMBER(5)\nSTRAIGHT_TRAVERSE(1.0, 2.0, 3.0)")
+                  .path.conditions.back()
+                  .tool,
+              5);
+}
+
 TEST(ParseCanonical, ReadsTheSpindleOfEarlierReleases)
 {
     const Program program = read_canonical(
@@ -175,6 +193,9 @@ TEST(ParseCanonical, RefusesMotionThatItDoesNotFollow)
     }
     EXPECT_EQ(refusal("SET_FEED_MODE(0, 1)"),
               "E_CANONICAL f.txt:8: feed per revolution; expected feed per minute");
+    EXPECT_EQ(refusal("SET_SPINDLE_MODE(0 2000.0000)"),
+              "E_CANONICAL f.txt:8: constant surface speed; expected a spindle speed in "
+              "1/min");
     EXPECT_EQ(
         refusal("STRAIGHT_TRAVERSE(0.0000, 0.0000, 0.0000, 0.0000, 9.0000, 0.0000)"),
         "E_CANONICAL f.txt:8: a turned rotary axis; expected a three-axis program");

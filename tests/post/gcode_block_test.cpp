@@ -38,7 +38,7 @@ TEST(ParseBlock, ReadsLettersAndNumbers)
     EXPECT_FALSE(block.has_any("IJ"));
 }
 
-// "G0X +0. 12 34Y 7" is the example of the language's document, section 3.3.1.
+// "G0X +0. 12 34Y 7" is the example of [KramerProctorMessina].
 TEST(ParseBlock, TakesBlanksAndCasesAsTheyCome)
 {
     const GcodeBlock block = block_of("g0x +0. 12 34y\t7 z- 1");

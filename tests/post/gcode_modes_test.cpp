@@ -34,7 +34,7 @@ std::string m_refusal(const std::string& text)
 TEST(GcodeModes, BeginAsTheLanguageDoes)
 {
     const GcodeModes modes;
-    EXPECT_EQ(modes.motion, Motion::None);
+    EXPECT_EQ(modes.motion, GcodeMotion::None);
     EXPECT_EQ(modes.plane, ArcPlane::Xy);
     EXPECT_FALSE(modes.incremental);
     EXPECT_EQ(modes.mm_per_unit(), 1);
@@ -44,7 +44,7 @@ TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
 {
     const GcodeModes modes =
         modes_after("G1 G18 G20 G91 G90.1 G93 G55 G43 G64\nG61\nG40");
-    EXPECT_EQ(modes.motion, Motion::Straight);
+    EXPECT_EQ(modes.motion, GcodeMotion::Straight);
     EXPECT_EQ(modes.plane, ArcPlane::Zx);
     EXPECT_EQ(modes.mm_per_unit(), 25.4);
     EXPECT_TRUE(modes.incremental);
@@ -57,9 +57,9 @@ TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
     const GcodeModes later = modes_after(
         "G1 G18 G20 G91 G90.1 G93\nG80 G17 G21 G90\n"
         "G91.1 G94 G49 G61.1 G59.3\nG59.3");
-    EXPECT_EQ(later.motion, Motion::None);
+    EXPECT_EQ(later.motion, GcodeMotion::None);
     EXPECT_EQ(later.plane, ArcPlane::Xy);
-    EXPECT_EQ(later.unit, LengthUnit::Millimetre);
+    EXPECT_EQ(later.unit, GcodeUnit::Millimetre);
     EXPECT_FALSE(later.incremental);
     EXPECT_FALSE(later.absolute_centres);
     EXPECT_FALSE(later.inverse_time);

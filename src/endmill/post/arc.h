@@ -66,12 +66,15 @@ public:
     /// \param tolerance_mm t > 0: the number of chords is the angle over
     ///        2 acos(1 - t / radius), rounded up, for the larger radius.
     ///        A chord spans at most half a turn.
+    /// Source: the sagitta of a chord; spec of the removal, section 5.
     /// \pre both radii of `arc` are positive.
     ArcChords(const Arc& arc, double tolerance_mm);
 
     double count() const { return count_; }  ///< whole number, at least 1, maybe huge
 
-    /// The end of chord `number`, from 1; that of the last is the arc's end itself.
+    /// The end of chord `number`, from 1; that of the last is the arc's end itself. The
+    /// others are on the arc within 1e-15 of the radius and the centre's coordinates, and
+    /// along it within 1e-15 of the way from the start.
     Vec3 end(std::size_t number) const;
 
 private:

@@ -16,7 +16,7 @@ bool is_digit(char byte)
 
 bool is_in_name(char byte)
 {
-    return ('A' <= byte && byte <= 'Z') || byte == '_' || is_digit(byte);
+    return ('A' <= byte && byte <= 'Z') || byte == '_' || byte == '.' || is_digit(byte);
 }
 
 // How many bytes at the beginning of `text` satisfy `holds`.

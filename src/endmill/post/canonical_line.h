@@ -8,7 +8,7 @@ namespace endmill {
 
 /// A line of canonical output: "   12 N..... NAME(argument, argument)".
 struct CanonicalLine {
-    std::string_view name;       ///< capitals, digits and _
+    std::string_view name;       ///< capitals, digits, _ and .
     std::string_view arguments;  ///< between the first ( and the last )
 };
 

@@ -12,6 +12,7 @@
 #include "endmill/post/arc.h"
 #include "endmill/post/canonical_line.h"
 #include "endmill/post/gcode_arc.h"
+#include "endmill/post/idle_commands.h"
 #include "endmill/post/plain_number.h"
 #include "endmill/post/program_builder.h"
 #include "endmill/post/text_lines.h"
@@ -21,57 +22,6 @@ namespace {
 
 constexpr double half_last_decimal = 5e-5;  // of four, in the program's unit
 constexpr double mm_per_inch = 25.4;
-
-// What cannot move the tool, nor change what a later line means.
-constexpr std::array<std::string_view, 47> idle_names{
-    "CHANGE_TOOL_NUMBER_DONE",
-    "CLAMP_AXIS",
-    "CLEAR_AUX_OUTPUT_BIT",
-    "CLEAR_MOTION_OUTPUT_BIT",
-    "COMMENT",
-    "DISABLE_ADAPTIVE_FEED",
-    "DISABLE_FEED_HOLD",
-    "DISABLE_FEED_OVERRIDE",
-    "DISABLE_SPEED_OVERRIDE",
-    "DWELL",
-    "ENABLE_ADAPTIVE_FEED",
-    "ENABLE_FEED_HOLD",
-    "ENABLE_FEED_OVERRIDE",
-    "ENABLE_SPEED_OVERRIDE",
-    "FINISH",
-    "FLOOD_OFF",
-    "FLOOD_ON",
-    "LOG",
-    "LOGAPPEND",
-    "LOGCLOSE",
-    "LOGOPEN",
-    "MESSAGE",
-    "MIST_OFF",
-    "MIST_ON",
-    "ON_RESET",
-    "OPTIONAL_PROGRAM_STOP",
-    "ORIENT_SPINDLE",
-    "PALLET_SHUTTLE",
-    "PROGRAM_STOP",
-    "RELOAD_TOOLDATA",
-    "SELECT_POCKET",
-    "SET_AUX_OUTPUT_BIT",
-    "SET_AUX_OUTPUT_VALUE",
-    "SET_FEED_REFERENCE",
-    "SET_MOTION_CONTROL_MODE",
-    "SET_MOTION_OUTPUT_BIT",
-    "SET_MOTION_OUTPUT_VALUE",
-    "SET_NAIVECAM_TOLERANCE",
-    "SET_SPINDLE_MODE",
-    "SET_TOOL_TABLE_ENTRY",
-    "SET_TRAVERSE_RATE",
-    "START_CHANGE",
-    "STOP_CUTTER_RADIUS_COMPENSATION",
-    "STOP_SPEED_FEED_SYNCH",
-    "TURN_PROBE_OFF",
-    "TURN_PROBE_ON",
-    "UNCLAMP_AXIS",
-};
 
 class CanonicalReader {
 public:
@@ -110,14 +60,14 @@ private:
         arguments_ = line->arguments;
         if (const Handler handler = handler_of(line->name))
             (this->*handler)();
-        else if (!std::ranges::binary_search(idle_names, line->name))
+        else if (!is_idle_command(line->name))
             throw lines_.complaint("canonical command " + quoted(line->name),
                                    "straight moves, arcs, and what does not move");
     }
 
     static Handler handler_of(std::string_view name)
     {
-        static constexpr std::array<std::pair<std::string_view, Handler>, 18> handlers{{
+        static constexpr std::array<std::pair<std::string_view, Handler>, 20> handlers{{
             {"STRAIGHT_FEED", &CanonicalReader::straight_feed},
             {"ARC_FEED", &CanonicalReader::arc_feed},
             {"STRAIGHT_TRAVERSE", &CanonicalReader::straight_traverse},
@@ -133,8 +83,10 @@ private:
             {"START_SPINDLE_CLOCKWISE", &CanonicalReader::start_spindle},
             {"START_SPINDLE_COUNTERCLOCKWISE", &CanonicalReader::start_spindle},
             {"STOP_SPINDLE_TURNING", &CanonicalReader::stop_spindle},
+            {"SET_SPINDLE_MODE", &CanonicalReader::set_spindle_mode},
             {"SELECT_TOOL", &CanonicalReader::select_tool},
             {"CHANGE_TOOL", &CanonicalReader::change_tool},
+            {"CHANGE_TOOL_NUMBER", &CanonicalReader::change_tool_number},
             {"PROGRAM_END", &CanonicalReader::end_program},
         }};
         for (const auto& [known, handler] : handlers)
@@ -333,14 +285,27 @@ private:
     void start_spindle() { builder_.start_spindle(); }
     void stop_spindle() { builder_.stop_spindle(); }
 
-    void select_tool()
+    // Spindle and highest speed, with no comma between them; 0 is a constant speed (G97).
+    void set_spindle_mode()
+    {
+        const std::size_t blank = arguments_.find(' ');
+        if (arguments_.find_first_of("123456789", blank) != std::string_view::npos)
+            throw lines_.complaint("constant surface speed", "a spindle speed in 1/min");
+    }
+
+    int tool_number()
     {
         const double tool = number();
         if (!(tool >= 0 && tool <= std::numeric_limits<int>::max() &&
               tool == std::floor(tool)))
             throw lines_.complaint("tool " + brief(tool), "a whole number from 0");
-        builder_.select_tool(static_cast<int>(tool));
+        return static_cast<int>(tool);
     }
+
+    void select_tool() { builder_.select_tool(tool_number()); }
+
+    // M61: the spindle has this tool.
+    void change_tool_number() { builder_.change_tool(tool_number()); }
 
     // Its argument is the tool's place in the changer, not its number.
     void change_tool() { builder_.change_tool(); }

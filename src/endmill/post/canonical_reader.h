@@ -23,7 +23,7 @@ bool is_canonical(std::string_view text);
 ///         not followed, rotary axes, a move under an offset or a rotation, or without a
 ///         feed; E_RANGE, E_LIMIT and E_EMPTY as `parse_gcode`.
 /// \throws LimitError, DomainError as `parse_gcode`.
-/// Source: specification of the removal, sections 5 and 6.
+/// Source: spec of the removal, sections 5 and 6.
 Program parse_canonical(std::string_view text, const std::string& file,
                         const GcodeReadOptions& options = {});
 

@@ -66,7 +66,7 @@ Arc ArcReader::arc(const Vec3& start, const Vec3& end) const
             .end = end,
             .centre = start,
             .plane = modes_.plane,
-            .clockwise = modes_.motion == Motion::ClockwiseArc,
+            .clockwise = modes_.motion == GcodeMotion::ClockwiseArc,
             .turns = block_.has('P') ? block_.value('P') : 1};
     arc.centre = block_.has('R') ? centre_of_r(arc) : centre_of_words(arc);
     check_radii(arc, lines_);

@@ -11,7 +11,7 @@ namespace endmill {
 
 /// How far the radii at both ends of an arc may differ, and a radius be too small: the
 /// larger of 0.01 mm and 0.1 % of `radius_mm`.
-/// Source: specification of the removal, section 5.
+/// Source: spec of the removal, section 5.
 double radius_tolerance(double radius_mm);
 
 /// \throws FormatError at the line where `lines` stands if a radius of `arc` is 0, or both

@@ -60,7 +60,7 @@ private:
 /// The words of `text`, which is the line where `lines` stands without what its reader
 /// has looked at: letters with plain decimals, in any case, blanks anywhere, comments in
 /// parentheses and from `;`.
-/// Source: the language of RS-274/NGC (NISTIR 6556), section 3.3.
+/// Source: [KramerProctorMessina, "Format of a Line"].
 /// \throws FormatError with the line for anything else: parameters, expressions and
 ///         O-words, a letter without a number or unknown, an exponent, a decimal comma, an
 ///         unclosed comment, a word twice; E_RANGE for a number that a double cannot hold.

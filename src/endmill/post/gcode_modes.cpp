@@ -148,19 +148,19 @@ void set_mode(GcodeModes& modes, int code)
 {
     switch (code) {
         case 0:
-            modes.motion = Motion::Rapid;
+            modes.motion = GcodeMotion::Rapid;
             break;
         case 10:
-            modes.motion = Motion::Straight;
+            modes.motion = GcodeMotion::Straight;
             break;
         case 20:
-            modes.motion = Motion::ClockwiseArc;
+            modes.motion = GcodeMotion::ClockwiseArc;
             break;
         case 30:
-            modes.motion = Motion::CounterclockwiseArc;
+            modes.motion = GcodeMotion::CounterclockwiseArc;
             break;
         case 800:
-            modes.motion = Motion::None;
+            modes.motion = GcodeMotion::None;
             break;
         case 170:
             modes.plane = ArcPlane::Xy;
@@ -172,10 +172,10 @@ void set_mode(GcodeModes& modes, int code)
             modes.plane = ArcPlane::Yz;
             break;
         case 200:
-            modes.unit = LengthUnit::Inch;
+            modes.unit = GcodeUnit::Inch;
             break;
         case 210:
-            modes.unit = LengthUnit::Millimetre;
+            modes.unit = GcodeUnit::Millimetre;
             break;
         case 430:
             modes.used_tool_length = true;

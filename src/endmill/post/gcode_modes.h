@@ -12,17 +12,17 @@
 namespace endmill {
 
 /// What axis words do: G80 and before the first code, G0, G1, G2, G3.
-enum class Motion { None, Rapid, Straight, ClockwiseArc, CounterclockwiseArc };
+enum class GcodeMotion { None, Rapid, Straight, ClockwiseArc, CounterclockwiseArc };
 
 /// What G20 and G21 have said.
-enum class LengthUnit { Unsaid, Inch, Millimetre };
+enum class GcodeUnit { Unsaid, Inch, Millimetre };
 
 /// What the G codes of a program leave in force, block after block.
-/// Source: the modal groups of RS-274/NGC (NISTIR 6556), section 3.4.
+/// Source: [KramerProctorMessina, "Modal Groups"].
 struct GcodeModes {
-    Motion motion = Motion::None;
+    GcodeMotion motion = GcodeMotion::None;
     ArcPlane plane = ArcPlane::Xy;
-    LengthUnit unit = LengthUnit::Unsaid;
+    GcodeUnit unit = GcodeUnit::Unsaid;
     bool incremental = false;       ///< G91
     bool absolute_centres = false;  ///< G90.1
     bool inverse_time = false;      ///< G93
@@ -31,7 +31,7 @@ struct GcodeModes {
     bool used_blending = false;     ///< whether there was a G64
 
     /// mm in the unit of length.
-    double mm_per_unit() const { return unit == LengthUnit::Inch ? 25.4 : 1; }
+    double mm_per_unit() const { return unit == GcodeUnit::Inch ? 25.4 : 1; }
 
     /// Puts the codes of `block` into force.
     /// \throws FormatError at the line where `lines` stands for a code that is not of the

@@ -67,7 +67,7 @@ private:
         has_percent_ = true;
     }
 
-    // Source of the order: NISTIR 6556, table 8.
+    // Source of the order: [KramerProctorMessina, "Order of Execution"].
     void execute(const GcodeBlock& block)
     {
         has_words_ = true;
@@ -113,8 +113,8 @@ private:
 
     bool is_arc(const GcodeBlock& block) const
     {
-        return (modes_.motion == Motion::ClockwiseArc ||
-                modes_.motion == Motion::CounterclockwiseArc) &&
+        return (modes_.motion == GcodeMotion::ClockwiseArc ||
+                modes_.motion == GcodeMotion::CounterclockwiseArc) &&
                block.has_any("XYZIJKR");
     }
 
@@ -122,7 +122,7 @@ private:
     {
         if (!block.has_any("XYZ"))
             return is_arc(block);
-        if (modes_.motion == Motion::None)
+        if (modes_.motion == GcodeMotion::None)
             throw lines_.complaint("axis word without a motion mode",
                                    "G0, G1, G2 or G3 in this block or before");
         return true;
@@ -131,11 +131,11 @@ private:
     void note_modes(const GcodeBlock& block, const GcodeModes& before)
     {
         const bool has_length = block.has_any("XYZIJKRF");
-        if (modes_.unit == LengthUnit::Unsaid)
+        if (modes_.unit == GcodeUnit::Unsaid)
             has_unsaid_lengths_ = has_unsaid_lengths_ || has_length;
-        else if (before.unit == LengthUnit::Unsaid && has_unsaid_lengths_)
+        else if (before.unit == GcodeUnit::Unsaid && has_unsaid_lengths_)
             first_unit_line_ = lines_.number();
-        has_inches_ = has_inches_ || modes_.unit == LengthUnit::Inch;
+        has_inches_ = has_inches_ || modes_.unit == GcodeUnit::Inch;
         if (modes_.coordinate_system != before.coordinate_system &&
             builder_.has_position())
             builder_.remark("coordinate system first named in line " +
@@ -201,7 +201,7 @@ private:
 
     void move(const GcodeBlock& block)
     {
-        const bool is_rapid = modes_.motion == Motion::Rapid;
+        const bool is_rapid = modes_.motion == GcodeMotion::Rapid;
         if (!is_rapid)
             require_feed();
         const bool was_known = is_known();
@@ -274,7 +274,7 @@ private:
     {
         if (has_inches_)
             builder_.remark("inches (G20) converted to mm");
-        if (modes_.unit == LengthUnit::Unsaid)
+        if (modes_.unit == GcodeUnit::Unsaid)
             builder_.remark("neither G20 nor G21: lengths are taken as mm");
         else if (first_unit_line_ != 0)
             builder_.remark("no G20 or G21 before line " +

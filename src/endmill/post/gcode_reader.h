@@ -28,7 +28,7 @@ namespace endmill {
 ///         space.
 /// \throws LimitError if the path would have more points than the options allow.
 /// \throws DomainError as `check_options`.
-/// Source: specification of the removal, section 5; RS-274/NGC (NISTIR 6556), section 3.
+/// Source: spec of the removal, section 5; [KramerProctorMessina].
 Program parse_gcode(std::string_view text, const std::string& file,
                     const GcodeReadOptions& options = {});
 
