@@ -147,6 +147,7 @@ TEST(ToolPathReader, RefusesConditionsOutOfTheirDomain)
     EXPECT_THAT(about("-5,,"), HasSubstr("f.csv:2: feed_mm_per_min is \"-5\""));
     EXPECT_THAT(about("0,,"), HasSubstr("feed_mm_per_min is \"0\""));
     EXPECT_THAT(about("nan,,"), HasSubstr("feed_mm_per_min is \"nan\""));
+    EXPECT_THAT(about(",0,"), HasSubstr("spindle_rpm is \"0\""));
     EXPECT_THAT(about(",-1,"), HasSubstr("spindle_rpm is \"-1\""));
     EXPECT_THAT(about(",,-1"), HasSubstr("tool is \"-1\""));
     EXPECT_THAT(about(",,1.0"), HasSubstr("tool is \"1.0\""));

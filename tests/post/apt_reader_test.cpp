@@ -106,6 +106,7 @@ TEST(AptReader, RefusesOtherStatementsWithTheLine)
                                   "UNITS",
                                   "SPINDL/OFF",
                                   "SPINDL/100,RPM,CCLW",
+                                  "SPINDL/0,RPM,CLW",
                                   "SPINDL/-1,RPM,CLW",
                                   "FEDRAT/10",
                                   "FEDRAT/10,IPM",

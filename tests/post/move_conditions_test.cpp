@@ -79,7 +79,7 @@ TEST(MoveConditions, RefuseNumbersOutOfTheirDomain)
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double feed : {0.0, -1.0, nan, infinity})
         EXPECT_THAT(refusal(three_moves({}), {feed, {}, {}}), testing::HasSubstr("feed"));
-    for (const double speed : {-1.0, nan, infinity})
+    for (const double speed : {0.0, 1e-5, -1.0, nan, infinity})
         EXPECT_THAT(refusal(three_moves({}), {1, speed, {}}),
                     testing::HasSubstr("speed"));
     EXPECT_THAT(refusal(three_moves({}), {1, {}, -1}), testing::HasSubstr("tool -1"));

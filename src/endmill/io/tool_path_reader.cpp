@@ -74,7 +74,7 @@ private:
              location(), contact(), whole_number(Patch).value_or(0)});
         if (has_conditions_)
             path.conditions.push_back(
-                {positive(Feed), not_negative(Speed), whole_number(Tool)});
+                {positive(Feed), positive(Speed), whole_number(Tool)});
     }
 
     // Empty also if the table has no such column.
@@ -122,14 +122,6 @@ private:
         const std::optional<double> value = number(column);
         if (value && !(*value > 0))
             refuse(column, "a number above 0, or nothing");
-        return value;
-    }
-
-    std::optional<double> not_negative(PathColumn column) const
-    {
-        const std::optional<double> value = number(column);
-        if (value && !(*value >= 0))
-            refuse(column, "a number from 0, or nothing");
         return value;
     }
 

@@ -23,8 +23,8 @@ bool is_tool_path_csv(std::string_view text);
 ///         or named twice, a vector that lacks a column or, in a row, a component; for a
 ///         row with another number of cells than the header; a tip that is not known;
 ///         what is no number where one belongs, NaN and infinity included; an unknown move;
-///         an axis or normal whose length is not 1 (`unit_axis`); a feed that is not above
-///         0; a negative speed or tool; if there is no row. E_RANGE for a length beyond
+///         an axis or normal whose length is not 1 (`unit_axis`); a feed or speed that is
+///         not above 0; a negative tool; if there is no row. E_RANGE for a length beyond
 ///         the limit.
 /// \throws LimitError if the path needs more memory than the limit.
 Program parse_tool_path(std::string_view text, const std::string& file,

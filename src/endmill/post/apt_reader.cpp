@@ -221,8 +221,8 @@ private:
         if (parts.size() != 3 || !is_word(parts[1], "RPM") || !is_word(parts[2], "CLW"))
             refuse("SPINDL/speed,RPM,CLW");
         told_.spindle_rpm = number(parts[0]);
-        if (!(*told_.spindle_rpm >= 0))
-            refuse("a speed from 0");
+        if (!(*told_.spindle_rpm > 0))
+            refuse("a speed above 0");
     }
 
     void read_cutter(const Statement& statement)

@@ -25,8 +25,8 @@ bool is_apt(std::string_view text);
 /// the first is a plunge unless it is a rapid. All points are of pass 0.
 /// \param file the name for messages.
 /// \throws FormatError E_APT with the line for any other statement or unit, a wrong count
-///         of numbers, a feed that is not above 0, a negative speed, a cutter that cannot
-///         be or is not the first, an axis whose length is not 1 (`unit_axis`); if there
+///         of numbers, a feed or a speed that is not above 0, a cutter that cannot be or
+///         is not the first, an axis whose length is not 1 (`unit_axis`); if there
 ///         is no GOTO. E_RANGE for a coordinate beyond the limit, E_LIMIT for a line over
 ///         1 MiB, E_EMPTY for an empty text.
 /// \throws LimitError for more points than the limit.

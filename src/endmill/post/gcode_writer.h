@@ -38,9 +38,9 @@ struct GcodeOptions {
 /// many digits as coordinates, less the zeros at their end.
 /// Source: spec of the removal, section 6.
 /// \throws DomainError for a path without points; for decimals out of range; if a move at
-///         feed has none, or one that is not above 0 once rounded; if the safe height lies
-///         below the path; if a spindle speed or a tool number is negative; if the
-///         tolerance is not above 0.
+///         feed has none; for a feed or a spindle speed that is not above 0 once rounded;
+///         for a negative tool number; if the safe height lies below the path; if the
+///         tolerance is not above 0; for a number that is not finite.
 /// \throws GeometryError unless the axis of every point is +z: three axes cannot turn it.
 WrittenProgram gcode(const ToolPath& path, const GcodeOptions& options = {});
 

@@ -45,31 +45,34 @@ CuttingConditions MoveConditions::at(std::size_t point)
         told.feed_mm_per_min.reset();
     else if (!told.feed_mm_per_min)
         refuse(point, "no feed", "a feed for every move but rapids (--feed)");
-    else
-        check_feed(point, *told.feed_mm_per_min);
-    if (told.spindle_rpm && !(*told.spindle_rpm >= 0 && std::isfinite(*told.spindle_rpm)))
-        refuse(point, "a spindle speed that is no number from 0", "one in rpm");
-    if (told.spindle_rpm)
-        speeds_.add(*told.spindle_rpm);
+    else if (*told.feed_mm_per_min != checked_feed_) {
+        checked_feed_ = *told.feed_mm_per_min;
+        check(point, {"feed", checked_feed_, "mm/min"});
+        feeds_.add(checked_feed_);
+    }
+    if (told.spindle_rpm && *told.spindle_rpm != checked_speed_) {
+        checked_speed_ = *told.spindle_rpm;
+        check(point, {"spindle speed", checked_speed_, "rpm"});
+        speeds_.add(checked_speed_);
+    }
     if (told.tool && *told.tool < 0)
         refuse(point, "tool " + std::to_string(*told.tool), "a number from 0");
     return told;
 }
 
-void MoveConditions::check_feed(std::size_t point, double feed)
+void MoveConditions::check(std::size_t point, const Condition& told) const
 {
-    if (feed == checked_feed_)
-        return;
-    if (!(feed > 0 && std::isfinite(feed)))
-        refuse(point, "a feed that is no number above 0", "one in mm/min");
+    const std::string name = std::string{"a "} + told.name;
+    if (!(told.value > 0 && std::isfinite(told.value)))
+        refuse(point, name + " that is no number above 0",
+               std::string{"one in "} + told.unit);
     std::string text;
-    if (!(append_trimmed(text, feed, decimals_) > 0))
+    if (!(append_trimmed(text, told.value, decimals_) > 0))
         refuse(point,
-               "a feed of " + to_text(feed) + " mm/min, which rounds to 0 with " +
+               name + " of " + to_text(told.value) + ' ' + told.unit +
+                   ", which rounds to 0 with " +
                    counted(static_cast<std::size_t>(decimals_), "decimal"),
                "a higher one, or more --decimals");
-    feeds_.add(feed);
-    checked_feed_ = feed;
 }
 
 }  // namespace endmill

@@ -22,20 +22,27 @@ public:
                    int decimals);
 
     /// Those of the move to a point, from 0. A rapid has no feed.
-    /// \throws DomainError if a move at feed has none, or one that is not above 0 once
-    ///         rounded; for a spindle speed or a tool number below 0, or not finite.
+    /// \throws DomainError if a move at feed has none; for a feed or a spindle speed that
+    ///         is not finite, or not above 0 once rounded; for a tool number below 0.
     CuttingConditions at(std::size_t point);
 
     const NumberRange& feeds() const { return feeds_; }    ///< so far, in mm/min
     const NumberRange& speeds() const { return speeds_; }  ///< so far, in rpm
 
 private:
-    void check_feed(std::size_t point, double feed);
+    struct Condition {
+        const char* name;
+        double value;
+        const char* unit;
+    };
+
+    void check(std::size_t point, const Condition& told) const;
 
     const ToolPath& path_;
     CuttingConditions otherwise_;
     int decimals_;
     double checked_feed_ = std::numeric_limits<double>::quiet_NaN();
+    double checked_speed_ = std::numeric_limits<double>::quiet_NaN();
     NumberRange feeds_;
     NumberRange speeds_;
 };
