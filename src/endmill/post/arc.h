@@ -8,16 +8,20 @@
 
 namespace endmill {
 
-/// The plane of an arc: G17, G18, G19.
-enum class ArcPlane { Xy, Zx, Yz };
+/// The plane of an arc.
+enum class ArcPlane {
+    Xy,  ///< G17
+    Zx,  ///< G18
+    Yz,  ///< G19
+};
 
 /// Which coordinates of a Vec3 are those of a plane, so that first, second and normal are
 /// right-handed: an arc that is clockwise seen from +normal turns from second to first.
 /// G18 is therefore Z, X, and not X, Z.
 struct PlaneAxes {
-    int first;
-    int second;
-    int normal;
+    int first;   ///< 0, 1 or 2 for x, y or z
+    int second;  ///< the same
+    int normal;  ///< the same
 };
 
 /// The axes of `plane`.
@@ -37,10 +41,10 @@ struct Arc {
 
 /// Distances of an arc's start and end from its centre, in the plane, in mm.
 struct ArcRadii {
-    double start;
-    double end;
+    double start;  ///< mm
+    double end;    ///< mm
 
-    double larger() const { return start > end ? start : end; }
+    double larger() const { return start > end ? start : end; }  ///< mm
 };
 
 /// The radii of `arc`.
@@ -48,7 +52,8 @@ ArcRadii arc_radii(const Arc& arc);
 
 /// The angle that `arc` passes, in rad: above 0, up to 2 pi a turn. Start and end within
 /// 1e-8 mm of each other, in the plane, are a full circle: the rounding of sums of
-/// incremental words must not make it vanish.
+/// incremental words must not make it vanish. Within 1e-15 rad a turn for the given ends.
+/// \pre both radii of `arc` are positive.
 double arc_angle(const Arc& arc);
 
 /// The centre of the arc with the given ends, in place of whatever `arc.centre` is.

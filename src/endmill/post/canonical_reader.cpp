@@ -193,6 +193,7 @@ private:
         error_mm_ = std::max(error_mm_, half_last_decimal * mm_per_unit_);
     }
 
+    // In the unit in force; under G93 the interpreter gives each move its own.
     void set_feed_rate()
     {
         const double rate = length();
@@ -254,6 +255,8 @@ private:
         return all;
     }
 
+    // Coordinates are the programmed ones, with the offsets beside them. The interpreter
+    // prints those of its own table before motion, and of others after it.
     void expect_no_offset() const
     {
         const std::array offsets{std::pair{"SET_G5X_OFFSET", g5x_line_},
@@ -266,6 +269,7 @@ private:
                                        "offsets and rotations of 0");
     }
 
+    // Its numbers are separated by blanks and commas; only whether all are 0 matters.
     void use_tool_length_offset()
     {
         if (arguments_.find_first_of("123456789") != std::string_view::npos)

@@ -23,6 +23,7 @@ double radius_tolerance(double radius_mm)
     return std::max(least_mm, part * radius_mm);
 }
 
+// Written so that NaN does not pass.
 void check_radii(const Arc& arc, const TextLines& lines)
 {
     const ArcRadii radii = arc_radii(arc);
@@ -80,6 +81,7 @@ double ArcReader::length(char letter) const
     return value;
 }
 
+// A word that is missing is 0: the centre is level with the start.
 Vec3 ArcReader::centre_of_words(const Arc& ends) const
 {
     const PlaneAxes axes = plane_axes(ends.plane);
@@ -92,6 +94,7 @@ Vec3 ArcReader::centre_of_words(const Arc& ends) const
     return centre;
 }
 
+// Ends at one place leave the centre anywhere on a circle around it.
 Vec3 ArcReader::centre_of_r(const Arc& ends) const
 {
     const double radius = length('R');

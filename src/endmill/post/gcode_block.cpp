@@ -62,6 +62,7 @@ private:
 
     std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
+    // Comments cannot be nested, by the language's definition.
     void skip_comment()
     {
         const char* const close =
@@ -105,6 +106,7 @@ private:
         return is_negative ? -magnitude : magnitude;
     }
 
+    // The same without the blanks, or with what makes it no number or one too large.
     double scattered_number(char letter, const char* begin)
     {
         std::string digits;
@@ -154,6 +156,7 @@ private:
         block_.set(letter, value);
     }
 
+    // What begins no word is named for what it probably is.
     [[noreturn]] void refuse_character() const
     {
         const char byte = capital(*at_);

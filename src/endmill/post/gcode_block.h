@@ -15,12 +15,12 @@ namespace endmill {
 /// group if there are more.
 class GcodeCodes {
 public:
-    static constexpr std::size_t most = 20;
+    static constexpr std::size_t most = 20;  ///< more than there are groups
 
-    bool is_full() const { return count_ == most; }
+    bool is_full() const { return count_ == most; }  ///< whether `add` may not be called
     void add(int code) { codes_[count_++] = code; }  ///< \pre !is_full()
-    std::span<const int> all() const { return {codes_.data(), count_}; }
-    bool contains(int code) const;
+    std::span<const int> all() const { return {codes_.data(), count_}; }  ///< in order
+    bool contains(int code) const;  ///< whether `add` was called with it
 
 private:
     std::array<int, most> codes_ = {};
@@ -33,9 +33,11 @@ public:
     GcodeCodes g;  ///< G codes in tenths: 432 is G43.2
     GcodeCodes m;  ///< M codes, 0 to 999
 
+    /// Whether there is a word `letter`, a capital.
     bool has(char letter) const { return ((present_ >> index(letter)) & 1U) != 0; }
-    bool has_any(std::string_view letters) const;
-    bool is_empty() const { return present_ == 0; }
+
+    bool has_any(std::string_view letters) const;    ///< whether there is one of them
+    bool is_empty() const { return present_ == 0; }  ///< whether there is no word
 
     /// The number of the word `letter`, neither G nor M. \pre has(letter)
     double value(char letter) const { return values_[index(letter)]; }

@@ -11,24 +11,34 @@
 
 namespace endmill {
 
-/// What axis words do: G80 and before the first code, G0, G1, G2, G3.
-enum class GcodeMotion { None, Rapid, Straight, ClockwiseArc, CounterclockwiseArc };
+/// What axis words do.
+enum class GcodeMotion {
+    None,                 ///< G80, and before the first code
+    Rapid,                ///< G0
+    Straight,             ///< G1
+    ClockwiseArc,         ///< G2
+    CounterclockwiseArc,  ///< G3
+};
 
-/// What G20 and G21 have said.
-enum class GcodeUnit { Unsaid, Inch, Millimetre };
+/// What the numbers of a program measure in.
+enum class GcodeUnit {
+    Unsaid,      ///< before the first code: taken as mm
+    Inch,        ///< G20
+    Millimetre,  ///< G21
+};
 
 /// What the G codes of a program leave in force, block after block.
 /// Source: [KramerProctorMessina, "Modal Groups"].
 struct GcodeModes {
-    GcodeMotion motion = GcodeMotion::None;
-    ArcPlane plane = ArcPlane::Xy;
-    GcodeUnit unit = GcodeUnit::Unsaid;
-    bool incremental = false;       ///< G91
-    bool absolute_centres = false;  ///< G90.1
-    bool inverse_time = false;      ///< G93
-    int coordinate_system = 0;      ///< 540 to 593, in tenths; 0 if never named
-    bool used_tool_length = false;  ///< whether there was a G43
-    bool used_blending = false;     ///< whether there was a G64
+    GcodeMotion motion = GcodeMotion::None;  ///< group 1
+    ArcPlane plane = ArcPlane::Xy;           ///< group 2
+    GcodeUnit unit = GcodeUnit::Unsaid;      ///< group 6
+    bool incremental = false;                ///< G91
+    bool absolute_centres = false;           ///< G90.1
+    bool inverse_time = false;               ///< G93
+    int coordinate_system = 0;               ///< 540 to 593, in tenths; 0 if never named
+    bool used_tool_length = false;           ///< whether there was a G43
+    bool used_blending = false;              ///< whether there was a G64
 
     /// mm in the unit of length.
     double mm_per_unit() const { return unit == GcodeUnit::Inch ? 25.4 : 1; }

@@ -41,6 +41,7 @@ public:
     }
 
 private:
+    // A deleted block is not even looked at: it may hold what only a machine understands.
     void read_line()
     {
         std::string_view text = without_indent(lines_.line());
@@ -56,6 +57,7 @@ private:
             execute(block);
     }
 
+    // Words before a first % are a leader to some controls and the program to others.
     void read_percent(std::string_view text)
     {
         if (!without_indent(text.substr(1)).empty())
@@ -85,6 +87,8 @@ private:
         end_program(block);
     }
 
+    // No word may stand in a block that has no use for it: it would be one that another
+    // control has a use for.
     void check_words(const GcodeBlock& block) const
     {
         for (const char letter : {'A', 'B', 'C'})
@@ -111,6 +115,7 @@ private:
                                    "them in blocks of their own");
     }
 
+    // A full circle needs no axis word.
     bool is_arc(const GcodeBlock& block) const
     {
         return (modes_.motion == GcodeMotion::ClockwiseArc ||
@@ -128,6 +133,7 @@ private:
         return true;
     }
 
+    // What is said once, at its first occurrence: remarks must not grow with the file.
     void note_modes(const GcodeBlock& block, const GcodeModes& before)
     {
         const bool has_length = block.has_any("XYZIJKRF");
@@ -148,6 +154,7 @@ private:
                 ": the tool length is taken as already in the control's tool table");
     }
 
+    // F > 0 is asked for where a move needs it; many programs begin with F0.
     void set_feed(const GcodeBlock& block)
     {
         if (modes_.inverse_time)
@@ -235,6 +242,7 @@ private:
 
     bool is_known() const { return known_axes_ == 3; }
 
+    // An increment from an unknown place leads to an unknown place.
     void move_axis(const GcodeBlock& block, int axis)
     {
         const char letter = axis_letters[axis];

@@ -16,6 +16,7 @@ ProgramBuilder::ProgramBuilder(const TextLines& lines, const GcodeReadOptions& o
     check_options(options);
 }
 
+// Nothing is cut on the way to the first point, which has therefore no feed either.
 void ProgramBuilder::go_to(const Vec3& target, const std::optional<MoveFeed>& feed)
 {
     const std::size_t first_point = path_.points.size();
@@ -24,6 +25,7 @@ void ProgramBuilder::go_to(const Vec3& target, const std::optional<MoveFeed>& fe
         set_feed(*feed, first_point);
 }
 
+// The chords are counted before they are made: a word P alone can ask for any number.
 void ProgramBuilder::go_along(const Arc& arc, const MoveFeed& feed)
 {
     const ArcChords chords{arc, options_.arc_tolerance_mm};
@@ -110,6 +112,7 @@ void ProgramBuilder::remark(const std::string& text)
         remarks_.push_back(text);
 }
 
+// Without any change T alone must be what changes: by hand, or on a turret.
 void ProgramBuilder::fill_selected_tools()
 {
     for (std::size_t k = 0; k < selections_.size(); ++k) {
@@ -121,6 +124,7 @@ void ProgramBuilder::fill_selected_tools()
     }
 }
 
+// One cutter stands for a whole path: where several tools cut, that is worth a word.
 void ProgramBuilder::remark_tools()
 {
     constexpr std::size_t most_named = 10;
@@ -138,6 +142,7 @@ void ProgramBuilder::remark_tools()
     remark(tools.size() > most_named ? text + ", ..." : text);
 }
 
+// Moves after the last cut began a pass in which nothing is cut.
 void ProgramBuilder::close_last_pass()
 {
     auto& points = path_.points;

@@ -34,6 +34,7 @@ public:
     /// Both outlive this. \throws DomainError as `check_options`.
     ProgramBuilder(const TextLines& lines, const GcodeReadOptions& options);
 
+    /// Whether the path has begun.
     bool has_position() const { return !path_.points.empty(); }
 
     /// Goes straight to `target`; without a feed as a rapid.
@@ -45,11 +46,12 @@ public:
     /// \throws as `go_to`. \pre has_position(), both radii are positive.
     void go_along(const Arc& arc, const MoveFeed& feed);
 
-    void set_spindle_speed(double rpm) { speed_rpm_ = rpm; }  ///< 0 is a stop
-    void start_spindle() { spindle_stopped_ = false; }
-    void stop_spindle() { spindle_stopped_ = true; }
-    void select_tool(int number);
-    void change_tool();            ///< to the one that was selected last
+    void set_spindle_speed(double rpm) { speed_rpm_ = rpm; }  ///< S; 0 is a stop
+    void start_spindle() { spindle_stopped_ = false; }        ///< M3, M4
+    void stop_spindle() { spindle_stopped_ = true; }          ///< M5
+
+    void select_tool(int number);  ///< T
+    void change_tool();            ///< M6, to the one that was selected last, if any
     void change_tool(int number);  ///< to this one
 
     /// Notes what a person should know; the same thing only once.

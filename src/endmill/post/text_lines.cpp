@@ -55,6 +55,7 @@ FormatError TextLines::range_complaint(const std::string& found,
     return FormatError{"E_RANGE", {kind_.file, std::to_string(number_), found, expected}};
 }
 
+// White space as std::isspace has it in the "C" locale, without the locale.
 std::string_view without_indent(std::string_view text)
 {
     const auto begin = std::ranges::find_if_not(text, is_blank);
