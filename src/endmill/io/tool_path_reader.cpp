@@ -159,7 +159,7 @@ private:
 
     std::optional<Vec3> place(PathColumn first) const
     {
-        const std::optional<Vec3> point = vector(first);
+        std::optional<Vec3> point = vector(first);
         for (int c = 0; point && c < 3; ++c)
             if (std::abs((*point)[c]) > limits_.max_extent_mm)
                 throw lines_.complaint(
@@ -175,7 +175,7 @@ private:
         const std::optional<Vec3> read = vector(first);
         if (!read)
             return std::nullopt;
-        const std::optional<Vec3> unit = unit_axis(*read);
+        std::optional<Vec3> unit = unit_axis(*read);
         const std::string_view name = column_name(first);  // less its "_x", the vector's
         if (!unit)
             throw lines_.complaint("E_CSV",
