@@ -51,6 +51,7 @@ PathSummary known_of(const Program& program, const PostOptions& options)
     return known;
 }
 
+// The text in the language that was asked for.
 WrittenProgram written(const ToolPath& path, const std::string& name,
                        const PathSummary& known, const PostOptions& options)
 {
@@ -63,6 +64,7 @@ WrittenProgram written(const ToolPath& path, const std::string& name,
                   options.decimals, options.line_numbers, options.comments});
 }
 
+// What a person should know before the machine starts.
 void warn_of(const PostedPath& posted, const PostOptions& options)
 {
     for (const std::string& remark : posted.read.remarks)

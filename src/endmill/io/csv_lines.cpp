@@ -15,6 +15,7 @@ CsvLines::CsvLines(std::string_view text, std::string file)
         rest_.remove_prefix(byte_order_mark.size());
 }
 
+// A line that is empty still has one cell, so that a blank line in a table is found.
 bool CsvLines::next()
 {
     if (rest_.empty())
@@ -47,6 +48,7 @@ FormatError CsvLines::complaint(const std::string& code, const std::string& foun
         code, {file_, std::to_string(std::max<std::size_t>(line_, 1)), found, expected}};
 }
 
+// The usual line: every comma ends a cell.
 void CsvLines::cut(std::string_view line)
 {
     for (;;) {
@@ -58,6 +60,8 @@ void CsvLines::cut(std::string_view line)
     }
 }
 
+// A line in which at least one cell is quoted. A quote that is doubled, as RFC 4180 has it
+// for a quote in a text, ends its cell here and is refused as text after it.
 void CsvLines::cut_quoted(std::string_view line)
 {
     std::size_t at = 0;

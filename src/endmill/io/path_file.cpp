@@ -80,6 +80,8 @@ bool begins_as_gcode(std::string_view content)
 
 }  // namespace
 
+// Content decides where it is plain, since names lie; the name decides where content is
+// damaged, so that the reader of that kind can say where.
 PathFormat path_format(std::string_view content, const std::filesystem::path& path)
 {
     const std::string extension = lower_case_extension(path);

@@ -18,6 +18,7 @@ constexpr std::array<std::string_view, path_column_count> names{
     "v",        "contact_x_mm",    "contact_y_mm", "contact_z_mm", "normal_x", "normal_y",
     "normal_z", "feed_mm_per_min", "spindle_rpm",  "limit"};
 
+// What a length, a feed and a speed end in.
 constexpr std::array<std::string_view, 3> units{"_mm", "_mm_per_min", "_rpm"};
 
 struct Vector {
@@ -52,6 +53,7 @@ bool is_without_unit(std::string_view name, std::string_view known)
     });
 }
 
+// What was probably meant: a name that lacks its unit, or is close to another.
 [[noreturn]] void refuse_name(const CsvLines& lines, std::string_view name)
 {
     if (name.empty())

@@ -22,6 +22,8 @@ using enum PathColumn;
 
 constexpr std::size_t longest_echo = 40;
 
+// Reads row by row into the path; nothing of a row is kept but its numbers. Cells stay
+// where they are in the text: millions of rows are read without copies.
 class PathCsvReader {
 public:
     PathCsvReader(std::string_view text, const std::string& file,
@@ -46,6 +48,7 @@ public:
     }
 
 private:
+    // Room for all rows at once, after a look at whether there is memory for it.
     void reserve()
     {
         ToolPath& path = program_.path;
@@ -61,6 +64,7 @@ private:
         path.conditions.reserve(has_conditions_ ? most : 0);
     }
 
+    // Points count through the file where it does not count them itself.
     void add_row()
     {
         if (lines_.cells().size() != columns_.count())
@@ -106,6 +110,7 @@ private:
         return number;
     }
 
+    // The number in a cell, none if it is empty: unknown, not zero.
     std::optional<double> number(PathColumn column) const
     {
         const std::string_view text = cell(column);
@@ -125,6 +130,7 @@ private:
         return value;
     }
 
+    // Neighbouring rows mostly have the same word, which is then not looked up again.
     Move move() const
     {
         if (!columns_.has(MoveWord))
@@ -157,6 +163,7 @@ private:
         return vector;
     }
 
+    // A vector in mm, within the limit.
     std::optional<Vec3> place(PathColumn first) const
     {
         std::optional<Vec3> point = vector(first);
@@ -170,6 +177,7 @@ private:
         return point;
     }
 
+    // A vector of length 1.
     std::optional<Vec3> direction(PathColumn first) const
     {
         const std::optional<Vec3> read = vector(first);
@@ -215,6 +223,7 @@ private:
         return SurfaceContact{*u, *v, {*point, *normal}};
     }
 
+    // What was taken for granted or left out.
     void add_remarks()
     {
         std::vector<std::string>& remarks = program_.remarks;

@@ -21,6 +21,7 @@ constexpr const char* known_statements =
     "PARTNO, UNITS, CUTTER, SPINDL, FEDRAT, RAPID, GOTO, FINI, REMARK, PPRINT, LOADTL, "
     "COOLNT, STOP or a comment after $$";
 
+// Blanks carry no meaning in APT but inside texts.
 std::string_view trimmed(std::string_view text)
 {
     text = without_indent(text);
@@ -54,6 +55,8 @@ struct Statement {
     }
 };
 
+// The word ends where its letters do, so that "RAPID/", "PARTNO x" and "GOTO /1" are cut
+// alike, and whatever is no word leaves an empty one.
 Statement statement_of(std::string_view line)
 {
     line = trimmed(line.substr(0, line.find("$$")));
@@ -68,11 +71,16 @@ Statement statement_of(std::string_view line)
     return statement;
 }
 
+// Statements whose rest is for people.
 constexpr std::array<std::string_view, 3> text_words{"PARTNO", "REMARK", "PPRINT"};
+// Statements about the machine, of which a path has nothing to say.
 constexpr std::array<std::string_view, 3> ignored_words{"LOADTL", "COOLNT", "STOP"};
+// Statements that make the path.
 constexpr std::array<std::string_view, 7> read_words{
     "UNITS", "CUTTER", "SPINDL", "FEDRAT", "RAPID", "GOTO", "FINI"};
 
+// Goes through the statements and keeps what is in force: feed and speed until others are
+// told, RAPID until the next GOTO.
 class AptReader {
 public:
     AptReader(std::string_view text, const std::string& file,
@@ -142,6 +150,7 @@ private:
         throw lines_.complaint(quoted(trimmed(lines_.line())), expected);
     }
 
+    // The one statement that moves the tool.
     void read_goto(const Statement& statement)
     {
         const auto parts = arguments(statement);
@@ -175,6 +184,7 @@ private:
         return *unit;
     }
 
+    // A rapid has no feed, though the one in force stays so for the move after it.
     void add_point(const CutterLocation& location)
     {
         std::vector<PathPoint>& points = program_.path.points;
@@ -195,6 +205,7 @@ private:
         is_rapid_ = false;
     }
 
+    // RAPID and FINI take nothing: what stands there was meant for something else.
     void read_bare(const Statement& statement)
     {
         if (statement.has_slash || !statement.rest.empty())
@@ -234,12 +245,14 @@ private:
         const double corner = parts.size() == 2 ? number(parts[1]) : 0;
         if (!(radius > 0 && 0 <= corner && corner <= radius))
             refuse("a diameter above 0 and a corner radius from 0 to half of it");
+        // A path is of one cutter; to repeat it does no harm.
         const Cutter cutter{radius, corner};
         if (program_.cutter && *program_.cutter != cutter)
             refuse("one cutter for the whole path");
         program_.cutter = cutter;
     }
 
+    // Other units would scale feeds as well, by words of their own: refused, not guessed.
     void read_units(const Statement& statement)
     {
         const auto parts = arguments(statement);
@@ -248,6 +261,7 @@ private:
         has_units_ = true;
     }
 
+    // Whether the file was whole can only be said at its end.
     void finish()
     {
         ToolPath& path = program_.path;

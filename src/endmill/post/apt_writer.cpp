@@ -16,6 +16,7 @@ namespace {
 // Most statements are shorter: GOTO/-100.1234,-100.1234,-10.1234 and a line feed.
 constexpr std::size_t likely_bytes_per_point = 36;
 
+// Appends statements and knows which feed and speed are in force.
 class StatementWriter {
 public:
     StatementWriter(const AptOptions& options, std::size_t points) : options_{options}
@@ -57,6 +58,7 @@ public:
     WrittenProgram take() { return std::move(program_); }
 
 private:
+    // A statement that holds until another is told.
     void add_changed(std::string_view word, double value, std::string_view unit,
                      std::string& in_force)
     {
@@ -68,6 +70,7 @@ private:
         in_force = std::move(statement);
     }
 
+    // The axis is exact: to round it would turn the tool, not just shift it.
     void add_goto(const CutterLocation& location)
     {
         std::string& text = program_.text;

@@ -72,6 +72,7 @@ void BlockWriter::forget_position()
     tip_ = Vec3::Constant(unknown);
 }
 
+// A block that turns out to be empty is taken back; its number was never used up.
 void BlockWriter::begin_block()
 {
     block_begin_ = text_.size();
@@ -86,6 +87,7 @@ void BlockWriter::end_block()
     ++blocks_;
 }
 
+// Words stand apart by a blank: no control needs it, and people read it.
 void BlockWriter::add_word(std::string_view word)
 {
     if (text_.size() > block_begin_)
@@ -111,6 +113,7 @@ double BlockWriter::add_axis(char letter, double value, double in_force)
     return rounded;
 }
 
+// Appends a word that holds until another is told, unless its number does so already.
 void BlockWriter::add_modal(char letter, double value, double& in_force)
 {
     if (std::isnan(value))

@@ -20,6 +20,7 @@ constexpr std::size_t likely_bytes_per_point = 34;
 // Of half the tolerance: what the rounding of its digits may change.
 constexpr double negligible_share = 0.01;
 
+// Rounded as it will be spelled, so that it counts as no rounding of the path.
 double safe_height(const ToolPath& path, const GcodeOptions& options)
 {
     double top = path.points.front().location.tip.z();
@@ -72,6 +73,7 @@ void require_upright(const ToolPath& path)
     }
 }
 
+// Start, moves, tool changes and end, in blocks.
 class ProgramWriter {
 public:
     ProgramWriter(const ToolPath& path, const GcodeOptions& options)

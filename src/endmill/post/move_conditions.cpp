@@ -30,6 +30,7 @@ MoveConditions::MoveConditions(const ToolPath& path, const CuttingConditions& ot
             "post: need conditions for no point or for all");
 }
 
+// Neighbouring moves mostly have the same numbers, which are then not checked again.
 CuttingConditions MoveConditions::at(std::size_t point)
 {
     CuttingConditions told =
