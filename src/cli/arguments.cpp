@@ -116,4 +116,15 @@ double ball_diameter_argument(const std::string& option, const std::string& text
     return *diameter;
 }
 
+Cutter cutter_argument(const std::string& option, const std::string& text)
+{
+    const std::optional<Cutter> cutter = cutter_from_word(text);
+    if (!cutter)
+        refuse(
+            option, text,
+            "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm, such as "
+            "ball:10");
+    return *cutter;
+}
+
 }  // namespace endmill

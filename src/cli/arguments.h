@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "endmill/core/vec.h"
+#include "endmill/cutter/cutter.h"
 
 namespace endmill {
 
@@ -101,5 +102,8 @@ std::string_view word_for(Value value, std::span<const Choice<Value>> choices)
 /// The diameter in mm of a ball given as "ball:DIAMETER".
 /// \throws CLI::ValidationError for anything else; other cutters are named as such.
 double ball_diameter_argument(const std::string& option, const std::string& text);
+
+/// The cutter of any kind that `text` spells. \throws CLI::ValidationError
+Cutter cutter_argument(const std::string& option, const std::string& text);
 
 }  // namespace endmill

@@ -8,6 +8,7 @@
 #include "endmill/io/tool_path_csv.h"
 #include "endmill/io/vtp.h"
 #include "endmill/planning/path_memory.h"
+#include "endmill/post/gcode_writer.h"
 
 namespace endmill {
 namespace {
@@ -19,6 +20,23 @@ void replace_earlier_run(OutputFolder& folder)
         for (const char* name :
              {"toolpath.csv", "toolpath.vtp", "toolpath.svg", "summary.json"})
             folder.remove_unless_written(prefix + name);
+}
+
+// The feed whose digits stand in the program if none is given; nothing else hangs on it.
+constexpr double default_feed_mm_per_min = 1000;
+
+// Of the program that `post` writes of this path without options but the feed.
+std::optional<double> tape_length(const ToolPath& path, const PlanTask& task)
+{
+    const auto& [surfaces, context, options] = task;
+    if (options.planning.link.axis != Vec3::UnitZ())
+        return std::nullopt;
+    GcodeOptions program;
+    program.name = context.name;
+    program.cutter = Cutter::ball(context.cutter_diameter / 2);
+    program.feed_mm_per_min = options.feed_mm_per_min.value_or(default_feed_mm_per_min);
+    program.tolerance = options.planning.chord_tolerance;
+    return gcode(path, program).tape_length_m();
 }
 
 struct DirectionResult {
@@ -43,7 +61,8 @@ DirectionResult plan_direction(const PlanTask& task, Parameter along,
     require_path_memory(points, options.common.limits.max_memory_gib);
     const IsoParametricPlan plan = plan_iso_parametric(surfaces, ball, planning);
     const PlannedDirection planned{along, path_economy(plan.path),
-                                   chord_error(surfaces, plan.path, along)};
+                                   chord_error(surfaces, plan.path, along),
+                                   tape_length(plan.path, task)};
     Json summary = direction_summary(context, options, planned);
     folder.write(prefix + "toolpath.csv", tool_path_csv(plan.path));
     folder.write(prefix + "toolpath.vtp", tool_path_vtp(plan.path));

@@ -37,6 +37,8 @@ Json direction_summary(const PlanContext& context, const PlanOptions& options,
         summary["feed_mm_per_min"] = *options.feed_mm_per_min;
         summary["time_min"] = travel(options.distance) / *options.feed_mm_per_min;
     }
+    summary["tape_length_m"] =
+        planned.tape_length_m ? Json(*planned.tape_length_m) : Json(nullptr);
     add_cutter_limit(summary, context.limit, context.several);
     add_continuity(summary, context.continuity, context.several);
     summary["max_chord_error_mm"] = planned.chord_error.greatest_mm;

@@ -27,6 +27,7 @@ struct PlannedDirection {
     Parameter along;
     PathEconomy economy;
     ChordError chord_error;
+    std::optional<double> tape_length_m;  ///< none for an axis that G-code cannot have
 };
 
 /// Travel in mm with the links if they count, by contacts or by tips.

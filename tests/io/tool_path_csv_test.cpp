@@ -47,6 +47,32 @@ TEST(ToolPathCsv, OverSeveralSurfacesNamesThePatch)
                                   "1,0,rapid,1,2,3,0,0,1,4,,,,,,,,\n"));
 }
 
+// Columns in the order of the format, each only where some point has something for it.
+TEST(ToolPathCsv, WritesWhatTheMachineIsTold)
+{
+    ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 2},
+                   {0, 1, Move::Rapid, {{1, 2, 4}, {0, 0, 1}}, {}, 0}},
+                  {{800.5, 6000, 7}, {{}, {}, 7}}};
+    EXPECT_EQ(
+        tool_path_csv(path),
+        "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z,tool,patch,"
+        "u,v,contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,normal_z,"
+        "feed_mm_per_min,spindle_rpm\n"
+        "0,0,plunge,1,2,3,0,0,1,7,2,,,,,,,,,800.5,6000\n"
+        "0,1,rapid,1,2,4,0,0,1,7,0,,,,,,,,,,\n");
+    path.conditions = {{{}, 6000, {}}, {}};
+    EXPECT_THAT(tool_path_csv(path), testing::HasSubstr(",normal_z,spindle_rpm\n"));
+    path.conditions = {{}, {}};
+    EXPECT_EQ(tool_path_csv(path), tool_path_csv({path.points}));
+}
+
+TEST(ToolPathCsv, RefusesConditionsForSomePointsOnly)
+{
+    ToolPath path = wavy_path(2, 5);
+    path.conditions.resize(3);
+    EXPECT_THROW(tool_path_csv(path), DomainError);
+}
+
 void expect_vector(const CsvTable& table, std::size_t row,
                    const std::vector<std::string>& columns, const Vec3& expected)
 {

@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "endmill/core/error.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr std::string_view location_columns =
     "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z";
 constexpr std::string_view contact_columns =
-    ",u,v,contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,normal_z\n";
+    ",u,v,contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,normal_z";
 constexpr std::string_view no_contact = ",,,,,,,,";
 constexpr std::size_t points_per_chunk = 2048;
 constexpr std::size_t chunks_per_batch = 64;  // bounds the text that is held twice
@@ -48,11 +49,32 @@ private:
     std::size_t bytes_ = 0;
 };
 
+// The columns that are written only where some point has something for them.
+struct OptionalColumns {
+    bool tool = false;
+    bool patch = false;
+    bool feed = false;
+    bool speed = false;
+};
+
+OptionalColumns optional_columns(const ToolPath& path)
+{
+    OptionalColumns columns;
+    for (const CuttingConditions& told : path.conditions) {
+        columns.tool |= told.tool.has_value();
+        columns.feed |= told.feed_mm_per_min.has_value();
+        columns.speed |= told.spindle_rpm.has_value();
+    }
+    columns.patch =
+        std::ranges::any_of(path.points, [](const PathPoint& p) { return p.patch != 0; });
+    return columns;
+}
+
 class RowWriter {
 public:
-    explicit RowWriter(bool has_patches) : has_patches_{has_patches} {}
+    explicit RowWriter(const OptionalColumns& columns) : columns_{columns} {}
 
-    void append(std::string& text, const PathPoint& point)
+    void append(std::string& text, const PathPoint& point, const CuttingConditions& told)
     {
         text += std::to_string(point.pass);
         text += ',';
@@ -61,18 +83,26 @@ public:
         text += move_name(point.move);
         append(text, point.location.tip, 0);
         append(text, point.location.axis, 3);
-        if (has_patches_) {
+        if (columns_.tool) {
+            text += ',';
+            text += told.tool ? std::to_string(*told.tool) : "";
+        }
+        if (columns_.patch) {
             text += ',';
             text += std::to_string(point.patch);
         }
         if (point.contact) {
-            columns_[6].append(text, point.contact->u);
-            columns_[7].append(text, point.contact->v);
+            numbers_[6].append(text, point.contact->u);
+            numbers_[7].append(text, point.contact->v);
             append(text, point.contact->contact.point, 8);
             append(text, point.contact->contact.normal, 11);
         } else {
             text += no_contact;
         }
+        if (columns_.feed)
+            append(text, told.feed_mm_per_min, 14);
+        if (columns_.speed)
+            append(text, told.spindle_rpm, 15);
         text += '\n';
     }
 
@@ -80,21 +110,44 @@ private:
     void append(std::string& text, const Vec3& vector, std::size_t column)
     {
         for (int c = 0; c < 3; ++c)
-            columns_[column + c].append(text, vector[c]);
+            numbers_[column + c].append(text, vector[c]);
     }
 
-    bool has_patches_;
-    std::array<NumberColumn, 14> columns_;
+    void append(std::string& text, const std::optional<double>& number,
+                std::size_t column)
+    {
+        if (number)
+            numbers_[column].append(text, *number);
+        else
+            text += ',';
+    }
+
+    OptionalColumns columns_;
+    std::array<NumberColumn, 16> numbers_;
 };
 
-// The lines of some points, beginning without what came before them: chunks are
-// independent of each other.
-std::string rows(std::span<const PathPoint> points, bool has_patches)
+std::string header(const OptionalColumns& columns)
 {
-    RowWriter writer{has_patches};
+    std::string line{location_columns};
+    line += columns.tool ? ",tool" : "";
+    line += columns.patch ? ",patch" : "";
+    line += contact_columns;
+    line += columns.feed ? ",feed_mm_per_min" : "";
+    line += columns.speed ? ",spindle_rpm" : "";
+    line += '\n';
+    return line;
+}
+
+// The lines of `count` points, beginning without what came before them: chunks are
+// independent of each other.
+std::string rows(const ToolPath& path, const OptionalColumns& columns, std::size_t first,
+                 std::size_t count)
+{
+    RowWriter writer{columns};
     std::string text;
-    for (const PathPoint& point : points)
-        writer.append(text, point);
+    for (std::size_t i = first; i < first + count; ++i)
+        writer.append(text, path.points[i],
+                      path.conditions.empty() ? CuttingConditions{} : path.conditions[i]);
     return text;
 }
 
@@ -102,31 +155,27 @@ std::string rows(std::span<const PathPoint> points, bool has_patches)
 
 std::string tool_path_csv(const ToolPath& path)
 {
-    const std::span<const PathPoint> points = path.points;
-    const bool has_patches =
-        std::ranges::any_of(points, [](const PathPoint& p) { return p.patch != 0; });
-    std::string csv{location_columns};
-    csv += has_patches ? ",patch" : "";
-    csv += contact_columns;
+    require(path.conditions.empty() || path.conditions.size() == path.points.size(),
+            "tool_path_csv: need conditions for no point or for all");
+    const std::size_t points = path.points.size();
+    const OptionalColumns columns = optional_columns(path);
+    std::string csv = header(columns);
     std::vector<std::string> chunks(chunks_per_batch);
     constexpr std::size_t points_per_batch = points_per_chunk * chunks_per_batch;
-    for (std::size_t first = 0; first < points.size(); first += points_per_batch) {
-        const auto batch =
-            points.subspan(first, std::min(points_per_batch, points.size() - first));
-        const std::size_t count =
-            (batch.size() + points_per_chunk - 1) / points_per_chunk;
+    for (std::size_t first = 0; first < points; first += points_per_batch) {
+        const std::size_t batch = std::min(points_per_batch, points - first);
+        const std::size_t count = (batch + points_per_chunk - 1) / points_per_chunk;
         parallel_for(count, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const std::size_t at = i * points_per_chunk;
-                chunks[i] =
-                    rows(batch.subspan(at, std::min(points_per_chunk, batch.size() - at)),
-                         has_patches);
+                chunks[i] = rows(path, columns, first + at,
+                                 std::min(points_per_chunk, batch - at));
             }
         });
         for (std::size_t i = 0; i < count; ++i)
             csv += chunks[i];
         if (first == 0)  // the rest will be about as long a point, give or take an eighth
-            csv.reserve(csv.size() / batch.size() * points.size() / 8 * 9);
+            csv.reserve(csv.size() / batch * points / 8 * 9);
     }
     return csv;
 }

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// endmill post: a tool path in the machine's language.
+
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/console.h"
+#include "cli/post_summary.h"
+#include "cli/surface_facts.h"
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/io/output_folder.h"
+#include "endmill/io/path_file.h"
+#include "endmill/io/printable.h"
+#include "endmill/post/apt_writer.h"
+#include "endmill/post/gcode_writer.h"
+
+namespace endmill {
+namespace {
+
+// Rounding that takes a larger share of the tolerance is worth telling.
+constexpr double negligible_share = 0.1;
+
+// What the command line says rules over what the path says of its moves.
+void tell(ToolPath& path, const PostOptions& options)
+{
+    for (CuttingConditions& told : path.conditions) {
+        if (options.feed_mm_per_min)
+            told.feed_mm_per_min = options.feed_mm_per_min;
+        if (options.spindle_rpm)
+            told.spindle_rpm = options.spindle_rpm;
+        if (options.tool)
+            told.tool = options.tool;
+    }
+}
+
+// What is known of the path: by the command line, the file, or the summary beside it.
+PathSummary known_of(const Program& program, const PostOptions& options)
+{
+    PathSummary known =
+        read_path_summary(options.path, options.common.limits).value_or(PathSummary{});
+    for (const auto& cutter : {program.cutter, options.cutter})
+        if (cutter)
+            known.cutter = cutter;
+    if (options.feed_mm_per_min)
+        known.feed_mm_per_min = options.feed_mm_per_min;
+    if (options.spindle_rpm)
+        known.spindle_rpm = options.spindle_rpm;
+    return known;
+}
+
+// The text in the language that was asked for.
+WrittenProgram written(const ToolPath& path, const std::string& name,
+                       const PathSummary& known, const PostOptions& options)
+{
+    if (options.format == PostFormat::Apt)
+        return apt(path, {name, known.cutter, known.feed_mm_per_min, known.spindle_rpm,
+                          options.decimals});
+    return gcode(path,
+                 {name, known.cutter, known.feed_mm_per_min, known.spindle_rpm,
+                  options.tool.value_or(1), options.safe_height, known.tolerance_mm(),
+                  options.decimals, options.line_numbers, options.comments});
+}
+
+// What a person should know before the machine starts.
+void warn_of(const PostedPath& posted, const PostOptions& options)
+{
+    for (const std::string& remark : posted.read.remarks)
+        warn(options.common, options.path + ": " + remark);
+    const auto tolerance = posted.known.tolerance_mm();
+    const double error = posted.written.max_rounding_error_mm;
+    if (tolerance && error > negligible_share * *tolerance)
+        warn(options.common,
+             fmt::format("coordinates are rounded by up to {:.2g} mm, of a tolerance of "
+                         "{:g} mm; more --decimals round less",
+                         error, *tolerance));
+    if (posted.written.slanted_rapids > 0)
+        warn(options.common,
+             counted(posted.written.slanted_rapids, "rapid") +
+                 " that change height and place at once: not all machines go straight");
+}
+
+ExitCode run_post(const PostOptions& options)
+{
+    Program program = read_program(options.path, {options.common.limits});
+    tell(program.path, options);
+    PathSummary known = known_of(program, options);
+    const std::string stem = std::filesystem::path{options.path}.stem().string();
+    const std::string name = printable(known.name.value_or(stem));
+    WrittenProgram text = written(program.path, name, known, options);
+    const PostedPath posted{name, std::move(known), program, std::move(text),
+                            stem + names_of(options.format).extension};
+    warn_of(posted, options);
+
+    OutputFolder folder{output_folder(options.path, "post", options.common),
+                        options.common.force};
+    folder.protect(options.path);
+    const Json summary = post_summary(posted, options);
+    folder.write(posted.file, posted.written.text);
+    folder.write("summary.json", summary.dump(2) + "\n");
+    for (const PostFormat format : {PostFormat::Gcode, PostFormat::Apt})
+        folder.remove_unless_written(stem + names_of(format).extension);
+    folder.publish();
+    print_result(
+        options.common, summary,
+        post_text(summary) + "written to " + printable(folder.path().string()) + "\n");
+    return ExitCode::Yes;
+}
+
+}  // namespace
+
+void add_post_command(CLI::App& program, Action& action)
+{
+    CLI::App* command =
+        program.add_subcommand("post", "a tool path as G-code or APT CL data");
+    const auto options = std::make_shared<PostOptions>();
+    add_post_options(*command, *options);
+    command->footer(
+        "Writes NAME.ngc or NAME.apt and summary.json to --output (default "
+        "./NAME-post).\n"
+        "Cutter, tolerance and feed are those of the summary.json beside TOOLPATH, "
+        "unless\n"
+        "the path or an option says otherwise. Coordinates are tips, in mm.\n\n"
+        "Example:\n  endmill post results/u/toolpath.csv --format gcode --feed 800 "
+        "--spindle-rpm 6000");
+    command->callback([options, &action] {
+        action = [options] {
+            try {
+                return run_post(*options);
+            } catch (const GeometryError& error) {
+                throw GeometryError{options->path + ": " + error.what()};
+            }
+        };
+    });
+}
+
+}  // namespace endmill

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/post_options.h"
+
+#include <array>
+
+#include "cli/arguments.h"
+#include "endmill/post/plain_number.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::array formats{Choice<PostFormat>{"gcode", PostFormat::Gcode},
+                             Choice<PostFormat>{"apt", PostFormat::Apt}};
+constexpr std::array yes_first{Choice<bool>{"yes", true}, Choice<bool>{"no", false}};
+
+// Controls know tools by at most five digits.
+constexpr int greatest_tool = 99999;
+
+void add_program_options(CLI::App& command, PostOptions& options)
+{
+    add_number(
+        command,
+        {"--safe-height", "MM",
+         "G-code: where the tool moves freely; default 5 above the top of the path",
+         NumberDomain::any()},
+        options.safe_height);
+    add_whole_number(
+        command,
+        {"--tool-number", "G-code: the tool to change to; default the path's own, or 1",
+         0, greatest_tool},
+        [&options](int number) { options.tool = number; })
+        ->type_name("N");
+    command.add_flag("--line-numbers", options.line_numbers,
+                     "G-code: N1, N2, ... before every block");
+    add_choice<bool>(command, "--comments", options.comments, yes_first,
+                     "G-code: the name and the cutter in a comment");
+    add_whole_number(
+        command, {"--decimals", "digits after the point; default 4", 0, most_decimals},
+        [&options](int decimals) { options.decimals = decimals; })
+        ->type_name("N");
+}
+
+}  // namespace
+
+PostFormatNames names_of(PostFormat format)
+{
+    return {std::string{word_for<PostFormat>(format, formats)},
+            format == PostFormat::Gcode ? ".ngc" : ".apt"};
+}
+
+void add_post_options(CLI::App& command, PostOptions& options)
+{
+    command
+        .add_option("TOOLPATH", options.path,
+                    "tool path (CSV), G-code, APT CL data or the output of rs274 -g")
+        ->required();
+    add_choice<PostFormat>(command, "--format", options.format, formats,
+                           "the language to write");
+    add_number(command,
+               {"--feed", "MM_PER_MIN",
+                "of all moves but rapids; default the path's own, or its summary's"},
+               options.feed_mm_per_min);
+    add_number(command,
+               {"--spindle-rpm", "RPM", "default the path's own, or its summary's"},
+               options.spindle_rpm);
+    command
+        .add_option_function<std::string>(
+            "--cutter",
+            [&options](const std::string& word) {
+                options.cutter = cutter_argument("--cutter", word);
+            },
+            "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm; default "
+            "the summary's")
+        ->type_name("CUTTER");
+    add_program_options(command, options);
+    add_common_options(command, options.common);
+}
+
+}  // namespace endmill

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/command.h"
+#include "endmill/cutter/cutter.h"
+
+namespace endmill {
+
+/// What a path is written as.
+enum class PostFormat { Gcode, Apt };
+
+/// The word of a format on the command line, and the extension of its files.
+struct PostFormatNames {
+    std::string word;
+    std::string extension;
+};
+PostFormatNames names_of(PostFormat format);
+
+/// What `endmill post` is told. What stays empty is taken from the path or its summary.
+struct PostOptions {
+    CommonOptions common;
+    std::string path;
+    PostFormat format = PostFormat::Gcode;
+    std::optional<Cutter> cutter;
+    std::optional<double> feed_mm_per_min;
+    std::optional<double> spindle_rpm;
+    std::optional<double> safe_height;  ///< mm
+    std::optional<int> tool;
+    int decimals = 4;
+    bool line_numbers = false;
+    bool comments = true;
+};
+
+/// Adds every option of `post` to `command`.
+void add_post_options(CLI::App& command, PostOptions& options);
+
+}  // namespace endmill

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "cli/post_options.h"
+#include "endmill/io/path_summary.h"
+#include "endmill/post/program.h"
+#include "endmill/post/written_program.h"
+
+namespace endmill {
+
+/// A path with what is known of it, and what was written.
+struct PostedPath {
+    std::string name;
+    PathSummary known;  ///< completed by what the command was told
+    const Program& read;
+    WrittenProgram written;
+    std::string file;  ///< its name in the output folder
+};
+
+/// summary.json of `post`. It has the keys of the path's own summary, so that the program
+/// is judged by what the path was planned to.
+Json post_summary(const PostedPath& posted, const PostOptions& options);
+
+/// The same for a person.
+std::string post_text(const Json& summary);
+
+}  // namespace endmill

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Internal to io: CSV that is read where it stands, for tables of millions of numbers.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "endmill/core/error.h"
+
+namespace endmill {
+
+/// Walks over the lines of a CSV text and cuts each into cells, without copying. A line
+/// ends with LF or CRLF; a byte order mark at the beginning is skipped. A cell in quotes
+/// ends in its line, and has no quote inside: numbers and words need neither.
+class CsvLines {
+public:
+    /// \param text outlives this. \param file the name for messages.
+    CsvLines(std::string_view text, std::string file);
+
+    /// Goes to the next line. \return false if there is none.
+    /// \throws FormatError E_CSV for a quote that is not closed in its line, or stands
+    ///         inside a cell; for a carriage return inside a line.
+    bool next();
+
+    const std::vector<std::string_view>& cells() const
+    {
+        return cells_;
+    }                                           ///< of the line
+    std::size_t line() const { return line_; }  ///< from 1
+
+    /// How many lines may follow, at most.
+    std::size_t most_lines_left() const;
+
+    /// An error at this line. \param code such as "E_CSV".
+    FormatError complaint(const std::string& code, const std::string& found,
+                          const std::string& expected) const;
+
+private:
+    void cut(std::string_view line);
+    void cut_quoted(std::string_view line);
+
+    std::string_view rest_;
+    std::string file_;
+    std::vector<std::string_view> cells_;
+    std::size_t line_ = 0;
+};
+
+}  // namespace endmill

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/io/tool_path_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "endmill/core/numbers.h"
+#include "endmill/io/csv_lines.h"
+#include "endmill/io/printable.h"
+#include "endmill/io/read_file.h"
+#include "endmill/io/tool_path_columns.h"
+#include "endmill/post/unit_axis.h"
+
+namespace endmill {
+namespace {
+
+using enum PathColumn;
+
+constexpr std::size_t longest_echo = 40;
+
+// Reads row by row into the path; nothing of a row is kept but its numbers. Cells stay
+// where they are in the text: millions of rows are read without copies.
+class PathCsvReader {
+public:
+    PathCsvReader(std::string_view text, const std::string& file,
+                  const ReadLimits& limits)
+        : lines_{text, file},
+          file_{file},
+          limits_{limits}
+    {
+    }
+
+    Program read_all()
+    {
+        lines_.next();  // an empty text has no columns
+        columns_ = path_columns(lines_);
+        reserve();
+        while (lines_.next())
+            add_row();
+        if (program_.path.points.empty())
+            throw lines_.complaint("E_CSV", "no row after the header", "a point");
+        add_remarks();
+        return std::move(program_);
+    }
+
+private:
+    // Room for all rows at once, after a look at whether there is memory for it.
+    void reserve()
+    {
+        ToolPath& path = program_.path;
+        has_conditions_ = columns_.has(Tool) || columns_.has(Feed) || columns_.has(Speed);
+        const std::size_t most = lines_.most_lines_left();
+        const std::size_t bytes =
+            sizeof(PathPoint) + (has_conditions_ ? sizeof(CuttingConditions) : 0);
+        require_memory(file_, static_cast<double>(most) * static_cast<double>(bytes),
+                       limits_);
+        if (most > std::numeric_limits<int>::max())
+            throw LimitError{file_ + ": more than 2147483647 points"};
+        path.points.reserve(most);
+        path.conditions.reserve(has_conditions_ ? most : 0);
+    }
+
+    // Points count through the file where it does not count them itself.
+    void add_row()
+    {
+        if (lines_.cells().size() != columns_.count())
+            throw lines_.complaint("E_CSV",
+                                   "row has " + counted(lines_.cells().size(), "cell"),
+                                   std::to_string(columns_.count()));
+        ToolPath& path = program_.path;
+        path.points.push_back(
+            {whole_number(Pass).value_or(0),
+             whole_number(Point).value_or(static_cast<int>(path.points.size())), move(),
+             location(), contact(), whole_number(Patch).value_or(0)});
+        if (has_conditions_)
+            path.conditions.push_back(
+                {positive(Feed), positive(Speed), whole_number(Tool)});
+    }
+
+    // Empty also if the table has no such column.
+    std::string_view cell(PathColumn column) const
+    {
+        return columns_.has(column) ? lines_.cells()[columns_.place(column)]
+                                    : std::string_view{};
+    }
+
+    [[noreturn]] void refuse(PathColumn column, const std::string& expected) const
+    {
+        const std::string_view text = cell(column);
+        const std::string found =
+            text.empty() ? "empty" : '"' + printable(text, longest_echo) + '"';
+        throw lines_.complaint("E_CSV", std::string{column_name(column)} + " is " + found,
+                               expected);
+    }
+
+    std::optional<int> whole_number(PathColumn column) const
+    {
+        const std::string_view text = cell(column);
+        if (text.empty())
+            return std::nullopt;
+        int number = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, number);
+        if (error != std::errc{} || stop != end || number < 0)
+            refuse(column, "a whole number from 0 to 2147483647");
+        return number;
+    }
+
+    // The number in a cell, none if it is empty: unknown, not zero.
+    std::optional<double> number(PathColumn column) const
+    {
+        const std::string_view text = cell(column);
+        if (text.empty())
+            return std::nullopt;
+        const std::optional<double> number = number_from_text(text);
+        if (!number)
+            refuse(column, "a number");
+        return number;
+    }
+
+    std::optional<double> positive(PathColumn column) const
+    {
+        const std::optional<double> value = number(column);
+        if (value && !(*value > 0))
+            refuse(column, "a number above 0, or nothing");
+        return value;
+    }
+
+    // Neighbouring rows mostly have the same word, which is then not looked up again.
+    Move move() const
+    {
+        if (!columns_.has(MoveWord))
+            return Move::Cut;
+        const std::string_view word = cell(MoveWord);
+        if (word == last_word_)
+            return last_move_;
+        const std::optional<Move> move = move_from_name(word);
+        if (!move)
+            refuse(MoveWord, "cut, link, rapid, plunge or retract");
+        last_word_ = word;
+        return last_move_ = *move;
+    }
+
+    // A vector whose three columns follow `first`; nothing if all its cells are empty.
+    std::optional<Vec3> vector(PathColumn first) const
+    {
+        Vec3 vector;
+        int known = 0;
+        for (int c = 0; c < 3; ++c)
+            if (const auto component = number(following(first, c))) {
+                vector[c] = *component;
+                ++known;
+            }
+        if (known == 0)
+            return std::nullopt;
+        for (int c = 0; known < 3 && c < 3; ++c)
+            if (cell(following(first, c)).empty())
+                refuse(following(first, c), "a number, as its neighbours are");
+        return vector;
+    }
+
+    // A vector in mm, within the limit.
+    std::optional<Vec3> place(PathColumn first) const
+    {
+        std::optional<Vec3> point = vector(first);
+        for (int c = 0; point && c < 3; ++c)
+            if (std::abs((*point)[c]) > limits_.max_extent_mm)
+                throw lines_.complaint(
+                    "E_RANGE",
+                    std::string{column_name(following(first, c))} + " is " +
+                        to_text((*point)[c]),
+                    "at most " + to_text(limits_.max_extent_mm) + " mm (--max-extent)");
+        return point;
+    }
+
+    // A vector of length 1.
+    std::optional<Vec3> direction(PathColumn first) const
+    {
+        const std::optional<Vec3> read = vector(first);
+        if (!read)
+            return std::nullopt;
+        std::optional<Vec3> unit = unit_axis(*read);
+        const std::string_view name = column_name(first);  // less its "_x", the vector's
+        if (!unit)
+            throw lines_.complaint("E_CSV",
+                                   std::string{name.substr(0, name.size() - 2)} +
+                                       " of length " + shown_length(*read),
+                                   "length 1 within " + to_text(axis_length_tolerance));
+        return unit;
+    }
+
+    static std::string shown_length(const Vec3& vector)
+    {
+        const double length = vector.norm();
+        return std::isfinite(length) ? to_text(length) : "infinity";
+    }
+
+    CutterLocation location() const
+    {
+        const std::optional<Vec3> tip = place(TipX);
+        if (!tip)
+            refuse(TipX, "a number");
+        return {*tip, direction(AxisX).value_or(Vec3::UnitZ())};
+    }
+
+    std::optional<SurfaceContact> contact() const
+    {
+        if (!columns_.has_contacts())
+            return std::nullopt;
+        const std::optional<double> u = number(U);
+        const std::optional<double> v = number(V);
+        const std::optional<Vec3> point = place(ContactX);
+        const std::optional<Vec3> normal = direction(NormalX);
+        if (!u && !v && !point && !normal)
+            return std::nullopt;
+        for (const PathColumn column : {U, V, ContactX, NormalX})
+            if (cell(column).empty())
+                refuse(column, "all of u, v, contact and normal, or none");
+        return SurfaceContact{*u, *v, {*point, *normal}};
+    }
+
+    // What was taken for granted or left out.
+    void add_remarks()
+    {
+        std::vector<std::string>& remarks = program_.remarks;
+        if (!columns_.has(MoveWord))
+            remarks.emplace_back("no column move: every move is taken for a cut");
+        if (!columns_.has(AxisX))
+            remarks.emplace_back("no axis: it is taken for +z");
+        if (!columns_.has_contacts() &&
+            (columns_.has(U) || columns_.has(ContactX) || columns_.has(NormalX)))
+            remarks.emplace_back(
+                "contacts are left out: they need u, v, contact and normal");
+        if (columns_.has(Limit))
+            remarks.emplace_back("the column limit is left out");
+    }
+
+    CsvLines lines_;
+    const std::string& file_;
+    const ReadLimits& limits_;
+    PathColumns columns_;
+    bool has_conditions_ = false;
+    Program program_;
+    mutable std::string_view last_word_ = "cut";
+    mutable Move last_move_ = Move::Cut;
+};
+
+}  // namespace
+
+bool is_tool_path_csv(std::string_view text)
+{
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const auto has = [&](std::string_view part) {
+        return line.find(part) != std::string_view::npos;
+    };
+    return has("tip_") && has(",") && !has("(");  // "(…, tips)" would be a comment
+}
+
+Program parse_tool_path(std::string_view text, const std::string& file,
+                        const ReadLimits& limits)
+{
+    return PathCsvReader{text, file, limits}.read_all();
+}
+
+Program read_tool_path(const std::filesystem::path& path, const ReadLimits& limits)
+{
+    return parse_tool_path(read_file(path, limits), shown_path(path), limits);
+}
+
+}  // namespace endmill

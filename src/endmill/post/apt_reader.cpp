@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/post/apt_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "endmill/core/numbers.h"
+#include "endmill/post/feed_move.h"
+#include "endmill/post/plain_number.h"
+#include "endmill/post/text_lines.h"
+#include "endmill/post/unit_axis.h"
+
+namespace endmill {
+namespace {
+
+constexpr const char* known_statements =
+    "PARTNO, UNITS, CUTTER, SPINDL, FEDRAT, RAPID, GOTO, FINI, REMARK, PPRINT, LOADTL, "
+    "COOLNT, STOP or a comment after $$";
+
+// Blanks carry no meaning in APT but inside texts.
+std::string_view trimmed(std::string_view text)
+{
+    text = without_indent(text);
+    while (!text.empty() && is_blank(text.back()))
+        text.remove_suffix(1);
+    return text;
+}
+
+char upper(char letter)
+{
+    return 'a' <= letter && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A')
+                                          : letter;
+}
+
+// Whether `text` is `word` but for small letters.
+bool is_word(std::string_view text, std::string_view word)
+{
+    return std::ranges::equal(text, word, {}, upper);
+}
+
+// A statement: WORD, WORD/REST or, for texts, WORD REST.
+struct Statement {
+    std::string_view word;
+    std::string_view rest;
+    bool has_slash = false;
+
+    bool is(std::string_view name) const { return is_word(word, name); }
+    bool is_any(std::span<const std::string_view> names) const
+    {
+        return std::ranges::any_of(names, [&](std::string_view n) { return is(n); });
+    }
+};
+
+// The word ends where its letters do, so that "RAPID/", "PARTNO x" and "GOTO /1" are cut
+// alike, and whatever is no word leaves an empty one.
+Statement statement_of(std::string_view line)
+{
+    line = trimmed(line.substr(0, line.find("$$")));
+    const auto end = std::ranges::find_if_not(
+        line, [](char c) { return 'A' <= upper(c) && upper(c) <= 'Z'; });
+    const auto length = static_cast<std::size_t>(end - line.begin());
+    Statement statement{line.substr(0, length), without_indent(line.substr(length))};
+    if (statement.rest.starts_with('/')) {
+        statement.has_slash = true;
+        statement.rest = without_indent(statement.rest.substr(1));
+    }
+    return statement;
+}
+
+// Statements whose rest is for people.
+constexpr std::array<std::string_view, 3> text_words{"PARTNO", "REMARK", "PPRINT"};
+// Statements about the machine, of which a path has nothing to say.
+constexpr std::array<std::string_view, 3> ignored_words{"LOADTL", "COOLNT", "STOP"};
+// Statements that make the path.
+constexpr std::array<std::string_view, 7> read_words{
+    "UNITS", "CUTTER", "SPINDL", "FEDRAT", "RAPID", "GOTO", "FINI"};
+
+// Goes through the statements and keeps what is in force: feed and speed until others are
+// told, RAPID until the next GOTO.
+class AptReader {
+public:
+    AptReader(std::string_view text, const std::string& file,
+              const AptReadOptions& options)
+        : lines_{text, {file, "E_APT"}},
+          options_{options}
+    {
+    }
+
+    Program read_all()
+    {
+        while (!is_finished_ && lines_.next()) {
+            const Statement statement = statement_of(lines_.line());
+            if (!statement.word.empty() || !statement.rest.empty() || statement.has_slash)
+                read_statement(statement);
+        }
+        finish();
+        return std::move(program_);
+    }
+
+private:
+    void read_statement(const Statement& statement)
+    {
+        if (statement.is("GOTO"))
+            read_goto(statement);
+        else if (statement.is("RAPID") || statement.is("FINI"))
+            read_bare(statement);
+        else if (statement.is("FEDRAT"))
+            read_feed(statement);
+        else if (statement.is("SPINDL"))
+            read_speed(statement);
+        else if (statement.is("CUTTER"))
+            read_cutter(statement);
+        else if (statement.is("UNITS"))
+            read_units(statement);
+        else if (!statement.is_any(text_words) && !statement.is_any(ignored_words))
+            throw lines_.complaint("statement " + quoted(trimmed(lines_.line())),
+                                   known_statements);
+    }
+
+    // The parts between the commas after the slash.
+    std::span<const std::string_view> arguments(const Statement& statement)
+    {
+        arguments_.clear();
+        std::string_view rest = statement.rest;
+        if (!statement.has_slash)
+            return arguments_;
+        for (;;) {
+            const std::size_t comma = std::min(rest.find(','), rest.size());
+            arguments_.push_back(trimmed(rest.substr(0, comma)));
+            if (comma == rest.size())
+                return arguments_;
+            rest.remove_prefix(comma + 1);
+        }
+    }
+
+    double number(std::string_view text) const
+    {
+        const std::optional<double> value = plain_number(text);
+        if (!value)
+            throw lines_.complaint(quoted(text), "a number in plain decimals");
+        return *value;
+    }
+
+    [[noreturn]] void refuse(const std::string& expected) const
+    {
+        throw lines_.complaint(quoted(trimmed(lines_.line())), expected);
+    }
+
+    // The one statement that moves the tool.
+    void read_goto(const Statement& statement)
+    {
+        const auto parts = arguments(statement);
+        if (parts.size() != 3 && parts.size() != 6)
+            refuse("GOTO/x,y,z or GOTO/x,y,z,i,j,k");
+        CutterLocation location{Vec3::Zero(), Vec3::UnitZ()};
+        for (int c = 0; c < 3; ++c)
+            location.tip[c] = coordinate(parts[static_cast<std::size_t>(c)]);
+        if (parts.size() == 6)
+            location.axis = axis(parts.subspan(3));
+        add_point(location);
+    }
+
+    double coordinate(std::string_view text) const
+    {
+        const double value = number(text);
+        if (std::abs(value) > options_.max_extent_mm)
+            throw lines_.range_complaint(
+                "coordinate " + quoted(text),
+                "at most " + to_text(options_.max_extent_mm) + " mm (--max-extent)");
+        return value;
+    }
+
+    Vec3 axis(std::span<const std::string_view> parts) const
+    {
+        const Vec3 read{number(parts[0]), number(parts[1]), number(parts[2])};
+        const std::optional<Vec3> unit = unit_axis(read);
+        if (!unit)
+            throw lines_.complaint("axis of length " + brief(read.norm()),
+                                   "length 1 within " + to_text(axis_length_tolerance));
+        return *unit;
+    }
+
+    // A rapid has no feed, though the one in force stays so for the move after it.
+    void add_point(const CutterLocation& location)
+    {
+        std::vector<PathPoint>& points = program_.path.points;
+        if (points.size() >= options_.most_points)
+            throw LimitError{lines_.file() + ": more than " +
+                             std::to_string(options_.most_points) +
+                             " points; a higher --max-memory takes more"};
+        Move move = Move::Plunge;
+        if (is_rapid_)
+            move = Move::Rapid;
+        else if (!points.empty())
+            move = feed_move(points.back().location.tip, location.tip);
+        points.push_back({0, static_cast<int>(points.size()), move, location, {}});
+        CuttingConditions told = told_;
+        if (is_rapid_)
+            told.feed_mm_per_min.reset();
+        program_.path.conditions.push_back(told);
+        is_rapid_ = false;
+    }
+
+    // RAPID and FINI take nothing: what stands there was meant for something else.
+    void read_bare(const Statement& statement)
+    {
+        if (statement.has_slash || !statement.rest.empty())
+            refuse("nothing after the word");
+        if (statement.is("RAPID"))
+            is_rapid_ = true;
+        else
+            is_finished_ = true;
+    }
+
+    void read_feed(const Statement& statement)
+    {
+        const auto parts = arguments(statement);
+        if (parts.size() != 2 || !is_word(parts[1], "MMPM"))
+            refuse("FEDRAT/feed,MMPM");
+        told_.feed_mm_per_min = number(parts[0]);
+        if (!(*told_.feed_mm_per_min > 0))
+            refuse("a feed above 0");
+    }
+
+    void read_speed(const Statement& statement)
+    {
+        const auto parts = arguments(statement);
+        if (parts.size() != 3 || !is_word(parts[1], "RPM") || !is_word(parts[2], "CLW"))
+            refuse("SPINDL/speed,RPM,CLW");
+        told_.spindle_rpm = number(parts[0]);
+        if (!(*told_.spindle_rpm > 0))
+            refuse("a speed above 0");
+    }
+
+    void read_cutter(const Statement& statement)
+    {
+        const auto parts = arguments(statement);
+        if (parts.empty() || parts.size() > 2)
+            refuse("CUTTER/diameter,corner_radius");
+        const double radius = number(parts[0]) / 2;
+        const double corner = parts.size() == 2 ? number(parts[1]) : 0;
+        if (!(radius > 0 && 0 <= corner && corner <= radius))
+            refuse("a diameter above 0 and a corner radius from 0 to half of it");
+        // A path is of one cutter; to repeat it does no harm.
+        const Cutter cutter{radius, corner};
+        if (program_.cutter && *program_.cutter != cutter)
+            refuse("one cutter for the whole path");
+        program_.cutter = cutter;
+    }
+
+    // Other units would scale feeds as well, by words of their own: refused, not guessed.
+    void read_units(const Statement& statement)
+    {
+        const auto parts = arguments(statement);
+        if (parts.size() != 1 || !is_word(parts[0], "MM"))
+            refuse("UNITS/MM");
+        has_units_ = true;
+    }
+
+    // Whether the file was whole can only be said at its end.
+    void finish()
+    {
+        ToolPath& path = program_.path;
+        if (path.points.empty())
+            throw FormatError{"E_APT", {lines_.file(), "", "no GOTO", "a path"}};
+        const auto says_nothing = [](const CuttingConditions& told) {
+            return told == CuttingConditions{};
+        };
+        if (std::ranges::all_of(path.conditions, says_nothing))
+            path.conditions.clear();
+        if (!has_units_)
+            program_.remarks.emplace_back("no UNITS statement: taken as mm");
+        if (!is_finished_)
+            program_.remarks.emplace_back(
+                "no FINI at the end: the file may be cut short");
+        else if (!trimmed(lines_.rest()).empty())
+            program_.remarks.emplace_back("what follows FINI is left out");
+    }
+
+    TextLines lines_;
+    const AptReadOptions& options_;
+    std::vector<std::string_view> arguments_;
+    Program program_;
+    CuttingConditions told_;
+    bool is_rapid_ = false;
+    bool is_finished_ = false;
+    bool has_units_ = false;
+};
+
+}  // namespace
+
+bool is_apt(std::string_view text)
+{
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    if (text.starts_with(byte_order_mark))
+        text.remove_prefix(byte_order_mark.size());
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        const Statement statement = statement_of(line);
+        if (!statement.word.empty() || !statement.rest.empty())
+            return statement.is_any(text_words) || statement.is_any(ignored_words) ||
+                   statement.is_any(read_words);
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+    }
+    return false;
+}
+
+Program parse_apt(std::string_view text, const std::string& file,
+                  const AptReadOptions& options)
+{
+    return AptReader{text, file, options}.read_all();
+}
+
+}  // namespace endmill

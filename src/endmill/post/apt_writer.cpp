@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/post/apt_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/post/comment_text.h"
+#include "endmill/post/move_conditions.h"
+#include "endmill/post/plain_number.h"
+
+namespace endmill {
+namespace {
+
+// Most statements are shorter: GOTO/-100.1234,-100.1234,-10.1234 and a line feed.
+constexpr std::size_t likely_bytes_per_point = 36;
+
+// Appends statements and knows which feed and speed are in force.
+class StatementWriter {
+public:
+    StatementWriter(const AptOptions& options, std::size_t points) : options_{options}
+    {
+        program_.text.reserve(points * likely_bytes_per_point);
+    }
+
+    void add_heading()
+    {
+        add("PARTNO/" + comment_text(options_.name));
+        add("UNITS/MM");
+        if (!options_.cutter)
+            return;
+        std::string cutter = "CUTTER/";
+        append_exact(cutter, 2 * options_.cutter->radius());
+        cutter += ',';
+        append_exact(cutter, options_.cutter->corner_radius());
+        add(cutter);
+    }
+
+    void add_point(const PathPoint& point, const CuttingConditions& told)
+    {
+        if (told.spindle_rpm)
+            add_changed("SPINDL/", *told.spindle_rpm, ",RPM,CLW", speed_);
+        if (told.feed_mm_per_min)
+            add_changed("FEDRAT/", *told.feed_mm_per_min, ",MMPM", feed_);
+        if (point.move == Move::Rapid)
+            add("RAPID");
+        add_goto(point.location);
+    }
+
+    void add(std::string_view statement)
+    {
+        program_.text += statement;
+        program_.text += '\n';
+        ++program_.lines;
+    }
+
+    WrittenProgram take() { return std::move(program_); }
+
+private:
+    // A statement that holds until another is told.
+    void add_changed(std::string_view word, double value, std::string_view unit,
+                     std::string& in_force)
+    {
+        std::string statement{word};
+        append_trimmed(statement, value, options_.decimals);
+        statement += unit;
+        if (statement != in_force)
+            add(statement);
+        in_force = std::move(statement);
+    }
+
+    // The axis is exact: to round it would turn the tool, not just shift it.
+    void add_goto(const CutterLocation& location)
+    {
+        std::string& text = program_.text;
+        text += "GOTO/";
+        for (int c = 0; c < 3; ++c) {
+            text += c == 0 ? "" : ",";
+            const double rounded = append_fixed(text, location.tip[c], options_.decimals);
+            program_.max_rounding_error_mm = std::max(
+                program_.max_rounding_error_mm, std::abs(rounded - location.tip[c]));
+        }
+        if (location.axis != Vec3::UnitZ())
+            for (const double component : location.axis) {
+                text += ',';
+                append_exact(text, component);
+            }
+        text += '\n';
+        ++program_.lines;
+    }
+
+    const AptOptions& options_;
+    WrittenProgram program_;
+    std::string speed_;  // the statements in force
+    std::string feed_;
+};
+
+}  // namespace
+
+WrittenProgram apt(const ToolPath& path, const AptOptions& options)
+{
+    require(!path.points.empty(), "apt: need a path with points");
+    MoveConditions conditions{
+        path, {options.feed_mm_per_min, options.spindle_rpm, {}}, options.decimals};
+    StatementWriter writer{options, path.points.size()};
+    writer.add_heading();
+    for (std::size_t i = 0; i < path.points.size(); ++i)
+        writer.add_point(path.points[i], conditions.at(i));
+    writer.add("FINI");
+    WrittenProgram program = writer.take();
+    program.feed_mm_per_min = conditions.feeds();
+    program.spindle_rpm = conditions.speeds();
+    return program;
+}
+
+}  // namespace endmill

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/post/canonical_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "endmill/post/arc.h"
+#include "endmill/post/canonical_line.h"
+#include "endmill/post/gcode_arc.h"
+#include "endmill/post/idle_commands.h"
+#include "endmill/post/plain_number.h"
+#include "endmill/post/program_builder.h"
+#include "endmill/post/text_lines.h"
+
+namespace endmill {
+namespace {
+
+constexpr double half_last_decimal = 5e-5;  // of four, in the program's unit
+constexpr double mm_per_inch = 25.4;
+
+class CanonicalReader {
+public:
+    CanonicalReader(std::string_view text, const std::string& file,
+                    const GcodeReadOptions& options)
+        : lines_{text, {file, "E_CANONICAL"}},
+          options_{options},
+          builder_{lines_, options_}
+    {
+    }
+
+    Program read()
+    {
+        while (!has_ended_ && lines_.next())
+            read_line();
+        if (!has_ended_)
+            builder_.remark("no PROGRAM_END: the program may be cut short");
+        builder_.remark("four decimals: coordinates are known to " + brief(error_mm_) +
+                        " mm");
+        Program program = builder_.take();
+        program.position_error_mm = error_mm_;
+        return program;
+    }
+
+private:
+    using Handler = void (CanonicalReader::*)();
+
+    void read_line()
+    {
+        if (without_indent(lines_.line()).empty())
+            return;
+        const auto line = canonical_line(lines_.line());
+        if (!line)
+            throw lines_.complaint(quoted(lines_.line()),
+                                   "a line of rs274 -g, as \"12 N..... NAME(...)\"");
+        arguments_ = line->arguments;
+        if (const Handler handler = handler_of(line->name))
+            (this->*handler)();
+        else if (!is_idle_command(line->name))
+            throw lines_.complaint("canonical command " + quoted(line->name),
+                                   "straight moves, arcs, and what does not move");
+    }
+
+    static Handler handler_of(std::string_view name)
+    {
+        static constexpr std::array<std::pair<std::string_view, Handler>, 20> handlers{{
+            {"STRAIGHT_FEED", &CanonicalReader::straight_feed},
+            {"ARC_FEED", &CanonicalReader::arc_feed},
+            {"STRAIGHT_TRAVERSE", &CanonicalReader::straight_traverse},
+            {"SET_FEED_RATE", &CanonicalReader::set_feed_rate},
+            {"SET_FEED_MODE", &CanonicalReader::set_feed_mode},
+            {"SELECT_PLANE", &CanonicalReader::select_plane},
+            {"USE_LENGTH_UNITS", &CanonicalReader::use_length_units},
+            {"SET_G5X_OFFSET", &CanonicalReader::set_g5x_offset},
+            {"SET_G92_OFFSET", &CanonicalReader::set_g92_offset},
+            {"SET_XY_ROTATION", &CanonicalReader::set_xy_rotation},
+            {"USE_TOOL_LENGTH_OFFSET", &CanonicalReader::use_tool_length_offset},
+            {"SET_SPINDLE_SPEED", &CanonicalReader::set_spindle_speed},
+            {"START_SPINDLE_CLOCKWISE", &CanonicalReader::start_spindle},
+            {"START_SPINDLE_COUNTERCLOCKWISE", &CanonicalReader::start_spindle},
+            {"STOP_SPINDLE_TURNING", &CanonicalReader::stop_spindle},
+            {"SET_SPINDLE_MODE", &CanonicalReader::set_spindle_mode},
+            {"SELECT_TOOL", &CanonicalReader::select_tool},
+            {"CHANGE_TOOL", &CanonicalReader::change_tool},
+            {"CHANGE_TOOL_NUMBER", &CanonicalReader::change_tool_number},
+            {"PROGRAM_END", &CanonicalReader::end_program},
+        }};
+        for (const auto& [known, handler] : handlers)
+            if (known == name)
+                return handler;
+        return nullptr;
+    }
+
+    double number()
+    {
+        const auto argument = take_argument(arguments_);
+        const auto value = argument ? plain_number(*argument) : std::nullopt;
+        if (!value)
+            throw lines_.complaint(argument ? quoted(*argument) : "too few arguments",
+                                   "a plain decimal number");
+        return *value;
+    }
+
+    double length() { return number() * mm_per_unit_; }
+
+    std::string_view word()
+    {
+        const auto argument = take_argument(arguments_);
+        return argument ? *argument : std::string_view{};
+    }
+
+    // The rotary axes at the end of a move.
+    void expect_no_rotation()
+    {
+        while (!without_indent(arguments_).empty())
+            if (number() != 0)
+                throw lines_.complaint("a turned rotary axis", "a three-axis program");
+    }
+
+    void straight_traverse() { go_straight(std::nullopt); }
+
+    void straight_feed() { go_straight(feed()); }
+
+    void go_straight(const std::optional<MoveFeed>& feed)
+    {
+        expect_no_offset();
+        const double x = length();
+        const double y = length();
+        const double z = length();
+        expect_no_rotation();
+        position_ = {x, y, z};
+        builder_.go_to(position_, feed);
+        note_precision();
+    }
+
+    void arc_feed()
+    {
+        expect_no_offset();
+        const PlaneAxes axes = plane_axes(plane_);
+        Arc arc{.start = position_, .end = {}, .centre = position_, .plane = plane_};
+        arc.end[axes.first] = length();
+        arc.end[axes.second] = length();
+        arc.centre[axes.first] = length();
+        arc.centre[axes.second] = length();
+        const double rotation = number();
+        arc.end[axes.normal] = length();
+        expect_no_rotation();
+        if (rotation == 0 || rotation != std::floor(rotation))
+            throw lines_.complaint("an arc of " + brief(rotation) + " turns",
+                                   "a whole number, negative if clockwise");
+        arc.clockwise = rotation < 0;
+        arc.turns = std::abs(rotation);
+        go_along(arc);
+        note_precision();
+    }
+
+    // The interpreter says where it is only by its moves: before the first the start of an
+    // arc is unknown.
+    void go_along(const Arc& arc)
+    {
+        const MoveFeed pace = feed();
+        position_ = arc.end;
+        if (!builder_.has_position()) {
+            builder_.remark(
+                "the first motion is an arc: its start is unknown, and it is left out");
+            builder_.go_to(position_, std::nullopt);
+            return;
+        }
+        for (const double coordinate : arc.centre)
+            check_extent(coordinate, options_, lines_);
+        for (const double coordinate : arc.end)
+            check_extent(coordinate, options_, lines_);
+        check_radii(arc, lines_);
+        builder_.go_along(arc, pace);
+    }
+
+    MoveFeed feed() const
+    {
+        if (!(feed_mm_per_min_ > 0))
+            throw lines_.complaint("a move at cutting feed before any feed rate",
+                                   "SET_FEED_RATE above 0");
+        return {feed_mm_per_min_, false};
+    }
+
+    void note_precision()
+    {
+        if (!is_unit_said_)
+            builder_.remark("no USE_LENGTH_UNITS before motion: taken as mm");
+        error_mm_ = std::max(error_mm_, half_last_decimal * mm_per_unit_);
+    }
+
+    // In the unit in force; under G93 the interpreter gives each move its own.
+    void set_feed_rate()
+    {
+        const double rate = length();
+        if (!(rate >= 0 && std::isfinite(rate)))
+            throw lines_.complaint("feed rate " + brief(rate), "one of at least 0");
+        feed_mm_per_min_ = rate;
+    }
+
+    // Spindle and mode; earlier releases have the mode alone.
+    void set_feed_mode()
+    {
+        double mode = number();
+        if (!without_indent(arguments_).empty())
+            mode = number();
+        if (mode != 0)
+            throw lines_.complaint("feed per revolution", "feed per minute");
+    }
+
+    void select_plane()
+    {
+        const std::string_view name = word();
+        if (name == "CANON_PLANE_XY")
+            plane_ = ArcPlane::Xy;
+        else if (name == "CANON_PLANE_XZ")
+            plane_ = ArcPlane::Zx;
+        else if (name == "CANON_PLANE_YZ")
+            plane_ = ArcPlane::Yz;
+        else
+            throw lines_.complaint("plane " + quoted(name), "CANON_PLANE_XY, _XZ or _YZ");
+    }
+
+    void use_length_units()
+    {
+        const std::string_view name = word();
+        if (name != "CANON_UNITS_MM" && name != "CANON_UNITS_INCHES")
+            throw lines_.complaint("unit " + quoted(name),
+                                   "CANON_UNITS_MM or CANON_UNITS_INCHES");
+        is_unit_said_ = true;
+        mm_per_unit_ = name == "CANON_UNITS_MM" ? 1 : mm_per_inch;
+        if (mm_per_unit_ != 1)
+            builder_.remark("inches converted to mm");
+    }
+
+    void set_g5x_offset()
+    {
+        number();  // which of the coordinate systems
+        g5x_line_ = is_all_zero() ? 0 : lines_.number();
+    }
+
+    void set_g92_offset() { g92_line_ = is_all_zero() ? 0 : lines_.number(); }
+
+    void set_xy_rotation() { rotation_line_ = is_all_zero() ? 0 : lines_.number(); }
+
+    bool is_all_zero()
+    {
+        bool all = true;
+        while (!without_indent(arguments_).empty())
+            all = (number() == 0) && all;
+        return all;
+    }
+
+    // Coordinates are the programmed ones, with the offsets beside them. The interpreter
+    // prints those of its own table before motion, and of others after it.
+    void expect_no_offset() const
+    {
+        const std::array offsets{std::pair{"SET_G5X_OFFSET", g5x_line_},
+                                 std::pair{"SET_G92_OFFSET", g92_line_},
+                                 std::pair{"SET_XY_ROTATION", rotation_line_}};
+        for (const auto& [name, line] : offsets)
+            if (line != 0)
+                throw lines_.complaint(std::string{"a move under the "} + name +
+                                           " of line " + std::to_string(line),
+                                       "offsets and rotations of 0");
+    }
+
+    // Its numbers are separated by blanks and commas; only whether all are 0 matters.
+    void use_tool_length_offset()
+    {
+        if (arguments_.find_first_of("123456789") != std::string_view::npos)
+            builder_.remark(
+                "the tool length is taken as already in the control's tool table");
+    }
+
+    // Spindle and speed; earlier releases have the speed alone.
+    void set_spindle_speed()
+    {
+        double rpm = number();
+        if (!without_indent(arguments_).empty())
+            rpm = number();
+        builder_.set_spindle_speed(std::abs(rpm));
+    }
+
+    void start_spindle() { builder_.start_spindle(); }
+    void stop_spindle() { builder_.stop_spindle(); }
+
+    // Spindle and highest speed, with no comma between them; 0 is a constant speed (G97).
+    void set_spindle_mode()
+    {
+        const std::size_t blank = arguments_.find(' ');
+        if (arguments_.find_first_of("123456789", blank) != std::string_view::npos)
+            throw lines_.complaint("constant surface speed", "a spindle speed in 1/min");
+    }
+
+    int tool_number()
+    {
+        const double tool = number();
+        if (!(tool >= 0 && tool <= std::numeric_limits<int>::max() &&
+              tool == std::floor(tool)))
+            throw lines_.complaint("tool " + brief(tool), "a whole number from 0");
+        return static_cast<int>(tool);
+    }
+
+    void select_tool() { builder_.select_tool(tool_number()); }
+
+    // M61: the spindle has this tool.
+    void change_tool_number() { builder_.change_tool(tool_number()); }
+
+    // Its argument is the tool's place in the changer, not its number.
+    void change_tool() { builder_.change_tool(); }
+
+    void end_program() { has_ended_ = true; }
+
+    TextLines lines_;
+    GcodeReadOptions options_;
+    ProgramBuilder builder_;
+    std::string_view arguments_;    // of the line, those that are still to be read
+    Vec3 position_ = Vec3::Zero();  // of the programmed point, mm
+    ArcPlane plane_ = ArcPlane::Xy;
+    double feed_mm_per_min_ = 0;
+    double mm_per_unit_ = 1;
+    double error_mm_ = half_last_decimal;
+    std::size_t g5x_line_ = 0;  // where it became other than 0; 0 if it is 0
+    std::size_t g92_line_ = 0;
+    std::size_t rotation_line_ = 0;
+    bool is_unit_said_ = false;
+    bool has_ended_ = false;
+};
+
+}  // namespace
+
+bool is_canonical(std::string_view text)
+{
+    constexpr std::size_t longest = 4096;  // of a first line, so that it costs nothing
+    text = without_indent(text).substr(0, longest);
+    return canonical_line(text.substr(0, text.find('\n'))).has_value();
+}
+
+Program parse_canonical(std::string_view text, const std::string& file,
+                        const GcodeReadOptions& options)
+{
+    return CanonicalReader{text, file, options}.read();
+}
+
+}  // namespace endmill

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "endmill/post/gcode_read_options.h"
+#include "endmill/post/program.h"
+
+namespace endmill {
+
+/// The path that a three-axis program of RS-274 (G-code) describes. What the reader does
+/// not follow is an error, never skipped.
+///
+/// Words, modes and their order in a block are those of LinuxCNC; lengths become mm, feeds
+/// mm/min. Moves: G0 is a rapid, G1 as `ProgramBuilder` has it, arcs are cuts in chords
+/// (`ArcChords`). Radii of an arc's ends may differ by the larger of 0.01 mm and 0.1 %, and
+/// a radius R may be too small by so much. Until each axis has had an absolute position,
+/// the place is unknown: such moves are left out, and said.
+///
+/// F in the block of a G20 or G21 is in the new unit; G93 and G94 forget the F before them.
+/// M codes but for M2, M30, M3 to M6 and those that are refused do nothing. The program
+/// ends with M2, M30 or the second `%`. The first `%` stands before all words.
+///
+/// \param file the name for messages.
+/// \throws FormatError with the line: E_GCODE for what is refused, E_RANGE for numbers
+///         that are too large, E_LIMIT for a line over 1 MiB; E_EMPTY for a file of white
+///         space.
+/// \throws LimitError if the path would have more points than the options allow.
+/// \throws DomainError as `check_options`.
+/// Source: spec of the removal, section 5; [KramerProctorMessina].
+Program parse_gcode(std::string_view text, const std::string& file,
+                    const GcodeReadOptions& options = {});
+
+}  // namespace endmill

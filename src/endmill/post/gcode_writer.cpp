@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/post/gcode_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/post/block_writer.h"
+#include "endmill/post/comment_text.h"
+#include "endmill/post/move_conditions.h"
+#include "endmill/post/plain_number.h"
+
+namespace endmill {
+namespace {
+
+// Most blocks are shorter, and one that moves all three axes is about as long.
+constexpr std::size_t likely_bytes_per_point = 34;
+// Of half the tolerance: what the rounding of its digits may change.
+constexpr double negligible_share = 0.01;
+
+// Rounded as it will be spelled, so that it counts as no rounding of the path.
+double safe_height(const ToolPath& path, const GcodeOptions& options)
+{
+    double top = path.points.front().location.tip.z();
+    for (const PathPoint& point : path.points)
+        top = std::max(top, point.location.tip.z());
+    std::string spelled;
+    const double height =
+        append_fixed(spelled, options.safe_height.value_or(top + default_clearance_mm),
+                     options.decimals);
+    if (options.safe_height && *options.safe_height < top)
+        throw DomainError{"gcode: the safe height " + to_text(*options.safe_height) +
+                          " mm lies below the path, which reaches " + to_text(top) +
+                          " mm"};
+    return height;
+}
+
+// "G64 P…" so that corners are rounded off by at most half the tolerance.
+std::string path_control(const GcodeOptions& options)
+{
+    if (!options.tolerance)
+        return "G64";
+    const double half = *options.tolerance / 2;
+    require(half > 0, "gcode: need a tolerance above 0");
+    std::string text;
+    // A small one needs more digits than coordinates have.
+    for (int decimals = options.decimals; decimals <= most_decimals; ++decimals) {
+        text = "G64 P";
+        const double rounded = append_trimmed(text, half, decimals);
+        if (std::abs(rounded - half) <= negligible_share * half)
+            return text;
+    }
+    return "G61";  // too small for digits: corners are not to be rounded off at all
+}
+
+std::string shown(const Vec3& vector)
+{
+    return to_text(vector.x()) + ", " + to_text(vector.y()) + ", " + to_text(vector.z());
+}
+
+void require_upright(const ToolPath& path)
+{
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const Vec3& axis = path.points[i].location.axis;
+        require(axis.allFinite(), "gcode: an axis must be finite");
+        if (axis != Vec3::UnitZ())
+            throw GeometryError{"the axis at point " + std::to_string(i + 1) +
+                                " of the path is " + shown(axis) +
+                                ", and a 3-axis machine cannot turn the tool; expected "
+                                "0, 0, 1 throughout"};
+    }
+}
+
+// Start, moves, tool changes and end, in blocks.
+class ProgramWriter {
+public:
+    ProgramWriter(const ToolPath& path, const GcodeOptions& options)
+        : options_{options},
+          told_{path,
+                {options.feed_mm_per_min, options.spindle_rpm, options.tool},
+                options.decimals},
+          blocks_{{options.decimals, options.line_numbers}}
+    {
+        program_.safe_height_mm = safe_height(path, options);
+        blocks_.text().reserve(path.points.size() * likely_bytes_per_point);
+    }
+
+    WrittenProgram write(const ToolPath& path)
+    {
+        start();
+        for (std::size_t i = 0; i < path.points.size(); ++i)
+            add_point(path.points[i], told_.at(i));
+        retract();
+        for (const char* last : {"M5", "M30"})
+            blocks_.add_block(last);
+        blocks_.add_line("%");
+        program_.lines = blocks_.lines();
+        program_.max_rounding_error_mm = blocks_.max_rounding_error_mm();
+        program_.feed_mm_per_min = told_.feeds();
+        program_.spindle_rpm = told_.speeds();
+        program_.text = std::move(blocks_.text());
+        return std::move(program_);
+    }
+
+private:
+    void start()
+    {
+        blocks_.add_line("%");
+        if (options_.comments)
+            blocks_.add_line('(' + opening_comment(options_.name, options_.cutter) + ')');
+        blocks_.add_block("G21 G90 G94 G17 G40 G49 G80 G54");
+        blocks_.add_block(path_control(options_));
+    }
+
+    void add_point(const PathPoint& point, const CuttingConditions& told)
+    {
+        const Motion motion = point.move == Move::Rapid ? Motion::Rapid : Motion::Feed;
+        const Vec3& tip = point.location.tip;
+        if (told.tool != tool_)
+            change_tool(told, motion, tip);
+        if (told.spindle_rpm)
+            blocks_.set_speed(*told.spindle_rpm);
+        const Vec3 from = blocks_.tip();
+        if (!blocks_.add_move(motion, tip, told.feed_mm_per_min))
+            ++program_.repeated_points;
+        else if (motion == Motion::Rapid && is_slanted(from, blocks_.tip()))
+            ++program_.slanted_rapids;
+    }
+
+    static bool is_slanted(const Vec3& from, const Vec3& to)
+    {
+        return from.z() != to.z() && from.head<2>() != to.head<2>();
+    }
+
+    // The first tool is put over the first point; a later one over the last point, and
+    // down to it, so that the next move at feed is the path's own.
+    void change_tool(const CuttingConditions& told, Motion next, const Vec3& tip)
+    {
+        const std::optional<Vec3> back =
+            tool_ ? std::optional{blocks_.tip()} : std::nullopt;
+        if (back)
+            retract();
+        tool_ = told.tool;
+        blocks_.add_block('T' + std::to_string(*told.tool) + " M6");
+        if (told.spindle_rpm)
+            blocks_.set_speed(*told.spindle_rpm);
+        blocks_.start_spindle();
+        go_over(back.value_or(tip));
+        if (back && next == Motion::Feed)
+            blocks_.add_move(next, *back, told.feed_mm_per_min);
+    }
+
+    // Up first, wherever the tool stands, then level.
+    void go_over(const Vec3& place)
+    {
+        blocks_.forget_position();
+        blocks_.add_rise(program_.safe_height_mm);
+        blocks_.add_move(Motion::Rapid, {place.x(), place.y(), program_.safe_height_mm},
+                         std::nullopt);
+    }
+
+    void retract()
+    {
+        const Vec3& tip = blocks_.tip();
+        blocks_.add_move(Motion::Rapid, {tip.x(), tip.y(), program_.safe_height_mm},
+                         std::nullopt);
+    }
+
+    const GcodeOptions& options_;
+    MoveConditions told_;
+    BlockWriter blocks_;
+    WrittenProgram program_;
+    std::optional<int> tool_;
+};
+
+}  // namespace
+
+WrittenProgram gcode(const ToolPath& path, const GcodeOptions& options)
+{
+    require(!path.points.empty(), "gcode: need a path with points");
+    require(0 <= options.decimals && options.decimals <= most_decimals,
+            "gcode: need 0 to 9 decimals");
+    require_upright(path);
+    return ProgramWriter{path, options}.write(path);
+}
+
+}  // namespace endmill

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What post writes, judged by LinuxCNC's interpreter: rs274 accepts it, and its canonical moves,
+read by our own reader, are the path. scripts/setup.sh installs it; without it these tests fail."""
+import csv
+import re
+import subprocess
+import unittest
+
+from program import SURFACES, ProgramTest, endmill
+
+# Its table is in inches, whatever the program's unit is.
+TOOLS = "T1 P1 D0.3937 Z0.0 ;ball\nT12 P12 D0.3937 Z1.0 ;another\n"
+INTERPRETER_ROUNDING = 5e-5  # it prints four decimals
+ROUNDING_OF_DOUBLES = 1e-9
+MOVE = re.compile(r"(STRAIGHT_TRAVERSE|STRAIGHT_FEED)\((\S+), (\S+), (\S+),")
+FINE = ["--chord-tolerance", "0.05", "--scallop", "0.5"]
+COARSE = ["--cutter", "ball:15", "--chord-tolerance", "0.5", "--scallop", "0.5"]
+
+
+def path_of(table):
+    """Tips, and whether they are reached by a rapid, of a tool path file."""
+    with open(table, newline="", encoding="ascii") as file:
+        return [(tuple(float(row[f"tip_{c}_mm"]) for c in "xyz"), row["move"] == "rapid")
+                for row in csv.DictReader(file)]
+
+
+def path_of_apt(file):
+    """The same of APT CL data."""
+    points, is_rapid = [], False
+    for line in file.read_text(encoding="ascii").splitlines():
+        if line.startswith("GOTO/"):
+            points.append((tuple(map(float, line.removeprefix("GOTO/").split(","))), is_rapid))
+        is_rapid = line == "RAPID"
+    return points
+
+
+class Interpreter(ProgramTest):
+    def interpret(self, program):
+        """The finished process of rs274, its canonical moves in canonical.txt."""
+        tools = self.file(TOOLS, "tools.tbl")
+        try:
+            return subprocess.run(["rs274", "-g", "-t", tools, program, "canonical.txt"], cwd=self.folder,
+                                  capture_output=True, text=True, check=False, timeout=120, stdin=subprocess.DEVNULL)
+        except FileNotFoundError:
+            self.fail("rs274 is missing: scripts/setup.sh installs it (Debian package linuxcnc-uspace)")
+
+    def judge(self, plan_options, post_options=(), decimals=4, surface="net_rot24_7D"):
+        """Plans, posts, has the program judged, and compares what the judge understood."""
+        plan, out, back = (self.folder / name for name in ("plan", "out", "back"))
+        done = endmill("plan", SURFACES / f"{surface}.json", *plan_options, "--direction", "u", "-o", plan, "--force")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.summary("post", plan / "toolpath.csv", "--feed", "812.5", "--decimals", decimals, *post_options, "-o",
+                     out, "--force")
+        done = self.interpret(out / "toolpath.ngc")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        canonical = self.folder / "canonical.txt"
+        facts = self.summary("post", canonical, "--format", "apt", "--decimals", 6, "-o", back, "--force")
+        self.assertEqual(facts["position_error_mm"], INTERPRETER_ROUNDING)
+        self.assertEqual(facts["feed_mm_per_min"], 812.5)
+
+        path, read = path_of(plan / "toolpath.csv"), path_of_apt(back / "canonical.apt")
+        self.assertEqual(len(read), len(path) + 3)
+        self.compare(path, read[2:-1], 0.5 * 10**-decimals + INTERPRETER_ROUNDING + ROUNDING_OF_DOUBLES)
+        # Another reader of the same lines: ours has understood all of them.
+        lines = [((float(x), float(y), float(z)), kind == "STRAIGHT_TRAVERSE")
+                 for kind, x, y, z in MOVE.findall(canonical.read_text(encoding="utf-8"))]
+        self.compare(lines, read, ROUNDING_OF_DOUBLES)
+        return canonical.read_text(encoding="utf-8")
+
+    def compare(self, expected, found, tolerance):
+        self.assertEqual(len(found), len(expected))
+        for (tip, is_rapid), (found_tip, found_rapid) in zip(expected, found):
+            self.assertEqual(is_rapid, found_rapid, tip)
+            self.assertLessEqual(max(abs(a - b) for a, b in zip(tip, found_tip)), tolerance, tip)
+
+    def test_zigzag_over_the_default_net(self):
+        said = self.judge(COARSE)
+        self.assertTrue("SET_MOTION_CONTROL_MODE(CANON_CONTINUOUS, 0.250000)" in said)
+        self.assertTrue("USE_LENGTH_UNITS(CANON_UNITS_MM)" in said)
+
+    def test_one_way_over_the_default_net(self):
+        self.judge([*COARSE, "--order", "one-way"], ["--line-numbers"])
+
+    def test_digits(self):
+        for decimals in (2, 3, 6, 9):
+            self.judge(COARSE, ["--line-numbers"], decimals)
+
+    def test_no_digits_after_the_point(self):
+        plan = self.file("tip_x_mm,tip_y_mm,tip_z_mm,move\n1,2,0,plunge\n3,4,-5,cut\n3,4,1,rapid\n", "p.csv")
+        self.summary("post", plan, "--feed", "10", "--decimals", "0", "-o", "out")
+        self.assertEqual(self.interpret(self.folder / "out/p.ngc").returncode, 0)
+
+    def test_other_surfaces(self):
+        self.judge([*FINE, "--cutter", "ball:6"], surface="torus")
+        self.judge([*FINE, "--cutter", "ball:6", "--order", "one-way"], ["--comments", "no"], surface="valley")
+
+    def test_speed_and_tool(self):
+        said = self.judge(COARSE, ["--spindle-rpm", "12345.5", "--tool-number", "12"])
+        self.assertTrue("SET_SPINDLE_SPEED(0, 12345.5000)" in said)
+        self.assertTrue("SELECT_TOOL(12)" in said)
+
+    def test_feeds_speeds_and_tools_that_change(self):
+        table = self.file("tip_x_mm,tip_y_mm,tip_z_mm,move,feed_mm_per_min,spindle_rpm,tool\n"
+                          "0,0,0,plunge,100,1000,1\n10,0,0,cut,200,1000,1\n10,10,0,cut,200,2000,12\n"
+                          "10,10,5,retract,300,2000,12\n0,0,5,rapid,,2000,12\n", "p.csv")
+        self.summary("post", table, "-o", "out")
+        done = self.interpret(self.folder / "out/p.ngc")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        said = (self.folder / "canonical.txt").read_text()
+        self.assertEqual(re.findall(r"(?:SET_FEED_RATE|SET_SPINDLE_SPEED|SELECT_TOOL)\((.*)\)", said),
+                         ["0.0000", "1", "0, 1000.0000", "100.0000", "200.0000", "12", "0, 2000.0000", "300.0000",
+                          "0.0000"])
+
+    def test_names_that_would_be_commands_stay_comments(self):
+        table = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n1,0,0\n", "p.csv")
+        for name in ("MSG, stop", "DEBUG, #<x>", "a) G0 Z-50 (", "%", "a;b", "Fläché €", "x" * 5000):
+            self.file({"name": name}, "summary.json")
+            self.summary("post", table, "--feed", "10", "-o", "out", "--force")
+            done = self.interpret(self.folder / "out/p.ngc")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            said = (self.folder / "canonical.txt").read_text()
+            self.assertFalse("MESSAGE" in said)
+            self.assertEqual(len(MOVE.findall(said)), 5)
+
+    def test_more_blocks_than_line_numbers(self):
+        rows = "".join(f"{k % 100},{k // 100},{k % 2}\n" for k in range(100010))
+        table = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n" + rows, "p.csv")
+        self.summary("post", table, "--feed", "10", "--line-numbers", "-o", "out")
+        self.assertEqual(self.interpret(self.folder / "out/p.ngc").returncode, 0)
+        self.assertEqual(len(MOVE.findall((self.folder / "canonical.txt").read_text())), 100013)
+
+    def test_the_judge_refuses_what_is_wrong(self):
+        for text in ("%\nG1 X1\n%\n", "%\nG21 G0 X1,5\n%\n", "%\nG99999\n%\n"):
+            done = self.interpret(self.file(text, "bad.ngc"))
+            self.assertEqual(done.returncode, 1, text)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/io/csv_lines.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "complaint.h"
+#include "endmill/io/csv.h"
+
+namespace endmill {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::vector<Cells> all_cells(const std::string& text)
+{
+    std::vector<Cells> lines;
+    for (CsvLines reader{text, "f"}; reader.next();)
+        lines.emplace_back(reader.cells().begin(), reader.cells().end());
+    return lines;
+}
+
+std::string complaint_about(const std::string& text)
+{
+    return complaint_of([&] { all_cells(text); });
+}
+
+TEST(CsvLines, CutAtCommasAndLineEnds)
+{
+    const std::vector<Cells> expected{{"a", "b", ""}, {""}, {"", ""}, {"1", "x y", "-2"}};
+    EXPECT_EQ(all_cells("a,b,\n\n,\n1,x y,-2\n"), expected);
+    EXPECT_EQ(all_cells("\xef\xbb\xbf"
+                        "a,b,\r\n\r\n,\r\n1,x y,-2"),
+              expected);
+    EXPECT_TRUE(all_cells("").empty());
+}
+
+TEST(CsvLines, TakeQuotesOffCells)
+{
+    const std::vector<Cells> expected{{"a,b", "", "c"}};
+    EXPECT_EQ(all_cells("\"a,b\",\"\",c\n"), expected);
+    EXPECT_EQ(all_cells("\"a,b\",,\"c\""), expected);
+}
+
+// The general reader of CSV is another program for the same format.
+TEST(CsvLines, CutAsTheGeneralReaderDoes)
+{
+    const std::string text = "a,\"b\",c\n1,\"2,5\",\"\"\r\n,,\n\"x\",y,z";
+    const CsvTable table = parse_csv(text, "f");
+    const std::vector<Cells> lines = all_cells(text);
+    ASSERT_EQ(lines.size(), table.rows() + 1);
+    for (std::size_t row = 0; row < table.rows(); ++row)
+        for (std::size_t c = 0; c < 3; ++c)
+            EXPECT_EQ(lines[row + 1][c], table.cell(row, lines[0][c]));
+}
+
+TEST(CsvLines, RefuseQuotesThatDoNotEncloseACellOfOneLine)
+{
+    EXPECT_EQ(complaint_about("a\n\"b\nc\"\n"),
+              "E_CSV f:2: a quote that is not closed; expected a closing quote");
+    for (const char* text : {"a\nb\"c\n", "a\n\"b\"c\n", "a\n\"b\"\"c\"\n", "a\nb,c\"\n"})
+        EXPECT_THAT(complaint_about(text),
+                    testing::StartsWith("E_CSV f:2: a quote inside"))
+            << text;
+    EXPECT_THAT(complaint_about("a\rb\n"), testing::HasSubstr("f:1: a carriage return"));
+}
+
+TEST(CsvLines, NeverPromiseLessLinesThanFollow)
+{
+    CsvLines reader{"a\nb\nc", "f"};
+    EXPECT_EQ(reader.most_lines_left(), 3U);
+    reader.next();
+    EXPECT_EQ(reader.most_lines_left(), 2U);
+    EXPECT_EQ(reader.line(), 1U);
+}
+
+}  // namespace
+}  // namespace endmill

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/post/apt_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
+
+namespace endmill {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string refusal(const std::string& text, const AptReadOptions& options = {})
+{
+    try {
+        parse_apt(text, "f.apt", options);
+        return "accepted";
+    } catch (const Error& error) {
+        return error.code() + ' ' + error.what();
+    }
+}
+
+TEST(AptReader, ReadsEveryStatement)
+{
+    const Program program = parse_apt(
+        "PARTNO bracket 7, first side\r\n"
+        "$$ made by hand\r\n"
+        "REMARK/ GOTO/9,9,9 is text\r\n"
+        "PPRINT FEDRAT/1\r\n"
+        "units / mm\r\n"
+        "CUTTER/10,5\r\n"
+        "LOADTL/3,LENGTH,100\r\nCOOLNT/ON\r\nSTOP\r\n"
+        "\r\n"
+        "RAPID\r\n"
+        "GOTO/0,0,10 $$ above\r\n"
+        "  SPINDL/ 3000 , RPM , CLW\r\n"
+        "FEDRAT/250.5,MMPM\r\n"
+        "goto/0,0,-1.5\r\n"
+        "GOTO/+5,.5,-1.5,0,0.6,0.8\r\n"
+        "RAPID\r\n"
+        "GOTO/5,.5,10\r\n"
+        "GOTO/5,.5,12\r\n"
+        "FINI\r\n",
+        "f.apt");
+    const auto& points = program.path.points;
+    ASSERT_EQ(points.size(), 5U);
+    EXPECT_EQ(program.cutter, Cutter::ball(5));
+    EXPECT_TRUE(program.remarks.empty());
+    std::vector<Move> moves;
+    for (const PathPoint& point : points)
+        moves.push_back(point.move);
+    EXPECT_THAT(moves, ElementsAre(Move::Rapid, Move::Plunge, Move::Cut, Move::Rapid,
+                                   Move::Retract));
+    EXPECT_EQ(points[2].location.tip, (Vec3{5, 0.5, -1.5}));
+    EXPECT_EQ(points[2].location.axis, (Vec3{0, 0.6, 0.8}));
+    EXPECT_EQ(points[3].location.axis, (Vec3{0, 0, 1}));
+    EXPECT_THAT(
+        program.path.conditions,
+        ElementsAre(CuttingConditions{}, CuttingConditions{250.5, 3000, {}},
+                    CuttingConditions{250.5, 3000, {}}, CuttingConditions{{}, 3000, {}},
+                    CuttingConditions{250.5, 3000, {}}));
+}
+
+TEST(AptReader, NeedsNothingButAGoto)
+{
+    const Program program = parse_apt("\xef\xbb\xbfGOTO/1,2,3", "f.apt");
+    EXPECT_EQ(program.path.points.size(), 1U);
+    EXPECT_EQ(program.path.points[0].move, Move::Plunge);
+    EXPECT_FALSE(program.cutter);
+    EXPECT_TRUE(program.path.conditions.empty());
+    EXPECT_THAT(program.remarks,
+                ElementsAre(HasSubstr("taken as mm"), HasSubstr("no FINI")));
+}
+
+TEST(AptReader, LeavesOutWhatFollowsTheEnd)
+{
+    const Program program =
+        parse_apt("UNITS/MM\nGOTO/1,2,3\nFINI\n\nGOTO/4,5,6\n", "f.apt");
+    EXPECT_EQ(program.path.points.size(), 1U);
+    EXPECT_THAT(program.remarks, ElementsAre("what follows FINI is left out"));
+}
+
+TEST(AptReader, TakesACutterWithoutACornerForAFlatOne)
+{
+    EXPECT_EQ(parse_apt("CUTTER/8\nGOTO/1,2,3", "f").cutter, Cutter::flat(4));
+}
+
+TEST(AptReader, RefusesOtherStatementsWithTheLine)
+{
+    for (const char* statement : {"FROM/0,0,0",
+                                  "GODLTA/1,2,3",
+                                  "CIRCLE/1,2,3",
+                                  "GOTO",
+                                  "GO TO/1,2,3",
+                                  "X1 Y2",
+                                  "GOTO/1,2,3 $",
+                                  "END",
+                                  "/1,2",
+                                  "RAPID/1",
+                                  "RAPID GOTO/1,2,3",
+                                  "FINI/1",
+                                  "%",
+                                  "UNITS/INCH",
+                                  "UNITS",
+                                  "SPINDL/OFF",
+                                  "SPINDL/100,RPM,CCLW",
+                                  "SPINDL/0,RPM,CLW",
+                                  "SPINDL/-1,RPM,CLW",
+                                  "FEDRAT/10",
+                                  "FEDRAT/10,IPM",
+                                  "FEDRAT/0,MMPM",
+                                  "FEDRAT/-5,MMPM",
+                                  "FEDRAT/,MMPM",
+                                  "CUTTER/0",
+                                  "CUTTER/10,6",
+                                  "CUTTER/10,-1",
+                                  "CUTTER/10,5,1",
+                                  "CUTTER/"})
+        EXPECT_THAT(refusal(std::string{"UNITS/MM\n"} + statement + "\nGOTO/0,0,0\nFINI"),
+                    testing::StartsWith("E_APT f.apt:2: "))
+            << statement;
+}
+
+TEST(AptReader, RefusesBadPoints)
+{
+    for (const char* numbers :
+         {"", "1,2", "1,2,3,4", "1,2,3,0,0", "1,2,3,0,0,1,0", "1,,3", "1,2,nan",
+          "1,2,inf", "1,2,1e3", "1,2,3;", "1,2,#1", "a,b,c", "1 2 3", "1,2,3,0,0,0",
+          "1,2,3,0,0,1.01", "1,2,3,0,0,nan"})
+        EXPECT_THAT(refusal(std::string{"GOTO/0,0,0\nGOTO/"} + numbers),
+                    testing::StartsWith("E_APT f.apt:2: "))
+            << numbers;
+    EXPECT_THAT(refusal("GOTO/1,2,1000001"), HasSubstr("E_RANGE f.apt:1: coordinate"));
+    EXPECT_EQ(refusal("GOTO/1,2,1000001", {.max_extent_mm = 2e6}), "accepted");
+}
+
+TEST(AptReader, RefusesTwoCuttersAndNoPath)
+{
+    EXPECT_THAT(refusal("CUTTER/10,5\nCUTTER/10,5\nCUTTER/8\nGOTO/1,2,3"),
+                HasSubstr("f.apt:3: \"CUTTER/8\"; expected one cutter"));
+    EXPECT_THAT(refusal("UNITS/MM\nFINI\n"), HasSubstr("E_APT f.apt: no GOTO"));
+    EXPECT_THAT(refusal(" \n"), HasSubstr("E_EMPTY"));
+}
+
+TEST(AptReader, KeepsItsLimits)
+{
+    EXPECT_THAT(refusal("GOTO/1,2,3\nGOTO/1,2,4\n", {.most_points = 1}),
+                HasSubstr("E_LIMIT f.apt: more than 1 points"));
+    EXPECT_THAT(refusal("UNITS/MM\nREMARK" + std::string(1 << 20, ' ') + "\n"),
+                HasSubstr("E_LIMIT f.apt:2: line is longer than 1 MiB"));
+}
+
+TEST(AptReader, KnowsItsOwnByTheFirstStatement)
+{
+    for (const char* text : {"PARTNO x\n", "\xef\xbb\xbf\n $$ c\n GOTO/1,2,3", "units/mm",
+                             "CUTTER/10", "RAPID\n", "PPRINT/x"})
+        EXPECT_TRUE(is_apt(text)) << text;
+    for (const char* text : {"", "\n", "%\n", "G1 X1", "GOTOX/1", "pass,point,move",
+                             "    1 N..... COMMENT(\"x\")", "solid x", "$$ only"})
+        EXPECT_FALSE(is_apt(text)) << text;
+}
+
+}  // namespace
+}  // namespace endmill

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/post/gcode_modes.h"
+
+#include <gtest/gtest.h>
+
+#include "read_program.h"
+
+namespace endmill {
+namespace {
+
+GcodeModes modes_after(const std::string& text)
+{
+    TextLines lines{text, {"f", "E_GCODE"}};
+    GcodeModes modes;
+    while (lines.next())
+        modes.apply(parse_block(lines.line(), lines), lines);
+    return modes;
+}
+
+std::string refusal(const std::string& text)
+{
+    return refusal_of([&] { modes_after(text); });
+}
+
+std::string m_refusal(const std::string& text)
+{
+    return refusal_of([&] {
+        TextLines lines{text, {"f", "E_GCODE"}};
+        lines.next();
+        check_m_codes(parse_block(lines.line(), lines), lines);
+    });
+}
+
+TEST(GcodeModes, BeginAsTheLanguageDoes)
+{
+    const GcodeModes modes;
+    EXPECT_EQ(modes.motion, GcodeMotion::None);
+    EXPECT_EQ(modes.plane, ArcPlane::Xy);
+    EXPECT_FALSE(modes.incremental);
+    EXPECT_EQ(modes.mm_per_unit(), 1);
+}
+
+TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
+{
+    const GcodeModes modes =
+        modes_after("G1 G18 G20 G91 G90.1 G93 G55 G43 G64\nG61\nG40");
+    EXPECT_EQ(modes.motion, GcodeMotion::Straight);
+    EXPECT_EQ(modes.plane, ArcPlane::Zx);
+    EXPECT_EQ(modes.mm_per_unit(), 25.4);
+    EXPECT_TRUE(modes.incremental);
+    EXPECT_TRUE(modes.absolute_centres);
+    EXPECT_TRUE(modes.inverse_time);
+    EXPECT_EQ(modes.coordinate_system, 550);
+    EXPECT_TRUE(modes.used_tool_length);
+    EXPECT_TRUE(modes.used_blending);
+
+    const GcodeModes later = modes_after(
+        "G1 G18 G20 G91 G90.1 G93\nG80 G17 G21 G90\n"
+        "G91.1 G94 G49 G61.1 G59.3\nG59.3");
+    EXPECT_EQ(later.motion, GcodeMotion::None);
+    EXPECT_EQ(later.plane, ArcPlane::Xy);
+    EXPECT_EQ(later.unit, GcodeUnit::Millimetre);
+    EXPECT_FALSE(later.incremental);
+    EXPECT_FALSE(later.absolute_centres);
+    EXPECT_FALSE(later.inverse_time);
+    EXPECT_EQ(later.coordinate_system, 593);
+}
+
+TEST(GcodeModes, AreOfOneGroupOncePerBlock)
+{
+    for (const std::string codes :
+         {"G0 G1", "G2 G80", "G17 G18", "G20 G21", "G43 G49", "G54 G55", "G61 G64",
+          "G61.1 G61", "G90 G91", "G90.1 G91.1", "G93 G94"}) {
+        const std::string second = codes.substr(codes.find(' ') + 1);
+        EXPECT_EQ(refusal(codes), "E_GCODE f:1: " + second +
+                                      " beside a code of its modal group; expected one "
+                                      "code of a modal group");
+    }
+}
+
+TEST(GcodeModes, KnowOneCoordinateSystem)
+{
+    EXPECT_EQ(refusal("G54\nG54\nG59.1"),
+              "E_GCODE f:3: G59.1 after G54; expected one coordinate system");
+}
+
+TEST(GcodeModes, RefuseWhatIsNotFollowed)
+{
+    const std::string frame =
+        "; expected coordinates in one coordinate system of the part";
+    const std::string expand =
+        "; expected moves written out: expand them with rs274 -g and give its output";
+    const std::string tip = "; expected a path of the cutter's tip (G40)";
+    for (const std::string code : {"G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85",
+                                   "G86", "G87", "G88", "G89"})
+        EXPECT_EQ(refusal(code), "E_GCODE f:1: canned cycle " + code + expand);
+    for (const std::string code : {"G41", "G42", "G41.1", "G42.1"})
+        EXPECT_EQ(refusal(code), "E_GCODE f:1: cutter compensation " + code + tip);
+    for (const std::string code : {"G5", "G5.1", "G5.2", "G5.3"})
+        EXPECT_EQ(refusal(code), "E_GCODE f:1: spline " + code + expand);
+    EXPECT_EQ(refusal("G10"), "E_GCODE f:1: setting of offsets G10" + frame);
+    for (const std::string code : {"G28", "G28.1", "G30", "G30.1"})
+        EXPECT_EQ(refusal(code), "E_GCODE f:1: reference point " + code + frame);
+    for (const std::string code : {"G38.2", "G38.3", "G38.4", "G38.5"})
+        EXPECT_EQ(refusal(code),
+                  "E_GCODE f:1: probing " + code + "; expected a program that cuts");
+    EXPECT_EQ(refusal("G51"), "E_GCODE f:1: scaling G51" + frame);
+    for (const std::string code : {"G52", "G92", "G92.1", "G92.2", "G92.3"})
+        EXPECT_EQ(refusal(code), "E_GCODE f:1: coordinate offset " + code + frame);
+    EXPECT_EQ(refusal("G53"), "E_GCODE f:1: machine coordinates G53" + frame);
+    EXPECT_EQ(refusal("G68"), "E_GCODE f:1: rotation G68" + frame);
+    EXPECT_EQ(refusal("G95"),
+              "E_GCODE f:1: feed per revolution G95; expected G93 or G94");
+    EXPECT_EQ(refusal("G96"),
+              "E_GCODE f:1: constant surface speed G96; expected a spindle speed S in "
+              "1/min");
+    for (const std::string code : {"G43.4", "G234"})
+        EXPECT_EQ(refusal(code), "E_GCODE f:1: tool-centre-point code " + code +
+                                     "; expected a three-axis program");
+}
+
+TEST(GcodeModes, RefuseWhatTheyDoNotKnow)
+{
+    for (const std::string code : {"G6", "G7", "G33", "G43.1", "G43.2", "G54.1", "G59.4",
+                                   "G64.1", "G97", "G98", "G99", "G0.1", "G999"})
+        EXPECT_EQ(refusal(code), "E_GCODE f:1: unknown code " + code +
+                                     "; expected a G code of the subset");
+}
+
+TEST(CheckMCodes, LetsPassWhatDoesNotMove)
+{
+    for (const std::string codes :
+         {"M0", "M1", "M3 M7 M8", "M6", "M19", "M48", "M62", "M100"})
+        EXPECT_EQ(m_refusal(codes), "accepted");
+}
+
+TEST(CheckMCodes, RefusesSubprogramsAndCentrePointCodes)
+{
+    const std::string expand =
+        "; expected moves written out: expand them with rs274 -g and give its output";
+    for (const std::string code : {"M97", "M98", "M99", "M198"})
+        EXPECT_EQ(m_refusal(code), "E_GCODE f:1: subprogram " + code + expand);
+    EXPECT_EQ(m_refusal("M128"),
+              "E_GCODE f:1: tool-centre-point code M128; expected a "
+              "three-axis program");
+    for (const std::string code : {"M70", "M71", "M72", "M73"})
+        EXPECT_EQ(m_refusal(code), "E_GCODE f:1: saved modal state " + code + expand);
+}
+
+TEST(CheckMCodes, RefusesTwoThatExcludeEachOther)
+{
+    EXPECT_EQ(m_refusal("M3 M5"),
+              "E_GCODE f:1: M5 beside a code of its modal group; "
+              "expected one code of a modal group");
+    EXPECT_EQ(m_refusal("M0 M30"),
+              "E_GCODE f:1: M30 beside a code of its modal group; "
+              "expected one code of a modal group");
+}
+
+}  // namespace
+}  // namespace endmill

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/post/text_lines.h"
+
+#include <limits>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "read_program.h"
+
+namespace endmill {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text)
+{
+    TextLines lines{text, {"f", "E_GCODE"}};
+    std::vector<std::string> found;
+    while (lines.next())
+        found.emplace_back(lines.line());
+    return found;
+}
+
+TEST(TextLines, AreWhatStandsBetweenLineFeeds)
+{
+    EXPECT_THAT(lines_of("a\n\nb\r\nc"), testing::ElementsAre("a", "", "b\r", "c"));
+    EXPECT_THAT(lines_of("a\n"), testing::ElementsAre("a"));
+}
+
+TEST(TextLines, HaveNoByteOrderMark)
+{
+    EXPECT_THAT(lines_of("\xef\xbb\xbfG0"), testing::ElementsAre("G0"));
+}
+
+TEST(TextLines, RefuseAnEmptyFile)
+{
+    for (const std::string text : {"", " \t\r\n\n", "\xef\xbb\xbf\n"})
+        EXPECT_EQ(refusal_of([&] { lines_of(text); }), "E_EMPTY f: file is empty");
+}
+
+TEST(TextLines, AreAtMostAMebibyteLong)
+{
+    const std::string longest((std::size_t{1} << 20U), 'x');
+    EXPECT_EQ(lines_of("a\n" + longest + "\nb").size(), 3U);
+    EXPECT_EQ(refusal_of([&] { lines_of("a\n" + longest + "x\nb"); }),
+              "E_LIMIT f:2: line is longer than 1 MiB; expected lines of at most 1048576 "
+              "bytes");
+}
+
+TEST(TextLines, KeepThePlaceAndTheRest)
+{
+    TextLines lines{"a\nb\nc", {"f", "E_GCODE"}};
+    lines.next();
+    lines.next();
+    EXPECT_EQ(lines.number(), 2U);
+    EXPECT_EQ(lines.rest(), "c");
+    EXPECT_STREQ(lines.complaint("b", "B").what(), "f:2: b; expected B");
+    EXPECT_EQ(lines.complaint("b", "B").code(), "E_GCODE");
+    EXPECT_EQ(lines.range_complaint("b", "B").code(), "E_RANGE");
+}
+
+TEST(Quoted, IsFitForATerminal)
+{
+    const std::string long_text(41, 'x');
+    EXPECT_EQ(quoted("a\x1b[31mb\xc3"), "\"a?[31mb?\"");
+    EXPECT_EQ(quoted(std::string_view{long_text}), '"' + std::string(40, 'x') + "...\"");
+}
+
+TEST(WithoutIndent, BeginsWithAWord)
+{
+    EXPECT_EQ(without_indent(" \t\rX "), "X ");
+    EXPECT_EQ(without_indent("  "), "");
+}
+
+TEST(Brief, HasSixDigits)
+{
+    EXPECT_EQ(brief(0.1 + 0.2), "0.3");
+    EXPECT_EQ(brief(-1.25e9), "-1.25e+09");
+    EXPECT_EQ(brief(std::numeric_limits<double>::infinity()), "infinite");
+    EXPECT_EQ(brief(std::numeric_limits<double>::quiet_NaN()), "not a number");
+}
+
+}  // namespace
+}  // namespace endmill
