@@ -125,7 +125,7 @@ TEST_P(MayTouch, ANoIsCertainAndFrequent)
         const auto moves = test::small_moves(100 + n, MoveBatch::capacity);
         const MoveBatch batch = batch_of(moves);
         std::array<std::uint8_t, MoveBatch::capacity> touches;
-        may_touch(tile_top(tile, place), batch, disc, 0, batch.count, touches.data());
+        may_touch(tile_top(tile, place), batch, disc, {0, batch.count}, touches.data());
         for (int k = 0; k < batch.count; ++k) {
             TileHeights lowered = tile;
             const TileCut cut = cut_tile(lowered, place, cutter, moves[k].swept());

@@ -5,10 +5,7 @@
 //
 // About 60 s; measures time, so nothing else should run. Columns: README.md beside this.
 
-#include <string>
-
 #include "benchmarks/simulation/low_saddle.h"
-#include "endmill/core/numbers.h"
 #include "endmill/simulation/removal.h"
 #include "support/experiment.h"
 #include "support/peak_memory.h"
@@ -57,10 +54,10 @@ int main(int argc, char** argv)
                              const CsvCell& bar) {
             result.add_row({row, pitch, moves, measured, unit, bar});
         };
-        add("ball", coarse, times.of("ball").wall_s, "s", {});
-        add("ball", fine, times.of("fine ball").wall_s, "s", {});
-        add("bull-nose", coarse, times.of("bull").wall_s, "s", {});
-        add("bull-nose", fine, times.of("fine bull").wall_s, "s", {});
+        add("ball, coarse", coarse, times.of("ball").wall_s, "s", {});
+        add("ball, fine", fine, times.of("fine ball").wall_s, "s", {});
+        add("bull-nose, coarse", coarse, times.of("bull").wall_s, "s", {});
+        add("bull-nose, fine", fine, times.of("fine bull").wall_s, "s", {});
         constexpr double bytes_per_result = 16;  // a move
         const double bytes = peak - bytes_per_result * moves;
         add("stock and work", coarse, bytes / cells(coarse), "bytes a cell", 12);

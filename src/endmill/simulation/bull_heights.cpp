@@ -53,14 +53,14 @@ void level_bull_heights(const TilePlace& place, const SweptMove& move, const Sha
             const double s = row.s[i];
             const double e = row.e[i];
             const double rest = s - length;
-            const double beyond = rest > 0 ? rest : 0;
-            const double t = s < 0 ? s : beyond;
+            const double beyond = select(rest > 0, rest, 0);
+            const double t = select(s < 0, s, beyond);
             const double distance = std::sqrt(e * e + t * t);
             const double out = distance - shape.c;
-            const double a = out > 0 ? out : 0;
+            const double a = select(out > 0, out, 0);
             const double root = std::sqrt(std::abs((r - a) * (r + a)));
             const double swept = z + (r - root);
-            heights[j * side + i] = distance <= shape.R ? swept : infinite;
+            heights[j * side + i] = select(distance <= shape.R, swept, infinite);
         }
     }
 }
@@ -78,6 +78,11 @@ struct UnderEnd {
     TileHeights gap;    // from the cutter's rim to the cell; positive where out of reach
 };
 
+struct UnderEnds {
+    UnderEnd first;
+    UnderEnd last;
+};
+
 // The cutter at `along` of the move.
 ENDMILL_WIDEST_REGISTERS
 void look_from(double along, const TileLines& lines, const SweptMove& move, Shape shape,
@@ -90,7 +95,7 @@ void look_from(double along, const TileLines& lines, const SweptMove& move, Shap
         const double t = lines.s[k] - along;
         const double distance = std::sqrt(e * e + t * t + least_distance2);
         const double out = distance - shape.c;
-        const double a = out > 0 ? out : 0;
+        const double a = select(out > 0, out, 0);
         const double root = std::sqrt(std::abs((shape.r - a) * (shape.r + a)));
         under.z[k] = z + (shape.r - root);
         under.slope[k] = m - a * t / (root * distance + least_root);
@@ -101,29 +106,32 @@ void look_from(double along, const TileLines& lines, const SweptMove& move, Shap
 // The height where it is least at an end of the move; elsewhere infinite in `heights`,
 // with a lower bound in `bounds`.
 ENDMILL_WIDEST_REGISTERS
-void heights_at_ends(const TileLines& lines, double length, const UnderEnd& first,
-                     const UnderEnd& last, TileHeights& heights, TileHeights& bounds)
+void heights_at_ends(const TileLines& lines, double length, const UnderEnds& ends,
+                     TileHeights& heights, TileHeights& bounds)
 {
+    const UnderEnd& first = ends.first;
+    const UnderEnd& last = ends.last;
     for (int k = 0; k < HeightStock::tile_size; ++k) {
         const double z0 = first.z[k];
         const double z1 = last.z[k];
         const double crossing =
             (z1 - z0 - last.slope[k] * length) / (first.slope[k] - last.slope[k]);
         const double tangents = z0 + first.slope[k] * crossing;
-        const double number = tangents < infinite ? tangents : -infinite;
+        const double number = select(tangents < infinite, tangents, -infinite);
         const double gap = larger(first.gap[k], last.gap[k]);
-        const double bound = gap <= 0 ? number : -infinite;
+        const double bound = select(gap <= 0, number, -infinite);
         // Before the start, or beyond the end, and out of reach from there.
         const double missed_first = smaller(-lines.s[k], first.gap[k]);
         const double missed_last = smaller(lines.s[k] - length, last.gap[k]);
-        const double unknown = larger(missed_first, missed_last) > 0 ? infinite : bound;
+        const double unknown =
+            select(larger(missed_first, missed_last) > 0, infinite, bound);
         // Reached from an end from which the height rises.
         const double is_first = smaller(-first.gap[k], first.slope[k]);
         const double is_last = smaller(-last.gap[k], -last.slope[k]);
-        const double at_last = is_last >= 0 ? z1 : infinite;
-        const double found = is_first >= 0 ? z0 : at_last;
+        const double at_last = select(is_last >= 0, z1, infinite);
+        const double found = select(is_first >= 0, z0, at_last);
         heights[k] = found;
-        bounds[k] = larger(is_first, is_last) >= 0 ? found : unknown;
+        bounds[k] = select(larger(is_first, is_last) >= 0, found, unknown);
     }
 }
 
@@ -146,19 +154,19 @@ double improve(Between& between, double m, const Shape& shape)
         const double t = between.t[i];
         const double d = std::sqrt(between.e2[i] + t * t + least_distance2);
         const double out = d - shape.c;
-        const double a = out > 0 ? out : 0;
+        const double a = select(out > 0, out, 0);
         const double root = std::sqrt(std::abs((shape.r - a) * (shape.r + a)));
         const double share = t / d;
         const double value = a * share - m * root;
         const double rise = share * share + a * between.e2[i] / (d * d * d) +
                             m * a * share / (root + least_root);
-        const double low = value < 0 ? t : between.low[i];
-        const double high = value > 0 ? t : between.high[i];
+        const double low = select(value < 0, t, between.low[i]);
+        const double high = select(value > 0, t, between.high[i]);
         const double newton = t - value / rise;
         const double middle = low + (high - low) / 2;
-        const double above = newton > low ? newton : middle;
-        const double next = newton < high ? above : middle;
-        const double better = value == 0 ? t : next;
+        const double above = select(newton > low, newton, middle);
+        const double next = select(newton < high, above, middle);
+        const double better = select(value == 0, t, next);
         between.low[i] = low;
         between.high[i] = high;
         between.t[i] = better;
@@ -188,8 +196,8 @@ public:
         const double w = std::sqrt(std::max(0.0, (shape_.R - e) * (shape_.R + e)));
         const double from = std::max(0.0, s - w);
         const double to = std::min(move_.length, s + w);
-        const double low = std::max(0.0, side_ > 0 ? from - s : s - to);
-        const double high = std::max(low, side_ > 0 ? to - s : s - from);
+        const double low = std::max(0.0, select(side_ > 0, from - s, s - to));
+        const double high = std::max(low, select(side_ > 0, to - s, s - from));
         cells_[count_] = cell;
         s_[count_] = s;
         set(count_, e * e, low, high);
@@ -257,12 +265,11 @@ void bull_heights(HeightStock::ConstTile tile, const TilePlace& place,
         std::ranges::copy(row.s, lines.s.begin() + j * side);
         std::ranges::copy(row.e, lines.e.begin() + j * side);
     }
-    UnderEnd first;
-    UnderEnd last;
-    look_from(0, lines, move, shape, first);
-    look_from(move.length, lines, move, shape, last);
+    UnderEnds ends;
+    look_from(0, lines, move, shape, ends.first);
+    look_from(move.length, lines, move, shape, ends.last);
     TileHeights bounds;
-    heights_at_ends(lines, move.length, first, last, heights, bounds);
+    heights_at_ends(lines, move.length, ends, heights, bounds);
     CellsBetween between{move, shape};
     for (int k = 0; k < HeightStock::tile_size; ++k)
         if (bounds[k] < heights[k] && bounds[k] < tile[k] &&

@@ -87,7 +87,7 @@ private:
         tops_.clear();
         for (WorkedTile& tile : tiles_)
             tops_.push_back(current_top(tile));
-        find_touches(common_top(tops_), 0, batch_.count);
+        find_touches(common_top(tops_), {0, batch_.count});
         batch_.keep(touches_.data());
     }
 
@@ -100,16 +100,15 @@ private:
         return tile.top;
     }
 
-    // Which moves first … last - 1 may touch the stock below `top`, with any part of the
+    // Which moves of the range may touch the stock below `top`, with any part of the
     // tool.
-    void find_touches(const TileTop& top, int first, int last)
+    void find_touches(const TileTop& top, MoveRange range)
     {
-        may_touch(top, batch_, cutter_disc_, first, last, touches_.data());
+        may_touch(top, batch_, cutter_disc_, range, touches_.data());
         std::array<std::uint8_t, MoveBatch::capacity> meets;
         for (const BodyCylinder& body : tool_.body) {
-            may_touch(top, batch_, {body.radius, 0, body.above}, first, last,
-                      meets.data());
-            for (int k = first; k < last; ++k)
+            may_touch(top, batch_, {body.radius, 0, body.above}, range, meets.data());
+            for (int k = range.first; k < range.last; ++k)
                 touches_[k] |= meets[k];
         }
     }
@@ -118,7 +117,7 @@ private:
     {
         for (int first = 0; first < batch_.count; first += moves_at_a_time) {
             const int last = std::min(batch_.count, first + moves_at_a_time);
-            find_touches(current_top(tile), first, last);
+            find_touches(current_top(tile), {first, last});
             for (int k = first; k < last; ++k)
                 if (touches_[k])
                     work_on(tile, batch_.number[k]);

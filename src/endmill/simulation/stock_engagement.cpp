@@ -28,6 +28,10 @@ std::vector<EngagedRing> rings_of(const Cutter& cutter, int rings, double height
     const double width = (cutter.is_flat() ? cutter.radius() : r * pi / 2) / rings;
     std::vector<EngagedRing> all;
     const int on_bottom = static_cast<int>(std::ceil(c / width));
+    const double on_cylinder = std::clamp(std::ceil((height - r) / width), 0.0,
+                                          static_cast<double>(most_cylinder_rings));
+    all.reserve(static_cast<std::size_t>(on_bottom) + rings +
+                static_cast<std::size_t>(on_cylinder));
     for (int k = 0; k < on_bottom; ++k)
         all.push_back({0, c * (k + 0.5) / on_bottom, 0, c / on_bottom, {}});
     for (int k = 0; k < rings && !cutter.is_flat(); ++k) {
@@ -114,17 +118,23 @@ void find_intervals(const HeightStock& stock, const Pose& pose, int azimuths,
     }
 }
 
-Engagement engagement_on(const HeightStock& stock, const Cutter& cutter, const Vec3& from,
-                         const Vec3& to, const EngagementOptions& options, double top_z)
+struct StraightMove {
+    Vec3 from;
+    Vec3 to;
+};
+
+Engagement engagement_on(const HeightStock& stock, const Cutter& cutter,
+                         const StraightMove& move, const EngagementOptions& options,
+                         double top_z)
 {
     Engagement engagement;
-    const Vec3 way = to - from;
+    const Vec3 way = move.to - move.from;
     const double length = way.norm();
     const double level = std::hypot(way.x(), way.y());
     if (length == 0 || (level == 0 && way.z() > 0))
         return engagement;
-    const Pose pose{(from + to) / 2, way / length, level > 0 ? way.x() / level : 1,
-                    level > 0 ? way.y() / level : 0};
+    const Pose pose{(move.from + move.to) / 2, way / length,
+                    level > 0 ? way.x() / level : 1, level > 0 ? way.y() / level : 0};
     for (EngagedRing& ring : rings_of(cutter, options.rings, top_z - pose.tip.z())) {
         find_intervals(stock, pose, options.azimuths, ring);
         if (!ring.engaged.empty())
@@ -175,7 +185,7 @@ void for_each_engagement(
         const Vec3& to = path.points[k].location.tip;
         const Vec3& from = k == 0 ? to : path.points[k - 1].location.tip;
         if (k > 0)
-            visit(k, engagement_on(stock, cutter, from, to, options, top_z));
+            visit(k, engagement_on(stock, cutter, {from, to}, options, top_z));
         if (k > 0 || cuts_at_start(path))
             cut(stock, cutter, swept_move(from, to));
     }

@@ -134,12 +134,12 @@ void MoveBatch::add(const SweptMove& move, std::uint32_t its_number)
 
 ENDMILL_WIDEST_REGISTERS
 void may_touch(const TileTop& top, const MoveBatch& batch, const SweptDisc& disc,
-               int first, int last, std::uint8_t* touches)
+               MoveRange range, std::uint8_t* touches)
 {
     const double c = disc.flat_radius;
     const double top_z = top.z - disc.above;
     const double half = top.half_width;
-    for (int k = first; k < last; ++k) {
+    for (int k = range.first; k < range.last; ++k) {
         // From the middle of the disc at the start of the move to the middle of the tile.
         const double px = top.x - batch.x[k];
         const double py = top.y - batch.y[k];
@@ -148,20 +148,20 @@ void may_touch(const TileTop& top, const MoveBatch& batch, const SweptDisc& disc
         const double dy = batch.dy[k];
         const double dz = batch.dz[k];
         const double nearest = (px * dx + py * dy + pz * dz) * batch.per_length2[k];
-        const double positive = nearest > 0 ? nearest : 0;
-        const double share = positive < 1 ? positive : 1;
+        const double positive = select(nearest > 0, nearest, 0);
+        const double share = select(positive < 1, positive, 1);
         double vx = px - share * dx;
         double vy = py - share * dy;
         double vz = pz - share * dz;
         // From the nearest point of the disc. Never upwards: all above it is swept too.
         const double across = std::sqrt(vx * vx + vy * vy);
-        const double kept = across > c ? (across - c) / across : 0;
+        const double kept = select(across > c, (across - c) / across, 0);
         vx *= kept;
         vy *= kept;
         vz = vz < 0 ? vz : 0;
         const double at_start = vx * px + vy * py + vz * pz;
         const double turn = vx * dx + vy * dy + vz * dz;
-        const double least = turn > 0 ? at_start - turn : at_start;
+        const double least = select(turn > 0, at_start - turn, at_start);
         const double tilt_x = std::abs(vx + vz * top.slope_x);
         const double tilt_y = std::abs(vy + vz * top.slope_y);
         const double r = disc.corner_radius + top.margin +

@@ -59,11 +59,17 @@ struct SweptDisc {
     double above;          ///< mm
 };
 
-/// For the moves first … last - 1 of the batch: whether they may lower the stock under
+/// Moves first … last - 1 of a batch.
+struct MoveRange {
+    int first;
+    int last;
+};
+
+/// For the moves of a range of the batch: whether they may lower the stock under
 /// `top`. A 0 is certain, a 1 is not. What a move sweeps is convex, so it is clear of the
 /// tile's piece of the plane if a plane parts them; tried is the one across the line from
 /// the middle of the tile to the nearest point of the disc near it.
 void may_touch(const TileTop& top, const MoveBatch& batch, const SweptDisc& disc,
-               int first, int last, std::uint8_t* touches);
+               MoveRange range, std::uint8_t* touches);
 
 }  // namespace endmill

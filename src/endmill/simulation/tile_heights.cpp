@@ -39,13 +39,13 @@ void ball_heights(const TilePlace& place, const SweptMove& move, double R,
             const double at_end = q - rest * rest;
             const double between = q * k;
             const double rise_so_far = m * s;
-            const double late = is_beyond ? at_end : between;
-            const double late_rise = is_beyond ? rise : rise_so_far;
-            const double square = is_before ? at_start : late;
-            const double risen = is_before ? 0 : late_rise;
-            const double least = q < square ? q : square;
+            const double late = select(is_beyond, at_end, between);
+            const double late_rise = select(is_beyond, rise, rise_so_far);
+            const double square = select(is_before, at_start, late);
+            const double risen = select(is_before, 0, late_rise);
+            const double least = select(q < square, q, square);
             const double swept = z + risen + (R - std::sqrt(std::abs(square)));
-            heights[j * side + i] = least >= 0 ? swept : infinite;
+            heights[j * side + i] = select(least >= 0, swept, infinite);
         }
     }
 }
@@ -64,11 +64,11 @@ void flat_heights(const TilePlace& place, const SweptMove& move, double R,
             const double w = std::sqrt(std::abs(row.q[i]));
             const double first = row.s[i] - w;
             const double last = row.s[i] + w;
-            const double low = first > 0 ? first : 0;
-            const double high = last < length ? last : length;
-            const double along = m > 0 ? low : high;
-            const double swept = low <= high ? z + m * along : infinite;
-            heights[j * side + i] = row.q[i] >= 0 ? swept : infinite;
+            const double low = select(first > 0, first, 0);
+            const double high = select(last < length, last, length);
+            const double along = select(m > 0, low, high);
+            const double swept = select(low <= high, z + m * along, infinite);
+            heights[j * side + i] = select(row.q[i] >= 0, swept, infinite);
         }
     }
 }

@@ -24,6 +24,12 @@ TilePlace tile_place(const StockGrid& grid, int tile_column, int tile_row);
 /// A number for each cell of a tile.
 using TileHeights = std::array<double, HeightStock::tile_size>;
 
+/// One of two numbers, both of which are known: no branch.
+inline double select(bool is_first, double first, double second)
+{
+    return is_first ? first : second;
+}
+
 /// The cells of a row against a move: s along and e across it from its start, as
 /// `StraightSweep` has them, and q = R^2 - e^2. All loops over a row compute every case
 /// and select, and take roots of magnitudes: so the compiler does several cells at a time,
