@@ -28,7 +28,7 @@ ToolPath path_with_conditions()
 {
     ToolPath path = wavy_path(4, 300);
     for (std::size_t k = 0; k < path.points.size(); ++k) {
-        path.points[k].patch = k % 3;
+        path.points[k].patch = int(k % 3);
         path.conditions.push_back({});
         if (k % 2 == 0)
             path.conditions[k].feed_mm_per_min = 100 + 1.0 / (1 + double(k));
@@ -127,8 +127,9 @@ TEST(ToolPathReader, RefusesBadCellsWithTheLine)
              {"0,1,cut,0,0,0,0,0,1,", "row has 10 cells; expected 9"},
              {"", "row has 1 cell; expected 9"},
              {"0,1,\"cut,0,0,0,0,0,1", "a quote that is not closed"}}) {
-        const std::string found =
-            complaint_about(header + "\n0,0,cut,0,0,0,0,0,1\n" + row + "\n");
+        std::string text = header + "\n0,0,cut,0,0,0,0,0,1\n";
+        text += row + '\n';
+        const std::string found = complaint_about(text);
         EXPECT_THAT(found, HasSubstr(" f.csv:3: ")) << row;
         EXPECT_THAT(found, HasSubstr(complaint)) << row;
     }

@@ -49,6 +49,7 @@ TEST(AptReader, ReadsEveryStatement)
     EXPECT_EQ(program.cutter, Cutter::ball(5));
     EXPECT_TRUE(program.remarks.empty());
     std::vector<Move> moves;
+    moves.reserve(points.size());
     for (const PathPoint& point : points)
         moves.push_back(point.move);
     EXPECT_THAT(moves, ElementsAre(Move::Rapid, Move::Plunge, Move::Cut, Move::Rapid,
