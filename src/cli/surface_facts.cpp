@@ -19,6 +19,11 @@ void add_part_options(CLI::App& command, PartOptions& part)
         .add_option("PART", part.path,
                     "surface file (endmill-surface/1), or mesh (.stl, .obj, .ply, .off)")
         ->required();
+    add_mesh_options(command, part);
+}
+
+void add_mesh_options(CLI::App& command, PartOptions& part)
+{
     static constexpr std::array units{Choice<LengthUnit>{"mm", LengthUnit::Mm},
                                       Choice<LengthUnit>{"inch", LengthUnit::Inch}};
     static constexpr std::array axes{

@@ -22,6 +22,9 @@ struct PartOptions {
 /// The argument PART and the options --units and --up, which are for meshes.
 void add_part_options(CLI::App& command, PartOptions& part);
 
+/// Those two options alone.
+void add_mesh_options(CLI::App& command, PartOptions& part);
+
 /// The argument SURFACE, for a command that a mesh cannot serve.
 void add_surface_argument(CLI::App& command, std::string& path);
 

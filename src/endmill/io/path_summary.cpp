@@ -68,14 +68,17 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
         return std::nullopt;
     const JsonDocument document{read_file(path, limits), shown_path(path), limits};
     const JsonValue root = document.root();
-    return PathSummary{text(root, "name"),
-                       cutter(root),
-                       positive_number(root, "chord_tolerance_mm"),
-                       positive_number(root, "inner_tolerance_mm"),
-                       positive_number(root, "outer_tolerance_mm"),
-                       positive_number(root, "scallop_mm"),
-                       positive_number(root, "feed_mm_per_min"),
-                       positive_number(root, "spindle_rpm")};
+    const std::optional<std::string> part = text(root, "part");
+    return PathSummary{
+        text(root, "name"),
+        part ? std::optional{tool_path.parent_path() / *part} : std::nullopt,
+        cutter(root),
+        positive_number(root, "chord_tolerance_mm"),
+        positive_number(root, "inner_tolerance_mm"),
+        positive_number(root, "outer_tolerance_mm"),
+        positive_number(root, "scallop_mm"),
+        positive_number(root, "feed_mm_per_min"),
+        positive_number(root, "spindle_rpm")};
 }
 
 }  // namespace endmill

@@ -14,6 +14,7 @@ namespace endmill {
 /// does not say, or says is null, is none.
 struct PathSummary {
     std::optional<std::string> name;
+    std::optional<std::filesystem::path> part;  ///< file, from where the summary stands
     std::optional<Cutter> cutter;
     std::optional<double> chord_tolerance_mm;
     std::optional<double> inner_tolerance_mm;  ///< gouge

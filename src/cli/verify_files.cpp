@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/verify_files.h"
+
+#include <fmt/format.h>
+
+#include "endmill/io/deviation_csv.h"
+#include "endmill/io/deviation_svg.h"
+#include "endmill/io/deviation_vtp.h"
+#include "endmill/io/stl.h"
+#include "endmill/io/vti.h"
+#include "endmill/simulation/mesh_stock.h"
+#include "endmill/simulation/stock_engagement.h"
+
+namespace endmill {
+namespace {
+
+void replace_earlier_run(OutputFolder& folder)
+{
+    for (const char* name :
+         {"summary.json", "removal.csv", "deviation.vtp", "deviation.svg",
+          "histogram.csv", "engagement.csv", "stock.vti", "rest.stl"})
+        folder.remove_unless_written(name);
+}
+
+std::string stock_text(const VerifyResult& result)
+{
+    const Block& block = result.input.block;
+    const std::string box =
+        fmt::format("{:g},{:g},{:g},{:g},{:g},{:g}", block.low.x(), block.low.y(),
+                    block.low.z(), block.high.x(), block.high.y(), block.high.z());
+    return result.input.stock ? result.options.stock + " within " + box : "block " + box;
+}
+
+void write_deviation(const VerifyResult& result, const PartCharts& charts,
+                     OutputFolder& folder)
+{
+    const Deviation& deviation = *result.verification.deviation;
+    folder.write("deviation.vtp", deviation_vtp(charts, deviation));
+    DeviationFigure figure;
+    figure.title = result.input.name + ": what the path leaves, seen along -z";
+    figure.limits = result.input.limits;
+    folder.write("deviation.svg", deviation_svg(charts, deviation, figure));
+    folder.write("histogram.csv",
+                 deviation_histogram_csv(deviation, result.input.limits));
+}
+
+// The stock has to be cut once more: each move is looked at before it is made.
+std::string engagement_text(const VerifyResult& result)
+{
+    HeightStock stock = result.task.stock
+                            ? *result.task.stock
+                            : block_stock(result.task.block, result.task.resolution);
+    EngagementCsv csv;
+    for_each_engagement(stock, *result.task.path, result.task.cutter,
+                        [&](std::size_t number, const Engagement& engagement) {
+                            csv.add(number, engagement);
+                        });
+    return csv.text();
+}
+
+}  // namespace
+
+Json write_verification(const VerifyResult& result, OutputFolder& folder)
+{
+    const auto& [input, options, task, verification] = result;
+    replace_earlier_run(folder);
+    std::optional<PartCharts> charts;
+    if (verification.deviation) {
+        charts.emplace(part_charts(*task.part));
+        write_deviation(result, *charts, folder);
+    }
+    folder.write("removal.csv", removal_csv(verification.removal, input.program.path));
+    if (options.engagement)
+        folder.write("engagement.csv", engagement_text(result));
+    if (options.write_stock)
+        folder.write("stock.vti", stock_vti(verification.rest));
+    if (options.write_mesh)
+        folder.write("rest.stl", stl_text(stock_mesh(verification.rest)));
+    Json summary = verify_summary({input.name, input.part_file, stock_text(result),
+                                   task.cutter, input.limits, input.program},
+                                  options, verification, charts ? &*charts : nullptr);
+    folder.write("summary.json", summary.dump(2) + "\n");
+    return summary;
+}
+
+}  // namespace endmill

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/verify_input.h"
+#include "cli/verify_summary.h"
+#include "endmill/io/output_folder.h"
+
+namespace endmill {
+
+/// What was asked, read and found.
+struct VerifyResult {
+    const VerifyInput& input;
+    const VerifyOptions& options;
+    const VerificationTask& task;
+    const Verification& verification;
+};
+
+/// Writes all files of a verification into `folder`, in the place of what an earlier run
+/// left there.
+/// \return summary.json
+Json write_verification(const VerifyResult& result, OutputFolder& folder);
+
+}  // namespace endmill

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/verify_summary.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "build_facts.h"
+#include "cli/console.h"
+#include "endmill/core/numbers.h"
+#include "endmill/io/printable.h"
+
+namespace endmill {
+namespace {
+
+Json deviation_place(const std::optional<DeviationPlace>& place, const PartCharts& charts)
+{
+    if (!place)
+        return nullptr;
+    Json json;
+    if (charts.mesh())
+        json["triangle"] = charts.source(place->chart);
+    else
+        json = {{"u", place->at.x()},
+                {"v", place->at.y()},
+                {"patch", charts.source(place->chart)}};
+    json["point_mm"] = vector_json(place->ray.point);
+    json["point"] = place->sweep >= 0 ? Json(place->sweep) : Json(nullptr);
+    return json;
+}
+
+void add_deviation(Json& summary, const Deviation& d, const PartCharts& charts)
+{
+    summary["max_gouge_mm"] = d.max_gouge_mm;
+    summary["max_gouge_at"] = deviation_place(d.deepest, charts);
+    summary["gouge_area_mm2"] = d.gouge_area_mm2;
+    summary["max_scallop_mm"] = finite_or_null(d.max_scallop_mm);
+    summary["max_scallop_at"] = deviation_place(d.highest, charts);
+    summary["p99_scallop_mm"] = finite_or_null(d.p99_scallop_mm);
+    summary["mean_scallop_mm"] = finite_or_null(d.mean_scallop_mm);
+    summary["uncut_area_mm2"] = d.uncut_area_mm2;
+    summary["judged_area_mm2"] = d.area_mm2;
+    summary["gouge_bound_mm"] = finite_or_null(d.gouge_bound_mm);
+    summary["scallop_bound_mm"] = finite_or_null(d.scallop_bound_mm);
+    summary["bound_mm"] = finite_or_null(std::max(d.gouge_bound_mm, d.scallop_bound_mm));
+    summary["rays"] = d.rays;
+}
+
+void add_no_deviation(Json& summary)
+{
+    for (const char* key :
+         {"max_gouge_mm", "max_gouge_at", "gouge_area_mm2", "max_scallop_mm",
+          "max_scallop_at", "p99_scallop_mm", "mean_scallop_mm", "uncut_area_mm2",
+          "judged_area_mm2", "gouge_bound_mm", "scallop_bound_mm", "bound_mm", "rays"})
+        summary[key] = nullptr;
+}
+
+void add_count(Json& summary, const std::string& key, const MoveCount& moves)
+{
+    summary[key] = moves.count;
+    summary["first_of_" + key] = moves.first ? Json(*moves.first) : Json(nullptr);
+    summary["deepest_of_" + key + "_mm"] = moves.deepest;
+}
+
+void add_removal(Json& summary, const Removal& removal)
+{
+    summary["removed_mm3"] = removal.total;
+    summary["min_z_mm"] = removal.left ? Json(removal.left->low) : Json(nullptr);
+    summary["max_z_mm"] = removal.left ? Json(removal.left->high) : Json(nullptr);
+    summary["air_moves"] = removal.air_moves;
+    add_count(summary, "rapid_cuts", removal.rapid_cuts);
+    add_count(summary, "collisions", removal.collisions);
+}
+
+std::string reason_text(const Json& s)
+{
+    const auto count = [&](const char* key) { return s[key].get<std::size_t>(); };
+    std::string text;
+    if (count("rapid_cuts") > 0)
+        text += fmt::format("{} cut, the first to point {}\n",
+                            counted(count("rapid_cuts"), "rapid"),
+                            s["first_of_rapid_cuts"].dump());
+    if (count("collisions") > 0)
+        text += fmt::format(
+            "shank or holder meets the material on {}, first to point {}\n",
+            counted(count("collisions"), "move"), s["first_of_collisions"].dump());
+    return text;
+}
+
+std::string number_text(const Json& value)
+{
+    return value.is_null() ? "unknown" : fmt::format("{:.4g}", value.get<double>());
+}
+
+}  // namespace
+
+Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
+                    const Verification& verification, const PartCharts* charts)
+{
+    Json summary{{"name", context.name},
+                 {"endmill", program_version},
+                 {"toolpath", printable(options.path)},
+                 {"part", context.part.empty() ? Json(nullptr) : Json(context.part)},
+                 {"stock", context.stock},
+                 {"cutter", cutter_word(context.cutter)},
+                 {"points", context.program.path.points.size()},
+                 {"verdict", std::string{verdict_name(verification.verdict)}},
+                 {"tolerance_mm", context.limits.tolerance},
+                 {"scallop_limit_mm", context.limits.scallop},
+                 {"slack_mm", verdict_slack},
+                 {"resolution_mm", options.resolution},
+                 {"max_refine", options.max_refine}};
+    if (verification.deviation && charts)
+        add_deviation(summary, *verification.deviation, *charts);
+    else
+        add_no_deviation(summary);
+    add_removal(summary, verification.removal);
+    summary["position_error_mm"] = context.program.position_error_mm;
+    summary["remarks"] = context.program.remarks;
+    return summary;
+}
+
+std::string verify_text(const Json& s)
+{
+    std::string text = fmt::format("{}: {}\n", s["name"].get<std::string>(),
+                                   s["verdict"].get<std::string>());
+    if (!s["max_gouge_mm"].is_null()) {
+        text += fmt::format(
+            "deepest gouge {} mm (bound {}, tolerance {:g}), over {:.4g} mm2\n",
+            number_text(s["max_gouge_mm"]), number_text(s["gouge_bound_mm"]),
+            s["tolerance_mm"].get<double>(), s["gouge_area_mm2"].get<double>());
+        text += fmt::format(
+            "highest rest {} mm (bound {}, limit {:g}), 99 % below {}, mean {}, uncut "
+            "{:.4g} mm2\n",
+            number_text(s["max_scallop_mm"]), number_text(s["scallop_bound_mm"]),
+            s["scallop_limit_mm"].get<double>(), number_text(s["p99_scallop_mm"]),
+            number_text(s["mean_scallop_mm"]), s["uncut_area_mm2"].get<double>());
+    } else {
+        text += "no part to judge by: --part FILE names one\n";
+    }
+    text += reason_text(s);
+    return text + fmt::format("removed {:.6g} mm3; {} of {} points reached through air\n",
+                              s["removed_mm3"].get<double>(),
+                              s["air_moves"].get<std::size_t>(),
+                              s["points"].get<std::size_t>());
+}
+
+}  // namespace endmill

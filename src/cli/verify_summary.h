@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "cli/verify_options.h"
+#include "endmill/post/program.h"
+#include "endmill/simulation/verification.h"
+
+namespace endmill {
+
+/// What was verified, with what the command line left open filled in.
+struct VerifyContext {
+    std::string name;
+    std::string part;   ///< its file; empty without one
+    std::string stock;  ///< in words
+    Cutter cutter;
+    DeviationLimits limits;
+    const Program& program;
+};
+
+/// summary.json of `verify`. Deviations are null without a part.
+/// \param charts of the part, if there is one.
+Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
+                    const Verification& verification, const PartCharts* charts);
+
+/// The same for a person.
+std::string verify_text(const Json& summary);
+
+}  // namespace endmill

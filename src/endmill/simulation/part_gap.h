@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "endmill/simulation/part_cell.h"
+#include "endmill/simulation/sweep_tree.h"
+
+namespace endmill {
+
+/// About how far in mm the cutter stays from the part: from the middles of its charts to
+/// the nearest place of a cutter taken for a ball as wide as it, less what the charts
+/// extend around their middles; 0 if they touch. For a message; never more than it is.
+/// Infinite if there is no sweep or no chart.
+double part_gap(const PartCharts& charts, const SweepTree& tree);
+
+}  // namespace endmill

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/simulation/verification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/simulation/part_gap.h"
+#include "endmill/simulation/stock_memory.h"
+#include "endmill/simulation/stock_ray.h"
+#include "endmill/surface/area.h"
+#include "endmill/surface/extent.h"
+
+namespace endmill {
+namespace {
+
+constexpr double below = 1;  // mm of material under the lowest of part and tips
+constexpr double above = 1;  // mm over the part
+constexpr double gib = 1024.0 * 1024 * 1024;
+// A ray's place in the deviation, its share of a tile, and room for what grows.
+constexpr double bytes_a_ray = 12;
+constexpr double most_rays = 4e9;
+
+Block bounding_box(const Part& part)
+{
+    Block box{Vec3::Constant(std::numeric_limits<double>::infinity()),
+              Vec3::Constant(-std::numeric_limits<double>::infinity())};
+    if (const auto* mesh = std::get_if<TriangleMesh>(&part)) {
+        for (const Triangle& triangle : mesh->triangles())
+            for (const std::int32_t corner : triangle) {
+                const Vec3& point = mesh->points()[static_cast<std::size_t>(corner)];
+                box.low = box.low.cwiseMin(point);
+                box.high = box.high.cwiseMax(point);
+            }
+        return box;
+    }
+    for (int c = 0; c < 3; ++c) {
+        const Interval along =
+            extent(std::get<std::vector<Surface>>(part), Vec3::Unit(c));
+        box.low[c] = along.low;
+        box.high[c] = along.high;
+    }
+    return box;
+}
+
+double area_of(const Part& part)
+{
+    double sum = 0;
+    if (const auto* mesh = std::get_if<TriangleMesh>(&part)) {
+        for (std::size_t i = 0; i < mesh->triangles().size(); ++i) {
+            const auto [a, b, c] = mesh->corners(i);
+            sum += (b - a).cross(c - a).norm() / 2;
+        }
+        return sum;
+    }
+    for (const Surface& surface : std::get<std::vector<Surface>>(part))
+        sum += area(surface);
+    return sum;
+}
+
+// The resolution that fits, with two digits.
+std::string fitting_text(double resolution)
+{
+    const double unit = std::pow(10, std::floor(std::log10(resolution)) - 1);
+    return to_text(std::ceil(resolution / unit) * unit);
+}
+
+// Stock, then rays: the larger of the two needs decides.
+void require_fitting(const VerificationTask& task)
+{
+    require(std::isfinite(task.resolution) && task.resolution > 0,
+            "verify_path: need 0 < resolution");
+    if (!task.stock)
+        require_stock_memory(task.block, task.resolution, task.max_memory_gib);
+    if (!task.part)
+        return;
+    const double rays = area_of(*task.part) / (task.resolution * task.resolution);
+    const double bytes = rays * bytes_a_ray;
+    const double limit = std::min(task.max_memory_gib * gib, most_rays * bytes_a_ray);
+    if (bytes > limit)
+        throw LimitError{"a resolution of " + to_text(task.resolution) +
+                         " mm needs about " + to_text(std::ceil(bytes / gib * 10) / 10) +
+                         " GiB for the part; the limit is " +
+                         to_text(task.max_memory_gib) + " GiB, which a resolution of " +
+                         fitting_text(task.resolution * std::sqrt(1.05 * bytes / limit)) +
+                         " mm fits"};
+}
+
+std::optional<Deviation> deviation_of(const VerificationTask& task)
+{
+    if (!task.part)
+        return std::nullopt;
+    const PartCharts charts = part_charts(*task.part);
+    const std::vector<StraightSweep> sweeps = path_sweeps(*task.path, task.cutter);
+    const SweepTree tree{sweeps};
+    DeviationOptions options = task.deviation;
+    options.pitch = task.resolution;
+    options.most_cells = static_cast<std::size_t>(most_rays);
+    options.stock = [&](const PartRay& ray) {
+        return task.stock ? ray_in_stock(*task.stock, ray)
+                          : ray_in_block(task.block, ray);
+    };
+    Deviation deviation = measure_deviation(charts, tree, options);
+    if (!deviation.is_cut)
+        throw GeometryError{"the path cuts nothing over the part: cutter and part are " +
+                            to_text(part_gap(charts, tree)) + " mm apart"};
+    // A path that begins with a rapid has no sweep for its first point.
+    const auto first = static_cast<std::int32_t>(task.path->points.size() - sweeps.size());
+    for (auto* place : {&deviation.deepest, &deviation.highest})
+        if (*place && (*place)->sweep >= 0)
+            (*place)->sweep += first;
+    return deviation;
+}
+
+Verdict verdict_of(const std::optional<Deviation>& deviation, const Removal& removal,
+                   const DeviationLimits& limits)
+{
+    if (removal.rapid_cuts.count > 0 || removal.collisions.count > 0)
+        return Verdict::Gouged;
+    return deviation ? verdict(*deviation, limits) : Verdict::Clean;
+}
+
+}  // namespace
+
+Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter)
+{
+    Block tips{Vec3::Constant(std::numeric_limits<double>::infinity()),
+               Vec3::Constant(-std::numeric_limits<double>::infinity())};
+    for (const PathPoint& point : path.points)
+        if (point.move == Move::Cut || point.move == Move::Link) {
+            tips.low = tips.low.cwiseMin(point.location.tip);
+            tips.high = tips.high.cwiseMax(point.location.tip);
+        }
+    if (!part && !tips.low.allFinite())
+        throw GeometryError{
+            "the path has no cutting move; expected one, a part or a "
+            "stock to tell where the material is"};
+    Block block = part ? bounding_box(*part) : tips;
+    if (!block.low.allFinite())
+        throw GeometryError{"the part is empty"};
+    const Vec3 sideways{cutter.radius(), cutter.radius(), 0};
+    const double lowest = std::min(block.low.z(), tips.low.z()) - below;
+    block.low -= sideways;
+    block.high += sideways;
+    block.low.z() = lowest;
+    block.high.z() += part ? above : 0;
+    return block;
+}
+
+Verification verify_path(const VerificationTask& task)
+{
+    require(task.path != nullptr, "verify_path: need a path");
+    require_fitting(task);
+    std::optional<Deviation> deviation = deviation_of(task);
+    HeightStock rest =
+        task.stock ? *task.stock : block_stock(task.block, task.resolution);
+    Removal removal = remove_along(rest, *task.path, task.cutter, {task.body});
+    const Verdict verdict = verdict_of(deviation, removal, task.deviation.limits);
+    return {std::move(deviation), std::move(removal), std::move(rest), verdict};
+}
+
+}  // namespace endmill

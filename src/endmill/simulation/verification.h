@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "endmill/cutter/tool.h"
+#include "endmill/path/tool_path.h"
+#include "endmill/simulation/deviation.h"
+#include "endmill/simulation/height_stock.h"
+#include "endmill/simulation/removal.h"
+
+namespace endmill {
+
+/// The box of the part, widened by the cutter's radius sideways, from 1 mm below the
+/// lowest of part and tips to 1 mm above the part; without a part that of the cutting
+/// tips, up to the highest of them.
+/// Source: spec of the removal, section 3.
+/// \throws GeometryError if there is neither a part nor a tip.
+Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter);
+
+/// What is to be judged. The part and the path must outlive it.
+struct VerificationTask {
+    const ToolPath* path;  ///< along +z
+    Cutter cutter;
+    std::vector<ToolCylinder> body = {};  ///< shank and holder
+    const Part* part = nullptr;           ///< none: only the removal is reported
+    Block block;  ///< the stock, if there is no other, and what it is within
+    const HeightStock* stock = nullptr;  ///< an earlier rest, or a mesh
+    double resolution = 0.1;             ///< pitch of stock and first rays, mm
+    double max_memory_gib = 8;           ///< LimitError beyond it
+    DeviationOptions deviation = {};     ///< `stock`, `pitch` and `most_cells` are set
+};
+
+/// What a path did to stock and part. Moves have the number of the point to which they
+/// lead, as a sweep's number in `deviation`.
+struct Verification {
+    std::optional<Deviation> deviation;  ///< none without a part
+    Removal removal;
+    HeightStock rest;
+    Verdict verdict;
+};
+
+/// Removes the material and measures what is left against the part. A rapid that cuts, and
+/// a shank or holder in the material, make the verdict `Gouged`.
+/// Source: spec of the removal, section 3.
+/// \throws GeometryError if the path cuts nothing over the part, with the gap between
+/// them, or an axis is not +z; LimitError, with a resolution that fits, if the memory
+/// would not do; DomainError for limits out of range.
+Verification verify_path(const VerificationTask& task);
+
+}  // namespace endmill

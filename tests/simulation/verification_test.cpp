@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/simulation/verification.h"
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include "endmill/core/error.h"
+#include "test_meshes.h"
+#include "test_surfaces.h"
+#include "tip_path.h"
+
+namespace endmill {
+namespace {
+
+// Passes over 0 ... 20 by 0 ... 12 at z = 0, the ball R 5 of most tests.
+ToolPath finishing_path(double pitch)
+{
+    std::vector<Vec3> tips;
+    for (int i = 0; i * pitch <= 12 + 1e-9; ++i) {
+        tips.emplace_back(i % 2 ? 20 : 0, i * pitch, 0);
+        tips.emplace_back(i % 2 ? 0 : 20, i * pitch, 0);
+    }
+    return test::tip_path(tips);
+}
+
+VerificationTask task_of(const ToolPath& path, const Part* part)
+{
+    const Cutter ball = Cutter::ball(5);
+    VerificationTask task{.path = &path,
+                          .cutter = ball,
+                          .part = part,
+                          .block = default_block(part, path, ball)};
+    task.resolution = 0.25;
+    task.deviation.limits = {0.01, 0.11};
+    return task;
+}
+
+const Part plane = std::vector<Surface>{test::plane(20, 12)};
+
+TEST(DefaultBlock, IsThePartWidenedByTheRadius)
+{
+    const ToolPath path = test::tip_path({{0, 0, 0}, {20, 0, -2}});
+    const Block block = default_block(&plane, path, Cutter::ball(5));
+    EXPECT_LT((block.low - Vec3{-5, -5, -3}).norm(), 1e-6);
+    EXPECT_LT((block.high - Vec3{25, 17, 1}).norm(), 1e-6);
+}
+
+TEST(DefaultBlock, WithoutAPartIsThatOfTheCuttingTips)
+{
+    ToolPath path = test::tip_path({{0, 0, 0}, {20, 10, -2}, {20, 10, 50}});
+    path.points[2].move = Move::Retract;
+    const Block block = default_block(nullptr, path, Cutter::ball(5));
+    EXPECT_EQ(block.low, Vec3(-5, -5, -3));
+    EXPECT_EQ(block.high, Vec3(25, 15, 0));
+    for (PathPoint& point : path.points)
+        point.move = Move::Rapid;
+    EXPECT_THROW(default_block(nullptr, path, Cutter::ball(5)), GeometryError);
+}
+
+TEST(VerifyPath, FindsACleanPathCleanAndItsVolumes)
+{
+    const ToolPath path = finishing_path(2);
+    const Verification found = verify_path(task_of(path, &plane));
+    EXPECT_EQ(found.verdict, Verdict::Clean);
+    ASSERT_TRUE(found.deviation);
+    EXPECT_NEAR(found.deviation->max_scallop_mm, 0.101020514434,
+                found.deviation->scallop_bound_mm + 1e-12);
+    const double sum =
+        std::accumulate(found.removal.removed.begin(), found.removal.removed.end(), 0.0);
+    EXPECT_NEAR(sum / found.removal.total, 1, 1e-12);
+    const HeightStock before =
+        block_stock(default_block(&plane, path, Cutter::ball(5)), 0.25);
+    EXPECT_NEAR(stock_volume(before) - stock_volume(found.rest), found.removal.total,
+                1e-9 * found.removal.total);
+}
+
+TEST(VerifyPath, OfAnEarlierRestFindsOnlyWhatIsLeft)
+{
+    const ToolPath first = finishing_path(2);
+    VerificationTask task = task_of(first, &plane);
+    const Verification rough = verify_path(task);
+    task.stock = &rough.rest;
+    const Verification again = verify_path(task);
+    EXPECT_NEAR(again.removal.total, 0, 1e-9);
+    EXPECT_EQ(again.verdict, Verdict::Clean);
+}
+
+TEST(VerifyPath, CallsARapidThatCutsAGouge)
+{
+    ToolPath path = finishing_path(2);
+    path.points[3].move = Move::Rapid;
+    const Verification found = verify_path(task_of(path, &plane));
+    EXPECT_EQ(found.verdict, Verdict::Gouged);
+    EXPECT_EQ(found.removal.rapid_cuts.count, 1U);
+    EXPECT_EQ(found.removal.rapid_cuts.first, 3U);
+}
+
+TEST(VerifyPath, CallsAHolderInTheMaterialAGouge)
+{
+    const ToolPath path = finishing_path(2);
+    VerificationTask task = task_of(path, &plane);
+    task.body = {{30, 0.5, 40}};  // half a millimetre above the tip, twice as wide
+    const Verification found = verify_path(task);
+    EXPECT_EQ(found.verdict, Verdict::Gouged);
+    EXPECT_GT(found.removal.collisions.count, 0U);
+}
+
+TEST(VerifyPath, WithoutAPartTellsTheRemovalAlone)
+{
+    const ToolPath path = finishing_path(2);
+    const Verification found = verify_path(task_of(path, nullptr));
+    EXPECT_FALSE(found.deviation);
+    EXPECT_EQ(found.verdict, Verdict::Clean);
+}
+
+TEST(VerifyPath, NamesThePointThatGouges)
+{
+    ToolPath path = finishing_path(2);
+    path.points.insert(path.points.begin(), path.points.front());
+    path.points[0].location.tip.z() = 9;
+    path.points[0].move = Move::Rapid;
+    path.points[6].location.tip.z() = -0.2;
+    const Verification found = verify_path(task_of(path, &plane));
+    EXPECT_EQ(found.verdict, Verdict::Gouged);
+    ASSERT_TRUE(found.deviation->deepest);
+    // On the move to the lowered point, or on that away from it.
+    EXPECT_GE(found.deviation->deepest->sweep, 6);
+    EXPECT_LE(found.deviation->deepest->sweep, 7);
+}
+
+TEST(VerifyPath, OfAPathBesideThePartSaysHowFar)
+{
+    const ToolPath path = test::tip_path({{40, 0, 0}, {40, 12, 0}});
+    try {
+        verify_path(task_of(path, &plane));
+        FAIL();
+    } catch (const GeometryError& error) {
+        EXPECT_NE(std::string{error.what()}.find("mm apart"), std::string::npos);
+    }
+}
+
+TEST(VerifyPath, RefusesAResolutionThatDoesNotFitTheMemory)
+{
+    const ToolPath path = finishing_path(2);
+    VerificationTask task = task_of(path, &plane);
+    task.resolution = 1e-4;
+    task.max_memory_gib = 0.1;
+    EXPECT_THROW(verify_path(task), LimitError);
+    task.resolution = 0;
+    EXPECT_THROW(verify_path(task), DomainError);
+}
+
+// Parts that stand on each other's toes: the same plane as a mesh.
+TEST(VerifyPath, JudgesAMeshAsTheSurface)
+{
+    const Part mesh = test::grid_mesh(2, 2, [](int i, int j) {
+        return Vec3{10.0 * i, 6.0 * j, 0};
+    });
+    const ToolPath path = finishing_path(2);
+    EXPECT_EQ(verify_path(task_of(path, &mesh)).verdict, Verdict::Clean);
+}
+
+}  // namespace
+}  // namespace endmill
