@@ -77,15 +77,23 @@ TEST(VerifyPath, FindsACleanPathCleanAndItsVolumes)
                 1e-9 * found.removal.total);
 }
 
-TEST(VerifyPath, OfAnEarlierRestFindsOnlyWhatIsLeft)
+TEST(VerifyPath, OfAnEarlierRestTakesOnlyWhatIsLeft)
 {
-    const ToolPath first = finishing_path(2);
-    VerificationTask task = task_of(first, &plane);
+    const ToolPath finishing = finishing_path(2);
+    ToolPath roughing = finishing;
+    for (PathPoint& point : roughing.points)
+        point.location.tip.z() += 0.4;
+    VerificationTask task = task_of(finishing, &plane);
+    task.path = &roughing;
     const Verification rough = verify_path(task);
+    EXPECT_EQ(rough.verdict, Verdict::Uncut);
+    task.path = &finishing;
+    const Verification whole = verify_path(task);
     task.stock = &rough.rest;
-    const Verification again = verify_path(task);
-    EXPECT_NEAR(again.removal.total, 0, 1e-9);
-    EXPECT_EQ(again.verdict, Verdict::Clean);
+    const Verification rest = verify_path(task);
+    EXPECT_EQ(rest.verdict, Verdict::Clean);
+    EXPECT_NEAR(rough.removal.total + rest.removal.total, whole.removal.total,
+                1e-9 * whole.removal.total);
 }
 
 TEST(VerifyPath, CallsARapidThatCutsAGouge)
