@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "endmill/core/error.h"
@@ -13,22 +14,20 @@ namespace {
 
 // Of the tolerance: what is nearer to it than that stays undecided.
 constexpr double undecided_share = 1e-3;
-constexpr double pieces_per_radius = 4;
+constexpr double pieces_per_radius = 2;
 // Halvings of a piece: 2^-40 of it is far below any resolution that rounding allows.
 constexpr int most_halvings = 80;
-
-struct HalvedPiece {
-    BezierPiece piece;
-    int halvings;
-};
+constexpr std::size_t most_finer_pieces = 30'000;
 
 // The search for points of the part that are nearer than `reach_` to the strip.
 class NearSearch {
 public:
-    NearSearch(const PieceTree& tree, const CentreStrip& strip, double radius)
+    NearSearch(const PieceTree& tree, const CentreStrip& strip, double radius,
+               FinerPieces& finer)
         : tree_{tree},
           strip_{strip},
-          radius_{radius}
+          radius_{radius},
+          finer_{finer}
     {
     }
 
@@ -63,19 +62,44 @@ private:
             if (box_bound(node.box) >= limit())
                 continue;
             if (node.link < 0) {
-                search_piece(tree_.pieces()[~node.link]);
+                search_pieces(~node.link);
                 continue;
             }
-            // The nearer child first: what it holds may settle the other.
-            const std::int32_t first = node.link;
-            const auto square = [&](std::int32_t child) {
-                const Vec3 middle = tree_.nodes()[child].box.center();
-                return (middle - strip_.nearest(middle)).squaredNorm();
-            };
-            const bool swap = square(first + 1) < square(first);
-            open.push_back(swap ? first : first + 1);
-            open.push_back(swap ? first + 1 : first);
+            push_nearer_last(open, node.link, [&](std::int32_t child) {
+                return tree_.nodes()[child].box.center();
+            });
         }
+    }
+
+    // A patch and what it is halved into.
+    void search_pieces(std::int32_t patch)
+    {
+        std::vector<std::int32_t> open{patch};
+        while (!open.empty() && !is_over()) {
+            const std::int32_t number = open.back();
+            const PieceTree::Piece& piece = tree_.pieces()[number];
+            open.pop_back();
+            if (piece.halves == 0)
+                search_finer(number);
+            else if (piece_bound(piece.bezier, piece.middle) < limit())
+                push_nearer_last(open, piece.halves, [&](std::int32_t half) {
+                    return tree_.pieces()[half].middle;
+                });
+        }
+    }
+
+    // What the nearer of two holds may settle the other.
+    template <class Middle>
+    void push_nearer_last(std::vector<std::int32_t>& open, std::int32_t first,
+                          const Middle& middle) const
+    {
+        const auto square = [&](std::int32_t number) {
+            const Vec3 point = middle(number);
+            return (point - strip_.nearest(point)).squaredNorm();
+        };
+        const bool swap = square(first + 1) < square(first);
+        open.push_back(swap ? first : first + 1);
+        open.push_back(swap ? first + 1 : first);
     }
 
     bool is_over() const { return stops_at_first_ && (found_ || undecided_); }
@@ -95,9 +119,8 @@ private:
     }
 
     // A bound by the plane at the strip's point nearest to the piece's middle.
-    double piece_bound(const BezierPiece& piece, const std::array<Vec3, 4>& corners) const
+    double piece_bound(const BezierPiece& piece, const Vec3& middle) const
     {
-        const Vec3 middle = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
         const Vec3 nearest = strip_.nearest(middle);
         const Vec3 away = middle - nearest;
         const double distance = away.norm();
@@ -106,29 +129,37 @@ private:
         return piece.least_height(away / distance, nearest);
     }
 
-    void search_piece(const BezierPiece& whole)
+    void search_finer(std::int32_t leaf)
     {
-        if (is_settled(whole, 0))
+        if (is_settled(tree_.pieces()[leaf], 0))
             return;
-        std::vector<HalvedPiece> open{{whole, 0}};
+        struct Halved {
+            std::int32_t number;
+            int halvings;
+        };
+        std::vector<Halved> open;
+        const auto open_halves = [&](std::int32_t first, int halvings) {
+            for (const std::int32_t half : {first + 1, first})
+                if (!is_over() && !is_settled(finer_.piece(half), halvings))
+                    open.push_back({half, halvings});
+        };
+        open_halves(finer_.halves_of_leaf(tree_, leaf), 1);
         while (!open.empty() && !is_over()) {
-            const HalvedPiece next = std::move(open.back());
+            const auto [number, halvings] = open.back();
             open.pop_back();
-            auto [low, high] = halves(next.piece, next.piece.wider());
-            for (BezierPiece* half : {&high, &low})
-                if (!is_settled(*half, next.halvings + 1))
-                    open.push_back({std::move(*half), next.halvings + 1});
+            open_halves(finer_.halves_of(number), halvings + 1);
         }
     }
 
     // Whether nothing of interest is in the piece, but for what it has just told.
-    bool is_settled(const BezierPiece& piece, int halvings)
+    bool is_settled(const PieceTree::Piece& whole, int halvings)
     {
-        const std::array corners{piece.corner(0, 0), piece.corner(1, 0),
-                                 piece.corner(0, 1), piece.corner(1, 1)};
-        const double bound = piece_bound(piece, corners);
+        const BezierPiece& piece = whole.bezier;
+        const double bound = piece_bound(piece, whole.middle);
         if (bound >= limit())
             return true;
+        const std::array corners{piece.corner(0, 0), piece.corner(1, 0),
+                                 piece.corner(0, 1), piece.corner(1, 1)};
         double nearest = std::numeric_limits<double>::infinity();
         std::size_t nearest_corner = 0;
         for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -162,6 +193,7 @@ private:
     const PieceTree& tree_;
     const CentreStrip& strip_;
     double radius_;
+    FinerPieces& finer_;
     double reach_ = 0;
     double resolution_ = 0;
     bool stops_at_first_ = false;
@@ -170,6 +202,41 @@ private:
 };
 
 }  // namespace
+
+std::int32_t FinerPieces::halves_of_leaf(const PieceTree& tree, std::int32_t leaf)
+{
+    const auto [place, is_new] = of_leaves_.try_emplace(leaf, 0);
+    if (is_new)
+        place->second = add_halves(tree.pieces()[leaf].bezier);
+    return place->second;
+}
+
+std::int32_t FinerPieces::halves_of(std::int32_t number)
+{
+    PieceTree::Piece& piece = pieces_[number];
+    if (piece.halves == 0)
+        piece.halves = add_halves(piece.bezier);
+    return piece.halves;
+}
+
+std::int32_t FinerPieces::add_halves(const BezierPiece& whole)
+{
+    const auto first = static_cast<std::int32_t>(pieces_.size());
+    auto [low, high] = halves(whole, whole.wider());
+    for (BezierPiece* half : {&low, &high}) {
+        const Vec3 middle = half->middle();
+        pieces_.push_back({std::move(*half), middle});
+    }
+    return first;
+}
+
+void FinerPieces::limit_memory()
+{
+    if (pieces_.size() < most_finer_pieces)
+        return;
+    of_leaves_.clear();
+    pieces_.resize(1);
+}
 
 GougeTest::GougeTest(std::span<const Surface> surfaces, const BallCutter& cutter,
                      const Vec3& axis)
@@ -181,10 +248,18 @@ GougeTest::GougeTest(std::span<const Surface> surfaces, const BallCutter& cutter
 
 GougeAnswer GougeTest::test(const BallMove& move, double tolerance) const
 {
+    FinerPieces finer;
+    return test(move, tolerance, finer);
+}
+
+GougeAnswer GougeTest::test(const BallMove& move, double tolerance,
+                            FinerPieces& finer) const
+{
     require(0 < tolerance && tolerance < cutter_.radius(),
             "GougeTest: need 0 < tolerance < cutter radius");
     const CentreStrip strip{move, axis_};
-    return NearSearch{tree_, strip, cutter_.radius()}.test(tolerance);
+    finer.limit_memory();
+    return NearSearch{tree_, strip, cutter_.radius(), finer}.test(tolerance);
 }
 
 std::optional<GougePlace> GougeTest::deepest(const BallMove& move,
@@ -192,7 +267,8 @@ std::optional<GougePlace> GougeTest::deepest(const BallMove& move,
 {
     require(resolution > 0, "GougeTest: need 0 < resolution");
     const CentreStrip strip{move, axis_};
-    return NearSearch{tree_, strip, cutter_.radius()}.deepest(resolution);
+    FinerPieces finer;
+    return NearSearch{tree_, strip, cutter_.radius(), finer}.deepest(resolution);
 }
 
 }  // namespace endmill

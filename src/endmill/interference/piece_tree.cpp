@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-constexpr double most_pieces = 60'000;  // some 30 MB of bicubic ones
+constexpr double most_pieces = 20'000;  // without halves, and as many with: some 30 MB
 constexpr int most_halvings = 40;       // of a patch, whatever its shape
 
 BezierPiece whole_patch(const Surface& surface, std::size_t number, int i, int j)
@@ -27,25 +27,12 @@ BezierPiece whole_patch(const Surface& surface, std::size_t number, int i, int j
                       patch.degree(Parameter::V) + 1,
                       {},
                       patch.is_rational()};
-    piece.net.resize(4, Eigen::Index{piece.points_u} * piece.points_v);
+    piece.net.resize(Eigen::Index{piece.points_u} * piece.points_v, 4);
     for (int row = 0; row < piece.points_v; ++row)
         for (int column = 0; column < piece.points_u; ++column)
-            piece.net.col(row * piece.points_u + column) =
+            piece.net.row(row * piece.points_u + column) =
                 patch.homogeneous_point(column, row);
     return piece;
-}
-
-// Cuts `piece` until its sides are no longer than `size`.
-void cut(BezierPiece piece, double size, int halvings, std::vector<BezierPiece>& pieces)
-{
-    const Vec3 extent = piece.box().sizes();
-    if (halvings == 0 || extent.norm() <= size) {
-        pieces.push_back(std::move(piece));
-        return;
-    }
-    auto [low, high] = halves(piece, piece.wider());
-    cut(std::move(low), size, halvings - 1, pieces);
-    cut(std::move(high), size, halvings - 1, pieces);
 }
 
 // Makes `nodes[node]` the box around `pieces`, and all nodes below it, by halving at the
@@ -82,28 +69,30 @@ void build_below(std::size_t node, std::span<std::int32_t> pieces,
 
 Vec3 BezierPiece::corner(int end_u, int end_v) const
 {
-    const Eigen::Index column =
+    const Eigen::Index row =
         Eigen::Index{end_v} * (points_v - 1) * points_u + end_u * (points_u - 1);
-    return net.col(column).head<3>() / net(3, column);
+    return net.row(row).head<3>().transpose() / net(row, 3);
+}
+
+Vec3 BezierPiece::middle() const
+{
+    return (corner(0, 0) + corner(1, 0) + corner(0, 1) + corner(1, 1)) / 4;
 }
 
 double BezierPiece::least_height(const Vec3& direction, const Vec3& origin) const
 {
-    const Eigen::RowVector4d plane{direction[0], direction[1], direction[2],
-                                   -direction.dot(origin)};
-    double least = std::numeric_limits<double>::infinity();
-    for (Eigen::Index k = 0; k < net.cols(); ++k) {
-        const double height = plane * net.col(k);
-        least = std::min(least, is_rational ? height / net(3, k) : height);
-    }
-    return least;
+    const auto points = net.array();
+    const auto along = direction[0] * points.col(0) + direction[1] * points.col(1) +
+                       direction[2] * points.col(2);
+    const double height = direction.dot(origin);
+    return (is_rational ? (along / points.col(3)).minCoeff() : along.minCoeff()) - height;
 }
 
 Eigen::AlignedBox3d BezierPiece::box() const
 {
     Eigen::AlignedBox3d box;
-    for (const auto& point : net.colwise())
-        box.extend(Vec3{point.head<3>() / point[3]});
+    for (const auto& point : net.rowwise())
+        box.extend(Vec3{point.head<3>().transpose() / point[3]});
     return box;
 }
 
@@ -111,8 +100,8 @@ Parameter BezierPiece::wider() const
 {
     // The middles of a net's sides tell the width also where corners meet.
     const auto point = [&](int i, int j) -> Vec3 {
-        const auto column = net.col(Eigen::Index{j} * points_u + i);
-        return column.head<3>() / column[3];
+        const auto row = net.row(Eigen::Index{j} * points_u + i);
+        return row.head<3>().transpose() / row[3];
     };
     double width_u = 0;
     double width_v = 0;
@@ -136,13 +125,13 @@ std::pair<BezierPiece, BezierPiece> halves(const BezierPiece& piece, Parameter a
     const int row_step = is_u ? piece.points_u : 1;
     // De Casteljau's pyramid at 1/2, row by row: its edges are the halves.
     for (int row = 0; row < rows; ++row) {
-        const auto column = [&](BezierPiece& half, int k) {
-            return half.net.col(Eigen::Index{row} * row_step + Eigen::Index{k} * step);
+        const auto point = [&](BezierPiece& half, int k) {
+            return half.net.row(Eigen::Index{row} * row_step + Eigen::Index{k} * step);
         };
         for (int level = 1; level < count; ++level) {
             for (int k = 0; k < count - level; ++k)
-                column(high, k) = (column(high, k) + column(high, k + 1)) / 2;
-            column(low, level) = column(high, 0);
+                point(high, k) = (point(high, k) + point(high, k + 1)) / 2;
+            point(low, level) = point(high, 0);
         }
     }
     const SurfacePoint middle{(piece.low.u + piece.high.u) / 2,
@@ -160,18 +149,39 @@ PieceTree::PieceTree(std::span<const Surface> surfaces, double piece_size)
     const double size = std::max(piece_size, std::sqrt(3 * area(surfaces) / most_pieces));
     for (std::size_t number = 0; number < surfaces.size(); ++number)
         for (int j = 0; j < surfaces[number].patches(Parameter::V); ++j)
-            for (int i = 0; i < surfaces[number].patches(Parameter::U); ++i)
-                cut(whole_patch(surfaces[number], number, i, j), size, most_halvings,
-                    pieces_);
+            for (int i = 0; i < surfaces[number].patches(Parameter::U); ++i) {
+                BezierPiece patch = whole_patch(surfaces[number], number, i, j);
+                const Vec3 middle = patch.middle();
+                pieces_.push_back({std::move(patch), middle});
+            }
     std::vector<std::int32_t> numbers(pieces_.size());
     std::iota(numbers.begin(), numbers.end(), 0);
     std::vector<Eigen::AlignedBox3d> boxes;
     boxes.reserve(pieces_.size());
-    for (const BezierPiece& piece : pieces_)
-        boxes.push_back(piece.box());
+    for (const Piece& piece : pieces_)
+        boxes.push_back(piece.bezier.box());
     nodes_.reserve(2 * numbers.size());
     nodes_.emplace_back();
     build_below(0, numbers, boxes, nodes_);
+    const std::size_t patches = pieces_.size();
+    for (std::size_t k = 0; k < patches; ++k)
+        add_halves(k, size, most_halvings);
+}
+
+void PieceTree::add_halves(std::size_t piece, double size, int halvings)
+{
+    if (halvings == 0 || pieces_[piece].bezier.box().diagonal().norm() <= size)
+        return;
+    const BezierPiece& whole = pieces_[piece].bezier;
+    auto [low, high] = halves(whole, whole.wider());
+    const std::size_t first = pieces_.size();
+    pieces_[piece].halves = static_cast<std::int32_t>(first);
+    for (BezierPiece* half : {&low, &high}) {
+        const Vec3 middle = half->middle();
+        pieces_.push_back({std::move(*half), middle});
+    }
+    add_halves(first, size, halvings - 1);
+    add_halves(first + 1, size, halvings - 1);
 }
 
 }  // namespace endmill

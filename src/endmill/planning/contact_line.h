@@ -17,6 +17,8 @@ public:
     Interval range() const { return line_.range(); }    ///< of u
     bool is_point() const { return line_.is_point(); }  ///< a pole
 
+    Vec3 point(double u) const { return line_.point(u); }  ///< of the surface, mm
+
     /// The contact at u; on a collapsed edge with the limit of the normal.
     /// \throws GeometryError, with the place, where there is no normal.
     SurfaceContact at(double u) const;

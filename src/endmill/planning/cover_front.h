@@ -28,7 +28,7 @@ struct FrontPoint {
 /// tells afterwards.
 class CoverFront {
 public:
-    /// \param marched outlives this. \param scallop_height in mm.
+    /// \param marched outlives this. \param scallop_height in mm, below R.
     CoverFront(const MarchedSurface& marched, const BallCutter& cutter,
                double scallop_height, Parameter direction);
 

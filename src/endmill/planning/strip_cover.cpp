@@ -19,6 +19,9 @@ namespace {
 constexpr double least_cell = 1e-5;
 // Of the radius: wider cells are halved at once, since no move would cover them.
 constexpr double widest_cell = 1;
+// In a rectangle: where it takes more, hardly anything is left between what is covered and
+// what has to be.
+constexpr int most_cells = 200'000;
 // Of the radius, for the rounding of distances: a pass planned to the limit is on it.
 constexpr double rounding = 1e-12;
 
@@ -119,7 +122,7 @@ public:
         open_.clear();
         if (const auto bad = open_cell(low, high))
             return bad;
-        while (!open_.empty()) {
+        for (int cells = 0; !open_.empty(); ++cells) {
             const Cell cell = open_.back();
             open_.pop_back();
             const double width_u = (cell.corners[1] - cell.corners[0]).norm() +
@@ -136,6 +139,8 @@ public:
                 if (covered == false || width < least_cell * radius_)
                     return middle;
             }
+            if (cells == most_cells)
+                return middle;
             const bool across_u = width_u >= width_v;
             const SurfacePoint first_high{across_u ? middle.u : cell.high.u,
                                           across_u ? cell.high.v : middle.v};
@@ -220,7 +225,7 @@ StripCover::StripCover(const MarchedSurface& marched, const OffsetBounds& bounds
     : marched_{&marched},
       bounds_{&bounds},
       radius_{cutter.radius()},
-      height_{height}
+      height_{std::min(height, cutter.radius())}
 {
 }
 

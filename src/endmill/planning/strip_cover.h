@@ -22,7 +22,8 @@ struct SweptSegment {
 using SweptPass = std::vector<SweptSegment>;
 
 /// Whether balls on straight moves leave no more material on a surface than a height h
-/// along its normal: r + h N lies within R of a move's centres. From bounds on the bends
+/// along its normal: r + h N lies within R of a move's centres; a height above R counts as
+/// R, at which the normal meets what the ball takes if it does at all. From bounds on the bends
 /// of that offset: certain but for rounding.
 class StripCover {
 public:
@@ -33,7 +34,7 @@ public:
 
     /// A place of the strip low <= v <= high, of all u, that no move of the passes along
     /// its borders is known to bring down to h. Not known is also what remains open below
-    /// 1e-5 R.
+    /// 1e-5 R, or beyond 200 000 cells in a rectangle of the bounds.
     /// \return nothing if there is none.
     std::optional<SurfacePoint> find_uncovered(Interval v, const SweptPass& below,
                                                const SweptPass& above) const;

@@ -14,21 +14,21 @@ namespace {
 
 constexpr double least_step = 1e-4;      // of a patch
 constexpr double step_precision = 1e-3;  // of the step
-constexpr double step_growth = 1.5;      // in the search for a step that is too long
+// In the search for a step that is too long: the first factor, squared each time, and the
+// last.
+constexpr double least_growth = 1.04;
+constexpr double most_growth = 2;
+constexpr int line_samples = 8;          // of a step, for a quick look
 constexpr double first_step = 1.0 / 16;  // of a patch, in the same search
 constexpr double gap_scan = 1.0 / 256;   // of a patch, in the search for where to go on
 constexpr double gap_precision = 1.0 / 64;  // of a scan
 // Of the radius: demands are made to the limit.
 constexpr double rounding = 1e-12;
 
-GougeAnswer gouge_of(const VerifiedSurface& surface, const Vec3& from, const Vec3& to)
+bool is_clear(const VerifiedSurface& surface, const BallMove& move, FinerPieces& finer)
 {
-    return surface.gouge.test({from, to}, surface.tolerances.inner);
-}
-
-bool is_clear(const VerifiedSurface& surface, const Vec3& from, const Vec3& to)
-{
-    return gouge_of(surface, from, to).verdict == GougeVerdict::Clear;
+    return surface.gouge.test(move, surface.tolerances.inner, finer).verdict ==
+           GougeVerdict::Clear;
 }
 
 // The work on one pass.
@@ -68,15 +68,19 @@ private:
         return surface_.marched.surface.patch_width(Parameter::U, u);
     }
 
-    bool fits(const SurfaceContact& contact) const
+    bool fits(const SurfaceContact& contact) { return is_clear(contact, contact); }
+
+    bool is_clear(const SurfaceContact& from, const SurfaceContact& to)
     {
-        const Vec3 centre = ball_centre(contact, surface_.cutter());
-        return is_clear(surface_, centre, centre);
+        return endmill::is_clear(
+            surface_,
+            {ball_centre(from, surface_.cutter()), ball_centre(to, surface_.cutter())},
+            finer_);
     }
 
     // The first place from `u` on at which the ball fits, but for places narrower than
     // the scan.
-    std::optional<double> fitting_from(double u) const
+    std::optional<double> fitting_from(double u)
     {
         const double end = line_.range().high;
         if (u >= end)
@@ -124,40 +128,65 @@ private:
         return *std::ranges::upper_bound(breaks.first(breaks.size() - 1), u);
     }
 
-    std::optional<SurfaceContact> longest_step(const SurfaceContact& from,
-                                               double guess) const
+    std::optional<SurfaceContact> longest_step(const SurfaceContact& from, double guess)
     {
         const double most = farthest(from.u);
         if (from.u >= most)
             return std::nullopt;
         const double least = std::min(least_step * width(from.u), most - from.u);
+        const auto beside_line =
+            longest(from, {least, std::max(guess, least), most},
+                    [&](const SurfaceContact& to) { return keeps_line(from, to); });
+        if (!beside_line || is_clear(from, *beside_line))
+            return beside_line;
+        // The part beside the pass stops the ball before: as much as in the last step.
+        const double limit = beside_line->u - from.u;
+        const auto clear =
+            longest(from, {least, std::max(share_ * limit, least), beside_line->u},
+                    [&](const SurfaceContact& to) {
+                        return keeps_line(from, to) && is_clear(from, to);
+                    });
+        if (clear)
+            share_ = (clear->u - from.u) / limit;
+        return clear;
+    }
+
+    // Steps in u to search.
+    struct StepRange {
+        double least;
+        double guess;
+        double most_u;  // where the longest ends
+    };
+
+    // The longest step that is sound, if those shorter than a sound one are.
+    template <class IsSound>
+    std::optional<SurfaceContact> longest(const SurfaceContact& from,
+                                          const StepRange& range,
+                                          const IsSound& is_sound) const
+    {
+        const auto& [least, guess, most] = range;
         std::optional<SurfaceContact> best;
-        double too_far = most;
-        bool is_bounded = false;  // whether `too_far` was tried
-        double step = std::max(guess, least);
-        while (!is_bounded || !best) {
-            const double u = std::min(from.u + step, most);
-            const SurfaceContact to = line_.at(u);
-            if (is_sound(from, to)) {
+        std::optional<double> too_far;
+        double step = guess;
+        double growth = least_growth;
+        while (!too_far || !best) {
+            const SurfaceContact to = line_.at(std::min(from.u + step, most));
+            if (is_sound(to)) {
                 best = to;
-                if (u == most)
+                if (to.u == most)
                     return best;
-                if (is_bounded)
-                    break;
-                step *= step_growth;
+                step *= growth;
             } else {
-                too_far = u;
-                is_bounded = true;
-                if (best)
-                    break;
+                too_far = to.u;
                 if (step <= least)
-                    return std::nullopt;
-                step = std::max(least, std::min(step, u - from.u) / 2);
+                    return best;
+                step = std::max(least, std::min(step, to.u - from.u) / growth);
             }
+            growth = std::min(growth * growth, most_growth);
         }
-        while (too_far - best->u > step_precision * (best->u - from.u)) {
-            const SurfaceContact to = line_.at((best->u + too_far) / 2);
-            if (is_sound(from, to))
+        while (*too_far - best->u > step_precision * (best->u - from.u)) {
+            const SurfaceContact to = line_.at((best->u + *too_far) / 2);
+            if (is_sound(to))
                 best = to;
             else
                 too_far = to.u;
@@ -165,13 +194,25 @@ private:
         return best;
     }
 
-    bool is_sound(const SurfaceContact& from, const SurfaceContact& to) const
+    // What a step must keep along the pass; the first is a cheap part of what the gouge
+    // test asks.
+    bool keeps_line(const SurfaceContact& from, const SurfaceContact& to) const
     {
-        const Vec3 start = ball_centre(from, surface_.cutter());
-        const Vec3 end = ball_centre(to, surface_.cutter());
-        return reaches_demands({from.u, to.u, start, end}) &&
-               surface_.line_cover.covers_line({from.u, to.u, start, end}, line_.v()) &&
-               is_clear(surface_, start, end);
+        const SweptSegment move{from.u, to.u, ball_centre(from, surface_.cutter()),
+                                ball_centre(to, surface_.cutter())};
+        return !gouges_line(move) && reaches_demands(move) &&
+               surface_.line_cover.covers_line(move, line_.v());
+    }
+
+    bool gouges_line(const SweptSegment& move) const
+    {
+        const double least = surface_.cutter().radius() - surface_.tolerances.inner;
+        for (int k = 1; k < line_samples; ++k) {
+            const double u = std::lerp(move.from_u, move.to_u, k / double(line_samples));
+            if (segment_distance(line_.point(u), move.start, move.end) < least)
+                return true;
+        }
+        return false;
     }
 
     bool reaches_demands(const SweptSegment& move) const
@@ -188,6 +229,8 @@ private:
     const VerifiedSurface& surface_;
     ContactLine line_;
     std::span<const CoverDemand> demands_;
+    FinerPieces finer_;
+    double share_ = 1;  // of the last step, in what its line alone would allow
     std::size_t points_ = 1;
 };
 
@@ -239,8 +282,9 @@ bool halve_step(VerifiedPass& pass, std::size_t step, const VerifiedSurface& sur
                                  centre};
         const SweptSegment second{middle, to.u, centre,
                                   ball_centre(to, surface.cutter())};
+        FinerPieces finer;
         for (const SweptSegment& half : {first, second})
-            if (!is_clear(surface, half.start, half.end) ||
+            if (!is_clear(surface, {half.start, half.end}, finer) ||
                 !surface.line_cover.covers_line(half, pass.v))
                 return false;
         piece.insert(piece.begin() + static_cast<std::ptrdiff_t>(step) + 1, contact);
