@@ -102,7 +102,7 @@ private:
         open.push_back(swap ? first + 1 : first);
     }
 
-    bool is_over() const { return stops_at_first_ && (found_ || undecided_); }
+    bool is_over() const { return stops_at_first_ && found_; }
 
     // What is no nearer than that is of no interest.
     double limit() const { return found_ ? reach_ - resolution_ : reach_; }
@@ -183,7 +183,7 @@ private:
         if (bound >= limit())
             return true;
         if (nearest - bound < resolution_ || halvings == most_halvings) {
-            if (stops_at_first_)
+            if (stops_at_first_ && !undecided_)
                 undecided_ = place;
             return true;
         }

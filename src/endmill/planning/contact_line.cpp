@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/planning/contact_line.h"
 
+#include <algorithm>
+
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
@@ -8,13 +10,16 @@
 namespace endmill {
 namespace {
 
+// Length of a partial, as a share of the other one, below which its direction is in doubt.
+constexpr double vanishing_share = 1e-8;
+
 // With the normal where the partials have one, else its limit from the whole jet.
 template <class WholeJet>
 SurfaceContact contact_of(const MarchedSurface& marched, const SurfacePoint& at,
                           const SurfaceTangents& tangents, Parameter direction,
                           const WholeJet& jet)
 {
-    if (!is_singular(tangents)) {
+    if (has_plain_normal(tangents)) {
         const Vec3 normal = tangents.du.cross(tangents.dv).normalized();
         return {at.u, at.v, {tangents.point, marched.side * normal}};
     }
@@ -30,6 +35,14 @@ SurfaceContact contact_of(const MarchedSurface& marched, const SurfacePoint& at,
 }
 
 }  // namespace
+
+bool has_plain_normal(const SurfaceTangents& tangents)
+{
+    const double du2 = tangents.du.squaredNorm();
+    const double dv2 = tangents.dv.squaredNorm();
+    return std::min(du2, dv2) > vanishing_share * vanishing_share * std::max(du2, dv2) &&
+           !is_singular(tangents);
+}
 
 ContactLine::ContactLine(const MarchedSurface& marched, double v, Parameter direction)
     : marched_{&marched},

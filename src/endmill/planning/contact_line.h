@@ -29,6 +29,10 @@ private:
     IsoLine line_;
 };
 
+/// Whether neither partial vanishes beside the other, by 1e-8, nor are they parallel: else
+/// a normal can only be had as `limit_normal`.
+bool has_plain_normal(const SurfaceTangents& tangents);
+
 /// The contact at any place of the surface, as ContactLine::at.
 SurfaceContact contact_at(const MarchedSurface& marched, const SurfacePoint& at,
                           Parameter direction);

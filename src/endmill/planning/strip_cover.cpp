@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/planning/contact_line.h"
 #include "endmill/planning/segment_distance.h"
 
 namespace endmill {
@@ -43,7 +44,7 @@ public:
     {
         const SurfaceTangents tangents = marched_.surface.patch(i_, j_).tangents(
             (u - u_[0]) / (u_[1] - u_[0]), (v - v_[0]) / (v_[1] - v_[0]));
-        if (!is_singular(tangents))
+        if (has_plain_normal(tangents))
             return tangents.point +
                    marched_.side * height_ * tangents.du.cross(tangents.dv).normalized();
         const auto normal = limit_normal(marched_.surface.jet_in_patch(i_, j_, u, v),
