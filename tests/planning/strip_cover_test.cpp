@@ -68,8 +68,7 @@ TEST(StripCover, KnowsWhatAChordInsideACylinderLeaves)
         const MarchedSurface marched{
             transposed(nurbs_surface(
                 test::cylinder(rho, 30, 1.5 * pi - angle / 2, 1.5 * pi + angle / 2))),
-            1};
-        ASSERT_GT(contact_at(marched, {0.5, 0.5}, Parameter::U).contact.normal.z(), 0.9);
+            -1};  // inside
         const OffsetBounds bounds{marched.surface};
         const SweptSegment move = pass_through(marched, 0.5, {0, 1}).front();
         const double left = (rho - radius) * (1 - std::cos(angle / 2));

@@ -126,18 +126,16 @@ public:
         for (int cells = 0; !open_.empty(); ++cells) {
             const Cell cell = open_.back();
             open_.pop_back();
-            const double width_u = (cell.corners[1] - cell.corners[0]).norm() +
-                                   (cell.corners[3] - cell.corners[2]).norm();
-            const double width_v = (cell.corners[2] - cell.corners[0]).norm() +
-                                   (cell.corners[3] - cell.corners[1]).norm();
-            const double width = std::max(width_u, width_v) / 2;
+            const double width_u = width(cell, Parameter::U);
+            const double width_v = width(cell, Parameter::V);
+            const double widest = std::max(width_u, width_v);
             const SurfacePoint middle{(cell.low.u + cell.high.u) / 2,
                                       (cell.low.v + cell.high.v) / 2};
-            if (width < widest_cell * radius_) {
+            if (widest < widest_cell * radius_) {
                 const std::optional<bool> covered = is_covered(cell, middle, passes);
                 if (covered == true)
                     continue;
-                if (covered == false || width < least_cell * radius_)
+                if (covered == false || widest < least_cell * radius_)
                     return middle;
             }
             if (cells == most_cells)
@@ -173,6 +171,18 @@ private:
         }
         open_.push_back(cell);
         return std::nullopt;
+    }
+
+    // What halving across a parameter would lessen, in mm: the mean of two sides and, where
+    // they are short beside their bound as at a pole, what that makes of the stray.
+    double width(const Cell& cell, Parameter across) const
+    {
+        const auto& c = cell.corners;
+        if (across == Parameter::U)
+            return ((c[1] - c[0]).norm() + (c[3] - c[2]).norm()) / 2 +
+                   bends_.stray(cell.high.u - cell.low.u, 0, height_);
+        return ((c[2] - c[0]).norm() + (c[3] - c[1]).norm()) / 2 +
+               bends_.stray(0, cell.high.v - cell.low.v, height_);
     }
 
     // Nothing where one has to look closer.

@@ -18,6 +18,9 @@ namespace {
 // Of the scallop height, at which passes are laid: what is left of it is for the samples'
 // error, and costs a two thousandth of the interval.
 constexpr double planned_share = 0.999;
+// Of the radius: a scallop so high is as good as one of R for the interval, and at R nothing
+// would be left for the samples' error.
+constexpr double widest_share = 0.98;
 // Of a patch: passes follow each other at this distance at least, and leave more material
 // where that is too much.
 constexpr double least_interval = 1e-3;
@@ -40,7 +43,8 @@ public:
           line_cover_{marched, bounds_, gouge.cutter(), options.tolerances.outer},
           strip_cover_{marched, bounds_, gouge.cutter(), total_height_},
           front_{marched, gouge.cutter(),
-                 planned_share * std::min(options.scallop_height, gouge.cutter().radius()),
+                 planned_share * std::min(options.scallop_height,
+                                          widest_share * gouge.cutter().radius()),
                  options.direction},
           surface_{marched,
                    gouge,
