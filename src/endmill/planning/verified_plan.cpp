@@ -45,14 +45,30 @@ MarchedSurface marched_surface(const Surface& surface, double side, Parameter di
     return {transposed(surface), -side};
 }
 
+// The way in mm between the ends of neighbouring passes at which a zigzag links them, if
+// the passes with the parity `backwards` are cut backwards.
+double link_travel(const std::vector<VerifiedPass>& passes, std::size_t backwards)
+{
+    double travel = 0;
+    for (std::size_t k = 1; k < passes.size(); ++k) {
+        const auto end = [&](const VerifiedPass& pass) -> const Vec3& {
+            return (k - 1) % 2 == backwards ? pass.pieces.front().front().contact.point
+                                            : pass.pieces.back().back().contact.point;
+        };
+        travel += (end(passes[k]) - end(passes[k - 1])).norm();
+    }
+    return travel;
+}
+
 // The pieces of all passes in the order in which they are cut.
 std::vector<PassPiece> pieces_in_order(std::vector<VerifiedPass> passes,
                                        const VerifiedOptions& options)
 {
     std::vector<PassPiece> ordered;
+    const std::size_t backwards = link_travel(passes, 0) < link_travel(passes, 1) ? 0 : 1;
     for (std::size_t number = 0; number < passes.size(); ++number) {
         std::vector<Pass>& pieces = passes[number].pieces;
-        if (options.link.order == PassOrder::ZigZag && number % 2 == 1) {
+        if (options.link.order == PassOrder::ZigZag && number % 2 == backwards) {
             std::ranges::reverse(pieces);
             for (Pass& piece : pieces)
                 std::ranges::reverse(piece);

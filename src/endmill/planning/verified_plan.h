@@ -51,6 +51,7 @@ struct VerifiedPlan {
 /// lie as far apart as balls that roll along them would leave the scallop height, to a
 /// thousandth, first and last on a border. Where that does not hold once the steps are
 /// straight, a step is halved, or a pass laid between, down to an eighth of the interval.
+/// A zigzag starts at that end of its first pass from which its links are shorter.
 /// Surfaces follow each other in their order, joined by lifted links.
 ///
 /// \throws DomainError if a tolerance, the scallop height or the axis is out of range.
