@@ -9,6 +9,7 @@
 #include "cli/console.h"
 #include "cli/plan_text.h"
 #include "cli/progress.h"
+#include "endmill/core/numbers.h"
 #include "endmill/io/tool_path_csv.h"
 #include "endmill/io/vtp.h"
 #include "endmill/planning/path_memory.h"
@@ -61,11 +62,14 @@ DirectionResult plan_direction(const PlanTask& task, Parameter along,
                                    motion_error(surfaces, plan.path, ball, along),
                                    plan.lifted_links,
                                    std::move(plan.uncovered)};
-    for (const UncoveredPlace& place : planned.uncovered)
+    if (!planned.uncovered.empty()) {
+        const UncoveredPlace& first = planned.uncovered.front();
         warn(options.common,
              fmt::format("under more than scallop height and outer tolerance, or not "
-                         "known to be under less: {} of patch {}",
-                         place_text(place.at, place.point), place.patch));
+                         "known to be under less: {}, the first at {} of patch {}",
+                         counted(planned.uncovered.size(), "place"),
+                         place_text(first.at, first.point), first.patch));
+    }
     Json summary = direction_summary(context, options, planned);
     folder.write(prefix + "toolpath.csv", tool_path_csv(plan.path));
     folder.write(prefix + "toolpath.vtp", tool_path_vtp(plan.path));

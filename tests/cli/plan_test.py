@@ -138,8 +138,12 @@ class VerifiedPlan(ProgramTest):
         self.assertEqual((facts["passes"], facts["ncl"]), (7, 14))  # 30 / 5.998, and a border
 
     def test_place_that_no_ball_reaches_is_a_no(self):
-        done = endmill("plan", SURFACES / "valley.json", "--cutter", "ball:10", "--mode", "verified",
-                       "--chord-tolerance", "0.01", "--direction", "v", "-o", "out", "--json", cwd=self.folder)
+        crease = plane(patches_u=2)
+        for row in crease["control_points"]:
+            for point in row:
+                point[2] = abs(point[0] - 30)
+        done = endmill("plan", self.file(crease), "--cutter", "ball:3", "--mode", "verified",
+                       "--chord-tolerance", "0.05", "--direction", "v", "-o", "out", "--json", cwd=self.folder)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertGreater(json.loads(done.stdout)["uncovered_places"], 0)
         self.assertIn("warning: under more than scallop height", done.stderr)
