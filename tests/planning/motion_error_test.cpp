@@ -76,9 +76,9 @@ TEST(MotionError, IsTheGreatestOfDenseSamples)
             const PathPoint& from = path.points[k - 1];
             const test::SampledMove move{from.location.tip + Vec3::UnitZ(),
                                          to.location.tip + Vec3::UnitZ()};
-            for (int s = 0; s <= 4000; ++s) {
-                const double u = std::lerp(from.contact->u, to.contact->u, s / 4000.0);
-                const double v = std::lerp(from.contact->v, to.contact->v, s / 4000.0);
+            for (int s = 0; s <= 800; ++s) {
+                const double u = std::lerp(from.contact->u, to.contact->u, s / 800.0);
+                const double v = std::lerp(from.contact->v, to.contact->v, s / 800.0);
                 const double e =
                     test::distance_to(part[to.patch].tangents(u, v).point, move) - 1;
                 gouge = std::max(gouge, -e);
@@ -86,8 +86,8 @@ TEST(MotionError, IsTheGreatestOfDenseSamples)
             }
         }
         const MotionError error = motion_error(part, path, ball, along);
-        EXPECT_NEAR(error.gouge.greatest_mm, gouge, 1e-3 * gouge);
-        EXPECT_NEAR(error.left.greatest_mm, left, 1e-3 * left);
+        EXPECT_NEAR(error.gouge.greatest_mm, gouge, 4e-3 * gouge);
+        EXPECT_NEAR(error.left.greatest_mm, left, 4e-3 * left);
         EXPECT_GE(error.gouge.greatest_mm + error.bound_mm, gouge);
         EXPECT_GE(error.left.greatest_mm + error.bound_mm, left);
         const auto& [greatest, at, patch] = error.left;

@@ -126,37 +126,49 @@ public:
         for (int cells = 0; !open_.empty(); ++cells) {
             const Cell cell = open_.back();
             open_.pop_back();
-            const double width_u = width(cell, Parameter::U);
-            const double width_v = width(cell, Parameter::V);
-            const double widest = std::max(width_u, width_v);
             const SurfacePoint middle{(cell.low.u + cell.high.u) / 2,
                                       (cell.low.v + cell.high.v) / 2};
-            if (widest < widest_cell * radius_) {
-                const std::optional<bool> covered = is_covered(cell, middle, passes);
-                if (covered == true)
-                    continue;
-                if (covered == false || widest < least_cell * radius_)
-                    return middle;
-            }
-            if (cells == most_cells)
+            const std::optional<bool> covered = judged(cell, middle, passes);
+            if (covered && *covered)
+                continue;
+            if (covered || cells == most_cells)
                 return middle;
-            const bool across_u = width_u >= width_v;
-            const SurfacePoint first_high{across_u ? middle.u : cell.high.u,
-                                          across_u ? cell.high.v : middle.v};
-            const SurfacePoint second_low{across_u ? middle.u : cell.low.u,
-                                          across_u ? cell.low.v : middle.v};
-            if (!(cell.low.u < cell.high.u) || !(first_high.u > cell.low.u) ||
-                !(first_high.v > cell.low.v))
-                return middle;
-            if (const auto bad = open_cell(second_low, cell.high))
-                return bad;
-            if (const auto bad = open_cell(cell.low, first_high))
+            if (const auto bad = open_halves(cell, middle))
                 return bad;
         }
         return std::nullopt;
     }
 
 private:
+    // Nothing where the halves are to be judged.
+    std::optional<bool> judged(const Cell& cell, const SurfacePoint& middle,
+                               std::span<const NearMoves> passes) const
+    {
+        const double widest =
+            std::max(width(cell, Parameter::U), width(cell, Parameter::V));
+        if (widest >= widest_cell * radius_)
+            return std::nullopt;
+        const std::optional<bool> covered = is_covered(cell, middle, passes);
+        if (!covered && widest < least_cell * radius_)
+            return false;
+        return covered;
+    }
+
+    // Adds the halves of a cell; a place comes back that ends the search.
+    std::optional<SurfacePoint> open_halves(const Cell& cell, const SurfacePoint& middle)
+    {
+        const bool across_u = width(cell, Parameter::U) >= width(cell, Parameter::V);
+        const SurfacePoint first_high{across_u ? middle.u : cell.high.u,
+                                      across_u ? cell.high.v : middle.v};
+        const SurfacePoint second_low{across_u ? middle.u : cell.low.u,
+                                      across_u ? cell.low.v : middle.v};
+        if (!(first_high.u > cell.low.u) || !(first_high.v > cell.low.v))
+            return middle;  // no wider than rounding
+        if (const auto bad = open_cell(second_low, cell.high))
+            return bad;
+        return open_cell(cell.low, first_high);
+    }
+
     // Adds a cell; a corner without a normal comes back instead.
     std::optional<SurfacePoint> open_cell(const SurfacePoint& low,
                                           const SurfacePoint& high)

@@ -141,7 +141,7 @@ private:
             return beside_line;
         // The part beside the pass stops the ball before: as much as in the last step.
         const double limit = beside_line->u - from.u;
-        const auto clear =
+        auto clear =
             longest(from, {least, std::max(share_ * limit, least), beside_line->u},
                     [&](const SurfaceContact& to) {
                         return keeps_line(from, to) && is_clear(from, to);

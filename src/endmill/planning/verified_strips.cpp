@@ -240,31 +240,30 @@ private:
     // stay open.
     void mend_steps()
     {
-        std::vector<char> is_due(passes_.size(), 1);  // the strip above the pass
         open_.assign(passes_.size(), std::nullopt);
+        std::vector<char> is_due(passes_.size(), 1);  // the strip above the pass
         for (int round = 0; round < most_rounds; ++round) {
             parallel_for(passes_.size() - 1, [&](std::size_t begin, std::size_t stop) {
                 for (std::size_t k = begin; k < stop; ++k)
-                    if (is_due[k])
+                    if (is_due[k] != 0)
                         open_[k] = uncovered_between({passes_[k].v, passes_[k + 1].v},
                                                      passes_[k], passes_[k + 1]);
             });
-            is_due.assign(passes_.size(), 0);
-            bool is_changed = false;
-            for (std::size_t k = 0; k + 1 < passes_.size(); ++k) {
-                if (!open_[k])
-                    continue;
-                for (const std::size_t pass : {k, k + 1})
-                    if (mend(passes_[pass], *open_[k])) {
-                        is_changed = true;
-                        is_due[pass] = 1;
-                        if (pass > 0)
-                            is_due[pass - 1] = 1;
-                    }
-            }
-            if (!is_changed)
+            is_due = mend_beside_open();
+            if (std::ranges::count(is_due, 1) == 0)
                 return;
         }
+    }
+
+    // Which strips lie beside a pass that has changed.
+    std::vector<char> mend_beside_open()
+    {
+        std::vector<char> is_due(passes_.size(), 0);
+        for (std::size_t k = 0; k + 1 < passes_.size(); ++k)
+            for (const std::size_t pass : {k, k + 1})
+                if (open_[k] && mend(passes_[pass], *open_[k]))
+                    is_due[pass] = is_due[pass == 0 ? 0 : pass - 1] = 1;
+        return is_due;
     }
 
     // Halves the step beside `place` if a ball that rolled along it would cover the place.
