@@ -80,6 +80,20 @@ TEST(GougeTest, SeesTheShankEnterAWallBesideIt)
     EXPECT_EQ(verdict(tilted, move, 0.01), GougeVerdict::Clear);
 }
 
+// The deepest of 161 by 161 samples of a surface over 0 ... 2 each way.
+double sampled_depth(const Surface& surface, const BallMove& move)
+{
+    constexpr int count = 160;
+    const CentreStrip strip{move, up};
+    double deepest = 0;
+    for (int i = 0; i <= count; ++i)
+        for (int j = 0; j <= count; ++j) {
+            const Vec3 point = surface.tangents(2.0 * i / count, 2.0 * j / count).point;
+            deepest = std::max(deepest, radius - (point - strip.nearest(point)).norm());
+        }
+    return deepest;
+}
+
 // Depth changes by no more than the way between points: dense samples bound it.
 TEST(GougeTest, AgreesWithDenseSamplesOnRandomSurfaces)
 {
@@ -90,20 +104,11 @@ TEST(GougeTest, AgreesWithDenseSamplesOnRandomSurfaces)
                 ? test::random_surface(seed, {2, 2})
                 : Surface{{0, 2}, {0, 2}, {test::random_patch(seed, 3, 4, true)}}};
         const GougeTest gouge = test_on(part);
-        constexpr int count = 160;
         for (int k = 0; k < 5; ++k) {
             const BallMove move{
                 {random.uniform(5, 40), random.uniform(5, 40), radius - 1},
                 {random.uniform(5, 40), random.uniform(5, 40), radius}};
-            const CentreStrip strip{move, up};
-            double sampled = 0;
-            for (int i = 0; i <= count; ++i)
-                for (int j = 0; j <= count; ++j) {
-                    const Vec3 point =
-                        part[0].tangents(2.0 * i / count, 2.0 * j / count).point;
-                    sampled =
-                        std::max(sampled, radius - (point - strip.nearest(point)).norm());
-                }
+            const double sampled = sampled_depth(part[0], move);
             const auto deepest = gouge.deepest(move, 1e-6);
             const double depth = deepest ? deepest->depth_mm : 0;
             EXPECT_GE(depth, sampled - 1e-6);

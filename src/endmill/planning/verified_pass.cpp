@@ -134,7 +134,7 @@ private:
         if (from.u >= most)
             return std::nullopt;
         const double least = std::min(least_step * width(from.u), most - from.u);
-        const auto beside_line =
+        auto beside_line =
             longest(from, {least, std::max(guess, least), most},
                     [&](const SurfaceContact& to) { return keeps_line(from, to); });
         if (!beside_line || is_clear(from, *beside_line))
