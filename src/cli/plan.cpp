@@ -55,6 +55,12 @@ void complete(PlanOptions& options, std::span<const Surface> surfaces, double di
         throw DomainError{"--scallop " + to_text(planning.scallop_height) +
                           ": expected a height below the ball's diameter, " +
                           to_text(diameter) + " mm"};
+    options.motion.inner = options.inner_tolerance.value_or(planning.chord_tolerance);
+    options.motion.outer = options.outer_tolerance.value_or(planning.chord_tolerance);
+    if (options.mode == PlanMode::Verified && options.motion.inner >= diameter / 2)
+        throw DomainError{"--inner-tolerance " + to_text(options.motion.inner) +
+                          ": expected a depth below the ball's radius, " +
+                          to_text(diameter / 2) + " mm"};
     planning.link.safe_height =
         options.safe_height.value_or(default_safe_height(surfaces, planning.link.axis));
     planning.most_points = most_path_points(options.common.limits.max_memory_gib);
@@ -87,7 +93,7 @@ ExitCode run_plan(PlanOptions options)
                  limit_text(context.limit) + settings_text(context, options) +
                      result.text + "written to " + printable(folder.path().string()) +
                      "\n");
-    return ExitCode::Yes;
+    return result.uncovered_places == 0 ? ExitCode::Yes : ExitCode::No;
 }
 
 }  // namespace
@@ -102,7 +108,10 @@ void add_plan_command(CLI::App& program, Action& action)
         "Writes toolpath.csv, toolpath.vtp, toolpath.svg and summary.json to --output\n"
         "(default ./NAME-plan), for both directions to its folders u and v. With\n"
         "--force, files of these names that an earlier run left there are replaced or\n"
-        "removed.\n\n"
+        "removed. Exits 1 if mode verified finds a place under more material than "
+        "scallop\n"
+        "height and outer tolerance that no pass covers, a crease say; the rest "
+        "holds.\n\n"
         "Example:\n  endmill plan datasets/surfaces/net_rot24_7D.json --cutter ball:15 "
         "\\\n      --chord-tolerance 0.5 --scallop 0.5 --direction both -o results");
     command->callback([options, &action] {

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/plan_files.h"
 
+#include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "cli/console.h"
 #include "cli/plan_text.h"
 #include "cli/progress.h"
+#include "endmill/core/numbers.h"
 #include "endmill/io/tool_path_csv.h"
 #include "endmill/io/vtp.h"
 #include "endmill/planning/path_memory.h"
@@ -55,14 +60,35 @@ DirectionResult plan_direction(const PlanTask& task, Parameter along,
     IsoParametricOptions planning = options.planning;
     planning.direction = along;
     planning.progress = [&](double share) { progress.show(share); };
+    if (options.mode == PlanMode::Verified)
+        planning.chord_tolerance = std::min(options.motion.inner, options.motion.outer);
     double points = 0;
     for (const Surface& surface : surfaces)
         points += estimated_points(surface, ball, planning);
     require_path_memory(points, options.common.limits.max_memory_gib);
-    const IsoParametricPlan plan = plan_iso_parametric(surfaces, ball, planning);
-    const PlannedDirection planned{along, path_economy(plan.path),
+    VerifiedPlan plan;  // of the paper's, the path
+    if (options.mode == PlanMode::Verified) {
+        VerifiedOptions verified = verified_options(options, along);
+        verified.progress = planning.progress;
+        plan = plan_verified(surfaces, ball, verified);
+    } else {
+        plan.path = plan_iso_parametric(surfaces, ball, planning).path;
+    }
+    const PlannedDirection planned{along,
+                                   path_economy(plan.path),
                                    chord_error(surfaces, plan.path, along),
-                                   tape_length(plan.path, task)};
+                                   motion_error(surfaces, plan.path, ball, along),
+                                   tape_length(plan.path, task),
+                                   plan.lifted_links,
+                                   std::move(plan.uncovered)};
+    if (!planned.uncovered.empty()) {
+        const UncoveredPlace& first = planned.uncovered.front();
+        warn(options.common,
+             fmt::format("under more than scallop height and outer tolerance, or not "
+                         "known to be under less: {}, the first at {} of patch {}",
+                         counted(planned.uncovered.size(), "place"),
+                         place_text(first.at, first.point), first.patch));
+    }
     Json summary = direction_summary(context, options, planned);
     folder.write(prefix + "toolpath.csv", tool_path_csv(plan.path));
     folder.write(prefix + "toolpath.vtp", tool_path_vtp(plan.path));
@@ -80,17 +106,20 @@ PlanResult write_plan(const PlanTask& task, OutputFolder& folder)
     if (task.options.direction != PlanDirection::Both) {
         const Parameter along =
             task.options.direction == PlanDirection::U ? Parameter::U : Parameter::V;
-        Json summary = plan_direction(task, along, folder, "").summary;
-        std::string text = direction_text(summary);
-        return {std::move(summary), std::move(text)};
+        DirectionResult result = plan_direction(task, along, folder, "");
+        std::string text = direction_text(result.summary);
+        return {std::move(result.summary), std::move(text),
+                result.planned.uncovered.size()};
     }
     const DirectionResult u = plan_direction(task, Parameter::U, folder, "u/");
     const DirectionResult v = plan_direction(task, Parameter::V, folder, "v/");
     Json summary{{"u", u.summary}, {"v", v.summary}};
     add_comparison(summary, task.options, u.planned, v.planned);
     folder.write("summary.json", summary.dump(2) + "\n");
-    return {summary, direction_text(u.summary) + direction_text(v.summary) +
-                         comparison_text(summary)};
+    return {
+        summary,
+        direction_text(u.summary) + direction_text(v.summary) + comparison_text(summary),
+        u.planned.uncovered.size() + v.planned.uncovered.size()};
 }
 
 }  // namespace endmill

@@ -20,6 +20,7 @@ struct PlanTask {
 struct PlanResult {
     Json summary;
     std::string text;
+    std::size_t uncovered_places;  ///< where a verified plan does not hold
 };
 
 /// Plans along the parameters that were asked for, and writes the path, its pictures and

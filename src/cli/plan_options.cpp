@@ -35,8 +35,8 @@ constexpr std::array distance{Choice<TravelKind>{"contact", TravelKind::Contact}
                               Choice<TravelKind>{"cl", TravelKind::Tip}};
 constexpr std::array yes_first{Choice<bool>{"yes", true}, Choice<bool>{"no", false}};
 constexpr std::array no_first{Choice<bool>{"no", false}, Choice<bool>{"yes", true}};
-// The only mode so far: what the paper does, misprints corrected.
-constexpr std::array modes{Choice<int>{"paper", 0}};
+constexpr std::array modes{Choice<PlanMode>{"paper", PlanMode::Paper},
+                           Choice<PlanMode>{"verified", PlanMode::Verified}};
 
 void add_policy_options(CLI::App& command, PlanOptions& options)
 {
@@ -97,9 +97,20 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
                options.scallop_height);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
                               "along which parameter the passes run");
-    static int only_mode = 0;
-    add_choice<int>(command, "--mode", only_mode, modes,
-                    "paper: what the paper does, its misprints corrected");
+    add_choice<PlanMode>(
+        command, "--mode", options.mode, modes,
+        "paper: what the paper does, its misprints corrected; verified: true motion and "
+        "scallop within tolerance, of the policies only --order and --stop-at-borders");
+    add_number(command,
+               {"--inner-tolerance", "MM",
+                "how deep the ball may enter the part (mode verified); default the chord "
+                "tolerance"},
+               options.inner_tolerance);
+    add_number(command,
+               {"--outer-tolerance", "MM",
+                "material that may stay along a pass (mode verified); default the chord "
+                "tolerance"},
+               options.outer_tolerance);
     add_number(command,
                {"--feed", "MM_PER_MIN", "adds the machining time to the summary"},
                options.feed_mm_per_min);
@@ -108,11 +119,30 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_common_options(command, options.common);
 }
 
+std::string mode_word(PlanMode mode)
+{
+    return std::string{word_for<PlanMode>(mode, modes)};
+}
+
+VerifiedOptions verified_options(const PlanOptions& options, Parameter along)
+{
+    VerifiedOptions verified;
+    verified.direction = along;
+    verified.tolerances = options.motion;
+    verified.scallop_height = options.planning.scallop_height;
+    verified.stop_at_borders = options.planning.stop_at_borders;
+    verified.link = options.planning.link;
+    verified.most_points = options.planning.most_points;
+    return verified;
+}
+
 void add_policies(Json& summary, const PlanOptions& options)
 {
     const IsoParametricOptions& planning = options.planning;
     summary["chord_tolerance_mm"] = planning.chord_tolerance;
     summary["scallop_mm"] = planning.scallop_height;
+    summary["inner_tolerance_mm"] = options.motion.inner;
+    summary["outer_tolerance_mm"] = options.motion.outer;
     summary["governing"] = word_for<Governing>(planning.governing, governing);
     summary["last_path"] = word_for<LastPath>(planning.last_path, last_path);
     summary["end_point"] = word_for<EndPoint>(planning.end_point, end_point);

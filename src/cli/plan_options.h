@@ -6,11 +6,18 @@
 
 #include "cli/command.h"
 #include "endmill/planning/iso_parametric.h"
+#include "endmill/planning/verified_plan.h"
 
 namespace endmill {
 
 /// Along which parameter a plan runs.
 enum class PlanDirection { U, V, Both };
+
+/// How passes and points are found.
+enum class PlanMode {
+    Paper,     ///< as the paper does, its misprints corrected
+    Verified,  ///< so that the ball's straight motion keeps the tolerances everywhere
+};
 
 /// By which points lengths count where one number decides.
 enum class TravelKind {
@@ -25,17 +32,27 @@ struct PlanOptions {
     std::optional<double> cutter_diameter;  ///< of the ball, mm
     std::optional<double> chord_tolerance;  ///< mm
     std::optional<double> scallop_height;   ///< mm
+    std::optional<double> inner_tolerance;  ///< mm
+    std::optional<double> outer_tolerance;  ///< mm
     std::optional<double> safe_height;      ///< mm along the axis
     std::optional<double> feed_mm_per_min;
     PlanDirection direction = PlanDirection::Both;
+    PlanMode mode = PlanMode::Paper;
     TravelKind distance = TravelKind::Contact;
     bool count_links = true;
     bool g1_is_required = false;
     IsoParametricOptions planning;  ///< the policies
+    MotionTolerances motion{};      ///< in force; PlanMode::Paper only records them
 };
 
 /// Adds every option of `plan` to `command`.
 void add_plan_options(CLI::App& command, PlanOptions& options);
+
+/// The word for `mode` in summaries.
+std::string mode_word(PlanMode mode);
+
+/// What a verified plan along `along` is told.
+VerifiedOptions verified_options(const PlanOptions& options, Parameter along);
 
 /// Adds every policy with the value in force to a summary.
 void add_policies(Json& summary, const PlanOptions& options);

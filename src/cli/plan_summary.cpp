@@ -7,6 +7,21 @@
 
 namespace endmill {
 
+namespace {
+
+void add_motion(Json& summary, const PlannedDirection& planned)
+{
+    const MotionError& error = planned.motion_error;
+    summary["max_motion_error_mm"] = error.greatest_mm();
+    summary["max_motion_gouge_mm"] = error.gouge.greatest_mm;
+    summary["max_motion_left_mm"] = error.left.greatest_mm;
+    summary["motion_error_bound_mm"] = error.bound_mm;
+    summary["lifted_links"] = planned.lifted_links;
+    summary["uncovered_places"] = planned.uncovered.size();
+}
+
+}  // namespace
+
 double counted_travel(const PathEconomy& economy, TravelKind kind, bool count_links)
 {
     const bool by_contact = kind == TravelKind::Contact;
@@ -26,7 +41,7 @@ Json direction_summary(const PlanContext& context, const PlanOptions& options,
                  {"source", context.source},
                  {"endmill", program_version},
                  {"direction", planned.along == Parameter::U ? "u" : "v"},
-                 {"mode", "paper"},
+                 {"mode", mode_word(options.mode)},
                  {"cutter", "ball:" + to_text(context.cutter_diameter)},
                  {"passes", economy.passes},
                  {"ncl", economy.ncl},
@@ -43,9 +58,10 @@ Json direction_summary(const PlanContext& context, const PlanOptions& options,
     add_continuity(summary, context.continuity, context.several);
     summary["max_chord_error_mm"] = planned.chord_error.greatest_mm;
     summary["chord_error_pitch_mm"] = planned.chord_error.pitch_mm;
+    add_motion(summary, planned);
     // Not measured: they need the volume that the moving ball sweeps.
-    for (const char* key : {"max_motion_error_mm", "max_gouge_mm", "max_scallop_mm",
-                            "scallop_pitch_mm", "scallop_bound_mm"})
+    for (const char* key :
+         {"max_gouge_mm", "max_scallop_mm", "scallop_pitch_mm", "scallop_bound_mm"})
         summary[key] = nullptr;
     summary["interpolation"] = "linear";
     add_policies(summary, options);

@@ -7,6 +7,7 @@
 #include "cli/plan_options.h"
 #include "endmill/planning/chord_error.h"
 #include "endmill/planning/economy.h"
+#include "endmill/planning/motion_error.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/largest_cutter.h"
 
@@ -27,7 +28,10 @@ struct PlannedDirection {
     Parameter along;
     PathEconomy economy;
     ChordError chord_error;
+    MotionError motion_error;
     std::optional<double> tape_length_m;  ///< none for an axis that G-code cannot have
+    std::size_t lifted_links = 0;
+    std::vector<UncoveredPlace> uncovered = {};
 };
 
 /// Travel in mm with the links if they count, by contacts or by tips.

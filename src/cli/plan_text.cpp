@@ -17,11 +17,34 @@ std::string limit_text(const std::optional<CutterLimit>& limit)
 
 std::string settings_text(const PlanContext& context, const PlanOptions& options)
 {
-    return fmt::format(
-        "cutter ball:{}, chord tolerance {:g} mm, scallop height {:g} mm, mode paper\n",
-        to_text(context.cutter_diameter), options.planning.chord_tolerance,
-        options.planning.scallop_height);
+    const bool is_paper = options.mode == PlanMode::Paper;
+    const std::string tolerance =
+        is_paper
+            ? fmt::format("chord tolerance {:g} mm", options.planning.chord_tolerance)
+            : fmt::format("inner tolerance {:g} mm, outer {:g} mm", options.motion.inner,
+                          options.motion.outer);
+    return fmt::format("cutter ball:{}, {}, scallop height {:g} mm, mode {}\n",
+                       to_text(context.cutter_diameter), tolerance,
+                       options.planning.scallop_height, mode_word(options.mode));
 }
+
+namespace {
+
+std::string motion_text(const Json& s)
+{
+    std::string text = fmt::format(
+        "         along its lines the moving ball enters the part by {:.4g} mm, and "
+        "leaves "
+        "{:.4g} mm\n",
+        s["max_motion_gouge_mm"].get<double>(), s["max_motion_left_mm"].get<double>());
+    if (const auto links = s["lifted_links"].get<std::size_t>())
+        text += "         " + counted(links, "link") + " lifted\n";
+    if (const auto places = s["uncovered_places"].get<std::size_t>())
+        text += "         not covered: " + counted(places, "place") + "\n";
+    return text;
+}
+
+}  // namespace
 
 std::string direction_text(const Json& s)
 {
@@ -37,9 +60,15 @@ std::string direction_text(const Json& s)
         s["tcd_cl_mm"].get<double>(), s["link_mm"].get<double>(), chord_error,
         chord_error / tolerance);
     constexpr double rounding = 1e-9;
-    if (chord_error > tolerance * (1 + rounding))
+    const bool is_paper = s["mode"] == "paper";
+    if (is_paper && chord_error > tolerance * (1 + rounding))
         text += ": mode paper looks at each step's start only";
-    text += "\n";
+    text += "\n" + motion_text(s);
+    const bool holds = s["max_motion_gouge_mm"] <= s["inner_tolerance_mm"] &&
+                       s["max_motion_left_mm"] <= s["outer_tolerance_mm"];
+    if (is_paper && !holds)
+        text +=
+            "         --mode verified keeps both, and the scallop height, everywhere\n";
     if (s.contains("time_min"))
         text +=
             fmt::format("         {:.4g} min at {:g} mm/min\n",

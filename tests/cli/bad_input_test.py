@@ -181,7 +181,10 @@ class BadArguments(ProgramTest):
 
     def test_words_that_are_not_known(self):
         self.refused(2, "--governing", "minn", words=['--governing: found "minn"', 'did you mean "min"?'])
-        self.refused(2, "--mode", "verified", words=['--mode: found "verified"; expected "paper"'])
+        self.refused(2, "--mode", "exact", words=['--mode: found "exact"; expected "paper" or "verified"'])
+        self.refused(2, "--cutter", "ball:10", "--mode", "verified", "--inner-tolerance", "5",
+                     words=["--inner-tolerance 5: expected ", "5 mm"])
+        self.refused(2, "--outer-tolerance", "0", words=["--outer-tolerance: found \"0\""])
         self.refused(2, "--require", "g2", words=['--require: found "g2"; expected "g1"'])
         self.refused(2, "--axis", "0,0,0", words=['--axis: found "0,0,0"; expected a vector that is not zero'])
         self.refused(2, "--axis", "0,1", words=['--axis: found "0,1"; expected three numbers X,Y,Z'])

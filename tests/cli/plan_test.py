@@ -104,8 +104,49 @@ class PlanOnAPlane(ProgramTest):
 
     def test_gap_in_what_is_not_measured_is_null(self):
         facts = self.summary("plan", self.file(plane()), *BALL, "--direction", "v")
-        for key in ("max_motion_error_mm", "max_gouge_mm", "max_scallop_mm", "scallop_pitch_mm", "scallop_bound_mm"):
+        for key in ("max_gouge_mm", "max_scallop_mm", "scallop_pitch_mm", "scallop_bound_mm"):
             self.assertIsNone(facts[key])
+
+
+class VerifiedPlan(ProgramTest):
+    def test_keeps_one_sided_tolerances(self):
+        facts = self.summary("plan", SURFACES / "wavy.json", "--cutter", "ball:6", "--mode", "verified",
+                             "--chord-tolerance", "0.1", "--inner-tolerance", "0.03",
+                             "--scallop", "0.1", "--direction", "v", "-o", "out")
+        self.assertEqual((facts["mode"], facts["inner_tolerance_mm"], facts["outer_tolerance_mm"]),
+                         ("verified", 0.03, 0.1))
+        bound = facts["motion_error_bound_mm"]
+        self.assertLess(bound, 1e-5)
+        self.assertLessEqual(facts["max_motion_gouge_mm"], 0.03 + bound)
+        self.assertLessEqual(facts["max_motion_left_mm"], 0.1 + bound)
+        self.assertEqual(facts["max_motion_error_mm"],
+                         max(facts["max_motion_gouge_mm"], facts["max_motion_left_mm"]))
+        self.assertEqual(facts["uncovered_places"], 0)
+        lifts = [p for p in rows(self.folder / "out/toolpath.csv") if p["move"] == "rapid"]
+        self.assertEqual(len(lifts), facts["lifted_links"])
+
+    def test_paper_measures_its_motion_error_and_names_the_better_mode(self):
+        done = endmill("plan", SURFACES / "net_rot24_7D.json", *BALL, "--direction", "u", cwd=self.folder)
+        self.assertIn("--mode verified keeps both", done.stdout)
+        self.assertEqual(done.returncode, 0)
+        facts = json.loads((self.folder / "net_rot24_7D-plan/summary.json").read_text())
+        self.assertGreater(facts["max_motion_gouge_mm"], facts["inner_tolerance_mm"])
+
+    def test_on_a_plane_is_as_economic_as_the_closed_form(self):
+        facts = self.summary("plan", self.file(plane(size=(60, 30))), *BALL, "--mode", "verified",
+                             "--direction", "u")
+        self.assertEqual((facts["passes"], facts["ncl"]), (7, 14))  # 30 / 5.998, and a border
+
+    def test_place_that_no_ball_reaches_is_a_no(self):
+        crease = plane(patches_u=2)
+        for row in crease["control_points"]:
+            for point in row:
+                point[2] = abs(point[0] - 30)
+        done = endmill("plan", self.file(crease), "--cutter", "ball:3", "--mode", "verified",
+                       "--chord-tolerance", "0.05", "--direction", "v", "-o", "out", "--json", cwd=self.folder)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertGreater(json.loads(done.stdout)["uncovered_places"], 0)
+        self.assertIn("warning: under more than scallop height", done.stderr)
 
 
 class PlanOnTheExample(ProgramTest):

@@ -177,5 +177,28 @@ TEST(Linking, PathsOverSeveralSurfacesAreJoinedByLifts)
         GeometryError);
 }
 
+TEST(Linking, LiftsBetweenPiecesWhereTheLinkIsNotClear)
+{
+    const std::vector<Pass> passes = slope_passes();
+    const std::vector<PassPiece> pieces{{0, passes[0]}, {0, passes[1]}, {1, passes[2]}};
+    LinkOptions options;
+    options.safe_height = 50;
+    const auto from_first = [](const SurfaceContact& from, const SurfaceContact&) {
+        return from.v == 0;
+    };
+    const auto [path, lifted_links] =
+        link_pieces(pieces, BallCutter{radius}, options, from_first);
+    EXPECT_EQ(lifted_links, 1U);
+    EXPECT_EQ(
+        moves_of(path),
+        (std::vector{Move::Plunge, Move::Cut, Move::Cut, Move::Link, Move::Cut, Move::Cut,
+                     Move::Retract, Move::Rapid, Move::Plunge, Move::Cut, Move::Cut}));
+    EXPECT_EQ(path.points[3].pass, 0);
+    EXPECT_EQ(path.points[6].pass, 1);
+    options.order = PassOrder::OneWay;
+    EXPECT_EQ(link_pieces(pieces, BallCutter{radius}, options, from_first).lifted_links,
+              0U);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -87,6 +87,41 @@ ToolPath link_passes(std::span<const Pass> passes, const BallCutter& cutter,
     return builder.take();
 }
 
+LinkedPath link_pieces(std::span<const PassPiece> pieces, const BallCutter& cutter,
+                       const LinkOptions& options,
+                       const std::function<bool(const SurfaceContact& from,
+                                                const SurfaceContact& to)>& is_clear)
+{
+    std::size_t points = 2 * pieces.size();
+    for (const PassPiece& piece : pieces)
+        points += piece.contacts.size();
+    PathBuilder builder{cutter, options, points};
+    std::size_t lifted_links = 0;
+    const PassPiece* previous = nullptr;
+    for (const PassPiece& piece : pieces) {
+        const SurfaceContact& first = piece.contacts.front();
+        const bool is_new = !previous || previous->pass != piece.pass;
+        if (is_new)
+            builder.start_pass();
+        Move move = Move::Plunge;
+        if (previous) {
+            const bool returns = is_new && options.order == PassOrder::OneWay;
+            const bool lift = returns || !is_clear(previous->contacts.back(), first);
+            if (lift && !returns)
+                ++lifted_links;
+            if (lift)
+                builder.lift_over(first);
+            else
+                move = Move::Link;
+        }
+        builder.add(move, first);
+        for (std::size_t k = 1; k < piece.contacts.size(); ++k)
+            builder.add(Move::Cut, piece.contacts[k]);
+        previous = &piece;
+    }
+    return {builder.take(), lifted_links};
+}
+
 ToolPath join_paths(std::span<const ToolPath> paths, const LinkOptions& options)
 {
     ToolPath joined;

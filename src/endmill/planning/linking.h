@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,6 +32,27 @@ struct LinkOptions {
 /// cutter is to be lifted to a height below its path.
 ToolPath link_passes(std::span<const Pass> passes, const BallCutter& cutter,
                      const LinkOptions& options);
+
+/// Contacts of a pass that are cut without a break, in the order in which they are.
+struct PassPiece {
+    int pass;  ///< its number, from 0, rising
+    Pass contacts;
+};
+
+/// A path and how many of the links between its pieces are lifted.
+struct LinkedPath {
+    ToolPath path;
+    std::size_t lifted_links;
+};
+
+/// Joins `pieces`, in their order, to one path: by a link at cutting feed where
+/// `is_clear` allows it from one contact to the next, else lifted. One-way passes are
+/// lifted from one to the next in any case, which does not count.
+/// 	hrows GeometryError as link_passes.
+LinkedPath link_pieces(std::span<const PassPiece> pieces, const BallCutter& cutter,
+                       const LinkOptions& options,
+                       const std::function<bool(const SurfaceContact& from,
+                                                const SurfaceContact& to)>& is_clear);
 
 /// Joins the paths over the surfaces of a part to one, in their order: from each the
 /// cutter is lifted, moved over the start of the next and lowered. Passes count on, and

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/planning/verified_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+#include "endmill/planning/path_interval.h"
+#include "endmill/planning/segment_distance.h"
+#include "endmill/planning/verified_strips.h"
+#include "endmill/surface/tool_side.h"
+
+namespace endmill {
+namespace {
+
+// How far from 1 the length of a normalised vector may lie by rounding.
+constexpr double unit_length = 1e-12;
+
+void require_sound(const BallCutter& cutter, const VerifiedOptions& options)
+{
+    const auto is_tolerance = [](double value) {
+        return std::isfinite(value) && value > 0;
+    };
+    const double h = options.scallop_height;
+    require(is_tolerance(options.tolerances.inner) &&
+                options.tolerances.inner < cutter.radius(),
+            "plan_verified: need 0 < inner tolerance < cutter radius");
+    require(is_tolerance(options.tolerances.outer),
+            "plan_verified: need 0 < outer tolerance");
+    require(0 < h && h < 2 * cutter.radius(),
+            "plan_verified: need 0 < scallop height < 2 cutter radii");
+    require(std::abs(options.link.axis.norm() - 1) < unit_length,
+            "plan_verified: the axis must be a unit vector");
+}
+
+// A surface as it is marched on along u.
+MarchedSurface marched_surface(const Surface& surface, double side, Parameter direction)
+{
+    if (direction == Parameter::U)
+        return {surface, side};
+    return {transposed(surface), -side};
+}
+
+// The way in mm between the ends of neighbouring passes at which a zigzag links them, if
+// the passes with the parity `backwards` are cut backwards.
+double link_travel(const std::vector<VerifiedPass>& passes, std::size_t backwards)
+{
+    double travel = 0;
+    for (std::size_t k = 1; k < passes.size(); ++k) {
+        const auto end = [&](const VerifiedPass& pass) -> const Vec3& {
+            return (k - 1) % 2 == backwards ? pass.pieces.front().front().contact.point
+                                            : pass.pieces.back().back().contact.point;
+        };
+        travel += (end(passes[k]) - end(passes[k - 1])).norm();
+    }
+    return travel;
+}
+
+// The pieces of all passes in the order in which they are cut.
+std::vector<PassPiece> pieces_in_order(std::vector<VerifiedPass> passes,
+                                       const VerifiedOptions& options)
+{
+    std::vector<PassPiece> ordered;
+    const std::size_t backwards = link_travel(passes, 0) < link_travel(passes, 1) ? 0 : 1;
+    for (std::size_t number = 0; number < passes.size(); ++number) {
+        std::vector<Pass>& pieces = passes[number].pieces;
+        if (options.link.order == PassOrder::ZigZag && number % 2 == backwards) {
+            std::ranges::reverse(pieces);
+            for (Pass& piece : pieces)
+                std::ranges::reverse(piece);
+        }
+        for (Pass& piece : pieces)
+            ordered.push_back({static_cast<int>(number), std::move(piece)});
+    }
+    if (options.direction == Parameter::V)
+        for (PassPiece& piece : ordered)
+            for (SurfaceContact& contact : piece.contacts)
+                std::swap(contact.u, contact.v);
+    return ordered;
+}
+
+LinkedPath linked(const std::vector<PassPiece>& pieces, const GougeTest& gouge,
+                  const VerifiedOptions& options)
+{
+    const auto is_clear = [&](const SurfaceContact& from, const SurfaceContact& to) {
+        const BallMove move{ball_centre(from, gouge.cutter()),
+                            ball_centre(to, gouge.cutter())};
+        return gouge.test(move, options.tolerances.inner).verdict == GougeVerdict::Clear;
+    };
+    return link_pieces(pieces, gouge.cutter(), options.link, is_clear);
+}
+
+}  // namespace
+
+VerifiedPlan plan_verified(std::span<const Surface> surfaces, const BallCutter& cutter,
+                           const VerifiedOptions& options)
+{
+    require_sound(cutter, options);
+    const std::vector<double> sides = tool_side_signs(surfaces, options.link.axis);
+    require_reachable(surfaces, options.link.axis, sides);
+    const GougeTest gouge{surfaces, cutter, options.link.axis};
+    VerifiedPlan plan;
+    std::vector<ToolPath> paths;
+    VerifiedOptions own = options;
+    for (std::size_t number = 0; number < surfaces.size(); ++number) {
+        const auto before = double(number) / double(surfaces.size());
+        if (options.progress)
+            own.progress = [&](double share) {
+                options.progress(before + share / double(surfaces.size()));
+            };
+        const MarchedSurface marched =
+            marched_surface(surfaces[number], sides[number], options.direction);
+        VerifiedStrips strips = verified_strips(marched, gouge, own);
+        for (const SurfacePoint& at : strips.uncovered)
+            plan.uncovered.push_back({static_cast<int>(number),
+                                      in_surface_order(at, options.direction),
+                                      marched.surface.tangents(at.u, at.v).point});
+        LinkedPath path =
+            linked(pieces_in_order(std::move(strips.passes), options), gouge, options);
+        own.most_points -= std::min(own.most_points, path.path.points.size());
+        plan.lifted_links += path.lifted_links;
+        paths.push_back(std::move(path.path));
+    }
+    plan.path =
+        paths.size() == 1 ? std::move(paths.front()) : join_paths(paths, options.link);
+    if (plan.path.points.empty())
+        throw GeometryError{
+            "the ball fits nowhere on the part without entering it by "
+            "more than the inner tolerance"};
+    return plan;
+}
+
+}  // namespace endmill
