@@ -2,6 +2,9 @@
 #include "cli/plan_files.h"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,10 +13,14 @@
 #include "cli/plan_text.h"
 #include "cli/progress.h"
 #include "endmill/core/numbers.h"
+#include "endmill/io/printable.h"
 #include "endmill/io/tool_path_csv.h"
 #include "endmill/io/vtp.h"
 #include "endmill/planning/path_memory.h"
 #include "endmill/post/gcode_writer.h"
+#include "endmill/simulation/upright.h"
+#include "endmill/simulation/verification.h"
+#include "endmill/surface/area.h"
 
 namespace endmill {
 namespace {
@@ -40,8 +47,38 @@ std::optional<double> tape_length(const ToolPath& path, const PlanTask& task)
     program.name = context.name;
     program.cutter = Cutter::ball(context.cutter_diameter / 2);
     program.feed_mm_per_min = options.feed_mm_per_min.value_or(default_feed_mm_per_min);
-    program.tolerance = options.planning.chord_tolerance;
+    program.tolerance = std::min(
+        {options.planning.chord_tolerance, options.motion.inner, options.motion.outer});
     return gcode(path, program).tape_length_m();
+}
+
+// The part's file as seen from the folder of the summary, so that both may move together.
+std::string part_reference(const std::string& part, const std::filesystem::path& folder)
+{
+    std::error_code failed;
+    const std::filesystem::path relative =
+        std::filesystem::proximate(std::filesystem::absolute(part, failed),
+                                   std::filesystem::absolute(folder), failed);
+    return printable(failed ? part : relative.generic_string());
+}
+
+// Rays that the part is measured by, about: their pitch follows from its area.
+constexpr double measured_rays = 1e5;
+
+// What the path leaves of a block around the part. With another axis than +z, part and
+// path are turned.
+Deviation measured_deviation(const ToolPath& path, const PlanTask& task)
+{
+    const auto& [surfaces, context, options] = task;
+    const Eigen::Matrix3d rotation = upright_rotation(options.planning.link.axis);
+    const Part part =
+        turned(Part{std::vector<Surface>(surfaces.begin(), surfaces.end())}, rotation);
+    DeviationOptions measure;
+    measure.limits = {options.motion.inner,
+                      options.planning.scallop_height + options.motion.outer};
+    measure.pitch = std::sqrt(area(surfaces) / measured_rays);
+    return deviation_in_block(part, turned(path, rotation),
+                              Cutter::ball(context.cutter_diameter / 2), measure);
 }
 
 struct DirectionResult {
@@ -78,6 +115,7 @@ DirectionResult plan_direction(const PlanTask& task, Parameter along,
                                    path_economy(plan.path),
                                    chord_error(surfaces, plan.path, along),
                                    motion_error(surfaces, plan.path, ball, along),
+                                   measured_deviation(plan.path, task),
                                    tape_length(plan.path, task),
                                    plan.lifted_links,
                                    std::move(plan.uncovered)};
@@ -90,6 +128,7 @@ DirectionResult plan_direction(const PlanTask& task, Parameter along,
                          place_text(first.at, first.point), first.patch));
     }
     Json summary = direction_summary(context, options, planned);
+    summary["part"] = part_reference(options.part, folder.path() / prefix);
     folder.write(prefix + "toolpath.csv", tool_path_csv(plan.path));
     folder.write(prefix + "toolpath.vtp", tool_path_vtp(plan.path));
     folder.write(prefix + "toolpath.svg",

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/plan_summary.h"
 
+#include <algorithm>
+
 #include "build_facts.h"
+#include "cli/console.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/numbers.h"
 
@@ -18,6 +21,20 @@ void add_motion(Json& summary, const PlannedDirection& planned)
     summary["motion_error_bound_mm"] = error.bound_mm;
     summary["lifted_links"] = planned.lifted_links;
     summary["uncovered_places"] = planned.uncovered.size();
+}
+
+// What the straight motions leave, over the whole part.
+void add_deviation(Json& summary, const Deviation& deviation)
+{
+    summary["max_gouge_mm"] = deviation.max_gouge_mm;
+    summary["gouge_area_mm2"] = deviation.gouge_area_mm2;
+    summary["max_scallop_mm"] = finite_or_null(deviation.max_scallop_mm);
+    summary["p99_scallop_mm"] = finite_or_null(deviation.p99_scallop_mm);
+    summary["mean_scallop_mm"] = finite_or_null(deviation.mean_scallop_mm);
+    summary["uncut_area_mm2"] = deviation.uncut_area_mm2;
+    summary["scallop_pitch_mm"] = deviation.pitch_mm;
+    summary["scallop_bound_mm"] =
+        finite_or_null(std::max(deviation.gouge_bound_mm, deviation.scallop_bound_mm));
 }
 
 }  // namespace
@@ -59,10 +76,7 @@ Json direction_summary(const PlanContext& context, const PlanOptions& options,
     summary["max_chord_error_mm"] = planned.chord_error.greatest_mm;
     summary["chord_error_pitch_mm"] = planned.chord_error.pitch_mm;
     add_motion(summary, planned);
-    // Not measured: they need the volume that the moving ball sweeps.
-    for (const char* key :
-         {"max_gouge_mm", "max_scallop_mm", "scallop_pitch_mm", "scallop_bound_mm"})
-        summary[key] = nullptr;
+    add_deviation(summary, planned.deviation);
     summary["interpolation"] = "linear";
     add_policies(summary, options);
     return summary;

@@ -8,6 +8,7 @@
 #include "endmill/planning/chord_error.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/motion_error.h"
+#include "endmill/simulation/deviation.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/largest_cutter.h"
 
@@ -29,6 +30,7 @@ struct PlannedDirection {
     PathEconomy economy;
     ChordError chord_error;
     MotionError motion_error;
+    Deviation deviation;  ///< of what the straight motions leave of a block
     std::optional<double> tape_length_m;  ///< none for an axis that G-code cannot have
     std::size_t lifted_links = 0;
     std::vector<UncoveredPlace> uncovered = {};

@@ -17,6 +17,7 @@
 #include "endmill/io/vti.h"
 #include "endmill/simulation/mesh_stock.h"
 #include "endmill/simulation/stock_memory.h"
+#include "endmill/simulation/upright.h"
 
 namespace endmill {
 namespace {
@@ -99,6 +100,23 @@ void add_part(VerifyInput& input, const VerifyOptions& options, const PathSummar
     input.part = read_part_for(part, options.common);
     input.part_file = printable(part.path);
     input.files.push_back(part.path);
+}
+
+// Removal knows upright cutters: a path with another fixed axis is turned, and its part
+// with it.
+void stand_upright(VerifyInput& input)
+{
+    const auto axis = fixed_axis(input.program.path);
+    if (!axis || *axis == Vec3::UnitZ())
+        return;
+    const Eigen::Matrix3d rotation = upright_rotation(*axis);
+    input.program.path = turned(input.program.path, rotation);
+    if (input.part)
+        input.part->part = turned(input.part->part, rotation);
+    input.program.remarks.push_back(
+        "path and part are turned about the origin so that the axis, " +
+        to_text(axis->x()) + "," + to_text(axis->y()) + "," + to_text(axis->z()) +
+        ", is +z; so is all that is written");
 }
 
 std::optional<Block> block_of_numbers(const std::string& text)
@@ -190,6 +208,7 @@ VerifyInput read_verify_input(const VerifyOptions& options)
     if (!options.tool.empty())
         input.files.push_back(options.tool);
     add_part(input, options, known);
+    stand_upright(input);
     add_stock(input, options);
     return input;
 }

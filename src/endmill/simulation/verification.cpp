@@ -110,7 +110,8 @@ std::optional<Deviation> deviation_of(const VerificationTask& task)
         throw GeometryError{"the path cuts nothing over the part: cutter and part are " +
                             to_text(part_gap(charts, tree)) + " mm apart"};
     // A path that begins with a rapid has no sweep for its first point.
-    const auto first = static_cast<std::int32_t>(task.path->points.size() - sweeps.size());
+    const auto first =
+        static_cast<std::int32_t>(task.path->points.size() - sweeps.size());
     for (auto* place : {&deviation.deepest, &deviation.highest})
         if (*place && (*place)->sweep >= 0)
             (*place)->sweep += first;
@@ -150,6 +151,16 @@ Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter
     block.low.z() = lowest;
     block.high.z() += part ? above : 0;
     return block;
+}
+
+Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutter& cutter,
+                             DeviationOptions options)
+{
+    const Block block = default_block(&part, path, cutter);
+    options.stock = [&block](const PartRay& ray) { return ray_in_block(block, ray); };
+    const PartCharts charts = part_charts(part);
+    const std::vector<StraightSweep> sweeps = path_sweeps(path, cutter);
+    return measure_deviation(charts, SweepTree{sweeps}, options);
 }
 
 Verification verify_path(const VerificationTask& task)

@@ -19,6 +19,11 @@ namespace endmill {
 /// \throws GeometryError if there is neither a part nor a tip.
 Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter);
 
+/// What a path leaves of the default block on the part, as `measure_deviation` tells it.
+/// \param options those of `measure_deviation`, but `stock`, which is the block.
+Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutter& cutter,
+                             DeviationOptions options);
+
 /// What is to be judged. The part and the path must outlive it.
 struct VerificationTask {
     const ToolPath* path;  ///< along +z
