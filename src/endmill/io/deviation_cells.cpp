@@ -19,17 +19,22 @@ void require_whole(const Deviation& deviation)
             "Deviation: a number is not finite");
 }
 
+DeviationCell deviation_cell(const PartCharts& charts, const PartTile& tile, int number)
+{
+    const PartCell cell = tile.cell(number);
+    require(cell.chart < charts.count(), "Deviation: need the charts that were measured");
+    const auto ray = charts.ray(cell.chart, cell.centre());
+    require(ray.has_value(), "Deviation: need the charts that were measured");
+    return {cell, *ray};
+}
+
 DeviationCell deviation_cell(const PartCharts& charts, const Deviation& deviation,
                              std::size_t number)
 {
     const auto after =
         std::ranges::upper_bound(deviation.tiles, number, {}, &PartTile::first);
     const PartTile& tile = *(after - 1);
-    const PartCell cell = tile.cell(static_cast<int>(number - tile.first));
-    require(cell.chart < charts.count(), "Deviation: need the charts that were measured");
-    const auto ray = charts.ray(cell.chart, cell.centre());
-    require(ray.has_value(), "Deviation: need the charts that were measured");
-    return {cell, *ray};
+    return deviation_cell(charts, tile, static_cast<int>(number - tile.first));
 }
 
 }  // namespace endmill

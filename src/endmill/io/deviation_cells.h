@@ -18,9 +18,13 @@ struct DeviationCell {
 ///         tiles, and all are finite.
 void require_whole(const Deviation& deviation);
 
+/// Cell `number` of a tile. \pre 0 <= number < tile.cells(), and the cell has an area.
+/// \throws DomainError if `charts` are not those of the deviation.
+DeviationCell deviation_cell(const PartCharts& charts, const PartTile& tile, int number);
+
 /// Cell `number` of all, found by the tile that holds it.
 /// \pre number < cell_count(deviation.tiles), and the cell has an area.
-/// \throws DomainError if `charts` are not those of the deviation.
+/// \throws DomainError as above.
 DeviationCell deviation_cell(const PartCharts& charts, const Deviation& deviation,
                              std::size_t number);
 
