@@ -207,6 +207,23 @@ void SvgPicture::add_polygon(std::span<const PixelPoint> points, std::string_vie
     text_ += " d=\"" + path_data(visible_points(points)) + "z\"/>\n";
 }
 
+void SvgPicture::add_boxes(std::span<const PixelBox> boxes, std::string_view fill)
+{
+    if (boxes.empty())
+        return;
+    text_ += "<path";
+    append_attribute(text_, "fill", fill);
+    append_attribute(text_, "stroke", "none");
+    append_attribute(text_, "shape-rendering", "crispEdges");
+    text_ += " d=\"";
+    for (const PixelBox& box : boxes) {
+        text_ += "M" + std::to_string(box.x) + " " + std::to_string(box.y);
+        text_ += "h" + std::to_string(box.width) + "v" + std::to_string(box.height);
+        text_ += "h" + std::to_string(-box.width) + "z";
+    }
+    text_ += "\"/>\n";
+}
+
 void SvgPicture::add_disc(const PixelPoint& centre, double radius_px,
                           std::string_view colour)
 {

@@ -27,6 +27,14 @@ struct TextStyle {
     bool centred = false;  ///< its middle or its beginning at the place given
 };
 
+/// An upright rectangle in a picture, in whole px.
+struct PixelBox {
+    int x = 0;  ///< of its left side
+    int y = 0;  ///< of its upper side
+    int width = 1;
+    int height = 1;
+};
+
 /// A picture in SVG 1.1 on white, built element by element. All text is escaped; all
 /// numbers have at most two decimals.
 class SvgPicture {
@@ -43,6 +51,10 @@ public:
     /// LineStyle::colour. Fewer than three points draw nothing.
     void add_polygon(std::span<const PixelPoint> points, std::string_view fill,
                      const LineStyle& outline);
+
+    /// Rectangles of one colour, as one element, with sharp sides: between two that touch
+    /// nothing shows through. None draw nothing.
+    void add_boxes(std::span<const PixelBox> boxes, std::string_view fill);
 
     /// A filled disc. \param radius_px in px.
     void add_disc(const PixelPoint& centre, double radius_px, std::string_view colour);

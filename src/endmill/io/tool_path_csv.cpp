@@ -11,7 +11,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
-#include "endmill/core/parallel.h"
+#include "endmill/io/joined_rows.h"
 
 namespace endmill {
 namespace {
@@ -21,8 +21,6 @@ constexpr std::string_view location_columns =
 constexpr std::string_view contact_columns =
     ",u,v,contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,normal_z";
 constexpr std::string_view no_contact = ",,,,,,,,";
-constexpr std::size_t points_per_chunk = 2048;
-constexpr std::size_t chunks_per_batch = 64;  // bounds the text that is held twice
 
 // Appends numbers, and copies the text of one that its column had in the row before:
 // an axis or the parameter of an iso-line hardly ever changes.
@@ -157,27 +155,11 @@ std::string tool_path_csv(const ToolPath& path)
 {
     require(path.conditions.empty() || path.conditions.size() == path.points.size(),
             "tool_path_csv: need conditions for no point or for all");
-    const std::size_t points = path.points.size();
     const OptionalColumns columns = optional_columns(path);
-    std::string csv = header(columns);
-    std::vector<std::string> chunks(chunks_per_batch);
-    constexpr std::size_t points_per_batch = points_per_chunk * chunks_per_batch;
-    for (std::size_t first = 0; first < points; first += points_per_batch) {
-        const std::size_t batch = std::min(points_per_batch, points - first);
-        const std::size_t count = (batch + points_per_chunk - 1) / points_per_chunk;
-        parallel_for(count, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                const std::size_t at = i * points_per_chunk;
-                chunks[i] = rows(path, columns, first + at,
-                                 std::min(points_per_chunk, batch - at));
-            }
-        });
-        for (std::size_t i = 0; i < count; ++i)
-            csv += chunks[i];
-        if (first == 0)  // the rest will be about as long a point, give or take an eighth
-            csv.reserve(csv.size() / batch * points / 8 * 9);
-    }
-    return csv;
+    return joined_rows(header(columns), path.points.size(),
+                       [&](std::size_t first, std::size_t count) {
+                           return rows(path, columns, first, count);
+                       });
 }
 
 }  // namespace endmill

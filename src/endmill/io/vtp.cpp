@@ -2,21 +2,17 @@
 #include "endmill/io/vtp.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string_view>
 #include <vector>
 
 #include "endmill/core/error.h"
+#include "endmill/io/appended_arrays.h"
 
 namespace endmill {
 namespace {
-
-static_assert(std::endian::native == std::endian::little,
-              "the file says LittleEndian and holds the numbers as memory does");
 
 static_assert(static_cast<int>(Move::Cut) == 0 && static_cast<int>(Move::Link) == 1 &&
                   static_cast<int>(Move::Rapid) == 2 &&
@@ -30,50 +26,6 @@ constexpr std::string_view preamble =
     "move: 0 cut, 1 link, 2 rapid, 3 plunge, 4 retract. -->\n"
     "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
     "header_type=\"UInt64\">\n";
-
-template <class Number>
-constexpr std::string_view vtk_type;
-template <>
-constexpr std::string_view vtk_type<double> = "Float64";
-template <>
-constexpr std::string_view vtk_type<std::int64_t> = "Int64";
-template <>
-constexpr std::string_view vtk_type<std::int32_t> = "Int32";
-template <>
-constexpr std::string_view vtk_type<std::uint8_t> = "UInt8";
-
-// The part of the file after the XML: each array behind the number of its bytes.
-class AppendedArrays {
-public:
-    // The element that refers to a new array at the end.
-    template <class Number>
-    std::string append(std::string_view name, int components,
-                       const std::vector<Number>& numbers)
-    {
-        std::string element = "    <DataArray type=\"" + std::string{vtk_type<Number>};
-        element += "\" Name=\"" + std::string{name};
-        element += "\" NumberOfComponents=\"" + std::to_string(components);
-        element += "\" format=\"appended\" offset=\"" + std::to_string(bytes_.size());
-        element += "\"/>\n";
-        const std::uint64_t size = sizeof(Number) * numbers.size();
-        append_bytes(&size, sizeof size);
-        append_bytes(numbers.data(), size);
-        return element;
-    }
-
-    const std::string& bytes() const { return bytes_; }
-
-private:
-    void append_bytes(const void* first, std::size_t count)
-    {
-        const std::size_t before = bytes_.size();
-        bytes_.resize(before + count);
-        if (count > 0)
-            std::memcpy(bytes_.data() + before, first, count);
-    }
-
-    std::string bytes_;
-};
 
 // The cells of the file: `connectivity` lists the points of all, one line after another.
 struct Polylines {

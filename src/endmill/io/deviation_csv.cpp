@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/io/deviation_csv.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "endmill/core/error.h"
+#include "endmill/io/csv.h"
+#include "endmill/io/deviation_cells.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::size_t bins = 200;  // two limits either way, a hundredth of their sum each
+
+struct Histogram {
+    std::array<double, bins + 1> edges;
+    std::array<double, bins> areas{};
+    double least = std::numeric_limits<double>::infinity();
+    double greatest = -std::numeric_limits<double>::infinity();
+
+    explicit Histogram(const DeviationLimits& limits)
+    {
+        for (std::size_t k = 0; k <= bins; ++k) {
+            const double share = static_cast<double>(k) / bins;
+            edges[k] = 2 * (share * limits.scallop - (1 - share) * limits.tolerance);
+        }
+    }
+
+    std::size_t bin_of(double left) const
+    {
+        // Inner edges only: what lies beyond them is in the outermost bins.
+        const auto inner = edges.begin() + 1;
+        return static_cast<std::size_t>(std::upper_bound(inner, edges.end() - 1, left) -
+                                        inner);
+    }
+
+    void add(double left, double area)
+    {
+        areas[bin_of(left)] += area;
+        least = std::min(least, left);
+        greatest = std::max(greatest, left);
+    }
+};
+
+}  // namespace
+
+std::string deviation_histogram_csv(const Deviation& deviation,
+                                    const DeviationLimits& limits)
+{
+    require(std::isfinite(limits.tolerance) && limits.tolerance > 0 &&
+                std::isfinite(limits.scallop) && limits.scallop > 0,
+            "deviation_histogram_csv: need limits that are finite and positive");
+    require_whole(deviation);
+    Histogram histogram{limits};
+    for (std::size_t i = 0; i < deviation.left.size(); ++i)
+        if (deviation.area[i] > 0)
+            histogram.add(deviation.left[i], deviation.area[i]);
+
+    CsvTable table{{"from_mm", "to_mm", "area_mm2"}};
+    if (!(histogram.least <= histogram.greatest))
+        return table.text();
+    const std::size_t first = histogram.bin_of(histogram.least);
+    const std::size_t last = histogram.bin_of(histogram.greatest);
+    for (std::size_t k = first; k <= last; ++k)
+        table.add_row({k == first ? histogram.least : histogram.edges[k],
+                       k == last ? histogram.greatest : histogram.edges[k + 1],
+                       histogram.areas[k]});
+    return table.text();
+}
+
+}  // namespace endmill
