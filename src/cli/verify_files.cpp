@@ -6,6 +6,7 @@
 #include "endmill/io/deviation_csv.h"
 #include "endmill/io/deviation_svg.h"
 #include "endmill/io/deviation_vtp.h"
+#include "endmill/io/removal_csv.h"
 #include "endmill/io/stl.h"
 #include "endmill/io/vti.h"
 #include "endmill/simulation/mesh_stock.h"

@@ -23,10 +23,10 @@ constexpr double gouge_sharpness = 0.25;
 // Cells that the refinement of one tile may come to: some hundred times its own. Beyond
 // them its doubt stays, as at the last level.
 constexpr std::size_t most_refined_cells = 20'000;
-// Halvings of a cell for a maximum's sake alone, when the verdict is known.
-constexpr int most_halvings_for_show = 2;
-// Of the scallop limit: how closely the distance from a part is known.
+// Of the narrower limit, and of the pitch at least: how closely the distance from the part
+// is known where a limit is broken.
 constexpr double distance_share = 0.1;
+constexpr double finest_distance_share = 0.02;
 
 // What has been found on some cells.
 struct Extremes {
@@ -34,6 +34,8 @@ struct Extremes {
     DeviationPlace deepest{infinite};
     double upper = -infinite;  // no rest is higher
     double lower = infinite;   // no gouge is deeper
+    double above = 0;  // most that a cell may have more than at its middle, and less
+    double below = 0;
     bool is_cut = false;
     std::size_t rays = 0;
 
@@ -48,10 +50,12 @@ struct Extremes {
         if (place.left < deepest.left)
             deepest = place;
     }
-    void bound(double most, double least)
+    void bound(double left, double most, double least)
     {
         upper = std::max(upper, most);
         lower = std::min(lower, least);
+        above = std::max(above, most - left);
+        below = std::max(below, left - least);
     }
     // Of equal ones the first stays, so the order of the tiles decides.
     void merge(const Extremes& other)
@@ -84,23 +88,45 @@ double threshold(double found, double limit, double sharpness)
     return found <= raised ? std::min(sharp, raised) : sharp;
 }
 
+// Close enough for what the distance is for, and no finer than the cells.
+double distance_tolerance(const DeviationOptions& options)
+{
+    return std::max(
+        distance_share * std::min(options.limits.scallop, options.limits.tolerance),
+        finest_distance_share * options.pitch);
+}
+
 // What is measured, and how.
 struct Measured {
     const PartCharts& charts;
     const SweepTree& tree;
     const DeviationOptions& options;
+    const PartDistance& distance;
 };
+
+// Whether a limit is broken there.
+bool is_beyond(double left, const DeviationLimits& limits)
+{
+    return left > limits.scallop || -left > limits.tolerance;
+}
+
+// The distance from the part of the place where the material ends, if that is less than
+// `left`, with its sign.
+double shortened(double left, const PartRay& ray, const PartDistance& distance,
+                 std::optional<std::size_t>& hint)
+{
+    const double away = distance(ray.point + left * ray.normal, hint);
+    return std::clamp(left, -away, away);
+}
 
 class TileMeasure {
 public:
-    // `distance` of the part counts where more than the scallop limit is left, if known.
-    TileMeasure(const Measured& measured, const PartTile& tile,
-                const PartDistance* distance)
+    TileMeasure(const Measured& measured, const PartTile& tile)
         : charts_{measured.charts},
           tree_{measured.tree},
           options_{measured.options},
           tile_{tile},
-          distance_{distance}
+          distance_{measured.distance}
     {
         const auto corners = static_cast<std::size_t>(tile.whole.corners);
         bend_ = charts_.bend(tile.whole.chart, tile.whole.centre());
@@ -122,7 +148,7 @@ public:
         Extremes found;
         for (const MeasuredCell& cell : cells_) {
             found.take(cell);
-            found.bound(most_left(cell, {}), least_left(cell));
+            found.bound(cell.left.left, most_left(cell, {}), least_left(cell));
         }
         return found;
     }
@@ -167,16 +193,6 @@ private:
         for (std::size_t k = 0; k < count; ++k)
             if (const MownRay& mown = (*rays_)[static_cast<int>(k)]; mown.sweep >= 0)
                 cells_[k].left = mown;
-        for (MeasuredCell& cell : cells_)
-            shorten(cell);
-    }
-
-    // To the distance from the part of the place that is left, where that is less.
-    void shorten(MeasuredCell& cell) const
-    {
-        double& left = cell.left.left;
-        if (distance_ && left > options_.limits.scallop)
-            left = std::min(left, (*distance_)(cell.ray.point + left * cell.ray.normal));
     }
 
     MownRay stock(const PartRay& ray) const
@@ -186,8 +202,17 @@ private:
 
     const Cutter& cutter() const { return tree_.sweeps().front().cutter(); }
 
-    // By the sweep that made it, and by `others` if there are any.
+    // By the sweep that made it, and by `others` if there are any; never more than the
+    // stock holds.
     double most_left(const MeasuredCell& cell, std::span<const std::int32_t> others) const
+    {
+        const MownRay full = stock(cell.ray);
+        const double in_stock = full.left + cell.reach * (1 + full.slope);
+        return std::min(in_stock, most_left_by(cell, others));
+    }
+
+    double most_left_by(const MeasuredCell& cell,
+                        std::span<const std::int32_t> others) const
     {
         if (cell.left.sweep < 0)
             return most_left_by_slope(cell, Cutter::flat(1));
@@ -231,7 +256,7 @@ private:
         // What has been found here meanwhile may have settled more than the first rays.
         const Doubt doubt = sharpened(first_doubt, found);
         if (!doubt.holds(most, least)) {
-            found.bound(most, least);
+            found.bound(cell.left.left, most, least);
             return;
         }
         const std::vector<std::int32_t> local =
@@ -241,7 +266,7 @@ private:
         const bool is_last =
             depth.level >= options_.max_refine || refined_cells_ >= most_refined_cells;
         if (is_last || !doubt.holds(most, least)) {
-            found.bound(most, least);
+            found.bound(cell.left.left, most, least);
             return;
         }
         // Whether a sharp edge, or any, passes through the cell the middle does not tell.
@@ -267,7 +292,10 @@ private:
             }
         }
         MeasuredCell found{cell, ray, cell.reach(ray), least, bend_};
-        shorten(found);
+        if (is_beyond(found.left.left, options_.limits)) {
+            std::optional<std::size_t> no_hint;
+            found.left.left = shortened(found.left.left, ray, distance_, no_hint);
+        }
         return found;
     }
 
@@ -275,7 +303,7 @@ private:
     const SweepTree& tree_;
     const DeviationOptions& options_;
     const PartTile& tile_;
-    const PartDistance* distance_;
+    const PartDistance& distance_;
     PartCharts::Bend bend_;
     std::vector<MeasuredCell> cells_;
     std::vector<int> numbers_;
@@ -386,20 +414,19 @@ public:
         const std::size_t cells = cell_count(deviation_.tiles);
         deviation_.left.assign(cells, 0);
         deviation_.area.assign(cells, 0);
+        sweeps_.assign(cells, -1);
         of_tile_.resize(deviation_.tiles.size());
         Progress progress{options, 2 * of_tile_.size()};
-        for_tiles(progress, [&](std::size_t i) { measure(i, nullptr); });
+        for_tiles(progress, [&](std::size_t i) { measure(i); });
         Extremes found = merged();
-        std::optional<PartDistance> distance;
-        if (found.is_cut && found.highest.left > limits_.scallop) {
-            distance.emplace(measured_.charts, distance_share * limits_.scallop);
+        if (is_beyond(found)) {
             for_tiles(progress, [&](std::size_t i) {
-                if (of_tile_[i].highest.left > limits_.scallop)
-                    measure(i, &*distance);
+                if (is_beyond(of_tile_[i]))
+                    shorten(i);
             });
             found = merged();
         }
-        refine(found, distance ? &*distance : nullptr, progress);
+        refine(found, progress);
         add_extremes(deviation_, merged());
         add_areas(deviation_, limits_);
         return std::move(deviation_);
@@ -417,38 +444,74 @@ private:
         });
     }
 
-    void measure(std::size_t number, const PartDistance* distance)
+    bool is_beyond(const Extremes& some) const
+    {
+        return endmill::is_beyond(some.highest.left, limits_) ||
+               endmill::is_beyond(some.deepest.left, limits_);
+    }
+
+    // Where a limit is broken in a tile, the distance from the part counts.
+    void shorten(std::size_t number)
     {
         const PartTile& tile = deviation_.tiles[number];
-        const TileMeasure measure{measured_, tile, distance};
+        Extremes& found = of_tile_[number];
+        found.highest.left = -infinite;
+        found.deepest.left = infinite;
+        std::optional<std::size_t> hint;
+        for (int k = 0; k < tile.cells(); ++k) {
+            const std::size_t at = tile.first + static_cast<std::size_t>(k);
+            const PartCell cell = tile.cell(k);
+            const auto ray = measured_.charts.ray(cell.chart, cell.centre());
+            if (!ray)
+                continue;
+            double left = deviation_.left[at];
+            if (endmill::is_beyond(left, limits_)) {
+                left = shortened(left, *ray, measured_.distance, hint);
+                deviation_.left[at] = static_cast<float>(left);
+            }
+            const DeviationPlace place{left, *ray, cell.chart, cell.centre(),
+                                       sweeps_[at]};
+            if (left > found.highest.left)
+                found.highest = place;
+            if (left < found.deepest.left)
+                found.deepest = place;
+        }
+        found.upper = std::min(found.upper, found.highest.left + found.above);
+        found.lower = std::max(found.lower, found.deepest.left - found.below);
+    }
+
+    void measure(std::size_t number)
+    {
+        const PartTile& tile = deviation_.tiles[number];
+        const TileMeasure measure{measured_, tile};
         for (std::size_t k = 0; k < measure.cells().size(); ++k) {
             const MeasuredCell& cell = measure.cells()[k];
             const std::size_t at =
                 tile.first + static_cast<std::size_t>(measure.numbers()[k]);
             deviation_.left[at] = static_cast<float>(cell.left.left);
             deviation_.area[at] = static_cast<float>(cell.cell.area(cell.ray));
+            sweeps_[at] = cell.left.sweep;
         }
         of_tile_[number] = measure.extremes();
     }
 
     // What is refined follows from what all first rays have found, so that it does not
     // hang on which thread was first.
-    void refine(const Extremes& found, const PartDistance* distance, Progress& progress)
+    void refine(const Extremes& found, Progress& progress)
     {
         const double rest = std::max(0.0, found.highest.left);
         const double gouge = std::max(0.0, -found.deepest.left);
         const bool is_known = rest > limits_.scallop + verdict_slack ||
                               gouge > limits_.tolerance + verdict_slack;
-        const int halvings =
-            is_known ? std::min(most_halvings_for_show, measured_.options.max_refine)
-                     : measured_.options.max_refine;
+        if (is_known)
+            return;
+        const int halvings = measured_.options.max_refine;
         const Doubt doubt{threshold(rest, limits_.scallop, scallop_sharpness),
                           -threshold(gouge, limits_.tolerance, gouge_sharpness),
                           halvings};
         for_tiles(progress, [&](std::size_t i) {
             if (doubt.holds(of_tile_[i].upper, of_tile_[i].lower))
-                of_tile_[i] =
-                    TileMeasure{measured_, deviation_.tiles[i], distance}.refined(doubt);
+                of_tile_[i] = TileMeasure{measured_, deviation_.tiles[i]}.refined(doubt);
         });
     }
 
@@ -464,6 +527,7 @@ private:
     DeviationLimits limits_;
     Deviation deviation_;
     std::vector<Extremes> of_tile_;
+    std::vector<std::int32_t> sweeps_;  // of each cell
 };
 
 }  // namespace
@@ -472,7 +536,8 @@ Deviation measure_deviation(const PartCharts& charts, const SweepTree& tree,
                             const DeviationOptions& options)
 {
     check(options);
-    return Measurement{{charts, tree, options}}.run();
+    const PartDistance distance{charts, distance_tolerance(options)};
+    return Measurement{{charts, tree, options, distance}}.run();
 }
 
 std::string_view verdict_name(Verdict verdict)

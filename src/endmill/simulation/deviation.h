@@ -71,10 +71,10 @@ struct Deviation {
 /// rays could change the verdict, or either maximum by more than the slack and a twentieth
 /// of its limit.
 ///
-/// Where more is left along the normal than the scallop limit, the distance of that place
-/// from the part counts if it is less: beside a wall, or in a corner, the ray of one face
-/// may stand in what is left on another. Once a limit is known to be broken, cells are
-/// refined only a few times more.
+/// Where a limit is broken along the normal, the distance from the part of the place where
+/// the material ends counts if it is less: beside a wall, in a corner or on a narrow
+/// ridge, the ray of one face may end near another. Once a limit is known to be broken,
+/// nothing is refined.
 ///
 /// Between rays a gouge hides at most (d^2 / 2)(1 / r + k), d a cell's half diagonal, r
 /// the cutter's corner radius, k the part's convex curvature (with a sharp edge d sin phi,

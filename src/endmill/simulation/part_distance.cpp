@@ -6,20 +6,30 @@
 namespace endmill {
 
 PartDistance::PartDistance(const PartCharts& charts, double chord_tolerance)
+    : charts_{charts},
+      chord_tolerance_{chord_tolerance}
 {
-    if (charts.mesh()) {
-        tree_.emplace(*charts.mesh());
+}
+
+void PartDistance::build() const
+{
+    if (charts_.mesh()) {
+        tree_.emplace(*charts_.mesh());
         return;
     }
-    SampledSurface sampling = sampled(charts.surfaces(), charts.sides(), chord_tolerance);
+    SampledSurface sampling =
+        sampled(charts_.surfaces(), charts_.sides(), chord_tolerance_);
     sampled_ = std::move(sampling.mesh);
     chord_error_ = sampling.max_chord_error_mm;
     tree_.emplace(sampled_);
 }
 
-double PartDistance::operator()(const Vec3& place) const
+double PartDistance::operator()(const Vec3& place, std::optional<std::size_t>& hint) const
 {
-    return tree_->nearest(place)->distance + chord_error_;
+    std::call_once(is_built_, [this] { build(); });
+    const auto nearest = tree_->nearest(place, hint);
+    hint = nearest->triangle;
+    return nearest->distance + chord_error_;
 }
 
 }  // namespace endmill

@@ -23,7 +23,7 @@ constexpr double below = 1;  // mm of material under the lowest of part and tips
 constexpr double above = 1;  // mm over the part
 constexpr double gib = 1024.0 * 1024 * 1024;
 // A ray's place in the deviation, its share of a tile, and room for what grows.
-constexpr double bytes_a_ray = 12;
+constexpr double bytes_a_ray = 16;
 constexpr double most_rays = 4e9;
 
 Block bounding_box(const Part& part)
