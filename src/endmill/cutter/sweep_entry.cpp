@@ -154,11 +154,22 @@ std::optional<SweepEntry> sooner(const Plan& plan, const Stretch& upright,
                                        : Vec3{-Vec3::UnitZ()}};
 }
 
-std::optional<SweepEntry> ball_entry(const StraightSweep& sweep, const Line& line)
+// Whether the line up to `before` stays below the centres of the ball.
+bool stays_below_centres(const StraightSweep& sweep, const Line& line, double before)
+{
+    const double lowest =
+        std::min(sweep.from().z(), sweep.to().z()) + sweep.cutter().radius();
+    return line.direction.z() >= 0 &&
+           line.origin.z() + before * line.direction.z() < lowest;
+}
+
+std::optional<SweepEntry> ball_entry(const StraightSweep& sweep, const Line& line,
+                                     double before)
 {
     std::optional<SweepEntry> entry = capsule_entry(sweep, line);
-    // On the lower half of the capsule's boundary one is on that of the region.
-    if (entry && entry->normal.z() <= 0)
+    // On the lower half of the capsule's boundary one is on that of the region; and what
+    // is upright begins at the centres.
+    if ((entry && entry->normal.z() <= 0) || stays_below_centres(sweep, line, before))
         return entry;
     const Plan plan = plan_of(sweep, line);
     const double R = sweep.cutter().radius();
@@ -354,8 +365,8 @@ std::optional<SweepEntry> sweep_entry(const StraightSweep& sweep, const Line& li
 {
     if (!sweep.cutter().is_ball() && !sweep.cutter().is_flat())
         return corner_entry(sweep, line, before);
-    const auto entry =
-        sweep.cutter().is_ball() ? ball_entry(sweep, line) : flat_entry(sweep, line);
+    const auto entry = sweep.cutter().is_ball() ? ball_entry(sweep, line, before)
+                                                : flat_entry(sweep, line);
     return entry && entry->t < before ? entry : std::nullopt;
 }
 
