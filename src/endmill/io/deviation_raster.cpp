@@ -152,6 +152,8 @@ private:
     // What lies outside is on the border but for rounding, and the cell's own bend.
     void take(const Vector2d& place, float left)
     {
+        if (!place.allFinite())
+            return;
         take(static_cast<int>(
                  std::clamp(std::floor(place.x()), 0.0, raster_.columns - 1.0)),
              static_cast<int>(std::clamp(std::floor(place.y()), 0.0, raster_.rows - 1.0)),
