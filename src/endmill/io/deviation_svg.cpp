@@ -24,7 +24,6 @@ constexpr double legend_px = 130;         // room for the scale to the right of 
 constexpr int swatch_px = 22;             // height of a colour on the scale
 constexpr std::size_t shown_title = 100;  // characters
 constexpr std::size_t shown_caption = 150;
-constexpr double highest_map = 0.85;  // of the width of the room for the map
 constexpr LineStyle frame_style{"#9aa2ab", 1, ""};
 constexpr LineStyle no_line{"none", 0, ""};
 constexpr LineStyle mark_style{"#000000", 1.5, ""};
@@ -100,8 +99,7 @@ struct Layout {
     {
         const double room = width - 2 * margin_px - legend_px;
         square =
-            std::max(1, static_cast<int>(std::min(room / raster.columns,
-                                                  highest_map * room / raster.rows)));
+            std::max(1, static_cast<int>(room / std::max(raster.columns, raster.rows)));
         left = static_cast<int>(margin_px);
         top = static_cast<int>(margin_px + title_px +
                                line_px * static_cast<double>(captions) + margin_px / 2);
