@@ -25,8 +25,8 @@ constexpr double gouge_sharpness = 0.25;
 constexpr std::size_t most_refined_cells = 20'000;
 // Of the narrower limit, and of the pitch at least: how closely the distance from the part
 // is known where a limit is broken.
-constexpr double distance_share = 0.1;
-constexpr double finest_distance_share = 0.02;
+constexpr double distance_share = 0.25;
+constexpr double finest_distance_share = 0.1;
 
 // What has been found on some cells.
 struct Extremes {
