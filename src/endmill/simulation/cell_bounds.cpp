@@ -81,8 +81,12 @@ std::optional<CornerValues> corner_values(const StraightSweep& sweep,
 double hidden_gouge(const MeasuredCell& cell, const Cutter& cutter)
 {
     const double d = cell.reach;
-    if (!cutter.is_flat())
-        return d * d / 2 * (1 / cutter.corner_radius() + cell.bend.convex);
+    if (!cutter.is_flat()) {
+        // The height of a circle above its tangent, a little more than (d^2 / 2) k.
+        const double k = 1 / cutter.corner_radius() + cell.bend.convex;
+        const double share = std::min(1.0, d * k);
+        return d * share / (1 + std::sqrt((1 - share) * (1 + share)));
+    }
     // Beyond an edge the ray stands in what another move leaves: the nearest one on the
     // gouge's own side may belong to the next cell.
     const double upright = std::clamp(cell.ray.normal.z(), 0.0, 1.0);
@@ -96,10 +100,14 @@ double most_left_by_slope(const MeasuredCell& cell, const Cutter& cutter)
     const bool is_cut = cell.left.sweep >= 0;
     if (is_cut && cutter.is_flat())
         return infinite;
-    const double stretch = 1 + s * s;
     const double corner = is_cut ? 1 / cutter.corner_radius() : 0;
-    const double bend = corner * stretch * std::sqrt(stretch) + cell.bend.any * stretch;
-    return cell.left.left + d * s + d * d / 2 * bend;
+    const auto bend_at = [&](double slope) {
+        const double stretch = 1 + slope * slope;
+        return corner * stretch * std::sqrt(stretch) + cell.bend.any * stretch;
+    };
+    // A circle bends the more the steeper it is: as at the cell's far end.
+    const double steepest = s + d * bend_at(s);
+    return cell.left.left + d * s + d * d / 2 * bend_at(steepest);
 }
 
 double owner_margin(const MeasuredCell& cell)

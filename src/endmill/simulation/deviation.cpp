@@ -10,83 +10,17 @@
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
 #include "endmill/core/parallel.h"
-#include "endmill/simulation/cell_bounds.h"
 #include "endmill/simulation/part_distance.h"
+#include "endmill/simulation/tile_measure.h"
 
 namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Shares of the limits to within which a maximum is sought, if that is more than the slack.
-constexpr double scallop_sharpness = 0.05;
-constexpr double gouge_sharpness = 0.25;
-// Cells that the refinement of one tile may come to: some hundred times its own. Beyond
-// them its doubt stays, as at the last level.
-constexpr std::size_t most_refined_cells = 20'000;
 // Of the narrower limit, and of the pitch at least: how closely the distance from the part
 // is known where a limit is broken.
 constexpr double distance_share = 0.25;
 constexpr double finest_distance_share = 0.1;
-
-// What has been found on some cells.
-struct Extremes {
-    DeviationPlace highest{-infinite};
-    DeviationPlace deepest{infinite};
-    double upper = -infinite;  // no rest is higher
-    double lower = infinite;   // no gouge is deeper
-    double above = 0;  // most that a cell may have more than at its middle, and less
-    double below = 0;
-    bool is_cut = false;
-    std::size_t rays = 0;
-
-    void take(const MeasuredCell& cell)
-    {
-        ++rays;
-        is_cut = is_cut || cell.left.sweep >= 0;
-        const DeviationPlace place{cell.left.left, cell.ray, cell.cell.chart,
-                                   cell.cell.centre(), cell.left.sweep};
-        if (place.left > highest.left)
-            highest = place;
-        if (place.left < deepest.left)
-            deepest = place;
-    }
-    void bound(double left, double most, double least)
-    {
-        upper = std::max(upper, most);
-        lower = std::min(lower, least);
-        above = std::max(above, most - left);
-        below = std::max(below, left - least);
-    }
-    // Of equal ones the first stays, so the order of the tiles decides.
-    void merge(const Extremes& other)
-    {
-        if (other.highest.left > highest.left)
-            highest = other.highest;
-        if (other.deepest.left < deepest.left)
-            deepest = other.deepest;
-        upper = std::max(upper, other.upper);
-        lower = std::min(lower, other.lower);
-        is_cut = is_cut || other.is_cut;
-        rays += other.rays;
-    }
-};
-
-// Bounds beyond which a cell has to be looked at more closely, and how closely at most.
-struct Doubt {
-    double upper;
-    double lower;
-    int halvings;
-
-    bool holds(double most, double least) const { return most > upper || least < lower; }
-};
-
-// The most that a maximum may turn out higher without changing anything.
-double threshold(double found, double limit, double sharpness)
-{
-    const double raised = limit + verdict_slack;
-    const double sharp = found + std::max(verdict_slack, sharpness * limit);
-    return found <= raised ? std::min(sharp, raised) : sharp;
-}
 
 // Close enough for what the distance is for, and no finer than the cells.
 double distance_tolerance(const DeviationOptions& options)
@@ -95,221 +29,6 @@ double distance_tolerance(const DeviationOptions& options)
         distance_share * std::min(options.limits.scallop, options.limits.tolerance),
         finest_distance_share * options.pitch);
 }
-
-// What is measured, and how.
-struct Measured {
-    const PartCharts& charts;
-    const SweepTree& tree;
-    const DeviationOptions& options;
-    const PartDistance& distance;
-};
-
-// Whether a limit is broken there.
-bool is_beyond(double left, const DeviationLimits& limits)
-{
-    return left > limits.scallop || -left > limits.tolerance;
-}
-
-// The distance from the part of the place where the material ends, if that is less than
-// `left`, with its sign.
-double shortened(double left, const PartRay& ray, const PartDistance& distance,
-                 std::optional<std::size_t>& hint)
-{
-    const double away = distance(ray.point + left * ray.normal, hint);
-    return std::clamp(left, -away, away);
-}
-
-class TileMeasure {
-public:
-    TileMeasure(const Measured& measured, const PartTile& tile)
-        : charts_{measured.charts},
-          tree_{measured.tree},
-          options_{measured.options},
-          tile_{tile},
-          distance_{measured.distance}
-    {
-        const auto corners = static_cast<std::size_t>(tile.whole.corners);
-        bend_ = charts_.bend(tile.whole.chart, tile.whole.centre());
-        for (std::size_t k = 0; k < corners; ++k) {
-            const PartCharts::Bend bend =
-                charts_.bend(tile.whole.chart, tile.whole.at[k]);
-            bend_.convex = std::max(bend_.convex, bend.convex);
-            bend_.any = std::max(bend_.any, bend.any);
-        }
-        measure();
-    }
-
-    // The cells of the tile that have a normal, and their numbers in it.
-    std::span<const MeasuredCell> cells() const { return cells_; }
-    std::span<const int> numbers() const { return numbers_; }
-
-    Extremes extremes() const
-    {
-        Extremes found;
-        for (const MeasuredCell& cell : cells_) {
-            found.take(cell);
-            found.bound(cell.left.left, most_left(cell, {}), least_left(cell));
-        }
-        return found;
-    }
-
-    // The same with every doubtful cell refined.
-    Extremes refined(const Doubt& doubt)
-    {
-        Extremes found;
-        double margin = 0;
-        for (const MeasuredCell& cell : cells_)
-            if (doubt.holds(most_left(cell, {}), least_left(cell)))
-                margin = std::max(margin, owner_margin(cell));
-        const std::vector<std::int32_t> near = rays_->near_sweeps(tree_, margin);
-        refined_cells_ = 0;
-        for (const MeasuredCell& cell : cells_)
-            refine(cell, doubt, {0, near}, found);
-        return found;
-    }
-
-private:
-    void measure()
-    {
-        std::array<PartRay, most_tile_cells> rays;
-        std::array<double, most_tile_cells> lengths;
-        std::size_t count = 0;
-        for (int k = 0; k < tile_.cells(); ++k) {
-            const PartCell cell = tile_.cell(k);
-            const auto ray = charts_.ray(cell.chart, cell.centre());
-            if (!ray)
-                continue;
-            rays[count] = *ray;
-            const MownRay in_stock = stock(*ray);
-            lengths[count] = in_stock.left;
-            cells_.push_back({cell, *ray, cell.reach(*ray), in_stock, bend_});
-            numbers_.push_back(k);
-            ++count;
-        }
-        if (count == 0)
-            return;
-        rays_.emplace(std::span{rays}.first(count), std::span{lengths}.first(count));
-        rays_->mow(tree_);
-        for (std::size_t k = 0; k < count; ++k)
-            if (const MownRay& mown = (*rays_)[static_cast<int>(k)]; mown.sweep >= 0)
-                cells_[k].left = mown;
-    }
-
-    MownRay stock(const PartRay& ray) const
-    {
-        return options_.stock ? options_.stock(ray) : MownRay{infinite, 0, -1};
-    }
-
-    const Cutter& cutter() const { return tree_.sweeps().front().cutter(); }
-
-    // By the sweep that made it, and by `others` if there are any; never more than the
-    // stock holds.
-    double most_left(const MeasuredCell& cell, std::span<const std::int32_t> others) const
-    {
-        const MownRay full = stock(cell.ray);
-        const double in_stock = full.left + cell.reach * (1 + full.slope);
-        return std::min(in_stock, most_left_by(cell, others));
-    }
-
-    double most_left_by(const MeasuredCell& cell,
-                        std::span<const std::int32_t> others) const
-    {
-        if (cell.left.sweep < 0)
-            return most_left_by_slope(cell, Cutter::flat(1));
-        const double by_slope = most_left_by_slope(cell, cutter());
-        if (others.empty() && !cutter().is_flat())
-            return by_slope;
-        const std::int32_t own[] = {cell.left.sweep};
-        return std::min(by_slope, most_left_by_corners(cell, charts_, tree_.sweeps(),
-                                                       others.empty() ? own : others));
-    }
-
-    double least_left(const MeasuredCell& cell) const
-    {
-        if (cell.left.sweep < 0)
-            return cell.left.left;
-        return cell.left.left - hidden_gouge(cell, cutter());
-    }
-
-    Doubt sharpened(const Doubt& doubt, const Extremes& found) const
-    {
-        const DeviationLimits& limits = options_.limits;
-        return {std::max(doubt.upper, threshold(found.highest.left, limits.scallop,
-                                                scallop_sharpness)),
-                std::min(doubt.lower, -threshold(-found.deepest.left, limits.tolerance,
-                                                 gouge_sharpness)),
-                doubt.halvings};
-    }
-
-    // How far a cell has been halved, and the sweeps that may matter to it.
-    struct Depth {
-        int level;
-        std::span<const std::int32_t> sweeps;
-    };
-
-    void refine(const MeasuredCell& cell, const Doubt& first_doubt, const Depth& depth,
-                Extremes& found)
-    {
-        found.take(cell);
-        double most = most_left(cell, {});
-        const double least = least_left(cell);
-        // What has been found here meanwhile may have settled more than the first rays.
-        const Doubt doubt = sharpened(first_doubt, found);
-        if (!doubt.holds(most, least)) {
-            found.bound(cell.left.left, most, least);
-            return;
-        }
-        const std::vector<std::int32_t> local =
-            local_sweeps(cell, tree_.sweeps(), depth.sweeps);
-        if (most > doubt.upper && !local.empty())
-            most = most_left(cell, local);
-        const bool is_last =
-            depth.level >= options_.max_refine || refined_cells_ >= most_refined_cells;
-        if (is_last || !doubt.holds(most, least)) {
-            found.bound(cell.left.left, most, least);
-            return;
-        }
-        // Whether a sharp edge, or any, passes through the cell the middle does not tell.
-        const bool is_smooth = cell.left.sweep >= 0 && !cutter().is_flat();
-        const std::span<const std::int32_t> inherited = is_smooth ? local : depth.sweeps;
-        for (const PartCell& quarter : cell.cell.quarters()) {
-            ++refined_cells_;
-            if (const auto ray = charts_.ray(quarter.chart, quarter.centre()))
-                refine(measured(quarter, *ray, inherited), first_doubt,
-                       {depth.level + 1, inherited}, found);
-        }
-    }
-
-    MeasuredCell measured(const PartCell& cell, const PartRay& ray,
-                          std::span<const std::int32_t> sweeps) const
-    {
-        MownRay least = stock(ray);
-        for (const std::int32_t number : sweeps) {
-            const StraightSweep& sweep = tree_.sweeps()[static_cast<std::size_t>(number)];
-            if (const auto left = mown(sweep, ray, least.left)) {
-                least = *left;
-                least.sweep = number;
-            }
-        }
-        MeasuredCell found{cell, ray, cell.reach(ray), least, bend_};
-        if (is_beyond(found.left.left, options_.limits)) {
-            std::optional<std::size_t> no_hint;
-            found.left.left = shortened(found.left.left, ray, distance_, no_hint);
-        }
-        return found;
-    }
-
-    const PartCharts& charts_;
-    const SweepTree& tree_;
-    const DeviationOptions& options_;
-    const PartTile& tile_;
-    const PartDistance& distance_;
-    PartCharts::Bend bend_;
-    std::vector<MeasuredCell> cells_;
-    std::vector<int> numbers_;
-    std::optional<MownRays> rays_;
-    std::size_t refined_cells_ = 0;
-};
 
 // The value that 99 % of the area does not reach, from a histogram over the leading bits
 // of each value, that is in steps of 1/2048 of it.
@@ -371,6 +90,7 @@ void check(const DeviationOptions& options)
             "measure_deviation: need 0 < tolerance");
     require(options.limits.scallop > 0 && std::isfinite(options.limits.scallop),
             "measure_deviation: need 0 < scallop");
+    require(static_cast<bool>(options.stock), "measure_deviation: need a stock");
     require(0 <= options.max_refine && options.max_refine <= 20,
             "measure_deviation: need 0 <= max_refine <= 20");
 }
@@ -505,10 +225,7 @@ private:
                               gouge > limits_.tolerance + verdict_slack;
         if (is_known)
             return;
-        const int halvings = measured_.options.max_refine;
-        const Doubt doubt{threshold(rest, limits_.scallop, scallop_sharpness),
-                          -threshold(gouge, limits_.tolerance, gouge_sharpness),
-                          halvings};
+        const Doubt doubt = doubt_beyond(rest, gouge, limits_);
         for_tiles(progress, [&](std::size_t i) {
             if (doubt.holds(of_tile_[i].upper, of_tile_[i].lower))
                 of_tile_[i] = TileMeasure{measured_, deviation_.tiles[i]}.refined(doubt);

@@ -28,7 +28,7 @@ struct DeviationOptions {
     DeviationLimits limits = {};
     double pitch = 0.1;  ///< of the first rays along the part, mm
     int max_refine = 8;  ///< halvings of a cell at most, 0 to 20
-    /// What of a ray lies in the stock before any move. By default no ray ends.
+    /// What of a ray lies in the stock before any move: a finite length. Must be set.
     std::function<MownRay(const PartRay&)> stock = {};
     std::size_t most_cells = 100'000'000;             ///< beyond it LimitError is thrown
     std::function<void(double share)> progress = {};  ///< called now and then, if set
