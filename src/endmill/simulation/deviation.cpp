@@ -23,6 +23,10 @@ constexpr double gouge_sharpness = 0.25;
 // Cells that the refinement of one tile may come to: some hundred times its own. Beyond
 // them its doubt stays, as at the last level.
 constexpr std::size_t most_refined_cells = 20'000;
+// Of the corner radius: the sweeps that matter to a cell of this reach are known by what
+// they leave at its middle. In a larger one others, which pass beside the middle, may be
+// the lowest elsewhere; in this one only where they leave nearly half the radius.
+constexpr double local_share = 0.125;
 // Of the narrower limit, and of the pitch at least: how closely the distance from the part
 // is known where a limit is broken.
 constexpr double distance_share = 0.1;
@@ -270,7 +274,8 @@ private:
             return;
         }
         // Whether a sharp edge, or any, passes through the cell the middle does not tell.
-        const bool is_smooth = cell.left.sweep >= 0 && !cutter().is_flat();
+        const bool is_smooth =
+            cell.left.sweep >= 0 && cell.reach <= local_share * cutter().corner_radius();
         const std::span<const std::int32_t> inherited = is_smooth ? local : depth.sweeps;
         for (const PartCell& quarter : cell.cell.quarters()) {
             ++refined_cells_;
