@@ -77,6 +77,11 @@ std::string number_text(const Json& value)
     return value.is_null() ? "unknown" : fmt::format("{:.4g}", value.get<double>());
 }
 
+std::string area_text(const Json& value)
+{
+    return fmt::format("{:.6g} mm2", value.get<double>());
+}
+
 // Where, and on the way to which point.
 std::string place_text(const Json& place)
 {
@@ -104,10 +109,10 @@ std::string extremes_text(const Json& s)
 std::string areas_text(const Json& s)
 {
     return fmt::format(
-        "of {} mm2, {} mm2 are gouged and {} mm2 uncut; the rest of material is {} mm on "
-        "average, on 99 % of the area below {} mm\n",
-        number_text(s["judged_area_mm2"]), number_text(s["gouge_area_mm2"]),
-        number_text(s["uncut_area_mm2"]), number_text(s["mean_scallop_mm"]),
+        "of {}, {} are gouged and {} uncut; the rest of material is {} mm on average, on "
+        "99 % of the area below {} mm\n",
+        area_text(s["judged_area_mm2"]), area_text(s["gouge_area_mm2"]),
+        area_text(s["uncut_area_mm2"]), number_text(s["mean_scallop_mm"]),
         number_text(s["p99_scallop_mm"]));
 }
 
