@@ -102,10 +102,13 @@ class PlanOnAPlane(ProgramTest):
             self.assertEqual(upright["contact_x_mm"], tilted["contact_x_mm"])
             self.assertAlmostEqual(float(tilted["tip_z_mm"]), shift, delta=1e-12)
 
-    def test_gap_in_what_is_not_measured_is_null(self):
-        facts = self.summary("plan", self.file(plane()), *BALL, "--direction", "v")
-        for key in ("max_gouge_mm", "max_scallop_mm", "scallop_pitch_mm", "scallop_bound_mm"):
-            self.assertIsNone(facts[key])
+    def test_measures_the_scallop_that_it_plans(self):
+        for axis in ("0,0,1", "1,0,2"):
+            facts = self.summary("plan", self.file(plane()), *BALL, "--direction", "v", "--axis", axis, "--force")
+            self.assertEqual(facts["max_gouge_mm"], 0)
+            self.assertLessEqual(facts["max_scallop_mm"], facts["scallop_mm"] + 1e-9)
+            self.assertGreaterEqual(facts["max_scallop_mm"] + facts["scallop_bound_mm"], facts["scallop_mm"] - 1e-9)
+            self.assertGreater(facts["scallop_pitch_mm"], 0)
 
 
 class VerifiedPlan(ProgramTest):

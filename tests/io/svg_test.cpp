@@ -87,6 +87,16 @@ TEST(SvgPicture, RoundingsDoNotAddUp)
         EXPECT_LE((line[i] - zigzag[i]).norm(), rounding);
 }
 
+TEST(SvgPicture, DrawsBoxesAsOneElementWithSharpSides)
+{
+    SvgPicture picture{100, 100, ""};
+    picture.add_boxes(std::vector<PixelBox>{{3, 4, 20, 5}, {-7, 8, 1, 2}}, "#123456");
+    const XmlElement path = SmallXml::parse(picture.text()).back();
+    EXPECT_EQ(path.attributes.at("fill"), "#123456");
+    EXPECT_EQ(path.attributes.at("shape-rendering"), "crispEdges");
+    EXPECT_EQ(path.attributes.at("d"), "M3 4h20v5h-20zM-7 8h1v2h-1z");
+}
+
 TEST(SvgPicture, DrawsNothingWhereThereIsNothing)
 {
     SvgPicture picture{100, 100, ""};
@@ -94,6 +104,7 @@ TEST(SvgPicture, DrawsNothingWhereThereIsNothing)
     picture.add_polyline({}, {});
     picture.add_polyline(std::vector<PixelPoint>{{1, 1}}, {});
     picture.add_polygon(std::vector<PixelPoint>{{1, 1}, {2, 2}}, "#ffffff", {});
+    picture.add_boxes({}, "#ffffff");
     EXPECT_EQ(picture.text(), before);
     EXPECT_EQ(drawn({{5, 5}, {5, 5}}).size(), 2U);
 }

@@ -92,14 +92,17 @@ double StraightSweep::corner_along(double s, double e2, double low, double high)
     double below = t_low;
     double above = t_high;
     double curvature = 0;
-    if (slope_at(above, curvature) <= 0)
+    // The tilt of the torus's tube at e = 0: a good first guess also elsewhere. On a short
+    // move it mostly lies beyond an end, which is then the place.
+    const double tube = c + r * m / std::sqrt(1 + m * m);
+    const double guess = std::sqrt(std::max(0.0, tube * tube - e2));
+    if (guess >= above && slope_at(above, curvature) <= 0)
         return s + sign * above;
     if (slope_at(below, curvature) >= 0)
         return s + sign * below;
-    // The tilt of the torus's tube at e = 0: a good first guess also elsewhere.
-    double t = std::clamp(
-        std::sqrt(std::max(0.0, std::pow(c + r * m / std::sqrt(1 + m * m), 2) - e2)),
-        below, above);
+    if (guess < above && slope_at(above, curvature) <= 0)
+        return s + sign * above;
+    double t = std::clamp(guess, below, above);
     for (int i = 0; i < most_iterations && below < above; ++i) {
         const double g = slope_at(t, curvature);
         if (g == 0)

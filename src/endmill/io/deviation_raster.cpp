@@ -84,25 +84,24 @@ DeviationRaster empty_raster(const AlignedBox2d& box, int squares)
     return raster;
 }
 
-// A cell seen from above, in squares, flat as it is at its middle.
+// A cell seen from above, flat as it is at its middle. In squares.
 struct Footprint {
-    std::array<Vector2d, 4> corners;
-    int count;
     Vector2d middle;
+    Vector2d corner;   // the first
+    Vector2d to_next;  // from there, along both of its sides
+    Vector2d to_last;
+    bool is_triangle;
 
-    bool covers(const Vector2d& point) const
+    // In [0, 1] by [0, 1], which a triangle has narrow at its second corner.
+    Vector2d at(double s, double t) const
     {
-        bool any_left = false;
-        bool any_right = false;
-        for (int k = 0; k < count; ++k) {
-            const Vector2d& a = corners[static_cast<std::size_t>(k)];
-            const Vector2d along = corners[static_cast<std::size_t>((k + 1) % count)] - a;
-            const Vector2d to = point - a;
-            const double turn = along.x() * to.y() - along.y() * to.x();
-            any_left = any_left || turn > 0;
-            any_right = any_right || turn < 0;
-        }
-        return any_left != any_right;
+        return corner + s * to_next + (is_triangle ? (1 - s) * t : t) * to_last;
+    }
+
+    double longest() const
+    {
+        return std::max(to_next.lpNorm<Eigen::Infinity>(),
+                        to_last.lpNorm<Eigen::Infinity>());
     }
 };
 
@@ -117,15 +116,14 @@ public:
     void paint(const PartCell& cell, const PartRay& ray, float left)
     {
         const Footprint print = footprint(cell, ray);
-        take(column_of(print.middle.x()), row_of(print.middle.y()), left);
-        AlignedBox2d box{print.middle};
-        for (int k = 0; k < print.count; ++k)
-            box.extend(print.corners[static_cast<std::size_t>(k)]);
-        for (int row = row_of(box.min().y()); row <= row_of(box.max().y()); ++row)
-            for (int column = column_of(box.min().x());
-                 column <= column_of(box.max().x()); ++column)
-                if (print.covers({column + 0.5, row + 0.5}))
-                    take(column, row, left);
+        take(print.middle, left);
+        // At half a square from each other the places miss no square within the cell.
+        const double places = std::ceil(2 * print.longest());
+        const int most = 4 * std::max(raster_.columns, raster_.rows);
+        const int steps = places < most ? static_cast<int>(places) : most;
+        for (int j = 0; steps > 1 && j < steps; ++j)
+            for (int i = 0; i < steps; ++i)
+                take(print.at((i + 0.5) / steps, (j + 0.5) / steps), left);
     }
 
     void paint(const DeviationRaster& other)
@@ -141,26 +139,25 @@ public:
 private:
     Footprint footprint(const PartCell& cell, const PartRay& ray) const
     {
-        const Vector2d middle = cell.centre();
-        Footprint print;
-        print.count = cell.corners;
-        print.middle = (ray.point.head<2>() - raster_.low) / raster_.side;
-        for (std::size_t k = 0; k < static_cast<std::size_t>(cell.corners); ++k) {
-            const Vector2d away = cell.at[k] - middle;
-            print.corners[k] =
-                print.middle +
-                (away.x() * ray.du + away.y() * ray.dv).head<2>() / raster_.side;
-        }
-        return print;
+        const auto seen = [&](const Vector2d& way) -> Vector2d {
+            return (way.x() * ray.du + way.y() * ray.dv).head<2>() / raster_.side;
+        };
+        const auto last = static_cast<std::size_t>(cell.corners - 1);
+        const Vector2d middle = (ray.point.head<2>() - raster_.low) / raster_.side;
+        return {middle, middle + seen(cell.at[0] - cell.centre()),
+                seen(cell.at[1] - cell.at[0]), seen(cell.at[last] - cell.at[0]),
+                cell.corners == 3};
     }
 
-    int column_of(double x) const
+    // What lies outside is on the border but for rounding, and the cell's own bend.
+    void take(const Vector2d& place, float left)
     {
-        return static_cast<int>(std::clamp(std::floor(x), 0.0, raster_.columns - 1.0));
-    }
-    int row_of(double y) const
-    {
-        return static_cast<int>(std::clamp(std::floor(y), 0.0, raster_.rows - 1.0));
+        if (!place.allFinite())
+            return;
+        take(static_cast<int>(
+                 std::clamp(std::floor(place.x()), 0.0, raster_.columns - 1.0)),
+             static_cast<int>(std::clamp(std::floor(place.y()), 0.0, raster_.rows - 1.0)),
+             left);
     }
 
     void take(int column, int row, float left)

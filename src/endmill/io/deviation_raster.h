@@ -36,8 +36,9 @@ struct DeviationRaster {
 double share_of_limit(double left, const DeviationLimits& limits);
 
 /// The raster of a part, `squares` along the longer side of what it covers of the xy
-/// plane. A square shows, of all cells whose middle or that cover its centre, the one
-/// with the largest share of its limit; of two that are equal the gouge.
+/// plane. A square shows, of all cells that reach half a square into it or have their
+/// middle in it, the one with the largest share of its limit; of two that are equal the
+/// gouge.
 /// \throws DomainError unless `squares` > 0, limits are positive, `charts` are those that
 ///         were measured, and all numbers are finite.
 DeviationRaster deviation_raster(const PartCharts& charts, const Deviation& deviation,

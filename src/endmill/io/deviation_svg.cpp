@@ -10,6 +10,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/io/deviation_raster.h"
+#include "endmill/io/printable.h"
 #include "endmill/io/svg.h"
 
 namespace endmill {
@@ -23,12 +24,13 @@ constexpr double legend_px = 130;         // room for the scale to the right of 
 constexpr int swatch_px = 22;             // height of a colour on the scale
 constexpr std::size_t shown_title = 100;  // characters
 constexpr std::size_t shown_caption = 150;
-constexpr double highest_map = 0.85;  // of the width of the room for the map
 constexpr LineStyle frame_style{"#9aa2ab", 1, ""};
 constexpr LineStyle no_line{"none", 0, ""};
 constexpr LineStyle mark_style{"#000000", 1.5, ""};
 constexpr double mark_radius_px = 7;
 constexpr int mark_corners = 24;
+constexpr double label_shift_px = 11;
+constexpr int label_room_px = 130;  // beside a part that is a narrow strip from above
 // Less is rounding: shown as 0.
 constexpr double least_shown = 1e-6;  // mm
 
@@ -76,19 +78,20 @@ std::vector<std::string> caption_lines(const Deviation& deviation,
                                    "), highest rest " + shown(deviation.max_scallop_mm) +
                                    " mm (limit " + shown(limits.scallop) + ")"};
     for (const std::string& caption : figure.captions)
-        lines.push_back(caption.substr(0, shown_caption));
+        lines.push_back(printable(caption, shown_caption));
     return lines;
 }
 
 // Where things are. Squares are whole px, so that their sides are sharp.
 struct Layout {
-    double width;
-    double height;
-    int left;    // of the map
-    int top;     // ditto
-    int square;  // px a square
+    double width;   // of the picture
+    double height;  // ditto
+    int left;       // of the map
+    int top;        // ditto
+    int square;     // px a square
     int map_width;
     int map_height;
+    int scale_left;
 
     Layout(const DeviationFigure& figure, const DeviationRaster& raster,
            std::size_t captions)
@@ -96,8 +99,7 @@ struct Layout {
     {
         const double room = width - 2 * margin_px - legend_px;
         square =
-            std::max(1, static_cast<int>(std::min(room / raster.columns,
-                                                  highest_map * room / raster.rows)));
+            std::max(1, static_cast<int>(room / std::max(raster.columns, raster.rows)));
         left = static_cast<int>(margin_px);
         top = static_cast<int>(margin_px + title_px +
                                line_px * static_cast<double>(captions) + margin_px / 2);
@@ -106,7 +108,8 @@ struct Layout {
         const int scale = swatch_px * static_cast<int>(colours.size() + 1);
         height =
             top + std::max(map_height + static_cast<int>(2 * line_px), scale) + margin_px;
-        width = std::max(width, left + map_width + margin_px + legend_px);
+        scale_left = left + std::max(map_width, label_room_px) + left;
+        width = std::max(width, scale_left + legend_px);
     }
 };
 
@@ -129,8 +132,7 @@ public:
         add_squares();
         add_frame();
         add_scale();
-        add_mark(deviation_.highest, "rest ");
-        add_mark(deviation_.deepest, "gouge ");
+        add_marks();
         return picture_.text();
     }
 
@@ -138,7 +140,7 @@ private:
     void add_heading()
     {
         double y = margin_px + title_px / 2;
-        picture_.add_text({margin_px, y}, figure_.title.substr(0, shown_title),
+        picture_.add_text({margin_px, y}, printable(figure_.title, shown_title),
                           {title_px, "#222222", true, false});
         for (const std::string& line : captions_)
             picture_.add_text({margin_px, y += line_px}, line,
@@ -194,16 +196,16 @@ private:
                               " upwards, seen along -z",
                           {caption_px, "#555555", false, false});
         picture_.add_text({x, bottom + 2 * line_px},
-                          "a square of " + shown(raster_.side) +
-                              " mm shows its worst place, measured by the limits",
+                          "each square, " + shown(raster_.side) +
+                              " mm wide, shows its worst place as a share of its limit",
                           {caption_px, "#555555", false, false});
     }
 
     // Rests above, gouges below, as on the part.
     void add_scale()
     {
-        const int x = layout_.left + layout_.map_width + static_cast<int>(margin_px);
-        picture_.add_text({x + 0.0, layout_.top + caption_px}, "left, mm",
+        const int x = layout_.scale_left;
+        picture_.add_text({x + 0.0, layout_.top + caption_px}, "material left, mm",
                           {caption_px, "#222222", true, false});
         const auto edges = class_edges(figure_.limits);
         for (std::size_t k = 0; k < colours.size(); ++k) {
@@ -216,11 +218,25 @@ private:
         }
     }
 
-    void add_mark(const std::optional<DeviationPlace>& place, std::string_view name)
+    // The label of the upper one is raised and that of the lower one lowered, so that they
+    // do not meet.
+    void add_marks()
     {
-        if (!place || class_of(place->left, figure_.limits) == neutral)
+        const auto& rest = deviation_.highest;
+        const auto& gouge = deviation_.deepest;
+        const bool is_gouge_above =
+            rest && gouge && gouge->ray.point.y() > rest->ray.point.y();
+        if (rest)
+            add_mark(*rest, "rest ", is_gouge_above ? label_shift_px : -label_shift_px);
+        if (gouge)
+            add_mark(*gouge, "gouge ", is_gouge_above ? -label_shift_px : label_shift_px);
+    }
+
+    void add_mark(const DeviationPlace& place, std::string_view name, double shift_px)
+    {
+        if (class_of(place.left, figure_.limits) == neutral)
             return;
-        const PixelPoint at = pixels(place->ray.point);
+        const PixelPoint at = pixels(place.ray.point);
         std::array<PixelPoint, mark_corners> ring;
         for (int k = 0; k < mark_corners; ++k) {
             const double angle = 2 * std::numbers::pi * k / mark_corners;
@@ -228,16 +244,18 @@ private:
                 at + mark_radius_px * PixelPoint{std::cos(angle), std::sin(angle)};
         }
         picture_.add_polygon(ring, "none", mark_style);
-        add_label(at, std::string{name} + shown(std::abs(place->left)));
+        add_label(at + PixelPoint{0, shift_px},
+                  std::string{name} + shown(std::abs(place.left)));
     }
 
-    // On white, beside the mark, on the side where there is more room.
+    // On white, beside the mark, on the side where there is room.
     void add_label(const PixelPoint& at, const std::string& label)
     {
         constexpr double letter_px = 0.62 * caption_px;
         const double width = letter_px * static_cast<double>(label.size());
-        const bool is_left = at.x() > layout_.left + layout_.map_width / 2.0;
         const double gap = mark_radius_px + 3;
+        const bool is_left = at.x() > layout_.left + layout_.map_width / 2.0 &&
+                             at.x() > layout_.left + gap + width;
         const double x = is_left ? at.x() - gap - width - 6 : at.x() + gap;
         const double y = at.y() - caption_px / 2 - 3;
         const double right = x + width + 6;

@@ -81,12 +81,12 @@ std::optional<CornerValues> corner_values(const StraightSweep& sweep,
 double hidden_gouge(const MeasuredCell& cell, const Cutter& cutter)
 {
     const double d = cell.reach;
+    if (!cutter.is_flat())
+        return d * d / 2 * (1 / cutter.corner_radius() + cell.bend.convex);
+    // Beyond an edge the ray stands in what another move leaves: the nearest one on the
+    // gouge's own side may belong to the next cell.
     const double upright = std::clamp(cell.ray.normal.z(), 0.0, 1.0);
-    const double by_edge = d * std::sqrt((1 - upright) * (1 + upright));
-    if (cutter.is_flat())
-        return by_edge;
-    const double smooth = d * d / 2 * (1 / cutter.corner_radius() + cell.bend.convex);
-    return cutter.is_ball() ? smooth : std::min(smooth, by_edge);
+    return 2 * d * std::sqrt((1 - upright) * (1 + upright));
 }
 
 double most_left_by_slope(const MeasuredCell& cell, const Cutter& cutter)

@@ -29,8 +29,8 @@ constexpr std::size_t most_refined_cells = 20'000;
 constexpr double local_share = 0.125;
 // Of the narrower limit, and of the pitch at least: how closely the distance from the part
 // is known where a limit is broken.
-constexpr double distance_share = 0.1;
-constexpr double finest_distance_share = 0.02;
+constexpr double distance_share = 0.25;
+constexpr double finest_distance_share = 0.1;
 
 // What has been found on some cells.
 struct Extremes {

@@ -77,7 +77,7 @@ struct Deviation {
 /// nothing is refined.
 ///
 /// Between rays a gouge hides at most (d^2 / 2)(1 / r + k), d a cell's half diagonal, r
-/// the cutter's corner radius, k the part's convex curvature (with a sharp edge d sin phi,
+/// the cutter's corner radius, k the part's convex curvature (with a sharp edge 2 d sin phi,
 /// phi the slope), and a rest no more than the part's and the sweeps' own shape allows:
 /// above a flat piece of the part what one sweep leaves is convex, so its highest place
 /// is a cell's corner. Curvature of the part over a cell enters by d^2 k.

@@ -14,6 +14,9 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int most_across = 8;  // cells of a tile along a side
+// Of a cell: it may be so much longer than the pitch, where one more would make all of them
+// much shorter.
+constexpr double spared_share = 0.2;
 // Halvings of a chart: beyond them a side is too long for any memory.
 constexpr int most_halvings = 40;
 
@@ -99,7 +102,8 @@ private:
     void keep(const PartCell& cell, const Sides& sides)
     {
         const auto across = [&](double side) {
-            return std::clamp(static_cast<int>(std::ceil(side / pitch_)), 1, most_across);
+            return std::clamp(static_cast<int>(std::ceil(side / pitch_ - spared_share)),
+                              1, most_across);
         };
         int columns = across(sides.along_u);
         int rows = across(sides.along_v);

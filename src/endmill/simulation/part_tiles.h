@@ -24,8 +24,8 @@ struct PartTile {
     PartCell cell(int number) const;
 };
 
-/// Cuts the charts into tiles whose cells have sides of at most `pitch`, by the partials
-/// at the tile's corners and middle.
+/// Cuts the charts into tiles whose cells have sides of at most 1.2 `pitch`, about one
+/// pitch in the mean, by the partials at the tile's corners and middle.
 /// \param pitch in mm, positive.
 /// \throws LimitError if there are more than `most_cells` cells.
 std::vector<PartTile> part_tiles(const PartCharts& charts, double pitch,

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Internal to cutter
+#pragma once
+
+#include <optional>
+
+#include "endmill/cutter/sweep_entry.h"
+
+namespace endmill {
+
+/// `sweep_entry` for a bull-nose cutter: by tangents to S along the line, which is convex.
+std::optional<SweepEntry> corner_entry(const StraightSweep& sweep, const Line& line,
+                                       double before);
+
+}  // namespace endmill
