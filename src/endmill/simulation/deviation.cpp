@@ -20,8 +20,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // Shares of the limits to within which a maximum is sought, if that is more than the slack.
 constexpr double scallop_sharpness = 0.05;
 constexpr double gouge_sharpness = 0.25;
-// Cells that the refinement of one tile may come to: some hundred times its own. Beyond
-// them its doubt stays, as at the last level.
+// Cells that the refinement of one tile may come to: some hundred times its own. If they
+// do not do, the doubt of the last level that they do for stays.
 constexpr std::size_t most_refined_cells = 20'000;
 // Of the corner radius: the sweeps that matter to a cell of this reach are known by what
 // they leave at its middle. In a larger one others, which pass beside the middle, may be
@@ -60,6 +60,16 @@ struct Extremes {
         lower = std::min(lower, least);
         above = std::max(above, most - left);
         below = std::max(below, left - least);
+    }
+    // Of the same cells once more: what has been found holds for both, and the closer
+    // bounds.
+    void join(const Extremes& other)
+    {
+        const double most = std::min(upper, other.upper);
+        const double least = std::max(lower, other.lower);
+        merge(other);
+        upper = std::max(most, highest.left);
+        lower = std::min(least, deepest.left);
     }
     // Of equal ones the first stays, so the order of the tiles decides.
     void merge(const Extremes& other)
@@ -160,19 +170,37 @@ public:
     // The same with every doubtful cell refined.
     Extremes refined(const Doubt& doubt)
     {
-        Extremes found;
         double margin = 0;
         for (const MeasuredCell& cell : cells_)
             if (doubt.holds(most_left(cell, {}), least_left(cell)))
                 margin = std::max(margin, owner_margin(cell));
         const std::vector<std::int32_t> near = rays_->near_sweeps(tree_, margin);
+        Extremes found = refined_to(options_.max_refine, doubt, near);
+        // Where the first cells have taken all there is, the others had nothing: the finest
+        // level that does for all of them tells more.
+        int level = 0;
+        for (int beyond = is_exhausted() ? options_.max_refine : 1; beyond - level > 1;) {
+            const int middle = (level + beyond) / 2;
+            found.join(refined_to(middle, doubt, near));
+            (is_exhausted() ? beyond : level) = middle;
+        }
+        return found;
+    }
+
+private:
+    bool is_exhausted() const { return refined_cells_ >= most_refined_cells; }
+
+    // Every doubtful cell halved so many times at most.
+    Extremes refined_to(int level, const Doubt& doubt, std::span<const std::int32_t> near)
+    {
+        Extremes found;
         refined_cells_ = 0;
+        last_level_ = level;
         for (const MeasuredCell& cell : cells_)
             refine(cell, doubt, {0, near}, found);
         return found;
     }
 
-private:
     void measure()
     {
         std::array<PartRay, most_tile_cells> rays;
@@ -267,8 +295,7 @@ private:
             local_sweeps(cell, tree_.sweeps(), depth.sweeps);
         if (most > doubt.upper && !local.empty())
             most = most_left(cell, local);
-        const bool is_last =
-            depth.level >= options_.max_refine || refined_cells_ >= most_refined_cells;
+        const bool is_last = depth.level >= last_level_ || is_exhausted();
         if (is_last || !doubt.holds(most, least)) {
             found.bound(cell.left.left, most, least);
             return;
@@ -314,6 +341,7 @@ private:
     std::vector<int> numbers_;
     std::optional<MownRays> rays_;
     std::size_t refined_cells_ = 0;
+    int last_level_ = 0;
 };
 
 // The value that 99 % of the area does not reach, from a histogram over the leading bits
