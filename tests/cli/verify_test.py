@@ -108,19 +108,24 @@ class Verdicts(VerifyTest):
         self.assertAlmostEqual(facts["uncut_area_mm2"], 60 * width, delta=60 * 0.25)
 
     def test_refining_never_turns_what_was_decided(self):
+        self.file(plane())
         for name, tips, truth in (("g", passes(range(31)), "clean"), ("d", passes(range(31), dip=10), "gouged"),
                                   ("s", passes([y for y in range(31) if y != 10]), "uncut")):
-            found = []
-            for resolution in (10, 6, 2, 1):
-                for refine in (0, 8):
-                    done = endmill("verify", self.file(tips, f"{name}.csv"), "--part", self.file(plane()), "--cutter",
-                                   "ball:10", "--scallop", "0.05", "--resolution", resolution, "--max-refine", refine,
-                                   "-o", "out", "--force", "--json", cwd=self.folder)
-                    facts = json.loads(done.stdout)
-                    found.append(facts["verdict"])
-                    self.assertIn(facts["verdict"], (truth, "undecided"), (name, resolution, refine))
-                    self.assertEqual(done.returncode, 0 if facts["verdict"] == "clean" else 1)
-            self.assertEqual(found[-1], truth)
+            path = self.file(tips, f"{name}.csv")
+            decided = set()
+            for resolution in (10, 6, 4, 1.5):
+                for refine in (0, 4, 8):
+                    done = endmill("verify", path, "--part", "surface.json", "--cutter", "ball:10", "--scallop", "0.05",
+                                   "--resolution", resolution, "--max-refine", refine, "-o", "out", "--force", "--json",
+                                   cwd=self.folder)
+                    verdict = json.loads(done.stdout)["verdict"]
+                    was_decided = any(pitch >= resolution and halvings <= refine for pitch, halvings in decided)
+                    expected = (truth,) if was_decided else (truth, "undecided")
+                    self.assertIn(verdict, expected, (name, resolution, refine))
+                    if verdict == truth:
+                        decided.add((resolution, refine))
+                    self.assertEqual(done.returncode, 0 if verdict == "clean" else 1)
+            self.assertIn((1.5, 8), decided)
 
     def test_undecided_is_a_no_and_says_what_helps(self):
         path = self.file(passes(range(31)), "p.csv")
