@@ -30,9 +30,9 @@ ExitCode run_verify(const VerifyOptions& options)
     const Verification verification = verify_path(task);
     const Json summary = write_verification({input, options, task, verification}, folder);
     folder.publish();
-    print_result(
-        options.common, summary,
-        verify_text(summary) + "written to " + printable(folder.path().string()) + "\n");
+    print_result(options.common, summary,
+                 verify_text(summary, verification.removal) + "written to " +
+                     printable(folder.path().string()) + "\n");
     return verification.verdict == Verdict::Clean ? ExitCode::Yes : ExitCode::No;
 }
 
@@ -51,10 +51,11 @@ void add_verify_command(CLI::App& program, Action& action)
         "deviation.svg\n"
         "and histogram.csv to --output (default ./NAME-verify). Part, cutter and limits\n"
         "are those of the summary.json beside TOOLPATH, unless an option says "
-        "otherwise.\n\n"
-        "Example:\n  endmill verify results/u/toolpath.csv --part "
-        "datasets/surfaces/net_rot24_7D.json \\\n      --cutter ball:15 --resolution "
-        "0.2");
+        "otherwise.\n"
+        "Points are numbered from 0 through the whole path, as in removal.csv.\n\n"
+        "Example:\n  endmill plan datasets/surfaces/saddle.json --mode verified -o "
+        "results\n"
+        "  endmill verify results/u/toolpath.csv --resolution 0.5");
     command->callback([options, &action] {
         action = [options] {
             try {

@@ -32,6 +32,23 @@ std::string stock_text(const VerifyResult& result)
     return result.input.stock ? result.options.stock + " within " + box : "block " + box;
 }
 
+// What the figure does not know of itself.
+std::vector<std::string> figure_captions(const VerifyResult& result)
+{
+    const Deviation& deviation = *result.verification.deviation;
+    std::vector<std::string> captions{
+        fmt::format("{}; rays {:g} mm apart, finer where in doubt; between them a gouge "
+                    "may be {:.3g} "
+                    "mm deeper, a rest {:.3g} mm higher",
+                    cutter_word(result.task.cutter), result.options.resolution,
+                    deviation.gouge_bound_mm, deviation.scallop_bound_mm)};
+    for (const std::string& rule : broken_rules(result.verification.removal))
+        captions.push_back("in all " +
+                           std::string{verdict_name(result.verification.verdict)} + ": " +
+                           rule);
+    return captions;
+}
+
 void write_deviation(const VerifyResult& result, const PartCharts& charts,
                      OutputFolder& folder)
 {
@@ -39,6 +56,7 @@ void write_deviation(const VerifyResult& result, const PartCharts& charts,
     folder.write("deviation.vtp", deviation_vtp(charts, deviation));
     DeviationFigure figure;
     figure.title = result.input.name + ": what the path leaves, seen along -z";
+    figure.captions = figure_captions(result);
     figure.limits = result.input.limits;
     folder.write("deviation.svg", deviation_svg(charts, deviation, figure));
     folder.write("histogram.csv",

@@ -172,6 +172,11 @@ void add_stock(VerifyInput& input, const VerifyOptions& options)
     }
     input.files.push_back(options.stock);
     const std::filesystem::path path{options.stock};
+    std::error_code ignored;
+    if (path.empty() ||
+        (options.stock.find(',') != std::string::npos && !exists(path, ignored)))
+        throw DomainError{"--stock " + printable(options.stock) +
+                          ": expected block, X0,Y0,Z0,X1,Y1,Z1 in mm, or a file"};
     if (path.extension() == ".vti") {
         input.stock = read_stock(path, options.common.limits);
     } else {

@@ -82,7 +82,7 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
     command.add_flag("--write-stock", options.write_stock,
                      "write what is left as stock.vti, for a later --stock");
     command.add_flag("--write-mesh", options.write_mesh,
-                     "write what is left as rest.stl");
+                     "write what is left as rest.stl, to look at");
     add_common_options(command, options.common);
 }
 

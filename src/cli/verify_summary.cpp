@@ -72,44 +72,97 @@ void add_removal(Json& summary, const Removal& removal)
     add_count(summary, "collisions", removal.collisions);
 }
 
-std::string reason_text(const Json& s)
-{
-    const auto count = [&](const char* key) { return s[key].get<std::size_t>(); };
-    std::string text;
-    if (count("rapid_cuts") > 0)
-        text += fmt::format("{} cut, the first to point {}\n",
-                            counted(count("rapid_cuts"), "rapid"),
-                            s["first_of_rapid_cuts"].dump());
-    if (count("collisions") > 0)
-        text += fmt::format(
-            "shank or holder meets the material on {}, first to point {}\n",
-            counted(count("collisions"), "move"), s["first_of_collisions"].dump());
-    return text;
-}
-
 std::string number_text(const Json& value)
 {
     return value.is_null() ? "unknown" : fmt::format("{:.4g}", value.get<double>());
 }
 
+std::string area_text(const Json& value)
+{
+    return fmt::format("{:.6g} mm2", value.get<double>());
+}
+
+// Where, and on the way to which point.
+std::string place_text(const Json& place)
+{
+    if (place.is_null())
+        return "";
+    const Json& at = place["point_mm"];
+    std::string text = fmt::format(" at {:.4g}, {:.4g}, {:.4g}", at[0].get<double>(),
+                                   at[1].get<double>(), at[2].get<double>());
+    if (!place["point"].is_null())
+        text += fmt::format(" on the move to point {}", place["point"].get<int>());
+    return text;
+}
+
+std::string extremes_text(const Json& s)
+{
+    return fmt::format(
+        "deepest gouge {} mm{} (between rays at most {} mm more; tolerance {:g} mm)\n"
+        "highest rest {} mm{} (between rays at most {} mm more; limit {:g} mm)\n",
+        number_text(s["max_gouge_mm"]), place_text(s["max_gouge_at"]),
+        number_text(s["gouge_bound_mm"]), s["tolerance_mm"].get<double>(),
+        number_text(s["max_scallop_mm"]), place_text(s["max_scallop_at"]),
+        number_text(s["scallop_bound_mm"]), s["scallop_limit_mm"].get<double>());
+}
+
+std::string areas_text(const Json& s)
+{
+    return fmt::format(
+        "of {}, {} are gouged and {} uncut; the rest of material is {} mm on average, on "
+        "99 % of the area below {} mm\n",
+        area_text(s["judged_area_mm2"]), area_text(s["gouge_area_mm2"]),
+        area_text(s["uncut_area_mm2"]), number_text(s["mean_scallop_mm"]),
+        number_text(s["p99_scallop_mm"]));
+}
+
+// What has to be known to read the verdict.
+std::string hint_text(const Json& s)
+{
+    if (s["verdict"] == verdict_name(Verdict::Undecided))
+        return "a limit may be broken between the rays: a finer --resolution tells\n";
+    if (s["part"].is_null() && s["removed_mm3"] == 0)
+        return "the stock lies below the path: --stock says where the material is\n";
+    return "";
+}
+
 }  // namespace
+
+std::vector<std::string> broken_rules(const Removal& removal)
+{
+    std::vector<std::string> rules;
+    const auto& [rapids, first_rapid, depth] = removal.rapid_cuts;
+    if (rapids > 0)
+        rules.push_back(fmt::format("{} cut, up to {:.4g} mm deep, the first to point {}",
+                                    counted(rapids, "rapid"), depth,
+                                    first_rapid.value_or(0)));
+    const auto& [hits, first_hit, inside] = removal.collisions;
+    if (hits > 0)
+        rules.push_back(fmt::format(
+            "shank or holder is up to {:.4g} mm in the material, on {}, the first to "
+            "point {}",
+            inside, counted(hits, "move"), first_hit.value_or(0)));
+    return rules;
+}
 
 Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
                     const Verification& verification, const PartCharts* charts)
 {
-    Json summary{{"name", context.name},
-                 {"endmill", program_version},
-                 {"toolpath", printable(options.path)},
-                 {"part", context.part.empty() ? Json(nullptr) : Json(context.part)},
-                 {"stock", context.stock},
-                 {"cutter", cutter_word(context.cutter)},
-                 {"points", context.program.path.points.size()},
-                 {"verdict", std::string{verdict_name(verification.verdict)}},
-                 {"tolerance_mm", context.limits.tolerance},
-                 {"scallop_limit_mm", context.limits.scallop},
-                 {"slack_mm", verdict_slack},
-                 {"resolution_mm", options.resolution},
-                 {"max_refine", options.max_refine}};
+    Json summary{
+        {"name", context.name},
+        {"endmill", program_version},
+        {"toolpath", printable(options.path)},
+        {"part", context.part.empty() ? Json(nullptr) : Json(context.part)},
+        {"stock", context.stock},
+        {"cutter", cutter_word(context.cutter)},
+        {"tool", options.tool.empty() ? Json(nullptr) : Json(printable(options.tool))},
+        {"points", context.program.path.points.size()},
+        {"verdict", std::string{verdict_name(verification.verdict)}},
+        {"tolerance_mm", context.limits.tolerance},
+        {"scallop_limit_mm", context.limits.scallop},
+        {"slack_mm", verdict_slack},
+        {"resolution_mm", options.resolution},
+        {"max_refine", options.max_refine}};
     if (verification.deviation && charts)
         add_deviation(summary, *verification.deviation, *charts);
     else
@@ -120,29 +173,20 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
     return summary;
 }
 
-std::string verify_text(const Json& s)
+std::string verify_text(const Json& s, const Removal& removal)
 {
     std::string text = fmt::format("{}: {}\n", s["name"].get<std::string>(),
                                    s["verdict"].get<std::string>());
-    if (!s["max_gouge_mm"].is_null()) {
-        text += fmt::format(
-            "deepest gouge {} mm (bound {}, tolerance {:g}), over {:.4g} mm2\n",
-            number_text(s["max_gouge_mm"]), number_text(s["gouge_bound_mm"]),
-            s["tolerance_mm"].get<double>(), s["gouge_area_mm2"].get<double>());
-        text += fmt::format(
-            "highest rest {} mm (bound {}, limit {:g}), 99 % below {}, mean {}, uncut "
-            "{:.4g} mm2\n",
-            number_text(s["max_scallop_mm"]), number_text(s["scallop_bound_mm"]),
-            s["scallop_limit_mm"].get<double>(), number_text(s["p99_scallop_mm"]),
-            number_text(s["mean_scallop_mm"]), s["uncut_area_mm2"].get<double>());
-    } else {
+    if (s["part"].is_null())
         text += "no part to judge by: --part FILE names one\n";
-    }
-    text += reason_text(s);
-    return text + fmt::format("removed {:.6g} mm3; {} of {} points reached through air\n",
-                              s["removed_mm3"].get<double>(),
-                              s["air_moves"].get<std::size_t>(),
-                              s["points"].get<std::size_t>());
+    else
+        text += extremes_text(s) + areas_text(s);
+    for (const std::string& rule : broken_rules(removal))
+        text += rule + "\n";
+    text += fmt::format("removed {:.6g} mm3; {} of {} moves cut nothing\n",
+                        s["removed_mm3"].get<double>(), s["air_moves"].get<std::size_t>(),
+                        s["points"].get<std::size_t>());
+    return text + hint_text(s);
 }
 
 }  // namespace endmill

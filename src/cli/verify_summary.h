@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/verify_options.h"
 #include "endmill/post/program.h"
@@ -24,7 +25,11 @@ struct VerifyContext {
 Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
                     const Verification& verification, const PartCharts* charts);
 
-/// The same for a person.
-std::string verify_text(const Json& summary);
+/// What makes a path gouged whatever it leaves: rapids that cut, and a shank or holder in
+/// the material; a line each.
+std::vector<std::string> broken_rules(const Removal& removal);
+
+/// The summary for a person.
+std::string verify_text(const Json& summary, const Removal& removal);
 
 }  // namespace endmill

@@ -100,6 +100,37 @@ TEST(Deviation, OfAPassLeftOutIsTheScallopOfTwicePitchInPlace)
     EXPECT_NEAR(left.uncut_area_mm2, 20 * 2 * half, 20 * 0.2);
 }
 
+// Most passes lie beside the ray at the middle of such a cell, and never meet it.
+TEST(Deviation, OfCellsWiderThanTheCutterOverstatesNothing)
+{
+    const double scallop = 1 - std::sqrt(0.75);  // R 1, passes 1 apart
+    for (const double pitch : {3.0, 6.0, 12.0}) {
+        DeviationOptions options;
+        options.pitch = pitch;
+        options.limits = {0.01, 1.1 * scallop};
+        const Deviation left =
+            deviation_of(plane_part(), level_passes(1), Cutter::ball(1), options);
+        EXPECT_LE(left.max_scallop_mm, scallop + 1e-12) << pitch;
+        EXPECT_NE(verdict(left, options.limits), Verdict::Uncut) << pitch;
+    }
+}
+
+TEST(Deviation, OfMoreHalvingsIsNoLessCertain)
+{
+    DeviationOptions options;
+    options.pitch = 6;
+    options.limits = {0.01, 0.05};
+    double gouge_bound = 1e3;
+    for (const int halvings : {2, 4, 8, 12}) {
+        options.max_refine = halvings;
+        const Deviation left =
+            deviation_of(plane_part(), level_passes(1), Cutter::ball(5), options);
+        EXPECT_LE(left.gouge_bound_mm, gouge_bound) << halvings;
+        gouge_bound = left.gouge_bound_mm;
+    }
+    EXPECT_LE(gouge_bound, options.limits.tolerance);
+}
+
 TEST(Deviation, FindsAndPlacesADeliberateGouge)
 {
     ToolPath path = level_passes(1.5);

@@ -123,14 +123,14 @@ double MownRays::longest() const
     return std::max(0.0, *std::max_element(left_.begin(), left_.begin() + count_));
 }
 
-// Whether no ray, `margin` longer than it is, comes to the half space normal . x >= least:
-// by the slab and the cylinder around the points and the cone around the normals.
+// Whether no ray, `margin` longer than it is, comes within `margin` of the half space
+// normal . x >= least: by the slab and the cylinder around the points and the cone around the normals.
 bool MownRays::is_out_of_reach(const Vec3& normal, double least, double margin) const
 {
     const double along = normal.dot(upright_);
     const double across = (normal - along * upright_).norm();
     const double most = beside_ * across + above_ * std::abs(along) +
-                        (longest_ + margin) * std::max(0.0, along + tilt_);
+                        (longest_ + margin) * std::max(0.0, along + tilt_) + margin;
     return least - normal.dot(centre_) >= most;
 }
 
@@ -141,8 +141,9 @@ bool MownRays::may_matter(const SweepTree& tree, const Vec3& nearest, double mar
     return !beyond || !is_out_of_reach(beyond->normal, beyond->least, margin);
 }
 
-// Whether the sweep could shorten a ray whose length is `margin` more than what is left;
-// `short_by` is how far each then lies beyond the sweep's half space: below 0 it may.
+// Whether the sweep could shorten a ray whose length is `margin` more than what is left,
+// or one as near as that beside it; `short_by` is how far each then lies beyond the
+// sweep's half space: below 0 it may.
 bool MownRays::may_reach(const StraightSweep& sweep, double margin, Row& short_by) const
 {
     const auto beyond = half_space_beyond(sweep, centre_);
@@ -160,7 +161,7 @@ bool MownRays::may_reach(const StraightSweep& sweep, double margin, Row& short_b
             w.x() * point_[0][k] + w.y() * point_[1][k] + w.z() * point_[2][k];
         const double rate =
             w.x() * normal_[0][k] + w.y() * normal_[1][k] + w.z() * normal_[2][k];
-        short_by[k] = least - at -
+        short_by[k] = least - margin - at -
                       std::max(0.0, left_[k] + margin) * std::max(0.0, rate) +
                       negligible_share * sweep.cutter().radius();
         nearest = std::min(nearest, short_by[k]);

@@ -37,7 +37,7 @@ public:
     void mow(const StraightSweep& sweep, std::int32_t number);
 
     /// Numbers of the sweeps that may clear something of the rays as they are now, or
-    /// within `margin` mm above what is left; each once, rising.
+    /// within `margin` mm above what is left or beside; each once, rising.
     std::vector<std::int32_t> near_sweeps(const SweepTree& tree, double margin) const;
 
     const MownRay& operator[](int k) const { return mown_[static_cast<std::size_t>(k)]; }

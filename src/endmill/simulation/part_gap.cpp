@@ -9,7 +9,7 @@ namespace endmill {
 namespace {
 
 // Halvings of a chart's sides: its pieces are then small against it.
-constexpr int most_halvings = 4;
+constexpr int most_halvings = 6;
 
 // How far the reference points of the cutter, and all above them, are from `place`.
 double distance_from_sweeps(const SweepTree& tree, const Vec3& place, double least)

@@ -9,9 +9,13 @@ namespace {
 // Shares of the limits to within which a maximum is sought, if that is more than the slack.
 constexpr double scallop_sharpness = 0.05;
 constexpr double gouge_sharpness = 0.25;
-// Cells that the refinement of one tile may come to: some hundred times its own. Beyond
-// them its doubt stays, as at the last level.
+// Cells that the refinement of one tile may come to: some hundred times its own. If they
+// do not do, the doubt of the last level that they do for stays.
 constexpr std::size_t most_refined_cells = 20'000;
+// Of the corner radius: the sweeps that matter to a cell of this reach are known by what
+// they leave at its middle. In a larger one others, which pass beside the middle, may be
+// the lowest elsewhere; in this one only where they leave nearly half the radius.
+constexpr double local_share = 0.125;
 
 // The most that a maximum may turn out higher without changing anything.
 double threshold(double found, double limit, double sharpness)
@@ -68,13 +72,36 @@ Extremes TileMeasure::extremes() const
 
 Extremes TileMeasure::refined(const Doubt& doubt)
 {
-    Extremes found;
     double margin = 0;
     for (const MeasuredCell& cell : cells_)
         if (doubt.holds(most_left(cell, {}), least_left(cell)))
             margin = std::max(margin, owner_margin(cell));
     const std::vector<std::int32_t> near = rays_->near_sweeps(measured_.tree, margin);
+    Extremes found = refined_to(measured_.options.max_refine, doubt, near);
+    // Where the first cells have taken all there is, the others had nothing: the finest
+    // level that does for all of them tells more.
+    int level = 0;
+    for (int beyond = is_exhausted() ? measured_.options.max_refine : 1;
+         beyond - level > 1;) {
+        const int middle = (level + beyond) / 2;
+        found.join(refined_to(middle, doubt, near));
+        (is_exhausted() ? beyond : level) = middle;
+    }
+    return found;
+}
+
+bool TileMeasure::is_exhausted() const
+{
+    return refined_cells_ >= most_refined_cells;
+}
+
+// Every doubtful cell halved so many times at most.
+Extremes TileMeasure::refined_to(int level, const Doubt& doubt,
+                                 std::span<const std::int32_t> near)
+{
+    Extremes found;
     refined_cells_ = 0;
+    last_level_ = level;
     for (const MeasuredCell& cell : cells_)
         refine(cell, doubt, {0, near}, found);
     return found;
@@ -160,14 +187,14 @@ void TileMeasure::refine(const MeasuredCell& cell, const Doubt& first_doubt,
         local_sweeps(cell, measured_.tree.sweeps(), depth.sweeps);
     if (most > doubt.upper && !local.empty())
         most = most_left(cell, local);
-    const bool is_last = depth.level >= measured_.options.max_refine ||
-                         refined_cells_ >= most_refined_cells;
+    const bool is_last = depth.level >= last_level_ || is_exhausted();
     if (is_last || !doubt.holds(most, least)) {
         found.bound(cell.left.left, most, least);
         return;
     }
     // Whether a sharp edge, or any, passes through the cell the middle does not tell.
-    const bool is_smooth = cell.left.sweep >= 0 && !cutter().is_flat();
+    const bool is_smooth =
+        cell.left.sweep >= 0 && cell.reach <= local_share * cutter().corner_radius();
     const std::span<const std::int32_t> inherited = is_smooth ? local : depth.sweeps;
     for (const PartCell& quarter : cell.cell.quarters()) {
         ++refined_cells_;

@@ -47,6 +47,16 @@ struct Extremes {
         above = std::max(above, most - left);
         below = std::max(below, left - least);
     }
+    /// Counts in what was found of the same cells once more: all of it holds, and of the
+    /// bounds the closer ones.
+    void join(const Extremes& other)
+    {
+        const double most = std::min(upper, other.upper);
+        const double least = std::max(lower, other.lower);
+        merge(other);
+        upper = std::max(most, highest.left);
+        lower = std::min(least, deepest.left);
+    }
     /// Of equal ones the first stays, so the order of the tiles decides.
     void merge(const Extremes& other)
     {
@@ -116,6 +126,9 @@ private:
     };
 
     void measure();
+    bool is_exhausted() const;
+    Extremes refined_to(int level, const Doubt& doubt,
+                        std::span<const std::int32_t> near);
     MownRay stock(const PartRay& ray) const { return measured_.options.stock(ray); }
     const Cutter& cutter() const { return measured_.tree.sweeps().front().cutter(); }
     double most_left(const MeasuredCell& cell,
@@ -136,6 +149,7 @@ private:
     std::vector<int> numbers_;
     std::optional<MownRays> rays_;
     std::size_t refined_cells_ = 0;
+    int last_level_ = 0;
 };
 
 }  // namespace endmill

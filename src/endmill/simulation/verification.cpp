@@ -25,6 +25,8 @@ constexpr double gib = 1024.0 * 1024 * 1024;
 // A ray's place in the deviation, its share of a tile, and room for what grows.
 constexpr double bytes_a_ray = 16;
 constexpr double most_rays = 4e9;
+// Cells are somewhat smaller than the pitch, to be whole numbers along the part.
+constexpr double spare = 1.05;
 
 Block bounding_box(const Part& part)
 {
@@ -63,32 +65,47 @@ double area_of(const Part& part)
     return sum;
 }
 
-// The resolution that fits, with two digits.
-std::string fitting_text(double resolution)
+// As many of ten to the power of what a number of so many digits is counted in.
+double units_of(double value, int digits)
 {
-    const double unit = std::pow(10, std::floor(std::log10(resolution)) - 1);
-    return to_text(std::ceil(resolution / unit) * unit);
+    return std::pow(10, digits - 1 - std::floor(std::log10(value)));
 }
 
-// Stock, then rays: the larger of the two needs decides.
+// The resolution at which the rays of the part fit, of two digits.
+double fitting_resolution(double area, double bytes)
+{
+    const double fitting = std::sqrt(spare * area * bytes_a_ray / bytes);
+    const double units = units_of(fitting, 2);
+    return std::ceil(fitting * units) / units;
+}
+
+// Three digits, rounded down.
+std::string at_least_text(double value)
+{
+    if (!(value > 0) || !std::isfinite(value))
+        return to_text(value);
+    const double units = units_of(value, 3);
+    return to_text(std::floor(value * units) / units);
+}
+
+// Stock and rays: the larger of the two needs decides what is proposed.
 void require_fitting(const VerificationTask& task)
 {
     require(std::isfinite(task.resolution) && task.resolution > 0,
             "verify_path: need 0 < resolution");
-    if (!task.stock)
-        require_stock_memory(task.block, task.resolution, task.max_memory_gib);
-    if (!task.part)
-        return;
-    const double rays = area_of(*task.part) / (task.resolution * task.resolution);
-    const double bytes = rays * bytes_a_ray;
+    const double area = task.part ? area_of(*task.part) : 0;
+    const double bytes = area / (task.resolution * task.resolution) * bytes_a_ray;
     const double limit = std::min(task.max_memory_gib * gib, most_rays * bytes_a_ray);
-    if (bytes > limit)
-        throw LimitError{"a resolution of " + to_text(task.resolution) +
-                         " mm needs about " + to_text(std::ceil(bytes / gib * 10) / 10) +
-                         " GiB for the part; the limit is " +
-                         to_text(task.max_memory_gib) + " GiB, which a resolution of " +
-                         fitting_text(task.resolution * std::sqrt(1.05 * bytes / limit)) +
-                         " mm fits"};
+    const double fitting = bytes > limit ? fitting_resolution(area, limit) : 0;
+    if (!task.stock && (fitting == 0 || required_bytes(task.block, fitting) > limit))
+        require_stock_memory(task.block, task.resolution, task.max_memory_gib);
+    if (fitting > 0)
+        throw LimitError{
+            "a part of " + to_text(std::round(area)) + " mm2 at a resolution of " +
+            to_text(task.resolution) + " mm would need about " +
+            to_text(std::ceil(bytes / gib * 10) / 10) + " GiB; expected at most " +
+            to_text(task.max_memory_gib) + " GiB (--max-memory), which a resolution of " +
+            to_text(fitting) + " mm fits"};
 }
 
 std::optional<Deviation> deviation_of(const VerificationTask& task)
@@ -107,8 +124,9 @@ std::optional<Deviation> deviation_of(const VerificationTask& task)
     };
     Deviation deviation = measure_deviation(charts, tree, options);
     if (!deviation.is_cut)
-        throw GeometryError{"the path cuts nothing over the part: cutter and part are " +
-                            to_text(part_gap(charts, tree)) + " mm apart"};
+        throw GeometryError{
+            "the path cuts nothing over the part: cutter and part are at least " +
+            at_least_text(part_gap(charts, tree)) + " mm apart"};
     // A path that begins with a rapid has no sweep for its first point.
     const auto first =
         static_cast<std::int32_t>(task.path->points.size() - sweeps.size());

@@ -1,0 +1,409 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""endmill verify: verdicts, volumes and files on paths whose truth is arithmetic, and what it refuses."""
+import csv
+import json
+import math
+import resource
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+from program import ENDMILL, ROOT, SURFACES, ProgramTest, endmill, plane
+
+PLAN = ["--cutter", "ball:10", "--chord-tolerance", "0.05", "--scallop", "0.2", "--direction", "u"]
+HOLDER = ROOT / "datasets/tools/ball-10-shrink-fit.json"
+COLUMNS = "tip_x_mm,tip_y_mm,tip_z_mm\n"
+# Section of a ball of radius 5 that passes 1 mm deep through a block.
+SECTION = 25 * math.acos(1 - 1 / 5) - 4 * math.sqrt(9)
+THROUGH = COLUMNS + "-30,0,-1\n30,0,-1\n"
+BLOCK = ("--stock", "-10,-10,-10,10,10,0")
+
+
+def scallop(pitch):
+    """What balls of radius 5 leave between level passes."""
+    return 5 - math.sqrt(25 - pitch * pitch / 4)
+
+
+def passes(ys, dip=None):
+    """Level passes along x over the plane of 60 by 30 mm; that at y = dip is 0.05 mm too deep for 20 mm."""
+    lines = []
+    for number, y in enumerate(ys):
+        tips = [(0, 0), (20, 0), (20, -0.05), (40, -0.05), (40, 0), (60, 0)] if y == dip else [(0, 0), (60, 0)]
+        lines += [f"{x},{y},{z}\n" for x, z in (tips if number % 2 == 0 else tips[::-1])]
+    return COLUMNS + "".join(lines)
+
+
+class VerifyTest(ProgramTest):
+    def verify(self, path, *options, status=0, out="out"):
+        """The summary of a run that ends with that exit status."""
+        done = endmill("verify", path, *options, "-o", out, "--force", "--json", cwd=self.folder)
+        self.assertEqual(done.returncode, status, done.stderr + done.stdout)
+        facts = json.loads(done.stdout)
+        self.assertEqual(facts, json.loads((self.folder / out / "summary.json").read_text()))
+        self.assertEqual(status == 0, facts["verdict"] == "clean")
+        return facts
+
+    def planned(self, *options, part=None, out="plan"):
+        done = endmill("plan", part or self.file(plane()), *PLAN, *options, "-o", out, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.folder / out / "toolpath.csv"
+
+    def rows(self, name):
+        with open(self.folder / name, newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+
+class Verdicts(VerifyTest):
+    def judged(self, tips, *options, status=0):
+        self.file(plane())
+        return self.verify(self.file(tips, "p.csv"), "--part", "surface.json", "--cutter", "ball:10", "--scallop",
+                           "0.05", *options, status=status)
+
+    def test_a_plan_tells_what_it_was_planned_for(self):
+        facts = self.verify(self.planned("--mode", "verified"), "--resolution", "1")
+        self.assertEqual((facts["name"], facts["cutter"]), ("plane", "ball:10"))
+        self.assertEqual(facts["part"], str(self.folder / "surface.json"))
+        self.assertEqual((facts["tolerance_mm"], facts["scallop_limit_mm"]), (0.05, 0.25))
+        self.assertEqual((facts["max_gouge_mm"], facts["uncut_area_mm2"]), (0, 0))
+        passes_at = sorted({float(row["tip_y_mm"]) for row in self.rows("plan/toolpath.csv")})
+        widest = max(b - a for a, b in zip(passes_at, passes_at[1:]))
+        self.assertLessEqual(facts["max_scallop_mm"], scallop(widest) + 1e-12)
+        self.assertGreaterEqual(facts["max_scallop_mm"] + facts["scallop_bound_mm"], scallop(widest) - 1e-12)
+        self.assertAlmostEqual(facts["judged_area_mm2"], 1800, delta=1e-6)
+
+    def test_options_rule_over_the_plan(self):
+        facts = self.verify(self.planned(), "--resolution", "1", "--tolerance", "0.02", "--scallop", "0.1", status=1)
+        self.assertEqual((facts["verdict"], facts["tolerance_mm"], facts["scallop_limit_mm"]), ("uncut", 0.02, 0.1))
+
+    def test_one_sided_tolerances_are_the_limits(self):
+        path = self.planned("--mode", "verified", "--inner-tolerance", "0.03", "--outer-tolerance", "0.01")
+        facts = self.verify(path, "--resolution", "1")
+        self.assertAlmostEqual(facts["tolerance_mm"], 0.03, delta=1e-15)
+        self.assertAlmostEqual(facts["scallop_limit_mm"], 0.21, delta=1e-15)
+
+    def test_a_gouge_is_found_and_placed(self):
+        facts = self.judged(passes(range(31), dip=10), "--resolution", "0.25", status=1)
+        self.assertEqual(facts["verdict"], "gouged")
+        self.assertLessEqual(facts["max_gouge_mm"], 0.05 + 1e-12)
+        self.assertGreaterEqual(facts["max_gouge_mm"] + facts["gouge_bound_mm"], 0.05 - 1e-12)
+        x, y, z = facts["max_gouge_at"]["point_mm"]
+        self.assertTrue(19.5 <= x <= 40.5 and abs(y - 10) <= 0.25 and abs(z) < 1e-12, (x, y, z))
+        self.assertTrue(22 <= facts["max_gouge_at"]["point"] <= 24, facts["max_gouge_at"])
+        width = 2 * math.sqrt(25 - (5 - 0.05 + 0.01) ** 2)  # where the dip is deeper than the tolerance
+        self.assertAlmostEqual(facts["gouge_area_mm2"], 20 * width, delta=0.25 * 20 + 2)
+        done = endmill("verify", "p.csv", "--part", "surface.json", "--cutter", "ball:10", "--resolution", "1", "-o",
+                       "said", cwd=self.folder)
+        self.assertRegex(done.stdout, r"p: gouged\ndeepest gouge 0\.04\d+ mm at .* on the move to point 2[234] ")
+
+    def test_a_skipped_pass_is_uncut_there(self):
+        facts = self.judged(passes([y for y in range(31) if y != 10]), "--resolution", "0.25", status=1)
+        self.assertEqual((facts["verdict"], facts["max_gouge_mm"]), ("uncut", 0))
+        self.assertLessEqual(facts["max_scallop_mm"], scallop(2) + 1e-12)
+        self.assertGreaterEqual(facts["max_scallop_mm"] + facts["scallop_bound_mm"], scallop(2) - 1e-12)
+        self.assertAlmostEqual(facts["max_scallop_at"]["point_mm"][1], 10, delta=0.25)
+        width = 2 * (1 - math.sqrt(25 - 4.95 ** 2))  # between the balls on either side
+        self.assertAlmostEqual(facts["uncut_area_mm2"], 60 * width, delta=60 * 0.25)
+
+    def test_refining_never_turns_what_was_decided(self):
+        self.file(plane())
+        for name, tips, truth in (("g", passes(range(31)), "clean"), ("d", passes(range(31), dip=10), "gouged"),
+                                  ("s", passes([y for y in range(31) if y != 10]), "uncut")):
+            path = self.file(tips, f"{name}.csv")
+            decided = set()
+            for resolution in (10, 6, 4, 1.5):
+                for refine in (0, 4, 8):
+                    done = endmill("verify", path, "--part", "surface.json", "--cutter", "ball:10", "--scallop", "0.05",
+                                   "--resolution", resolution, "--max-refine", refine, "-o", "out", "--force", "--json",
+                                   cwd=self.folder)
+                    verdict = json.loads(done.stdout)["verdict"]
+                    was_decided = any(pitch >= resolution and halvings <= refine for pitch, halvings in decided)
+                    expected = (truth,) if was_decided else (truth, "undecided")
+                    self.assertIn(verdict, expected, (name, resolution, refine))
+                    if verdict == truth:
+                        decided.add((resolution, refine))
+                    self.assertEqual(done.returncode, 0 if verdict == "clean" else 1)
+            self.assertIn((1.5, 8), decided)
+
+    def test_undecided_is_a_no_and_says_what_helps(self):
+        path = self.file(passes(range(31)), "p.csv")
+        done = endmill("verify", path, "--part", self.file(plane()), "--cutter", "ball:10", "--scallop", "0.0255",
+                       "--resolution", "2", "--max-refine", "0", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("p: undecided\n", done.stdout)
+        self.assertIn("a finer --resolution tells", done.stdout)
+
+    def test_a_rapid_that_cuts_is_a_gouge(self):
+        text = "move," + COLUMNS + "cut,0,10,0\ncut,60,10,0\nrapid,60,20,0\nrapid,60,20,30\nrapid,0,0,30\n"
+        self.file(plane())
+        facts = self.verify(self.file(text, "p.csv"), "--part", "surface.json", "--cutter", "ball:10", "--scallop",
+                            "2", "--resolution", "1", status=1)
+        self.assertEqual((facts["verdict"], facts["rapid_cuts"], facts["first_of_rapid_cuts"]), ("gouged", 1, 2))
+        self.assertAlmostEqual(facts["deepest_of_rapid_cuts_mm"], 1, delta=0.05)
+        self.assertEqual(facts["max_gouge_mm"], 0)
+        self.assertIn("in all gouged: 1 rapid cut", (self.folder / "out/deviation.svg").read_text())
+
+    def test_another_fixed_axis_is_turned_upright(self):
+        facts = self.verify(self.planned("--mode", "verified", "--axis", "0,0.6,0.8"), "--resolution", "1")
+        self.assertTrue(any("0,0.6,0.8, is +z" in remark for remark in facts["remarks"]), facts["remarks"])
+        self.assertAlmostEqual(facts["judged_area_mm2"], 1800, delta=1e-6)
+        self.assertLessEqual(facts["max_scallop_mm"], 0.2 + 0.001)
+
+    def test_a_mesh_judges_as_its_surface(self):
+        self.planned("--mode", "verified")
+        self.summary("sample", "surface.json", "--grid", "3", "--format", "stl", "-o", "mesh")
+        facts = self.verify("plan/toolpath.csv", "--part", "mesh/mesh.stl", "--resolution", "1")
+        self.assertIsInstance(facts["max_scallop_at"]["triangle"], int)
+        self.assertAlmostEqual(facts["judged_area_mm2"], 1800, delta=1e-3)
+
+    def test_a_part_that_has_gone_is_told(self):
+        path = self.planned("--mode", "verified")
+        (self.folder / "surface.json").unlink()
+        done = endmill("verify", path, "--resolution", "1", "-o", "out", cwd=self.folder)
+        self.assertIn("the part that its summary names, ", done.stderr)
+        self.assertIn("no part to judge by", done.stdout)
+
+
+class Volumes(VerifyTest):
+    def cut(self, *options, tips=THROUGH, name="p.csv", status=0):
+        return self.verify(self.file(tips, name), *options, status=status)
+
+    def test_one_straight_cut_is_the_closed_form(self):
+        facts = self.cut("--cutter", "ball:10", *BLOCK)
+        # Midpoints across a section that ends steeply, and exact along it: e = O(pitch^1.5).
+        self.assertAlmostEqual(facts["removed_mm3"], 20 * SECTION, delta=20 * 0.1**1.5 * 0.2)
+        self.assertEqual(facts["min_z_mm"], min(facts["min_z_mm"], -0.99))
+        self.assertEqual((facts["max_z_mm"], facts["verdict"], facts["part"]), (0, "clean", None))
+        for key in ("max_gouge_mm", "gouge_area_mm2", "max_scallop_mm", "p99_scallop_mm", "mean_scallop_mm",
+                    "uncut_area_mm2", "bound_mm"):
+            self.assertIsNone(facts[key])
+        self.assertEqual(sorted(file.name for file in (self.folder / "out").iterdir()),
+                         ["removal.csv", "summary.json"])
+
+    def test_rates_are_volumes_by_time(self):
+        header = "feed_mm_per_min," + COLUMNS
+        facts = self.cut("--cutter", "flat:10", *BLOCK, "--resolution", "0.5",
+                         tips=header + "500,-30,0,-1\n500,0,0,-1\n250,30,0,-1\n")
+        rows = self.rows("out/removal.csv")
+        self.assertEqual([float(row["length_mm"]) for row in rows], [0, 30, 30])
+        self.assertAlmostEqual(sum(float(row["removed_mm3"]) for row in rows), facts["removed_mm3"], delta=1e-9)
+        for row, feed in list(zip(rows, (500, 500, 250)))[1:]:
+            self.assertAlmostEqual(float(row["rate_mm3_per_min"]),
+                                   float(row["removed_mm3"]) * feed / float(row["length_mm"]), delta=1e-6)
+        self.assertAlmostEqual(facts["removed_mm3"], 20 * 10 * 1, delta=1e-9)
+
+    def test_centre_of_the_ball_may_be_programmed(self):
+        text = "G21 G90 G94 G17\nG0 X-30 Y0 Z4\nG1 X30 F100\nM2\n"
+        facts = self.cut("--cutter", "ball:10", "--programmed-point", "centre", *BLOCK, tips=text, name="c.ngc")
+        self.assertEqual(facts["removed_mm3"], self.cut("--cutter", "ball:10", *BLOCK)["removed_mm3"])
+
+    def test_an_arc_removes_its_section_times_its_length(self):
+        text = "G21 G90 G94 G17\nG0 X10 Y0 Z9\nG1 Z-1 F100\nG3 X10 Y0 I-10 J0\nM2\n"
+        facts = self.cut("--cutter", "ball:10", "--stock", "-20,-20,-10,20,20,0", tips=text, name="a.ngc")
+        # Pappus: the section's centroid goes around a circle of radius 10.
+        self.assertAlmostEqual(facts["removed_mm3"], 20 * math.pi * SECTION, delta=0.03)
+
+    def test_stock_of_an_earlier_run_goes_on(self):
+        whole = self.cut("--cutter", "ball:10", *BLOCK, "--resolution", "0.5",
+                         tips=COLUMNS + "-30,0,-1\n30,0,-1\n30,3,-1\n-30,3,-1\n")
+        first = self.cut("--cutter", "ball:10", *BLOCK, "--resolution", "0.5", "--write-stock",
+                         tips=COLUMNS + "-30,0,-1\n30,0,-1\n30,3,-1\n")
+        shutil.move(self.folder / "out/stock.vti", self.folder / "rest.vti")
+        second = self.cut("--cutter", "ball:10", "--stock", "rest.vti", tips=COLUMNS + "30,3,-1\n-30,3,-1\n")
+        self.assertAlmostEqual(first["removed_mm3"] + second["removed_mm3"], whole["removed_mm3"], delta=1e-9)
+        self.assertEqual(second["min_z_mm"], whole["min_z_mm"])
+
+    def test_stock_may_be_a_mesh_and_the_rest_is_one(self):
+        self.cut("--cutter", "ball:10", *BLOCK, "--resolution", "0.5", "--write-mesh")
+        shutil.move(self.folder / "out/rest.stl", self.folder / "rest.stl")
+        mesh = self.summary("info", "rest.stl")
+        self.assertEqual(mesh["boundary_edges"], 0)
+        # It ends half a pitch before the outermost cells.
+        self.assertAlmostEqual(mesh["volume_mm3"], 19.5 * (19.5 * 10 - SECTION), delta=1)
+        deeper = 25 * math.acos(1 - 2 / 5) - 3 * math.sqrt(16)  # the section 2 mm deep
+        rest = self.cut("--cutter", "ball:10", "--stock", "rest.stl", "--resolution", "0.5",
+                        tips=COLUMNS + "30,0,-2\n-30,0,-2\n")["removed_mm3"]
+        self.assertAlmostEqual(rest, 19.5 * (deeper - SECTION), delta=2)
+
+    def test_holder_in_the_material_is_a_collision(self):
+        for deep, status in ((-1, 0), (-45, 1)):
+            facts = self.cut("--tool", HOLDER, "--stock", "-20,-20,-60,20,20,0", "--resolution", "1",
+                             tips=COLUMNS + f"-30,0,{deep}\n30,0,{deep}\n", status=status)
+            self.assertEqual((facts["cutter"], facts["tool"]), ("ball:10", str(HOLDER)))
+            self.assertEqual(facts["collisions"] > 0, status == 1)
+        # The holder begins 40 mm above the tip.
+        self.assertAlmostEqual(facts["deepest_of_collisions_mm"], 5, delta=1e-9)
+
+    def test_engagement_of_half_a_slot(self):
+        self.cut("--cutter", "flat:10", "--stock", "-10,0,-10,10,10,0", "--resolution", "0.25", "--engagement")
+        rows = [row for row in self.rows("out/engagement.csv") if row["latitude_deg"] == "90"]
+        self.assertTrue(rows)
+        for row in rows:  # left of the feed only, which is along x
+            self.assertAlmostEqual(float(row["from_deg"]), 0, delta=3)
+            self.assertAlmostEqual(float(row["to_deg"]), 90, delta=3)
+
+    def test_a_path_above_its_own_block_is_told_of_stock(self):
+        done = endmill("verify", self.file(THROUGH, "p.csv"), "--cutter", "ball:10", cwd=self.folder)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("--stock says where the material is", done.stdout)
+
+
+class Origins(VerifyTest):
+    def test_a_path_of_any_origin_gets_the_same_verdict_and_volume(self):
+        path = self.planned("--mode", "verified", "--feed", "400")
+        self.summary("post", path, "-o", "gcode")
+        self.summary("post", path, "--format", "apt", "-o", "apt")
+        with open(path, encoding="utf-8") as file:
+            tips = "".join(",".join(line.split(",")[3:6]) + "\n" for line in file)
+        self.file(tips.rstrip("\n") + "\n", "tips.csv")
+        files = [path, "gcode/toolpath.ngc", "apt/toolpath.apt", "tips.csv"]
+        if shutil.which("rs274"):
+            self.file("T1 P1 D0.3937 Z0.0 ;ball\n", "tool.tbl")
+            done = subprocess.run(["rs274", "-g", "-t", "tool.tbl", "gcode/toolpath.ngc"], cwd=self.folder,
+                                  capture_output=True, text=True, check=True, timeout=60)
+            self.file(done.stdout, "canonical.txt")
+            files.append("canonical.txt")
+        found = [self.verify(file, "--part", "surface.json", "--cutter", "ball:10", "--tolerance", "0.05", "--scallop",
+                             "0.25", "--resolution", "1") for file in files]
+        for facts in found[1:]:
+            self.assertEqual(facts["verdict"], found[0]["verdict"])
+            for key in ("removed_mm3", "max_gouge_mm", "max_scallop_mm"):
+                self.assertAlmostEqual(facts[key], found[0][key], delta=1e-4 * max(1, found[0][key]))
+        self.assertIn("no column move: every move is taken for a cut", found[3]["remarks"])
+
+    def test_apt_brings_its_cutter(self):
+        self.summary("post", self.planned("--mode", "verified"), "--format", "apt", "--feed", "1", "-o", "apt")
+        facts = self.verify("apt/toolpath.apt", "--part", "surface.json", "--scallop", "0.25", "--resolution", "1")
+        self.assertEqual(facts["cutter"], "ball:10")
+
+    def test_same_bytes_with_any_number_of_threads(self):
+        self.summary("plan", SURFACES / "net_rot24_7D.json", "--direction", "v", "-o", "plan")
+        found = set()
+        for threads in (1, 2, 3, 8):
+            self.verify("plan/toolpath.csv", "--resolution", "6", "--threads", threads, "--write-stock",
+                        "--write-mesh", "--engagement", status=1)
+            files = sorted((self.folder / "out").iterdir())
+            found.add(tuple((file.name, file.read_bytes()) for file in files))
+        self.assertEqual(len(found), 1)
+        self.assertEqual([name for name, _ in found.pop()],
+                         ["deviation.svg", "deviation.vtp", "engagement.csv", "histogram.csv", "removal.csv",
+                          "rest.stl", "stock.vti", "summary.json"])
+
+    def test_files_are_well_formed_and_a_second_run_replaces_them(self):
+        path = self.planned()
+        facts = self.verify(path, "--resolution", "1", "--write-stock", "--write-mesh", "--engagement")
+        ElementTree.parse(self.folder / "out/deviation.svg")
+        self.assertIn(b"VTKFile", (self.folder / "out/deviation.vtp").read_bytes()[:400])
+        bins = self.rows("out/histogram.csv")
+        self.assertAlmostEqual(sum(float(row["area_mm2"]) for row in bins), facts["judged_area_mm2"], delta=1e-3)
+        for text in ("ball:10", "rays 1 mm apart", facts["verdict"]):
+            self.assertIn(text, (self.folder / "out/deviation.svg").read_text())
+        self.verify(path, "--resolution", "1")
+        self.assertEqual(sorted(file.name for file in (self.folder / "out").iterdir()),
+                         ["deviation.svg", "deviation.vtp", "histogram.csv", "removal.csv", "summary.json"])
+
+    def test_the_path_beside_its_results_stays(self):
+        path = self.planned()
+        before = path.read_bytes()
+        done = endmill("verify", path, "--resolution", "1", "-o", self.folder / "plan", "--force", cwd=self.folder)
+        self.assertIn(done.returncode, (0, 2), done.stderr)
+        self.assertEqual(path.read_bytes(), before)
+
+
+class BadInput(VerifyTest):
+    def refuse(self, status, *words, content=THROUGH, name="p.csv", options=("--cutter", "ball:10")):
+        path = self.file(content, name)
+        kept = {file.name for file in self.folder.iterdir()}
+        self.assert_refused(endmill("verify", path, *options, cwd=self.folder), status, *words)
+        self.assert_nothing_left(*kept)
+        path.unlink()
+
+    def test_files(self):
+        self.refuse(3, 'p.csv:3: tip_y_mm is "NaN"', content=COLUMNS + "0,0,0\n1,NaN,2\n")
+        self.refuse(3, "p.ngc:3: cutter compensation G41", content="G21 G90\nG1 X0 Y0 Z1 F100\nG41 X3\n", name="p.ngc")
+        self.refuse(3, "p.ngc:2", "rs274 -g", content="G21\n#1=5\n", name="p.ngc")
+        self.refuse(3, "none.json", "No such file", options=("--cutter", "ball:10", "--part", "none.json"))
+        self.refuse(3, "none.json", "No such file", options=("--tool", "none.json"))
+        self.refuse(3, "none.stl", "No such file", options=("--cutter", "ball:10", "--stock", "none.stl"))
+        self.refuse(3, "looks like JSON", options=("--cutter", "ball:10", "--stock", SURFACES / "plane.json"))
+        self.refuse(3, "p.csv.vti", options=("--cutter", "ball:10", "--stock", self.file("x", "p.csv.vti")))
+        self.assert_refused(endmill("verify", self.folder / "none.ngc", "--cutter", "ball:10"), 3, "No such file")
+
+    def test_cutter(self):
+        self.refuse(2, "names the cutter; expected --cutter or --tool", options=())
+        self.refuse(2, "--cutter ball:8: the tool file says ball:10", options=("--cutter", "ball:8", "--tool", HOLDER))
+        self.refuse(2, "--programmed-point centre: expected --cutter", options=("--programmed-point", "centre"))
+        self.refuse(2, "--cutter", options=("--cutter", "ball"))
+
+    def test_command_line(self):
+        for option in ("--resolution", "--tolerance", "--scallop", "--arc-tolerance"):
+            for number in ("0", "-1", "nan", "inf", "1,5"):
+                self.refuse(2, f'{option}: found "{number}"; expected a number above 0',
+                            options=("--cutter", "ball:10", option, number))
+        for stock in ("1,2,3", "0,0,0,1,1,nan", "0,0,0,0,1,1", ""):
+            self.refuse(2, f"--stock {stock}: expected ", "X0,Y0,Z0,X1,Y1,Z1",
+                        options=("--cutter", "ball:10", "--stock", stock))
+        self.refuse(2, "--max-refine", options=("--cutter", "ball:10", "--max-refine", "21"))
+
+    def test_a_path_beside_the_part(self):
+        part = ("--part", self.file(plane()), "--cutter", "ball:10", "--resolution", "1")
+        for content, truth in ((COLUMNS + "-30,200,-1\n30,200,-1\n", math.hypot(170, 4) - 5),
+                               (COLUMNS + "0,0,9\n60,0,9\n", 9)):
+            path = self.file(content, "p.csv")
+            done = endmill("verify", path, *part, cwd=self.folder)
+            self.assert_refused(done, 4, "p.csv: the path cuts nothing over the part", "at least ", " mm apart")
+            gap = float(done.stderr.split("at least ")[1].split(" mm")[0])
+            self.assertTrue(truth - 2 <= gap <= truth, gap)
+
+    def test_turning_axis(self):
+        rows = "axis_x,axis_y,axis_z," + COLUMNS + "0,0,1,0,0,0\n0,0.6,0.8,1,0,0\n"
+        self.refuse(4, "p.csv: ", "the axis", "+z", content=rows,
+                    options=("--cutter", "ball:10", "--part", self.file(plane())))
+
+    def test_too_fine_a_resolution_names_one_that_fits(self):
+        part = ("--part", self.file(plane()))
+        block = ("--stock", "0,0,0,100,100,10")
+        path = self.file(passes(range(31)), "p.csv")
+        for where in (part, block, (*part, *block)):
+            options = (*where, "--cutter", "ball:10", "--max-memory", "0.004")
+            done = endmill("verify", path, *options, "--resolution", "1e-4", cwd=self.folder)
+            self.assert_refused(done, 6, " GiB; expected at most 0.004 GiB (--max-memory), which ")
+            fitting = done.stderr.split("which ")[1].split(" of ")[1].split(" mm")[0]
+            done = endmill("verify", path, *options, "--resolution", fitting, "-o", "out", "--force", cwd=self.folder)
+            self.assertIn(done.returncode, (0, 1), done.stderr)
+
+    def test_output(self):
+        path = self.file(THROUGH, "p.csv")
+        self.assert_refused(endmill("verify", path, "--cutter", "ball:10", "-o", self.folder), 2, "not empty")
+        self.assert_refused(endmill("verify", path, "--cutter", "ball:10", "-o", path), 2, "p.csv is a file")
+        self.assert_refused(endmill("verify", path, "--cutter", "ball:10", "-o", "/proc/x"), 5, "/proc/x")
+
+    def test_full_disk_leaves_nothing(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
+        path = self.file(passes(range(31)), "p.csv")
+        self.file(plane())
+        done = endmill("verify", path, "--part", "surface.json", "--cutter", "ball:10", "--resolution", "1",
+                       cwd=self.folder, preexec_fn=limit)
+        self.assert_refused(done, 5, "p-verify/deviation.vtp: File too large")
+        self.assert_nothing_left("p.csv", "surface.json")
+
+    def test_interrupt_leaves_nothing(self):
+        path = self.file(passes(range(31)), "p.csv")
+        self.file(plane())
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with subprocess.Popen([ENDMILL, "verify", path, "--part", "surface.json", "--cutter", "ball:10",
+                                   "--resolution", "0.01", "-o", "out"], cwd=self.folder, stderr=subprocess.PIPE,
+                                  stdout=subprocess.PIPE) as process:
+                while not (self.folder / "out").exists() and process.poll() is None:
+                    time.sleep(0.01)
+                process.send_signal(number)
+                process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 128 + number)
+            self.assert_nothing_left("p.csv", "surface.json")
+
+
+if __name__ == "__main__":
+    unittest.main()
