@@ -48,6 +48,18 @@ TEST(PartCell, QuartersHaveItsAreaAndHalfItsReach)
     }
 }
 
+TEST(PartCharts, KnowTheOuterBorderOfASurface)
+{
+    const Part part = std::vector<Surface>{test::plane(6, 4, {3, 1})};
+    const PartCharts charts = part_charts(part);
+    PartCell whole = charts.whole(1);  // in the middle of the row: border above and below
+    EXPECT_TRUE(charts.touches_border(whole));
+    PartCell inner = whole;
+    for (Eigen::Vector2d& at : inner.at)
+        at.y() = 0.5 + 0.5 * (at.y() - 0.5);
+    EXPECT_FALSE(charts.touches_border(inner));
+}
+
 TEST(PartCharts, HaveNoRayWhereThereIsNoNormal)
 {
     // Both control rows of the border v = 0 are one point: a pole.

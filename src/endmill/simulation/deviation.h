@@ -81,7 +81,9 @@ struct Deviation {
 /// phi the slope), and a rest no more than the part's and the sweeps' own shape allows:
 /// above a flat piece of the part what one sweep leaves is convex, so its highest place
 /// is a cell's corner. Curvature of the part over a cell enters by d^2 k.
-/// Source: spec of the removal, section 2; the bound by two sweeps is derived in
+/// Refined rays keep half a first cell away from the border of a surface, as the first
+/// ones do.
+/// Source: spec of the removal, section 2, 3; the bound by two sweeps is derived in
 /// paper/notes/deviation-bounds.md.
 /// \throws DomainError for options out of range, LimitError for too many cells.
 Deviation measure_deviation(const PartCharts& charts, const SweepTree& tree,

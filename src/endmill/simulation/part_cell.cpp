@@ -17,6 +17,9 @@ using Eigen::Vector2d;
 
 // Of a unit normal's z: upright walls count as facing the tool, whatever their rounding.
 constexpr double wall_z = 1e-9;
+// Of a range of a parameter: what rounding may make of a cell's side on its end. Cells are
+// much wider.
+constexpr double border_rounding = 1e-12;
 
 Vec3 area_vector(const std::array<Vec3, 3>& corners)
 {
@@ -146,6 +149,24 @@ PartCharts::Bend PartCharts::bend(std::uint32_t chart, const Vector2d& at) const
     const PrincipalCurvatures k =
         principal_curvatures(fundamental_forms(jet, sides_[source]));
     return {std::max(0.0, k.greatest), std::max(std::abs(k.least), std::abs(k.greatest))};
+}
+
+bool PartCharts::touches_border(const PartCell& cell) const
+{
+    if (mesh_)
+        return false;
+    const Surface& surface = surfaces_[charts_[cell.chart].source];
+    for (int k = 0; k < cell.corners; ++k) {
+        const Vector2d& at = cell.at[static_cast<std::size_t>(k)];
+        for (const Parameter along : {Parameter::U, Parameter::V}) {
+            const Interval range = surface.range(along);
+            const double place = along == Parameter::U ? at.x() : at.y();
+            const double near = border_rounding * range.length();
+            if (place <= range.low + near || place >= range.high - near)
+                return true;
+        }
+    }
+    return false;
 }
 
 std::size_t PartCharts::source(std::uint32_t chart) const

@@ -70,6 +70,10 @@ public:
     };
     Bend bend(std::uint32_t chart, const Eigen::Vector2d& at) const;
 
+    /// Whether a side of the cell lies on the outer border of its surface; of a mesh it is
+    /// not known, and none does.
+    bool touches_border(const PartCell& cell) const;
+
     /// Number of the surface, or of the triangle, that a chart is of.
     std::size_t source(std::uint32_t chart) const;
 

@@ -197,6 +197,10 @@ void TileMeasure::refine(const MeasuredCell& cell, const Doubt& first_doubt,
         cell.left.sweep >= 0 && cell.reach <= local_share * cutter().corner_radius();
     const std::span<const std::int32_t> inherited = is_smooth ? local : depth.sweeps;
     for (const PartCell& quarter : cell.cell.quarters()) {
+        // A strip of half a first cell along the border is not judged: there the cutter
+        // reaches under an edge, and depth along the normal tells little.
+        if (depth.level == 0 && measured_.charts.touches_border(quarter))
+            continue;
         ++refined_cells_;
         if (const auto ray = measured_.charts.ray(quarter.chart, quarter.centre()))
             refine(measured(quarter, *ray, inherited), first_doubt,
