@@ -36,7 +36,8 @@ Deviation left_of(const Part& part, const ToolPath& path, double gouge, double s
 // Deepest gouge that a tolerance of this many mm is to tell apart from none.
 constexpr double no_gouge = 0.01;
 
-ClosedForm highest_rest(std::string name, double exact, Part part, ToolPath path)
+ClosedForm highest_rest(std::string name, double exact, const Part& part,
+                        const ToolPath& path)
 {
     const auto measure = [=](double pitch, int max_refine) -> Measured {
         const Deviation left = left_of(part, path, no_gouge, exact, {pitch, max_refine});
