@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/step_weakness.h"
+
+#include <cmath>
+#include <numeric>
+#include <span>
+
+#include "endmill/planning/segment_distance.h"
+#include "endmill/planning/verified_pass.h"
+#include "endmill/surface/tool_side.h"
+
+namespace endmill {
+namespace {
+
+// The surface as it is marched on along u.
+MarchedSurface marched(const Surface& surface, Parameter direction)
+{
+    const double side = tool_side_sign(surface, Vec3::UnitZ());
+    if (direction == Parameter::U)
+        return {surface, side};
+    return {transposed(surface), -side};
+}
+
+// The constant parameter of each pass of `path`.
+std::vector<double> pass_parameters(const ToolPath& path, Parameter direction)
+{
+    std::vector<double> parameters;
+    int last_pass = -1;
+    for (const PathPoint& point : path.points) {
+        if (!point.contact || point.pass == last_pass)
+            continue;
+        last_pass = point.pass;
+        parameters.push_back(direction == Parameter::U ? point.contact->v
+                                                       : point.contact->u);
+    }
+    return parameters;
+}
+
+// Steps between samples of a pass, fine beside the steps of any path that is looked at.
+constexpr int pass_samples = 4096;
+
+bool is_within(std::span<const Vec3> samples, double tolerance)
+{
+    for (const Vec3& sample : samples)
+        if (segment_distance(sample, samples.front(), samples.back()) > tolerance)
+            return false;
+    return true;
+}
+
+// Number of the last sample to which a chord from number `first` is found to hold: by
+// halving, as errors grow with the step by and large.
+std::size_t end_of_chord(std::span<const Vec3> samples, std::size_t first,
+                         double tolerance)
+{
+    std::size_t low = first + 1;
+    std::size_t high = samples.size();
+    while (high - low > 1) {
+        const std::size_t middle = std::midpoint(low, high);
+        const auto between = samples.subspan(first, middle - first + 1);
+        (is_within(between, tolerance) ? low : high) = middle;
+    }
+    return low;
+}
+
+}  // namespace
+
+std::vector<StepErrors> step_errors(const Surface& surface, const ToolPath& path,
+                                    const PlanToJudge& plan)
+{
+    const std::span<const Surface> surfaces{&surface, 1};
+    std::vector<StepErrors> errors;
+    for (std::size_t k = 1; k < path.points.size(); ++k) {
+        if (path.points[k].move != Move::Cut)
+            continue;
+        const ToolPath step{{path.points[k - 1], path.points[k]}};
+        const MotionError motion =
+            motion_error(surfaces, step, plan.ball, plan.direction);
+        errors.push_back({chord_error(surfaces, step, plan.direction).greatest_mm,
+                          motion.gouge.greatest_mm});
+    }
+    return errors;
+}
+
+ToolPath rolled_path(const Surface& surface, const ToolPath& path,
+                     const PlanToJudge& plan, int pieces)
+{
+    const double side = tool_side_sign(surface, Vec3::UnitZ());
+    const MarchedSurface on{surface, side};
+    ToolPath rolled;
+    for (std::size_t k = 0; k < path.points.size(); ++k) {
+        const PathPoint& end = path.points[k];
+        for (int piece = 1; end.move == Move::Cut && piece < pieces; ++piece) {
+            const SurfaceContact& from = *path.points[k - 1].contact;
+            const double share = piece / double(pieces);
+            const SurfacePoint at{std::lerp(from.u, end.contact->u, share),
+                                  std::lerp(from.v, end.contact->v, share)};
+            PathPoint between = end;
+            between.contact = contact_at(on, at, Parameter::U);
+            between.location =
+                locate(plan.ball, between.contact->contact, end.location.axis);
+            rolled.points.push_back(between);
+        }
+        rolled.points.push_back(end);
+    }
+    return rolled;
+}
+
+std::size_t verified_points(const Surface& surface, const ToolPath& path,
+                            const PlanToJudge& plan)
+{
+    const std::span<const Surface> surfaces{&surface, 1};
+    const MarchedSurface on = marched(surface, plan.direction);
+    const GougeTest gouge{surfaces, plan.ball, Vec3::UnitZ()};
+    const OffsetBounds bounds{on.surface};
+    const StripCover line_cover{on, bounds, plan.ball, plan.tolerance};
+    const VerifiedSurface verified{
+        .marched = on,
+        .gouge = gouge,
+        .line_cover = line_cover,
+        .tolerances = {plan.tolerance, plan.tolerance},
+        .direction = plan.direction,
+        .stop_at_borders = false,
+        .most_points = 10 * path.points.size(),
+    };
+    std::size_t points = 0;
+    for (const double v : pass_parameters(path, plan.direction))
+        for (const Pass& piece : verified_pass(verified, v, {}).pieces)
+            points += piece.size();
+    return points;
+}
+
+std::size_t chord_points(const Surface& surface, const ToolPath& path,
+                         const PlanToJudge& plan)
+{
+    const MarchedSurface on = marched(surface, plan.direction);
+    const Interval range = on.surface.range(Parameter::U);
+    std::size_t points = 0;
+    for (const double v : pass_parameters(path, plan.direction)) {
+        std::vector<Vec3> samples;
+        for (int k = 0; k <= pass_samples; ++k) {
+            const double u = std::lerp(range.low, range.high, k / double(pass_samples));
+            samples.push_back(on.surface.tangents(u, v).point);
+        }
+        ++points;
+        for (std::size_t at = 0; at + 1 < samples.size(); ++points)
+            at = end_of_chord(samples, at, plan.tolerance);
+    }
+    return points;
+}
+
+double area_above_percent(const Deviation& left, double height)
+{
+    double above = 0;
+    for (std::size_t cell = 0; cell < left.left.size(); ++cell)
+        if (left.left[cell] > height)
+            above += left.area[cell];
+    return 100 * above / left.area_mm2;
+}
+
+}  // namespace endmill

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/weakness_table.h"
+
+#include <algorithm>
+
+#include "support/scallop_between.h"
+#include "support/step_weakness.h"
+
+namespace endmill {
+namespace {
+
+// Pieces of a step that stand for rolling along it: their chords stray 32^2 = 1024 times
+// less than its own, by under a thousandth of the scallop height but for the few steps that
+// are gross.
+constexpr int rolled_pieces = 32;
+
+// Material that counts as above the scallop height: 2 % more leaves out rounding.
+constexpr double above_scallop = 1.02;
+
+double percent_above(const std::vector<double>& values, double limit)
+{
+    const auto count =
+        std::ranges::count_if(values, [limit](double value) { return value > limit; });
+    return 100 * double(count) / double(values.size());
+}
+
+void add_steps(NamedNumbers& numbers, const std::vector<StepErrors>& steps,
+               double tolerance)
+{
+    std::vector<double> chords;
+    std::vector<double> gouges;
+    for (const StepErrors& step : steps) {
+        chords.push_back(step.chord / tolerance);
+        gouges.push_back(step.gouge / tolerance);
+    }
+    numbers.emplace_back("steps", double(steps.size()));
+    numbers.emplace_back("chord > delta, % of steps", percent_above(chords, 1));
+    numbers.emplace_back("chord > 1.1 delta, % of steps", percent_above(chords, 1.1));
+    numbers.emplace_back("chord > 2 delta, % of steps", percent_above(chords, 2));
+    numbers.emplace_back("median chord / delta", median(chords));
+    numbers.emplace_back("worst chord / delta", std::ranges::max(chords));
+    numbers.emplace_back("gouge > delta, % of steps", percent_above(gouges, 1));
+    numbers.emplace_back("worst gouge / delta", std::ranges::max(gouges));
+}
+
+void add_scallop(NamedNumbers& numbers, const std::string& how, const Deviation& left,
+                 double scallop_height)
+{
+    numbers.emplace_back(how + ": max scallop / h", left.max_scallop_mm / scallop_height);
+    numbers.emplace_back(how + ": p99 scallop / h", left.p99_scallop_mm / scallop_height);
+    numbers.emplace_back(how + ": mean scallop / h",
+                         left.mean_scallop_mm / scallop_height);
+    numbers.emplace_back(how + ": area above 1.02 h, %",
+                         area_above_percent(left, above_scallop * scallop_height));
+}
+
+}  // namespace
+
+NamedNumbers weaknesses(const Surface& surface, const PlanToJudge& plan, double rays)
+{
+    PlanToJudge as_paper = plan;
+    as_paper.is_verified = false;
+    PlanToJudge as_verified = plan;
+    as_verified.is_verified = true;
+    const JudgedPath judged = judged_path(surface, as_paper);
+    const JudgedPath verified = judged_path(surface, as_verified);
+    const ToolPath rolled = rolled_path(surface, judged.path, plan, rolled_pieces);
+    const double pitch = pitch_of(surface, rays);
+
+    NamedNumbers numbers;
+    add_steps(numbers, step_errors(surface, judged.path, plan), plan.tolerance);
+    add_scallop(numbers, "rolled", deviation_of(surface, rolled, plan, pitch),
+                plan.tolerance);
+    add_scallop(numbers, "straight", deviation_of(surface, judged.path, plan, pitch),
+                plan.tolerance);
+    numbers.emplace_back("points", double(judged.economy.ncl));
+    numbers.emplace_back("points, verified steps on these passes",
+                         double(verified_points(surface, judged.path, plan)));
+    numbers.emplace_back("points, chords that hold on these passes",
+                         double(chord_points(surface, judged.path, plan)));
+    numbers.emplace_back("points, verified plan", double(verified.economy.ncl));
+    numbers.emplace_back("passes", double(judged.economy.passes));
+    numbers.emplace_back("passes, verified plan", double(verified.economy.passes));
+    return numbers;
+}
+
+}  // namespace endmill
