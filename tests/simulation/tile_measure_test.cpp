@@ -47,17 +47,19 @@ TEST(Extremes, OfAMergeAreThoseOfBothAndTheFirstOfEqualOnes)
 // One ball over the middle of a plane: the refined bounds close in on the closed form.
 TEST(TileMeasure, RefinedIsNearerToTheTruth)
 {
-    const Part part = std::vector<Surface>{test::plane(2, 2)};
+    const Part part = std::vector<Surface>{test::plane(4, 4)};
     const PartCharts charts = part_charts(part);
     const std::vector<StraightSweep> sweeps =
-        path_sweeps(test::tip_path({{1, 1, 0}}), Cutter::ball(5));
+        path_sweeps(test::tip_path({{2, 2, 0}}), Cutter::ball(5));
     const SweepTree tree{sweeps};
     DeviationOptions options;
     options.stock = [](const PartRay&) { return MownRay{3, 0, -1}; };
     options.limits = {0.01, 1};
     const PartDistance distance{charts, 0.01};
     const Measured measured{charts, tree, options, distance};
-    const PartTile tile{charts.whole(0), 4, 4, 0};
+    PartTile tile{charts.whole(0), 4, 4, 0};
+    for (Eigen::Vector2d& at : tile.whole.at)  // 2 by 2 mm, away from the border
+        at = Eigen::Vector2d{0.5, 0.5} + (at - Eigen::Vector2d{0.5, 0.5}) / 2;
     TileMeasure coarse{measured, tile};
     const Extremes rough = coarse.extremes();
     const Extremes fine = coarse.refined(doubt_beyond(0, 0, limits));
