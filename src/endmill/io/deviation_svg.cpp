@@ -25,7 +25,6 @@ constexpr int swatch_px = 22;             // height of a colour on the scale
 constexpr std::size_t shown_title = 100;  // characters
 constexpr std::size_t shown_caption = 150;
 constexpr LineStyle frame_style{"#9aa2ab", 1, ""};
-constexpr LineStyle no_line{"none", 0, ""};
 constexpr LineStyle mark_style{"#000000", 1.5, ""};
 constexpr double mark_radius_px = 7;
 constexpr int mark_corners = 24;
