@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "endmill/cutter/cutter.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/simulation/height_stock.h"
+#include "endmill/surface/surface.h"
 
 namespace endmill {
 
@@ -40,6 +44,49 @@ struct LowSaddle {
         return {{-half_length, -half_width, lowest}, {half_length, half_width, 20}};
     }
 };
+
+/// Coefficient `i` of t^power as a cubic over [low, high] in Bernstein's form: its blossom
+/// at 3 - i times `low` and i times `high`.
+inline double cubic_coefficient(int i, int power, double low, double high)
+{
+    const auto t = [&](int k) { return k < 3 - i ? low : high; };
+    switch (power) {
+        case 0:
+            return 1;
+        case 1:
+            return (t(0) + t(1) + t(2)) / 3;
+        case 2:
+            return (t(0) * t(1) + t(1) * t(2) + t(2) * t(0)) / 3;
+        default:
+            return t(0) * t(1) * t(2);
+    }
+}
+
+/// The saddle itself, exactly: 2 by 2 rational bicubic patches, u along x and v along y.
+inline Surface low_saddle_surface()
+{
+    const std::vector<double> breaks_a{-1.5, 0, 1.5};
+    const std::vector<double> breaks_b{-1, 0, 1};
+    std::vector<BezierPatch> patches;
+    for (std::size_t row = 0; row < 2; ++row)
+        for (std::size_t column = 0; column < 2; ++column) {
+            std::vector<Eigen::Vector4d> net;
+            for (int j = 0; j < 4; ++j)
+                for (int i = 0; i < 4; ++i) {
+                    const auto term = [&](int m, int n) {  // a^m b^n
+                        return cubic_coefficient(i, m, breaks_a[column],
+                                                 breaks_a[column + 1]) *
+                               cubic_coefficient(j, n, breaks_b[row], breaks_b[row + 1]);
+                    };
+                    net.emplace_back(40 * (term(3, 0) + term(1, 2) + term(1, 0) / 4),
+                                     40 * (term(2, 1) + term(0, 3) + term(0, 1) / 4),
+                                     20 * (term(3, 1) - term(1, 3)),
+                                     term(2, 0) + term(0, 2) + 0.25);
+                }
+            patches.push_back(BezierPatch::from_homogeneous(3, 3, net, true));
+        }
+    return {breaks_a, breaks_b, std::move(patches)};
+}
 
 /// Lines along x, forwards and backwards, evenly over y, each in equal steps; the cutter
 /// touches the saddle at every point.

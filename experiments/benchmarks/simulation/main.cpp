@@ -3,10 +3,10 @@
 //
 //   benchmarks-simulation OUTPUT_FOLDER
 //
-// About 60 s; measures time, so nothing else should run. Columns: README.md beside this.
+// About 150 s; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include "benchmarks/simulation/low_saddle.h"
-#include "endmill/simulation/removal.h"
+#include "endmill/simulation/verification.h"
 #include "support/experiment.h"
 #include "support/peak_memory.h"
 #include "support/shortest_times.h"
@@ -19,6 +19,15 @@ double removed_volume(const ToolPath& path, const Cutter& cutter, double pitch)
 {
     HeightStock stock = block_stock(LowSaddle::block(), pitch);
     return remove_along(stock, path, cutter).total;
+}
+
+double verified_volume(const ToolPath& path, const Cutter& cutter, double pitch)
+{
+    const Part part = std::vector<Surface>{low_saddle_surface()};
+    VerificationTask task{
+        .path = &path, .cutter = cutter, .part = &part, .block = LowSaddle::block()};
+    task.resolution = pitch;
+    return verify_path(task).removal.total;
 }
 
 double cells(double pitch)
@@ -46,6 +55,11 @@ int main(int argc, char** argv)
         add_benchmark("fine ball", [&] { return removed_volume(of_ball, ball, fine); });
         add_benchmark("bull", [&] { return removed_volume(of_bull, bull, coarse); });
         add_benchmark("fine bull", [&] { return removed_volume(of_bull, bull, fine); });
+        add_benchmark("judged", [&] { return verified_volume(of_ball, ball, coarse); });
+        add_benchmark("fine judged",
+                      [&] { return verified_volume(of_ball, ball, fine); });
+        add_benchmark("bull judged",
+                      [&] { return verified_volume(of_bull, bull, coarse); });
         const ShortestTimes times = shortest_times();
 
         CsvTable result{{"row", "pitch_mm", "moves", "measured", "unit", "bar_at_most"}};
@@ -58,6 +72,9 @@ int main(int argc, char** argv)
         add("ball, fine", fine, times.of("fine ball").wall_s, "s", {});
         add("bull-nose, coarse", coarse, times.of("bull").wall_s, "s", {});
         add("bull-nose, fine", fine, times.of("fine bull").wall_s, "s", {});
+        add("ball, coarse, judged", coarse, times.of("judged").wall_s, "s", 2);
+        add("ball, fine, judged", fine, times.of("fine judged").wall_s, "s", 5);
+        add("bull-nose, coarse, judged", coarse, times.of("bull judged").wall_s, "s", 5);
         constexpr double bytes_per_result = 16;  // a move
         const double bytes = peak - bytes_per_result * moves;
         add("stock and work", coarse, bytes / cells(coarse), "bytes a cell", 12);
