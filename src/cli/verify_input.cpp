@@ -212,6 +212,10 @@ VerifyInput read_verify_input(const VerifyOptions& options)
                       {options.path}};
     if (!options.tool.empty())
         input.files.push_back(options.tool);
+    if (input.program.path.points.size() < 2)
+        throw GeometryError{
+            "no move is left of the path to be judged; expected two points "
+            "at least"};
     add_part(input, options, known);
     stand_upright(input);
     add_stock(input, options);

@@ -221,11 +221,11 @@ private:
     {
         const double rest = std::max(0.0, found.highest.left);
         const double gouge = std::max(0.0, -found.deepest.left);
-        const bool is_known = rest > limits_.scallop + verdict_slack ||
-                              gouge > limits_.tolerance + verdict_slack;
-        if (is_known)
+        if (gouge > limits_.tolerance + verdict_slack)
             return;
-        const Doubt doubt = doubt_beyond(rest, gouge, limits_);
+        Doubt doubt = doubt_beyond(rest, gouge, limits_);
+        if (rest > limits_.scallop + verdict_slack)
+            doubt.upper = infinite;  // that is settled; a gouge would still come first
         for_tiles(progress, [&](std::size_t i) {
             if (doubt.holds(of_tile_[i].upper, of_tile_[i].lower))
                 of_tile_[i] = TileMeasure{measured_, deviation_.tiles[i]}.refined(doubt);

@@ -73,8 +73,8 @@ struct Deviation {
 ///
 /// Where a limit is broken along the normal, the distance from the part of the place where
 /// the material ends counts if it is less: beside a wall, in a corner or on a narrow
-/// ridge, the ray of one face may end near another. Once a limit is known to be broken,
-/// nothing is refined.
+/// ridge, the ray of one face may end near another. Once a gouge is known nothing is
+/// refined; once too much is known to be left, only for gouges.
 ///
 /// Between rays a gouge hides at most (d^2 / 2)(1 / r + k), d a cell's half diagonal, r
 /// the cutter's corner radius, k the part's convex curvature (with a sharp edge 2 d sin phi,
