@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/cutter/corner_approach.h"
 #include "endmill/cutter/line_in_plan.h"
 
 namespace endmill {
@@ -99,43 +100,15 @@ std::optional<SweepEntry> entry_between(const StraightSweep& sweep,
     return SweepEntry{left.low, is_at_side ? outline_normal(plan, left.low) : gap.normal};
 }
 
-// Whether a plane that the region lies beyond, near the line's place at `before`, shows that
-// the line is outside from `from` up to there: most of what a look at S would.
-bool is_outside(const StraightSweep& sweep, const LineInPlan& plan, double from,
-                double before)
-{
-    const double r = sweep.cutter().corner_radius();
-    const double flat = sweep.cutter().flat_radius();
-    const Vector2d at = plan.start + before * plan.rate;
-    const double z = plan.start_z + before * plan.rate_z;
-    const double along = std::clamp(at.x(), 0.0, plan.length);
-    const double share = plan.length > 0 ? along / plan.length : 0;
-    const double centre = plan.rise * share + r;  // of the corner's circle
-    Vector2d way = Vector2d{along, 0} - at;
-    const double distance = way.norm();
-    way *= distance > flat ? 1 - flat / distance : 0;
-    const double up = std::max(0.0, centre - z);
-    const double across = way.norm();
-    const double gap = std::sqrt(across * across + up * up);
-    // The support of the region against the way; a slope of the move tilts it.
-    const double tilt = way.x() * plan.length + up * plan.rise;
-    const double least = way.x() * along + up * centre +
-                         std::min(-share * tilt, (1 - share) * tilt) - flat * across -
-                         r * gap;
-    const double at_before = way.dot(at) + up * z;
-    const double rate = way.dot(plan.rate) + up * plan.rate_z;
-    return at_before < least && (rate >= 0 || at_before + (from - before) * rate < least);
-}
-
 }  // namespace
 
 std::optional<SweepEntry> corner_entry(const StraightSweep& sweep, const Line& line,
                                        double before)
 {
+    if (const CornerApproach approach = corner_approach(sweep, line, before);
+        approach.is_known)
+        return approach.entry;
     const LineInPlan plan = line_in_plan(sweep, line);
-    // Mostly there is nothing, and this the cheapest way to know.
-    if (std::isfinite(before) && is_outside(sweep, plan, -infinite, before))
-        return std::nullopt;
     Stretch left = within_outline(plan, sweep.cutter().radius());
     if (left.is_empty())
         return std::nullopt;
@@ -150,8 +123,6 @@ std::optional<SweepEntry> corner_entry(const StraightSweep& sweep, const Line& l
         return std::nullopt;
     bool inside = false;
     if (before < left.high) {
-        if (is_outside(sweep, plan, left.low, before))
-            return std::nullopt;
         // One look at `before` tells most: either the entry comes later, or the tangent
         // there, which passes below S, leads to a place that the entry does not precede.
         const Gap gap = gap_at(sweep, plan, line, before);
