@@ -14,24 +14,33 @@ constexpr double rounding_share = 1e-15;
 constexpr int most_steps = 24;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// A half space that holds the region, seen from a place of the line.
+// A half space that holds the region, seen from a place of the line. All lengths along its
+// normal are multiplied by `distance`.
 struct HalfSpace {
     Vec3 out;         // away from it, as long as `distance`
-    double distance;  // of the place from the point of the core
-    double short_by;  // how far the place is from it, times `distance`
-    double rate;      // how fast the line comes nearer, times `distance`
-    // Half the slope of distance^2 along the move, and how that changes there and along the
-    // line: for Newton's step to the share of the move where the core is nearest.
+    double distance;  // mm, of the place from the point of the core
+    double gap;       // from the place to the corner
+    double short_by;  // how far the place is from the half space
+    double rate;      // how fast the line comes nearer
+    // Half the slope of distance^2 by the share of the move, and how that changes with the
+    // share and along the line.
     double slope;
     double bend;
     double turn;
 };
 
+// A place of the line, and where on the move the core is looked at.
+struct Look {
+    double t;
+    double share;
+};
+
 class Approach {
 public:
-    Approach(const StraightSweep& sweep, const Line& line)
+    Approach(const StraightSweep& sweep, const Line& line, double before)
         : flat_{sweep.cutter().flat_radius()},
           corner_{sweep.cutter().corner_radius()},
+          before_{before},
           offset_{line.origin - sweep.from() - Vec3{0, 0, corner_}},
           way_{line.direction},
           move_{sweep.to() - sweep.from()},
@@ -42,78 +51,72 @@ public:
     {
     }
 
-    CornerApproach run(double before) const
+    CornerApproach run()
     {
-        double t = before;
-        double share = 0;
-        bool is_outside = false;  // all of the line before t
-        if (std::isfinite(before)) {
-            share = nearest_share(before);
-            if (is_in_core(before, share))
-                t = infinite;
-        }
-        if (!std::isfinite(t)) {
-            // From where the line comes to the level of the lowest tip.
-            t = (std::min(0.0, move_.z()) - corner_ - offset_.z()) / way_.z();
-            if (!(way_.z() > 0) || !std::isfinite(t))
-                return {false, {}};
-            if (t >= before)
+        Look look = look_from(std::isfinite(before_) ? before_ : -infinite);
+        for (int i = 0; i < most_steps && std::isfinite(look.t) && look.t <= before_;
+             ++i) {
+            const HalfSpace half = half_space(look);
+            const double ahead = look.t - low_;
+            if (half.rate > 0) {
+                if (half.short_by >= (before_ - look.t) * half.rate)
+                    return {true, {}};
+                low_ = std::max(low_, look.t + half.short_by / half.rate);
+                const double close = rounding(look.t) * half.rate;
+                // Within the corner on one side, within the half space on the other.
+                if (half.gap <= close && half.short_by >= -close)
+                    return {true, SweepEntry{low_, half.out / half.distance}};
+                look = better(look, half);
+            } else if (half.short_by > 0 && half.short_by >= -ahead * half.rate) {
                 return {true, {}};
-            share = nearest_share(t);
-            is_outside = true;
+            } else if (ahead > 0) {
+                look = look_from(low_);
+            } else {
+                break;
+            }
         }
-        return search(t, share, is_outside, before);
+        return {low_ >= before_, {}};
     }
 
 private:
     static constexpr double least_square = std::numeric_limits<double>::min();
 
-    CornerApproach search(double t, double share, bool is_outside, double before) const
-    {
-        for (int i = 0; i < most_steps; ++i) {
-            const HalfSpace half = half_space(t, share);
-            if (!(half.distance > 0))
-                return {false, {}};
-            if (!(half.rate > 0))
-                return {is_outside && half.short_by > 0, {}};
-            const double next = t + half.short_by / half.rate;
-            if (next >= before)
-                return {true, {}};
-            const double inside_by = (half.distance - corner_) * half.distance;
-            if (is_outside && inside_by <= rounding(t) * half.rate)
-                return {true, SweepEntry{std::max(t, next), half.out / half.distance}};
-            const double step = is_outside && next < t ? 0 : next - t;
-            t += step;
-            if (half.bend > least_square)
-                share = std::clamp(share - (half.slope + half.turn * step) / half.bend,
-                                   0.0, 1.0);
-            is_outside = true;
-        }
-        return {false, {}};
-    }
-
     double rounding(double t) const { return rounding_share * (scale_ + std::abs(t)); }
 
-    double nearest_share(double t) const
+    // At t, or, if that says nothing, at the level of the lowest tip: no place before it is
+    // in the region.
+    Look look_from(double t)
     {
+        if (!std::isfinite(t) && way_.z() > 0)
+            t = low_ = (std::min(0.0, move_.z()) - corner_ - offset_.z()) / way_.z();
         const double length2 = move_across2_ + move_.z() * move_.z();
-        return length2 > least_square
-                   ? std::clamp((offset_ + t * way_).dot(move_) / length2, 0.0, 1.0)
-                   : 0;
+        if (!(length2 > least_square))
+            return {t, 0};
+        return {t, std::clamp((offset_ + t * way_).dot(move_) / length2, 0.0, 1.0)};
     }
 
-    // Above the disc: no way leads out.
-    bool is_in_core(double t, double share) const
+    // Newton's step: the core as near as the corner radius, and at no other share nearer.
+    // Where that leads off the move, or to the share where the core is farthest, first the share.
+    Look better(const Look& look, const HalfSpace& half) const
     {
-        const Vec3 from_disc = offset_ + t * way_ - share * move_;
-        return from_disc.z() >= 0 && from_disc.head<2>().squaredNorm() <= flat_ * flat_;
+        const double size = half.bend * half.rate + half.slope * half.turn;
+        double share =
+            look.share - (half.slope * half.rate + half.turn * half.gap) / size;
+        double step = (half.bend * half.gap - half.slope * half.slope) / size;
+        if (!(size > least_square && share >= 0 && share <= 1)) {
+            share = look.share;
+            if (half.bend > least_square)
+                share = std::clamp(share - half.slope / half.bend, 0.0, 1.0);
+            step = (half.gap + half.slope * (share - look.share)) / half.rate;
+        }
+        return {std::clamp(look.t + step, low_, before_), share};
     }
 
-    HalfSpace half_space(double t, double share) const
+    HalfSpace half_space(const Look& look) const
     {
         // v from the middle of the disc to the place, (k v.x, k v.y, q) from its nearest
         // point, or from straight above that.
-        const Vec3 v = offset_ + t * way_ - share * move_;
+        const Vec3 v = offset_ + look.t * way_ - look.share * move_;
         const double d = std::sqrt(v.x() * v.x() + v.y() * v.y());
         const double across = d - flat_;
         const double per_d = across > 0 ? 1 / d : 0;
@@ -125,8 +128,9 @@ private:
         half.distance = std::sqrt(a * a + q * q);
         half.rate = -half.out.dot(way_);
         half.slope = -half.out.dot(move_);
-        half.short_by = half.distance * (half.distance - corner_) +
-                        std::min(-share * half.slope, (1 - share) * half.slope);
+        half.gap = half.distance * (half.distance - corner_);
+        half.short_by =
+            half.gap + std::min(-look.share * half.slope, (1 - look.share) * half.slope);
         const double across_move = (v.x() * move_.x() + v.y() * move_.y()) * per_d;
         const double across_way = (v.x() * way_.x() + v.y() * way_.y()) * per_d;
         const double rise = v.z() < 0 ? move_.z() : 0;
@@ -138,7 +142,9 @@ private:
 
     double flat_;
     double corner_;
-    Vec3 offset_;  // of the line, from the middle of the first disc, mm
+    double before_;
+    double low_ = -infinite;  // no place before is in the region
+    Vec3 offset_;             // of the line, from the middle of the first disc, mm
     Vec3 way_;
     Vec3 move_;
     double move_across2_;
@@ -150,7 +156,7 @@ private:
 CornerApproach corner_approach(const StraightSweep& sweep, const Line& line,
                                double before)
 {
-    return Approach{sweep, line}.run(before);
+    return Approach{sweep, line, before}.run();
 }
 
 }  // namespace endmill
