@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <span>
 
 #include "endmill/simulation/widest_registers.h"
 
@@ -12,12 +14,12 @@ namespace {
 
 constexpr int side = HeightStock::tile_side;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Keep a division by the distance from the axis, or by the root at the rim, a number.
-constexpr double least_distance2 = 1e-200;  // mm^2
-constexpr double least_root = 1e-200;       // mm
-// Of the position: the height is stationary there, so that it is off by the square.
-constexpr double position_share = 1e-9;  // of the cutter's radius
-// More than a bracket of doubles can be halved, with Newton's steps between.
+// Keeps a slope to divide by a number.
+constexpr double least_slope = 1e-200;  // mm^2
+// Of the sine sought: the next step, were it taken, would be about its square.
+constexpr double step_share = 1e-7;
+// Steps from above the root of a convex function: some five on a short move, sixty where the
+// slope is next to nothing.
 constexpr int most_iterations = 200;
 
 using Lanes = std::array<double, side>;
@@ -65,189 +67,174 @@ void level_bull_heights(const TilePlace& place, const SweptMove& move, const Sha
     }
 }
 
-// The cells of a tile against a move: s along and e across it from its start.
-struct TileLines {
-    TileHeights s;
-    TileHeights e;
-};
-
-// The cells of a tile under one end of a move.
-struct UnderEnd {
-    TileHeights z;      // of the cutter over the cell
-    TileHeights slope;  // how fast that rises as the cutter goes on
-    TileHeights gap;    // from the cutter's rim to the cell; positive where out of reach
-};
-
-struct UnderEnds {
-    UnderEnd first;
-    UnderEnd last;
-};
-
-// The cutter at `along` of the move.
+// The heights under the end of the move, infinite where it is out of reach; and for which
+// cells, with a number below 0 in `open`, the cutter may have been lower, and lower than
+// `tile`, between the ends.
 ENDMILL_WIDEST_REGISTERS
-void look_from(double along, const TileLines& lines, const SweptMove& move, Shape shape,
-               UnderEnd& under)
+void look_from_end(const double* __restrict tile, const TilePlace& place,
+                   const SweptMove& move, Shape shape, double* __restrict heights,
+                   double* __restrict open)
 {
     const double m = move.slope;
-    const double z = move.z + m * along;
-    for (int k = 0; k < HeightStock::tile_size; ++k) {
-        const double e = lines.e[k];
-        const double t = lines.s[k] - along;
-        const double distance = std::sqrt(e * e + t * t + least_distance2);
-        const double out = distance - shape.c;
-        const double a = select(out > 0, out, 0);
-        const double root = std::sqrt(std::abs((shape.r - a) * (shape.r + a)));
-        under.z[k] = z + (shape.r - root);
-        under.slope[k] = m - a * t / (root * distance + least_root);
-        under.gap[k] = distance - shape.R;
+    const double length = move.length;
+    const double z = move.z + move.rise;
+    // A cell that the cutter has left is near its rim on all the way.
+    const double near_rim = larger(shape.r - length, 0);
+    const double lowest = smaller(move.z, z) + shape.r -
+                          std::sqrt((shape.r - near_rim) * (shape.r + near_rim));
+    for (int j = 0; j < side; ++j) {
+        const TileRow row = tile_row(place, j, move, shape.R);
+        for (int i = 0; i < side; ++i) {
+            const int k = j * side + i;
+            const double t = row.s[i] - length;
+            const double e = row.e[i];
+            const double distance = std::sqrt(e * e + t * t);
+            const double out = distance - shape.c;
+            const double a = select(out > 0, out, 0);
+            const double root = std::sqrt(std::abs((shape.r - a) * (shape.r + a)));
+            const double under = z + (shape.r - root);
+            // The tangent to the height over the way, from the end on backwards.
+            const double steep = root * distance;
+            const double rise = m * steep - a * t;
+            const double above = (under - tile[k]) * steep - rise * length;
+            const double tangent = select(rise > 0, above, 1);
+            const double missed =
+                larger(larger(t, -row.s[i] - shape.R), lowest - tile[k]);
+            const double left = select(row.q[i] >= 0, missed, 1);
+            heights[k] = select(distance <= shape.R, under, infinite);
+            open[k] = select(distance <= shape.R, tangent, left);
+        }
     }
 }
 
-// The height where it is least at an end of the move; elsewhere infinite in `heights`,
-// with a lower bound in `bounds`.
-ENDMILL_WIDEST_REGISTERS
-void heights_at_ends(const TileLines& lines, double length, const UnderEnds& ends,
-                     TileHeights& heights, TileHeights& bounds)
-{
-    const UnderEnd& first = ends.first;
-    const UnderEnd& last = ends.last;
-    for (int k = 0; k < HeightStock::tile_size; ++k) {
-        const double z0 = first.z[k];
-        const double z1 = last.z[k];
-        const double crossing =
-            (z1 - z0 - last.slope[k] * length) / (first.slope[k] - last.slope[k]);
-        const double tangents = z0 + first.slope[k] * crossing;
-        const double number = select(tangents < infinite, tangents, -infinite);
-        const double gap = larger(first.gap[k], last.gap[k]);
-        const double bound = select(gap <= 0, number, -infinite);
-        // Before the start, or beyond the end, and out of reach from there.
-        const double missed_first = smaller(-lines.s[k], first.gap[k]);
-        const double missed_last = smaller(lines.s[k] - length, last.gap[k]);
-        const double unknown =
-            select(larger(missed_first, missed_last) > 0, infinite, bound);
-        // Reached from an end from which the height rises.
-        const double is_first = smaller(-first.gap[k], first.slope[k]);
-        const double is_last = smaller(-last.gap[k], -last.slope[k]);
-        const double at_last = select(is_last >= 0, z1, infinite);
-        const double found = select(is_first >= 0, z0, at_last);
-        heights[k] = found;
-        bounds[k] = select(larger(is_first, is_last) >= 0, found, unknown);
-    }
-}
-
-// Cells whose height is least between the ends: with t = |u - s| on the side where the
-// cutter is lower, a t / d = |m| sqrt(r^2 - a^2), d^2 = e^2 + t^2, a = d - c.
-struct Between {
-    Lanes e2;
-    Lanes low;   // of t
-    Lanes high;  // of t
-    Lanes t;
+// Cells that the cutter passes between the ends of its move.
+struct Passed {
+    Lanes s;  // along the move from its start
+    Lanes e;  // across it
+    // From the cell to the cutter's axis on the side where the cutter is lower, and the
+    // sine of the corner's angle over the cell there.
+    Lanes t_low;
+    Lanes t_high;
+    Lanes low;
+    Lanes high;
+    Lanes sine;
 };
 
-// One step of Newton's iteration in each lane, kept in its bracket.
-// \return the longest step
+// The part of the move on which the cutter is over each cell; the sine begins in its middle.
 ENDMILL_WIDEST_REGISTERS
-double improve(Between& between, double m, const Shape& shape)
+void bracket(Passed& cells, double length, double lower_side, const Shape& shape)
 {
+    for (int i = 0; i < side; ++i) {
+        const double s = cells.s[i];
+        const double e = std::abs(cells.e[i]);
+        const double q = (shape.R - e) * (shape.R + e);
+        const double w = std::sqrt(select(q > 0, q, 0));
+        const double from = larger(s - w, 0);
+        const double to = smaller(s + w, length);
+        const double first = select(lower_side > 0, from - s, s - to);
+        const double last = select(lower_side > 0, to - s, s - from);
+        const double t_low = larger(first, 0);
+        const double t_high = larger(last, t_low);
+        const double low = (std::sqrt(e * e + t_low * t_low) - shape.c) / shape.r;
+        const double high = (std::sqrt(e * e + t_high * t_high) - shape.c) / shape.r;
+        cells.t_low[i] = t_low;
+        cells.t_high[i] = t_high;
+        cells.low[i] = smaller(larger(low, 0), 1);
+        cells.high[i] = smaller(larger(high, 0), 1);
+        cells.sine[i] = cells.low[i] + (cells.high[i] - cells.low[i]) / 2;
+    }
+}
+
+// One step of Newton's iteration for the sine x: the cutter is lowest over the cell where
+// x t = m sqrt(1 - x^2) d, with d = c + r x, t^2 = d^2 - e^2. The difference of the squares
+// is a convex function of x from its root on.
+// Source: spec of the removal, section 1, profile'(d) t / d = m, in the corner's angle.
+// \return the longest step, as a share of the sine
+ENDMILL_WIDEST_REGISTERS
+double improve(Passed& cells, double m, const Shape& shape)
+{
+    const double m2 = m * m;
     Lanes steps;
     for (int i = 0; i < side; ++i) {
-        const double t = between.t[i];
-        const double d = std::sqrt(between.e2[i] + t * t + least_distance2);
-        const double out = d - shape.c;
-        const double a = select(out > 0, out, 0);
-        const double root = std::sqrt(std::abs((shape.r - a) * (shape.r + a)));
-        const double share = t / d;
-        const double value = a * share - m * root;
-        const double rise = share * share + a * between.e2[i] / (d * d * d) +
-                            m * a * share / (root + least_root);
-        const double low = select(value < 0, t, between.low[i]);
-        const double high = select(value > 0, t, between.high[i]);
-        const double newton = t - value / rise;
-        const double middle = low + (high - low) / 2;
-        const double above = select(newton > low, newton, middle);
-        const double next = select(newton < high, above, middle);
-        const double better = select(value == 0, t, next);
-        between.low[i] = low;
-        between.high[i] = high;
-        between.t[i] = better;
-        steps[i] = std::abs(better - t);
+        const double x = cells.sine[i];
+        const double e = std::abs(cells.e[i]);
+        const double d = shape.c + shape.r * x;
+        const double t2 = (d - e) * (d + e);
+        const double cosine2 = (1 - x) * (1 + x);
+        const double value = x * x * t2 - m2 * d * d * cosine2;
+        const double rise =
+            2 * (x * t2 + shape.r * d * (x * x - m2 * cosine2) + m2 * d * d * x);
+        const double newton = x - value / select(rise > 0, rise, least_slope);
+        // Beside the root on its lower side the function may fall: then from the high end.
+        const double next = select(rise > 0, newton, cells.high[i]);
+        const double better = smaller(larger(next, cells.low[i]), cells.high[i]);
+        cells.sine[i] = better;
+        steps[i] = std::abs(better - x) - step_share * better;
     }
     return *std::ranges::max_element(steps);
 }
 
-// Up to eight cells of a tile, given by their numbers.
-class CellsBetween {
-public:
-    CellsBetween(const SweptMove& move, const Shape& shape)
-        : move_{move},
-          shape_{shape},
-          m_{std::abs(move.slope)},
-          side_{move.slope > 0 ? -1.0 : 1.0}
-    {
-        // The tilt of the tube on the line itself: a good first guess also beside it.
-        const double tilted = shape.c + shape.r * m_ / std::sqrt(1 + m_ * m_);
-        tilted2_ = tilted * tilted;
+// The heights where the cutter is lowest.
+ENDMILL_WIDEST_REGISTERS
+void heights_between(const Passed& cells, const SweptMove& move, double lower_side,
+                     const Shape& shape, Lanes& heights)
+{
+    for (int i = 0; i < side; ++i) {
+        const double s = cells.s[i];
+        const double e = std::abs(cells.e[i]);
+        const double d = shape.c + shape.r * cells.sine[i];
+        const double t2 = (d - e) * (d + e);
+        const double root = std::sqrt(select(t2 > 0, t2, 0));
+        const double t = smaller(larger(root, cells.t_low[i]), cells.t_high[i]);
+        const double place = s + lower_side * t;
+        const double along = smaller(larger(place, 0), move.length);
+        const double rest = s - along;
+        const double distance = std::sqrt(e * e + rest * rest);
+        const double a = smaller(larger(distance - shape.c, 0), shape.r);
+        const double up = shape.r - std::sqrt((shape.r - a) * (shape.r + a));
+        const double q = (shape.R - e) * (shape.R + e);
+        const double w = std::sqrt(select(q > 0, q, 0));
+        const double reached = smaller(move.length - (s - w), s + w);
+        const double swept = move.z + move.slope * along + up;
+        heights[i] = select(smaller(q, reached) >= 0, swept, infinite);
     }
+}
 
-    bool is_full() const { return count_ == side; }
-
-    void add(int cell, double s, double e)
-    {
-        const double w = std::sqrt(std::max(0.0, (shape_.R - e) * (shape_.R + e)));
-        const double from = std::max(0.0, s - w);
-        const double to = std::min(move_.length, s + w);
-        const double low = std::max(0.0, select(side_ > 0, from - s, s - to));
-        const double high = std::max(low, select(side_ > 0, to - s, s - from));
-        cells_[count_] = cell;
-        s_[count_] = s;
-        set(count_, e * e, low, high);
-        ++count_;
+// Lowers the heights of up to eight cells to what the cutter leaves between the ends.
+void lower_between(std::span<const std::uint8_t> numbers, const TilePlace& place,
+                   const SweptMove& move, const Shape& shape, TileHeights& heights)
+{
+    Passed cells;
+    for (std::size_t i = 0; i < side; ++i) {
+        const int number = numbers[std::min(i, numbers.size() - 1)];
+        const double dx = place.x[number % side] - move.x;
+        const double dy = place.y[number / side] - move.y;
+        cells.s[i] = dx * move.direction_x + dy * move.direction_y;
+        cells.e[i] = dy * move.direction_x - dx * move.direction_y;
     }
+    const double lower_side = move.slope > 0 ? -1 : 1;
+    bracket(cells, move.length, lower_side, shape);
+    for (int k = 0; k < most_iterations; ++k)
+        if (!(improve(cells, std::abs(move.slope), shape) > 0))
+            break;
+    Lanes found;
+    heights_between(cells, move, lower_side, shape, found);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        heights[numbers[i]] = std::min(heights[numbers[i]], found[i]);
+}
 
-    // Finds the heights of all that were added, and forgets them.
-    void solve(TileHeights& heights)
-    {
-        if (count_ == 0)
-            return;
-        for (int i = count_; i < side; ++i)
-            set(i, between_.e2[0], between_.low[0], between_.high[0]);
-        for (int k = 0; k < most_iterations; ++k)
-            if (!(improve(between_, m_, shape_) > position_share * shape_.R))
-                break;
-        for (int i = 0; i < count_; ++i)
-            heights[cells_[i]] = height(i);
-        count_ = 0;
+using CellNumbers = std::array<std::uint8_t, HeightStock::tile_size>;
+
+// The numbers of the cells with a number below 0, and how many they are.
+std::size_t numbers_below_zero(const TileHeights& open, CellNumbers& numbers)
+{
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+        numbers[count] = static_cast<std::uint8_t>(k);
+        count += open[k] < 0 ? 1 : 0;
     }
-
-private:
-    void set(int lane, double e2, double low, double high)
-    {
-        between_.e2[lane] = e2;
-        between_.low[lane] = low;
-        between_.high[lane] = high;
-        between_.t[lane] = std::clamp(std::sqrt(std::max(0.0, tilted2_ - e2)), low, high);
-    }
-
-    double height(int lane) const
-    {
-        const double t = between_.t[lane];
-        const double along = s_[lane] + side_ * t;
-        const double d = std::sqrt(between_.e2[lane] + t * t);
-        const double a = std::clamp(d - shape_.c, 0.0, shape_.r);
-        return move_.z + move_.slope * along +
-               (shape_.r - std::sqrt((shape_.r - a) * (shape_.r + a)));
-    }
-
-    const SweptMove& move_;
-    const Shape& shape_;
-    double m_;
-    double side_;  // of s on which the least lies
-    double tilted2_;
-    int count_ = 0;
-    std::array<int, side> cells_;
-    Lanes s_;
-    Between between_;
-};
+    return count;
+}
 
 }  // namespace
 
@@ -259,26 +246,27 @@ void bull_heights(HeightStock::ConstTile tile, const TilePlace& place,
         level_bull_heights(place, move, shape, heights);
         return;
     }
-    TileLines lines;
-    for (int j = 0; j < side; ++j) {
-        const TileRow row = tile_row(place, j, move, shape.R);
-        std::ranges::copy(row.s, lines.s.begin() + j * side);
-        std::ranges::copy(row.e, lines.e.begin() + j * side);
+    TileHeights open;
+    if (move.is_continued) {
+        look_from_end(tile.data(), place, move, shape, heights.data(), open.data());
+    } else {
+        SweptMove start = move;
+        start.length = 0;
+        TileHeights known;
+        level_bull_heights(place, start, shape, known);
+        TileHeights lowered;
+        for (int k = 0; k < HeightStock::tile_size; ++k)
+            lowered[k] = smaller(tile[k], known[k]);
+        look_from_end(lowered.data(), place, move, shape, heights.data(), open.data());
+        for (int k = 0; k < HeightStock::tile_size; ++k)
+            heights[k] = smaller(heights[k], known[k]);
     }
-    UnderEnds ends;
-    look_from(0, lines, move, shape, ends.first);
-    look_from(move.length, lines, move, shape, ends.last);
-    TileHeights bounds;
-    heights_at_ends(lines, move.length, ends, heights, bounds);
-    CellsBetween between{move, shape};
-    for (int k = 0; k < HeightStock::tile_size; ++k)
-        if (bounds[k] < heights[k] && bounds[k] < tile[k] &&
-            std::abs(lines.e[k]) <= shape.R) {
-            between.add(k, lines.s[k], lines.e[k]);
-            if (between.is_full())
-                between.solve(heights);
-        }
-    between.solve(heights);
+    CellNumbers numbers;
+    const std::size_t count = numbers_below_zero(open, numbers);
+    for (std::size_t first = 0; first < count; first += side)
+        lower_between(
+            std::span{numbers}.subspan(first, std::min<std::size_t>(side, count - first)),
+            place, move, shape, heights);
 }
 
 }  // namespace endmill

@@ -8,12 +8,13 @@
 namespace endmill {
 
 /// StraightSweep::height of a bull-nose cutter at the centres of the cells, in mm;
-/// infinite where it does not pass, and perhaps where it is not below `tile`.
+/// infinite where it does not pass, and perhaps more, up to infinite, where it is not below
+/// `tile`, or where `move.is_continued` and the cutter is lowest at the start.
 ///
-/// Over a cell the height is a convex function of the cutter's position. Most cells of a
-/// short move find its least at one of the ends; the tangents there bound it from below
-/// for the others, and what is left is found by a bracketed Newton iteration, eight cells
-/// at a time.
+/// Over a cell the height is a convex function of the cutter's position. Most cells find its
+/// least at the end of a short move, or have been lower before: the tangent there bounds it
+/// from below. What is left is found by Newton's iteration for the corner's angle, eight
+/// cells at a time.
 void bull_heights(HeightStock::ConstTile tile, const TilePlace& place,
                   const Cutter& cutter, const SweptMove& move, TileHeights& heights);
 

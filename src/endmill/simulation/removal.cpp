@@ -47,6 +47,7 @@ std::vector<SweptMove> moves_from(const ToolPath& path, std::size_t first,
     for (std::size_t k = first; k < last; ++k) {
         const Vec3& to = path.points[k].location.tip;
         moves.push_back(swept_move(k == 0 ? to : path.points[k - 1].location.tip, to));
+        moves.back().is_continued = k > 1 || (k == 1 && cuts_at_start(path));
     }
     return moves;
 }

@@ -19,6 +19,9 @@ struct SweptMove {
     double slope;        ///< rise / length; 0 for a vertical move
     double direction_x;  ///< over the xy plane, unit
     double direction_y;
+    /// It begins where the move before it ended, which has been taken: the stock is nowhere
+    /// above the cutter at the start.
+    bool is_continued = false;
 };
 
 /// \param from, to tips in mm.
