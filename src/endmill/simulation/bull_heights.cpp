@@ -107,6 +107,29 @@ void look_from_end(const double* __restrict tile, const TilePlace& place,
     }
 }
 
+// Leaves open only the cells over which the cutter sinks as the move begins: over the others
+// it was lowest there. The comparison of m with profile'(d) t / d, without its roots.
+ENDMILL_WIDEST_REGISTERS
+void look_from_start(const TilePlace& place, const SweptMove& move, Shape shape,
+                     double* __restrict open)
+{
+    const double slope2 = move.slope * std::abs(move.slope);
+    for (int j = 0; j < side; ++j) {
+        const TileRow row = tile_row(place, j, move, shape.R);
+        for (int i = 0; i < side; ++i) {
+            const double s = row.s[i];
+            const double e = row.e[i];
+            const double distance2 = e * e + s * s;
+            const double out = std::sqrt(distance2) - shape.c;
+            const double a = select(out > 0, out, 0);
+            const double cosine2 = (shape.r - a) * (shape.r + a);
+            const double root2 = select(cosine2 > 0, cosine2, 0);
+            const double climb = slope2 * root2 * distance2 - a * a * (s * std::abs(s));
+            open[j * side + i] = larger(open[j * side + i], climb);
+        }
+    }
+}
+
 // Cells that the cutter passes between the ends of its move.
 struct Passed {
     Lanes s;  // along the move from its start
@@ -262,7 +285,11 @@ void bull_heights(HeightStock::ConstTile tile, const TilePlace& place,
             heights[k] = smaller(heights[k], known[k]);
     }
     CellNumbers numbers;
-    const std::size_t count = numbers_below_zero(open, numbers);
+    std::size_t count = numbers_below_zero(open, numbers);
+    if (count > side) {
+        look_from_start(place, move, shape, open.data());
+        count = numbers_below_zero(open, numbers);
+    }
     for (std::size_t first = 0; first < count; first += side)
         lower_between(
             std::span{numbers}.subspan(first, std::min<std::size_t>(side, count - first)),
