@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/simulation/bull_heights.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "small_moves.h"
@@ -51,6 +53,32 @@ TEST_P(BullHeightsOf, AreRightWhereTheyAreBelowTheStock)
                 EXPECT_GE(sweep.height(x, y), tile[k] - 1e-12) << k;
             }
         }
+    }
+}
+
+// What the cutter takes standing where a move begins need not be taken again.
+TEST_P(BullHeightsOf, OfAMoveThatGoesOnLeaveTheSame)
+{
+    const Cutter cutter = GetParam();
+    const TilePlace place = test::small_tile();
+    test::Random random{5};
+    for (const test::SmallMove& move : test::small_moves(5, 700)) {
+        TileHeights tile;
+        TileHeights high;
+        high.fill(1e6);
+        bull_heights(high, place, cutter, swept_move(move.from, move.from), tile);
+        for (double& z : tile)
+            z = std::min(z, random.uniform(-4, 8));
+        SweptMove swept = move.swept();
+        TileHeights whole;
+        bull_heights(tile, place, cutter, swept, whole);
+        swept.is_continued = true;
+        TileHeights rest;
+        bull_heights(tile, place, cutter, swept, rest);
+        for (int k = 0; k < 64; ++k)
+            EXPECT_NEAR(std::min(tile[k], rest[k]), std::min(tile[k], whole[k]), 1e-12)
+                << move.from.transpose() << " to " << move.to.transpose() << " cell "
+                << k;
     }
 }
 

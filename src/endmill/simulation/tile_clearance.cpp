@@ -155,7 +155,8 @@ void may_touch(const TileTop& top, const MoveBatch& batch, const SweptDisc& disc
         double vz = pz - share * dz;
         // From the nearest point of the disc. Never upwards: all above it is swept too.
         const double across = std::sqrt(vx * vx + vy * vy);
-        const double kept = select(across > c, (across - c) / across, 0);
+        const double beside = select(across > c, across - c, 0);
+        const double kept = select(across > c, beside / across, 0);
         vx *= kept;
         vy *= kept;
         vz = vz < 0 ? vz : 0;
@@ -166,9 +167,10 @@ void may_touch(const TileTop& top, const MoveBatch& batch, const SweptDisc& disc
         const double tilt_y = std::abs(vy + vz * top.slope_y);
         const double r = disc.corner_radius + top.margin +
                          rounding_share * (std::abs(px) + std::abs(py) + std::abs(pz));
-        const double reach =
-            c * std::sqrt(vx * vx + vy * vy) + r * std::sqrt(vx * vx + vy * vy + vz * vz);
-        const bool is_clear = least - (tilt_x + tilt_y) * half > reach;
+        // Clear if this is more than r |v|, of which the squares tell.
+        const double apart = least - (tilt_x + tilt_y) * half - c * beside;
+        const double v2 = beside * beside + vz * vz;
+        const bool is_clear = apart * std::abs(apart) > r * r * v2;
         touches[k] = is_clear ? 0 : 1;
     }
 }
