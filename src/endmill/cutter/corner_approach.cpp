@@ -8,14 +8,14 @@
 namespace endmill {
 namespace {
 
-// Of the lengths that go into a distance: what their rounding makes of it, and of an entry.
+// Of the lengths that go into a distance: what their rounding makes of it.
 constexpr double rounding_share = 1e-15;
-// Three to five do; one that takes more grazes the region, or begins right under a corner.
+// Three to five do; a line that takes more grazes the region.
 constexpr int most_steps = 24;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// A half space that holds the region, seen from a place of the line. All lengths along its
-// normal are multiplied by `distance`.
+// A half space that holds the region, seen from a place of the line. All lengths along
+// its normal are multiplied by `distance`.
 struct HalfSpace {
     Vec3 out;         // away from it, as long as `distance`
     double distance;  // mm, of the place from the point of the core

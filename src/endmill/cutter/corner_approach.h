@@ -16,13 +16,13 @@ struct CornerApproach {
 
 /// The entry of a line, found from outside by half spaces that hold the whole region.
 ///
-/// The region is all that lies above some point within the corner radius r of the core: the
-/// disc of radius R - r inside the corner's circle, swept along the move. The plane square to
-/// the way from a place of the line to any point of the core, moved out to where the disc, the
-/// move and r end, has the region beyond it: the line is outside up to where it crosses that
-/// plane. With the nearest point of the core this is Newton's iteration on the distance from it,
-/// which is convex; so it never passes the entry, and a place within r is one of the region. Where
-/// along the move the core is nearest is improved together with the place on the line.
+/// The region is all that lies above some point within the corner radius r of the core:
+/// the disc of radius R - r inside the corner's circle, swept along the move. The plane
+/// square to the way from a place of the line to any point of the core, moved out to where
+/// the disc, the move and r end, has the region beyond it: the line is outside up to where
+/// it crosses that plane. A place within r of the core is in the region. Newton's
+/// iteration improves the place on the line and the share of the move at which the core is
+/// nearest together, until both sides meet within rounding.
 /// Source: derived in paper/notes/swept-cutter.md.
 ///
 /// \pre the cutter is a bull-nose.

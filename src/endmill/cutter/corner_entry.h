@@ -8,7 +8,8 @@
 
 namespace endmill {
 
-/// `sweep_entry` for a bull-nose cutter: by tangents to S along the line, which is convex.
+/// `sweep_entry` for a bull-nose cutter: by half spaces, and where they do not tell by
+/// tangents to S along the line, which is convex.
 std::optional<SweepEntry> corner_entry(const StraightSweep& sweep, const Line& line,
                                        double before);
 

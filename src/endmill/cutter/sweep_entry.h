@@ -23,7 +23,7 @@ struct SweepEntry {
 
 /// The entry with the least t, if that is below `before` (mm), which makes a no come soon.
 /// Exact but for rounding for a ball and a flat cutter, by lines, circles, cylinders and
-/// spheres; of a bull-nose to 1e-12 of its size, by tangents to S, which is convex.
+/// spheres; of a bull-nose to 1e-12 of its size, by half spaces that hold the region.
 /// \return nothing if the line misses the region, or enters it later.
 std::optional<SweepEntry> sweep_entry(
     const StraightSweep& sweep, const Line& line,
