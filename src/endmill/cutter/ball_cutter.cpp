@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "endmill/core/error.h"
+#include "endmill/cutter/reference_point.h"
 
 namespace endmill {
 
@@ -17,7 +18,8 @@ CutterLocation locate(const BallCutter& cutter, const CutterContact& contact,
 {
     if (axis.dot(contact.normal) <= 0)
         throw GeometryError{"locate: the contact is on or above the equator of the ball"};
-    return {contact.point + cutter.radius() * (contact.normal - axis), axis};
+    const Cutter ball = Cutter::ball(cutter.radius());
+    return {control_point(ball, contact, ControlPoint::Tip, axis), axis};
 }
 
 }  // namespace endmill

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/interference/contact_strip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include <Eigen/Geometry>
+
+#include "endmill/cutter/reference_point.h"
+
+namespace endmill {
+namespace {
+
+// An arc is not cut finer than this share of it: next to the axis the bottom of a cutter
+// turns faster than any sampling follows.
+constexpr double least_share = 0x1p-16;
+
+// Greatest angle of an arc of `radius` whose chord lies within `tolerance` of it.
+double chord_angle(double radius, double tolerance)
+{
+    if (radius <= tolerance)
+        return std::numbers::pi;
+    return 2 * std::acos(1 - tolerance / radius);
+}
+
+double angle_between(const Vec3& one, const Vec3& other)
+{
+    return std::atan2(one.cross(other).norm(), one.dot(other));
+}
+
+// Adds shares in (low, high] until the bottom circle turns little enough between them.
+void add_shares(const NormalArc& arc, const Cutter& cutter, double tolerance, double low,
+                double high, std::vector<double>& shares)
+{
+    const Vec3 start = arc.at(low);
+    const Vec3 end = arc.at(high);
+    const double turn = angle_between({start.x(), start.y(), 0}, {end.x(), end.y(), 0});
+    const double middle = std::midpoint(low, high);
+    const Vec3 from = control_offset(cutter, start);
+    const Vec3 chord = control_offset(cutter, end) - from;
+    const Vec3 to_middle = control_offset(cutter, arc.at(middle)) - from;
+    const double length2 = chord.squaredNorm();
+    const double share = length2 > 0 ? to_middle.dot(chord) / length2 : 0;
+    const double deviation = (to_middle - std::clamp(share, 0.0, 1.0) * chord).norm();
+    const bool is_fine = turn <= chord_angle(cutter.flat_radius(), tolerance / 2) &&
+                         deviation <= tolerance;
+    if (!is_fine && high - low > least_share) {
+        add_shares(arc, cutter, tolerance, low, middle, shares);
+        add_shares(arc, cutter, tolerance, middle, high, shares);
+    } else {
+        shares.push_back(high);
+    }
+}
+
+}  // namespace
+
+Vec3 NormalArc::at(double share) const
+{
+    return std::cos(share * angle) * start + std::sin(share * angle) * heading;
+}
+
+NormalArc arc_between(const Vec3& start, const Vec3& end)
+{
+    const Vec3 across = end - end.dot(start) * start;
+    return {start, across.stableNormalized(), angle_between(start, end)};
+}
+
+NormalArc arc_over_border(const Vec3& normal, const Vec3& along)
+{
+    const Vec3 edge = along - along.dot(normal) * normal;
+    const Vec3 outwards = edge.cross(normal).stableNormalized();
+    return {normal, outwards, std::atan2(normal.z(), -outwards.z())};
+}
+
+std::vector<double> arc_shares(const NormalArc& arc, const Cutter& cutter,
+                               double tolerance)
+{
+    const double step = cutter.is_ball()
+                            ? chord_angle(cutter.radius(), tolerance)
+                            : chord_angle(cutter.corner_radius(), tolerance / 2);
+    const int steps = std::max(1, static_cast<int>(std::ceil(arc.angle / step)));
+    std::vector<double> shares{0};
+    for (int k = 0; k < steps; ++k) {
+        const double high = (k + 1) / double(steps);
+        if (cutter.is_ball())
+            shares.push_back(high);
+        else
+            add_shares(arc, cutter, tolerance, k / double(steps), high, shares);
+    }
+    return shares;
+}
+
+void OffsetDraft::reserve_chains(std::size_t count)
+{
+    const double steps = std::numbers::pi / chord_angle(cutter.radius(), arc_tolerance);
+    const std::size_t more = count * static_cast<std::size_t>(std::ceil(steps));
+    points.reserve(points.size() + more);
+    contacts.reserve(contacts.size() + more);
+    triangles.reserve(triangles.size() + 2 * more);
+}
+
+std::int32_t OffsetDraft::add(const Vec3& point, const OffsetContact& contact)
+{
+    points.push_back(point + control_offset(cutter, contact.normal));
+    contacts.push_back(contact);
+    return static_cast<std::int32_t>(points.size() - 1);
+}
+
+ContactChain OffsetDraft::add_chain(std::int32_t from, const NormalArc& arc,
+                                    ContactKind kind, std::optional<std::int32_t> to)
+{
+    const Vec3 point = contact_point(from);
+    OffsetContact contact = contacts[from];
+    contact.kind = kind;
+    ContactChain chain{{from}, arc_shares(arc, cutter, arc_tolerance)};
+    for (std::size_t k = 1; k < chain.shares.size(); ++k) {
+        const bool is_last = k + 1 == chain.shares.size();
+        if (is_last && to) {
+            chain.vertices.push_back(*to);
+            break;
+        }
+        contact.normal = arc.at(chain.shares[k]);
+        // Over a border the last normal is level, to the bit.
+        if (is_last && kind == ContactKind::Border)
+            contact.normal = Vec3{contact.normal.x(), contact.normal.y(), 0}.normalized();
+        chain.vertices.push_back(add(point, contact));
+    }
+    return chain;
+}
+
+void OffsetDraft::add_strip(const ContactChain& right, const ContactChain& left)
+{
+    const auto add_triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+        if (a != b && b != c && c != a)
+            triangles.push_back({a, b, c});
+    };
+    const std::size_t last_right = right.vertices.size() - 1;
+    const std::size_t last_left = left.vertices.size() - 1;
+    std::size_t r = 0;
+    std::size_t l = 0;
+    while (r < last_right || l < last_left)
+        if (l == last_left ||
+            (r < last_right && right.shares[r + 1] <= left.shares[l + 1])) {
+            add_triangle(right.vertices[r], right.vertices[r + 1], left.vertices[l]);
+            ++r;
+        } else {
+            add_triangle(right.vertices[r], left.vertices[l + 1], left.vertices[l]);
+            ++l;
+        }
+}
+
+Vec3 OffsetDraft::contact_point(std::int32_t vertex) const
+{
+    return points[vertex] - control_offset(cutter, contacts[vertex].normal);
+}
+
+}  // namespace endmill

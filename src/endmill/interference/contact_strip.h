@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Internal to interference
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "endmill/interference/offset_mesh.h"
+
+namespace endmill {
+
+/// A great arc of unit normals, from `start` towards `heading`, at right angles to it.
+struct NormalArc {
+    Vec3 start;
+    Vec3 heading;  ///< unit
+    double angle;  ///< rad, 0 … pi
+
+    Vec3 at(double share) const;  ///< the normal at a share 0 … 1 of the angle
+};
+
+/// The shorter great arc from one normal to another. \pre they are not opposite.
+NormalArc arc_between(const Vec3& start, const Vec3& end);
+
+/// The arc from `normal` about an edge, outwards, until N_z = 0.
+/// \param along direction of the edge, the part on its left seen from the tool, not zero.
+/// \pre normal.z() > 0
+NormalArc arc_over_border(const Vec3& normal, const Vec3& along);
+
+/// Shares of `arc`, from 0 to 1, between which the reference points of `cutter` over a
+/// fixed contact lie within `tolerance` mm of their chords. Where the arc passes over the
+/// axis, the bottom of a flat or bull-nose cutter turns by up to half a turn at once: there
+/// a chord goes across the disc.
+std::vector<double> arc_shares(const NormalArc& arc, const Cutter& cutter,
+                               double tolerance);
+
+/// Vertices of an offset over one contact point, the normal turning from the first on.
+struct ContactChain {
+    std::vector<std::int32_t> vertices;
+    std::vector<double> shares;  ///< of the whole turn, from 0 to 1
+
+    static ContactChain of(std::int32_t vertex) { return {{vertex}, {0}}; }
+};
+
+/// An offset mesh that grows.
+struct OffsetDraft {
+    Cutter cutter;
+    double arc_tolerance;
+    std::vector<Vec3> points;
+    std::vector<OffsetContact> contacts;
+    std::vector<Triangle> triangles;
+
+    /// Makes room for chains of up to half a turn from `count` vertices.
+    void reserve_chains(std::size_t count);
+
+    /// Adds the vertex over the contact point `point`. \return its number.
+    std::int32_t add(const Vec3& point, const OffsetContact& contact);
+
+    /// A chain from vertex `from` over its contact point along `arc`; its last vertex is
+    /// `to`, or a new one.
+    ContactChain add_chain(std::int32_t from, const NormalArc& arc, ContactKind kind,
+                           std::optional<std::int32_t> to = std::nullopt);
+
+    /// Triangles between two chains. Looking along both, `left` is on the left, seen from
+    /// the tool. Those with equal corners are left out.
+    void add_strip(const ContactChain& right, const ContactChain& left);
+
+    /// The contact point of a vertex, in mm.
+    Vec3 contact_point(std::int32_t vertex) const;
+};
+
+}  // namespace endmill
