@@ -51,7 +51,7 @@ struct AppliedRule {
 struct Trimmed {
     std::vector<TrimmedCurve> curves;  ///< by smallest s, then z there
     std::vector<AppliedRule> rules;    ///< in the order in which they were applied
-    int unresolved = 0;                ///< folds found and left, with no crossing and no end rule
+    int unresolved = 0;  ///< folds found and left, with no crossing and no end rule
 };
 
 /// How methods 1, 2 and 3 find folds: as printed, or corrected.

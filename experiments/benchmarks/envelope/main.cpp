@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Speed of the exact envelope of a section, beside CGAL's, polyclipping's and what is asked.
+//
+//   benchmarks-envelope OUTPUT_FOLDER
+//
+// About 60 s; measures time, so nothing else should run. Columns: README.md beside this.
+
+#include <limits>
+
+#include <sys/resource.h>
+
+#include "benchmarks/envelope/baselines.h"
+#include "benchmarks/envelope/raw_chain.h"
+#include "endmill/interference/envelope_trimming.h"
+#include "support/experiment.h"
+
+using namespace endmill;
+
+namespace {
+
+double cpu_time_s()
+{
+    rusage usage{};
+    getrusage(RUSAGE_THREAD, &usage);
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) +
+               1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// Of the best of `repeats`.
+template <typename Work>
+double shortest_s(int repeats, const Work& work)
+{
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < repeats; ++k) {
+        const double begin = cpu_time_s();
+        work();
+        shortest = std::min(shortest, cpu_time_s() - begin);
+    }
+    return shortest;
+}
+
+double envelope_s(int repeats, const SectionCurve& curve)
+{
+    return shortest_s(repeats, [&] { return envelope_trimming({&curve, 1}); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return run_experiment(argc, argv, "benchmarks/envelope", [](Experiment& run) {
+        const auto segments = static_cast<std::size_t>(run.number("segments"));
+        const int repeats = static_cast<int>(run.number("repeats"));
+        const double noise_mm = run.number("noise_mm");
+        CsvTable result{{"row", "measured", "unit", "bar_at_most", "bar_at_least"}};
+        for (const bool is_noisy : {false, true}) {
+            const std::string name = is_noisy ? "noisy" : "smooth";
+            const double noise = is_noisy ? noise_mm : 0;
+            const SectionCurve chain = raw_chain(segments, noise);
+            const SectionCurve on_end = turned(chain);
+            const SectionCurve shorter = raw_chain(segments / 10, noise);
+            const double time = envelope_s(repeats, chain);
+            const double time_turned = envelope_s(repeats, on_end);
+            const double time_shorter = envelope_s(10 * repeats, shorter);
+            const double cgal = shortest_s(1, [&] { return cgal_envelope(chain); });
+            const double depth = 1e3;
+            const double clipped =
+                std::min(shortest_s(2,
+                                    [&] {
+                                        return polyclipping_union(chain, {0, -depth});
+                                    }),
+                         shortest_s(2, [&] {
+                             return polyclipping_union(on_end, {depth, 0});
+                         }));
+            const double ns = 1e9 / static_cast<double>(segments);
+            result.add_row({name, ns * time, "ns a segment", is_noisy ? 65 : 50, {}});
+            result.add_row(
+                {name + ", turned", time_turned / time, "of unturned", 1.3, {}});
+            result.add_row(
+                {name + ", ten times as long", time / time_shorter, "times", 12.5, {}});
+            result.add_row(
+                {name + ", CGAL", cgal / time, "times ours", {}, is_noisy ? 80 : 50});
+            result.add_row(
+                {name + ", polyclipping", clipped / time, "times ours", {}, 5});
+        }
+        run.write_result(result);
+    });
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/interference/repaired_trimming.h"
+
+#include "endmill/interference/branch_trimming.h"
+#include "endmill/interference/sequence_trimming.h"
+
+namespace endmill {
+
+Trimmed trim_repaired(std::span<const SectionCurve> curves,
+                      const TrimmingOptions& options)
+{
+    TrimmingOptions guarded = options;
+    guarded.detection = FoldDetection::guarded;
+    return trim_branches(curves, {march_segments, RunPairs::All}, guarded);
+}
+
+}  // namespace endmill

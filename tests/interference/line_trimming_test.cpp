@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/interference/line_trimming.h"
+
+#include <gtest/gtest.h>
+
+namespace endmill {
+namespace {
+
+TEST(SearchByLines, FindsTheCrossingOfConvexBranches)
+{
+    std::vector<SectionPoint> points;
+    for (int i = -20; i <= 4; ++i)  // A falls to its cusp, right of the axis
+        points.emplace_back(0.1 * i, 0.01 * (i - 8) * (i - 8));
+    const auto cusp_a = static_cast<std::int32_t>(points.size()) - 1;
+    for (int i = -4; i <= 20; ++i)  // B is A's mirror image
+        points.emplace_back(0.1 * i, 0.01 * (i + 8) * (i + 8));
+    const SectionChain chain{points, 0};
+    const Branches branches{0, cusp_a, cusp_a + 1, chain.last()};
+    const auto crossing = search_by_lines(chain, branches, {});
+    ASSERT_TRUE(crossing);
+    EXPECT_NEAR(crossing->at.x(), 0, 1e-15);
+    EXPECT_NEAR(crossing->at.y(), 0.64, 1e-15);
+}
+
+// The end of the first branch is not above the cusp of the second.
+TEST(SearchByLines, NeedsBothBranchesToReachTheOthersCusp)
+{
+    const std::vector<SectionPoint> points{{-1, 1}, {2, -2}, {0, -1}, {-2, -2}, {6, 6}};
+    const SectionChain chain{points, 0};
+    EXPECT_FALSE(search_by_lines(chain, {0, 1, 3, 4}, {}));
+}
+
+// Each line picks the other wrong segment: it gives up, and the crossing is missed.
+TEST(SearchByLines, EndsWhereItDoesNotConverge)
+{
+    const std::vector<SectionPoint> points{{-10, 9}, {-9, 1},  {3, 0.5}, {4, -3},
+                                           {-4, -3}, {-3, -1}, {9, 0.9}, {10, 9}};
+    const SectionChain chain{points, 0};
+    const Branches branches{0, 3, 4, 7};
+    const auto crossing = search_by_lines(chain, branches, {});
+    if (crossing) {
+        EXPECT_LT(crossing->segment_a, 3);
+    }
+}
+
+}  // namespace
+}  // namespace endmill
