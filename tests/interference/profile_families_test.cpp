@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/interference/profile_families.h"
 
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
@@ -93,6 +95,31 @@ TEST(HardProfiles, HaveTheEndsThatAreListed)
         EXPECT_NEAR(curve.points.front().x(), ends[0].get<double>(), 1e-12);
         EXPECT_NEAR(curve.points.back().x(), ends[1].get<double>(), 1e-12);
     }
+}
+
+// A polyline file: a header and rows of s and z.
+std::vector<SectionPoint> polyline(const std::string& name)
+{
+    std::ifstream file{std::string{ENDMILL_SOURCE_DIR} + "/datasets/offset-curves/" +
+                       name};
+    std::string row;
+    std::getline(file, row);
+    EXPECT_EQ(row, "s_mm,z_mm");
+    std::vector<SectionPoint> result;
+    while (std::getline(file, row))
+        result.emplace_back(std::stod(row), std::stod(row.substr(row.find(',') + 1)));
+    return result;
+}
+
+TEST(HardProfiles, AreTheCurvesOfTheFiles)
+{
+    for (const OffsetProfile& profile : hard_profiles()) {
+        SCOPED_TRACE(profile.name);
+        test::expect_points(offset_curve(profile, points).points,
+                            polyline("hard-cases/" + profile.name + ".csv"), 1e-13);
+    }
+    for (const test::TrimmingVector& vector : test::trimming_vectors())
+        EXPECT_EQ(vector.curve.points, polyline("vectors/" + vector.name + ".csv"));
 }
 
 std::vector<TrimmedPoint> crossings_left(const Trimmed& trimmed)

@@ -3,15 +3,22 @@
 from fake_tree import ROOT, FakeTree
 
 import generate_meshes
+import generate_offset_curves
 import generate_surfaces
+
+
+def files(folder):
+    """The content of all files in `folder` and below, by path there."""
+    return {path.relative_to(folder).as_posix(): path.read_bytes()
+            for path in folder.rglob("*") if path.is_file()}
 
 
 class Generators(FakeTree):
     def assert_writes(self, script, folder, data):
         """All files of `folder` but the README and `data`, and nothing else."""
-        committed = {path.name: path.read_bytes() for path in (ROOT / folder).iterdir()}
+        committed = files(ROOT / folder)
         self.assertEqual(self.check(script.main, [str(self.root)])[0], 0)
-        written = {path.name: path.read_bytes() for path in self.root.iterdir()}
+        written = files(self.root)
         self.assertEqual(sorted(written), sorted(committed.keys() - {"README.md", *data}))
         for name, content in written.items():
             self.assertEqual(content, committed[name], name)
@@ -24,8 +31,12 @@ class Generators(FakeTree):
     def test_the_meshes(self):
         self.assert_writes(generate_meshes, "datasets/meshes", {"teapot-288.off"})
 
+    def test_the_offset_curves(self):
+        self.assert_writes(generate_offset_curves, "datasets/offset-curves",
+                           {"vectors.json", "hard-cases.json", "random-families.json"})
+
     def test_what_they_do_not_know_they_refuse(self):
-        for script in (generate_surfaces, generate_meshes):
+        for script in (generate_surfaces, generate_meshes, generate_offset_curves):
             for arguments, code in ((["--help"], 0), (["--nonsense"], 2), (["a", "b"], 2)):
                 found, printed = self.check(script.main, arguments)
                 self.assertEqual(found, code)
