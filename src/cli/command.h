@@ -35,6 +35,7 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 void add_info_command(CLI::App& program, Action& action);
 void add_sample_command(CLI::App& program, Action& action);
 void add_plan_command(CLI::App& program, Action& action);
+void add_trim_command(CLI::App& program, Action& action);
 void add_verify_command(CLI::App& program, Action& action);
 void add_post_command(CLI::App& program, Action& action);
 void add_eval_command(CLI::App& program, Action& action);

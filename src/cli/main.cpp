@@ -33,6 +33,7 @@ ExitCode run(int argc, char** argv, bool json_errors)
     add_info_command(program, action);
     add_sample_command(program, action);
     add_plan_command(program, action);
+    add_trim_command(program, action);
     add_verify_command(program, action);
     add_post_command(program, action);
     add_eval_command(program, action);

@@ -22,7 +22,8 @@ struct SegmentNumber {
 enum class TrimmedKind : std::uint8_t {
     vertex,    ///< the vertex `on`, bit for bit
     crossing,  ///< where the segments `on` and `across` cross
-    link       ///< on the segment `on`, straight above or below the vertex `across`
+    link,      ///< on the segment `on`, straight above or below the vertex `across`
+    end        ///< on the segment `on`, where what is left was cut off; `across` is `on`
 };
 
 /// A point of a trimmed curve and where it comes from.

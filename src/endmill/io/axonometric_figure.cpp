@@ -85,7 +85,7 @@ AxonometricFigure::AxonometricFigure(const FigureOptions& options,
       picture_{layout_.width_px, layout_.height_px, options.title}
 {
     add_heading(options);
-    add_axes();
+    add_axes(options.axis_names);
 }
 
 AxonometricFigure::Layout AxonometricFigure::layout_for(const FigureOptions& options,
@@ -176,9 +176,8 @@ void AxonometricFigure::add_heading(const FigureOptions& options)
     }
 }
 
-void AxonometricFigure::add_axes()
+void AxonometricFigure::add_axes(std::span<const std::string_view> names)
 {
-    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
     constexpr double shortest_arm = 4;  // of an axis seen from its end, in px
     const double arm_mm = round_length(axis_arm / layout_.scale);
     const PixelPoint corner{margin + axis_arm + 10, layout_.footer_px + axis_arm + 18};
@@ -194,7 +193,8 @@ void AxonometricFigure::add_axes()
         picture_.add_polyline(std::array<PixelPoint, 3>{tip - 6 * along + 3 * across, tip,
                                                         tip - 6 * along - 3 * across},
                               {axis_colour, 1.4, ""});
-        picture_.add_text(tip + 11 * along + PixelPoint{0, 0.33 * caption_size}, names[c],
+        picture_.add_text(tip + 11 * along + PixelPoint{0, 0.33 * caption_size},
+                          names[static_cast<std::size_t>(c)],
                           {caption_size, axis_colour, false, true});
     }
     picture_.add_text({margin, layout_.footer_px + footer_height - 16},

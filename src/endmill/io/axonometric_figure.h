@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@ struct FigureOptions {
     double width_px = 900;                ///< of the whole picture, in px, at least 300
     Angle azimuth = Angle::degrees(-60);  ///< where the viewer stands, from +x towards +y
     Angle elevation = Angle::degrees(30);  ///< of the viewer over the xy plane
+    std::array<std::string_view, 3> axis_names{"x", "y", "z"};  ///< at their arrows
 };
 
 /// Directions of a parallel projection: mm in space to mm in the picture.
@@ -71,7 +73,7 @@ private:
     PixelPoint pixels(const Vec3& point) const;
     std::vector<PixelPoint> pixels(std::span<const Vec3> points) const;
     void add_heading(const FigureOptions& options);
-    void add_axes();
+    void add_axes(std::span<const std::string_view> names);
 
     AxonometricView view_;
     Layout layout_;

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/trim_files.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "endmill/core/error.h"
+#include "endmill/interference/trimmed_planes.h"
+#include "endmill/io/section_csv.h"
+#include "endmill/io/section_svg.h"
+#include "endmill/io/tool_path_csv.h"
+#include "endmill/planning/section_linking.h"
+
+namespace endmill {
+namespace {
+
+constexpr double clear_above = 5;  // mm between the part and rapids, as `plan` has it
+
+std::vector<std::vector<SectionCurve>> curves_of(const TrimInput& input)
+{
+    std::vector<std::vector<SectionCurve>> curves;
+    for (const PlaneSection& section : input.sections)
+        curves.push_back(section.curves);
+    return curves;
+}
+
+// Height of all curves together.
+double height_of(const TrimInput& input)
+{
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const PlaneSection& section : input.sections)
+        for (const SectionCurve& curve : section.curves)
+            for (const SectionPoint& point : curve.points) {
+                low = std::min(low, point.y());
+                high = std::max(high, point.y());
+            }
+    return high > low ? high - low : 0;
+}
+
+ToolPath linked(const TrimInput& input, const TrimOptions& options,
+                std::span<const Trimmed> trimmed)
+{
+    std::vector<PlaneCurves> planes;
+    for (std::size_t k = 0; k < trimmed.size(); ++k)
+        planes.push_back({input.planes->positions[k], trimmed[k].curves});
+    LinkOptions link;
+    link.order = options.order;
+    link.safe_height =
+        options.safe_height.value_or(input.highest + options.allowance + clear_above);
+    return link_sections(planes, input.planes->frame, *options.cutter, link);
+}
+
+std::string section_picture(const TrimResult& result, const TrimInput& input,
+                            const TrimOptions& options, std::size_t plane)
+{
+    FigureOptions figure;
+    figure.title = fmt::format("{}: plane {} before and after method {}", input.name,
+                               plane, result.method);
+    if (input.planes)
+        figure.captions.push_back(fmt::format("t = {:.6g} mm, feed at {:g} deg from +x",
+                                              input.planes->positions[plane],
+                                              options.direction_deg));
+    return section_svg({input.sections[plane].curves, result.trimmed[plane].curves,
+                        input.part ? options.cutter : std::nullopt},
+                       figure);
+}
+
+// All that is left, where it stands; curves of a file in a plane of their own.
+std::string trimmed_picture(const TrimResult& result, const TrimInput& input)
+{
+    std::vector<std::vector<Vec3>> curves;
+    for (std::size_t k = 0; k < result.trimmed.size(); ++k)
+        for (const TrimmedCurve& curve : result.trimmed[k].curves) {
+            std::vector<Vec3> points;
+            for (const TrimmedPoint& point : curve.points)
+                points.push_back(
+                    input.planes
+                        ? input.planes->frame.point(
+                              point.at.x(), input.planes->positions[k], point.at.y())
+                        : Vec3{point.at.x(), 0, point.at.y()});
+            curves.push_back(std::move(points));
+        }
+    FigureOptions figure;
+    figure.title = input.name + ": the offset after method " + result.method;
+    return curves_svg(curves, figure);
+}
+
+}  // namespace
+
+TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
+                   const TrimOptions& options)
+{
+    using Clock = std::chrono::steady_clock;
+    TrimResult result;
+    result.method = std::string{method.name};
+    result.options = trimming_options(options, height_of(input));
+    const auto start = Clock::now();
+    result.trimmed = trim_planes(input.sections, input.ranges, method, result.options);
+    result.trim_ms =
+        std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    for (std::size_t k = 0; k < result.trimmed.size(); ++k)
+        result.loops.push_back(
+            cut_out(input.sections[k].curves, result.trimmed[k], crease_test(input, k)));
+    if (input.planes)
+        result.path = linked(input, options, result.trimmed);
+    return result;
+}
+
+Json write_trimmed(const TrimResult& result, const TrimInput& input,
+                   const TrimOptions& options, OutputFolder& folder,
+                   const std::string& prefix)
+{
+    const DrivePlanes* placed = input.planes ? &*input.planes : nullptr;
+    folder.write(prefix + "trimmed.csv", trimmed_csv(result.trimmed, placed));
+    folder.write(prefix + "loops.csv", loops_csv(result.loops, options.explain));
+    if (input.part)
+        folder.write(prefix + "toolpath.csv", tool_path_csv(result.path));
+    if (options.figure) {
+        const auto plane = static_cast<std::size_t>(*options.figure);
+        folder.write(prefix + fmt::format("section-{}.svg", plane),
+                     section_picture(result, input, options, plane));
+        folder.write(prefix + "trimmed.svg", trimmed_picture(result, input));
+    }
+    const Json summary = trim_summary(input, options, result);
+    folder.write(prefix + "summary.json", summary.dump(2) + "\n");
+    return summary;
+}
+
+void write_sections(const TrimInput& input, OutputFolder& folder)
+{
+    std::vector<std::string> prefixes{""};
+    for (const TrimmingMethod& method : trimming_methods())
+        prefixes.push_back(std::string{method.name} + "/");
+    for (const std::string& prefix : prefixes)
+        for (const char* name :
+             {"trimmed.csv", "loops.csv", "toolpath.csv", "trimmed.svg", "summary.json"})
+            folder.remove_unless_written(prefix + name);
+    folder.write("sections.csv",
+                 sections_csv(curves_of(input), input.planes ? &*input.planes : nullptr));
+}
+
+}  // namespace endmill

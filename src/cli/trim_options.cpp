@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/trim_options.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "cli/arguments.h"
+#include "endmill/core/error.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::array modes{Choice<bool>{"corrected", false}, Choice<bool>{"paper", true}};
+constexpr std::array detections{Choice<FoldDetection>{"guarded", FoldDetection::guarded},
+                                Choice<FoldDetection>{"literal", FoldDetection::literal}};
+constexpr std::array searches{Choice<BranchSearch>{"march", BranchSearch::march},
+                              Choice<BranchSearch>{"scan", BranchSearch::scan}};
+constexpr std::array boundaries{
+    Choice<BoundaryContact>{"contact", BoundaryContact::Contact},
+    Choice<BoundaryContact>{"none", BoundaryContact::None}};
+constexpr std::array orders{Choice<PassOrder>{"zigzag", PassOrder::ZigZag},
+                            Choice<PassOrder>{"one-way", PassOrder::OneWay}};
+
+constexpr const char* all_methods = "all";
+// Of the ball's radius; of the curves' extent in z where there is no cutter.
+constexpr double step_share_of_radius = 1.0 / 500;
+constexpr double step_share_of_extent = 1.0 / 1000;
+constexpr double threshold_in_steps = 4;
+constexpr int most_planes = 10'000'000;
+constexpr int most_grid = 46'000;  // so that N x N vertices can be numbered
+
+std::vector<std::string_view> method_words()
+{
+    std::vector<std::string_view> words;
+    for (const TrimmingMethod& method : trimming_methods())
+        words.push_back(method.name);
+    words.emplace_back(all_methods);
+    return words;
+}
+
+// Optional, so that it can be told whether it was given.
+template <typename Value>
+void add_optional_choice(CLI::App& command, const std::string& name,
+                         std::optional<Value>& target,
+                         std::span<const Choice<Value>> choices, const std::string& help)
+{
+    std::vector<std::string_view> words;
+    std::string shown;
+    for (const Choice<Value>& choice : choices) {
+        words.push_back(choice.word);
+        shown += (shown.empty() ? "" : "|") + std::string{choice.word};
+    }
+    const auto take = [name, words, choices, &target](const std::string& word) {
+        target = choices[choice_argument(name, word, words)].value;
+    };
+    command.add_option_function<std::string>(name, take, help)->type_name(shown);
+}
+
+void add_method_options(CLI::App& command, TrimOptions& options)
+{
+    const std::vector<std::string_view> words = method_words();
+    std::string shown;
+    for (const std::string_view word : words)
+        shown += (shown.empty() ? "" : "|") + std::string{word};
+    command
+        .add_option_function<std::string>(
+            "--method",
+            [words, &options](const std::string& word) {
+                options.method =
+                    std::string{words[choice_argument("--method", word, words)]};
+            },
+            "how loops are cut out; default envelope, with --mode paper 3")
+        ->type_name(shown);
+    add_choice<bool>(command, "--mode", options.paper, modes,
+                     "paper: --boundary none, and unless given --method 3 --detection "
+                     "literal");
+    add_optional_choice<FoldDetection>(command, "--detection", options.detection,
+                                       detections,
+                                       "how methods 1, 2 and 3 find folds; default "
+                                       "guarded");
+    add_number(command,
+               {"--m1-step", "MM",
+                "between the lines of method 1; default R/500, for curves their height / "
+                "1000"},
+               options.scan_step);
+    add_number(
+        command,
+        {"--m1-threshold", "MM", "at which method 1 sees a crossing; default 4 steps"},
+        options.scan_threshold);
+    add_choice<BranchSearch>(command, "--m3", options.search, searches,
+                             "how method 3 goes through two branches");
+    command.add_flag("--explain", options.explain,
+                     "a column in loops.csv: which rule cut it out");
+}
+
+void add_plane_options(CLI::App& command, TrimOptions& options)
+{
+    add_whole_number(command, {"--planes", "drive planes; default 100", 1, most_planes},
+                     [&options](int count) { options.planes = count; });
+    add_number(command, {"--pitch", "MM", "widest step between planes, for --planes"},
+               options.pitch);
+    add_number(command,
+               {"--scallop", "MM",
+                "scallop height on level ground, for --planes (ball, bull-nose)"},
+               options.scallop);
+    add_number(command, {"--direction-deg", "DEG", "feed, from +x", NumberDomain::any()},
+               options.direction_deg);
+    add_whole_number(command,
+                     {"--grid",
+                      "samples along each parameter; of a mesh, along each plane; "
+                      "default 200",
+                      2, most_grid},
+                     [&options](int count) { options.grid = count; });
+    add_optional_choice<BoundaryContact>(
+        command, "--boundary", options.boundary, boundaries,
+        "whether border, corners and creases count; default contact");
+    add_number(command,
+               {"--allowance", "MM", "stock to leave",
+                NumberDomain{-std::numeric_limits<double>::denorm_min(), "0 or above"}},
+               options.allowance);
+    command.add_flag("--refine", options.refine,
+                     "polish what is left on the smooth surface");
+}
+
+}  // namespace
+
+void add_trim_options(CLI::App& command, TrimOptions& options)
+{
+    command.add_option("PART", options.part.path, "surface or mesh file");
+    command
+        .add_option("--polyline", options.polyline,
+                    "curves to trim instead of a part (CSV: s_mm, z_mm, curve)")
+        ->type_name("FILE");
+    add_mesh_options(command, options.part);
+    command
+        .add_option_function<std::string>(
+            "--cutter",
+            [&options](const std::string& word) {
+                options.cutter = cutter_argument("--cutter", word);
+            },
+            "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm")
+        ->type_name("CUTTER");
+    add_plane_options(command, options);
+    add_method_options(command, options);
+    add_choice<PassOrder>(command, "--order", options.order, orders,
+                          "in which sense neighbouring planes are cut");
+    add_number(
+        command,
+        {"--safe-height", "MM", "where the cutter moves freely; default 5 above the part",
+         NumberDomain::any()},
+        options.safe_height);
+    add_number(command, {"--tolerance", "MM", "deepest gouge; default 0.01"},
+               options.tolerance);
+    add_whole_number(
+        command,
+        {"--figure", "number of a plane to be drawn before and after", 0, most_planes},
+        [&options](int plane) { options.figure = plane; });
+    add_common_options(command, options.common);
+}
+
+void check_trim_options(const TrimOptions& options)
+{
+    const bool has_curves = !options.polyline.empty();
+    const std::string method = method_name(options);
+    require(has_curves != !options.part.path.empty(),
+            "expected PART or --polyline, one of them");
+    require(has_curves || options.cutter, "--cutter is needed, such as ball:20");
+    require(!has_curves || !options.refine,
+            "--refine and --polyline: curves have no surface to be refined on");
+    require(!(options.pitch && options.scallop),
+            "--pitch and --scallop: expected one of them");
+    require(!options.scallop || !options.cutter || !options.cutter->is_flat(),
+            "--scallop: a flat cutter leaves none on level ground; expected --pitch");
+    if (options.detection && method != all_methods)
+        for (const TrimmingMethod& known : trimming_methods())
+            require(known.name != method || known.has_detection,
+                    "--detection does not go with --method " + method);
+}
+
+std::string method_name(const TrimOptions& options)
+{
+    return options.method.value_or(options.paper ? "3" : "envelope");
+}
+
+BoundaryContact boundary_contact(const TrimOptions& options)
+{
+    return options.boundary.value_or(options.paper ? BoundaryContact::None
+                                                   : BoundaryContact::Contact);
+}
+
+TrimmingOptions trimming_options(const TrimOptions& options, double extent)
+{
+    TrimmingOptions trimming;
+    trimming.detection = options.detection.value_or(
+        options.paper ? FoldDetection::literal : FoldDetection::guarded);
+    const double step = options.cutter ? step_share_of_radius * options.cutter->radius()
+                                       : step_share_of_extent * extent;
+    // Curves on one level have no folds that a line could meet.
+    trimming.scan_step =
+        options.scan_step.value_or(std::max(step, std::numeric_limits<double>::min()));
+    trimming.scan_threshold =
+        options.scan_threshold.value_or(threshold_in_steps * trimming.scan_step);
+    trimming.search = options.search;
+    return trimming;
+}
+
+void add_settings(Json& summary, const TrimOptions& options,
+                  const TrimmingOptions& trimming)
+{
+    summary["mode"] = word_for<bool>(options.paper, modes);
+    summary["detection"] = word_for<FoldDetection>(trimming.detection, detections);
+    summary["m1_step_mm"] = trimming.scan_step;
+    summary["m1_threshold_mm"] = trimming.scan_threshold;
+    summary["m3"] = word_for<BranchSearch>(trimming.search, searches);
+    if (!options.polyline.empty())
+        return;
+    summary["direction_deg"] = options.direction_deg;
+    summary["grid"] = options.grid;
+    summary["boundary"] =
+        word_for<BoundaryContact>(boundary_contact(options), boundaries);
+    summary["allowance_mm"] = options.allowance;
+    summary["tolerance_mm"] = options.tolerance;
+    summary["order"] = word_for<PassOrder>(options.order, orders);
+}
+
+}  // namespace endmill

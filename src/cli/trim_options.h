@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/command.h"
+#include "cli/surface_facts.h"
+#include "endmill/cutter/cutter.h"
+#include "endmill/interference/offset_mesh.h"
+#include "endmill/interference/trimming.h"
+#include "endmill/planning/linking.h"
+
+namespace endmill {
+
+/// What `endmill trim` is told. What stays empty is chosen by the rules of the help text.
+struct TrimOptions {
+    CommonOptions common;
+    PartOptions part;      ///< its path is empty if curves are given
+    std::string polyline;  ///< file of curves; empty if a part is given
+    std::optional<Cutter> cutter;
+    int planes = 100;
+    std::optional<double> pitch;    ///< mm, instead of a number of planes
+    std::optional<double> scallop;  ///< mm on level ground, ditto
+    double direction_deg = 0;       ///< of the feed, from +x
+    int grid = 200;
+    bool paper = false;                      ///< mode paper
+    std::optional<std::string> method;       ///< a name in the table, or "all"
+    std::optional<FoldDetection> detection;  ///< methods 1, 2, 3
+    std::optional<double> scan_step;         ///< mm, method 1
+    std::optional<double> scan_threshold;    ///< mm, method 1
+    BranchSearch search = BranchSearch::march;
+    std::optional<BoundaryContact> boundary;
+    double tolerance = 0.01;  ///< mm, deepest gouge that is no failure
+    double allowance = 0;     ///< mm of stock to leave
+    bool refine = false;
+    PassOrder order = PassOrder::ZigZag;
+    std::optional<double> safe_height;  ///< mm
+    bool explain = false;
+    std::optional<int> figure;  ///< number of a plane
+};
+
+/// Adds every option of `trim` to `command`.
+void add_trim_options(CLI::App& command, TrimOptions& options);
+
+/// What does not go together, and what is needed, beyond what single options tell.
+/// \throws DomainError naming the options.
+void check_trim_options(const TrimOptions& options);
+
+/// The name of the method that is asked for, or "all".
+std::string method_name(const TrimOptions& options);
+
+/// Whether the offset has the border's contacts.
+BoundaryContact boundary_contact(const TrimOptions& options);
+
+/// What a method is told. \param extent of the curves' z in mm, for want of a cutter.
+TrimmingOptions trimming_options(const TrimOptions& options, double extent);
+
+/// Adds every setting with the value in force to a summary.
+void add_settings(Json& summary, const TrimOptions& options,
+                  const TrimmingOptions& trimming);
+
+}  // namespace endmill

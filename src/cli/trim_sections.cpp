@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/trim_sections.h"
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+
+#include "cli/console.h"
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/io/polyline_csv.h"
+#include "endmill/io/printable.h"
+#include "endmill/surface/extent.h"
+#include "endmill/surface/tool_side.h"
+
+namespace endmill {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start)
+{
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// Widest step between planes for a scallop on level ground: of a bull-nose cutter the flat
+// bottom adds its width.
+double pitch_for(double scallop, const Cutter& cutter)
+{
+    const double r = cutter.corner_radius();
+    require(scallop < 2 * r, "--scallop " + to_text(scallop) +
+                                 ": expected a height below twice the corner radius, " +
+                                 to_text(2 * r) + " mm");
+    const double half = std::sqrt((2 * r - scallop) * scallop);
+    return 2 * (cutter.flat_radius() + half);
+}
+
+DrivePlanes planes_over(const Interval& across, const TrimOptions& options)
+{
+    const FeedFrame frame{Angle::degrees(options.direction_deg)};
+    if (options.pitch)
+        return drive_planes_by_pitch(frame, across, *options.pitch);
+    if (options.scallop)
+        return drive_planes_by_pitch(frame, across,
+                                     pitch_for(*options.scallop, *options.cutter));
+    return drive_planes(frame, across, options.planes);
+}
+
+TrimInput curves_input(const TrimOptions& options)
+{
+    TrimInput input;
+    input.file = options.polyline;
+    input.name = printable(std::filesystem::path{options.polyline}.stem().string());
+    input.sections.resize(1);
+    input.sections[0].curves = read_polylines(options.polyline, options.common.limits);
+    return input;
+}
+
+void add_surface_sections(const std::vector<Surface>& surfaces,
+                          const TrimOptions& options, TrimInput& input)
+{
+    const std::vector<double> sides = tool_side_signs(surfaces, Vec3::UnitZ());
+    require_reachable(surfaces, Vec3::UnitZ(), sides);
+    OffsetOptions offset;
+    offset.grid_lines = options.grid;
+    offset.boundary = boundary_contact(options);
+    offset.allowance = options.allowance;
+    const auto start = Clock::now();
+    input.offset = offset_mesh(surfaces, *options.cutter, offset);
+    input.offset_ms = milliseconds_since(start);
+    const FeedFrame frame{Angle::degrees(options.direction_deg)};
+    input.planes = planes_over(extent_across(surfaces, frame), options);
+    const auto slicing = Clock::now();
+    input.sections =
+        slice(input.offset->mesh, *input.planes, {input.offset->own_triangles});
+    input.slice_ms = milliseconds_since(slicing);
+    input.ranges = path_ranges(*input.offset, *input.planes, input.sections);
+    input.highest = extent(surfaces, Vec3::UnitZ()).high;
+}
+
+}  // namespace
+
+TrimInput read_trim_input(const TrimOptions& options)
+{
+    if (!options.polyline.empty())
+        return curves_input(options);
+    TrimInput input;
+    input.file = options.part.path;
+    PartFile file = read_part_for(options.part, options.common);
+    input.name = file.name;
+    input.source = file.source;
+    input.part = std::move(file.part);
+    add_surface_sections(std::get<std::vector<Surface>>(*input.part), options, input);
+    return input;
+}
+
+CreaseTest crease_test(const TrimInput& input, std::size_t plane)
+{
+    if (!input.offset)
+        return {};
+    return [&offset = *input.offset,
+            &section = input.sections[plane]](const SegmentNumber& at) {
+        const CrossedEdge& edge = section.edges[static_cast<std::size_t>(at.curve)]
+                                               [static_cast<std::size_t>(at.point)];
+        const auto is_concave = [&](std::int32_t vertex) {
+            return offset.contacts[static_cast<std::size_t>(vertex)].kind ==
+                   ContactKind::ConcaveCrease;
+        };
+        return is_concave(edge.below) || is_concave(edge.above);
+    };
+}
+
+}  // namespace endmill

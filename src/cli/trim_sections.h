@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/trim_options.h"
+#include "endmill/interference/cut_out.h"
+#include "endmill/interference/offset_mesh.h"
+#include "endmill/interference/slicer.h"
+#include "endmill/mesh/triangle_mesh.h"
+#include "endmill/surface/part.h"
+
+namespace endmill {
+
+/// What is trimmed, and where it comes from.
+struct TrimInput {
+    std::string file;  ///< as given
+    std::string name;
+    std::string source;
+    std::optional<Part> part;                     ///< none for curves
+    std::optional<OffsetMesh> offset;             ///< of surfaces
+    std::optional<DrivePlanes> planes;            ///< none for curves
+    std::vector<PlaneSection> sections;           ///< one a plane
+    std::vector<std::optional<Interval>> ranges;  ///< of the path; empty: any s
+    double highest = 0;                           ///< z of the part, mm
+    double offset_ms = 0;                         ///< wall time of the offset
+    double slice_ms = 0;                          ///< and of slicing
+};
+
+/// Reads what is to be trimmed, offsets and slices it.
+/// \throws FormatError, LimitError, DomainError, GeometryError as the readers,
+///         offset_mesh and drive_planes.
+TrimInput read_trim_input(const TrimOptions& options);
+
+/// Whether a point of plane `plane` is a contact on a concave crease.
+CreaseTest crease_test(const TrimInput& input, std::size_t plane);
+
+}  // namespace endmill

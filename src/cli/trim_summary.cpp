@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/trim_summary.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "build_facts.h"
+#include "cli/console.h"
+#include "endmill/core/numbers.h"
+#include "endmill/interference/trimming.h"
+
+namespace endmill {
+namespace {
+
+Json or_null(const std::optional<double>& value)
+{
+    return value ? finite_or_null(*value) : Json(nullptr);
+}
+
+void add_counts(Json& summary, const TrimResult& result)
+{
+    std::size_t curves = 0;
+    std::size_t points = 0;
+    std::size_t loops = 0;
+    for (const Trimmed& plane : result.trimmed) {
+        curves += plane.curves.size();
+        for (const TrimmedCurve& curve : plane.curves)
+            points += curve.points.size();
+    }
+    for (const auto& plane : result.loops)
+        loops += plane.size();
+    summary["planes"] = result.trimmed.size();
+    summary["curves"] = curves;
+    summary["points"] = points;
+    summary["loops"] = loops;
+    summary["unresolved"] = unresolved(result);
+}
+
+}  // namespace
+
+std::size_t unresolved(const TrimResult& result)
+{
+    std::size_t count = 0;
+    for (const Trimmed& plane : result.trimmed)
+        count += static_cast<std::size_t>(plane.unresolved);
+    return count;
+}
+
+std::optional<double> max_gouge(const TrimResult& result)
+{
+    if (!result.min_clearance)
+        return std::nullopt;
+    return std::max(0.0, -*result.min_clearance);
+}
+
+Json trim_summary(const TrimInput& input, const TrimOptions& options,
+                  const TrimResult& result)
+{
+    Json summary{{"name", input.name},
+                 {"source", input.source},
+                 {"endmill", program_version},
+                 {"method", result.method}};
+    if (options.cutter && input.part)
+        summary["cutter"] = cutter_word(*options.cutter);
+    add_counts(summary, result);
+    summary["offset_ms"] = input.offset ? Json(input.offset_ms) : Json(nullptr);
+    summary["slice_ms"] = input.part ? Json(input.slice_ms) : Json(nullptr);
+    summary["trim_ms"] = result.trim_ms;
+    summary["min_clearance_mm"] = or_null(result.min_clearance);
+    summary["max_gouge_mm"] = or_null(max_gouge(result));
+    if (input.offset) {
+        summary["sampling_error_mm"] = or_null(result.sampling_error);
+        summary["refine"] = options.refine;
+        if (result.unrefined)
+            summary["unrefined"] = *result.unrefined;
+    }
+    add_settings(summary, options, result.options);
+    if (input.part)
+        summary["interpolation"] = "linear";
+    return summary;
+}
+
+std::string trim_text(const Json& s)
+{
+    std::string text = fmt::format(
+        "method {}: {}, {} in {} and {} left, trimmed in {:.3g} ms",
+        s["method"].get<std::string>(), counted(s["loops"].get<std::size_t>(), "stretch"),
+        "cut out", counted(s["planes"].get<std::size_t>(), "plane"),
+        counted(s["points"].get<std::size_t>(), "point"), s["trim_ms"].get<double>());
+    if (!s["min_clearance_mm"].is_null())
+        text += fmt::format(", clearance {:.4g} mm", s["min_clearance_mm"].get<double>());
+    if (const auto left = s["unresolved"].get<std::size_t>())
+        text += ", " + counted(left, "fold") + " left";
+    return text + "\n";
+}
+
+}  // namespace endmill

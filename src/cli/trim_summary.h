@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/trim_options.h"
+#include "cli/trim_sections.h"
+#include "endmill/interference/cut_out.h"
+#include "endmill/path/tool_path.h"
+
+namespace endmill {
+
+/// What one method made of the sections.
+struct TrimResult {
+    std::string method;
+    TrimmingOptions options;
+    std::vector<Trimmed> trimmed;            ///< one a plane
+    std::vector<std::vector<CutOut>> loops;  ///< one a plane
+    ToolPath path;                           ///< empty for curves
+    double trim_ms = 0;                      ///< wall time of the method
+    std::optional<double> min_clearance;     ///< mm; none for curves, or without a path
+    std::optional<double> sampling_error;    ///< mm
+    std::optional<std::size_t> unrefined;    ///< if it was refined
+};
+
+/// Folds that are left.
+std::size_t unresolved(const TrimResult& result);
+
+/// Deepest gouge in mm; none where the clearance is not known.
+std::optional<double> max_gouge(const TrimResult& result);
+
+/// The summary of one method.
+Json trim_summary(const TrimInput& input, const TrimOptions& options,
+                  const TrimResult& result);
+
+/// A line for people: counts, times and clearance.
+std::string trim_text(const Json& summary);
+
+}  // namespace endmill
