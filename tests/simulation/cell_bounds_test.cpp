@@ -50,16 +50,58 @@ TEST(CellBounds, HoldEverywhereOnTheCell)
             const PartRay ray = *charts.ray(0, cell.centre());
             MeasuredCell measured{cell, ray, cell.reach(ray), left_at(cell.centre()),
                                   charts.bend(0, cell.centre())};
+            double most = -9;
+            double least = 9;
+            for (int i = 0; i <= 20; ++i)
+                for (int j = 0; j <= 20; ++j) {
+                    const double left = left_at({u + 0.001 * i, v + 0.001 * j}).left;
+                    most = std::max(most, left);
+                    least = std::min(least, left);
+                }
+            const double planes = least_left_by_planes(measured, sweeps, all);
+            EXPECT_GE(least, planes - 1e-6);
+            EXPECT_EQ(least_left_by_planes(measured, sweeps,
+                                           sweeps_on_cell(measured, sweeps, all)),
+                      planes);
             if (measured.left.sweep < 0)
                 continue;
-            double most = -9;
-            for (int i = 0; i <= 20; ++i)
-                for (int j = 0; j <= 20; ++j)
-                    most = std::max(most, left_at({u + 0.001 * i, v + 0.001 * j}).left);
             EXPECT_LE(most, most_left_by_slope(measured, cutter) + 1e-9);
             const auto local = local_sweeps(measured, sweeps, all);
             EXPECT_LE(most, most_left_by_corners(measured, charts, sweeps, local) + 1e-9);
         }
+}
+
+// A sharp rim that just touches a slope: what the planes leave open falls with the square
+// of the cell, wherever in the cell it touches.
+TEST(LeastLeftByPlanes, OfATouchingRimIsOfSecondOrder)
+{
+    const Part part =
+        std::vector<Surface>{test::graph(test::monomial(1, 0, 0.75), {{-4, 4}, {-4, 4}})};
+    const PartCharts charts = part_charts(part);
+    // Downhill from its rim; along the contour too.
+    const Vec3 tip{-2, 0, 0};
+    for (const double length : {0.0, 3.0}) {
+        const std::vector<StraightSweep> sweeps{{Cutter::flat(2),
+                                                 tip - Vec3{0, length / 2, 0},
+                                                 tip + Vec3{0, length / 2, 0}}};
+        const std::int32_t all[] = {0};
+        for (const double size : {0.02, 0.01, 0.005})
+            for (const double aside : {-0.9, -0.3, 0.0, 0.5, 0.9}) {
+                const Eigen::Vector2d middle{0.5 + aside * size / 2,
+                                             0.5 + aside * size / 3};
+                PartCell cell{0, 4, {}};
+                cell.at = {middle + Eigen::Vector2d{-size, -size} / 2,
+                           middle + Eigen::Vector2d{size, -size} / 2,
+                           middle + Eigen::Vector2d{size, size} / 2,
+                           middle + Eigen::Vector2d{-size, size} / 2};
+                const PartRay ray = *charts.ray(0, cell.centre());
+                const MeasuredCell measured{
+                    cell, ray, cell.reach(ray), {1, 0, -1}, {0, 0}};
+                const double least = least_left_by_planes(measured, sweeps, all);
+                EXPECT_LE(least, 1);
+                EXPECT_GE(least, -measured.reach * measured.reach / 2) << size << aside;
+            }
+    }
 }
 
 // One cutter pressed into a convex part, its deepest place anywhere on the cell.

@@ -62,5 +62,58 @@ TEST(Mown, DoesNotCountWhatIsTakenOnAnotherSideOfThePart)
     EXPECT_NEAR(mown(through, wall)->left, -9, 1e-12);
 }
 
+// A cutter's side, just its radius from an upright wall.
+TEST(Mown, LeavesNothingWhereASideTouches)
+{
+    const PartRay wall{{0.1, 0, 2}, Vec3::UnitX(), Vec3::Zero(), Vec3::Zero()};
+    for (const double radius : {0.3, 1.7, 4.9}) {
+        const double at = 0.1 + radius;
+        const StraightSweep sweep{Cutter::flat(radius), {at, -9, 0}, {at, 9, 0}};
+        const auto left = mown(sweep, wall, 3);
+        ASSERT_TRUE(left);
+        EXPECT_NEAR(left->left, 0, 1e-12);
+        EXPECT_FALSE(mown(sweep, wall, 0));
+    }
+    const StraightSweep beyond{Cutter::flat(1), {-0.91, -9, 0}, {-0.91, 9, 0}};
+    EXPECT_FALSE(mown(beyond, wall, 3));
+}
+
+// Every sweep that clears a place of the part near a ray is among them.
+TEST(MownRays, KnowTheSweepsBeneath)
+{
+    test::Random random{22};
+    for (const Cutter& cutter : {Cutter::ball(2), Cutter::flat(2), Cutter{2, 0.5}}) {
+        std::vector<Vec3> tips;
+        for (int i = 0; i < 400; ++i)
+            tips.emplace_back(random.uniform(-9, 9), random.uniform(-9, 9),
+                              random.uniform(-0.5, 2));
+        const std::vector<StraightSweep> sweeps =
+            path_sweeps(test::tip_path(tips), cutter);
+        const SweepTree tree{sweeps};
+        std::vector<PartRay> rays;
+        for (int i = 0; i < 16; ++i)
+            rays.push_back({{0.25 * (i % 4), 0.25 * (i / 4), 0},
+                            Vec3::UnitZ(),
+                            Vec3::UnitX(),
+                            Vec3::UnitY()});
+        const std::vector<double> lengths(rays.size(), 3);
+        MownRays mowing{rays, lengths};
+        const auto beneath = mowing.sweeps_beneath(tree, 0.18, 0);
+        EXPECT_LT(beneath.size(), sweeps.size());
+        for (std::size_t k = 0; k < sweeps.size(); ++k) {
+            bool is_under = false;
+            for (int i = -3; i <= 27; ++i)
+                for (int j = -3; j <= 27; ++j)
+                    is_under = is_under || sweeps[k].height(i / 32.0, j / 32.0) < -1e-9;
+            if (is_under) {
+                EXPECT_TRUE(
+                    std::ranges::binary_search(beneath, static_cast<std::int32_t>(k)));
+            }
+        }
+        mowing.mow(tree);
+        EXPECT_EQ(mowing.sweeps_beneath(tree, 0.18, 0), beneath);
+    }
+}
+
 }  // namespace
 }  // namespace endmill

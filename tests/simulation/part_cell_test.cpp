@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/simulation/part_cell.h"
 
+#include <tuple>
+
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
@@ -58,6 +60,48 @@ TEST(PartCharts, KnowTheOuterBorderOfASurface)
     for (Eigen::Vector2d& at : inner.at)
         at.y() = 0.5 + 0.5 * (at.y() - 0.5);
     EXPECT_FALSE(charts.touches_border(inner));
+}
+
+TEST(PartCharts, DoNotEndWhereSurfacesMeet)
+{
+    const Part part =
+        std::vector<Surface>{test::graph(test::monomial(0, 0, 1), {{0, 6}, {0, 4}}),
+                             test::graph(test::monomial(0, 0, 1), {{6, 9}, {0, 4}})};
+    const PartCharts charts = part_charts(part);
+    const auto at_side = [&](std::uint32_t chart, double u) {
+        // A narrow cell at the middle of a side.
+        return PartCell{chart,
+                        4,
+                        {Eigen::Vector2d{u, 0.4}, Eigen::Vector2d{0.5, 0.4},
+                         Eigen::Vector2d{0.5, 0.6}, Eigen::Vector2d{u, 0.6}}};
+    };
+    for (const auto& [chart, u, ends] : {std::tuple{0U, 0.0, true},
+                                         {0U, 1.0, false},
+                                         {1U, 0.0, false},
+                                         {1U, 1.0, true}}) {
+        EXPECT_EQ(charts.touches_border(at_side(chart, u)), ends) << chart << " " << u;
+        EXPECT_TRUE(charts.touches_side(at_side(chart, u)));
+    }
+    EXPECT_FALSE(charts.touches_side(at_side(0, 0.1)));
+}
+
+TEST(PartCharts, OfAMeshEndAtEdgesOfOneTriangle)
+{
+    const Part closed = test::box_mesh({0, 0, 0}, {2, 3, 4});
+    const PartCharts of_closed = part_charts(closed);
+    for (std::uint32_t k = 0; k < of_closed.count(); ++k) {
+        EXPECT_FALSE(of_closed.touches_border(of_closed.whole(k)));
+        EXPECT_TRUE(of_closed.touches_side(of_closed.whole(k)));
+    }
+    const Part open = test::flat_mesh(1, 1);  // two triangles that share the diagonal
+    const PartCharts of_open = part_charts(open);
+    for (std::uint32_t k = 0; k < of_open.count(); ++k) {
+        EXPECT_TRUE(of_open.touches_border(of_open.whole(k)));
+        int at_border = 0;
+        for (const PartCell& quarter : of_open.whole(k).quarters())
+            at_border += of_open.runs_along_border(quarter) ? 1 : 0;
+        EXPECT_EQ(at_border, 3);  // all but the one in the middle
+    }
 }
 
 TEST(PartCharts, HaveNoRayWhereThereIsNoNormal)

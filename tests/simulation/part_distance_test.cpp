@@ -34,5 +34,43 @@ TEST(PartDistance, OfACylinderIsToItsRadiusWithinTheTolerance)
     EXPECT_LE(distance({2, 0, 20}), 0.02);
 }
 
+TEST(PartDistance, FreeLengthsAreTheRadiiOfBallsThatFit)
+{
+    const Part box = test::box_mesh({0, 0, 0}, {2, 3, 4});
+    const PartCharts charts = part_charts(box);
+    const PartDistance in_box{charts, 0.1};
+    std::optional<std::size_t> hint;
+    const auto from_wall = [&](double height, double length) {
+        return in_box.free_length({0, 1.5, height}, Vec3::UnitX(), length, hint);
+    };
+    EXPECT_NEAR(from_wall(2, 100), 1, 1e-9);
+    EXPECT_NEAR(from_wall(3.7, 100), 0.3, 1e-9);
+    EXPECT_EQ(from_wall(3.7, 0.1), 0.1);
+    EXPECT_NEAR(from_wall(4, 100), 0, 1e-9);
+    EXPECT_EQ(in_box.free_length({0, 1.5, 2}, -Vec3::UnitX(), 100, hint), 100);
+
+    // Inwards from a cylinder: to its axis.
+    const Part part =
+        std::vector<Surface>{nurbs_surface(test::cylinder(20, 4, 0.3, 2.3))};
+    const PartCharts round = part_charts(part);
+    const PartDistance in_cylinder{round, 0.001};
+    std::optional<std::size_t> no_hint;
+    const double free = in_cylinder.free_length({2, 0, 20}, -Vec3::UnitZ(), 100, no_hint);
+    EXPECT_LE(free, 20.1);
+    EXPECT_GE(free, 19);
+    EXPECT_EQ(in_cylinder.uncertainty() <= 0.002, true);
+}
+
+TEST(PartDistance, KnowsWhatStandsOverOrUnderThePart)
+{
+    const Part box = test::box_mesh({0, 0, 0}, {2, 3, 4});
+    const PartCharts charts = part_charts(box);
+    const PartDistance distance{charts, 0.1};
+    EXPECT_TRUE(distance.is_over_or_under({1, 1.1, 9}));
+    EXPECT_TRUE(distance.is_over_or_under({1, 1.1, 2}));
+    EXPECT_TRUE(distance.is_over_or_under({1, 1.1, -9}));
+    EXPECT_FALSE(distance.is_over_or_under({2.01, 1.1, 2}));
+}
+
 }  // namespace
 }  // namespace endmill

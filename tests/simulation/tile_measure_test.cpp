@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "test_meshes.h"
 #include "test_surfaces.h"
 #include "tip_path.h"
 
@@ -32,11 +33,11 @@ TEST(Extremes, OfAMergeAreThoseOfBothAndTheFirstOfEqualOnes)
     Extremes a;
     a.highest.left = 1;
     a.highest.chart = 7;
-    a.bound(1, 1.5, 0.5);
+    a.bound(1.5, 0.5);
     Extremes b;
     b.highest.left = 1;
     b.deepest.left = -2;
-    b.bound(-2, -1, -3);
+    b.bound(-1, -3);
     a.merge(b);
     EXPECT_EQ(a.highest.chart, 7U);
     EXPECT_EQ(a.deepest.left, -2);
@@ -73,15 +74,35 @@ TEST(TileMeasure, RefinedIsNearerToTheTruth)
     EXPECT_GT(fine.rays, rough.rays);
 }
 
+// Near an upper edge of a block: the top is nearer than what lies deep in the wall.
 TEST(Shortened, KeepsItsSign)
 {
-    const Part part = std::vector<Surface>{test::plane(2, 2)};
+    const Part part = test::box_mesh({0, 0, 0}, {4, 4, 4});
     const PartCharts charts = part_charts(part);
     const PartDistance distance{charts, 0.01};
     std::optional<std::size_t> hint;
-    const PartRay oblique{{1, 1, 0}, Vec3{0.6, 0, 0.8}, Vec3::Zero(), Vec3::Zero()};
-    EXPECT_NEAR(shortened(0.5, oblique, distance, hint), 0.4, 0.02);
-    EXPECT_NEAR(shortened(-0.5, oblique, distance, hint), -0.4, 0.02);
+    const PartRay wall{{0, 2, 3.8}, -Vec3::UnitX(), Vec3::Zero(), Vec3::Zero()};
+    EXPECT_NEAR(shortened(-0.5, wall, distance, hint), -0.2, 1e-9);
+    EXPECT_EQ(shortened(-0.1, wall, distance, hint), -0.1);
+    EXPECT_EQ(shortened(0.5, wall, distance, hint), 0.5);
+}
+
+TEST(Extremes, OfCellsLookedAtTwiceKeepTheLargerArea)
+{
+    Extremes a;
+    a.add_area(-0.02, 3, limits);
+    a.add_area(0.2, 1, limits);
+    a.add_area(0, 50, limits);
+    Extremes b;
+    b.add_area(-0.02, 2, limits);
+    b.add_area(0.2, 4, limits);
+    Extremes joined = a;
+    joined.join(b);
+    EXPECT_EQ(joined.gouge_area, 3);
+    EXPECT_EQ(joined.uncut_area, 4);
+    a.merge(b);
+    EXPECT_EQ(a.gouge_area, 5);
+    EXPECT_EQ(a.uncut_area, 5);
 }
 
 }  // namespace

@@ -150,6 +150,25 @@ TEST(VerifyPath, OfAPathBesideThePartSaysHowFar)
     }
 }
 
+TEST(VerifyPath, OfAPathThatOnlyComesNearSaysSo)
+{
+    const auto message = [](const ToolPath& path) {
+        try {
+            verify_path(task_of(path, &plane));
+        } catch (const GeometryError& error) {
+            return std::string{error.what()};
+        }
+        return std::string{};
+    };
+    ToolPath rapid = test::tip_path({{2, 2, 2}});
+    rapid.points[0].move = Move::Rapid;
+    EXPECT_NE(message(rapid).find("no move"), std::string::npos);
+    // Beside the border, nearer than the middles of the part's pieces can tell.
+    const std::string near = message(test::tip_path({{-5.01, 0, 0}, {-5.01, 12, 0}}));
+    EXPECT_NE(near.find("cuts nothing"), std::string::npos);
+    EXPECT_EQ(near.find(" 0 mm"), std::string::npos);
+}
+
 TEST(VerifyPath, RefusesAResolutionThatDoesNotFitTheMemory)
 {
     const ToolPath path = finishing_path(2);

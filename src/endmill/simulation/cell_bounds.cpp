@@ -8,12 +8,21 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
+#include "endmill/simulation/half_space.h"
+
 namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Sweeps that are looked at in pairs: those that leave least at a cell's middle.
 constexpr std::size_t most_paired = 6;
+// Of the way to the middle: a corner where a cutter ends just there would be cleared or
+// not as rounding has it.
+constexpr double drawn_in = 1e-9;
+// mm: what a cutter that just touches may clear by rounding.
+constexpr double touching = 1e-9;
 // Steeper ones are taken to be no owner of a neighbouring place.
 constexpr double steepest_owner = 4;
 
@@ -52,8 +61,10 @@ double least_of_means(const CornerValues& a, const CornerValues& b, int corners)
 std::optional<CornerRays> corner_rays(const PartCell& cell, const PartCharts& charts)
 {
     CornerRays rays;
+    const Eigen::Vector2d middle = cell.centre();
     for (std::size_t k = 0; k < static_cast<std::size_t>(cell.corners); ++k) {
-        const auto ray = charts.ray(cell.chart, cell.at[k]);
+        const auto ray =
+            charts.ray(cell.chart, cell.at[k] + drawn_in * (middle - cell.at[k]));
         if (!ray)
             return std::nullopt;
         rays[k] = *ray;
@@ -76,21 +87,66 @@ std::optional<CornerValues> corner_values(const StraightSweep& sweep,
     return values;
 }
 
+// The least that a region within the half space leaves anywhere on the cell, below 0;
+// infinite if it stays off.
+double least_by(const MeasuredCell& cell, const HalfSpace& half)
+{
+    const double bend = cell.reach * cell.bend.any;  // what the normal turns on the cell
+    double spread = 0;  // of the cell, along the plane's normal
+    for (std::size_t k = 0; k < static_cast<std::size_t>(cell.cell.corners); ++k) {
+        const Eigen::Vector2d away = cell.cell.at[k] - cell.cell.centre();
+        spread = std::max(
+            spread, half.normal.dot(away.x() * cell.ray.du + away.y() * cell.ray.dv));
+    }
+    const double depth =
+        half.normal.dot(cell.ray.point) + spread + cell.reach * bend / 2 - half.least;
+    if (depth <= touching)
+        return infinite;
+    const double rate = half.normal.dot(cell.ray.normal) - bend;
+    return rate > 0 ? -depth / rate : -infinite;
+}
+
+// By the plane across the way from the cell's middle; and, as that way may lie in the part
+// where a sweep touches it near the middle, across the way from below.
+double least_by_planes(const MeasuredCell& cell, const StraightSweep& sweep)
+{
+    const Vec3& middle = cell.ray.point;
+    const double least = least_by(cell, half_space_beyond(sweep, middle));
+    if (least == infinite)
+        return least;
+    const Vec3 below = middle - sweep.cutter().radius() * cell.ray.normal;
+    return std::max(least, least_by(cell, half_space_beyond(sweep, below)));
+}
+
 }  // namespace
 
 double hidden_gouge(const MeasuredCell& cell, const Cutter& cutter)
 {
     const double d = cell.reach;
-    if (!cutter.is_flat()) {
-        // The height of a circle above its tangent, a little more than (d^2 / 2) k.
-        const double k = 1 / cutter.corner_radius() + cell.bend.convex;
-        const double share = std::min(1.0, d * k);
-        return d * share / (1 + std::sqrt((1 - share) * (1 + share)));
-    }
-    // Beyond an edge the ray stands in what another move leaves: the nearest one on the
-    // gouge's own side may belong to the next cell.
-    const double upright = std::clamp(cell.ray.normal.z(), 0.0, 1.0);
-    return 2 * d * std::sqrt((1 - upright) * (1 + upright));
+    const double k = 1 / cutter.corner_radius() + cell.bend.convex;
+    const double share = std::min(1.0, d * k);
+    return d * share / (1 + std::sqrt((1 - share) * (1 + share)));
+}
+
+double least_left_by_planes(const MeasuredCell& cell, std::span<const StraightSweep> all,
+                            std::span<const std::int32_t> sweeps)
+{
+    double least = std::min(cell.left.left, 0.0);
+    for (const std::int32_t number : sweeps)
+        least =
+            std::min(least, least_by_planes(cell, all[static_cast<std::size_t>(number)]));
+    return least;
+}
+
+std::vector<std::int32_t> sweeps_on_cell(const MeasuredCell& cell,
+                                         std::span<const StraightSweep> all,
+                                         std::span<const std::int32_t> sweeps)
+{
+    std::vector<std::int32_t> found;
+    for (const std::int32_t number : sweeps)
+        if (least_by_planes(cell, all[static_cast<std::size_t>(number)]) < infinite)
+            found.push_back(number);
+    return found;
 }
 
 double most_left_by_slope(const MeasuredCell& cell, const Cutter& cutter)

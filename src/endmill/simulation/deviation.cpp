@@ -20,7 +20,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // Of the narrower limit, and of the pitch at least: how closely the distance from the part
 // is known where a limit is broken.
 constexpr double distance_share = 0.25;
-constexpr double finest_distance_share = 0.1;
+constexpr double finest_distance_share = 0.02;
 
 // Close enough for what the distance is for, and no finer than the cells.
 double distance_tolerance(const DeviationOptions& options)
@@ -53,7 +53,7 @@ double area_quantile(std::span<const float> values, std::span<const float> areas
     return 0;
 }
 
-void add_areas(Deviation& deviation, const DeviationLimits& limits)
+void add_areas(Deviation& deviation)
 {
     double rest = 0;
     for (std::size_t i = 0; i < deviation.left.size(); ++i) {
@@ -61,20 +61,27 @@ void add_areas(Deviation& deviation, const DeviationLimits& limits)
         const double area = deviation.area[i];
         deviation.area_mm2 += area;
         rest += area * std::max(left, 0.0);
-        if (-left > limits.tolerance)
-            deviation.gouge_area_mm2 += area;
-        if (left > limits.scallop)
-            deviation.uncut_area_mm2 += area;
     }
     if (deviation.area_mm2 > 0)
         deviation.mean_scallop_mm = rest / deviation.area_mm2;
     deviation.p99_scallop_mm = area_quantile(deviation.left, deviation.area, 0.99);
 }
 
-void add_extremes(Deviation& deviation, const Extremes& found)
+// No gouge is deeper than the lowest tip lies under the part's highest place.
+double deepest_possible(const Extremes& found, const SweepTree& tree)
+{
+    double lowest = infinite;
+    for (const StraightSweep& sweep : tree.sweeps())
+        lowest = std::min({lowest, sweep.from().z(), sweep.to().z()});
+    return std::max(0.0, found.top - lowest);
+}
+
+void add_extremes(Deviation& deviation, const Extremes& found, const SweepTree& tree)
 {
     deviation.rays = found.rays;
     deviation.is_cut = found.is_cut;
+    deviation.gouge_area_mm2 = found.gouge_area;
+    deviation.uncut_area_mm2 = found.uncut_area;
     deviation.max_scallop_mm = std::max(0.0, found.highest.left);
     deviation.max_gouge_mm = std::max(0.0, -found.deepest.left);
     if (found.highest.left > 0)
@@ -82,7 +89,8 @@ void add_extremes(Deviation& deviation, const Extremes& found)
     if (found.deepest.left < 0)
         deviation.deepest = found.deepest;
     deviation.scallop_bound_mm = std::max(0.0, found.upper - deviation.max_scallop_mm);
-    deviation.gouge_bound_mm = std::max(0.0, -found.lower - deviation.max_gouge_mm);
+    const double most_gouge = std::min(-found.lower, deepest_possible(found, tree));
+    deviation.gouge_bound_mm = std::max(0.0, most_gouge - deviation.max_gouge_mm);
 }
 
 void check(const DeviationOptions& options)
@@ -148,8 +156,8 @@ public:
             found = merged();
         }
         refine(found, progress);
-        add_extremes(deviation_, merged());
-        add_areas(deviation_, limits_);
+        add_extremes(deviation_, merged(), measured_.tree);
+        add_areas(deviation_);
         return std::move(deviation_);
     }
 
@@ -178,6 +186,7 @@ private:
         Extremes& found = of_tile_[number];
         found.highest.left = -infinite;
         found.deepest.left = infinite;
+        found.gouge_area = found.uncut_area = 0;
         std::optional<std::size_t> hint;
         for (int k = 0; k < tile.cells(); ++k) {
             const std::size_t at = tile.first + static_cast<std::size_t>(k);
@@ -190,27 +199,25 @@ private:
                 left = shortened(left, *ray, measured_.distance, hint);
                 deviation_.left[at] = static_cast<float>(left);
             }
-            const DeviationPlace place{left, *ray, cell.chart, cell.centre(),
-                                       sweeps_[at]};
-            if (left > found.highest.left)
-                found.highest = place;
-            if (left < found.deepest.left)
-                found.deepest = place;
+            found.take(
+                DeviationPlace{left, *ray, cell.chart, cell.centre(), sweeps_[at]});
+            found.add_area(left, cell.area(*ray), limits_);
         }
-        found.upper = std::min(found.upper, found.highest.left + found.above);
-        found.lower = std::max(found.lower, found.deepest.left - found.below);
     }
 
     void measure(std::size_t number)
     {
         const PartTile& tile = deviation_.tiles[number];
-        const TileMeasure measure{measured_, tile};
+        TileMeasure measure{measured_, tile};
         for (std::size_t k = 0; k < measure.cells().size(); ++k) {
             const MeasuredCell& cell = measure.cells()[k];
             const std::size_t at =
                 tile.first + static_cast<std::size_t>(measure.numbers()[k]);
-            deviation_.left[at] = static_cast<float>(cell.left.left);
-            deviation_.area[at] = static_cast<float>(cell.cell.area(cell.ray));
+            const double left = cell.value();
+            deviation_.left[at] = static_cast<float>(left);
+            deviation_.area[at] = cell.is_outer && left >= 0
+                                      ? 0
+                                      : static_cast<float>(cell.cell.area(cell.ray));
             sweeps_[at] = cell.left.sweep;
         }
         of_tile_[number] = measure.extremes();

@@ -71,19 +71,26 @@ struct Deviation {
 /// rays could change the verdict, or either maximum by more than the slack and a twentieth
 /// of its limit.
 ///
-/// Where a limit is broken along the normal, the distance from the part of the place where
-/// the material ends counts if it is less: beside a wall, in a corner or on a narrow
-/// ridge, the ray of one face may end near another. Once a gouge is known nothing is
-/// refined; once too much is known to be left, only for gouges.
+/// Where a limit is broken along the normal, only as much of that length counts as the
+/// ray's own point stays the part's nearest place, the radius of a ball between the end of
+/// the material and the part: beside a wall, in a corner or on a narrow ridge, the ray of
+/// one face may end near another. Once a gouge is known nothing is refined; once too much
+/// is known to be left, only for gouges. The areas of both are those of the finest cells.
 ///
-/// Between rays a gouge hides at most (d^2 / 2)(1 / r + k), d a cell's half diagonal, r
-/// the cutter's corner radius, k the part's convex curvature (with a sharp edge 2 d sin phi,
-/// phi the slope), and a rest no more than the part's and the sweeps' own shape allows:
-/// above a flat piece of the part what one sweep leaves is convex, so its highest place
-/// is a cell's corner. Curvature of the part over a cell enters by d^2 k.
-/// Refined rays keep half a first cell away from the border of a surface, as the first
-/// ones do.
-/// Source: spec of the removal, section 2, 3; the bound by two sweeps is derived in
+/// Between rays on a smooth piece of the part a round corner hides a gouge of at most
+/// (d^2 / 2)(1 / r + k), d a cell's half diagonal, r the cutter's corner radius, k the
+/// part's convex curvature. Where that does not hold (a sharp edge, a crease or side of a
+/// patch or triangle, a cell that is not small against r) every sweep near the cell is
+/// held off by a plane, or counts as deep as that plane allows. A rest is no more than the
+/// part's and the sweeps' own shape allows: above a flat piece of the part what one sweep
+/// leaves is convex, so its highest place is a cell's corner. Curvature of the part over a
+/// cell enters by d^2 k.
+///
+/// Refined rays keep half a first cell away from where the part ends: sides of surfaces
+/// that meet no other, edges of one triangle. On upright outer walls of the part, beside
+/// which half a pitch away there is no part over or under, rests are not judged: no path
+/// over the part can reach the stock there. They count as 0 and have no area.
+/// Source: spec of the removal, section 2, 3; the bounds are derived in
 /// paper/notes/deviation-bounds.md.
 /// \throws DomainError for options out of range, LimitError for too many cells.
 Deviation measure_deviation(const PartCharts& charts, const SweepTree& tree,

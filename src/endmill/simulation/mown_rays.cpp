@@ -10,6 +10,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/cutter/sweep_entry.h"
+#include "endmill/simulation/half_space.h"
 
 namespace endmill {
 namespace {
@@ -17,51 +18,11 @@ namespace {
 // Of the cutter's radius: what a ray could still lose is then less than rounding makes of
 // it, so it need not be looked at.
 constexpr double negligible_share = 1e-13;
+// mm: what ends so near below a ray's point, as a cutter that just touches a wall, ends
+// there.
+constexpr double touching = 1e-9;
 // Rays of a tile that go ahead of the others.
 constexpr int few_rays = 5;
-
-// The half space normal . x >= least that holds all that a sweep clears.
-struct HalfSpace {
-    Vec3 normal;   // unit, from a place towards the sweep
-    double least;  // mm
-};
-
-// Around what a cutter clears whose reference point is `low` or higher, or anywhere
-// beyond the plane through it across the way from `place`; the point nearest to the place
-// lies `way` from it. None if there is no way to go.
-std::optional<HalfSpace> half_space(const Cutter& cutter, const Vec3& place,
-                                    const Vec3& nearest)
-{
-    Vec3 way = nearest - place;
-    const double distance = way.head<2>().norm();
-    if (distance > 0)
-        way.head<2>() *= std::max(0.0, 1 - cutter.flat_radius() / distance);
-    way.z() = std::max(way.z(), 0.0);  // the region is open above
-    const double gap = way.norm();
-    if (!(gap > 0))
-        return std::nullopt;
-    way /= gap;
-    return HalfSpace{way, way.dot(nearest) - cutter.flat_radius() * way.head<2>().norm() -
-                              cutter.corner_radius()};
-}
-
-// The same for a sweep: square to the way from `place` to its nearest reference point.
-std::optional<HalfSpace> half_space_beyond(const StraightSweep& sweep, const Vec3& place)
-{
-    const Vec3 from = sweep.from() + Vec3{0, 0, sweep.cutter().corner_radius()};
-    const Vec3 move = sweep.to() - sweep.from();
-    const double length2 = move.squaredNorm();
-    const double share =
-        length2 > 0 ? std::clamp(move.dot(place - from) / length2, 0.0, 1.0) : 0;
-    const Vec3 nearest = from + share * move;
-    auto found = half_space(sweep.cutter(), place, nearest);
-    if (found) {
-        // Square to the way is not square to the move above a flat bottom, nor above an end.
-        const double rate = found->normal.dot(move);
-        found->least += std::min(-share * rate, (1 - share) * rate);
-    }
-    return found;
-}
 
 double tangent_of(double cosine)
 {
@@ -75,9 +36,15 @@ double tangent_of(double cosine)
 std::optional<MownRay> mown(const StraightSweep& sweep, const PartRay& ray, double before)
 {
     const auto entry = sweep_entry(sweep, {ray.point, ray.normal}, before);
-    if (!entry || !(entry->t >= 0 || clears(sweep, ray.point)))
+    if (!entry)
         return std::nullopt;
-    return MownRay{entry->t, tangent_of(entry->normal.dot(ray.normal)), -1};
+    double left = entry->t;
+    if (left < 0 && !clears(sweep, ray.point)) {
+        if (left < -touching || before <= 0)
+            return std::nullopt;
+        left = 0;
+    }
+    return MownRay{left, tangent_of(entry->normal.dot(ray.normal)), -1};
 }
 
 MownRays::MownRays(std::span<const PartRay> rays, std::span<const double> lengths)
@@ -123,22 +90,23 @@ double MownRays::longest() const
     return std::max(0.0, *std::max_element(left_.begin(), left_.begin() + count_));
 }
 
-// Whether no ray, `margin` longer than it is, comes within `margin` of the half space
-// normal . x >= least: by the slab and the cylinder around the points and the cone around the normals.
-bool MownRays::is_out_of_reach(const Vec3& normal, double least, double margin) const
+// Whether no ray, `length` long, comes within `margin` of the half space: by the slab and
+// the cylinder around the points and the cone around the normals.
+bool MownRays::is_out_of_reach(const HalfSpace& half, double margin, double length) const
 {
-    const double along = normal.dot(upright_);
-    const double across = (normal - along * upright_).norm();
+    const double along = half.normal.dot(upright_);
+    const double across = (half.normal - along * upright_).norm();
     const double most = beside_ * across + above_ * std::abs(along) +
-                        (longest_ + margin) * std::max(0.0, along + tilt_) + margin;
-    return least - normal.dot(centre_) >= most;
+                        length * std::max(0.0, along + tilt_) + margin;
+    return half.least - half.normal.dot(centre_) >= most;
 }
 
 // Whether a cutter with its reference point there or beyond could shorten a ray.
-bool MownRays::may_matter(const SweepTree& tree, const Vec3& nearest, double margin) const
+bool MownRays::may_matter(const SweepTree& tree, const Vec3& nearest, double margin,
+                          double length) const
 {
-    const auto beyond = half_space(tree.sweeps().front().cutter(), centre_, nearest);
-    return !beyond || !is_out_of_reach(beyond->normal, beyond->least, margin);
+    const Cutter& cutter = tree.sweeps().front().cutter();
+    return !is_out_of_reach(half_space(cutter, centre_, nearest), margin, length);
 }
 
 // Whether the sweep could shorten a ray whose length is `margin` more than what is left,
@@ -146,14 +114,10 @@ bool MownRays::may_matter(const SweepTree& tree, const Vec3& nearest, double mar
 // sweep's half space: below 0 it may.
 bool MownRays::may_reach(const StraightSweep& sweep, double margin, Row& short_by) const
 {
-    const auto beyond = half_space_beyond(sweep, centre_);
-    if (!beyond) {
-        short_by.fill(-1);
-        return true;
-    }
-    const auto& [w, least] = *beyond;
-    if (is_out_of_reach(w, least, margin))
+    const HalfSpace half = half_space_beyond(sweep, centre_);
+    if (is_out_of_reach(half, margin, longest_ + margin))
         return false;
+    const auto& [w, least] = half;
     double nearest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < count_; ++i) {
         const auto k = static_cast<std::size_t>(i);
@@ -218,7 +182,8 @@ void MownRays::mow(const SweepTree& tree)
     if (tree.sweeps().empty())
         return;
     tree.visit(
-        centre_, [&](const Vec3& nearest) { return may_matter(tree, nearest, 0); },
+        centre_,
+        [&](const Vec3& nearest) { return may_matter(tree, nearest, 0, longest_); },
         [&](std::size_t number) {
             mow(tree.sweeps()[number], static_cast<std::int32_t>(number));
         });
@@ -228,9 +193,14 @@ std::vector<std::int32_t> MownRays::near_sweeps(const SweepTree& tree,
                                                 double margin) const
 {
     std::vector<std::int32_t> near;
+    if (tree.sweeps().empty())
+        return near;
     Row short_by;
     tree.visit(
-        centre_, [&](const Vec3& nearest) { return may_matter(tree, nearest, margin); },
+        centre_,
+        [&](const Vec3& nearest) {
+            return may_matter(tree, nearest, margin, longest_ + margin);
+        },
         [&](std::size_t number) {
             if (may_reach(tree.sweeps()[number], margin, short_by))
                 near.push_back(static_cast<std::int32_t>(number));
@@ -238,6 +208,36 @@ std::vector<std::int32_t> MownRays::near_sweeps(const SweepTree& tree,
     std::ranges::sort(near);
     near.erase(std::unique(near.begin(), near.end()), near.end());
     return near;
+}
+
+std::vector<std::int32_t> MownRays::sweeps_beneath(const SweepTree& tree, double reach,
+                                                   double sag) const
+{
+    std::vector<std::int32_t> beneath;
+    if (tree.sweeps().empty())
+        return beneath;
+    const auto may_clear = [&](const HalfSpace& half) {
+        if (is_out_of_reach(half, reach + sag, 0))
+            return false;
+        for (int i = 0; i < count_; ++i) {
+            const PartRay at = ray(static_cast<std::size_t>(i));
+            const double along = half.normal.dot(at.normal);
+            const double across = (half.normal - along * at.normal).norm();
+            if (half.least - half.normal.dot(at.point) < reach * across + sag)
+                return true;
+        }
+        return false;
+    };
+    tree.visit(
+        centre_,
+        [&](const Vec3& nearest) { return may_matter(tree, nearest, reach + sag, 0); },
+        [&](std::size_t number) {
+            if (may_clear(half_space_beyond(tree.sweeps()[number], centre_)))
+                beneath.push_back(static_cast<std::int32_t>(number));
+        });
+    std::ranges::sort(beneath);
+    beneath.erase(std::unique(beneath.begin(), beneath.end()), beneath.end());
+    return beneath;
 }
 
 }  // namespace endmill

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "endmill/simulation/half_space.h"
 #include "endmill/simulation/part_tiles.h"
 #include "endmill/simulation/sweep_tree.h"
 
@@ -40,6 +41,12 @@ public:
     /// within `margin` mm above what is left or beside; each once, rising.
     std::vector<std::int32_t> near_sweeps(const SweepTree& tree, double margin) const;
 
+    /// Numbers of the sweeps that may clear the part itself within `reach` mm of the rays'
+    /// points, where it lies no more than `sag` mm over or under the planes square to the
+    /// rays; each once, rising.
+    std::vector<std::int32_t> sweeps_beneath(const SweepTree& tree, double reach,
+                                             double sag) const;
+
     const MownRay& operator[](int k) const { return mown_[static_cast<std::size_t>(k)]; }
 
 private:
@@ -48,8 +55,9 @@ private:
     PartRay ray(std::size_t k) const;
     double longest() const;
     MownRays some() const;
-    bool may_matter(const SweepTree& tree, const Vec3& nearest, double margin) const;
-    bool is_out_of_reach(const Vec3& normal, double least, double margin) const;
+    bool may_matter(const SweepTree& tree, const Vec3& nearest, double margin,
+                    double length) const;
+    bool is_out_of_reach(const HalfSpace& half, double margin, double length) const;
     bool may_reach(const StraightSweep& sweep, double margin, Row& short_by) const;
 
     int count_;
@@ -65,7 +73,8 @@ private:
     double longest_ = 0;
 };
 
-/// What one sweep leaves of a ray, were it the only one: see MownRays.
+/// What one sweep leaves of a ray, were it the only one: see MownRays. A region that ends
+/// at the ray's point, but for rounding, leaves nothing.
 /// \return nothing if it leaves `before` mm or more.
 std::optional<MownRay> mown(const StraightSweep& sweep, const PartRay& ray,
                             double before = std::numeric_limits<double>::infinity());

@@ -7,7 +7,9 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/mesh/edge_uses.h"
 #include "endmill/surface/curvature.h"
+#include "endmill/surface/patch_sides.h"
 #include "endmill/surface/tool_side.h"
 
 namespace endmill {
@@ -17,7 +19,7 @@ using Eigen::Vector2d;
 
 // Of a unit normal's z: upright walls count as facing the tool, whatever their rounding.
 constexpr double wall_z = 1e-9;
-// Of a range of a parameter: what rounding may make of a cell's side on its end. Cells are
+// Of a chart's width: what rounding may make of a cell's side on its end. Cells are
 // much wider.
 constexpr double border_rounding = 1e-12;
 
@@ -91,6 +93,7 @@ PartCharts::PartCharts(std::span<const Surface> surfaces, std::span<const double
         for (int j = 0; j < surfaces[k].patches(Parameter::V); ++j)
             for (int i = 0; i < surfaces[k].patches(Parameter::U); ++i)
                 charts_.push_back({k, i, j});
+    mark_borders_of_surfaces();
 }
 
 PartCharts::PartCharts(const TriangleMesh& mesh) : mesh_{&mesh}
@@ -100,6 +103,7 @@ PartCharts::PartCharts(const TriangleMesh& mesh) : mesh_{&mesh}
         if (area.norm() > 0 && area.z() >= -wall_z * area.norm())
             charts_.push_back({k, 0, 0});
     }
+    mark_borders_of_mesh();
 }
 
 PartCell PartCharts::whole(std::uint32_t chart) const
@@ -151,22 +155,93 @@ PartCharts::Bend PartCharts::bend(std::uint32_t chart, const Vector2d& at) const
     return {std::max(0.0, k.greatest), std::max(std::abs(k.least), std::abs(k.greatest))};
 }
 
+void PartCharts::mark_borders_of_surfaces()
+{
+    const std::vector<PatchSide> sides = patch_sides(surfaces_);
+    std::vector<bool> meets(sides.size());
+    borders_.assign(charts_.size(), 0);
+    for (const auto& [one, other] : meeting_sides(sides, same_end_mm(surfaces_)))
+        meets[one] = meets[other] = true;
+    std::vector<std::size_t> first{0};  // chart of each surface
+    for (const Surface& surface : surfaces_)
+        first.push_back(first.back() +
+                        static_cast<std::size_t>(surface.patches(Parameter::U)) *
+                            static_cast<std::size_t>(surface.patches(Parameter::V)));
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+        if (meets[k])
+            continue;
+        const PatchSide& side = sides[k];
+        const int columns = side.surface->patches(Parameter::U);
+        const int rows = side.surface->patches(Parameter::V);
+        const bool along_u = side.along == Parameter::U;
+        const int last = (along_u ? rows : columns) - 1;
+        const int across = side.end == 0 ? 0 : last;
+        const int column = along_u ? side.patch : across;
+        const int row = along_u ? across : side.patch;
+        const unsigned which =
+            along_u ? (side.end == 0 ? 0U : 2U) : (side.end == 0 ? 3U : 1U);
+        const std::size_t chart =
+            first[side.number] + static_cast<std::size_t>(row * columns + column);
+        borders_[chart] |= static_cast<Sides>(1U << which);
+    }
+}
+
+void PartCharts::mark_borders_of_mesh()
+{
+    std::vector<Sides> borders(mesh_->triangles().size());
+    EdgeUses{*mesh_}.for_each([&](const Edge& edge, std::span<const EdgeUse> uses) {
+        if (uses.size() > 1)
+            return;
+        const auto number = static_cast<std::size_t>(uses.front().triangle());
+        const Triangle& triangle = mesh_->triangles()[number];
+        const std::int32_t start = uses.front().is_forward() ? edge[0] : edge[1];
+        const auto side =
+            static_cast<unsigned>(std::ranges::find(triangle, start) - triangle.begin());
+        borders[number] |= static_cast<Sides>(1U << side);
+    });
+    for (const Chart& chart : charts_)
+        borders_.push_back(borders[chart.source]);
+}
+
+// The sides of its chart that so many corners of the cell lie on.
+PartCharts::Sides PartCharts::touched(const PartCell& cell, int corners) const
+{
+    const PartCell all = whole(cell.chart);
+    Sides touched = 0;
+    for (int k = 0; k < all.corners; ++k) {
+        const Vector2d& from = all.at[static_cast<std::size_t>(k)];
+        const Vector2d along =
+            all.at[static_cast<std::size_t>((k + 1) % all.corners)] - from;
+        const Vector2d away =
+            all.at[static_cast<std::size_t>((k + 2) % all.corners)] - from;
+        const double opposite = along.x() * away.y() - along.y() * away.x();
+        int on_side = 0;
+        for (int c = 0; c < cell.corners; ++c) {
+            const Vector2d at = cell.at[static_cast<std::size_t>(c)] - from;
+            if (along.x() * at.y() - along.y() * at.x() <= border_rounding * opposite)
+                ++on_side;
+        }
+        if (on_side >= corners)
+            touched |= static_cast<Sides>(1U << static_cast<unsigned>(k));
+    }
+    return touched;
+}
+
+bool PartCharts::touches_side(const PartCell& cell) const
+{
+    return touched(cell, 1) != 0;
+}
+
 bool PartCharts::touches_border(const PartCell& cell) const
 {
-    if (mesh_)
-        return false;
-    const Surface& surface = surfaces_[charts_[cell.chart].source];
-    for (int k = 0; k < cell.corners; ++k) {
-        const Vector2d& at = cell.at[static_cast<std::size_t>(k)];
-        for (const Parameter along : {Parameter::U, Parameter::V}) {
-            const Interval range = surface.range(along);
-            const double place = along == Parameter::U ? at.x() : at.y();
-            const double near = border_rounding * range.length();
-            if (place <= range.low + near || place >= range.high - near)
-                return true;
-        }
-    }
-    return false;
+    const Sides borders = borders_[cell.chart];
+    return borders != 0 && (touched(cell, 1) & borders) != 0;
+}
+
+bool PartCharts::runs_along_border(const PartCell& cell) const
+{
+    const Sides borders = borders_[cell.chart];
+    return borders != 0 && (touched(cell, 2) & borders) != 0;
 }
 
 std::size_t PartCharts::source(std::uint32_t chart) const

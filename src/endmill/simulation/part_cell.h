@@ -70,9 +70,16 @@ public:
     };
     Bend bend(std::uint32_t chart, const Eigen::Vector2d& at) const;
 
-    /// Whether a side of the cell lies on the outer border of its surface; of a mesh it is
-    /// not known, and none does.
+    /// Whether a corner of the cell lies on a side of its chart. Beyond it the part may end,
+    /// or go on with another normal.
+    bool touches_side(const PartCell& cell) const;
+
+    /// The same for sides at which the part ends: those of a surface that meet no other,
+    /// and edges of one triangle only.
     bool touches_border(const PartCell& cell) const;
+
+    /// Whether a whole side of the cell lies on such a side.
+    bool runs_along_border(const PartCell& cell) const;
 
     /// Number of the surface, or of the triangle, that a chart is of.
     std::size_t source(std::uint32_t chart) const;
@@ -82,16 +89,24 @@ public:
     std::span<const double> sides() const { return sides_; }         ///< of the surfaces
 
 private:
+    // Side k of a chart runs from corner k of the whole to the next; a bit for each.
+    using Sides = std::uint8_t;
+
     struct Chart {
         std::uint32_t source;  // surface or triangle
         std::int32_t column;   // of the patch
         std::int32_t row;
     };
 
+    void mark_borders_of_surfaces();
+    void mark_borders_of_mesh();
+    Sides touched(const PartCell& cell, int corners) const;
+
     const TriangleMesh* mesh_ = nullptr;
     std::span<const Surface> surfaces_;
     std::vector<double> sides_;
     std::vector<Chart> charts_;
+    std::vector<Sides> borders_;  // of each chart, at which the part ends
 };
 
 /// The charts of a part of either kind, for a tool along +z.

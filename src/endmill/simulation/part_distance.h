@@ -19,12 +19,28 @@ public:
     PartDistance(const PartCharts& charts, double chord_tolerance);
 
     /// Distance in mm of `place` from the part, never less than it is, and more by at most
-    /// twice the chord tolerance. Sooner where `hint` is what the question for a place
-    /// nearby left there.
+    /// `uncertainty()`. Sooner where `hint` is what the question for a place nearby left
+    /// there.
     double operator()(const Vec3& place, std::optional<std::size_t>& hint) const;
+
+    /// How far one comes from `foot`, a place of the part, along `direction` (unit) while
+    /// no other place of the part is nearer than it, in mm, and at most `length`: the
+    /// radius of the largest ball that touches the part there. Not more, but less by at
+    /// most `uncertainty()` and a little where it is less than the length.
+    /// Source: J. Ma, S. W. Bae, S. Choi, 3D medial axis point approximation using nearest
+    /// neighbors and the normal field, 2012: balls that shrink.
+    double free_length(const Vec3& foot, const Vec3& direction, double length,
+                       std::optional<std::size_t>& hint) const;
+
+    /// mm; at most twice the chord tolerance, and 0 of a mesh.
+    double uncertainty() const;
+
+    /// Whether the upright line through `place` meets the part, to the chord tolerance.
+    bool is_over_or_under(const Vec3& place) const;
 
 private:
     void build() const;
+    NearestPoint nearest(const Vec3& place, std::optional<std::size_t>& hint) const;
 
     const PartCharts& charts_;
     double chord_tolerance_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "endmill/simulation/half_space.h"
+
 namespace endmill {
 namespace {
 
@@ -17,13 +19,7 @@ double distance_from_sweeps(const SweepTree& tree, const Vec3& place, double lea
     tree.visit(
         place, [&](const Vec3& nearest) { return (nearest - place).norm() < least; },
         [&](std::size_t number) {
-            const StraightSweep& sweep = tree.sweeps()[number];
-            const Vec3 from = sweep.from() + Vec3{0, 0, sweep.cutter().corner_radius()};
-            const Vec3 move = sweep.to() - sweep.from();
-            const double length2 = move.squaredNorm();
-            const double share =
-                length2 > 0 ? std::clamp(move.dot(place - from) / length2, 0.0, 1.0) : 0;
-            Vec3 away = from + share * move - place;
+            Vec3 away = nearest_reference(tree.sweeps()[number], place) - place;
             away.z() = std::max(away.z(), 0.0);
             least = std::min(least, away.norm());
         });

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/simulation/tile_measure.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace endmill {
 namespace {
@@ -16,6 +18,12 @@ constexpr std::size_t most_refined_cells = 20'000;
 // they leave at its middle. In a larger one others, which pass beside the middle, may be
 // the lowest elsewhere; in this one only where they leave nearly half the radius.
 constexpr double local_share = 0.125;
+
+// Of the corner radius: the deepest place that a sweep has on a larger cell may lie beside
+// what it clears of the ray at the middle.
+constexpr double planes_share = 0.25;
+// Of a unit normal's z: upright but for what a file's rounding makes of a wall.
+constexpr double upright_z = 1e-3;
 
 // The most that a maximum may turn out higher without changing anything.
 double threshold(double found, double limit, double sharpness)
@@ -41,13 +49,15 @@ bool is_beyond(double left, const DeviationLimits& limits)
 double shortened(double left, const PartRay& ray, const PartDistance& distance,
                  std::optional<std::size_t>& hint)
 {
-    const double away = distance(ray.point + left * ray.normal, hint);
-    return std::clamp(left, -away, away);
+    const double sign = left < 0 ? -1 : 1;
+    return sign *
+           distance.free_length(ray.point, sign * ray.normal, std::abs(left), hint);
 }
 
 TileMeasure::TileMeasure(const Measured& measured, const PartTile& tile)
     : measured_{measured},
-      tile_{tile}
+      tile_{tile},
+      touches_side_{measured.charts.touches_side(tile.whole)}
 {
     const auto corners = static_cast<std::size_t>(tile.whole.corners);
     bend_ = measured_.charts.bend(tile.whole.chart, tile.whole.centre());
@@ -60,12 +70,13 @@ TileMeasure::TileMeasure(const Measured& measured, const PartTile& tile)
     measure();
 }
 
-Extremes TileMeasure::extremes() const
+Extremes TileMeasure::extremes()
 {
     Extremes found;
     for (const MeasuredCell& cell : cells_) {
         found.take(cell);
-        found.bound(cell.left.left, most_left(cell, {}), least_left(cell));
+        found.bound(most_left(cell, {}), least_left(cell));
+        found.add_area(cell.value(), cell.cell.area(cell.ray), limits());
     }
     return found;
 }
@@ -73,9 +84,13 @@ Extremes TileMeasure::extremes() const
 Extremes TileMeasure::refined(const Doubt& doubt)
 {
     double margin = 0;
-    for (const MeasuredCell& cell : cells_)
+    for (MeasuredCell& cell : cells_) {
+        find_nearer(cell);
         if (doubt.holds(most_left(cell, {}), least_left(cell)))
             margin = std::max(margin, owner_margin(cell));
+    }
+    if (!rays_)
+        return {};
     const std::vector<std::int32_t> near = rays_->near_sweeps(measured_.tree, margin);
     Extremes found = refined_to(measured_.options.max_refine, doubt, near);
     // Where the first cells have taken all there is, the others had nothing: the finest
@@ -102,9 +117,42 @@ Extremes TileMeasure::refined_to(int level, const Doubt& doubt,
     Extremes found;
     refined_cells_ = 0;
     last_level_ = level;
-    for (const MeasuredCell& cell : cells_)
-        refine(cell, doubt, {0, near}, found);
+    for (const MeasuredCell& cell : cells_) {
+        const bool by_planes = needs_planes(cell);
+        const bool at_border =
+            touches_side_ && measured_.charts.touches_border(cell.cell);
+        refine(
+            cell, doubt,
+            {0, at_border, near, by_planes ? beneath() : std::span<const std::int32_t>{}},
+            found);
+    }
     return found;
+}
+
+// Beside an outer wall of the part there is stock that no path over the part can reach.
+bool TileMeasure::is_outer(const PartRay& ray) const
+{
+    return is_wall_ && !measured_.distance.is_over_or_under(
+                           ray.point + measured_.options.pitch / 2 * ray.normal);
+}
+
+void TileMeasure::find_nearer(MeasuredCell& cell) const
+{
+    std::optional<std::size_t> no_hint;
+    if (is_beyond(cell.left.left, limits()))
+        cell.nearer = shortened(cell.left.left, cell.ray, measured_.distance, no_hint);
+}
+
+std::span<const std::int32_t> TileMeasure::beneath()
+{
+    if (!beneath_) {
+        double reach = 0;
+        for (const MeasuredCell& cell : cells_)
+            reach = std::max(reach, cell.reach);
+        beneath_ =
+            rays_->sweeps_beneath(measured_.tree, reach, reach * reach * bend_.any / 2);
+    }
+    return *beneath_;
 }
 
 void TileMeasure::measure()
@@ -126,11 +174,16 @@ void TileMeasure::measure()
     }
     if (count == 0)
         return;
+    is_wall_ = std::ranges::all_of(cells_, [](const MeasuredCell& cell) {
+        return std::abs(cell.ray.normal.z()) <= upright_z;
+    });
     rays_.emplace(std::span{rays}.first(count), std::span{lengths}.first(count));
     rays_->mow(measured_.tree);
     for (std::size_t k = 0; k < count; ++k)
         if (const MownRay& mown = (*rays_)[static_cast<int>(k)]; mown.sweep >= 0)
             cells_[k].left = mown;
+    for (MeasuredCell& cell : cells_)
+        cell.is_outer = is_outer(cell.ray);
 }
 
 // By the sweep that made it, and by `others` if there are any; never more than the stock
@@ -138,6 +191,8 @@ void TileMeasure::measure()
 double TileMeasure::most_left(const MeasuredCell& cell,
                               std::span<const std::int32_t> others) const
 {
+    if (cell.is_outer)
+        return 0;
     const MownRay full = stock(cell.ray);
     const double in_stock = full.left + cell.reach * (1 + full.slope);
     return std::min(in_stock, most_left_by(cell, others));
@@ -152,22 +207,49 @@ double TileMeasure::most_left_by(const MeasuredCell& cell,
     if (others.empty() && !cutter().is_flat())
         return by_slope;
     const std::int32_t own[] = {cell.left.sweep};
-    return std::min(by_slope,
-                    most_left_by_corners(cell, measured_.charts, measured_.tree.sweeps(),
-                                         others.empty() ? own : others));
+    return std::min(by_slope, most_left_by_corners(cell, measured_.charts, sweeps(),
+                                                   others.empty() ? own : others));
 }
 
-double TileMeasure::least_left(const MeasuredCell& cell) const
+// Where the deepest place of a sweep need not be one where its depth is stationary, or its
+// depth at the middle tells nothing of it.
+bool TileMeasure::needs_planes(const MeasuredCell& cell) const
 {
-    if (cell.left.sweep < 0)
-        return cell.left.left;
-    return cell.left.left - hidden_gouge(cell, cutter());
+    if (sweeps().empty())
+        return false;
+    return cutter().is_flat() || cell.reach > planes_share * cutter().corner_radius() ||
+           (touches_side_ && measured_.charts.touches_side(cell.cell));
+}
+
+// Of one of the tile's own cells.
+double TileMeasure::least_left(const MeasuredCell& cell)
+{
+    return needs_planes(cell) ? least_left_by_planes(cell, sweeps(), beneath())
+                              : smooth_least(cell);
+}
+
+double TileMeasure::smooth_least(const MeasuredCell& cell) const
+{
+    return sweeps().empty() ? cell.left.left
+                            : cell.left.left - hidden_gouge(cell, cutter());
+}
+
+// Whether no place `away` mm or more over the part (below 0: in it) has its nearest place of
+// the part on the cell: another is nearer to all that stand so far over the cell, and so to
+// all that stand higher.
+bool TileMeasure::has_no_foot(const MeasuredCell& cell, double away) const
+{
+    const double moves = cell.reach * (1 + std::abs(away) * cell.bend.any);
+    if (!(moves < std::abs(away)) || !std::isfinite(away))
+        return false;
+    std::optional<std::size_t> no_hint;
+    return measured_.distance(cell.ray.point + away * cell.ray.normal, no_hint) + moves <
+           std::abs(away);
 }
 
 Doubt TileMeasure::sharpened(const Doubt& doubt, const Extremes& found) const
 {
-    const Doubt here =
-        doubt_beyond(found.highest.left, -found.deepest.left, measured_.options.limits);
+    const Doubt here = doubt_beyond(found.highest.left, -found.deepest.left, limits());
     return {std::max(doubt.upper, here.upper), std::min(doubt.lower, here.lower)};
 }
 
@@ -175,37 +257,68 @@ void TileMeasure::refine(const MeasuredCell& cell, const Doubt& first_doubt,
                          const Depth& depth, Extremes& found)
 {
     found.take(cell);
+    const bool by_planes = depth.by_planes || needs_planes(cell);
+    const std::vector<std::int32_t> beneath =
+        by_planes ? sweeps_on_cell(cell, sweeps(), depth.beneath)
+                  : std::vector<std::int32_t>{};
     double most = most_left(cell, {});
-    const double least = least_left(cell);
+    double least =
+        by_planes ? least_left_by_planes(cell, sweeps(), beneath) : smooth_least(cell);
     // What has been found here meanwhile may have settled more than the first rays.
     const Doubt doubt = sharpened(first_doubt, found);
-    if (!doubt.holds(most, least)) {
-        found.bound(cell.left.left, most, least);
-        return;
+    std::vector<std::int32_t> local;
+    bool is_leaf = !doubt.holds(most, least);
+    if (!is_leaf) {
+        local = local_sweeps(cell, sweeps(), depth.sweeps);
+        if (most > doubt.upper && !local.empty())
+            most = most_left(cell, local);
+        // Only where the ray itself is too long, or a plane tells little: it takes time.
+        if (cell.left.left > doubt.upper && has_no_foot(cell, doubt.upper))
+            most = doubt.upper;
+        if (least < doubt.lower && (by_planes || cell.left.left < doubt.lower) &&
+            has_no_foot(cell, doubt.lower))
+            least = doubt.lower;
+        is_leaf =
+            depth.level >= last_level_ || is_exhausted() || !doubt.holds(most, least);
     }
-    const std::vector<std::int32_t> local =
-        local_sweeps(cell, measured_.tree.sweeps(), depth.sweeps);
-    if (most > doubt.upper && !local.empty())
-        most = most_left(cell, local);
-    const bool is_last = depth.level >= last_level_ || is_exhausted();
-    if (is_last || !doubt.holds(most, least)) {
-        found.bound(cell.left.left, most, least);
+    if (is_leaf) {
+        found.bound(most, least);
+        found.add_area(cell.value(), cell.cell.area(cell.ray), limits());
         return;
     }
     // Whether a sharp edge, or any, passes through the cell the middle does not tell.
     const bool is_smooth =
         cell.left.sweep >= 0 && cell.reach <= local_share * cutter().corner_radius();
-    const std::span<const std::int32_t> inherited = is_smooth ? local : depth.sweeps;
+    refine_quarters(
+        cell, first_doubt,
+        {depth.level, depth.by_planes, is_smooth ? local : depth.sweeps, beneath}, found);
+}
+
+void TileMeasure::refine_quarters(const MeasuredCell& cell, const Doubt& first_doubt,
+                                  const Depth& depth, Extremes& found)
+{
+    const double quarter_area = cell.cell.area(cell.ray) / 4;
+    const double gouged = found.gouge_area;
+    const double uncut = found.uncut_area;
     for (const PartCell& quarter : cell.cell.quarters()) {
         // A strip of half a first cell along the border is not judged: there the cutter
         // reaches under an edge, and depth along the normal tells little.
-        if (depth.level == 0 && measured_.charts.touches_border(quarter))
+        if (depth.level == 0 && depth.by_planes &&
+            measured_.charts.runs_along_border(quarter)) {
+            found.add_area(cell.value(), quarter_area, limits());
             continue;
+        }
         ++refined_cells_;
         if (const auto ray = measured_.charts.ray(quarter.chart, quarter.centre()))
-            refine(measured(quarter, *ray, inherited), first_doubt,
-                   {depth.level + 1, inherited}, found);
+            refine(measured(quarter, *ray, depth.sweeps), first_doubt,
+                   {depth.level + 1, depth.by_planes, depth.sweeps, depth.beneath},
+                   found);
     }
+    // What the middle has is found, however little there is of it.
+    if (-cell.value() > limits().tolerance && found.gouge_area == gouged)
+        found.gouge_area += quarter_area;
+    if (cell.value() > limits().scallop && found.uncut_area == uncut)
+        found.uncut_area += quarter_area;
 }
 
 MeasuredCell TileMeasure::measured(const PartCell& cell, const PartRay& ray,
@@ -220,11 +333,8 @@ MeasuredCell TileMeasure::measured(const PartCell& cell, const PartRay& ray,
             least.sweep = number;
         }
     }
-    MeasuredCell found{cell, ray, cell.reach(ray), least, bend_};
-    if (is_beyond(found.left.left, measured_.options.limits)) {
-        std::optional<std::size_t> no_hint;
-        found.left.left = shortened(found.left.left, ray, measured_.distance, no_hint);
-    }
+    MeasuredCell found{cell, ray, cell.reach(ray), least, bend_, is_outer(ray)};
+    find_nearer(found);
     return found;
 }
 

@@ -22,38 +22,53 @@ struct Extremes {
     DeviationPlace deepest{std::numeric_limits<double>::infinity()};
     double upper = -std::numeric_limits<double>::infinity();  ///< mm; no rest is higher
     double lower = std::numeric_limits<double>::infinity();   ///< mm; no gouge is deeper
-    double above = 0;      ///< most that a cell may have more than at its middle, mm
-    double below = 0;      ///< the same for less
-    bool is_cut = false;   ///< some move reaches a ray
-    std::size_t rays = 0;  ///< measured
+    double gouge_area = 0;  ///< mm^2 of cells deeper than the tolerance
+    double uncut_area = 0;  ///< mm^2 of cells higher than the scallop limit
+    double top = -std::numeric_limits<double>::infinity();  ///< of the cells, mm
+    bool is_cut = false;                                    ///< some move reaches a ray
+    std::size_t rays = 0;                                   ///< measured
 
     /// Counts a ray in.
     void take(const MeasuredCell& cell)
     {
         ++rays;
+        top = std::max(top, cell.ray.point.z() + cell.reach);
         is_cut = is_cut || cell.left.sweep >= 0;
-        const DeviationPlace place{cell.left.left, cell.ray, cell.cell.chart,
-                                   cell.cell.centre(), cell.left.sweep};
+        take(DeviationPlace{cell.value(), cell.ray, cell.cell.chart, cell.cell.centre(),
+                            cell.left.sweep});
+    }
+    void take(const DeviationPlace& place)
+    {
         if (place.left > highest.left)
             highest = place;
         if (place.left < deepest.left)
             deepest = place;
     }
-    /// Counts in what bounds the cell whose middle has `left`.
-    void bound(double left, double most, double least)
+    /// Counts in what bounds a cell.
+    void bound(double most, double least)
     {
         upper = std::max(upper, most);
         lower = std::min(lower, least);
-        above = std::max(above, most - left);
-        below = std::max(below, left - least);
+    }
+    /// Counts in a cell of so many mm^2 where so much is left.
+    void add_area(double left, double area, const DeviationLimits& limits)
+    {
+        if (-left > limits.tolerance)
+            gouge_area += area;
+        if (left > limits.scallop)
+            uncut_area += area;
     }
     /// Counts in what was found of the same cells once more: all of it holds, and of the
-    /// bounds the closer ones.
+    /// bounds the closer ones, of the areas the larger.
     void join(const Extremes& other)
     {
         const double most = std::min(upper, other.upper);
         const double least = std::max(lower, other.lower);
+        const double gouged = std::max(gouge_area, other.gouge_area);
+        const double uncut = std::max(uncut_area, other.uncut_area);
         merge(other);
+        gouge_area = gouged;
+        uncut_area = uncut;
         upper = std::max(most, highest.left);
         lower = std::min(least, deepest.left);
     }
@@ -66,6 +81,9 @@ struct Extremes {
             deepest = other.deepest;
         upper = std::max(upper, other.upper);
         lower = std::min(lower, other.lower);
+        gouge_area += other.gouge_area;
+        uncut_area += other.uncut_area;
+        top = std::max(top, other.top);
         is_cut = is_cut || other.is_cut;
         rays += other.rays;
     }
@@ -95,8 +113,9 @@ struct Measured {
 /// Whether a limit is broken where `left` mm are left.
 bool is_beyond(double left, const DeviationLimits& limits);
 
-/// The distance from the part of the place where the material ends, if that is less than
-/// `left`, with its sign. \param hint as in PartDistance.
+/// The way along the normal to where the material ends, as far as the ray's point is the
+/// part's nearest place all the way: `left`, or less, with its sign.
+/// \param hint as in PartDistance.
 double shortened(double left, const PartRay& ray, const PartDistance& distance,
                  std::optional<std::size_t>& hint);
 
@@ -113,7 +132,7 @@ public:
     std::span<const int> numbers() const { return numbers_; }
 
     /// What the cells have, and what bounds it between their middles.
-    Extremes extremes() const;
+    Extremes extremes();
 
     /// The same with every doubtful cell refined.
     Extremes refined(const Doubt& doubt);
@@ -122,32 +141,47 @@ private:
     // How far a cell has been halved, and the sweeps that may matter to it.
     struct Depth {
         int level;
-        std::span<const std::int32_t> sweeps;
+        bool by_planes;  // all of its pieces too: it lies along the border
+        std::span<const std::int32_t> sweeps;   // that may leave least
+        std::span<const std::int32_t> beneath;  // that may clear the part
     };
 
     void measure();
     bool is_exhausted() const;
+    bool is_outer(const PartRay& ray) const;
+    void find_nearer(MeasuredCell& cell) const;
+    std::span<const std::int32_t> beneath();
     Extremes refined_to(int level, const Doubt& doubt,
                         std::span<const std::int32_t> near);
     MownRay stock(const PartRay& ray) const { return measured_.options.stock(ray); }
-    const Cutter& cutter() const { return measured_.tree.sweeps().front().cutter(); }
+    const DeviationLimits& limits() const { return measured_.options.limits; }
+    std::span<const StraightSweep> sweeps() const { return measured_.tree.sweeps(); }
+    const Cutter& cutter() const { return sweeps().front().cutter(); }
     double most_left(const MeasuredCell& cell,
                      std::span<const std::int32_t> others) const;
     double most_left_by(const MeasuredCell& cell,
                         std::span<const std::int32_t> others) const;
-    double least_left(const MeasuredCell& cell) const;
+    bool needs_planes(const MeasuredCell& cell) const;
+    double least_left(const MeasuredCell& cell);
+    double smooth_least(const MeasuredCell& cell) const;
+    bool has_no_foot(const MeasuredCell& cell, double away) const;
     Doubt sharpened(const Doubt& doubt, const Extremes& found) const;
     void refine(const MeasuredCell& cell, const Doubt& first_doubt, const Depth& depth,
                 Extremes& found);
+    void refine_quarters(const MeasuredCell& cell, const Doubt& first_doubt,
+                         const Depth& depth, Extremes& found);
     MeasuredCell measured(const PartCell& cell, const PartRay& ray,
                           std::span<const std::int32_t> sweeps) const;
 
     Measured measured_;
     const PartTile& tile_;
     PartCharts::Bend bend_;
+    bool touches_side_;
+    bool is_wall_ = false;  // upright all over
     std::vector<MeasuredCell> cells_;
     std::vector<int> numbers_;
     std::optional<MownRays> rays_;
+    std::optional<std::vector<std::int32_t>> beneath_;  // found when first asked for
     std::size_t refined_cells_ = 0;
     int last_level_ = 0;
 };

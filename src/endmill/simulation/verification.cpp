@@ -88,6 +88,17 @@ std::string at_least_text(double value)
     return to_text(std::floor(value * units) / units);
 }
 
+std::string why_nothing_is_cut(double gap)
+{
+    if (!std::isfinite(gap))
+        return "it has no move, or the part has no side that faces the tool";
+    if (!(gap > 0))
+        return "the cutter is beside or under the part, nearer than can be told; "
+               "expected "
+               "a move that reaches a ray of the part (--resolution)";
+    return "cutter and part are at least " + at_least_text(gap) + " mm apart";
+}
+
 // Stock and rays: the larger of the two needs decides what is proposed.
 void require_fitting(const VerificationTask& task)
 {
@@ -124,9 +135,8 @@ std::optional<Deviation> deviation_of(const VerificationTask& task)
     };
     Deviation deviation = measure_deviation(charts, tree, options);
     if (!deviation.is_cut)
-        throw GeometryError{
-            "the path cuts nothing over the part: cutter and part are at least " +
-            at_least_text(part_gap(charts, tree)) + " mm apart"};
+        throw GeometryError{"the path cuts nothing over the part: " +
+                            why_nothing_is_cut(part_gap(charts, tree))};
     // A path that begins with a rapid has no sweep for its first point.
     const auto first =
         static_cast<std::int32_t>(task.path->points.size() - sweeps.size());
