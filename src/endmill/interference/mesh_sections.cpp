@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/interference/mesh_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+
+namespace endmill {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+constexpr double unit_tolerance =
+    1e-9;  // of a direction's length: its rounding, and to spare
+constexpr std::size_t most_points = 5'000'000;  // of a line: some 100 MB
+
+// Where the tip rests over a place of the line, if there is anything beneath.
+struct Sample {
+    double s;
+    std::optional<double> tip_z;
+};
+
+// Walks along one line.
+class LineWalk {
+public:
+    LineWalk(const DropCutter& drop_cutter, const FeedLine& line, double tolerance)
+        : drop_cutter_{drop_cutter},
+          line_{line},
+          tolerance_{tolerance}
+    {
+    }
+
+    std::vector<SectionCurve> curves(double low, double high, int samples)
+    {
+        Sample last = sample(low);
+        add(last);
+        for (int k = 1; k < samples; ++k) {
+            const double share = k / (samples - 1.0);
+            const Sample next = sample(low + share * (high - low));
+            if (next.s > last.s)
+                go_on(last, next);
+            last = next;
+        }
+        end_curve();
+        return std::move(curves_);
+    }
+
+private:
+    Sample sample(double s)
+    {
+        const auto found = drop_cutter_.contact(place(s), hint_);
+        if (!found)
+            return {s, std::nullopt};
+        hint_ = found->triangle;
+        return {s, found->tip_z};
+    }
+
+    Vec2 place(double s) const
+    {
+        const Vec2& d = line_.direction;
+        return s * d + line_.t * Vec2{-d.y(), d.x()};
+    }
+
+    Vec3 tip(const Sample& sample) const
+    {
+        const Vec2 at = place(sample.s);
+        return {at.x(), at.y(), *sample.tip_z};
+    }
+
+    // Adds what follows `from` up to `to`.
+    void go_on(const Sample& from, const Sample& to)
+    {
+        const double middle = from.s + (to.s - from.s) / 2;
+        if (is_fine(from, to) || !(from.s < middle && middle < to.s)) {
+            add(to);
+            return;
+        }
+        const Sample between = sample(middle);
+        go_on(from, between);
+        go_on(between, to);
+    }
+
+    bool is_fine(const Sample& from, const Sample& to) const
+    {
+        if (to.s - from.s <= tolerance_)
+            return true;
+        if (from.tip_z && to.tip_z)
+            return drop_cutter_.is_clear(tip(from), tip(to), tolerance_);
+        return !from.tip_z && !to.tip_z;
+    }
+
+    void add(const Sample& sample)
+    {
+        if (!sample.tip_z) {
+            end_curve();
+            return;
+        }
+        if (++count_ > most_points)
+            throw LimitError{
+                "mesh_sections: a line takes over 5 million points; a larger "
+                "tolerance takes fewer"};
+        const double r = drop_cutter_.cutter().corner_radius();
+        curve_.points.emplace_back(sample.s, *sample.tip_z + r);
+    }
+
+    // A lone point is none.
+    void end_curve()
+    {
+        if (curve_.points.size() > 1)
+            curves_.push_back(std::move(curve_));
+        curve_ = {};
+    }
+
+    const DropCutter& drop_cutter_;
+    const FeedLine& line_;
+    double tolerance_;
+    std::optional<std::size_t> hint_;
+    std::size_t count_ = 0;
+    SectionCurve curve_;
+    std::vector<SectionCurve> curves_;
+};
+
+struct Extent {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+};
+
+Extent extent_along(const TriangleMesh& mesh, const Vec2& direction)
+{
+    Extent extent;
+    for (const Vec3& point : mesh.points()) {
+        const double s = direction.dot(point.head<2>());
+        extent = {std::min(extent.low, s), std::max(extent.high, s)};
+    }
+    return extent;
+}
+
+void check(std::span<const FeedLine> lines, const MeshSectionOptions& options)
+{
+    require(options.samples >= 2, "mesh_sections: need at least 2 samples");
+    require(options.tolerance > 0 && std::isfinite(options.tolerance),
+            "mesh_sections: need 0 < tolerance");
+    for (const FeedLine& line : lines)
+        require(std::isfinite(line.t) &&
+                    std::abs(line.direction.norm() - 1) <= unit_tolerance,
+                "mesh_sections: a line needs a unit direction and a finite t");
+}
+
+}  // namespace
+
+std::vector<std::vector<SectionCurve>> mesh_sections(const DropCutter& drop_cutter,
+                                                     std::span<const FeedLine> lines,
+                                                     const MeshSectionOptions& options)
+{
+    check(lines, options);
+    std::vector<std::vector<SectionCurve>> sections(lines.size());
+    const TriangleMesh& mesh = drop_cutter.mesh();
+    if (mesh.triangles().empty())
+        return sections;
+    parallel_for(lines.size(), [&](std::size_t begin, std::size_t end) {
+        Vec2 direction = lines[begin].direction;
+        Extent extent = extent_along(mesh, direction);
+        for (std::size_t k = begin; k < end; ++k) {
+            if (lines[k].direction != direction) {
+                direction = lines[k].direction;
+                extent = extent_along(mesh, direction);
+            }
+            LineWalk walk{drop_cutter, lines[k], options.tolerance};
+            sections[k] = walk.curves(extent.low, extent.high, options.samples);
+        }
+    });
+    return sections;
+}
+
+}  // namespace endmill

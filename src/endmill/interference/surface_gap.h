@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Internal to interference
+#pragma once
+
+#include <optional>
+
+#include "endmill/interference/cutter_core.h"
+#include "endmill/interference/gouge_test.h"
+#include "endmill/interference/piece_tree.h"
+
+namespace endmill {
+
+/// A point of a surface and its signed distance from a cutter, mm.
+struct SurfaceGap {
+    double gap;
+    Vec3 point;
+};
+
+/// The point of the surfaces nearest to the cutter, or deepest in it, its gap known to
+/// `resolution` mm, if that is below `enough`.
+/// \param finer of the same tree.
+std::optional<SurfaceGap> surface_gap(const PieceTree& tree, const CutterCore& core,
+                                      double resolution, double enough,
+                                      FinerPieces& finer);
+
+}  // namespace endmill

@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/interference/triangle_drop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "endmill/interference/double_double.h"
+
+namespace endmill {
+namespace {
+
+// What rounding may do to a tip, in mm: a fifth of what is promised.
+constexpr double accuracy = 2e-10;
+constexpr double rounding = std::numeric_limits<double>::epsilon();
+// Roundings in a height from a normal or from a foot on a line: of few operations each.
+constexpr double doubt = 4 * rounding / accuracy;
+// More than a bracket of either number can be halved, with Newton's steps between.
+constexpr int most_iterations = 300;
+
+template <typename Real>
+constexpr double relative_rounding = rounding;
+template <>
+constexpr double relative_rounding<DoubleDouble> = 1e-28;
+
+double value_of(double number)
+{
+    return number;
+}
+
+double value_of(const DoubleDouble& number)
+{
+    return number.value();
+}
+
+double square(double number)
+{
+    return number * number;
+}
+
+// A point with the cutter's axis as its z axis.
+template <typename Real>
+struct Place {
+    Real x;
+    Real y;
+    Real z;
+};
+
+// The sides of a cutter that touch: see Cutter.
+template <typename Real>
+struct Shape {
+    Real R;
+    Real r;
+    Real c;  // R - r, exactly
+};
+
+template <typename Real>
+Real positive(const Real& value)
+{
+    return value > Real{0} ? value : Real{0};
+}
+
+// A side of the triangle; shares count from 0 at its start to 1 at its end, in plan.
+template <typename Real>
+struct Side {
+    const Place<Real>& from;
+    const Place<Real>& to;
+    Real length2;  // in plan, squared
+    Real rise;
+    Real foot;   // share of the point nearest to the axis on the whole line
+    Real away2;  // its distance from the axis, squared
+    Real half2;  // of the chord that the cutter's rim cuts off, squared
+};
+
+// Looks at facet, sides and corners, and keeps the highest contact.
+template <typename Real>
+class Lowering {
+public:
+    Lowering(const Shape<Real>& shape, double least) : shape_{shape}, least_{least} {}
+
+    // Whether rounding may have moved the contact by more than the accuracy.
+    bool is_doubtful() const { return is_doubtful_; }
+
+    TriangleContact contact(double x, double y) const
+    {
+        if (!is_found_)
+            return {};
+        return {value_of(tip_),
+                {value_of(Real{x} + at_.x), value_of(Real{y} + at_.y), value_of(at_.z)},
+                kind_};
+    }
+
+    void lower_onto(const std::array<Place<Real>, 3>& corners)
+    {
+        const auto& [a, b, c] = corners;
+        const Place<Real> ab{b.x - a.x, b.y - a.y, b.z - a.z};
+        const Place<Real> ac{c.x - a.x, c.y - a.y, c.z - a.z};
+        Place<Real> normal{ab.y * ac.z - ab.z * ac.y, ab.z * ac.x - ab.x * ac.z,
+                           ab.x * ac.y - ab.y * ac.x};
+        const bool is_turned = normal.z < Real{0};
+        if (is_turned)
+            normal = {-normal.x, -normal.y, -normal.z};
+        if (!(normal.z > Real{0}))
+            return lower_onto_sides(corners, {true, true, true});
+        doubt_plane(ab, ac, normal);
+        const PlaneTouch plane = touching_point(normal, a);
+        if (plane.highest < least_)
+            return;
+        const Place<Real>& touched = plane.point;
+        std::array<bool, 3> is_beyond;
+        for (int k = 0; k < 3; ++k) {
+            const Place<Real>& from = corners[k];
+            const Place<Real>& to = corners[(k + 1) % 3];
+            const Real area = (to.x - from.x) * (touched.y - from.y) -
+                              (to.y - from.y) * (touched.x - from.x);
+            is_beyond[k] = is_turned ? area > Real{0} : area < Real{0};
+        }
+        if (is_beyond[0] || is_beyond[1] || is_beyond[2])
+            return lower_onto_sides(corners, is_beyond);
+        keep(plane.tip, touched, ContactKind::Facet);
+    }
+
+private:
+    // By how much the normal's rounding tilts the plane, over the length of the triangle.
+    void doubt_plane(const Place<Real>& ab, const Place<Real>& ac,
+                     const Place<Real>& normal)
+    {
+        const auto length2 = [](const Place<Real>& v) {
+            return square(value_of(v.x)) + square(value_of(v.y)) + square(value_of(v.z));
+        };
+        const Place<Real> bc{ac.x - ab.x, ac.y - ab.y, ac.z - ab.z};
+        const double longest2 = std::max(std::max(length2(ab), length2(ac)), length2(bc));
+        is_doubtful_ |=
+            doubt * doubt * longest2 * longest2 * longest2 > square(value_of(normal.z));
+    }
+
+    struct PlaneTouch {
+        Place<Real> point;
+        Real tip;
+        double highest;  // no less than the tip
+    };
+
+    // Where the cutter touches the plane through `on`.
+    PlaneTouch touching_point(const Place<Real>& normal, const Place<Real>& on) const
+    {
+        using std::sqrt;
+        const Real level2 = normal.x * normal.x + normal.y * normal.y;
+        const Real length = sqrt(level2 + normal.z * normal.z);
+        Real out = shape_.r / length;
+        if (shape_.c > Real{0} && level2 > Real{0})
+            out = out + shape_.c / sqrt(level2);
+        const Real x = -(normal.x * out);
+        const Real y = -(normal.y * out);
+        const Real slant = normal.x * (x - on.x) + normal.y * (y - on.y);
+        const Real share = Real{1} / normal.z;
+        const Place<Real> point{x, y, on.z - slant * share};
+        const Real tip = point.z - shape_.r * (Real{1} - normal.z / length);
+        // The terms of the slant may cancel; those of the point's place do not.
+        const double lever =
+            value_of(shape_.R) + std::abs(value_of(on.x)) + std::abs(value_of(on.y));
+        const double steepness = std::abs(value_of(length * share));
+        return {point, tip, value_of(tip) + 16 * rounding * lever * steepness + accuracy};
+    }
+
+    void lower_onto_sides(const std::array<Place<Real>, 3>& corners,
+                          const std::array<bool, 3>& which)
+    {
+        for (int k = 0; k < 3; ++k)
+            if (which[k])
+                lower_onto_side(corners[k], corners[(k + 1) % 3]);
+    }
+
+    void lower_onto_side(const Place<Real>& from, const Place<Real>& to)
+    {
+        using std::sqrt;
+        if (std::max(value_of(from.z), value_of(to.z)) + accuracy < least_)
+            return;
+        const Real x = to.x - from.x;
+        const Real y = to.y - from.y;
+        const Real length2 = x * x + y * y;
+        if (!(length2 > Real{0}))  // a vertical one
+            return lower_onto_corner(from.z > to.z ? from : to);
+        const Real share = Real{1} / length2;
+        const Real area = from.x * y - from.y * x;
+        const Real away2 = area * area * share;
+        const Side<Real> side{from,
+                              to,
+                              length2,
+                              to.z - from.z,
+                              -((from.x * x + from.y * y) * share),
+                              away2,
+                              shape_.R * shape_.R - away2};
+        doubt_side(side);
+        if (side.half2 < Real{0})
+            return;
+        if (!(shape_.c > Real{0}))
+            touch_with_ball(side);
+        else if (!(shape_.r > Real{0}))
+            touch_with_disc(side);
+        else
+            touch_with_corner(side);
+    }
+
+    // The same for a height along the side, and for one at the end of a chord.
+    void doubt_side(const Side<Real>& side)
+    {
+        const double length2 = value_of(side.length2);
+        const double rise2 = square(value_of(side.rise));
+        const double R2 = square(value_of(shape_.R));
+        const double size2 =
+            3 * doubt * doubt * ((square(value_of(side.foot)) + 1) * length2 + R2);
+        is_doubtful_ |=
+            size2 * rise2 > length2 ||
+            std::abs(value_of(side.half2)) * length2 < 2 * R2 * size2 * (length2 + rise2);
+    }
+
+    void touch_with_ball(const Side<Real>& side)
+    {
+        using std::sqrt;
+        const Real slant2 = side.length2 + side.rise * side.rise;
+        const Real tilt = sqrt(side.half2 / (side.length2 * slant2));
+        const Real along = side.foot + tilt * side.rise;
+        if (!(along > Real{0}))
+            return lower_onto_corner(side.from);
+        if (!(along < Real{1}))
+            return lower_onto_corner(side.to);
+        const Place<Real> point = at(side, along);
+        keep(point.z - shape_.R + side.length2 * tilt, point, ContactKind::Edge);
+    }
+
+    // Shares of the part that is below the cutter; `low` above `high` if none is.
+    struct Below {
+        Real low;
+        Real high;
+    };
+    static Below below_cutter(const Side<Real>& side)
+    {
+        using std::sqrt;
+        const Real half = sqrt(side.half2 / side.length2);
+        const Real end = side.foot + half;
+        return {positive(side.foot - half), end < Real{1} ? end : Real{1}};
+    }
+
+    void touch_with_disc(const Side<Real>& side)
+    {
+        const Below below = below_cutter(side);
+        if (below.low > below.high)
+            return;
+        Real along = side.rise > Real{0} ? below.high : below.low;
+        if (!(side.rise < Real{0}) && !(side.rise > Real{0}))
+            along = side.foot < below.low    ? below.low
+                    : side.foot > below.high ? below.high
+                                             : side.foot;
+        keep_at(side, along, at(side, along).z);
+    }
+
+    // Where the corner's circle touches the side: with t the distance from the foot on the
+    // side that rises, m the slope, d the distance from the axis and a = d - c, the height
+    // m t - h is greatest at a t / d = m sqrt(r^2 - a^2).
+    void touch_with_corner(const Side<Real>& side)
+    {
+        using std::sqrt;
+        const Below below = below_cutter(side);
+        if (below.low > below.high)
+            return;
+        const Real length = sqrt(side.length2);
+        const bool rises = side.rise > Real{0};
+        const Real m = (rises ? side.rise : -side.rise) / length;
+        const Real lowest =
+            (rises ? below.low - side.foot : side.foot - below.high) * length;
+        const Real high =
+            (rises ? below.high - side.foot : side.foot - below.low) * length;
+        // Below the flat bottom the highest point counts; of a level side the nearest.
+        const Real flat =
+            m > Real{0} ? sqrt(positive(shape_.c * shape_.c - side.away2)) : Real{0};
+        const Real low = lowest < flat ? (flat < high ? flat : high) : lowest;
+        const Real tube = shape_.c + shape_.r * m / sqrt(Real{1} + m * m);
+        const Real guess = sqrt(positive(tube * tube - side.away2));
+        Real t = guess < low ? low : (guess > high ? high : guess);
+        if (CornerSlope(shape_, side, m, t).bound(low, high) < least_)
+            return;
+        if (!(CornerSlope(shape_, side, m, low).value < Real{0}))
+            t = low;
+        else if (!(CornerSlope(shape_, side, m, high).value > Real{0}))
+            t = high;
+        else
+            t = corner_root(side, m, {low, t, high});
+        const Real share = t / length;
+        Real along = rises ? side.foot + share : side.foot - share;
+        if (!(t > lowest))  // at an end, to the last bit
+            along = rises ? below.low : below.high;
+        else if (!(t < high))
+            along = rises ? below.high : below.low;
+        keep_at(side, along, at(side, along).z - corner_profile(side, t));
+    }
+
+    struct Bracket {
+        Real low;
+        Real t;
+        Real high;
+    };
+
+    // Newton's iteration in a bracket.
+    Real corner_root(const Side<Real>& side, const Real& m, Bracket bracket) const
+    {
+        auto& [low, t, high] = bracket;
+        const double least_step = relative_rounding<Real> * value_of(shape_.R);
+        for (int k = 0; k < most_iterations && low < high; ++k) {
+            const CornerSlope slope{shape_, side, m, t};
+            (slope.value < Real{0} ? low : high) = t;
+            if (slope.bound(low, high) < least_)
+                return t;
+            Real next = slope.rise > Real{0} ? t - slope.value / slope.rise : low;
+            if (!(next > low && next < high))
+                next = low + (high - low) / Real{2};
+            const double step = std::abs(value_of(next - t));
+            t = next;
+            if (step <= least_step)
+                break;
+        }
+        return t;
+    }
+
+    // At t: by how much the slope of the profile, times the root, is above that of the
+    // side, and how fast that rises.
+    struct CornerSlope {
+        Real value;
+        Real rise;
+        Real t;
+        Real height{0};
+        Real tangent{0};
+        bool is_at_rim = false;
+
+        CornerSlope(const Shape<Real>& shape, const Side<Real>& side, const Real& m,
+                    const Real& place)
+            : t{place}
+        {
+            using std::sqrt;
+            const Real d = sqrt(side.away2 + t * t);
+            const Real a = positive(d - shape.c);
+            const Real root = sqrt(positive((shape.r - a) * (shape.r + a)));
+            const Real share = d > Real{0} ? t / d : Real{1};
+            value = a * share - m * root;
+            rise = share * share;
+            if (d > Real{0})
+                rise = rise + a * side.away2 / (d * d * d);
+            is_at_rim = !(root > Real{0});
+            if (is_at_rim)
+                return;
+            rise = rise + m * a * share / root;
+            tangent = m - a * share / root;
+            // m t is the height over the foot, share foot of the rise.
+            height = side.from.z + side.foot * side.rise + m * t - (shape.r - root);
+        }
+
+        // The tip is nowhere above that over low … high: tangents of a concave function.
+        double bound(const Real& low, const Real& high) const
+        {
+            if (is_at_rim)
+                return std::numeric_limits<double>::infinity();
+            return std::max(value_of(height + tangent * (low - t)),
+                            value_of(height + tangent * (high - t))) +
+                   accuracy;
+        }
+    };
+
+    Real corner_profile(const Side<Real>& side, const Real& t) const
+    {
+        using std::sqrt;
+        const Real a = positive(sqrt(side.away2 + t * t) - shape_.c);
+        const Real& r = shape_.r;
+        return r - sqrt(positive((r - a) * (r + a)));
+    }
+
+    void lower_onto_corner(const Place<Real>& corner)
+    {
+        using std::sqrt;
+        const Real half2 = half2_of(corner);
+        doubt_corner(half2);
+        if (half2 < Real{0})
+            return;
+        const Real& r = shape_.r;
+        const Real distance = sqrt(corner.x * corner.x + corner.y * corner.y);
+        const Real a = positive(distance - shape_.c);
+        const Real root = sqrt(shape_.c > Real{0} ? positive((r - a) * (r + a)) : half2);
+        keep(corner.z - (r - root), corner, ContactKind::Vertex);
+    }
+
+    Real half2_of(const Place<Real>& corner) const
+    {
+        return shape_.R * shape_.R - (corner.x * corner.x + corner.y * corner.y);
+    }
+
+    // The same for a height at the cutter's rim.
+    void doubt_corner(const Real& half2)
+    {
+        is_doubtful_ |=
+            std::abs(value_of(half2)) < square(doubt * square(value_of(shape_.R)));
+    }
+
+    static Place<Real> at(const Side<Real>& side, const Real& along)
+    {
+        const Place<Real>& p = side.from;
+        return {p.x + along * (side.to.x - p.x), p.y + along * (side.to.y - p.y),
+                p.z + along * side.rise};
+    }
+
+    void keep_at(const Side<Real>& side, const Real& along, const Real& tip)
+    {
+        if (along > Real{0} && along < Real{1})
+            return keep(tip, at(side, along), ContactKind::Edge);
+        const Place<Real>& corner = along > Real{0} ? side.to : side.from;
+        doubt_corner(half2_of(corner));
+        keep(tip, corner, ContactKind::Vertex);
+    }
+
+    void keep(const Real& tip, const Place<Real>& point, ContactKind kind)
+    {
+        if (is_found_ && !(tip > tip_))
+            return;
+        is_found_ = true;
+        tip_ = tip;
+        at_ = point;
+        kind_ = kind;
+    }
+
+    const Shape<Real>& shape_;
+    double least_;
+    bool is_doubtful_ = false;
+    bool is_found_ = false;
+    Real tip_{0};
+    Place<Real> at_{Real{0}, Real{0}, Real{0}};
+    ContactKind kind_ = ContactKind::Facet;
+};
+
+template <typename Real>
+std::array<Place<Real>, 3> around_axis(const std::array<Vec3, 3>& corners, double x,
+                                       double y)
+{
+    std::array<Place<Real>, 3> places;
+    for (int k = 0; k < 3; ++k)
+        places[k] = {Real{corners[k].x()} - Real{x}, Real{corners[k].y()} - Real{y},
+                     Real{corners[k].z()}};
+    return places;
+}
+
+// With twice the digits; rare, and kept out of the way of the rest.
+[[gnu::noinline]] TriangleContact careful_contact(const Cutter& cutter,
+                                                  const std::array<Vec3, 3>& corners,
+                                                  double x, double y, double least)
+{
+    const DoubleDouble R{cutter.radius()};
+    const DoubleDouble r{cutter.corner_radius()};
+    const Shape<DoubleDouble> shape{R, r, R - r};
+    Lowering<DoubleDouble> lowering{shape, least};
+    lowering.lower_onto(around_axis<DoubleDouble>(corners, x, y));
+    return lowering.contact(x, y);
+}
+
+}  // namespace
+
+TriangleDrop::TriangleDrop(const Cutter& cutter) : cutter_{cutter} {}
+
+TriangleContact TriangleDrop::operator()(const std::array<Vec3, 3>& corners, double x,
+                                         double y, double least) const
+{
+    const Shape<double> shape{cutter_.radius(), cutter_.corner_radius(),
+                              cutter_.flat_radius()};
+    Lowering<double> lowering{shape, least};
+    lowering.lower_onto(around_axis<double>(corners, x, y));
+    if (lowering.is_doubtful())
+        return careful_contact(cutter_, corners, x, y, least);
+    return lowering.contact(x, y);
+}
+
+}  // namespace endmill
