@@ -12,6 +12,10 @@
 namespace endmill {
 namespace {
 
+// What a mesh can be trimmed by: its curves come from the drop cutter.
+constexpr std::string_view mesh_method = "envelope";
+constexpr const char* needs_surface = "it needs a surface, whose normals give an offset";
+
 // What decides the exit status.
 bool is_good(const TrimResult& result, const TrimOptions& options)
 {
@@ -37,6 +41,12 @@ Outcome trim_all(const TrimInput& input, const TrimOptions& options, OutputFolde
 {
     Outcome outcome;
     for (const TrimmingMethod& method : trimming_methods()) {
+        if (input.drop_cutter && method.name != mesh_method) {
+            outcome.text += "method " + std::string{method.name} + ": not run, " +
+                            needs_surface + "\n";
+            outcome.summary["not_run"].push_back(method.name);
+            continue;
+        }
         const TrimResult result = trim_by(method, input, options);
         const std::string prefix = std::string{method.name} + "/";
         Json summary = write_trimmed(result, input, options, folder, prefix);
@@ -63,11 +73,13 @@ ExitCode run_trim(const TrimOptions& options)
     check_trim_options(options);
     const TrimInput input = read_trim_input(options);
     check_figure(options, input);
+    const std::string name = method_name(options);
+    require(!input.drop_cutter || name == mesh_method || name == "all",
+            "--method " + name + ": " + needs_surface + "; for a mesh expected envelope");
     OutputFolder folder{output_folder(input.file, "trim", options.common),
                         options.common.force};
     folder.protect(input.file);
     write_sections(input, folder);
-    const std::string name = method_name(options);
     const auto methods = trimming_methods();
     const auto method = std::ranges::find(methods, name, &TrimmingMethod::name);
     const Outcome outcome = method == methods.end()

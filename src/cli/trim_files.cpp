@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "endmill/core/error.h"
+#include "endmill/interference/clearance.h"
+#include "endmill/interference/refined_planes.h"
 #include "endmill/interference/trimmed_planes.h"
 #include "endmill/io/section_csv.h"
 #include "endmill/io/section_svg.h"
@@ -52,6 +54,56 @@ ToolPath linked(const TrimInput& input, const TrimOptions& options,
     link.safe_height =
         options.safe_height.value_or(input.highest + options.allowance + clear_above);
     return link_sections(planes, input.planes->frame, *options.cutter, link);
+}
+
+// Curves that need no trimming.
+std::vector<Trimmed> as_trimmed(std::span<const PlaneSection> sections)
+{
+    std::vector<Trimmed> planes(sections.size());
+    for (std::size_t k = 0; k < sections.size(); ++k)
+        for (std::size_t c = 0; c < sections[k].curves.size(); ++c) {
+            TrimmedCurve& curve = planes[k].curves.emplace_back();
+            const auto& points = sections[k].curves[c].points;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const SegmentNumber on{static_cast<std::int32_t>(c),
+                                       static_cast<std::int32_t>(i)};
+                curve.points.push_back({points[i], on, on, TrimmedKind::vertex});
+            }
+        }
+    return planes;
+}
+
+// How far the sampled points are from the smooth offset; and puts them there if asked.
+void measure_sampling(const TrimInput& input, const TrimOptions& options,
+                      TrimResult& result)
+{
+    RefinedPlanes refined =
+        refine_planes({std::get<std::vector<Surface>>(*input.part), *input.offset,
+                       options.grid, *input.planes, input.sections},
+                      result.trimmed);
+    result.sampling_error = refined.greatest_shift;
+    if (!options.refine)
+        return;
+    result.unrefined = refined.unrefined;
+    for (std::size_t k = 0; k < refined.curves.size(); ++k)
+        result.trimmed[k].curves = std::move(refined.curves[k]);
+}
+
+// Of the cutter from the part, at all points that are left.
+std::optional<double> clearance(const TrimInput& input, const TrimOptions& options,
+                                std::span<const Trimmed> trimmed)
+{
+    std::vector<Vec3> places;
+    for (std::size_t k = 0; k < trimmed.size(); ++k)
+        for (const TrimmedCurve& curve : trimmed[k].curves)
+            for (const TrimmedPoint& point : curve.points)
+                places.push_back(input.planes->frame.point(
+                    point.at.x(), input.planes->positions[k], point.at.y()));
+    const std::optional<LeastGap> least =
+        input.drop_cutter ? least_gap(*input.drop_cutter, places)
+                          : least_gap(std::get<std::vector<Surface>>(*input.part),
+                                      *options.cutter, places);
+    return least ? std::optional{least->gap} : std::nullopt;
 }
 
 std::string section_picture(const TrimResult& result, const TrimInput& input,
@@ -99,14 +151,20 @@ TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
     result.method = std::string{method.name};
     result.options = trimming_options(options, height_of(input));
     const auto start = Clock::now();
-    result.trimmed = trim_planes(input.sections, input.ranges, method, result.options);
+    result.trimmed = input.drop_cutter ? as_trimmed(input.sections)
+                                       : trim_planes(input.sections, input.ranges, method,
+                                                     result.options);
     result.trim_ms =
         std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     for (std::size_t k = 0; k < result.trimmed.size(); ++k)
         result.loops.push_back(
             cut_out(input.sections[k].curves, result.trimmed[k], crease_test(input, k)));
-    if (input.planes)
+    if (input.offset)
+        measure_sampling(input, options, result);
+    if (input.planes) {
         result.path = linked(input, options, result.trimmed);
+        result.min_clearance = clearance(input, options, result.trimmed);
+    }
     return result;
 }
 

@@ -4,10 +4,13 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "cli/console.h"
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
+#include "endmill/cutter/reference_point.h"
+#include "endmill/interference/mesh_sections.h"
 #include "endmill/io/polyline_csv.h"
 #include "endmill/io/printable.h"
 #include "endmill/surface/extent.h"
@@ -78,6 +81,37 @@ void add_surface_sections(const std::vector<Surface>& surfaces,
     input.highest = extent(surfaces, Vec3::UnitZ()).high;
 }
 
+// A mesh has no field of normals: the drop cutter's curves are trimmed already.
+void add_mesh_sections(const TriangleMesh& mesh, const TrimOptions& options,
+                       TrimInput& input)
+{
+    require(!mesh.triangles().empty(), "the mesh has no triangles");
+    const FeedFrame frame{Angle::degrees(options.direction_deg)};
+    Interval across{std::numeric_limits<double>::infinity(),
+                    -std::numeric_limits<double>::infinity()};
+    input.highest = across.high;
+    for (const Vec3& point : mesh.points()) {
+        across.low = std::min(across.low, frame.across(point));
+        across.high = std::max(across.high, frame.across(point));
+        input.highest = std::max(input.highest, point.z());
+    }
+    input.planes = planes_over(across, options);
+    const auto start = Clock::now();
+    input.drop_cutter.emplace(mesh, with_allowance(*options.cutter, options.allowance));
+    const Vec3 along = frame.point(1, 0, 0);
+    std::vector<FeedLine> lines;
+    for (const double t : input.planes->positions)
+        lines.push_back({along.head<2>(), t});
+    MeshSectionOptions sampling;
+    sampling.samples = options.grid;
+    sampling.tolerance = options.tolerance;
+    for (auto& curves : mesh_sections(*input.drop_cutter, lines, sampling))
+        input.sections.push_back({std::move(curves), {}, {}, 0});
+    input.slice_ms = milliseconds_since(start);
+    // What is left is judged by the cutter itself, without the allowance.
+    input.drop_cutter.emplace(mesh, *options.cutter);
+}
+
 }  // namespace
 
 TrimInput read_trim_input(const TrimOptions& options)
@@ -89,8 +123,11 @@ TrimInput read_trim_input(const TrimOptions& options)
     PartFile file = read_part_for(options.part, options.common);
     input.name = file.name;
     input.source = file.source;
-    input.part = std::move(file.part);
-    add_surface_sections(std::get<std::vector<Surface>>(*input.part), options, input);
+    input.part = std::make_unique<const Part>(std::move(file.part));
+    if (const auto* mesh = std::get_if<TriangleMesh>(&*input.part))
+        add_mesh_sections(*mesh, options, input);
+    else
+        add_surface_sections(std::get<std::vector<Surface>>(*input.part), options, input);
     return input;
 }
 

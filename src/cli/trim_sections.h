@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/trim_options.h"
 #include "endmill/interference/cut_out.h"
+#include "endmill/interference/drop_cutter.h"
 #include "endmill/interference/offset_mesh.h"
 #include "endmill/interference/slicer.h"
 #include "endmill/mesh/triangle_mesh.h"

@@ -160,7 +160,7 @@ TEST(TriangleDrop, TouchesASlopeWhereItsCornerIsTangent)
             const double tip = 2 * slope + c * slope + r * (1 / std::cos(phi) - 1);
             const TriangleContact found = TriangleDrop{cutter}(corners, 2, -3);
             EXPECT_NEAR(found.tip_z, tip, 1e-9) << degrees;
-            EXPECT_EQ(found.kind, ContactKind::Facet);
+            EXPECT_EQ(found.kind, TouchKind::Facet);
             if (degrees > 1e-6) {
                 EXPECT_NEAR(found.point.x(), 2 + c + r * std::sin(phi), 1e-9);
                 EXPECT_NEAR(found.point.y(), -3, 1e-9);
@@ -176,7 +176,7 @@ TEST(TriangleDrop, RestsOnARidge)
     for (const Cutter& cutter : cutters) {
         const TriangleContact found = TriangleDrop{cutter}(corners, 0.5, 0);
         EXPECT_NEAR(found.tip_z, 7 - cutter.profile(3), 1e-14);
-        EXPECT_EQ(found.kind, ContactKind::Edge);
+        EXPECT_EQ(found.kind, TouchKind::Edge);
         EXPECT_NEAR((found.point - Vec3{0.5, 3, 7}).norm(), 0, 1e-9);
     }
 }
@@ -187,7 +187,7 @@ TEST(TriangleDrop, RestsOnACorner)
     for (const Cutter& cutter : cutters) {
         const TriangleContact found = TriangleDrop{cutter}(corners, 0, 0);
         EXPECT_NEAR(found.tip_z, 7 - cutter.profile(std::sqrt(5)), 1e-14);
-        EXPECT_EQ(found.kind, ContactKind::Vertex);
+        EXPECT_EQ(found.kind, TouchKind::Vertex);
         EXPECT_EQ(found.point, corners[0]);
     }
 }

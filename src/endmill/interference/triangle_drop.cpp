@@ -116,7 +116,7 @@ public:
         }
         if (is_beyond[0] || is_beyond[1] || is_beyond[2])
             return lower_onto_sides(corners, is_beyond);
-        keep(plane.tip, touched, ContactKind::Facet);
+        keep(plane.tip, touched, TouchKind::Facet);
     }
 
 private:
@@ -224,7 +224,7 @@ private:
         if (!(along < Real{1}))
             return lower_onto_corner(side.to);
         const Place<Real> point = at(side, along);
-        keep(point.z - shape_.R + side.length2 * tilt, point, ContactKind::Edge);
+        keep(point.z - shape_.R + side.length2 * tilt, point, TouchKind::Edge);
     }
 
     // Shares of the part that is below the cutter; `low` above `high` if none is.
@@ -382,7 +382,7 @@ private:
         const Real distance = sqrt(corner.x * corner.x + corner.y * corner.y);
         const Real a = positive(distance - shape_.c);
         const Real root = sqrt(shape_.c > Real{0} ? positive((r - a) * (r + a)) : half2);
-        keep(corner.z - (r - root), corner, ContactKind::Vertex);
+        keep(corner.z - (r - root), corner, TouchKind::Vertex);
     }
 
     Real half2_of(const Place<Real>& corner) const
@@ -407,13 +407,13 @@ private:
     void keep_at(const Side<Real>& side, const Real& along, const Real& tip)
     {
         if (along > Real{0} && along < Real{1})
-            return keep(tip, at(side, along), ContactKind::Edge);
+            return keep(tip, at(side, along), TouchKind::Edge);
         const Place<Real>& corner = along > Real{0} ? side.to : side.from;
         doubt_corner(half2_of(corner));
-        keep(tip, corner, ContactKind::Vertex);
+        keep(tip, corner, TouchKind::Vertex);
     }
 
-    void keep(const Real& tip, const Place<Real>& point, ContactKind kind)
+    void keep(const Real& tip, const Place<Real>& point, TouchKind kind)
     {
         if (is_found_ && !(tip > tip_))
             return;
@@ -429,7 +429,7 @@ private:
     bool is_found_ = false;
     Real tip_{0};
     Place<Real> at_{Real{0}, Real{0}, Real{0}};
-    ContactKind kind_ = ContactKind::Facet;
+    TouchKind kind_ = TouchKind::Facet;
 };
 
 template <typename Real>

@@ -11,14 +11,14 @@
 namespace endmill {
 
 /// The part of a triangle that a cutter touches.
-enum class ContactKind : std::uint8_t { Facet, Edge, Vertex };
+enum class TouchKind : std::uint8_t { Facet, Edge, Vertex };
 
 /// Where a cutter comes to rest that is lowered along -z onto a triangle.
 struct TriangleContact {
     double tip_z = -std::numeric_limits<double>::infinity();  ///< mm; that: no contact
     Vec3 point =
         Vec3::Zero();  ///< mm, where it touches; one of several if it does so in more
-    ContactKind kind = ContactKind::Facet;
+    TouchKind kind = TouchKind::Facet;
 };
 
 /// Lowers a cutter over (x, y) onto a triangle: its tip comes to rest at the greatest
