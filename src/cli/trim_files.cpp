@@ -156,11 +156,11 @@ TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
                                                      result.options);
     result.trim_ms =
         std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    if (input.offset)
+        measure_sampling(input, options, result);
     for (std::size_t k = 0; k < result.trimmed.size(); ++k)
         result.loops.push_back(
             cut_out(input.sections[k].curves, result.trimmed[k], crease_test(input, k)));
-    if (input.offset)
-        measure_sampling(input, options, result);
     if (input.planes) {
         result.path = linked(input, options, result.trimmed);
         result.min_clearance = clearance(input, options, result.trimmed);
