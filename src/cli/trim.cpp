@@ -24,11 +24,11 @@ bool is_good(const TrimResult& result, const TrimOptions& options)
 
 void check_figure(const TrimOptions& options, const TrimInput& input)
 {
-    require(!options.figure ||
-                static_cast<std::size_t>(*options.figure) < input.sections.size(),
-            "--figure " + std::to_string(options.figure.value_or(0)) +
-                ": expected a plane from 0 to " +
-                std::to_string(input.sections.size() - 1));
+    require_option(!options.figure ||
+                       static_cast<std::size_t>(*options.figure) < input.sections.size(),
+                   "--figure " + std::to_string(options.figure.value_or(0)) +
+                       ": expected a plane from 0 to " +
+                       std::to_string(input.sections.size() - 1));
 }
 
 struct Outcome {
@@ -74,8 +74,9 @@ ExitCode run_trim(const TrimOptions& options)
     const TrimInput input = read_trim_input(options);
     check_figure(options, input);
     const std::string name = method_name(options);
-    require(!input.drop_cutter || name == mesh_method || name == "all",
-            "--method " + name + ": " + needs_surface + "; for a mesh expected envelope");
+    require_option(
+        !input.drop_cutter || name == mesh_method || name == "all",
+        "--method " + name + ": " + needs_surface + "; for a mesh expected envelope");
     OutputFolder folder{output_folder(input.file, "trim", options.common),
                         options.common.force};
     folder.protect(input.file);

@@ -160,23 +160,30 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
     add_common_options(command, options.common);
 }
 
+void require_option(bool holds, const std::string& what)
+{
+    if (!holds)
+        throw DomainError{what};
+}
+
 void check_trim_options(const TrimOptions& options)
 {
     const bool has_curves = !options.polyline.empty();
     const std::string method = method_name(options);
-    require(has_curves != !options.part.path.empty(),
-            "expected PART or --polyline, one of them");
-    require(has_curves || options.cutter, "--cutter is needed, such as ball:20");
-    require(!has_curves || !options.refine,
-            "--refine and --polyline: curves have no surface to be refined on");
-    require(!(options.pitch && options.scallop),
-            "--pitch and --scallop: expected one of them");
-    require(!options.scallop || !options.cutter || !options.cutter->is_flat(),
-            "--scallop: a flat cutter leaves none on level ground; expected --pitch");
+    require_option(has_curves != !options.part.path.empty(),
+                   "expected PART or --polyline, one of them");
+    require_option(has_curves || options.cutter, "--cutter is needed, such as ball:20");
+    require_option(!has_curves || !options.refine,
+                   "--refine and --polyline: curves have no surface to be refined on");
+    require_option(!(options.pitch && options.scallop),
+                   "--pitch and --scallop: expected one of them");
+    require_option(
+        !options.scallop || !options.cutter || !options.cutter->is_flat(),
+        "--scallop: a flat cutter leaves none on level ground; expected --pitch");
     if (options.detection && method != all_methods)
         for (const TrimmingMethod& known : trimming_methods())
-            require(known.name != method || known.has_detection,
-                    "--detection does not go with --method " + method);
+            require_option(known.name != method || known.has_detection,
+                           "--detection does not go with --method " + method);
 }
 
 std::string method_name(const TrimOptions& options)

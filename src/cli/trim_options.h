@@ -47,6 +47,9 @@ void add_trim_options(CLI::App& command, TrimOptions& options);
 /// \throws DomainError naming the options.
 void check_trim_options(const TrimOptions& options);
 
+/// Throws DomainError with `what` unless `holds`.
+void require_option(bool holds, const std::string& what);
+
 /// The name of the method that is asked for, or "all".
 std::string method_name(const TrimOptions& options);
 

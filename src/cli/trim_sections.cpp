@@ -31,9 +31,10 @@ double milliseconds_since(Clock::time_point start)
 double pitch_for(double scallop, const Cutter& cutter)
 {
     const double r = cutter.corner_radius();
-    require(scallop < 2 * r, "--scallop " + to_text(scallop) +
-                                 ": expected a height below twice the corner radius, " +
-                                 to_text(2 * r) + " mm");
+    require_option(scallop < 2 * r,
+                   "--scallop " + to_text(scallop) +
+                       ": expected a height below twice the corner radius, " +
+                       to_text(2 * r) + " mm");
     const double half = std::sqrt((2 * r - scallop) * scallop);
     return 2 * (cutter.flat_radius() + half);
 }
@@ -85,7 +86,7 @@ void add_surface_sections(const std::vector<Surface>& surfaces,
 void add_mesh_sections(const TriangleMesh& mesh, const TrimOptions& options,
                        TrimInput& input)
 {
-    require(!mesh.triangles().empty(), "the mesh has no triangles");
+    require_option(!mesh.triangles().empty(), "the mesh has no triangles");
     const FeedFrame frame{Angle::degrees(options.direction_deg)};
     Interval across{std::numeric_limits<double>::infinity(),
                     -std::numeric_limits<double>::infinity()};

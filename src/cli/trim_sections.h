@@ -21,8 +21,9 @@ struct TrimInput {
     std::string file;  ///< as given
     std::string name;
     std::string source;
-    std::optional<Part> part;                     ///< none for curves
-    std::optional<OffsetMesh> offset;             ///< of surfaces
+    std::unique_ptr<const Part> part;  ///< none for curves; the drop cutter refers to it
+    std::optional<OffsetMesh> offset;  ///< of surfaces
+    std::optional<DropCutter> drop_cutter;        ///< on a mesh
     std::optional<DrivePlanes> planes;            ///< none for curves
     std::vector<PlaneSection> sections;           ///< one a plane
     std::vector<std::optional<Interval>> ranges;  ///< of the path; empty: any s
