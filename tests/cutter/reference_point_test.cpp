@@ -32,7 +32,7 @@ double gap_to_plane(const Cutter& cutter, const Vec3& normal, const Vec3& tip)
 {
     const Vec3 level = Vec3{normal.x(), normal.y(), 0}.normalized();
     double least = std::numeric_limits<double>::infinity();
-    constexpr int samples = 20000;
+    constexpr int samples = 4000;
     for (int k = -samples; k <= samples; ++k) {
         // Denser towards the rim, where the profile is steep.
         const double share = std::sin(std::numbers::pi / 2 * k / samples);

@@ -76,21 +76,27 @@ inline int runs_of_s(const SectionCurve& curve)
 /// Where segments of a curve that are no neighbours cross, from every pair.
 inline std::vector<SectionPoint> crossings(const SectionCurve& curve)
 {
-    std::vector<SectionPoint> found;
-    const auto& points = curve.points;
-    const auto cross = [](const SectionPoint& a, const SectionPoint& b) {
-        return a.x() * b.y() - a.y() * b.x();
+    struct Segment {
+        double x, y, dx, dy;
     };
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        for (std::size_t k = i + 2; k + 1 < points.size(); ++k) {
-            const SectionPoint one = points[i + 1] - points[i];
-            const SectionPoint two = points[k + 1] - points[k];
-            const SectionPoint apart = points[k] - points[i];
-            const double area = cross(one, two);
-            const double at = cross(apart, two) / area;
-            const double on = cross(apart, one) / area;
+    std::vector<Segment> segments;
+    for (std::size_t k = 1; k < curve.points.size(); ++k) {
+        const double x = curve.points[k - 1].x();
+        const double y = curve.points[k - 1].y();
+        segments.push_back({x, y, curve.points[k].x() - x, curve.points[k].y() - y});
+    }
+    std::vector<SectionPoint> found;
+    for (std::size_t i = 0; i < segments.size(); ++i)
+        for (std::size_t k = i + 2; k < segments.size(); ++k) {
+            const Segment& one = segments[i];
+            const Segment& two = segments[k];
+            const double area = one.dx * two.dy - two.dx * one.dy;
+            const double off_x = two.x - one.x;
+            const double off_y = two.y - one.y;
+            const double at = (off_x * two.dy - two.dx * off_y) / area;
+            const double on = (off_x * one.dy - one.dx * off_y) / area;
             if (area != 0 && 0 < at && at < 1 && 0 < on && on < 1)
-                found.emplace_back(points[i] + at * one);
+                found.emplace_back(one.x + at * one.dx, one.y + at * one.dy);
         }
     return found;
 }

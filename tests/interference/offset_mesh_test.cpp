@@ -203,9 +203,9 @@ TEST(OffsetMesh, StripsOfTheValleyKeepTheirContact)
 {
     const std::vector part{test::narrowing_valley()};
     for (const Cutter& cutter : {Cutter::ball(10), Cutter{10, 3}, Cutter::flat(10)}) {
-        const OffsetMesh offset = offset_mesh(part, cutter, {.grid_lines = 30});
+        const OffsetMesh offset = offset_mesh(part, cutter, {.grid_lines = 10});
         EXPECT_EQ(test::rims(offset), 1);
-        for (std::size_t k = 900; k < offset.contacts.size(); ++k) {
+        for (std::size_t k = 100; k < offset.contacts.size(); ++k) {
             const OffsetContact& contact = offset.contacts[k];
             const Vec3 edge = part[0].tangents(contact.at.u, contact.at.v).point;
             const auto vertex = static_cast<std::int32_t>(k);
@@ -276,7 +276,8 @@ TEST(OffsetMesh, ClosesTheTopOfAPyramid)
     for (const double slope : {0.4, -0.4}) {
         const auto part = test::pyramid(10, slope);
         for (const Cutter& cutter : {Cutter::ball(2), Cutter{2, 0.5}, Cutter::flat(2)}) {
-            const OffsetMesh offset = offset_mesh(part, cutter, {.grid_lines = 4});
+            const OffsetMesh offset =
+                offset_mesh(part, cutter, {.grid_lines = 4, .arc_tolerance = 1e-2});
             EXPECT_EQ(test::rims(offset), 1);
         }
         const OffsetMesh offset = offset_mesh(part, Cutter::ball(2), {.grid_lines = 4});

@@ -43,7 +43,7 @@ inline Vec3 control_offset(const Cutter& cutter, const Vec3& normal,
                            const Vec3& axis = Vec3::UnitZ())
 {
     const double r = cutter.corner_radius();
-    const Vec3 round =
+    Vec3 round =
         which == ControlPoint::Tip ? Vec3{r * (normal - axis)} : Vec3{r * normal};
     if (cutter.is_ball())
         return round;
@@ -51,7 +51,8 @@ inline Vec3 control_offset(const Cutter& cutter, const Vec3& normal,
     const double length2 = across.squaredNorm();
     if (length2 <= level_normal * level_normal)
         return round;
-    return round + (cutter.flat_radius() / std::sqrt(length2)) * across;
+    round += (cutter.flat_radius() / std::sqrt(length2)) * across;
+    return round;
 }
 
 /// The control point of `cutter`, held along `axis`, where it touches `contact`: see

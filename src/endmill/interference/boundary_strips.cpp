@@ -186,7 +186,8 @@ void add_border_corner(const ContactChain& from, const ContactChain& to,
     ContactChain right = from;
     for (std::size_t k = 1; k < steps; ++k) {
         const Index base = ring[(k * last + steps / 2) / steps];
-        const Vec3 outwards = level.at(k / double(steps));
+        const Vec3 outwards =
+            level.at(static_cast<double>(k) / static_cast<double>(steps));
         ContactChain left =
             draft.add_chain(base, arc_between(draft.contacts[base].normal, outwards),
                             ContactKind::Border);

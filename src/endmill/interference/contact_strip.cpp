@@ -30,28 +30,44 @@ double angle_between(const Vec3& one, const Vec3& other)
     return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-// Adds shares in (low, high] until the bottom circle turns little enough between them.
-void add_shares(const NormalArc& arc, const Cutter& cutter, double tolerance, double low,
-                double high, std::vector<double>& shares)
+// Whether the reference points over a stretch of an arc keep to their chord, and the bottom
+// circle turns little enough for the places between to do so.
+bool keeps_to_chord(const NormalArc& arc, const Interval& stretch, const Cutter& cutter,
+                    double tolerance)
 {
-    const Vec3 start = arc.at(low);
-    const Vec3 end = arc.at(high);
+    const Vec3 start = arc.at(stretch.low);
+    const Vec3 end = arc.at(stretch.high);
     const double turn = angle_between({start.x(), start.y(), 0}, {end.x(), end.y(), 0});
-    const double middle = std::midpoint(low, high);
+    if (turn > chord_angle(cutter.flat_radius(), tolerance / 2))
+        return false;
     const Vec3 from = control_offset(cutter, start);
     const Vec3 chord = control_offset(cutter, end) - from;
-    const Vec3 to_middle = control_offset(cutter, arc.at(middle)) - from;
+    const Vec3 to_middle =
+        control_offset(cutter, arc.at(std::midpoint(stretch.low, stretch.high))) - from;
     const double length2 = chord.squaredNorm();
     const double share = length2 > 0 ? to_middle.dot(chord) / length2 : 0;
-    const double deviation = (to_middle - std::clamp(share, 0.0, 1.0) * chord).norm();
-    const bool is_fine = turn <= chord_angle(cutter.flat_radius(), tolerance / 2) &&
-                         deviation <= tolerance;
-    if (!is_fine && high - low > least_share) {
-        add_shares(arc, cutter, tolerance, low, middle, shares);
-        add_shares(arc, cutter, tolerance, middle, high, shares);
-    } else {
-        shares.push_back(high);
+    return (to_middle - std::clamp(share, 0.0, 1.0) * chord).norm() <= tolerance;
+}
+
+// Halves a stretch of an arc until its pieces keep to their chords. \return their ends.
+std::vector<double> ends_of_pieces(const NormalArc& arc, const Interval& whole,
+                                   const Cutter& cutter, double tolerance)
+{
+    std::vector<double> ends;
+    std::vector<Interval> pieces{whole};
+    while (!pieces.empty()) {
+        const Interval piece = pieces.back();
+        pieces.pop_back();
+        if (piece.length() <= least_share ||
+            keeps_to_chord(arc, piece, cutter, tolerance)) {
+            ends.push_back(piece.high);
+            continue;
+        }
+        const double middle = std::midpoint(piece.low, piece.high);
+        pieces.push_back({middle, piece.high});
+        pieces.push_back({piece.low, middle});
     }
+    return ends;
 }
 
 }  // namespace
@@ -84,10 +100,13 @@ std::vector<double> arc_shares(const NormalArc& arc, const Cutter& cutter,
     std::vector<double> shares{0};
     for (int k = 0; k < steps; ++k) {
         const double high = (k + 1) / double(steps);
-        if (cutter.is_ball())
+        if (cutter.is_ball()) {
             shares.push_back(high);
-        else
-            add_shares(arc, cutter, tolerance, k / double(steps), high, shares);
+            continue;
+        }
+        const auto ends =
+            ends_of_pieces(arc, {k / double(steps), high}, cutter, tolerance);
+        shares.insert(shares.end(), ends.begin(), ends.end());
     }
     return shares;
 }

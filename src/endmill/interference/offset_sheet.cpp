@@ -119,22 +119,24 @@ Break break_at(const Surface& surface, Parameter along, int number)
 std::vector<std::vector<SheetLine>> sheet_lines(const Surface& surface, Parameter along,
                                                 int grid_lines)
 {
-    const auto [low, high] = surface.range(along);
-    const double same_line = same_line_share * (high - low) / (grid_lines - 1);
+    const Interval range = surface.range(along);
+    const auto line_at = [&](int number) {
+        return std::lerp(range.low, range.high, number / double(grid_lines - 1));
+    };
+    const double same_line = same_line_share * range.length() / (grid_lines - 1);
     const auto breaks = surface.breaks(along);
     std::vector<std::vector<SheetLine>> sheets(1);
     int line = 0;
     const auto add_lines_below = [&](double end) {
         for (; line < grid_lines; ++line) {
-            const double at = std::lerp(low, high, line / double(grid_lines - 1));
+            const double at = line_at(line);
             if (at >= end - same_line)
                 break;
             sheets.back().push_back({at, surface.patch_number(along, at)});
         }
     };
     const auto skip_lines_at = [&](double at) {
-        while (line < grid_lines &&
-               std::lerp(low, high, line / double(grid_lines - 1)) <= at + same_line)
+        while (line < grid_lines && line_at(line) <= at + same_line)
             ++line;
     };
     for (int number = 1; number < surface.patches(along); ++number) {
@@ -149,8 +151,8 @@ std::vector<std::vector<SheetLine>> sheet_lines(const Surface& surface, Paramete
         }
         sheets.back().push_back({breaks[number], number});
     }
-    add_lines_below(high);
-    sheets.back().push_back({high, surface.patches(along) - 1});
+    add_lines_below(range.high);
+    sheets.back().push_back({range.high, surface.patches(along) - 1});
     return sheets;
 }
 

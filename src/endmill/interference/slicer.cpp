@@ -52,8 +52,8 @@ struct TracedCurve {
         if (points.size() < 2)
             return;
         const auto least = std::ranges::min_element(points, is_before) - points.begin();
-        std::ranges::rotate(points, points.begin() + least);
-        std::ranges::rotate(edges, edges.begin() + least);
+        std::rotate(points.begin(), points.begin() + least, points.end());
+        std::rotate(edges.begin(), edges.begin() + least, edges.end());
         points.push_back(SectionPoint{points.front()});
         edges.push_back(CrossedEdge{edges.front()});
     }
