@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <utility>
@@ -293,6 +294,21 @@ TEST(EnvelopeByCgal, IsTheSameOneRoundingOffAGrid)
         const double step = static_cast<double>(random.engine()() % 3) - 1;
         return 1 + random.engine()() % 4 + 0x1p-50 * step;
     });
+}
+
+// Every segment passes over a large part of the envelope of those before.
+TEST(EnvelopeByCgal, IsTheSameOfLongTeeth)
+{
+    test::Random random{6};
+    for (int k = 0; k < 10; ++k) {
+        SectionCurve curve;
+        for (int tooth = 0; tooth < 300; ++tooth) {
+            const std::uint32_t side = random.engine()() % 2;
+            curve.points.emplace_back(400.0 * side - 50, -30.0);
+            curve.points.emplace_back(random.engine()() % 300, random.engine()() % 4);
+        }
+        expect_as_cgal({curve});
+    }
 }
 
 TEST(EnvelopeByCgal, IsTheSameAnywhere)
