@@ -120,10 +120,7 @@ Cutter cutter_argument(const std::string& option, const std::string& text)
 {
     const std::optional<Cutter> cutter = cutter_from_word(text);
     if (!cutter)
-        refuse(
-            option, text,
-            "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm, such as "
-            "ball:10");
+        refuse(option, text, expected_cutter(text));
     return *cutter;
 }
 

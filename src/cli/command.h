@@ -32,13 +32,13 @@ struct CommonOptions {
 void add_common_options(CLI::App& command, CommonOptions& options);
 
 /// The commands. Each adds itself to `program` and sets `action` when it is chosen.
-void add_info_command(CLI::App& program, Action& action);
-void add_sample_command(CLI::App& program, Action& action);
-void add_plan_command(CLI::App& program, Action& action);
-void add_trim_command(CLI::App& program, Action& action);
-void add_verify_command(CLI::App& program, Action& action);
-void add_post_command(CLI::App& program, Action& action);
-void add_eval_command(CLI::App& program, Action& action);
-void add_cite_command(CLI::App& program, Action& action);
+void add_info_command(CLI::App& program, Action& action);    ///< facts of a part
+void add_sample_command(CLI::App& program, Action& action);  ///< a surface as a mesh
+void add_plan_command(CLI::App& program, Action& action);    ///< a path for a part
+void add_trim_command(CLI::App& program, Action& action);  ///< trim
+void add_verify_command(CLI::App& program, Action& action);  ///< what a path leaves
+void add_post_command(CLI::App& program, Action& action);    ///< a path for a machine
+void add_eval_command(CLI::App& program, Action& action);    ///< a formula by its name
+void add_cite_command(CLI::App& program, Action& action);    ///< the sources
 
 }  // namespace endmill

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/command.h"
+#include "endmill/core/error.h"
 
 namespace endmill {
 
@@ -17,6 +18,17 @@ void warn(const CommonOptions& options, const std::string& text);
 /// Prints the result as asked: `summary` with --json, else `text`, nothing with --quiet.
 void print_result(const CommonOptions& options, const Json& summary,
                   const std::string& text);
+
+/// What `act` returns. A GeometryError that it throws is made to name `file`.
+template <typename Act>
+auto naming(const std::string& file, Act act)
+{
+    try {
+        return act();
+    } catch (const GeometryError& error) {
+        throw GeometryError{file + ": " + error.what()};
+    }
+}
 
 /// Writes the one line "endmill: error: …" (or a JSON object) for the exception in flight
 /// to standard error.

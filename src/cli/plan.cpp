@@ -116,11 +116,7 @@ void add_plan_command(CLI::App& program, Action& action)
         "\\\n      --chord-tolerance 0.5 --scallop 0.5 --direction both -o results");
     command->callback([options, &action] {
         action = [options] {
-            try {
-                return run_plan(*options);
-            } catch (const GeometryError& error) {
-                throw GeometryError{options->part + ": " + error.what()};
-            }
+            return naming(options->part, [&] { return run_plan(*options); });
         };
     });
 }

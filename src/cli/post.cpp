@@ -37,11 +37,10 @@ void tell(ToolPath& path, const PostOptions& options)
 }
 
 // What is known of the path: by the command line, the file, or the summary beside it.
-PathSummary known_of(const Program& program, const PostOptions& options)
+PathSummary known_of(const Program& program, PathSummary known,
+                     const PostOptions& options)
 {
-    PathSummary known =
-        read_path_summary(options.path, options.common.limits).value_or(PathSummary{});
-    for (const auto& cutter : {program.cutter, options.cutter})
+    for (const auto& cutter : {program.cutter, options.path.cutter})
         if (cutter)
             known.cutter = cutter;
     if (options.feed_mm_per_min)
@@ -68,7 +67,7 @@ WrittenProgram written(const ToolPath& path, const std::string& name,
 void warn_of(const PostedPath& posted, const PostOptions& options)
 {
     for (const std::string& remark : posted.read.remarks)
-        warn(options.common, options.path + ": " + remark);
+        warn(options.common, options.path.file + ": " + remark);
     const auto tolerance = posted.known.tolerance_mm();
     const double error = posted.written.max_rounding_error_mm;
     if (tolerance && error > negligible_share * *tolerance)
@@ -80,23 +79,30 @@ void warn_of(const PostedPath& posted, const PostOptions& options)
         warn(options.common,
              counted(posted.written.slanted_rapids, "rapid") +
                  " that change height and place at once: not all machines go straight");
+    if (options.format == PostFormat::Gcode && !posted.written.spindle_rpm.least)
+        warn(options.common,
+             "no spindle speed is known: M3 stands without S; --spindle-rpm tells one");
 }
 
 ExitCode run_post(const PostOptions& options)
 {
-    Program program = read_program(options.path, {options.common.limits});
+    const PathSummary beside = read_path_summary(options.path.file, options.common.limits)
+                                   .value_or(PathSummary{});
+    Program program = read_program_for(
+        options.path, options.path.cutter ? options.path.cutter : beside.cutter,
+        options.common);
     tell(program.path, options);
-    PathSummary known = known_of(program, options);
-    const std::string stem = std::filesystem::path{options.path}.stem().string();
+    PathSummary known = known_of(program, beside, options);
+    const std::string stem = std::filesystem::path{options.path.file}.stem().string();
     const std::string name = printable(known.name.value_or(stem));
     WrittenProgram text = written(program.path, name, known, options);
     const PostedPath posted{name, std::move(known), program, std::move(text),
                             stem + names_of(options.format).extension};
     warn_of(posted, options);
 
-    OutputFolder folder{output_folder(options.path, "post", options.common),
+    OutputFolder folder{output_folder(options.path.file, "post", options.common),
                         options.common.force};
-    folder.protect(options.path);
+    folder.protect(options.path.file);
     const Json summary = post_summary(posted, options);
     folder.write(posted.file, posted.written.text);
     folder.write("summary.json", summary.dump(2) + "\n");
@@ -119,7 +125,8 @@ void add_post_command(CLI::App& program, Action& action)
     add_post_options(*command, *options);
     command->footer(
         "Writes NAME.ngc or NAME.apt and summary.json to --output (default "
-        "./NAME-post).\n"
+        "./NAME-post;\n"
+        "NAME of results/u/toolpath.csv is results-u).\n"
         "Cutter, tolerance and feed are those of the summary.json beside TOOLPATH, "
         "unless\n"
         "the path or an option says otherwise. Coordinates are tips, in mm.\n\n"
@@ -127,11 +134,7 @@ void add_post_command(CLI::App& program, Action& action)
         "--spindle-rpm 6000");
     command->callback([options, &action] {
         action = [options] {
-            try {
-                return run_post(*options);
-            } catch (const GeometryError& error) {
-                throw GeometryError{options->path + ": " + error.what()};
-            }
+            return naming(options->path.file, [&] { return run_post(*options); });
         };
     });
 }

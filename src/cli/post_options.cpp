@@ -18,12 +18,13 @@ constexpr int greatest_tool = 99999;
 
 void add_program_options(CLI::App& command, PostOptions& options)
 {
-    add_number(
-        command,
-        {"--safe-height", "MM",
-         "G-code: where the tool moves freely; default 5 above the top of the path",
-         NumberDomain::any()},
-        options.safe_height);
+    add_number(command,
+               {"--safe-height", "MM",
+                "G-code: where the tool moves freely; default 5 above all moves at feed, "
+                "but not "
+                "below a rapid",
+                NumberDomain::any()},
+               options.safe_height);
     add_whole_number(
         command,
         {"--tool-number", "G-code: the tool to change to; default the path's own, or 1",
@@ -50,10 +51,7 @@ PostFormatNames names_of(PostFormat format)
 
 void add_post_options(CLI::App& command, PostOptions& options)
 {
-    command
-        .add_option("TOOLPATH", options.path,
-                    "tool path (CSV), G-code, APT CL data or the output of rs274 -g")
-        ->required();
+    add_path_options(command, options.path);
     add_choice<PostFormat>(command, "--format", options.format, formats,
                            "the language to write");
     add_number(command,
@@ -63,15 +61,7 @@ void add_post_options(CLI::App& command, PostOptions& options)
     add_number(command,
                {"--spindle-rpm", "RPM", "default the path's own, or its summary's"},
                options.spindle_rpm);
-    command
-        .add_option_function<std::string>(
-            "--cutter",
-            [&options](const std::string& word) {
-                options.cutter = cutter_argument("--cutter", word);
-            },
-            "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm; default "
-            "the summary's")
-        ->type_name("CUTTER");
+    add_reading_options(command, options.path);
     add_program_options(command, options);
     add_common_options(command, options.common);
 }

@@ -4,8 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/command.h"
-#include "endmill/cutter/cutter.h"
+#include "cli/path_options.h"
 
 namespace endmill {
 
@@ -17,14 +16,14 @@ struct PostFormatNames {
     std::string word;
     std::string extension;
 };
+/// Those of `format`.
 PostFormatNames names_of(PostFormat format);
 
 /// What `endmill post` is told. What stays empty is taken from the path or its summary.
 struct PostOptions {
     CommonOptions common;
-    std::string path;
+    PathOptions path;
     PostFormat format = PostFormat::Gcode;
-    std::optional<Cutter> cutter;
     std::optional<double> feed_mm_per_min;
     std::optional<double> spindle_rpm;
     std::optional<double> safe_height;  ///< mm

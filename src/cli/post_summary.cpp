@@ -75,15 +75,11 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
 
 std::string post_text(const Json& s)
 {
-    std::string text = fmt::format(
+    return fmt::format(
         "{}: {} points in {} lines, {:.1f} m of tape; {}, rounded by at most {:.2g} mm\n",
         s["name"].get<std::string>(), s["points"].get<std::size_t>(),
         s["lines"].get<std::size_t>(), s["tape_length_m"].get<double>(), feed_text(s),
         s["max_rounding_error_mm"].get<double>());
-    if (s["format"] == "gcode" && s["spindle_rpm"].is_null() &&
-        !s.contains("min_spindle_rpm"))
-        text += "no spindle speed is known: M3 stands without S\n";
-    return text;
 }
 
 }  // namespace endmill

@@ -12,10 +12,11 @@ namespace endmill {
 /// second, if standard error is a terminal, and not with --quiet.
 class ProgressLine {
 public:
+    /// \param work what is done, as the line names it; it begins now.
     ProgressLine(std::string work, const CommonOptions& options);
-    ~ProgressLine();  ///< wipes the line
-    ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
+    ~ProgressLine();                                        ///< wipes the line
+    ProgressLine(const ProgressLine&) = delete;             ///< one line, one owner
+    ProgressLine& operator=(const ProgressLine&) = delete;  ///< ditto
 
     /// \param share done so far, 0 to 1.
     void show(double share);

@@ -61,12 +61,37 @@ SurfaceFile read_surface_for(const std::string& path, const std::string& command
             std::move(file.notes)};
 }
 
+namespace {
+
+// The name of the folder in which `path` lies, as far as `path` itself tells it.
+std::string folder_name(const std::filesystem::path& path)
+{
+    const std::string name = path.parent_path().filename().string();
+    return name == ".." ? "" : name;
+}
+
+// Every plan calls its path toolpath.csv, in a folder u or v where it has both directions:
+// then the folders say which path it is.
+std::string telling_name(const std::filesystem::path& input)
+{
+    const std::string stem = input.stem().string();
+    const std::filesystem::path path = input.lexically_normal();
+    const std::string folder = folder_name(path);
+    if (stem != "toolpath" || folder.empty())
+        return stem;
+    const std::string above = folder_name(path.parent_path());
+    const bool is_direction = folder == "u" || folder == "v";
+    return is_direction && !above.empty() ? above + "-" + folder : folder;
+}
+
+}  // namespace
+
 std::string output_folder(const std::string& input, const std::string& command,
                           const CommonOptions& options)
 {
     if (!options.output.empty())
         return options.output;
-    return "./" + std::filesystem::path{input}.stem().string() + "-" + command;
+    return "./" + telling_name(input) + "-" + command;
 }
 
 Json vector_json(const Vec3& point)

@@ -37,7 +37,9 @@ PartFile read_part_for(const PartOptions& part, const CommonOptions& options);
 SurfaceFile read_surface_for(const std::string& path, const std::string& command,
                              const CommonOptions& options);
 
-/// The folder for the results: --output, or ./NAME-COMMAND after the input's name.
+/// The folder for the results: --output, or ./NAME-COMMAND after the input's name. That of
+/// a file called toolpath is its folder's, with the one above if that is u or v:
+/// results/u/toolpath.csv is verified into ./results-u-verify.
 std::string output_folder(const std::string& input, const std::string& command,
                           const CommonOptions& options);
 

@@ -18,16 +18,17 @@ ExitCode run_verify(const VerifyOptions& options)
 {
     const VerifyInput input = read_verify_input(options);
     for (const std::string& remark : input.program.remarks)
-        warn(options.common, options.path + ": " + remark);
-    OutputFolder folder{output_folder(options.path, "verify", options.common),
+        warn(options.common, options.path.file + ": " + remark);
+    OutputFolder folder{output_folder(options.path.file, "verify", options.common),
                         options.common.force};
-    for (const std::string& file : input.files)
+    for (const std::string& file : files_of(input, options))
         folder.protect(file);
 
     ProgressLine progress{"removing and measuring", options.common};
     VerificationTask task = verification_task(input, options);
     task.deviation.progress = [&](double share) { progress.show(share); };
-    const Verification verification = verify_path(task);
+    const Verification verification =
+        naming(options.path.file, [&] { return verify_path(task); });
     const Json summary = write_verification({input, options, task, verification}, folder);
     folder.publish();
     print_result(options.common, summary,
@@ -49,22 +50,17 @@ void add_verify_command(CLI::App& program, Action& action)
         "undecided.\n"
         "Writes summary.json, removal.csv and, with a part, deviation.vtp, "
         "deviation.svg\n"
-        "and histogram.csv to --output (default ./NAME-verify). Part, cutter and limits\n"
-        "are those of the summary.json beside TOOLPATH, unless an option says "
+        "and histogram.csv to --output (default ./NAME-verify; NAME of "
+        "results/u/toolpath.csv\n"
+        "is results-u). Part, cutter and limits are those of the summary.json beside "
+        "TOOLPATH, unless an option says "
         "otherwise.\n"
         "Points are numbered from 0 through the whole path, as in removal.csv.\n\n"
         "Example:\n  endmill plan datasets/surfaces/saddle.json --mode verified -o "
         "results\n"
         "  endmill verify results/u/toolpath.csv --resolution 0.5");
-    command->callback([options, &action] {
-        action = [options] {
-            try {
-                return run_verify(*options);
-            } catch (const GeometryError& error) {
-                throw GeometryError{options->path + ": " + error.what()};
-            }
-        };
-    });
+    command->callback(
+        [options, &action] { action = [options] { return run_verify(*options); }; });
 }
 
 }  // namespace endmill

@@ -6,6 +6,7 @@
 #include "endmill/io/deviation_csv.h"
 #include "endmill/io/deviation_svg.h"
 #include "endmill/io/deviation_vtp.h"
+#include "endmill/io/printable.h"
 #include "endmill/io/removal_csv.h"
 #include "endmill/io/stl.h"
 #include "endmill/io/vti.h"
@@ -25,11 +26,12 @@ void replace_earlier_run(OutputFolder& folder)
 
 std::string stock_text(const VerifyResult& result)
 {
-    const Block& block = result.input.block;
+    const Block& block = result.input.stock.block;
     const std::string box =
         fmt::format("{:g},{:g},{:g},{:g},{:g},{:g}", block.low.x(), block.low.y(),
                     block.low.z(), block.high.x(), block.high.y(), block.high.z());
-    return result.input.stock ? result.options.stock + " within " + box : "block " + box;
+    return result.input.stock.heights ? result.options.stock + " within " + box
+                                      : "block " + box;
 }
 
 // What the figure does not know of itself.
@@ -64,17 +66,17 @@ void write_deviation(const VerifyResult& result, const PartCharts& charts,
 }
 
 // The stock has to be cut once more: each move is looked at before it is made.
-std::string engagement_text(const VerifyResult& result)
+void write_engagement(const VerifyResult& result, const OutputFolder::Sink& sink)
 {
     HeightStock stock = result.task.stock
                             ? *result.task.stock
                             : block_stock(result.task.block, result.task.resolution);
-    EngagementCsv csv;
+    EngagementCsv csv{sink};
     for_each_engagement(stock, *result.task.path, result.task.cutter,
                         [&](std::size_t number, const Engagement& engagement) {
                             csv.add(number, engagement);
                         });
-    return csv.text();
+    csv.finish();
 }
 
 }  // namespace
@@ -90,14 +92,17 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
     }
     folder.write("removal.csv", removal_csv(verification.removal, input.program.path));
     if (options.engagement)
-        folder.write("engagement.csv", engagement_text(result));
+        folder.write_pieces("engagement.csv", [&](const OutputFolder::Sink& sink) {
+            write_engagement(result, sink);
+        });
     if (options.write_stock)
         folder.write("stock.vti", stock_vti(verification.rest));
     if (options.write_mesh)
         folder.write("rest.stl", stl_text(stock_mesh(verification.rest)));
-    Json summary = verify_summary({input.name, input.part_file, stock_text(result),
-                                   task.cutter, input.limits, input.program},
-                                  options, verification, charts ? &*charts : nullptr);
+    Json summary =
+        verify_summary({input.name, printable(input.part_path), stock_text(result),
+                        task.cutter, input.limits, input.program},
+                       options, verification, charts ? &*charts : nullptr);
     folder.write("summary.json", summary.dump(2) + "\n");
     return summary;
 }

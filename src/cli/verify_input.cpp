@@ -7,16 +7,10 @@
 #include "cli/console.h"
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
-#include "endmill/io/file_format.h"
-#include "endmill/io/mesh_file.h"
-#include "endmill/io/path_file.h"
 #include "endmill/io/path_summary.h"
 #include "endmill/io/printable.h"
 #include "endmill/io/read_file.h"
 #include "endmill/io/tool_file.h"
-#include "endmill/io/vti.h"
-#include "endmill/simulation/mesh_stock.h"
-#include "endmill/simulation/stock_memory.h"
 #include "endmill/simulation/upright.h"
 
 namespace endmill {
@@ -32,29 +26,13 @@ std::optional<Tool> told_tool(const VerifyOptions& options)
     std::optional<Tool> tool;
     if (!options.tool.empty())
         tool = read_tool(options.tool, options.common.limits);
-    if (options.cutter && tool && tool->cutter != *options.cutter)
-        throw DomainError{"--cutter " + cutter_word(*options.cutter) +
+    if (options.path.cutter && tool && tool->cutter != *options.path.cutter)
+        throw DomainError{"--cutter " + cutter_word(*options.path.cutter) +
                           ": the tool file says " + cutter_word(tool->cutter) +
                           "; expected the same, or one of the two options"};
-    if (options.cutter && !tool)
-        tool = Tool{.cutter = *options.cutter};
+    if (options.path.cutter && !tool)
+        tool = Tool{.cutter = *options.path.cutter};
     return tool;
-}
-
-Program read_path(const VerifyOptions& options, const std::optional<Tool>& tool)
-{
-    PathReadOptions reading;
-    reading.limits = options.common.limits;
-    reading.gcode.arc_tolerance_mm = options.arc_tolerance;
-    reading.gcode.block_delete = options.block_delete;
-    if (options.centre_is_programmed) {
-        if (!tool)
-            throw DomainError{
-                "--programmed-point centre: expected --cutter or --tool, to "
-                "know where the tip is"};
-        reading.gcode.programmed_point_height_mm = tool->cutter.corner_radius();
-    }
-    return read_program(options.path, reading);
 }
 
 Tool tool_of(std::optional<Tool> told, const Program& program, const PathSummary& known,
@@ -91,15 +69,15 @@ void add_part(VerifyInput& input, const VerifyOptions& options, const PathSummar
         if (std::filesystem::exists(*known.part, ignored))
             part.path = known.part->lexically_normal().string();
         else
-            warn(options.common, options.path + ": the part that its summary names, " +
+            warn(options.common, options.path.file +
+                                     ": the part that its summary names, " +
                                      shown_path(*known.part) +
                                      ", is not there; --part FILE names another");
     }
     if (part.path.empty())
         return;
     input.part = read_part_for(part, options.common);
-    input.part_file = printable(part.path);
-    input.files.push_back(part.path);
+    input.part_path = std::move(part.path);
 }
 
 // Removal knows upright cutters: a path with another fixed axis is turned, and its part
@@ -119,107 +97,40 @@ void stand_upright(VerifyInput& input)
         ", is +z; so is all that is written");
 }
 
-std::optional<Block> block_of_numbers(const std::string& text)
-{
-    std::vector<double> numbers;
-    std::size_t begin = 0;
-    while (begin <= text.size()) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const auto number = number_from_text(text.substr(begin, end - begin));
-        if (!number)
-            return std::nullopt;
-        numbers.push_back(*number);
-        begin = end + 1;
-    }
-    if (numbers.size() != 6)
-        return std::nullopt;
-    const Block block{{numbers[0], numbers[1], numbers[2]},
-                      {numbers[3], numbers[4], numbers[5]}};
-    if (!(block.low.array() < block.high.array()).all())
-        throw DomainError{"--stock " + text +
-                          ": expected X0,Y0,Z0,X1,Y1,Z1 in mm with X0 < X1, Y0 < Y1 and "
-                          "Z0 < Z1"};
-    return block;
-}
-
-Block box_of(const StockGrid& grid, double top)
-{
-    return {{grid.low_x, grid.low_y, grid.bottom_z},
-            {grid.low_x + grid.columns * grid.pitch, grid.low_y + grid.rows * grid.pitch,
-             top}};
-}
-
-Block box_of(const TriangleMesh& mesh)
-{
-    Block box{mesh.points().front(), mesh.points().front()};
-    for (const Vec3& point : mesh.points()) {
-        box.low = box.low.cwiseMin(point);
-        box.high = box.high.cwiseMax(point);
-    }
-    return box;
-}
-
-void add_stock(VerifyInput& input, const VerifyOptions& options)
-{
-    if (options.stock == "block") {
-        input.block = default_block(input.part ? &input.part->part : nullptr,
-                                    input.program.path, input.tool.cutter);
-        return;
-    }
-    if (const auto block = block_of_numbers(options.stock)) {
-        input.block = *block;
-        return;
-    }
-    input.files.push_back(options.stock);
-    const std::filesystem::path path{options.stock};
-    std::error_code ignored;
-    if (path.empty() ||
-        (options.stock.find(',') != std::string::npos && !exists(path, ignored)))
-        throw DomainError{"--stock " + printable(options.stock) +
-                          ": expected block, X0,Y0,Z0,X1,Y1,Z1 in mm, or a file"};
-    if (path.extension() == ".vti") {
-        input.stock = read_stock(path, options.common.limits);
-    } else {
-        const MeshFile mesh =
-            read_mesh(path, {options.common.limits, options.part.units, options.part.up});
-        require_stock_memory(box_of(mesh.mesh), options.resolution,
-                             options.common.limits.max_memory_gib);
-        input.stock = mesh_stock(mesh.mesh, options.resolution);
-    }
-    const auto heights = height_range(*input.stock);
-    input.block = box_of(input.stock->grid(),
-                         heights ? heights->high : input.stock->grid().bottom_z);
-}
-
 }  // namespace
 
 VerifyInput read_verify_input(const VerifyOptions& options)
 {
+    const std::string& file = options.path.file;
     std::optional<Tool> told = told_tool(options);
-    Program program = read_path(options, told);
     const PathSummary known =
-        read_path_summary(options.path, options.common.limits).value_or(PathSummary{});
-    Tool tool = tool_of(std::move(told), program, known, options.path);
-    const std::string stem = std::filesystem::path{options.path}.stem().string();
-    VerifyInput input{printable(known.name.value_or(stem)),
-                      std::move(program),
-                      std::move(tool),
-                      limits_of(options, known),
-                      {},
-                      {},
-                      {},
-                      {},
-                      {options.path}};
-    if (!options.tool.empty())
-        input.files.push_back(options.tool);
+        read_path_summary(file, options.common.limits).value_or(PathSummary{});
+    Program program = read_program_for(options.path, told ? told->cutter : known.cutter,
+                                       options.common);
+    Tool tool = tool_of(std::move(told), program, known, file);
+    const std::string stem = std::filesystem::path{file}.stem().string();
+    VerifyInput input{.name = printable(known.name.value_or(stem)),
+                      .program = std::move(program),
+                      .tool = std::move(tool),
+                      .limits = limits_of(options, known)};
     if (input.program.path.points.size() < 2)
-        throw GeometryError{
-            "no move is left of the path to be judged; expected two points "
-            "at least"};
+        throw GeometryError{file +
+                            ": no move is left of the path to be judged; expected two "
+                            "points at least"};
     add_part(input, options, known);
-    stand_upright(input);
-    add_stock(input, options);
+    naming(file, [&] { stand_upright(input); });
+    input.stock = read_verify_stock(options, input.part ? &input.part->part : nullptr,
+                                    input.program.path, input.tool.cutter);
     return input;
+}
+
+std::vector<std::string> files_of(const VerifyInput& input, const VerifyOptions& options)
+{
+    std::vector<std::string> files{options.path.file};
+    for (const std::string& file : {options.tool, input.part_path, input.stock.file})
+        if (!file.empty())
+            files.push_back(file);
+    return files;
 }
 
 VerificationTask verification_task(const VerifyInput& input, const VerifyOptions& options)
@@ -228,8 +139,8 @@ VerificationTask verification_task(const VerifyInput& input, const VerifyOptions
                           .cutter = input.tool.cutter,
                           .body = tool_body(input.tool),
                           .part = input.part ? &input.part->part : nullptr,
-                          .block = input.block,
-                          .stock = input.stock ? &*input.stock : nullptr};
+                          .block = input.stock.block,
+                          .stock = input.stock.heights ? &*input.stock.heights : nullptr};
     task.resolution = options.resolution;
     task.max_memory_gib = options.common.limits.max_memory_gib;
     task.deviation.limits = input.limits;

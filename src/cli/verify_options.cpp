@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/verify_options.h"
 
-#include <array>
-
 #include "cli/arguments.h"
 
 namespace endmill {
 namespace {
-
-constexpr std::array points{Choice<bool>{"tip", false}, Choice<bool>{"centre", true}};
 
 // Finer cells than these would be below the rounding of any file.
 constexpr int most_refine = 20;
@@ -33,39 +29,17 @@ void add_measure_options(CLI::App& command, VerifyOptions& options)
                      [&options](int halvings) { options.max_refine = halvings; });
 }
 
-void add_program_options(CLI::App& command, VerifyOptions& options)
-{
-    add_choice<bool>(command, "--programmed-point", options.centre_is_programmed, points,
-                     "what the coordinates of a program say");
-    add_number(command, {"--arc-tolerance", "MM", "from an arc to its chords"},
-               options.arc_tolerance);
-    command.add_flag("--block-delete", options.block_delete,
-                     "leave out blocks that begin with /");
-}
-
 }  // namespace
 
 void add_verify_options(CLI::App& command, VerifyOptions& options)
 {
-    command
-        .add_option("TOOLPATH", options.path,
-                    "tool path (CSV), G-code, APT CL data or the output of rs274 -g")
-        ->required();
+    add_path_options(command, options.path);
     command
         .add_option("--part", options.part.path,
                     "surface or mesh to judge by; default the one that the path was "
                     "planned for")
         ->type_name("FILE");
     add_mesh_options(command, options.part);
-    command
-        .add_option_function<std::string>(
-            "--cutter",
-            [&options](const std::string& word) {
-                options.cutter = cutter_argument("--cutter", word);
-            },
-            "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm; default "
-            "the path's")
-        ->type_name("CUTTER");
     command
         .add_option("--tool", options.tool,
                     "tool file: its cutter, and a shank and holder that must stay clear")
@@ -76,7 +50,7 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
                     "or the stock.vti of an earlier run")
         ->type_name("STOCK");
     add_measure_options(command, options);
-    add_program_options(command, options);
+    add_reading_options(command, options.path);
     command.add_flag("--engagement", options.engagement,
                      "write which part of the cutter is in the material, move by move");
     command.add_flag("--write-stock", options.write_stock,

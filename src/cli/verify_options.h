@@ -4,26 +4,22 @@
 #include <optional>
 #include <string>
 
+#include "cli/path_options.h"
 #include "cli/surface_facts.h"
-#include "endmill/cutter/cutter.h"
 
 namespace endmill {
 
 /// What `endmill verify` is told. What stays empty is taken from the path's summary.
 struct VerifyOptions {
     CommonOptions common;
-    std::string path;
-    PartOptions part;  ///< its path empty: that of the summary, if any
-    std::optional<Cutter> cutter;
+    PathOptions path;
+    PartOptions part;                 ///< its path empty: that of the summary, if any
     std::string tool;                 ///< file; empty: the cutter alone
     std::string stock = "block";      ///< block, six numbers, or a file
     double resolution = 0.1;          ///< mm
     std::optional<double> tolerance;  ///< mm, gouge
     std::optional<double> scallop;    ///< mm, material left
     int max_refine = 8;
-    double arc_tolerance = 0.001;  ///< mm
-    bool centre_is_programmed = false;
-    bool block_delete = false;
     bool engagement = false;
     bool write_stock = false;
     bool write_mesh = false;

@@ -151,7 +151,7 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
     Json summary{
         {"name", context.name},
         {"endmill", program_version},
-        {"toolpath", printable(options.path)},
+        {"toolpath", printable(options.path.file)},
         {"part", context.part.empty() ? Json(nullptr) : Json(context.part)},
         {"stock", context.stock},
         {"cutter", cutter_word(context.cutter)},

@@ -88,7 +88,7 @@ class Post(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("every move is taken for a cut", done.stderr)
         self.assertIn("taken for +z", done.stderr)
-        self.assertIn("M3 stands without S", done.stdout)
+        self.assertIn("M3 stands without S; --spindle-rpm", done.stderr)
         self.assertIn("X10.0000", blocks(self.folder / "p-post/p.ngc"))
 
     def test_name_of_a_summary_cannot_leave_its_comment(self):
@@ -102,6 +102,40 @@ class Post(ProgramTest):
         self.file({"chord_tolerance_mm": 0.01}, "summary.json")
         done = endmill("post", path, "--feed", "100", "--decimals", "0", "-o", "out", cwd=self.folder)
         self.assertIn("rounded by up to 0.5 mm, of a tolerance of 0.01 mm", done.stderr)
+
+    def test_a_program_may_say_the_centre_skip_blocks_and_be_cut_finely(self):
+        program = "G21 F9\nG0 X0 Y0 Z5\n/G1 Y7\nG2 X10 I5\nM2\n"
+        path = self.file(program, "p.ngc")
+        told = self.summary("post", path, "--cutter", "ball:6", "--programmed-point", "centre", "--block-delete",
+                            "--arc-tolerance", "0.5", "-o", "out")
+        # acos(1 - 0.5 / 5) is 0.451: a half circle takes four chords; the tip is 3 below the centre.
+        self.assertEqual(told["points"], 5)
+        self.assertIn("G1 X1.4645 Y3.5355 F9", blocks(self.folder / "out/p.ngc"))
+        self.assertIn("G0 Z7.0000", blocks(self.folder / "out/p.ngc"))
+        self.assertGreater(self.summary("post", path, "-o", "plain")["points"], 60)
+        self.assert_refused(endmill("post", path, "--programmed-point", "centre", cwd=self.folder), 2,
+                            "--programmed-point centre: expected --cutter")
+        self.file({"cutter": "ball:6"}, "summary.json")
+        facts = self.summary("post", path, "--programmed-point", "centre", "-o", "known")
+        self.assertEqual(facts["safe_height_mm"], 7)
+
+    def test_results_are_named_after_the_path_or_its_plan(self):
+        for place, name in (("p.csv", "p"), ("a/p.csv", "p"), ("toolpath.csv", "toolpath"),
+                            ("./toolpath.csv", "toolpath"), ("plate/toolpath.csv", "plate"), ("u/toolpath.csv", "u"),
+                            ("plate/u/toolpath.csv", "plate-u"), ("plate/v/../v/toolpath.csv", "plate-v")):
+            (self.folder / place).parent.mkdir(parents=True, exist_ok=True)
+            self.file(TIPS, place)
+            done = endmill("post", place, "--feed", "9", "--force", cwd=self.folder)
+            self.assertIn(f"written to ./{name}-post\n", done.stdout)
+            self.assertTrue((self.folder / f"{name}-post/summary.json").is_file())
+
+    def test_read_and_written_again_it_starts_no_higher(self):
+        self.summary("post", self.planned("--order", "one-way"), "--feed", "500", "-o", "1")
+        first = blocks(self.folder / "1/toolpath.ngc")
+        for number in range(2, 4):
+            self.summary("post", self.folder / f"{number - 1}/toolpath.ngc", "--format", "apt", "-o", f"apt{number}")
+            self.summary("post", self.folder / f"apt{number}/toolpath.apt", "-o", number)
+            self.assertEqual(blocks(self.folder / f"{number}/toolpath.ngc"), first)
 
     def test_another_format_replaces_the_first(self):
         path = self.file(TIPS, "p.csv")
@@ -173,6 +207,11 @@ class BadInput(ProgramTest):
             self.refuse(TIPS, 2, options[0], options=("--feed", "1", *options))
         self.refuse(TIPS, 2, "safe height 2.9 mm lies below the path, which reaches 3 mm",
                     options=("--feed", "1", "--safe-height", "2.9"))
+
+    def test_cutters_out_of_range_are_told_the_range(self):
+        self.refuse(TIPS, 2, 'found "ball:0"; expected a diameter above 0 mm', options=("--cutter", "ball:0"))
+        self.refuse(TIPS, 2, 'found "bull:10:6"; expected a corner radius from 0 to 5 mm',
+                    options=("--cutter", "bull:10:6"))
 
     def test_turned_axis_is_beyond_three_axes(self):
         header = "axis_x,axis_y,axis_z," + TIPS.splitlines()[0]

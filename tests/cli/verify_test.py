@@ -227,6 +227,13 @@ class Volumes(VerifyTest):
                         tips=COLUMNS + "30,0,-2\n-30,0,-2\n")["removed_mm3"]
         self.assertAlmostEqual(rest, 19.5 * (deeper - SECTION), delta=2)
 
+    def test_an_open_mesh_is_no_stock_and_is_named(self):
+        self.file("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                  "endloop\nendfacet\nendsolid a\n", "open.stl")
+        path = self.file(COLUMNS + "0,0,0\n1,0,0\n", "p.csv")
+        done = endmill("verify", path, "--cutter", "ball:10", "--stock", "open.stl", cwd=self.folder)
+        self.assert_refused(done, 4, "error: open.stl: ", "a stock must be a closed mesh")
+
     def test_holder_in_the_material_is_a_collision(self):
         for deep, status in ((-1, 0), (-45, 1)):
             facts = self.cut("--tool", HOLDER, "--stock", "-20,-20,-60,20,20,0", "--resolution", "1",

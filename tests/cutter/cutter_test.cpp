@@ -63,5 +63,16 @@ TEST(CutterWord, IsRefusedIfItsNumbersAreOutOfRange)
         EXPECT_FALSE(cutter_from_word(word)) << word;
 }
 
+TEST(CutterWord, IsToldWhichOfItsNumbersIsOutOfRange)
+{
+    EXPECT_EQ(expected_cutter("ball:0"), "a diameter above 0 mm");
+    EXPECT_EQ(expected_cutter("bull:-10:1"), "a diameter above 0 mm");
+    EXPECT_EQ(expected_cutter("bull:10:6"),
+              "a corner radius from 0 to 5 mm, half the diameter");
+    EXPECT_EQ(expected_cutter("bull:10:-1"), expected_cutter("bull:10:6"));
+    for (const char* word : {"", "ball", "ball:nan", "bull:10", "bull:10:2:3", "drill:3"})
+        EXPECT_TRUE(expected_cutter(word).starts_with("ball:DIAMETER, ")) << word;
+}
+
 }  // namespace
 }  // namespace endmill

@@ -66,15 +66,25 @@ TEST_P(StraightSweepOf, IsTheLeastOverAllPositions)
     }
 }
 
+// A move, and a place above or near it.
+struct PlacedMove {
+    Vec3 from;
+    Vec3 to;
+    double x;
+    double y;
+};
+
+PlacedMove random_move(test::Random& random)
+{
+    const auto near = [&](double most) { return random.uniform(-most, most); };
+    return {{near(5), near(5), 0}, {near(5), near(5), near(5)}, near(9), near(9)};
+}
+
 TEST_P(StraightSweepOf, IsTheSameBackwards)
 {
     test::Random random{8};
     for (int i = 0; i < 300; ++i) {
-        const Vec3 from{random.uniform(-5, 5), random.uniform(-5, 5), 0};
-        const Vec3 to{random.uniform(-5, 5), random.uniform(-5, 5),
-                      random.uniform(-5, 5)};
-        const double x = random.uniform(-9, 9);
-        const double y = random.uniform(-9, 9);
+        const auto [from, to, x, y] = random_move(random);
         const double forwards = StraightSweep{GetParam(), from, to}.height(x, y);
         const double backwards = StraightSweep{GetParam(), to, from}.height(x, y);
         if (std::isinf(forwards)) {
@@ -89,11 +99,7 @@ TEST_P(StraightSweepOf, IsTheLeastOfItsPieces)
 {
     test::Random random{9};
     for (int i = 0; i < 300; ++i) {
-        const Vec3 from{random.uniform(-5, 5), random.uniform(-5, 5), 0};
-        const Vec3 to{random.uniform(-5, 5), random.uniform(-5, 5),
-                      random.uniform(-5, 5)};
-        const double x = random.uniform(-9, 9);
-        const double y = random.uniform(-9, 9);
+        const auto [from, to, x, y] = random_move(random);
         const double whole = StraightSweep{GetParam(), from, to}.height(x, y);
         double pieces = infinite;
         for (int k = 0; k < 7; ++k)

@@ -302,6 +302,44 @@ TEST(OutputFolder, AnErrorKeepsTheEarlierFileOfTheName)
     EXPECT_EQ(content_of(place.path() / "a.csv"), "sound");
 }
 
+TEST(OutputFolder, WritesAFileInPieces)
+{
+    const TemporaryFolder place;
+    OutputFolder output{place.path()};
+    output.write_pieces("a.csv", [](const OutputFolder::Sink& sink) {
+        sink("one,");
+        sink("");
+        sink("two");
+    });
+    output.publish();
+    EXPECT_EQ(content_of(place.path() / "a.csv"), "one,two");
+}
+
+TEST(OutputFolder, HasNoFileWhosePiecesFailHalfway)
+{
+    const TemporaryFolder place;
+    OutputFolder output{place.path()};
+    output.write("a.csv", "sound");
+    const auto failing = [](const OutputFolder::Sink& sink) {
+        sink("half");
+        throw GeometryError{"no more"};
+    };
+    EXPECT_THROW(output.write_pieces("a.csv", failing), GeometryError);
+    EXPECT_THROW(output.write_pieces("b.csv", failing), GeometryError);
+    {
+        const FileSizeLimit limit{10};
+        EXPECT_THROW(output.write_pieces("c.csv",
+                                         [](const OutputFolder::Sink& sink) {
+                                             sink("12345678");
+                                             sink("9ab");
+                                         }),
+                     OutputError);
+    }
+    output.publish();
+    EXPECT_EQ(names_in(place.path()), Names{"a.csv"});
+    EXPECT_EQ(content_of(place.path() / "a.csv"), "sound");
+}
+
 // In a process of its own, because nothing can be written after `abandon_all`.
 TEST(OutputFolderDeathTest, AbandonAllClearsWhatIsUnpublishedAndStopsTheRest)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/io/removal_csv.h"
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -98,21 +99,39 @@ TEST(RemovalCsv, RefusesWhatDoesNotBelongTogetherOrIsNotFinite)
 TEST(EngagementCsv, HasARowForEachIntervalInDegrees)
 {
     using std::numbers::pi;
-    EngagementCsv csv;
+    std::string text;
+    EngagementCsv csv{[&](std::string_view piece) { text += piece; }};
     csv.add(3, {});
     csv.add(7, {{{pi / 6, 2.5, 0.75, 0.1, {{-pi / 2, -pi / 36}, {pi / 36, pi / 2}}},
                  {pi / 2, 5, 6, 0.2, {{-pi / 3, pi}}}}});
     csv.add(8, {{{0, 0.5, 0, 0.1, {}}}});
-    EXPECT_EQ(csv.text(),
+    csv.finish();
+    EXPECT_EQ(text,
               "point,latitude_deg,radius_mm,above_tip_mm,from_deg,to_deg\n"
               "7,30,2.5,0.75,-90,-5\n"
               "7,30,2.5,0.75,5,90\n"
               "7,90,5,6,-60,180\n");
 }
 
+TEST(EngagementCsv, IsHandedOutInPiecesThatDoNotGrowWithThePath)
+{
+    std::size_t rows = 0;
+    std::size_t largest = 0;
+    EngagementCsv csv{[&](std::string_view piece) {
+        rows += static_cast<std::size_t>(std::ranges::count(piece, '\n'));
+        largest = std::max(largest, piece.size());
+    }};
+    const Engagement slot{{{0.1, 2.5, 0.75, 0.1, {{-1, -0.5}, {0.5, 1}}}}};
+    for (std::size_t move = 0; move < 100000; ++move)
+        csv.add(move, slot);
+    csv.finish();
+    EXPECT_EQ(rows, 1 + 2 * 100000U);
+    EXPECT_LT(largest, 2U << 20U);
+}
+
 TEST(EngagementCsv, RefusesANumberThatIsNotFinite)
 {
-    EngagementCsv csv;
+    EngagementCsv csv{[](std::string_view) {}};
     constexpr double infinite = std::numeric_limits<double>::infinity();
     EXPECT_THROW(csv.add(0, {{{0, infinite, 0, 0.1, {{0, 1}}}}}), DomainError);
     EXPECT_THROW(csv.add(0, {{{0, 1, 0, 0.1, {{0, infinite}}}}}), DomainError);

@@ -79,8 +79,11 @@ TEST(ParseBlock, SendsWhatIsToBeExpandedToTheInterpreter)
     EXPECT_EQ(refusal("#1=5"), "E_GCODE f:1: parameter \"#1=5\"" + expand);
     EXPECT_EQ(refusal("G1 X#1"), "E_GCODE f:1: parameter \"#1\"" + expand);
     EXPECT_EQ(refusal("X[1+2]"), "E_GCODE f:1: expression \"[1+2]\"" + expand);
-    EXPECT_EQ(refusal("O100 sub"), "E_GCODE f:1: O-word \"O100 sub\"" + expand);
-    EXPECT_EQ(refusal("o<a> call"), "E_GCODE f:1: O-word \"o<a> call\"" + expand);
+    for (const std::string word : {"O100 sub", "o<a> call", "O0001"})
+        EXPECT_EQ(refusal(word),
+                  "E_GCODE f:1: O-word \"" + word +
+                      "\"; expected moves alone: expand subroutines with rs274 -g and "
+                      "give its output, and leave out the number of the program");
 }
 
 TEST(ParseBlock, RefusesNumbersThatAreNoPlainDecimals)
@@ -109,7 +112,7 @@ TEST(ParseBlock, RefusesNumbersThatAreNoPlainDecimals)
 
 TEST(ParseBlock, RefusesWordsItDoesNotKnow)
 {
-    const std::string known = "; expected words of ABCDFGHIJKMNPQRSTXYZ";
+    const std::string known = "; expected words of ABCDFGHIJKLMNPQRSTXYZ";
     EXPECT_EQ(refusal("G0 U1"), "E_GCODE f:1: unknown word \"U1\"" + known);
     EXPECT_EQ(refusal("G1 X1 E5"), "E_GCODE f:1: unknown word \"E5\"" + known);
     EXPECT_EQ(refusal("\x1bX"),
@@ -117,9 +120,10 @@ TEST(ParseBlock, RefusesWordsItDoesNotKnow)
     EXPECT_EQ(refusal("TRAORI"),
               "E_GCODE f:1: tool-centre-point code \"TRAORI\"; expected a three-axis "
               "program");
-    EXPECT_EQ(refusal("TCPM F100"),
-              "E_GCODE f:1: tool-centre-point code \"TCPM\"; expected a three-axis "
-              "program");
+    for (const char* call : {"TCPM F100", "FUNCTION TCPM F TCP", "12 Function TCPM"})
+        EXPECT_EQ(refusal(call),
+                  "E_GCODE f:1: tool-centre-point code \"TCPM\"; expected a three-axis "
+                  "program");
 }
 
 TEST(ParseBlock, RefusesAWordTwice)

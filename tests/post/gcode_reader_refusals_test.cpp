@@ -33,6 +33,12 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"\nB5",
                 "E_GCODE f.ngc:4: rotary axis word B; expected a three-axis "
                 "program: five axes need --machine"},
+        Refused{"G10 L2 P1 X0",
+                "E_GCODE f.ngc:3: setting of offsets G10; expected coordinates in one "
+                "coordinate system of the part"},
+        Refused{"X1 L2",
+                "E_GCODE f.ngc:3: word L; expected L only beside an M code that takes "
+                "it"},
         Refused{"C0",
                 "E_GCODE f.ngc:3: rotary axis word C; expected a three-axis "
                 "program: five axes need --machine"},

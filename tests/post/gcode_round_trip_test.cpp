@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "endmill/post/apt_reader.h"
+#include "endmill/post/apt_writer.h"
 #include "endmill/post/gcode_reader.h"
 #include "endmill/post/gcode_writer.h"
 #include "random_path.h"
@@ -106,12 +108,25 @@ TEST_P(GcodeRoundTrip, IsReadBack)
 // Rounding what is rounded changes nothing: the second program is the first.
 TEST_P(GcodeRoundTrip, IsWrittenAgainAsTheSameMoves)
 {
-    const GcodeOptions options{.safe_height = 200, .decimals = GetParam()};
+    const GcodeOptions options{.decimals = GetParam()};
     const std::string once = gcode(test::random_path(13, 500), options).text;
     const Program read = parse_gcode(once, "f.ngc");
     const WrittenProgram again = gcode(read.path, options);
     EXPECT_EQ(again.max_rounding_error_mm, 0);
     EXPECT_EQ(again.text, once);
+}
+
+TEST_P(GcodeRoundTrip, StartsNoHigherEachTimeByWayOfApt)
+{
+    const GcodeOptions options{.tool = 3, .decimals = GetParam()};
+    const std::string once = gcode(test::random_path(14, 500), options).text;
+    std::string text = once;
+    for (int times = 0; times < 2; ++times) {
+        const ToolPath read = parse_gcode(text, "f.ngc").path;
+        const std::string statements = apt(read, {.decimals = GetParam()}).text;
+        text = gcode(parse_apt(statements, "f.apt", {}).path, options).text;
+        EXPECT_EQ(text, once);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Decimals, GcodeRoundTrip, testing::Values(1, 3, 4, 9));

@@ -38,6 +38,19 @@ const ToolPath& small_path()
     return path;
 }
 
+TEST(Gcode, IsSafeAboveMovesAtFeedAndNotBelowItsRapids)
+{
+    const auto height = [](double rapid, double cut) {
+        return gcode(path_of({{Move::Rapid, {0, 0, rapid}}, {Move::Cut, {9, 0, cut}}}),
+                     {.feed_mm_per_min = 1})
+            .safe_height_mm;
+    };
+    EXPECT_EQ(height(0, 0), default_clearance_mm);
+    EXPECT_EQ(height(3, 0), default_clearance_mm);
+    EXPECT_EQ(height(7, 0), 7);
+    EXPECT_EQ(height(-9, -2), -2 + default_clearance_mm);
+}
+
 // By hand, from the specification's sentence on start and end.
 TEST(Gcode, WritesASmallPathAsByHand)
 {

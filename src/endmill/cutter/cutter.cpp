@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/cutter/cutter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +9,35 @@
 #include "endmill/core/numbers.h"
 
 namespace endmill {
+namespace {
+
+// The numbers of a cutter's word, in mm, of which nothing is known but that they are some.
+struct CutterSizes {
+    double radius;
+    double corner_radius;
+};
+
+std::optional<CutterSizes> sizes_of(std::string_view word)
+{
+    const std::size_t first = std::min(word.find(':'), word.size());
+    const std::string_view name = word.substr(0, first);
+    const std::string_view numbers = word.substr(std::min(first + 1, word.size()));
+    if (name == "bull") {
+        const std::size_t second = std::min(numbers.find(':'), numbers.size());
+        const auto diameter = number_from_text(numbers.substr(0, second));
+        const auto corner_radius =
+            number_from_text(numbers.substr(std::min(second + 1, numbers.size())));
+        if (!diameter || !corner_radius)
+            return std::nullopt;
+        return CutterSizes{*diameter / 2, *corner_radius};
+    }
+    const auto diameter = number_from_text(numbers);
+    if (!diameter || (name != "ball" && name != "flat"))
+        return std::nullopt;
+    return CutterSizes{*diameter / 2, name == "ball" ? *diameter / 2 : 0};
+}
+
+}  // namespace
 
 Cutter::Cutter(double radius, double corner_radius)
     : radius_{radius},
@@ -42,31 +72,23 @@ std::string cutter_word(const Cutter& cutter)
 
 std::optional<Cutter> cutter_from_word(std::string_view word)
 {
-    const auto after = [&](std::string_view name) -> std::optional<std::string_view> {
-        return word.starts_with(name) ? std::optional{word.substr(name.size())}
-                                      : std::nullopt;
-    };
-    const auto valid = [](double radius, double corner_radius) -> std::optional<Cutter> {
-        if (radius > 0 && corner_radius >= 0 && corner_radius <= radius)
-            return Cutter{radius, corner_radius};
+    const auto sizes = sizes_of(word);
+    if (!sizes || !(sizes->radius > 0) ||
+        !(0 <= sizes->corner_radius && sizes->corner_radius <= sizes->radius))
         return std::nullopt;
-    };
-    if (const auto text = after("ball:"))
-        if (const auto diameter = number_from_text(*text))
-            return valid(*diameter / 2, *diameter / 2);
-    if (const auto text = after("flat:"))
-        if (const auto diameter = number_from_text(*text))
-            return valid(*diameter / 2, 0);
-    if (const auto text = after("bull:")) {
-        const std::size_t colon = text->find(':');
-        if (colon == std::string_view::npos)
-            return std::nullopt;
-        const auto diameter = number_from_text(text->substr(0, colon));
-        const auto corner_radius = number_from_text(text->substr(colon + 1));
-        if (diameter && corner_radius)
-            return valid(*diameter / 2, *corner_radius);
-    }
-    return std::nullopt;
+    return Cutter{sizes->radius, sizes->corner_radius};
+}
+
+std::string expected_cutter(std::string_view word)
+{
+    const auto sizes = sizes_of(word);
+    if (!sizes)
+        return "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm, such "
+               "as ball:10";
+    if (!(sizes->radius > 0))
+        return "a diameter above 0 mm";
+    return "a corner radius from 0 to " + to_text(sizes->radius) +
+           " mm, half the diameter";
 }
 
 }  // namespace endmill

@@ -16,14 +16,14 @@ public:
     /// \throws DomainError unless 0 < R is finite and 0 <= r <= R.
     Cutter(double radius, double corner_radius);
 
-    static Cutter ball(double radius) { return {radius, radius}; }
-    static Cutter flat(double radius) { return {radius, 0}; }
+    static Cutter ball(double radius) { return {radius, radius}; }  ///< mm
+    static Cutter flat(double radius) { return {radius, 0}; }       ///< mm
 
     double radius() const { return radius_; }                        ///< R, mm
     double corner_radius() const { return corner_radius_; }          ///< r, mm
     double flat_radius() const { return radius_ - corner_radius_; }  ///< R - r, mm
-    bool is_ball() const { return corner_radius_ == radius_; }
-    bool is_flat() const { return corner_radius_ == 0; }
+    bool is_ball() const { return corner_radius_ == radius_; }       ///< r = R
+    bool is_flat() const { return corner_radius_ == 0; }             ///< r = 0
 
     /// Height in mm above the tip of the cutter's surface at `distance` from the axis:
     /// 0 up to R - r, then r - sqrt(r^2 - (distance - R + r)^2); infinite beyond R.
@@ -46,5 +46,9 @@ std::string cutter_word(const Cutter& cutter);
 /// The cutter that `word` spells.
 /// \return nothing if it is no such word, or its numbers are out of range.
 std::optional<Cutter> cutter_from_word(std::string_view word);
+
+/// For messages: what is expected where `word` stands, from which `cutter_from_word` makes
+/// no cutter. It is the number that is out of range, or how such a word is spelled.
+std::string expected_cutter(std::string_view word);
 
 }  // namespace endmill

@@ -13,7 +13,7 @@ struct Stretch {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
 
-    bool is_empty() const { return !(low <= high); }
+    bool is_empty() const { return !(low <= high); }  ///< also if an end is NaN
 
     /// Nothing.
     static Stretch none()

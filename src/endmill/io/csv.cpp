@@ -121,13 +121,14 @@ private:
         do {
             const std::size_t end = text_.find('"');
             if (end == std::string_view::npos) {
+                // Where it was opened is the place to mend, not the end of the file.
                 line_ = first_line;
                 throw complaint("a quote that is never closed", "a closing quote");
             }
             cell += text_.substr(0, end);
             line_ += std::count(text_.begin(), text_.begin() + end, '\n');
             text_.remove_prefix(end + 1);
-            if (text_.starts_with('"'))
+            if (text_.starts_with('"'))  // doubled: one that belongs to the cell
                 cell += '"';
         } while (accept("\""));
         return cell;
@@ -165,7 +166,7 @@ void CsvTable::add_row(std::span<const CsvCell> cells)
     std::vector<std::string> texts;
     std::ranges::transform(cells, std::back_inserter(texts), cell_text);
     std::ranges::move(texts, std::back_inserter(cells_));
-    lines_.push_back(lines_.size() + 2);
+    lines_.push_back(lines_.size() + 2);  // from 1, and the header is the first
 }
 
 void CsvTable::add_row(std::initializer_list<CsvCell> cells)

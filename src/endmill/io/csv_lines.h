@@ -26,10 +26,8 @@ public:
     ///         inside a cell; for a carriage return inside a line.
     bool next();
 
-    const std::vector<std::string_view>& cells() const
-    {
-        return cells_;
-    }                                           ///< of the line
+    /// Of the line, as they stand in the text.
+    const std::vector<std::string_view>& cells() const { return cells_; }
     std::size_t line() const { return line_; }  ///< from 1
 
     /// How many lines may follow, at most.

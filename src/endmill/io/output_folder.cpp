@@ -105,7 +105,7 @@ public:
     bool is_open() const { return descriptor_ >= 0; }
 
     // 0, or the error number of what failed.
-    int fill(std::string_view content) const
+    int append(std::string_view content) const
     {
         const SizeSignalHeld held;
         while (!content.empty()) {
@@ -114,6 +114,12 @@ public:
                 return errno;
             content.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
         }
+        return 0;
+    }
+
+    // Makes it a file like others, on the disk. 0, or the error number of what failed.
+    int finish() const
+    {
         if (::fchmod(descriptor_, new_file_mode()) != 0 || ::fsync(descriptor_) != 0)
             return errno;
         return 0;
@@ -226,6 +232,12 @@ void OutputFolder::remove_unless_written(const fs::path& name)
 
 void OutputFolder::write(const fs::path& name, std::string_view content)
 {
+    write_pieces(name, [&](const Sink& sink) { sink(content); });
+}
+
+void OutputFolder::write_pieces(const fs::path& name,
+                                const std::function<void(const Sink&)>& produce)
+{
     require_plain_name(name);
     const fs::path target = path_ / name;
     check_target(target);
@@ -239,19 +251,26 @@ void OutputFolder::write(const fs::path& name, std::string_view content)
         fail("write", target, errno);
     pending_.push_back({temporary, target});
     lock.unlock();
-    const int error = file.fill(content);
+    const auto require_done = [&](int error) {
+        if (error != 0)
+            fail("write", target, error);
+    };
+    try {
+        produce([&](std::string_view piece) { require_done(file.append(piece)); });
+        require_done(file.finish());
+    } catch (...) {
+        lock.lock();
+        forget(temporary);
+        throw;
+    }
     lock.lock();
-
-    // Either the new file failed, or it takes the place of an earlier one.
+    // It takes the place of an earlier one.
     std::erase_if(pending_, [&](const PendingFile& other) {
-        const bool obsolete =
-            other.target == target && (other.temporary == temporary) == (error != 0);
-        if (obsolete)
+        const bool is_earlier = other.target == target && other.temporary != temporary;
+        if (is_earlier)
             ::unlink(other.temporary.c_str());
-        return obsolete;
+        return is_earlier;
     });
-    if (error != 0)
-        fail("write", target, error);
 }
 
 void OutputFolder::publish()
@@ -305,6 +324,14 @@ void OutputFolder::make_folders(const fs::path& folder)
             fail("create the output folder", missing.back(), failure);
         missing.pop_back();
     }
+}
+
+// The caller holds the registry's mutex.
+void OutputFolder::forget(const fs::path& temporary)
+{
+    ::unlink(temporary.c_str());
+    std::erase_if(pending_,
+                  [&](const PendingFile& file) { return file.temporary == temporary; });
 }
 
 void OutputFolder::check_target(const fs::path& target) const

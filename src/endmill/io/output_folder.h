@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,14 @@ public:
     /// \throws OutputError if it cannot be written: no space, a folder in its place.
     void write(const std::filesystem::path& name, std::string_view content);
 
+    /// Takes the next piece of a file.
+    using Sink = std::function<void(std::string_view piece)>;
+
+    /// The same for a file that need never be in memory as a whole: `produce` hands its
+    /// pieces, in order, to the sink that it is given. If it throws, there is no file.
+    void write_pieces(const std::filesystem::path& name,
+                      const std::function<void(const Sink&)>& produce);
+
     /// Renames every file to its own name, in the order written, then removes what is
     /// left of an earlier run.
     /// \throws OutputError if that fails, or after `abandon_all`.
@@ -59,6 +68,7 @@ private:
     };
 
     void make_folders(const std::filesystem::path& folder);
+    void forget(const std::filesystem::path& temporary);
     void check_target(const std::filesystem::path& target) const;
     bool is_input(const std::filesystem::path& target) const;
     void remove_leftover(const std::filesystem::path& name) const;

@@ -41,9 +41,7 @@ std::optional<Cutter> cutter(const JsonValue& object)
         return std::nullopt;
     const std::optional<Cutter> cutter = cutter_from_word(value->text());
     if (!cutter)
-        throw value->complaint(
-            value->shown(),
-            "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm");
+        throw value->complaint(value->shown(), expected_cutter(value->text()));
     return cutter;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
@@ -14,6 +15,8 @@ namespace {
 
 // Far finer than an interval's ends are known; keeps 5 from being 5.000000000000001.
 constexpr double angles_per_degree = 1e9;
+// Large enough that writing it costs as little a byte as writing all at once.
+constexpr std::size_t piece_bytes = std::size_t{1} << 20U;
 
 void append(std::string& text, double number)
 {
@@ -74,8 +77,9 @@ std::string removal_csv(const Removal& removal, const ToolPath& path)
                        });
 }
 
-EngagementCsv::EngagementCsv()
-    : text_{"point,latitude_deg,radius_mm,above_tip_mm,from_deg,to_deg\n"}
+EngagementCsv::EngagementCsv(Sink sink)
+    : sink_{std::move(sink)},
+      text_{"point,latitude_deg,radius_mm,above_tip_mm,from_deg,to_deg\n"}
 {
 }
 
@@ -94,6 +98,14 @@ void EngagementCsv::add(std::size_t number, const Engagement& engagement)
             text_ += '\n';
         }
     }
+    if (text_.size() >= piece_bytes)
+        finish();
+}
+
+void EngagementCsv::finish()
+{
+    sink_(text_);
+    text_.clear();
 }
 
 }  // namespace endmill

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <string_view>
 
 #include "endmill/cutter/engagement.h"
 #include "endmill/path/tool_path.h"
@@ -21,19 +23,26 @@ std::string removal_csv(const Removal& removal, const ToolPath& path);
 /// The engaged part of the cutter on each move, as a CSV file with a row for each interval
 /// of each ring and the columns `point` (from 0 in the whole path), `latitude_deg`,
 /// `radius_mm`, `above_tip_mm`, `from_deg` and `to_deg`, as in `Engagement`. Angles are
-/// rounded to 1e-9 degrees. Grows with each move.
+/// rounded to 1e-9 degrees. Handed out in pieces of a few MiB at most: the rows of a long
+/// path need not fit the memory.
 class EngagementCsv {
 public:
-    EngagementCsv();
+    /// Takes the next piece of the file.
+    using Sink = std::function<void(std::string_view piece)>;
 
-    /// Appends the rows of the move to point `number`; none if nothing is engaged.
+    /// \param sink takes the pieces in order; the first begins with the header.
+    explicit EngagementCsv(Sink sink);
+
+    /// Adds the rows of the move to point `number`; none if nothing is engaged.
     /// \throws DomainError if a number is not finite.
     void add(std::size_t number, const Engagement& engagement);
 
-    const std::string& text() const { return text_; }  ///< the whole file so far
+    /// Hands out what is left, after the last move.
+    void finish();
 
 private:
-    std::string text_;
+    Sink sink_;
+    std::string text_;  // not handed out yet
 };
 
 }  // namespace endmill

@@ -40,6 +40,8 @@ std::string JsonValue::pointer() const
                                      : "/" + std::to_string(index_));
 }
 
+// A number or a word is shown as it stands; of what may be as long as the file, only its
+// kind is.
 std::string JsonValue::shown() const
 {
     constexpr std::size_t longest_echo = 40;
@@ -63,6 +65,7 @@ std::optional<JsonValue> JsonValue::find_member(std::string_view key) const&
     const auto found = value_->find(key);
     if (found == value_->end())
         return std::nullopt;
+    // The document's own key: the view of it must outlive that of the caller.
     return JsonValue{*found, *this, found.key(), 0};
 }
 
@@ -147,6 +150,7 @@ JsonValue JsonDocument::root() const&
     return JsonValue{*root_, file_};
 }
 
+// Names come from files and the command line: bytes that are no UTF-8 are no error here.
 std::string json_string(std::string_view text)
 {
     return json(text).dump(-1, ' ', false, json::error_handler_t::replace);

@@ -10,6 +10,7 @@
 namespace endmill {
 namespace {
 
+// Longer than any writer makes them: what has no line feeds is no text.
 constexpr std::size_t longest_line = std::size_t{1} << 20U;
 constexpr std::size_t longest_echo = 40;
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -70,6 +71,8 @@ std::string_view TextScanner::word_across_lines()
     return word();
 }
 
+// What the fast way did not take: a leading +, which std::from_chars does not know but
+// other programs write, or an error to be named.
 double TextScanner::unusual_number()
 {
     const std::string_view spelled = word();
@@ -91,6 +94,7 @@ double TextScanner::unusual_number()
     return value;
 }
 
+// Digits without end are a number all the same, only one too large to be held.
 void TextScanner::refuse_whole_number()
 {
     const std::string_view spelled = word();

@@ -56,8 +56,7 @@ Cutter cutter(const JsonValue& root)
     const JsonValue value = root.member("cutter");
     if (const auto cutter = cutter_from_word(value.text()))
         return *cutter;
-    throw value.complaint(value.shown(),
-                          "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS");
+    throw value.complaint(value.shown(), expected_cutter(value.text()));
 }
 
 double positive(const JsonValue& value, double most)

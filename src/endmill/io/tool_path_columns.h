@@ -53,8 +53,9 @@ constexpr PathColumn following(PathColumn column, int places)
 /// Where the columns of a file stand.
 class PathColumns {
 public:
-    PathColumns() { places_.fill(missing); }
+    PathColumns() { places_.fill(missing); }  ///< none
 
+    /// Whether the file has it.
     bool has(PathColumn column) const { return place(column) != missing; }
     bool has_contacts() const;  ///< u, v, contact and normal
 

@@ -101,6 +101,7 @@ public:
 
     double number() { return number_from_text(word()).value_or(std::nan("")); }
 
+    // 0 for a word that is no number: a grid without cells, which is refused.
     int count()
     {
         const std::string_view text = word();
@@ -113,7 +114,8 @@ private:
     std::string_view rest_;
 };
 
-// The grid that the head names; numbers that are missing are 0 or NaN.
+// The grid that the head names; numbers that are missing are 0 or NaN. It may be read
+// carelessly: the head must afterwards be, byte for byte, the one that this grid gets.
 StockGrid named_grid(std::string_view head)
 {
     Attribute extent{head, extent_key};
@@ -263,6 +265,7 @@ std::string stock_vti(const HeightStock& stock)
                  cells_of(grid) * sizeof(double));
     file += head;
     append_bytes(file, Size{sizeof(double)});
+    // The head has it as text, which knows no negative zero.
     append_bytes(file, grid.bottom_z == 0 ? 0.0 : grid.bottom_z);
     append_bytes(file, Size{cells_of(grid) * sizeof(double)});
     for (int row = 0; row < grid.rows; ++row)

@@ -17,7 +17,10 @@ using Edge = std::array<std::int32_t, 2>;
 /// A triangle's use of an edge.
 class EdgeUse {
 public:
+    /// Of an edge from point 0 to itself, which none has.
     EdgeUse() = default;
+
+    /// \pre the points' numbers are not negative and differ, `triangle` is below 2^31.
     EdgeUse(std::int32_t from, std::int32_t to, std::size_t triangle)
         : bits_{std::uint64_t(from < to ? to : from) << 33U |
                 std::uint64_t(from > to) << 32U | triangle}
@@ -28,10 +31,8 @@ public:
     std::int32_t high() const { return static_cast<std::int32_t>(bits_ >> 33U); }
     /// Whether the triangle runs along the edge from the lower number to the higher.
     bool is_forward() const { return (bits_ >> 32U & 1U) == 0; }
-    std::int32_t triangle() const
-    {
-        return static_cast<std::int32_t>(bits_);
-    }  ///< number
+    /// The triangle's number.
+    std::int32_t triangle() const { return static_cast<std::int32_t>(bits_); }
 
     /// Rises with the edge's higher end; of equal ones, first the forward uses.
     std::uint64_t rank() const { return bits_; }
@@ -52,6 +53,7 @@ inline bool repeats_a_corner(const Triangle& triangle)
 /// corner have no edges here.
 class EdgeUses {
 public:
+    /// Of all triangles of `mesh`, which is not needed any more then.
     explicit EdgeUses(const TriangleMesh& mesh);
 
     /// Calls `visit(Edge, std::span<const EdgeUse>)` for each edge in rising order.

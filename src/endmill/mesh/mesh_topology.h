@@ -48,6 +48,7 @@ public:
     /// with its lowest point, and loops are in the order of these.
     std::vector<std::vector<std::int32_t>> boundary_loops() const;
 
+    /// The pieces that hang together over edges.
     MeshComponents components() const;
 
 private:

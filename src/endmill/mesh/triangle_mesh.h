@@ -25,8 +25,8 @@ public:
     /// are more than 2^31 - 1 of either.
     TriangleMesh(std::vector<Vec3> points, std::vector<Triangle> triangles);
 
-    std::span<const Vec3> points() const { return points_; }  ///< mm
-    std::span<const Triangle> triangles() const { return triangles_; }
+    std::span<const Vec3> points() const { return points_; }            ///< mm
+    std::span<const Triangle> triangles() const { return triangles_; }  ///< in order
 
     /// The corners of triangle `number`, in mm.
     std::array<Vec3, 3> corners(std::size_t number) const

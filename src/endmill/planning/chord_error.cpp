@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <optional>
 #include <utility>
-#include <vector>
 
-#include "endmill/surface/iso_line.h"
+#include "endmill/planning/iso_cuts.h"
 
 namespace endmill {
 namespace {
@@ -126,33 +123,16 @@ ChordError chord_error(const Surface& surface, const ToolPath& path, Parameter a
 ChordError chord_error(std::span<const Surface> surfaces, const ToolPath& path,
                        Parameter along)
 {
-    std::vector<Surface> turned;
-    for (const Surface& surface : surfaces)
-        turned.push_back(along == Parameter::U ? surface : transposed(surface));
-    const auto parameters = [&](const PathPoint& point) {
-        const auto& [u, v, contact] = *point.contact;
-        return along == Parameter::U ? SurfacePoint{u, v} : SurfacePoint{v, u};
-    };
     ChordError error{0, 0, {0, 0}};
-    std::optional<IsoLine> line;
-    int patch_of_line = 0;
-    for (std::size_t k = 1; k < path.points.size(); ++k) {
-        const PathPoint& end = path.points[k];
-        if (end.move != Move::Cut)
-            continue;
-        const PathPoint& start = path.points[k - 1];
-        const SurfacePoint from = parameters(start);
-        if (!line || line->v() != from.v || patch_of_line != start.patch)
-            line.emplace(turned[start.patch], from.v);
-        patch_of_line = start.patch;
-        const Cut cut{from.u, parameters(end).u, start.contact->contact.point,
-                      end.contact->contact.point};
+    for_each_iso_cut(surfaces, path, along, [&](const IsoCut& move) {
+        const Cut cut{move.from, move.to, move.start.contact->contact.point,
+                      move.end.contact->contact.point};
         const double before = error.greatest_mm;
-        if (may_be_worst(*line, cut, error))
-            measure_cut(*line, cut, error);
+        if (may_be_worst(move.line, cut, error))
+            measure_cut(move.line, cut, error);
         if (error.greatest_mm > before)
-            error.patch = start.patch;
-    }
+            error.patch = move.start.patch;
+    });
     if (along == Parameter::V)
         std::swap(error.at.u, error.at.v);
     return error;

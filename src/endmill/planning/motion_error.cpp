@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
+#include "endmill/planning/iso_cuts.h"
 #include "endmill/planning/segment_distance.h"
-#include "endmill/surface/iso_line.h"
 
 namespace endmill {
 namespace {
@@ -132,31 +131,15 @@ double MotionError::greatest_mm() const
 MotionError motion_error(std::span<const Surface> surfaces, const ToolPath& path,
                          const BallCutter& cutter, Parameter along)
 {
-    std::vector<Surface> turned;
-    for (const Surface& surface : surfaces)
-        turned.push_back(along == Parameter::U ? surface : transposed(surface));
-    const auto parameters = [&](const PathPoint& point) {
-        const auto& [u, v, contact] = *point.contact;
-        return along == Parameter::U ? SurfacePoint{u, v} : SurfacePoint{v, u};
-    };
     const auto centre = [&](const PathPoint& point) -> Vec3 {
         return point.location.tip + cutter.radius() * point.location.axis;
     };
     MotionMeter meter{cutter.radius()};
-    std::optional<IsoLine> line;
-    int patch_of_line = 0;
-    for (std::size_t k = 1; k < path.points.size(); ++k) {
-        const PathPoint& start = path.points[k - 1];
-        const PathPoint& end = path.points[k];
-        if (end.move != Move::Cut)
-            continue;
-        const SurfacePoint from = parameters(start);
-        if (!line || line->v() != from.v || patch_of_line != start.patch)
-            line.emplace(turned[start.patch], from.v);
-        patch_of_line = start.patch;
-        meter.measure(*line, {from.u, parameters(end).u, centre(start), centre(end)},
-                      start.patch, turned[start.patch].breaks(Parameter::U));
-    }
+    for_each_iso_cut(surfaces, path, along, [&](const IsoCut& move) {
+        meter.measure(move.line,
+                      {move.from, move.to, centre(move.start), centre(move.end)},
+                      move.start.patch, move.surface.breaks(Parameter::U));
+    });
     MotionError error = meter.error();
     if (along == Parameter::V)
         for (LineDeviation* deviation : {&error.gouge, &error.left})

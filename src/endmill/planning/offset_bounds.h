@@ -34,6 +34,7 @@ struct OffsetBends {
 /// edge, where du x dv vanishes with one factor, is no such place. An immutable value.
 class OffsetBounds {
 public:
+    /// Of all patches of `surface`, which is not needed any more then.
     explicit OffsetBounds(const Surface& surface);
 
     /// The rectangle that holds (u, v), at a border the upper one.

@@ -29,7 +29,7 @@ struct VerifiedSurface {
     bool stop_at_borders;  ///< a CL point on every patch border
     std::size_t most_points;
 
-    const BallCutter& cutter() const { return gouge.cutter(); }
+    const BallCutter& cutter() const { return gouge.cutter(); }  ///< of the test
 };
 
 /// A place beside a pass that its ball must reach.

@@ -27,6 +27,7 @@ struct BlockFormat {
 /// finite.
 class BlockWriter {
 public:
+    /// Of a program without blocks so far.
     explicit BlockWriter(BlockFormat format) : format_{format} {}
 
     /// A line without a number that is no block: % or a comment.

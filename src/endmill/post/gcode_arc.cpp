@@ -16,6 +16,8 @@ constexpr std::string_view centre_words = "IJK";
 
 }  // namespace
 
+// Programs round ends and centre one by one, which moves the radii apart; those of a long
+// arc, whose R or centre has fewer digits to spare, by more.
 double radius_tolerance(double radius_mm)
 {
     constexpr double least_mm = 0.01;
@@ -36,6 +38,8 @@ void check_radii(const Arc& arc, const TextLines& lines)
                               "a difference of at most 0.01 mm or 0.1 %");
 }
 
+// Asked even of an arc that is left out because its start is not known: a program is
+// wrong or not wherever it begins.
 void ArcReader::check_words() const
 {
     const bool has_centre = block_.has_any(centre_words);

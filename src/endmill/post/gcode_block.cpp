@@ -10,12 +10,18 @@
 namespace endmill {
 namespace {
 
-constexpr std::string_view known_letters = "ABCDFGHIJKMNPQRSTXYZ";
+constexpr std::string_view known_letters = "ABCDFGHIJKLMNPQRSTXYZ";
 constexpr std::string_view expand_first =
     "plain numbers: expand them with rs274 -g and give its output";
+constexpr std::string_view expand_subroutines =
+    "moves alone: expand subroutines with rs274 -g and give its output, and leave out "
+    "the "
+    "number of the program";
 constexpr double g_steps = 10;  // G codes are kept in tenths
 constexpr double largest_g_code = 999;
 constexpr double largest_m_code = 999;
+// Of the letters of a line, how many are looked at for a call by name.
+constexpr std::size_t longest_call = 40;
 
 bool is_digit_or_point(char byte)
 {
@@ -166,7 +172,7 @@ private:
         if (byte == '[' || byte == ']')
             throw lines_.complaint("expression " + shown, std::string{expand_first});
         if (byte == 'O')
-            throw lines_.complaint("O-word " + shown, std::string{expand_first});
+            throw lines_.complaint("O-word " + shown, std::string{expand_subroutines});
         const bool is_in_number = at_ != begin_ && is_digit_or_point(at_[-1]);
         if (byte == 'E' && is_in_number)
             throw lines_.complaint("exponent " + shown,
@@ -178,23 +184,33 @@ private:
         if (is_letter(byte))
             throw lines_.complaint("unknown word " + shown,
                                    "words of " + std::string{known_letters});
+        refuse_if_centre_point();
         throw lines_.complaint(shown, "a word: a letter and a number");
     }
 
     // The letter is read, and no number follows.
     [[noreturn]] void refuse_number(char letter) const
     {
-        std::string run{letter};
-        for (const char* next = at_; next != end_ && is_letter(*next) && run.size() < 8;
-             ++next)
-            run += capital(*next);
-        if (run == "TRAORI" || run.starts_with("TCPM"))
-            throw lines_.complaint("tool-centre-point code " + quoted(run),
-                                   "a three-axis program");
+        refuse_if_centre_point();
         if (at_ != end_ && (*at_ == '#' || *at_ == '[' || *at_ == ']'))
             refuse_character();
         throw lines_.complaint(quoted(std::string_view{&letter, 1}) + " without a number",
                                "a plain decimal number after the letter");
+    }
+
+    // Words of Siemens' and Heidenhain's controls, which stand in a line of their own:
+    // TRAORI, FUNCTION TCPM.
+    void refuse_if_centre_point() const
+    {
+        std::string letters;
+        for (const char* next = begin_; next != end_ && letters.size() < longest_call;
+             ++next)
+            if (is_letter(*next))
+                letters += capital(*next);
+        for (const std::string_view name : {"TRAORI", "TCPM"})
+            if (letters.find(name) != std::string::npos)
+                throw lines_.complaint("tool-centre-point code " + quoted(name),
+                                       "a three-axis program");
     }
 
     const TextLines& lines_;

@@ -136,6 +136,8 @@ Group group_of(int code)
     throw lines.complaint("unknown code " + g_name(code), "a G code of the subset");
 }
 
+// Where the origins of two systems lie to each other stands in the machine, not in the
+// program: with one of them, wherever it lies, the path is what it is.
 void set_coordinate_system(GcodeModes& modes, int code, const TextLines& lines)
 {
     if (modes.coordinate_system != 0 && modes.coordinate_system != code)
@@ -200,6 +202,7 @@ void set_mode(GcodeModes& modes, int code)
     }
 }
 
+// Others may stand together, as LinuxCNC takes them: M3 beside M8.
 // The group of those M codes of which a block may have only one; 0 if there is none.
 unsigned m_group(int code)
 {
@@ -212,6 +215,7 @@ unsigned m_group(int code)
 
 }  // namespace
 
+// The order of the codes does not matter: of those that exclude each other there is one.
 void GcodeModes::apply(const GcodeBlock& block, const TextLines& lines)
 {
     std::uint32_t groups = 0;

@@ -102,6 +102,8 @@ private:
         if (block.has('Q') && !blends)
             throw lines_.complaint("word Q", "Q only beside G64");
         const bool is_used_otherwise = dwells || blends || block.has('M');
+        if (block.has('L') && !block.has('M'))
+            throw lines_.complaint("word L", "L only beside an M code that takes it");
         for (const char letter : {'I', 'J', 'K', 'R', 'P'}) {
             if (!block.has(letter) || is_arc(block))
                 continue;

@@ -20,17 +20,32 @@ constexpr std::size_t likely_bytes_per_point = 34;
 // Of half the tolerance: what the rounding of its digits may change.
 constexpr double negligible_share = 0.01;
 
+// The lowest height that is clear of the moves at feed, and as high as the path's own
+// rapids, which are free where they go: a program that is read and written again gets no
+// higher start.
+double default_safe_height(const ToolPath& path)
+{
+    double height = path.points.front().location.tip.z();
+    for (const PathPoint& point : path.points)
+        height =
+            std::max(height, point.location.tip.z() +
+                                 (point.move == Move::Rapid ? 0 : default_clearance_mm));
+    return height;
+}
+
 // Rounded as it will be spelled, so that it counts as no rounding of the path.
 double safe_height(const ToolPath& path, const GcodeOptions& options)
 {
+    std::string spelled;
+    const double height =
+        append_fixed(spelled, options.safe_height.value_or(default_safe_height(path)),
+                     options.decimals);
+    if (!options.safe_height)
+        return height;
     double top = path.points.front().location.tip.z();
     for (const PathPoint& point : path.points)
         top = std::max(top, point.location.tip.z());
-    std::string spelled;
-    const double height =
-        append_fixed(spelled, options.safe_height.value_or(top + default_clearance_mm),
-                     options.decimals);
-    if (options.safe_height && *options.safe_height < top)
+    if (*options.safe_height < top)
         throw DomainError{"gcode: the safe height " + to_text(*options.safe_height) +
                           " mm lies below the path, which reaches " + to_text(top) +
                           " mm"};

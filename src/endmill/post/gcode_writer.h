@@ -10,7 +10,7 @@
 
 namespace endmill {
 
-/// How far above the top of a path its safe height lies if nobody says, in mm.
+/// How far above the moves at feed the safe height lies at least if nobody says, in mm.
 inline constexpr double default_clearance_mm = 5;
 
 /// What a path does not say of itself, and how its program is spelled.
@@ -20,7 +20,8 @@ struct GcodeOptions {
     std::optional<double> feed_mm_per_min = {};  ///< where the path gives none
     std::optional<double> spindle_rpm = {};      ///< where the path gives none
     int tool = 1;                                ///< where the path gives none
-    std::optional<double> safe_height = {};      ///< mm; default top of the path + 5
+    std::optional<double> safe_height = {};      ///< mm; default 5 above the moves at
+                                                 ///< feed, but not below a rapid
     std::optional<double> tolerance = {};        ///< mm, that the path was planned to
     int decimals = 4;                            ///< of coordinates, 0 to 9
     bool line_numbers = false;                   ///< N1, N2, ... on every block

@@ -53,6 +53,7 @@ void ProgramBuilder::append(Move move, const Vec3& point)
                          " points (--max-memory)"};
     int pass = 0;
     int number = 0;
+    // A pass is what leads to its cuts and then these: it ends with the last of them.
     if (has_position()) {
         const PathPoint& last = path_.points.back();
         const bool is_new_pass = last.move == Move::Cut && move != Move::Cut;
@@ -78,6 +79,7 @@ void ProgramBuilder::set_feed(const MoveFeed& feed, std::size_t first_point)
             length += (points[i].location.tip - points[i - 1].location.tip).norm();
         if (length == 0)
             return;  // it takes its time, at no speed
+        // F is one over the minutes of the whole move.
         feed_mm_per_min *= length;
     }
     if (!(std::isfinite(feed_mm_per_min) && feed_mm_per_min > 0))
@@ -87,6 +89,8 @@ void ProgramBuilder::set_feed(const MoveFeed& feed, std::size_t first_point)
         path_.conditions[i].feed_mm_per_min = feed_mm_per_min;
 }
 
+// T says which tool comes next; the one that cuts changes with M6, so that a program may
+// select early. Whether there is any M6 is known only at the end.
 void ProgramBuilder::select_tool(int number)
 {
     if (selections_.empty() || selections_.back().tool != number)

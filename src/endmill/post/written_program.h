@@ -16,6 +16,7 @@ struct NumberRange {
     std::optional<double> least;
     std::optional<double> greatest;
 
+    /// Widens the range so that it holds `number`. \pre it is not NaN.
     void add(double number)
     {
         least = std::min(number, least.value_or(number));

@@ -14,18 +14,6 @@
 namespace endmill {
 namespace {
 
-Block box_of(const TriangleMesh& mesh)
-{
-    Vec3 low = mesh.corners(0)[0];
-    Vec3 high = low;
-    for (std::size_t k = 0; k < mesh.triangles().size(); ++k)
-        for (const Vec3& corner : mesh.corners(k)) {
-            low = low.cwiseMin(corner);
-            high = high.cwiseMax(corner);
-        }
-    return {low, high};
-}
-
 struct CellRange {
     int first;
     int last;  // inclusive
@@ -169,13 +157,25 @@ private:
 
 }  // namespace
 
-HeightStock mesh_stock(const TriangleMesh& mesh, double pitch)
+Block mesh_box(const TriangleMesh& mesh)
 {
     if (mesh.triangles().empty())
-        throw GeometryError{"mesh_stock: the mesh has no triangle"};
+        throw GeometryError{"the mesh has no triangle"};
+    Block box{mesh.corners(0)[0], mesh.corners(0)[0]};
+    for (std::size_t k = 0; k < mesh.triangles().size(); ++k)
+        for (const Vec3& corner : mesh.corners(k)) {
+            box.low = box.low.cwiseMin(corner);
+            box.high = box.high.cwiseMax(corner);
+        }
+    return box;
+}
+
+HeightStock mesh_stock(const TriangleMesh& mesh, double pitch)
+{
+    const Block box = mesh_box(mesh);
     if (!mesh_report(mesh).closed)
-        throw GeometryError{"mesh_stock: a stock must be a closed mesh"};
-    const StockGrid grid = grid_over(box_of(mesh), pitch);
+        throw GeometryError{"the mesh is open; a stock must be a closed mesh"};
+    const StockGrid grid = grid_over(box, pitch);
     HeightStock stock{grid, grid.bottom_z};
     for (std::size_t k = 0; k < mesh.triangles().size(); ++k)
         raise_under(stock, mesh.corners(k));

@@ -6,6 +6,10 @@
 
 namespace endmill {
 
+/// The box of all triangles.
+/// \throws GeometryError if the mesh has none.
+Block mesh_box(const TriangleMesh& mesh);
+
 /// The stock of a closed mesh: over each cell's centre the highest place of the mesh; no
 /// material where the mesh is not below the centre. Its box is that of the mesh. What a
 /// height cannot say is taken for full: hollows that are open sideways or downwards.

@@ -29,6 +29,7 @@ struct SurfaceJet {
 /// Source: Leibniz' rule on w r, solved for the highest partial of r.
 SurfaceTangents projected(const SurfaceTangents& homogeneous,
                           const Eigen::Matrix2d& weight);
+/// The same with the second partials.
 SurfaceJet projected(const SurfaceJet& homogeneous, const Eigen::Matrix3d& weight);
 
 /// Whether du and dv are parallel to rounding, or one of them vanishes: a pole, a cusp,

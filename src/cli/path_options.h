@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/command.h"
+#include "endmill/cutter/cutter.h"
+#include "endmill/post/program.h"
+
+namespace endmill {
+
+/// What a command is told of the tool path that it reads.
+struct PathOptions {
+    std::string file;
+    std::optional<Cutter> cutter;       ///< empty: that of the path or its summary
+    double arc_tolerance = 0.001;       ///< mm, from an arc of a program to its chords
+    bool centre_is_programmed = false;  ///< coordinates of a program are not the tip's
+    bool block_delete = false;          ///< blocks that begin with / are left out
+};
+
+/// The argument TOOLPATH and the option --cutter.
+void add_path_options(CLI::App& command, PathOptions& path);
+
+/// The options that say how a program is read.
+void add_reading_options(CLI::App& command, PathOptions& path);
+
+/// Reads the path.
+/// \param cutter what is known of it before the path is read.
+/// \throws DomainError if the centre is programmed and `cutter` is none: where the tip is
+///         would not be known; FormatError, LimitError as `read_program`.
+Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
+                         const CommonOptions& options);
+
+}  // namespace endmill

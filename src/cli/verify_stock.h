@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/verify_options.h"
+#include "endmill/path/tool_path.h"
+#include "endmill/simulation/height_stock.h"
+
+namespace endmill {
+
+/// What the material is before the path.
+struct VerifyStock {
+    Block block;                         ///< the stock, or the box around another
+    std::optional<HeightStock> heights;  ///< of another than a block
+    std::string file;                    ///< where they come from; empty for a block
+};
+
+/// What --stock says.
+/// \param part null: the default block is that of the path alone.
+/// \throws DomainError if it is no stock; GeometryError, naming its file, for a mesh that
+///         is not closed; FormatError, LimitError as the readers.
+VerifyStock read_verify_stock(const VerifyOptions& options, const Part* part,
+                              const ToolPath& path, const Cutter& cutter);
+
+}  // namespace endmill

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/io/tool_file.h"
+#include "fuzz_program.h"
+
+// A tool that is read is sound, and a word spells its cutter; or the
+// error is one that the reader promises.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
+{
+    using namespace endmill;
+    const std::string_view content{reinterpret_cast<const char*>(bytes), size};
+    try {
+        const Tool tool = parse_tool(content, "f.json", {.max_memory_gib = 0.25});
+        program_must(cutter_from_word(cutter_word(tool.cutter)).has_value());
+        require_sound(tool);
+    } catch (const FormatError& error) {
+        program_must(error.file() == "f.json" && is_fit_for_a_terminal(error.what()));
+    } catch (const LimitError&) {
+    }
+    return 0;
+}
