@@ -5,11 +5,22 @@
 #include <cmath>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 namespace endmill {
 namespace {
 
 // Of a triangle's sides, one after the other: 2^-30 of them is below any resolution.
 constexpr int most_halvings = 60;
+
+// From the core's supporting plane with that normal; none of the corners is nearer.
+double facet_distance(const CutterCore& core, const Vec3& normal,
+                      const std::array<Vec3, 3>& corners)
+{
+    const double least = std::min(
+        {normal.dot(corners[0]), normal.dot(corners[1]), normal.dot(corners[2])});
+    return least - core.support(normal);
+}
 
 }  // namespace
 
@@ -51,6 +62,20 @@ SupportingPlane CutterCore::nearest_plane_below(const Vec3& point) const
     return {-Vec3::UnitZ(), below};
 }
 
+double CutterCore::support(const Vec3& normal) const
+{
+    return normal.dot(reference_) + flat_radius_ * normal.head<2>().norm();
+}
+
+Vec3 CutterCore::turned_away(const Vec3& normal, const Vec3& point) const
+{
+    const double length = normal.norm();
+    if (!(length > 0))
+        return nearest_plane(point).normal;
+    const bool turns = is_ball_ ? normal.dot(point - reference_) < 0 : normal.z() > 0;
+    return (turns ? -normal : normal) / length;
+}
+
 TriangleGap triangle_gap(const CutterCore& core, const std::array<Vec3, 3>& corners,
                          double resolution, double enough)
 {
@@ -65,6 +90,9 @@ TriangleGap triangle_gap(const CutterCore& core, const std::array<Vec3, 3>& corn
     };
     look_at(corners[1]);
     look_at(corners[2]);
+    const Vec3 side = corners[1] - corners[0];
+    const Vec3 away = core.turned_away(side.cross(corners[2] - corners[0]), corners[0]);
+    const double facet = facet_distance(core, away, corners) - core.corner_radius();
     std::vector<Piece> open{{corners, 0}};
     while (!open.empty()) {
         const auto [piece, halvings] = open.back();
@@ -75,7 +103,7 @@ TriangleGap triangle_gap(const CutterCore& core, const std::array<Vec3, 3>& corn
         double bound = distance;
         for (const Vec3& corner : piece)
             bound = std::min(bound, distance + normal.dot(corner - middle));
-        bound -= core.corner_radius();
+        bound = std::max(facet, bound - core.corner_radius());
         if (bound >= std::min(least.gap - resolution, enough) ||
             halvings == most_halvings)
             continue;

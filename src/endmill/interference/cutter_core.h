@@ -28,6 +28,16 @@ public:
     /// The supporting plane nearest to `point`: its distance is the core's.
     SupportingPlane nearest_plane(const Vec3& point) const;
 
+    /// Greatest `normal` . q over the points q of the core, mm: where its supporting plane
+    /// with that normal lies.
+    /// \param normal unit, not upwards unless of a ball.
+    double support(const Vec3& normal) const;
+
+    /// The normal of a nearly flat piece of the part, turned away from the core as a
+    /// supporting plane's is: bounds by that plane are near the piece's own distance also
+    /// where the core has an edge.
+    Vec3 turned_away(const Vec3& normal, const Vec3& point) const;
+
     /// Signed distance of `point` from the cutter, mm.
     double gap(const Vec3& point) const { return nearest_plane(point).distance - r_; }
 

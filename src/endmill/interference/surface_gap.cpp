@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/interference/surface_gap.h"
 
-#include <array>
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace endmill {
@@ -59,11 +60,22 @@ private:
         return distance - normal.cwiseAbs().dot(box.sizes()) / 2 - core_.corner_radius();
     }
 
+    // By the plane nearest to the middle; where that does not do, as near an edge of the
+    // core, by the one that is parallel to the piece.
     double piece_bound(const PieceTree::Piece& piece) const
     {
+        const BezierPiece& bezier = piece.bezier;
+        const double r = core_.corner_radius();
         const auto [normal, distance] = core_.nearest_plane(piece.middle);
-        return piece.bezier.least_height(normal, piece.middle - distance * normal) -
-               core_.corner_radius();
+        const double bound =
+            bezier.least_height(normal, piece.middle - distance * normal) - r;
+        if (bound >= least_ - resolution_)
+            return bound;
+        const Vec3 across = bezier.corner(1, 1) - bezier.corner(0, 0);
+        const Vec3 other = bezier.corner(0, 1) - bezier.corner(1, 0);
+        const Vec3 away = core_.turned_away(across.cross(other), piece.middle);
+        const double parallel = bezier.least_height(away, core_.support(away) * away) - r;
+        return std::max(bound, parallel);
     }
 
     void search_pieces(std::int32_t patch)
