@@ -77,13 +77,14 @@ std::vector<Trimmed> as_trimmed(std::span<const PlaneSection> sections)
 void measure_sampling(const TrimInput& input, const TrimOptions& options,
                       TrimResult& result)
 {
-    RefinedPlanes refined =
-        refine_planes({std::get<std::vector<Surface>>(*input.part), *input.offset,
-                       options.grid, *input.planes, input.sections},
-                      result.trimmed);
-    result.sampling_error = refined.greatest_shift;
-    if (!options.refine)
+    const SectionSource source{std::get<std::vector<Surface>>(*input.part), *input.offset,
+                               options.grid, *input.planes, input.sections};
+    if (!options.refine) {
+        result.sampling_error = sampling_error(source, result.trimmed);
         return;
+    }
+    RefinedPlanes refined = refine_planes(source, result.trimmed);
+    result.sampling_error = refined.greatest_shift;
     result.unrefined = refined.unrefined;
     for (std::size_t k = 0; k < refined.curves.size(); ++k)
         result.trimmed[k].curves = std::move(refined.curves[k]);

@@ -84,9 +84,9 @@ Json trim_summary(const TrimInput& input, const TrimOptions& options,
 std::string trim_text(const Json& s)
 {
     std::string text = fmt::format(
-        "method {}: {}, {} in {} and {} left, trimmed in {:.3g} ms",
-        s["method"].get<std::string>(), counted(s["loops"].get<std::size_t>(), "stretch"),
-        "cut out", counted(s["planes"].get<std::size_t>(), "plane"),
+        "method {}: {} cut out of {}, {} left, trimmed in {:.3g} ms",
+        s["method"].get<std::string>(), counted(s["loops"].get<std::size_t>(), "loop"),
+        counted(s["planes"].get<std::size_t>(), "section"),
         counted(s["points"].get<std::size_t>(), "point"), s["trim_ms"].get<double>());
     if (!s["min_clearance_mm"].is_null())
         text += fmt::format(", clearance {:.4g} mm", s["min_clearance_mm"].get<double>());

@@ -2,6 +2,8 @@
 #include "endmill/interference/refined_planes.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
@@ -13,35 +15,56 @@ namespace {
 
 constexpr double pieces_per_radius = 2;
 
-}  // namespace
+// Gives each thread its own test of whether the cutter may stand somewhere.
+using MakeAdmissible = std::function<IsAdmissible()>;
 
-RefinedPlanes refine_planes(const SectionSource& source, std::span<const Trimmed> trimmed)
+std::vector<RefinedCurves> refine_all(const SectionSource& source,
+                                      std::span<const Trimmed> trimmed,
+                                      const MakeAdmissible& make_admissible)
 {
     const auto& [surfaces, offset, grid_lines, planes, sections] = source;
     require(
         trimmed.size() == sections.size() && planes.positions.size() == sections.size(),
         "refine_planes: need as many planes as sections");
     const SmoothOffset smooth{offset, surfaces, grid_lines};
-    const Cutter& cutter = offset.cutter;
-    const PieceTree tree{surfaces, cutter.radius() / pieces_per_radius};
-    std::vector<RefinedCurves> refined_curves(trimmed.size());
+    std::vector<RefinedCurves> all(trimmed.size());
     parallel_for(trimmed.size(), [&](std::size_t begin, std::size_t end) {
-        FinerPieces finer;
-        const IsAdmissible is_admissible = [&](const Vec3& reference) {
+        const IsAdmissible is_admissible = make_admissible();
+        for (std::size_t k = begin; k < end; ++k)
+            all[k] = refined(trimmed[k].curves, {sections[k], planes.positions[k]},
+                             planes.frame, smooth, is_admissible);
+    });
+    return all;
+}
+
+}  // namespace
+
+RefinedPlanes refine_planes(const SectionSource& source, std::span<const Trimmed> trimmed)
+{
+    const Cutter& cutter = source.offset.cutter;
+    const PieceTree tree{source.surfaces, cutter.radius() / pieces_per_radius};
+    const auto make_admissible = [&]() -> IsAdmissible {
+        return [&, finer = FinerPieces{}](const Vec3& reference) mutable {
             return !surface_gap(tree, CutterCore{cutter, reference}, refined_gouge / 10,
                                 -refined_gouge, finer);
         };
-        for (std::size_t k = begin; k < end; ++k)
-            refined_curves[k] = refined(trimmed[k].curves, sections[k], planes.frame,
-                                        planes.positions[k], smooth, is_admissible);
-    });
+    };
     RefinedPlanes result;
-    for (RefinedCurves& plane : refined_curves) {
+    for (RefinedCurves& plane : refine_all(source, trimmed, make_admissible)) {
         result.curves.push_back(std::move(plane.curves));
         result.unrefined += plane.unrefined;
         result.greatest_shift = std::max(result.greatest_shift, plane.greatest_shift);
     }
     return result;
+}
+
+double sampling_error(const SectionSource& source, std::span<const Trimmed> trimmed)
+{
+    double greatest = 0;
+    for (const RefinedCurves& plane :
+         refine_all(source, trimmed, [] { return IsAdmissible{}; }))
+        greatest = std::max(greatest, plane.greatest_shift);
+    return greatest;
 }
 
 }  // namespace endmill

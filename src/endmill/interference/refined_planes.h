@@ -42,4 +42,8 @@ inline constexpr double refined_gouge = 1e-5;
 RefinedPlanes refine_planes(const SectionSource& source,
                             std::span<const Trimmed> trimmed);
 
+/// An estimate of the error in mm of what is left as sampled: how far refining would move a
+/// point at most, of those that it could move.
+double sampling_error(const SectionSource& source, std::span<const Trimmed> trimmed);
+
 }  // namespace endmill

@@ -10,11 +10,11 @@ namespace {
 
 class Refinement {
 public:
-    Refinement(const PlaneSection& section, const FeedFrame& frame, double across,
+    Refinement(const PlacedSection& placed, const FeedFrame& frame,
                const SmoothOffset& offset, const IsAdmissible& is_admissible)
-        : section_{section},
+        : section_{placed.section},
           frame_{frame},
-          across_{across},
+          across_{placed.across},
           offset_{offset},
           is_admissible_{is_admissible}
     {
@@ -150,10 +150,10 @@ private:
 }  // namespace
 
 RefinedCurves refined(const std::vector<TrimmedCurve>& curves,
-                      const PlaneSection& section, const FeedFrame& frame, double across,
+                      const PlacedSection& placed, const FeedFrame& frame,
                       const SmoothOffset& offset, const IsAdmissible& is_admissible)
 {
-    Refinement refinement{section, frame, across, offset, is_admissible};
+    Refinement refinement{placed, frame, offset, is_admissible};
     for (const TrimmedCurve& curve : curves)
         refinement.add(curve);
     return refinement.take();

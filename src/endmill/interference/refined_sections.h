@@ -20,20 +20,25 @@ struct RefinedCurves {
     double greatest_shift = 0;  ///< of the refined ones' z, or of a crossing, mm
 };
 
+/// The curves that were trimmed, and t of their plane in mm.
+struct PlacedSection {
+    const PlaneSection& section;
+    double across;
+};
+
 /// Whether the cutter may stand with its reference point there: on no other sheet's wrong
 /// side.
 using IsAdmissible = std::function<bool(const Vec3& reference)>;
 
-/// Polishes what is left in the plane t = `across` by Newton's method: a crossing by its
+/// Polishes what is left in a plane by Newton's method: a crossing by its
 /// two contacts at once, any other point over its s. A point stays as it is sampled where
 /// the search leaves the neighbouring cells or does not converge, over corners of the part
 /// and level places of a flat bottom, and where the polished one is not admissible. Points
 /// that a crossing has passed by are left out.
 /// Source: specification of the interference removal, section 6.
-/// \param section those curves of the plane that were trimmed.
 /// \param is_admissible may be empty: all are.
 RefinedCurves refined(const std::vector<TrimmedCurve>& curves,
-                      const PlaneSection& section, const FeedFrame& frame, double across,
+                      const PlacedSection& placed, const FeedFrame& frame,
                       const SmoothOffset& offset, const IsAdmissible& is_admissible);
 
 }  // namespace endmill
