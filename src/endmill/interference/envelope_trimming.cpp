@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "endmill/interference/plane_points.h"
-#include "endmill/interference/rounded_crossing.h"
 #include "endmill/interference/section_order.h"
+#include "endmill/interference/trimmed_points.h"
 #include "endmill/interference/upper_envelope.h"
 
 namespace endmill {
@@ -51,6 +50,7 @@ public:
     explicit Writer(const PlanePoints& plane)
         : plane_{plane},
           points_{plane.section().points},
+          made_{plane},
           order_{plane.section()},
           envelope_{upper_envelope(plane.section())},
           verticals_{highest_verticals(points_, envelope_.verticals)}
@@ -119,11 +119,11 @@ private:
 
     void write_crossing(const Sides& sides, const Vertical* vertical)
     {
-        const TrimmedPoint point = crossing_point(sides.left, sides.right);
+        const TrimmedPoint point = made_.crossing(sides.left, sides.right);
         write(point);
         // Of the true crossing, which the rounded one may lie above.
         if (vertical && order_.side(sides.left, vertical->top) > 0) {
-            write(vertex_point(vertical->top));
+            write(made_.vertex(vertical->top));
             write(point);
         }
     }
@@ -134,17 +134,17 @@ private:
         const Limit right = limit_at(sides.right, place);
         if (vertical && is_above(vertical->top, left) && is_above(vertical->top, right)) {
             write_limit(left, {vertical->top, vertical});
-            write(vertex_point(vertical->top));
+            write(made_.vertex(vertical->top));
             write_limit(right, {vertical->top, vertical});
             return;
         }
         if (left.is_vertex() && right.is_vertex() &&
             points_[left.vertex] == points_[right.vertex]) {
-            write(vertex_point(std::min(left.vertex, right.vertex)));
+            write(made_.vertex(std::min(left.vertex, right.vertex)));
             return;
         }
         if (left.is_link() && right.is_link()) {  // a vertex of a hidden segment
-            write(crossing_point(sides.left, sides.right));
+            write(made_.crossing(sides.left, sides.right));
             return;
         }
         const Jump jump{left.is_vertex() ? left.vertex : right.vertex, vertical};
@@ -190,7 +190,7 @@ private:
     void write_limit(const Limit& limit, const Jump& jump)
     {
         if (limit.is_vertex())
-            write(vertex_point(limit.vertex));
+            write(made_.vertex(limit.vertex));
         else if (limit.segment != no_segment)
             write(link_point(limit.segment, jump));
     }
@@ -199,54 +199,35 @@ private:
     {
         const TrimmedPoint foot = link_point(segment, {vertical.top, &vertical});
         write(foot);
-        write(vertex_point(vertical.top));
+        write(made_.vertex(vertical.top));
         write(foot);
     }
 
     void write_lone(const Vertical& vertical)
     {
         trimmed_.curves.emplace_back();
-        write(vertex_point(vertical.bottom));
-        write(vertex_point(vertical.top));
-    }
-
-    TrimmedPoint vertex_point(std::int32_t vertex) const
-    {
-        const SegmentNumber number = plane_.number(vertex);
-        return {points_[vertex], number, number, TrimmedKind::vertex};
-    }
-
-    TrimmedPoint crossing_point(std::int32_t p, std::int32_t q) const
-    {
-        return {rounded_crossing(order_.line(p), order_.line(q)), plane_.number(p),
-                plane_.number(q), TrimmedKind::crossing};
+        write(made_.vertex(vertical.bottom));
+        write(made_.vertex(vertical.top));
     }
 
     // The lower end of a jump: a crossing if a vertical segment makes all of the jump.
     TrimmedPoint link_point(std::int32_t segment, const Jump& jump) const
     {
-        const double s = order_.s(jump.upper);
-        const SectionPoint at{s, rounded_height(order_.line(segment), s)};
+        TrimmedPoint point = made_.link(segment, jump.upper);
         const Vertical* vertical = jump.vertical;
         if (vertical && points_[jump.upper][1] <= points_[vertical->top][1] &&
-            order_.side(segment, vertical->bottom) <= 0)
-            return {at, plane_.number(segment), plane_.number(vertical->segment),
-                    TrimmedKind::crossing};
-        return {at, plane_.number(segment), plane_.number(jump.upper), TrimmedKind::link};
+            order_.side(segment, vertical->bottom) <= 0) {
+            point.across = plane_.number(vertical->segment);
+            point.kind = TrimmedKind::crossing;
+        }
+        return point;
     }
 
-    // Points that rounding made equal are one, a vertex rather than a crossing.
-    void write(const TrimmedPoint& point)
-    {
-        auto& points = trimmed_.curves.back().points;
-        if (points.empty() || points.back().at != point.at)
-            points.push_back(point);
-        else if (points.back().kind != TrimmedKind::vertex)
-            points.back() = point;
-    }
+    void write(const TrimmedPoint& point) { append(trimmed_.curves.back(), point); }
 
     const PlanePoints& plane_;
     std::span<const SectionPoint> points_;
+    TrimmedPoints made_;
     SectionOrder order_;
     UpperEnvelope envelope_;
     std::vector<Vertical> verticals_;

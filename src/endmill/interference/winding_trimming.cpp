@@ -13,8 +13,7 @@
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
-#include "endmill/interference/plane_points.h"
-#include "endmill/interference/rounded_crossing.h"
+#include "endmill/interference/trimmed_points.h"
 
 namespace endmill {
 namespace {
@@ -81,7 +80,8 @@ class Winding {
 public:
     Winding(const PlanePoints& plane, std::span<const SectionCurve> curves)
         : plane_{plane},
-          points_{plane.section().points}
+          points_{plane.section().points},
+          made_{plane}
     {
         arrange(curves);
     }
@@ -289,7 +289,7 @@ private:
     {
         TrimmedCurve curve;
         if (!is_closed)
-            write(curve, end_point(first->source()->point(), *carrier(first)));
+            append(curve, end_point(first->source()->point(), *carrier(first)));
         Halfedge edge = first;
         for (;;) {
             edge->set_data(true);
@@ -298,14 +298,14 @@ private:
                 break;
             const std::int32_t segment = *carrier(edge);
             if (segment != *carrier(*following))
-                write(curve, inner_point(edge->target()->point(), segment,
-                                         *carrier(*following)));
+                append(curve, inner_point(edge->target()->point(), segment,
+                                          *carrier(*following)));
             edge = *following;
             if (edge == first)
                 break;
         }
         if (!is_closed)
-            write(curve, end_point(edge->target()->point(), *carrier(edge)));
+            append(curve, end_point(edge->target()->point(), *carrier(edge)));
         else
             close(curve);
         return curve;
@@ -332,63 +332,40 @@ private:
         return std::nullopt;
     }
 
-    SectionLine line(std::int32_t segment) const
-    {
-        return {points_[segment], points_[segment + 1]};
-    }
-
-    TrimmedPoint vertex_point(std::int32_t vertex) const
-    {
-        const SegmentNumber number = plane_.number(vertex);
-        return {points_[vertex], number, number, TrimmedKind::vertex};
-    }
-
     TrimmedPoint inner_point(const ExactPoint& point, std::int32_t p,
                              std::int32_t q) const
     {
         const auto of_p = vertex_at(point, p);
         const auto of_q = vertex_at(point, q);
         if (of_p || of_q)
-            return vertex_point(of_p && of_q ? std::min(*of_p, *of_q)
+            return made_.vertex(of_p && of_q ? std::min(*of_p, *of_q)
                                 : of_p       ? *of_p
                                              : *of_q);
-        return {rounded_crossing(line(p), line(q)), plane_.number(p), plane_.number(q),
-                TrimmedKind::crossing};
+        return made_.crossing(p, q);
     }
 
     // Where the result ends: straight above or below an end of an open curve.
     TrimmedPoint end_point(const ExactPoint& point, std::int32_t segment) const
     {
         if (const auto vertex = vertex_at(point, segment))
-            return vertex_point(*vertex);
+            return made_.vertex(*vertex);
         for (const Interval& interval : open_) {
             for (const std::int32_t end : {interval.first, interval.last}) {
                 const double s = points_[end][0];
                 if (s != point.x())
                     continue;
                 if (points_[segment][0] == points_[segment + 1][0])  // the end is on it
-                    return vertex_point(end);
-                return {{s, rounded_height(line(segment), s)},
-                        plane_.number(segment),
-                        plane_.number(end),
-                        TrimmedKind::link};
+                    return made_.vertex(end);
+                return made_.link(segment, end);
             }
         }
         return inner_point(point, segment, segment);
     }
 
-    static void write(TrimmedCurve& curve, const TrimmedPoint& point)
-    {
-        auto& points = curve.points;
-        if (points.empty() || points.back().at != point.at)
-            points.push_back(point);
-        else if (points.back().kind != TrimmedKind::vertex)
-            points.back() = point;
-    }
-
     const PlanePoints& plane_;
     std::span<const SectionPoint> points_;
     Arrangement arrangement_;
+    TrimmedPoints made_;
     std::vector<Interval> open_;
 };
 
