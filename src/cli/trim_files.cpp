@@ -67,7 +67,7 @@ std::vector<Trimmed> as_trimmed(std::span<const PlaneSection> sections)
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const SegmentNumber on{static_cast<std::int32_t>(c),
                                        static_cast<std::int32_t>(i)};
-                curve.points.push_back({points[i], on, on, TrimmedKind::vertex});
+                curve.points.push_back({points[i], on, on, TrimmedKind::Vertex});
             }
         }
     return planes;

@@ -13,10 +13,10 @@ namespace endmill {
 namespace {
 
 constexpr std::array modes{Choice<bool>{"corrected", false}, Choice<bool>{"paper", true}};
-constexpr std::array detections{Choice<FoldDetection>{"guarded", FoldDetection::guarded},
-                                Choice<FoldDetection>{"literal", FoldDetection::literal}};
-constexpr std::array searches{Choice<BranchSearch>{"march", BranchSearch::march},
-                              Choice<BranchSearch>{"scan", BranchSearch::scan}};
+constexpr std::array detections{Choice<FoldDetection>{"guarded", FoldDetection::Guarded},
+                                Choice<FoldDetection>{"literal", FoldDetection::Literal}};
+constexpr std::array searches{Choice<BranchSearch>{"march", BranchSearch::March},
+                              Choice<BranchSearch>{"scan", BranchSearch::Scan}};
 constexpr std::array boundaries{
     Choice<BoundaryContact>{"contact", BoundaryContact::Contact},
     Choice<BoundaryContact>{"none", BoundaryContact::None}};
@@ -201,7 +201,7 @@ TrimmingOptions trimming_options(const TrimOptions& options, double extent)
 {
     TrimmingOptions trimming;
     trimming.detection = options.detection.value_or(
-        options.paper ? FoldDetection::literal : FoldDetection::guarded);
+        options.paper ? FoldDetection::Literal : FoldDetection::Guarded);
     const double step = options.cutter ? step_share_of_radius * options.cutter->radius()
                                        : step_share_of_extent * extent;
     // Curves on one level have no folds that a line could meet.

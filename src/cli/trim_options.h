@@ -29,7 +29,7 @@ struct TrimOptions {
     std::optional<FoldDetection> detection;  ///< methods 1, 2, 3
     std::optional<double> scan_step;         ///< mm, method 1
     std::optional<double> scan_threshold;    ///< mm, method 1
-    BranchSearch search = BranchSearch::march;
+    BranchSearch search = BranchSearch::March;
     std::optional<BoundaryContact> boundary;
     double tolerance = 0.01;  ///< mm, deepest gouge that is no failure
     double allowance = 0;     ///< mm of stock to leave

@@ -12,7 +12,7 @@ TrimmedCurve curve(const std::vector<SectionPoint>& points, bool is_closed = fal
     made.is_closed = is_closed;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const SegmentNumber on{0, static_cast<std::int32_t>(k)};
-        made.points.push_back({points[k], on, on, TrimmedKind::vertex});
+        made.points.push_back({points[k], on, on, TrimmedKind::Vertex});
     }
     return made;
 }
@@ -33,7 +33,7 @@ TEST(ClippedSections, LeavesWhatLiesWithin)
     const auto left = clipped({curve(points)}, {0, 4});
     ASSERT_EQ(left.size(), 1U);
     EXPECT_EQ(places(left[0]), points);
-    EXPECT_EQ(left[0].points[2].kind, TrimmedKind::vertex);
+    EXPECT_EQ(left[0].points[2].kind, TrimmedKind::Vertex);
 }
 
 TEST(ClippedSections, CutsBothEndsOffWithinASegment)
@@ -41,7 +41,7 @@ TEST(ClippedSections, CutsBothEndsOffWithinASegment)
     const auto left = clipped({curve({{0, 0}, {4, 4}, {8, 0}})}, {1, 7});
     ASSERT_EQ(left.size(), 1U);
     EXPECT_EQ(places(left[0]), (Points{{1, 1}, {4, 4}, {7, 1}}));
-    EXPECT_EQ(left[0].points[0].kind, TrimmedKind::end);
+    EXPECT_EQ(left[0].points[0].kind, TrimmedKind::End);
     EXPECT_EQ(left[0].points[0].on, (SegmentNumber{0, 0}));
     EXPECT_EQ(left[0].points[2].on, (SegmentNumber{0, 1}));
 }
@@ -84,7 +84,7 @@ TEST(ClippedSections, OpensAClosedCurveThatIsCut)
 TEST(ClippedSections, NamesTheSegmentOfACrossing)
 {
     TrimmedCurve crossed = curve({{0, 0}, {4, 4}, {8, 0}});
-    crossed.points[1] = {{4, 4}, {0, 0}, {0, 7}, TrimmedKind::crossing};
+    crossed.points[1] = {{4, 4}, {0, 0}, {0, 7}, TrimmedKind::Crossing};
     crossed.points[2].on = crossed.points[2].across = {0, 8};
     const auto left = clipped({crossed}, {2, 6});
     EXPECT_EQ(left[0].points[0].on, (SegmentNumber{0, 0}));

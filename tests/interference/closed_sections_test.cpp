@@ -64,7 +64,7 @@ TEST(TrimClosed, IsWhatTheMethodsDo)
     const std::vector<SectionCurve> curves{open, crescent(-3)};
     for (const char* method : {"1", "2", "3", "3r"}) {
         const Trimmed trimmed = test::trimming_method(method).trim(
-            curves, test::options_for(open, FoldDetection::literal));
+            curves, test::options_for(open, FoldDetection::Literal));
         ASSERT_EQ(trimmed.curves.size(), 1U);
         EXPECT_EQ(trimmed.curves[0].points[0].on.curve, 0);
         EXPECT_EQ(trimmed.rules.back().rule, "closed");

@@ -66,7 +66,7 @@ TEST(CutOut, IsAFoldWhereTheCrossingIsAVertex)
         trimmed.curves.emplace_back();
         for (const int i : {0, kept, 6})
             trimmed.curves[0].points.push_back(
-                {touching.points[i], {0, i}, {0, i}, TrimmedKind::vertex});
+                {touching.points[i], {0, i}, {0, i}, TrimmedKind::Vertex});
         const auto cuts = cut_out({&touching, 1}, trimmed);
         ASSERT_EQ(cuts.size(), 1U);
         expect_stretch(cuts[0], kept == 1 ? 2 : 1, kept == 1 ? 5 : 4, CutCause::Fold);
@@ -80,10 +80,10 @@ TEST(CutOut, OfAVerticalStepIsAnEnd)
     const SectionCurve overhang =
         test::open_curve({{-4, 4}, {2, 1}, {1, 1.25}, {0, 0.5}, {6, -2.5}});
     Trimmed trimmed;
-    trimmed.curves.push_back({{{{-4, 4}, {0, 0}, {0, 0}, TrimmedKind::vertex},
-                               {{2, 1}, {0, 1}, {0, 1}, TrimmedKind::vertex},
-                               {{2, -0.5}, {0, 3}, {0, 1}, TrimmedKind::link},
-                               {{6, -2.5}, {0, 4}, {0, 4}, TrimmedKind::vertex}}});
+    trimmed.curves.push_back({{{{-4, 4}, {0, 0}, {0, 0}, TrimmedKind::Vertex},
+                               {{2, 1}, {0, 1}, {0, 1}, TrimmedKind::Vertex},
+                               {{2, -0.5}, {0, 3}, {0, 1}, TrimmedKind::Link},
+                               {{6, -2.5}, {0, 4}, {0, 4}, TrimmedKind::Vertex}}});
     const auto cuts = cut_out({&overhang, 1}, trimmed);
     ASSERT_EQ(cuts.size(), 1U);
     expect_stretch(cuts[0], 2, 3, CutCause::End);
@@ -112,9 +112,9 @@ TEST(CutOut, TakesTheEndsOfAClosedCurveForOne)
 {
     const SectionCurve closed{{{0, 0}, {1, 1}, {2, 0}, {1, -1}, {0, 0}}, true};
     Trimmed trimmed;
-    trimmed.curves.push_back({{{{0, 0}, {0, 4}, {0, 4}, TrimmedKind::vertex},
-                               {{1, 1}, {0, 1}, {0, 1}, TrimmedKind::vertex},
-                               {{2, 0}, {0, 2}, {0, 2}, TrimmedKind::vertex}}});
+    trimmed.curves.push_back({{{{0, 0}, {0, 4}, {0, 4}, TrimmedKind::Vertex},
+                               {{1, 1}, {0, 1}, {0, 1}, TrimmedKind::Vertex},
+                               {{2, 0}, {0, 2}, {0, 2}, TrimmedKind::Vertex}}});
     const auto cuts = cut_out({&closed, 1}, trimmed);
     ASSERT_EQ(cuts.size(), 1U);
     expect_stretch(cuts[0], 3, 3, CutCause::End);
@@ -128,7 +128,7 @@ TEST(CutOut, HoldsExactlyThePointsThatAreNotLeft)
         const Trimmed trimmed = test::trim("3r", curve);
         std::vector<bool> seen(curve.points.size(), false);
         for (const TrimmedPoint& point : trimmed.curves.at(0).points) {
-            if (point.kind == TrimmedKind::vertex)
+            if (point.kind == TrimmedKind::Vertex)
                 seen[point.on.point] = true;
         }
         int crossings = 0;
@@ -145,8 +145,8 @@ TEST(CutOut, HoldsExactlyThePointsThatAreNotLeft)
         int bounds = 0;
         const auto& points = trimmed.curves[0].points;
         for (std::size_t i = 1; i < points.size(); ++i)
-            bounds += points[i].kind == TrimmedKind::crossing &&
-                      points[i - 1].kind == TrimmedKind::vertex;
+            bounds += points[i].kind == TrimmedKind::Crossing &&
+                      points[i - 1].kind == TrimmedKind::Vertex;
         EXPECT_EQ(crossings, bounds);
     }
 }

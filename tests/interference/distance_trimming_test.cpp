@@ -14,7 +14,7 @@ const std::vector<SectionPoint> loop{{-6, 6}, {2, -2}, {0, -1}, {-2, -2}, {6, 6}
 constexpr Branches of_loop{0, 1, 3, 4};
 
 std::optional<ChainCrossing> search(double step, double threshold,
-                                    FoldDetection detection = FoldDetection::guarded)
+                                    FoldDetection detection = FoldDetection::Guarded)
 {
     const SectionChain chain{loop, 0};
     return search_by_distance(
@@ -49,7 +49,7 @@ TEST(SearchByDistance, AnswersWhereBranchesAreNearWithoutACrossing)
     const std::vector<SectionPoint> beside{{0.3, 1}, {0.5, 0}, {0, -1}, {0.2, 1}, {6, 8}};
     const SectionChain chain{beside, 0};
     const TrimmingOptions options{
-        .detection = FoldDetection::literal, .scan_step = 0.01, .scan_threshold = 0.2};
+        .detection = FoldDetection::Literal, .scan_step = 0.01, .scan_threshold = 0.2};
     const auto crossing = search_by_distance(chain, {0, 1, 2, 4}, options);
     ASSERT_TRUE(crossing);
     EXPECT_FALSE(crossing_of(chain, crossing->segment_a, crossing->segment_b, false));

@@ -48,9 +48,9 @@ ExactPoint origin(const std::vector<SectionCurve>& curves, const TrimmedPoint& p
     const auto vertex = [&](const SegmentNumber& number) {
         return exact(curves[number.curve].points[number.point]);
     };
-    if (point.kind == TrimmedKind::vertex)
+    if (point.kind == TrimmedKind::Vertex)
         return vertex(point.on);
-    if (point.kind == TrimmedKind::crossing) {
+    if (point.kind == TrimmedKind::Crossing) {
         const auto met =
             CGAL::intersection(line(curves, point.on), line(curves, point.across));
         return *boost::get<ExactPoint>(&*met);

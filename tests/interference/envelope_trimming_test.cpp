@@ -59,9 +59,9 @@ TEST(EnvelopeTrimming, HasTheCarriersAndJointsListedForHardProfiles)
         std::vector<TrimmedPoint> crossings;
         std::vector<std::int32_t> vertices;
         for (const TrimmedPoint& point : trimmed.curves.front().points) {
-            if (point.kind == TrimmedKind::crossing)
+            if (point.kind == TrimmedKind::Crossing)
                 crossings.push_back(point);
-            if (point.kind == TrimmedKind::vertex)
+            if (point.kind == TrimmedKind::Vertex)
                 vertices.push_back(point.on.point);
         }
         std::vector<std::int32_t> inner_vertices;
@@ -115,7 +115,7 @@ TEST(EnvelopeTrimming, KeepsSpikesAndStandsOnTheirFeet)
               (std::vector<Points>{{{0, 0}, {1, 1}, {1, 5}, {1, 1}, {4, 4}}}));
     const Trimmed trimmed = envelope_trimming(curves);
     const TrimmedPoint& foot = trimmed.curves[0].points[1];
-    EXPECT_EQ(foot.kind, TrimmedKind::crossing);
+    EXPECT_EQ(foot.kind, TrimmedKind::Crossing);
     EXPECT_EQ(foot.across, (SegmentNumber{1, 0}));
 }
 

@@ -17,7 +17,7 @@ struct Outcome {
 Outcome trim(const std::vector<SectionPoint>& points)
 {
     SectionChain chain{points, 0};
-    trim_literally(chain, 0, scan_segments, {.detection = FoldDetection::literal});
+    trim_literally(chain, 0, scan_segments, {.detection = FoldDetection::Literal});
     Outcome outcome;
     for (const TrimmedPoint& point : chain.curve().points)
         outcome.points.push_back(point.at);

@@ -52,7 +52,7 @@ TEST(OffsetCurve, ConvergesToTheCrossingOfTheParabola)
             test::trim("3", offset_curve(parabola(6, 10, -15, 16), count));
         double error = 1;
         for (const TrimmedPoint& point : trimmed.curves.at(0).points) {
-            if (point.kind == TrimmedKind::crossing)
+            if (point.kind == TrimmedKind::Crossing)
                 error = std::abs(point.at.y() - z);
         }
         EXPECT_LE(error, 1.01 * printed);

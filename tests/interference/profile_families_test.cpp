@@ -74,14 +74,14 @@ TEST(HardProfiles, AreTrimmedAsListed)
         ASSERT_EQ(profiles[i].name, listed["name"]);
         const SectionCurve curve = offset_curve(profiles[i], points);
         for (std::size_t m = 0; m < methods.size(); ++m) {
-            EXPECT_EQ(is_right(trial(methods[m], FoldDetection::literal), curve),
+            EXPECT_EQ(is_right(trial(methods[m], FoldDetection::Literal), curve),
                       listed["literal"][m] == "right")
                 << methods[m] << " literal";
-            EXPECT_EQ(is_right(trial(methods[m], FoldDetection::guarded), curve),
+            EXPECT_EQ(is_right(trial(methods[m], FoldDetection::Guarded), curve),
                       listed["guarded"][m] == "right")
                 << methods[m] << " guarded";
         }
-        EXPECT_TRUE(is_right(trial("3r", FoldDetection::guarded), curve));
+        EXPECT_TRUE(is_right(trial("3r", FoldDetection::Guarded), curve));
     }
 }
 
@@ -127,7 +127,7 @@ std::vector<TrimmedPoint> crossings_left(const Trimmed& trimmed)
     std::vector<TrimmedPoint> crossings;
     for (const TrimmedCurve& curve : trimmed.curves) {
         for (const TrimmedPoint& point : curve.points) {
-            if (point.kind == TrimmedKind::crossing)
+            if (point.kind == TrimmedKind::Crossing)
                 crossings.push_back(point);
         }
     }
@@ -199,7 +199,7 @@ TEST(HardProfiles, WithoutInterferenceComeBackUnchangedButFromThePrint)
         if (profile.name != "gentle-wave" && profile.name != "hill-and-valley")
             continue;
         const SectionCurve curve = offset_curve(profile, points);
-        const auto guarded = trial("1", FoldDetection::guarded).options;
+        const auto guarded = trial("1", FoldDetection::Guarded).options;
         for (const char* method : {"1", "2", "3", "3r"}) {
             const Trimmed trimmed = test::trim(method, curve, guarded);
             EXPECT_EQ(test::points_left(trimmed), curve.points);
@@ -207,7 +207,7 @@ TEST(HardProfiles, WithoutInterferenceComeBackUnchangedButFromThePrint)
         }
         for (const char* method : methods) {
             const auto left = test::points_left(
-                test::trim(method, curve, trial(method, FoldDetection::literal).options));
+                test::trim(method, curve, trial(method, FoldDetection::Literal).options));
             const double kept = (left.back().x() - left.front().x()) /
                                 (curve.points.back().x() - curve.points.front().x());
             EXPECT_LT(kept, 0.4) << "known failure: the print cuts off good path";
@@ -247,8 +247,8 @@ TEST(WavyProfiles, AreAsWrongAsListed)
     EXPECT_DOUBLE_EQ(profiles.back().radius, family["last"][8].get<double>());
     for (const char* detection : {"literal", "guarded"}) {
         const auto mode = detection == std::string_view{"literal"}
-                              ? FoldDetection::literal
-                              : FoldDetection::guarded;
+                              ? FoldDetection::Literal
+                              : FoldDetection::Guarded;
         const auto wrong = count_wrong(
             profiles, points, [&](const char* method, const SectionCurve&, double) {
                 return trial(method, mode);
@@ -269,8 +269,8 @@ TEST(ConvexProfiles, AreAsWrongAsListed)
         EXPECT_DOUBLE_EQ(profiles.back().radius, family["last"][size][4].get<double>());
         for (const char* detection : {"literal", "guarded"}) {
             const auto mode = detection == std::string_view{"literal"}
-                                  ? FoldDetection::literal
-                                  : FoldDetection::guarded;
+                                  ? FoldDetection::Literal
+                                  : FoldDetection::Guarded;
             const auto wrong =
                 count_wrong(profiles, count,
                             [&](const char* method, const SectionCurve& curve, double R) {
@@ -288,7 +288,7 @@ TEST(ConvexProfiles, AreRightBy3rAlsoWithManyPoints)
     for (const OffsetProfile& profile : profiles) {
         const SectionCurve curve = offset_curve(profile, many);
         EXPECT_TRUE(is_right(
-            convex_trial("3r", FoldDetection::guarded, curve, profile.radius), curve));
+            convex_trial("3r", FoldDetection::Guarded, curve, profile.radius), curve));
     }
     EXPECT_THROW(convex_profiles(42), DomainError);
 }

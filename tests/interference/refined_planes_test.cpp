@@ -68,7 +68,7 @@ TEST(RefinedPlanes, FindTheCrossingOfTheInclinedTroughWhateverTheGrid)
         const RefinedPlanes refined = refine_planes(sections.source(), sections.trimmed);
         const auto& points = refined.curves[0].front().points;
         const auto found =
-            std::ranges::find(points, TrimmedKind::crossing, &TrimmedPoint::kind);
+            std::ranges::find(points, TrimmedKind::Crossing, &TrimmedPoint::kind);
         ASSERT_NE(found, points.end());
         EXPECT_NEAR(found->at.x(), 0, 1e-8);
         EXPECT_NEAR(found->at.y(), crossing, 1e-8);

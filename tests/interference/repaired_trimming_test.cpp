@@ -22,7 +22,7 @@ TEST(TrimRepaired, HeedsNoOption)
         test::open_curve({{-4, 2}, {-2, 0}, {0, 1}, {2, 0}, {4, 2}});
     EXPECT_EQ(test::points_left(test::trim(
                   "3r", wave,
-                  {.detection = FoldDetection::literal, .search = BranchSearch::scan})),
+                  {.detection = FoldDetection::Literal, .search = BranchSearch::Scan})),
               wave.points);
 }
 

@@ -37,7 +37,7 @@ TEST(SectionChain, JoinsAtACrossing)
     EXPECT_EQ(left(chain),
               (std::vector<SectionPoint>{{0, 0}, {1, 0}, {1.5, 2}, {4, 0}, {5, 0}}));
     const TrimmedPoint crossing = chain.curve().points[2];
-    EXPECT_EQ(crossing.kind, TrimmedKind::crossing);
+    EXPECT_EQ(crossing.kind, TrimmedKind::Crossing);
     EXPECT_EQ(crossing.on.point, 1);
     EXPECT_EQ(crossing.across.point, 3);
     ASSERT_EQ(chain.rules().size(), 1U);

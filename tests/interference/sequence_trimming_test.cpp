@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-constexpr std::array both_detections{FoldDetection::literal, FoldDetection::guarded};
+constexpr std::array both_detections{FoldDetection::Literal, FoldDetection::Guarded};
 
 struct Sampled {
     SectionCurve curve;
@@ -39,7 +39,7 @@ TEST(March, AnswersWhatTheScanDoes)
         for (const FoldDetection detection : both_detections) {
             const TrimmingOptions march{.detection = detection};
             const TrimmingOptions scan{.detection = detection,
-                                       .search = BranchSearch::scan};
+                                       .search = BranchSearch::Scan};
             ASSERT_EQ(test::points_left(test::trim("3", sampled.curve, march)),
                       test::points_left(test::trim("3", sampled.curve, scan)));
         }

@@ -21,11 +21,11 @@ TEST(TrimmedPoints, TellWhereTheyComeFrom)
     const TrimmedPoint crossing = points.crossing(0, 3);  // z = s / 2 and z = 12 - 3 s
     EXPECT_NEAR(crossing.at[0], 24 / 7.0, 1e-15);
     EXPECT_EQ(crossing.across, (SegmentNumber{1, 1}));
-    EXPECT_EQ(crossing.kind, TrimmedKind::crossing);
+    EXPECT_EQ(crossing.kind, TrimmedKind::Crossing);
     const TrimmedPoint link = points.link(0, 3);
     EXPECT_EQ(link.at, SectionPoint(1, 0.5));
     EXPECT_EQ(link.across, (SegmentNumber{1, 1}));
-    EXPECT_EQ(link.kind, TrimmedKind::link);
+    EXPECT_EQ(link.kind, TrimmedKind::Link);
 }
 
 TEST(TrimmedPoints, AreOneWhereTheyAreEqualAndAVertexRatherThanACrossing)
@@ -39,7 +39,7 @@ TEST(TrimmedPoints, AreOneWhereTheyAreEqualAndAVertexRatherThanACrossing)
     for (const TrimmedPoint& point : {crossing, vertex, crossing, points.vertex(0)})
         append(curve, point);
     ASSERT_EQ(curve.points.size(), 2u);
-    EXPECT_EQ(curve.points[0].kind, TrimmedKind::vertex);
+    EXPECT_EQ(curve.points[0].kind, TrimmedKind::Vertex);
 }
 
 }  // namespace

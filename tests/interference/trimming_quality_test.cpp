@@ -16,7 +16,7 @@ Trimmed result_of(const std::vector<std::vector<SectionPoint>>& curves)
     for (const auto& points : curves) {
         result.curves.emplace_back();
         for (const SectionPoint& point : points)
-            result.curves.back().points.push_back({point, {}, {}, TrimmedKind::vertex});
+            result.curves.back().points.push_back({point, {}, {}, TrimmedKind::Vertex});
     }
     return result;
 }

@@ -17,7 +17,7 @@ using test::ExpectedTrim;
 using test::TrimmingVector;
 
 constexpr std::array paper_methods{"1", "2", "3"};
-constexpr std::array both_detections{FoldDetection::literal, FoldDetection::guarded};
+constexpr std::array both_detections{FoldDetection::Literal, FoldDetection::Guarded};
 
 TEST(TrimmingMethods, HaveDifferentNames)
 {
@@ -35,7 +35,7 @@ const ExpectedTrim& expected_trim(const TrimmingVector& vector, std::string_view
 {
     if (method == "3r")
         return vector.repaired;
-    return detection == FoldDetection::literal ? vector.literal : vector.guarded;
+    return detection == FoldDetection::Literal ? vector.literal : vector.guarded;
 }
 
 // How far method 1 may be from the crossing of two segments: spec of the lines, section 5.1.
@@ -86,7 +86,7 @@ TEST(TrimmingMethods, GiveWhatTheVectorsList)
             const TrimmingOptions options = test::options_for(vector.curve, detection);
             for (const char* method : {"2", "3", "3r"}) {
                 SCOPED_TRACE(vector.name + " by " + method +
-                             (detection == FoldDetection::literal ? " literal" : ""));
+                             (detection == FoldDetection::Literal ? " literal" : ""));
                 const auto points =
                     test::points_left(test::trim(method, vector.curve, options));
                 test::expect_points(
@@ -124,9 +124,9 @@ TEST(TrimmingMethods, SayWhereTheirPointsComeFrom)
         const Trimmed trimmed = test::trim(method, curve);
         const auto& points = trimmed.curves.at(0).points;
         ASSERT_EQ(points.size(), 3U);
-        EXPECT_EQ(points[0].kind, TrimmedKind::vertex);
+        EXPECT_EQ(points[0].kind, TrimmedKind::Vertex);
         EXPECT_EQ(points[0].on, (SegmentNumber{0, 0}));
-        EXPECT_EQ(points[1].kind, TrimmedKind::crossing);
+        EXPECT_EQ(points[1].kind, TrimmedKind::Crossing);
         EXPECT_EQ(points[1].on, (SegmentNumber{0, 0}));
         EXPECT_EQ(points[1].across, (SegmentNumber{0, 3}));
         EXPECT_EQ(points[2].on, (SegmentNumber{0, 4}));
@@ -145,7 +145,7 @@ TEST(TrimmingMethods, TrimEachOpenCurveByItselfAndSortThem)
     const std::vector<SectionCurve> curves{low, high};
     for (const char* method : paper_methods) {
         const Trimmed trimmed = test::trimming_method(method).trim(
-            curves, test::options_for(high, FoldDetection::literal));
+            curves, test::options_for(high, FoldDetection::Literal));
         ASSERT_EQ(trimmed.curves.size(), 2U);
         EXPECT_EQ(trimmed.curves[0].points.size(), 2U);
         EXPECT_EQ(trimmed.curves[1].points[0].on, (SegmentNumber{1, 0}));
@@ -168,7 +168,7 @@ TEST(TrimmingMethods, LeaveCurvesWithoutFoldsAsTheyAre)
     };
     for (const char* method : {"1", "2", "3", "3r"}) {
         for (const SectionCurve& curve : curves) {
-            auto options = test::options_for(curve, FoldDetection::guarded);
+            auto options = test::options_for(curve, FoldDetection::Guarded);
             options.scan_step = std::max(options.scan_step, 1e-3);
             options.scan_threshold = 4 * options.scan_step;
             const Trimmed trimmed = test::trim(method, curve, options);

@@ -36,8 +36,8 @@ TEST(SectionCsv, WritesWhatIsLeft)
 {
     Trimmed plane;
     plane.curves.resize(1);
-    plane.curves[0].points = {{{5, 6}, {0, 0}, {0, 0}, TrimmedKind::vertex},
-                              {{7, 8}, {0, 1}, {0, 3}, TrimmedKind::crossing}};
+    plane.curves[0].points = {{{5, 6}, {0, 0}, {0, 0}, TrimmedKind::Vertex},
+                              {{7, 8}, {0, 1}, {0, 3}, TrimmedKind::Crossing}};
     EXPECT_EQ(trimmed_csv(std::span{&plane, 1}, nullptr),
               "plane,curve,point,s_mm,x_mm,y_mm,z_mm\n"
               "0,0,0,5,,,6\n"

@@ -22,9 +22,9 @@ const std::vector<SectionCurve> loop{
 std::vector<TrimmedCurve> trimmed_loop()
 {
     TrimmedCurve curve;
-    curve.points = {{{-6, 6}, {0, 0}, {0, 0}, TrimmedKind::vertex},
-                    {{0, 0}, {0, 0}, {0, 3}, TrimmedKind::crossing},
-                    {{6, 6}, {0, 4}, {0, 4}, TrimmedKind::vertex}};
+    curve.points = {{{-6, 6}, {0, 0}, {0, 0}, TrimmedKind::Vertex},
+                    {{0, 0}, {0, 0}, {0, 3}, TrimmedKind::Crossing},
+                    {{6, 6}, {0, 4}, {0, 4}, TrimmedKind::Vertex}};
     return {curve};
 }
 

@@ -15,7 +15,7 @@ TrimmedCurve curve(std::vector<SectionPoint> points)
 {
     TrimmedCurve made;
     for (const SectionPoint& at : points)
-        made.points.push_back({at, {0, 0}, {0, 0}, TrimmedKind::vertex});
+        made.points.push_back({at, {0, 0}, {0, 0}, TrimmedKind::Vertex});
     return made;
 }
 

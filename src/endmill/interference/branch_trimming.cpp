@@ -38,7 +38,7 @@ void sort_by_place(std::vector<TrimmedCurve>& curves)
 void append_trimmed(SectionChain& chain, double dead_band, const BranchMethod& method,
                     const TrimmingOptions& options, Trimmed& trimmed)
 {
-    if (options.detection == FoldDetection::literal)
+    if (options.detection == FoldDetection::Literal)
         trim_literally(chain, dead_band, method.search, options);
     else
         trimmed.unresolved +=

@@ -20,7 +20,7 @@ struct LeastGap {
 
 /// To what a gap is found unless another resolution is given, mm: a hundredth of what any
 /// sampling leaves.
-inline constexpr double gap_resolution = 1e-6;
+inline constexpr double gap_resolution = 1e-5;
 
 /// The least gap between the cutter at any of the places `references` and smooth surfaces:
 /// of a ball the distance of its centre from them less R; of others the signed distance of

@@ -11,9 +11,9 @@ namespace {
 // The segments that a point lies on: of a vertex those that meet in it.
 std::array<SegmentNumber, 2> segments_at(const TrimmedPoint& point)
 {
-    if (point.kind == TrimmedKind::vertex)
+    if (point.kind == TrimmedKind::Vertex)
         return {point.on, SegmentNumber{point.on.curve, point.on.point - 1}};
-    return {point.on, point.kind == TrimmedKind::crossing ? point.across : point.on};
+    return {point.on, point.kind == TrimmedKind::Crossing ? point.across : point.on};
 }
 
 // The segment of the section on which the way from `a` to `b` runs.
@@ -77,7 +77,7 @@ private:
     {
         const double share = (s - a.at.x()) / (b.at.x() - a.at.x());
         const SegmentNumber on = segment_between(a, b);
-        return {{s, a.at.y() + share * (b.at.y() - a.at.y())}, on, on, TrimmedKind::end};
+        return {{s, a.at.y() + share * (b.at.y() - a.at.y())}, on, on, TrimmedKind::End};
     }
 
     void finish()

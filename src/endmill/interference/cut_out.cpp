@@ -48,7 +48,7 @@ public:
             const TrimmedPoint* point = row_[k];
             if (point != nullptr && point->kind == kind &&
                 (point->on == segment ||
-                 (point->across == segment && kind == TrimmedKind::crossing)))
+                 (point->across == segment && kind == TrimmedKind::Crossing)))
                 return point;
         }
         return nullptr;
@@ -69,10 +69,10 @@ public:
 private:
     void add(const TrimmedPoint& point)
     {
-        if (point.kind == TrimmedKind::vertex)
+        if (point.kind == TrimmedKind::Vertex)
             places_[point.on.curve][point.on.point] =
                 static_cast<std::int32_t>(row_.size());
-        if (point.kind == TrimmedKind::crossing) {
+        if (point.kind == TrimmedKind::Crossing) {
             for (const std::int32_t curve : {point.on.curve, point.across.curve}) {
                 if (crossings_[curve] == nullptr)
                     crossings_[curve] = &point;
@@ -107,11 +107,11 @@ public:
 
     Bound bound() const
     {
-        if (const TrimmedPoint* crossing = point_of(TrimmedKind::crossing))
+        if (const TrimmedPoint* crossing = point_of(TrimmedKind::Crossing))
             return {crossing->at, true};
         if (const auto vertex = crossing_vertex())
             return {vertex, true};
-        if (const TrimmedPoint* link = point_of(TrimmedKind::link))
+        if (const TrimmedPoint* link = point_of(TrimmedKind::Link))
             return {link->at, false};
         return {points_[has_before() ? before_.point : behind_.point], false};
     }

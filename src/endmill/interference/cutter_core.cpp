@@ -13,13 +13,13 @@ namespace {
 // Of a triangle's sides, one after the other: 2^-30 of them is below any resolution.
 constexpr int most_halvings = 60;
 
-// From the core's supporting plane with that normal; none of the corners is nearer.
+// A bound of the corners' distances from the core.
 double facet_distance(const CutterCore& core, const Vec3& normal,
                       const std::array<Vec3, 3>& corners)
 {
     const double least = std::min(
         {normal.dot(corners[0]), normal.dot(corners[1]), normal.dot(corners[2])});
-    return least - core.support(normal);
+    return core.distance_beyond(normal, least);
 }
 
 }  // namespace
@@ -62,9 +62,12 @@ SupportingPlane CutterCore::nearest_plane_below(const Vec3& point) const
     return {-Vec3::UnitZ(), below};
 }
 
-double CutterCore::support(const Vec3& normal) const
+double CutterCore::distance_beyond(const Vec3& normal, double least) const
 {
-    return normal.dot(reference_) + flat_radius_ * normal.head<2>().norm();
+    const double level = normal.head<2>().norm();
+    const double distance = least - normal.dot(reference_) - flat_radius_ * level;
+    return is_ball_ || distance >= 0 ? distance
+                                     : distance / (level + std::abs(normal.z()));
 }
 
 Vec3 CutterCore::turned_away(const Vec3& normal, const Vec3& point) const

@@ -28,10 +28,11 @@ public:
     /// The supporting plane nearest to `point`: its distance is the core's.
     SupportingPlane nearest_plane(const Vec3& point) const;
 
-    /// Greatest `normal` . q over the points q of the core, mm: where its supporting plane
-    /// with that normal lies.
+    /// A bound of the distance of all points q from the core that have `normal` . q of at
+    /// least `least` (mm): that of the supporting plane with that normal. Inside, where
+    /// the planes of bottom and side count by themselves, of their mean that has it.
     /// \param normal unit, not upwards unless of a ball.
-    double support(const Vec3& normal) const;
+    double distance_beyond(const Vec3& normal, double least) const;
 
     /// The normal of a nearly flat piece of the part, turned away from the core as a
     /// supporting plane's is: bounds by that plane are near the piece's own distance also

@@ -70,7 +70,7 @@ std::optional<ChainCrossing> search_by_distance(const SectionChain& chain,
     if (!heights)
         return std::nullopt;
     check_count(*heights, options);
-    const bool valley_only = options.detection == FoldDetection::guarded;
+    const bool valley_only = options.detection == FoldDetection::Guarded;
     for (int line = 0;; ++line) {
         const double z = heights->high - line * options.scan_step;
         if (z < heights->low)

@@ -15,6 +15,9 @@
 
 namespace endmill {
 
+class DropEntries;
+struct DropEntry;
+
 /// Triangles in the order of Hilbert's curve in plan, under a tree of nodes with four
 /// children each, from which a search learns how high a cutter could come to rest on what
 /// is below. Refers to the mesh, which must outlive it. Takes about 47 bytes a triangle,
@@ -92,8 +95,6 @@ public:
     void search(Query& query) const;
 
 private:
-    struct Entry;
-    class Entries;
     struct Level {
         std::vector<Nodes> nodes;
         std::vector<Eigen::Array4f> tops;  // greatest z in each node; none for a ball
@@ -104,8 +105,8 @@ private:
         std::int32_t level;
     };
 
-    void build(const Entries& entries);
-    void set_node(Level& level, std::size_t number, const Entry& whole) const;
+    void build(const DropEntries& entries);
+    void set_node(Level& level, std::size_t number, const DropEntry& whole) const;
     const Eigen::Array4f& tops_of(const Level& level, std::uint32_t node) const
     {
         return level.tops.empty() ? no_tops_ : level.tops[node];

@@ -218,7 +218,7 @@ private:
         if (vertical && points_[jump.upper][1] <= points_[vertical->top][1] &&
             order_.side(segment, vertical->bottom) <= 0) {
             point.across = plane_.number(vertical->segment);
-            point.kind = TrimmedKind::crossing;
+            point.kind = TrimmedKind::Crossing;
         }
         return point;
     }

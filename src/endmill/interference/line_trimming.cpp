@@ -16,7 +16,7 @@ std::optional<ChainCrossing> search_by_lines(const SectionChain& chain,
     if (!start || !first_meeting_of_b(chain, branches, 0, chain.at(branches.cusp_a).x()))
         return std::nullopt;
 
-    const bool valley_only = options.detection == FoldDetection::guarded;
+    const bool valley_only = options.detection == FoldDetection::Guarded;
     std::int32_t on_a = start->segment;
     for (int round = 0; round < most_rounds; ++round) {
         const auto on_b = first_crossed_of_b(chain, branches, on_a);

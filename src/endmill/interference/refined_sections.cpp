@@ -48,13 +48,13 @@ public:
 private:
     std::optional<SectionPoint> polished_place(const TrimmedPoint& point) const
     {
-        if (point.kind == TrimmedKind::crossing) {
+        if (point.kind == TrimmedKind::Crossing) {
             const auto one = segment_start(point.on, point.at);
             const auto other = segment_start(point.across, point.at);
             return one && other ? crossing_of_sheets(*one, *other, frame_, across_)
                                 : std::nullopt;
         }
-        const auto start = point.kind == TrimmedKind::vertex
+        const auto start = point.kind == TrimmedKind::Vertex
                                ? vertex_start(point.on)
                                : segment_start(point.on, point.at);
         if (!start)
@@ -117,10 +117,10 @@ private:
                    s == points[crossing].at.x();
         };
         const auto can_leave = [&](std::size_t i, std::size_t crossing) {
-            return points[i].kind == TrimmedKind::vertex && is_passed(i, crossing);
+            return points[i].kind == TrimmedKind::Vertex && is_passed(i, crossing);
         };
         for (std::size_t k = 0; k < points.size(); ++k) {
-            if (points[k].kind != TrimmedKind::crossing)
+            if (points[k].kind != TrimmedKind::Crossing)
                 continue;
             for (std::size_t i = k; i-- > 1 && can_leave(i, k);)
                 leaves[i] = true;

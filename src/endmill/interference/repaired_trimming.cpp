@@ -10,7 +10,7 @@ Trimmed trim_repaired(std::span<const SectionCurve> curves,
                       const TrimmingOptions& options)
 {
     TrimmingOptions guarded = options;
-    guarded.detection = FoldDetection::guarded;
+    guarded.detection = FoldDetection::Guarded;
     return trim_branches(curves, {march_segments, RunPairs::All}, guarded);
 }
 

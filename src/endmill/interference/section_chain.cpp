@@ -32,7 +32,7 @@ std::int32_t SectionChain::join(std::int32_t left, std::int32_t right,
         return is_at_left ? left : right;
     }
     const auto vertex = static_cast<std::int32_t>(next_.size());
-    crossings_.push_back({crossing.at, on, across, TrimmedKind::crossing});
+    crossings_.push_back({crossing.at, on, across, TrimmedKind::Crossing});
     next_.push_back(right);
     previous_.push_back(left);
     next_[left] = vertex;
@@ -94,7 +94,7 @@ void SectionChain::append_input(std::int32_t first, std::int32_t last,
         to->at = *from;
         to->on.curve = to->across.curve = curve;
         to->on.point = to->across.point = vertex;
-        to->kind = TrimmedKind::vertex;
+        to->kind = TrimmedKind::Vertex;
     }
 }
 

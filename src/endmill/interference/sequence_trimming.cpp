@@ -51,7 +51,7 @@ std::optional<ChainCrossing> scan_segments(const SectionChain& chain,
                                            const Branches& branches,
                                            const TrimmingOptions& options)
 {
-    const bool valley_only = options.detection == FoldDetection::guarded;
+    const bool valley_only = options.detection == FoldDetection::Guarded;
     for (std::int32_t b = branches.cusp_b; b != branches.last_b; b = chain.next(b)) {
         const auto a = first_crossed_of_a(chain, branches, b);
         if (!a)
@@ -66,7 +66,7 @@ std::optional<ChainCrossing> march_segments(const SectionChain& chain,
                                             const Branches& branches,
                                             const TrimmingOptions& options)
 {
-    const bool valley_only = options.detection == FoldDetection::guarded;
+    const bool valley_only = options.detection == FoldDetection::Guarded;
     const int axis = valley_only ? 0 : 1;
     UpwardSegments a{chain, branches, axis, chain.at(branches.cusp_b)[axis]};
     for (std::int32_t b = branches.cusp_b; b != branches.last_b; b = chain.next(b)) {
@@ -90,7 +90,7 @@ std::optional<ChainCrossing> search_in_sequence(const SectionChain& chain,
                                                 const Branches& branches,
                                                 const TrimmingOptions& options)
 {
-    return options.search == BranchSearch::march
+    return options.search == BranchSearch::March
                ? march_segments(chain, branches, options)
                : scan_segments(chain, branches, options);
 }

@@ -74,8 +74,8 @@ private:
         const Vec3 across = bezier.corner(1, 1) - bezier.corner(0, 0);
         const Vec3 other = bezier.corner(0, 1) - bezier.corner(1, 0);
         const Vec3 away = core_.turned_away(across.cross(other), piece.middle);
-        const double parallel = bezier.least_height(away, core_.support(away) * away) - r;
-        return std::max(bound, parallel);
+        const double least = bezier.least_height(away, Vec3::Zero());
+        return std::max(bound, core_.distance_beyond(away, least) - r);
     }
 
     void search_pieces(std::int32_t patch)

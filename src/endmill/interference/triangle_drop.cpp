@@ -3,34 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "endmill/interference/corner_touch.h"
 #include "endmill/interference/double_double.h"
 
 namespace endmill {
 namespace {
 
-// What rounding may do to a tip, in mm: a fifth of what is promised.
-constexpr double accuracy = 2e-10;
 constexpr double rounding = std::numeric_limits<double>::epsilon();
 // Roundings in a height from a normal or from a foot on a line: of few operations each.
-constexpr double doubt = 4 * rounding / accuracy;
-// More than a bracket of either number can be halved, with Newton's steps between.
-constexpr int most_iterations = 300;
-
-template <typename Real>
-constexpr double relative_rounding = rounding;
-template <>
-constexpr double relative_rounding<DoubleDouble> = 1e-28;
-
-double value_of(double number)
-{
-    return number;
-}
-
-double value_of(const DoubleDouble& number)
-{
-    return number.value();
-}
+constexpr double doubt = 4 * rounding / tip_accuracy;
 
 double square(double number)
 {
@@ -44,20 +27,6 @@ struct Place {
     Real y;
     Real z;
 };
-
-// The sides of a cutter that touch: see Cutter.
-template <typename Real>
-struct Shape {
-    Real R;
-    Real r;
-    Real c;  // R - r, exactly
-};
-
-template <typename Real>
-Real positive(const Real& value)
-{
-    return value > Real{0} ? value : Real{0};
-}
 
 // A side of the triangle; shares count from 0 at its start to 1 at its end, in plan.
 template <typename Real>
@@ -75,7 +44,9 @@ struct Side {
 template <typename Real>
 class Lowering {
 public:
-    Lowering(const Shape<Real>& shape, double least) : shape_{shape}, least_{least} {}
+    Lowering(const CutterShape<Real>& shape, double least) : shape_{shape}, least_{least}
+    {
+    }
 
     // Whether rounding may have moved the contact by more than the accuracy.
     bool is_doubtful() const { return is_doubtful_; }
@@ -158,7 +129,8 @@ private:
         const double lever =
             value_of(shape_.R) + std::abs(value_of(on.x)) + std::abs(value_of(on.y));
         const double steepness = std::abs(value_of(length * share));
-        return {point, tip, value_of(tip) + 16 * rounding * lever * steepness + accuracy};
+        return {point, tip,
+                value_of(tip) + 16 * rounding * lever * steepness + tip_accuracy};
     }
 
     void lower_onto_sides(const std::array<Place<Real>, 3>& corners,
@@ -172,7 +144,7 @@ private:
     void lower_onto_side(const Place<Real>& from, const Place<Real>& to)
     {
         using std::sqrt;
-        if (std::max(value_of(from.z), value_of(to.z)) + accuracy < least_)
+        if (std::max(value_of(from.z), value_of(to.z)) + tip_accuracy < least_)
             return;
         const Real x = to.x - from.x;
         const Real y = to.y - from.y;
@@ -253,9 +225,7 @@ private:
         keep_at(side, along, at(side, along).z);
     }
 
-    // Where the corner's circle touches the side: with t the distance from the foot on the
-    // side that rises, m the slope, d the distance from the axis and a = d - c, the height
-    // m t - h is greatest at a t / d = m sqrt(r^2 - a^2).
+    // Along the side as it rises.
     void touch_with_corner(const Side<Real>& side)
     {
         using std::sqrt;
@@ -264,111 +234,23 @@ private:
             return;
         const Real length = sqrt(side.length2);
         const bool rises = side.rise > Real{0};
-        const Real m = (rises ? side.rise : -side.rise) / length;
-        const Real lowest =
+        const RisingLine<Real> line{(rises ? side.rise : -side.rise) / length, side.away2,
+                                    side.from.z + side.foot * side.rise};
+        const Real low =
             (rises ? below.low - side.foot : side.foot - below.high) * length;
         const Real high =
             (rises ? below.high - side.foot : side.foot - below.low) * length;
-        // Below the flat bottom the highest point counts; of a level side the nearest.
-        const Real flat =
-            m > Real{0} ? sqrt(positive(shape_.c * shape_.c - side.away2)) : Real{0};
-        const Real low = lowest < flat ? (flat < high ? flat : high) : lowest;
-        const Real tube = shape_.c + shape_.r * m / sqrt(Real{1} + m * m);
-        const Real guess = sqrt(positive(tube * tube - side.away2));
-        Real t = guess < low ? low : (guess > high ? high : guess);
-        if (CornerSlope(shape_, side, m, t).bound(low, high) < least_)
+        const CornerTouch<Real> touch{shape_, line};
+        const std::optional<Real> t = touch.highest(low, high, least_);
+        if (!t)
             return;
-        if (!(CornerSlope(shape_, side, m, low).value < Real{0}))
-            t = low;
-        else if (!(CornerSlope(shape_, side, m, high).value > Real{0}))
-            t = high;
-        else
-            t = corner_root(side, m, {low, t, high});
-        const Real share = t / length;
+        const Real share = *t / length;
         Real along = rises ? side.foot + share : side.foot - share;
-        if (!(t > lowest))  // at an end, to the last bit
+        if (!(*t > low))  // at an end, to the last bit
             along = rises ? below.low : below.high;
-        else if (!(t < high))
+        else if (!(*t < high))
             along = rises ? below.high : below.low;
-        keep_at(side, along, at(side, along).z - corner_profile(side, t));
-    }
-
-    struct Bracket {
-        Real low;
-        Real t;
-        Real high;
-    };
-
-    // Newton's iteration in a bracket.
-    Real corner_root(const Side<Real>& side, const Real& m, Bracket bracket) const
-    {
-        auto& [low, t, high] = bracket;
-        const double least_step = relative_rounding<Real> * value_of(shape_.R);
-        for (int k = 0; k < most_iterations && low < high; ++k) {
-            const CornerSlope slope{shape_, side, m, t};
-            (slope.value < Real{0} ? low : high) = t;
-            if (slope.bound(low, high) < least_)
-                return t;
-            Real next = slope.rise > Real{0} ? t - slope.value / slope.rise : low;
-            if (!(next > low && next < high))
-                next = low + (high - low) / Real{2};
-            const double step = std::abs(value_of(next - t));
-            t = next;
-            if (step <= least_step)
-                break;
-        }
-        return t;
-    }
-
-    // At t: by how much the slope of the profile, times the root, is above that of the
-    // side, and how fast that rises.
-    struct CornerSlope {
-        Real value;
-        Real rise;
-        Real t;
-        Real height{0};
-        Real tangent{0};
-        bool is_at_rim = false;
-
-        CornerSlope(const Shape<Real>& shape, const Side<Real>& side, const Real& m,
-                    const Real& place)
-            : t{place}
-        {
-            using std::sqrt;
-            const Real d = sqrt(side.away2 + t * t);
-            const Real a = positive(d - shape.c);
-            const Real root = sqrt(positive((shape.r - a) * (shape.r + a)));
-            const Real share = d > Real{0} ? t / d : Real{1};
-            value = a * share - m * root;
-            rise = share * share;
-            if (d > Real{0})
-                rise = rise + a * side.away2 / (d * d * d);
-            is_at_rim = !(root > Real{0});
-            if (is_at_rim)
-                return;
-            rise = rise + m * a * share / root;
-            tangent = m - a * share / root;
-            // m t is the height over the foot, share foot of the rise.
-            height = side.from.z + side.foot * side.rise + m * t - (shape.r - root);
-        }
-
-        // The tip is nowhere above that over low … high: tangents of a concave function.
-        double bound(const Real& low, const Real& high) const
-        {
-            if (is_at_rim)
-                return std::numeric_limits<double>::infinity();
-            return std::max(value_of(height + tangent * (low - t)),
-                            value_of(height + tangent * (high - t))) +
-                   accuracy;
-        }
-    };
-
-    Real corner_profile(const Side<Real>& side, const Real& t) const
-    {
-        using std::sqrt;
-        const Real a = positive(sqrt(side.away2 + t * t) - shape_.c);
-        const Real& r = shape_.r;
-        return r - sqrt(positive((r - a) * (r + a)));
+        keep_at(side, along, at(side, along).z - touch.profile(*t));
     }
 
     void lower_onto_corner(const Place<Real>& corner)
@@ -423,7 +305,7 @@ private:
         kind_ = kind;
     }
 
-    const Shape<Real>& shape_;
+    const CutterShape<Real>& shape_;
     double least_;
     bool is_doubtful_ = false;
     bool is_found_ = false;
@@ -450,7 +332,7 @@ std::array<Place<Real>, 3> around_axis(const std::array<Vec3, 3>& corners, doubl
 {
     const DoubleDouble R{cutter.radius()};
     const DoubleDouble r{cutter.corner_radius()};
-    const Shape<DoubleDouble> shape{R, r, R - r};
+    const CutterShape<DoubleDouble> shape{R, r, R - r};
     Lowering<DoubleDouble> lowering{shape, least};
     lowering.lower_onto(around_axis<DoubleDouble>(corners, x, y));
     return lowering.contact(x, y);
@@ -463,8 +345,8 @@ TriangleDrop::TriangleDrop(const Cutter& cutter) : cutter_{cutter} {}
 TriangleContact TriangleDrop::operator()(const std::array<Vec3, 3>& corners, double x,
                                          double y, double least) const
 {
-    const Shape<double> shape{cutter_.radius(), cutter_.corner_radius(),
-                              cutter_.flat_radius()};
+    const CutterShape<double> shape{cutter_.radius(), cutter_.corner_radius(),
+                                    cutter_.flat_radius()};
     Lowering<double> lowering{shape, least};
     lowering.lower_onto(around_axis<double>(corners, x, y));
     if (lowering.is_doubtful())

@@ -8,7 +8,7 @@ namespace endmill {
 TrimmedPoint TrimmedPoints::crossing(std::int32_t p, std::int32_t q) const
 {
     return {rounded_crossing(line(p), line(q)), plane_.number(p), plane_.number(q),
-            TrimmedKind::crossing};
+            TrimmedKind::Crossing};
 }
 
 TrimmedPoint TrimmedPoints::link(std::int32_t segment, std::int32_t vertex) const
@@ -17,7 +17,7 @@ TrimmedPoint TrimmedPoints::link(std::int32_t segment, std::int32_t vertex) cons
     return {{s, rounded_height(line(segment), s)},
             plane_.number(segment),
             plane_.number(vertex),
-            TrimmedKind::link};
+            TrimmedKind::Link};
 }
 
 void append(TrimmedCurve& curve, const TrimmedPoint& point)
@@ -25,7 +25,7 @@ void append(TrimmedCurve& curve, const TrimmedPoint& point)
     auto& points = curve.points;
     if (points.empty() || points.back().at != point.at)
         points.push_back(point);
-    else if (points.back().kind != TrimmedKind::vertex)
+    else if (points.back().kind != TrimmedKind::Vertex)
         points.back() = point;
 }
 

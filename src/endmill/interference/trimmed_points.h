@@ -22,7 +22,7 @@ public:
     TrimmedPoint vertex(std::int32_t vertex) const
     {
         const SegmentNumber number = plane_.number(vertex);
-        return {points()[vertex], number, number, TrimmedKind::vertex};
+        return {points()[vertex], number, number, TrimmedKind::Vertex};
     }
 
     /// Of two segments with just one point in common.

@@ -20,10 +20,10 @@ struct SegmentNumber {
 
 /// What a point of a trimmed curve is.
 enum class TrimmedKind : std::uint8_t {
-    vertex,    ///< the vertex `on`, bit for bit
-    crossing,  ///< where the segments `on` and `across` cross
-    link,      ///< on the segment `on`, straight above or below the vertex `across`
-    end        ///< on the segment `on`, where what is left was cut off; `across` is `on`
+    Vertex,    ///< the vertex `on`, bit for bit
+    Crossing,  ///< where the segments `on` and `across` cross
+    Link,      ///< on the segment `on`, straight above or below the vertex `across`
+    End        ///< on the segment `on`, where what is left was cut off; `across` is `on`
 };
 
 /// A point of a trimmed curve and where it comes from.
@@ -56,17 +56,17 @@ struct Trimmed {
 };
 
 /// How methods 1, 2 and 3 find folds: as printed, or corrected.
-enum class FoldDetection : std::uint8_t { literal, guarded };
+enum class FoldDetection : std::uint8_t { Literal, Guarded };
 
 /// How method 3 goes through the segments of two branches; both give the same answer.
-enum class BranchSearch : std::uint8_t { march, scan };
+enum class BranchSearch : std::uint8_t { March, Scan };
 
 /// What methods take, each what concerns it.
 struct TrimmingOptions {
-    FoldDetection detection = FoldDetection::guarded;  ///< methods 1, 2, 3
+    FoldDetection detection = FoldDetection::Guarded;  ///< methods 1, 2, 3
     double scan_step = 0;       ///< mm between the lines of method 1; > 0 there
     double scan_threshold = 0;  ///< mm of s at which method 1 sees a crossing; > 0 there
-    BranchSearch search = BranchSearch::march;  ///< method 3
+    BranchSearch search = BranchSearch::March;  ///< method 3
 };
 
 /// A way to cut the loops out of the curves of one plane.

@@ -63,7 +63,7 @@ std::vector<SectionPoint> cutter_places(std::span<const TrimmedCurve> curves)
     std::vector<SectionPoint> places;
     for (const TrimmedCurve& curve : curves)
         for (const TrimmedPoint& point : curve.points)
-            if (point.kind == TrimmedKind::crossing && places.size() < most_cutters)
+            if (point.kind == TrimmedKind::Crossing && places.size() < most_cutters)
                 places.push_back(point.at);
     if (places.empty() && !curves.empty() && !curves.front().points.empty()) {
         const auto& points = curves.front().points;
