@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/verify_input.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "endmill/io/printable.h"
 #include "endmill/io/read_file.h"
 #include "endmill/io/tool_file.h"
+#include "endmill/simulation/mesh_stock.h"
 #include "endmill/simulation/upright.h"
 
 namespace endmill {
@@ -97,6 +99,14 @@ void stand_upright(VerifyInput& input)
         ", is +z; so is all that is written");
 }
 
+// For what is written of the rest it is copied, or turned into something larger.
+double bytes_to_write(const VerifyOptions& options)
+{
+    const bool is_copied = options.engagement || options.write_stock;
+    return std::max(is_copied ? double{sizeof(double)} : 0,
+                    options.write_mesh ? mesh_bytes_per_cell : 0);
+}
+
 }  // namespace
 
 VerifyInput read_verify_input(const VerifyOptions& options)
@@ -143,6 +153,7 @@ VerificationTask verification_task(const VerifyInput& input, const VerifyOptions
                           .stock = input.stock.heights ? &*input.stock.heights : nullptr};
     task.resolution = options.resolution;
     task.max_memory_gib = options.common.limits.max_memory_gib;
+    task.extra_bytes_per_cell = bytes_to_write(options);
     task.deviation.limits = input.limits;
     task.deviation.max_refine = options.max_refine;
     return task;

@@ -381,6 +381,20 @@ class BadInput(VerifyTest):
             done = endmill("verify", path, *options, "--resolution", fitting, "-o", "out", "--force", cwd=self.folder)
             self.assertIn(done.returncode, (0, 1), done.stderr)
 
+    def test_what_is_written_of_the_stock_counts_too(self):
+        self.file(THROUGH, "p.csv")
+        cut = ("p.csv", "--cutter", "ball:10", "--stock", "0,0,0,100,100,10", "--max-memory", "0.005",
+               "--resolution")
+        whole = endmill("verify", *cut, "0.25", "-o", "plain", cwd=self.folder)
+        self.assertEqual(whole.returncode, 0, whole.stderr)
+        for option in ("--write-mesh", "--write-stock", "--engagement"):
+            resolution = "0.25" if option == "--write-mesh" else "0.2"
+            done = endmill("verify", *cut, resolution, option, "-o", "out", cwd=self.folder)
+            self.assert_refused(done, 6, f"in cells of {resolution} mm would need", "(--max-memory), which cells of ")
+            fitting = done.stderr.split("which cells of ")[1].split(" mm")[0]
+            done = endmill("verify", *cut, fitting, option, "-o", option, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_output(self):
         path = self.file(THROUGH, "p.csv")
         self.assert_refused(endmill("verify", path, "--cutter", "ball:10", "-o", self.folder), 2, "not empty")
@@ -410,6 +424,19 @@ class BadInput(VerifyTest):
                 process.communicate(timeout=60)
             self.assertEqual(process.returncode, 128 + number)
             self.assert_nothing_left("p.csv", "surface.json")
+
+    def test_interrupt_while_a_file_is_written_leaves_nothing(self):
+        rows = "".join(f"{k % 300 / 10},{k // 300 / 10},-1\n" for k in range(30000))
+        path = self.file(COLUMNS + rows, "p.csv")
+        with subprocess.Popen([ENDMILL, "verify", path, "--cutter", "ball:10", "--stock", "0,0,-5,30,10,0",
+                               "--resolution", "0.5", "--engagement", "-o", "out"], cwd=self.folder,
+                              stderr=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+            while process.poll() is None and not list(self.folder.glob("out/.engagement.csv.*")):
+                time.sleep(0.001)
+            process.send_signal(signal.SIGTERM)
+            process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 128 + signal.SIGTERM)
+        self.assert_nothing_left("p.csv")
 
 
 if __name__ == "__main__":

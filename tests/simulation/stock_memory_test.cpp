@@ -38,6 +38,19 @@ TEST(FittingPitch, IsNoneIfNothingFits)
     EXPECT_FALSE(fitting_pitch({{0, 0, 0}, {0, 0, 0}}, 1e9));
 }
 
+TEST(RequiredBytes, GrowWithWhatElseIsMadeOfEachCell)
+{
+    const double cells = 1200 * 800;
+    const double more =
+        required_bytes(saddle_box, 0.1, 470) - required_bytes(saddle_box, 0.1);
+    EXPECT_GE(more, 470 * cells);
+    EXPECT_LE(more, 1.03 * 470 * cells);
+    const auto pitch = fitting_pitch(saddle_box, 1e8, 470);
+    ASSERT_TRUE(pitch);
+    EXPECT_LE(required_bytes(saddle_box, *pitch, 470), 1e8);
+    EXPECT_GT(required_bytes(saddle_box, *pitch * 0.89, 470), 1e8);
+}
+
 TEST(RequireStockMemory, SaysHowMuchAndWhatFits)
 {
     EXPECT_NO_THROW(require_stock_memory(saddle_box, 0.1, 8));

@@ -19,6 +19,11 @@ Block mesh_box(const TriangleMesh& mesh);
 /// \throws LimitError as `grid_over`.
 HeightStock mesh_stock(const TriangleMesh& mesh, double pitch);
 
+/// The most memory in bytes a cell that `stock_mesh` takes while the mesh is made and
+/// turned into a binary STL file: two points and at most five triangles a cell, in vectors
+/// that double (324) or beside 50 bytes a triangle (466), and a number for each.
+inline constexpr double mesh_bytes_per_cell = 470;
+
 /// The stock as a closed mesh, to look at or to measure. Its top has a point at the height
 /// over the centre of each cell, and squares of two triangles between four neighbours that
 /// all have material; under them is a plane bottom, around them are upright walls. So it

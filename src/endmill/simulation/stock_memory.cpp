@@ -33,21 +33,21 @@ std::string two_digits(double value)
 
 }  // namespace
 
-double required_bytes(const Block& box, double pitch)
+double required_bytes(const Block& box, double pitch, double extra)
 {
     const Vec3 size = box.high - box.low;
     return tiles_across(size.x(), pitch) * tiles_across(size.y(), pitch) *
-               HeightStock::tile_size * (sizeof(double) + work_bytes_per_cell) +
+               HeightStock::tile_size * (sizeof(double) + work_bytes_per_cell + extra) +
            bytes_of_work;
 }
 
-std::optional<double> fitting_pitch(const Block& box, double bytes)
+std::optional<double> fitting_pitch(const Block& box, double bytes, double extra)
 {
     const Vec3 size = box.high - box.low;
     const double largest = std::max(size.x(), size.y());
     // One tile and one more in each direction, whatever the pitch.
-    constexpr double least_bytes =
-        4.0 * HeightStock::tile_size * (sizeof(double) + work_bytes_per_cell) +
+    const double least_bytes =
+        4.0 * HeightStock::tile_size * (sizeof(double) + work_bytes_per_cell + extra) +
         bytes_of_work;
     if (!(bytes >= least_bytes) || !(largest > 0))
         return std::nullopt;
@@ -58,21 +58,21 @@ std::optional<double> fitting_pitch(const Block& box, double bytes)
         for (int digits = 10; digits < 100; ++digits) {
             // As text, so that the pitch is the double nearest to its two digits.
             const double pitch = *number_from_text(two_digits(decade * digits / 10));
-            if (pitch >= bound && required_bytes(box, pitch) <= bytes)
+            if (pitch >= bound && required_bytes(box, pitch, extra) <= bytes)
                 return pitch;
         }
 }
 
-void require_stock_memory(const Block& box, double pitch, double memory_gib)
+void require_stock_memory(const Block& box, double pitch, double memory_gib, double extra)
 {
     require(box.low.allFinite() && box.high.allFinite() &&
                 (box.high - box.low).minCoeff() >= 0 && std::isfinite(pitch) && pitch > 0,
             "require_stock_memory: need a finite box and 0 < pitch");
-    const double bytes = required_bytes(box, pitch);
+    const double bytes = required_bytes(box, pitch, extra);
     if (bytes <= memory_gib * bytes_per_gib)
         return;
     const Vec3 size = box.high - box.low;
-    const auto fits = fitting_pitch(box, memory_gib * bytes_per_gib);
+    const auto fits = fitting_pitch(box, memory_gib * bytes_per_gib, extra);
     throw LimitError{
         "a stock of " + to_text(size.x()) + " x " + to_text(size.y()) +
         " mm in cells of " + to_text(pitch) + " mm would need about " +

@@ -108,8 +108,12 @@ void require_fitting(const VerificationTask& task)
     const double bytes = area / (task.resolution * task.resolution) * bytes_a_ray;
     const double limit = std::min(task.max_memory_gib * gib, most_rays * bytes_a_ray);
     const double fitting = bytes > limit ? fitting_resolution(area, limit) : 0;
-    if (!task.stock && (fitting == 0 || required_bytes(task.block, fitting) > limit))
-        require_stock_memory(task.block, task.resolution, task.max_memory_gib);
+    const double extra = task.extra_bytes_per_cell;
+    if (task.stock)
+        require_stock_memory(task.block, task.stock->grid().pitch, task.max_memory_gib,
+                             extra);
+    else if (fitting == 0 || required_bytes(task.block, fitting, extra) > limit)
+        require_stock_memory(task.block, task.resolution, task.max_memory_gib, extra);
     if (fitting > 0)
         throw LimitError{
             "a part of " + to_text(std::round(area)) + " mm2 at a resolution of " +

@@ -34,7 +34,8 @@ struct VerificationTask {
     const HeightStock* stock = nullptr;  ///< an earlier rest, or a mesh
     double resolution = 0.1;             ///< pitch of stock and first rays, mm
     double max_memory_gib = 8;           ///< LimitError beyond it
-    DeviationOptions deviation = {};     ///< `stock`, `pitch` and `most_cells` are set
+    double extra_bytes_per_cell = 0;  ///< of the stock, that its rest will be turned into
+    DeviationOptions deviation = {};  ///< `stock`, `pitch` and `most_cells` are set
 };
 
 /// What a path did to stock and part. Moves have the number of the point to which they

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""endmill trim: what it writes for surfaces, meshes and curves, and what it refuses."""
+import csv
+import json
+import unittest
+
+from program import ROOT, ProgramTest, endmill, plane
+
+VALLEY = ROOT / "datasets/surfaces/valley.json"
+# Vector T1 of the specification: one symmetric loop, crossing at (0, 0).
+LOOP = "s_mm,z_mm\n-6,6\n2,-2\n0,-1\n-2,-2\n6,6\n"
+
+
+def table(path):
+    with open(path, encoding="ascii", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class Trim(ProgramTest):
+    def test_a_loop_of_a_curve_is_cut_out(self):
+        facts = self.summary("trim", "--polyline", self.file(LOOP, "t1.csv"), "-o", "out", "--explain")
+        self.assertEqual((facts["planes"], facts["curves"], facts["points"], facts["loops"]), (1, 1, 3, 1))
+        self.assertIsNone(facts["min_clearance_mm"])
+        self.assertIsNone(facts["max_gouge_mm"])
+        out = self.folder / "out"
+        left = [(row["s_mm"], row["z_mm"]) for row in table(out / "trimmed.csv")]
+        self.assertEqual(left, [("-6", "6"), ("0", "0"), ("6", "6")])
+        [loop] = table(out / "loops.csv")
+        self.assertEqual([loop[key] for key in ("plane", "curve", "s_mm", "z_mm", "first_point", "last_point", "cause")],
+                         ["0", "0", "0", "0", "1", "3", "fold"])
+        self.assertIn("rule", loop)
+        self.assertEqual(len(table(out / "sections.csv")), 5)
+        self.assertFalse((out / "toolpath.csv").exists())
+
+    def test_all_methods_agree_on_a_plain_loop(self):
+        facts = self.summary("trim", "--polyline", self.file(LOOP, "t1.csv"), "--method", "all", "-o", "out")
+        self.assertEqual(list(facts["methods"]), ["1", "2", "3", "3r", "envelope", "winding"])
+        for name in facts["methods"]:
+            last = [row["z_mm"] for row in table(self.folder / "out" / name / "trimmed.csv")]
+            self.assertEqual((len(last), last[0], last[-1]), (3, "6", "6"), name)
+
+    def test_a_fold_that_is_left_is_told(self):
+        # Vector T5: nested loops, which the guarded methods leave.
+        wide = "s_mm,z_mm\n0,0\n6,-6\n4,-7\n5,-8\n3,-9\n4,-10\n2,-11\n8,-5\n"
+        done = endmill("trim", "--polyline", self.file(wide, "w.csv"), "--method", "3", "--json", "-o", "out",
+                       cwd=self.folder)
+        facts = json.loads(done.stdout)
+        self.assertEqual(done.returncode, 1 if facts["unresolved"] else 0, done.stderr)
+
+    def test_a_surface_becomes_a_path_that_verify_accepts(self):
+        facts = self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--tolerance",
+                             "0.05", "-o", "out", "--figure", "10")
+        self.assertEqual((facts["planes"], facts["unresolved"]), (12, 0))
+        self.assertGreater(facts["loops"], 0)
+        self.assertLess(facts["max_gouge_mm"], 0.05)
+        out = self.folder / "out"
+        for name in ("section-10.svg", "trimmed.svg"):
+            self.assertIn("<svg", (out / name).read_text(encoding="utf-8"))
+        judged = endmill("verify", out / "toolpath.csv", "--part", VALLEY, "--cutter", "ball:20", "--resolution", "1",
+                         "--tolerance", "0.1", "--scallop", "20", "--json", "-o", "judged", cwd=self.folder)
+        self.assertEqual(judged.returncode, 0, judged.stderr + judged.stdout)
+
+    def test_refining_does_not_hang_on_the_grid(self):
+        heights = []
+        for grid in ("60", "90"):
+            facts = self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", grid, "--planes", "3", "--refine",
+                                 "--boundary", "none", "-o", grid)
+            self.assertIn("unrefined", facts)
+            rows = [row for row in table(self.folder / grid / "trimmed.csv") if row["plane"] == "2"]
+            middle = min(rows, key=lambda row: abs(float(row["s_mm"]) - 50))
+            heights.append((float(middle["s_mm"]), float(middle["z_mm"])))
+        # The lowest point of a valley's section is its crossing: the same on both grids.
+        self.assertAlmostEqual(heights[0][0], heights[1][0], delta=1e-6)
+        self.assertAlmostEqual(heights[0][1], heights[1][1], delta=1e-4)
+
+    def test_a_mesh_is_followed_by_the_drop_cutter(self):
+        mesh = ROOT / "datasets/meshes"
+        part = sorted(mesh.glob("*.stl"))[0]
+        facts = self.summary("trim", part, "--cutter", "ball:4", "--planes", "5", "--grid", "30", "-o", "out")
+        self.assertGreaterEqual(facts["min_clearance_mm"], -0.01)
+        out = self.folder / "out"
+        self.assertEqual((out / "sections.csv").read_text(), (out / "trimmed.csv").read_text())
+        self.assertEqual((out / "loops.csv").read_text(), "plane,curve,s_mm,z_mm,first_point,last_point,cause\n")
+        self.assert_refused(endmill("trim", part, "--cutter", "ball:4", "--method", "3", cwd=self.folder), 2, "needs a surface")
+        facts = self.summary("trim", part, "--cutter", "ball:4", "--planes", "2", "--grid", "30", "--method", "all",
+                             "-o", "all")
+        self.assertEqual(list(facts["methods"]), ["envelope"])
+        self.assertEqual(facts["not_run"], ["1", "2", "3", "3r", "winding"])
+
+    def test_the_result_does_not_depend_on_the_number_of_threads(self):
+        texts = []
+        for threads in ("1", "2", "3"):
+            self.summary("trim", VALLEY, "--cutter", "bull:20:3", "--grid", "40", "--planes", "7", "--tolerance", "1",
+                         "--threads", threads, "-o", threads)
+            out = self.folder / threads
+            texts.append([(out / name).read_bytes() for name in ("toolpath.csv", "loops.csv", "sections.csv")])
+        self.assertEqual(texts[0], texts[1])
+        self.assertEqual(texts[0], texts[2])
+
+    def test_what_does_not_go_together_is_refused(self):
+        curves = self.file(LOOP, "t1.csv")
+        part = self.file(plane())
+        for words, message in (
+                ((), "PART or --polyline"),
+                ((part,), "--cutter is needed"),
+                ((part, "--polyline", curves, "--cutter", "ball:5"), "one of them"),
+                ((part, "--cutter", "ball:5", "--detection", "literal"), "--detection does not go"),
+                (("--polyline", curves, "--refine"), "--refine"),
+                (("--polyline", curves, "--m1-step", "0", "--method", "1"), "--m1-step"),
+                ((part, "--cutter", "ball:5", "--method", "4"), "--method"),
+                ((part, "--cutter", "flat:5", "--scallop", "0.1"), "flat cutter"),
+                ((part, "--cutter", "ball:5", "--figure", "100"), "--figure 100"),
+                ((part, "--cutter", "ball:5", "--grid", "1"), "--grid")):
+            self.assert_refused(endmill("trim", *words, cwd=self.folder), 2, message)
+
+    def test_broken_curves_are_refused_with_their_line(self):
+        for text, message in (("s_mm,z_mm\n", "no row"), ("s_mm,z_mm\n1,2\n", "1 different point"),
+                              ("s_mm,z_mm\n1,2\n1,2\n", "1 different point"), ("s_mm,z_mm\n1,nan\n2,3\n", ":2"),
+                              ("s_mm,y\n1,2\n", "unknown column")):
+            self.assert_refused(endmill("trim", "--polyline", self.file(text, "c.csv"), cwd=self.folder), 3, message)
+
+
+if __name__ == "__main__":
+    unittest.main()
