@@ -35,7 +35,7 @@ void add_common_options(CLI::App& command, CommonOptions& options);
 void add_info_command(CLI::App& program, Action& action);    ///< facts of a part
 void add_sample_command(CLI::App& program, Action& action);  ///< a surface as a mesh
 void add_plan_command(CLI::App& program, Action& action);    ///< a path for a part
-void add_trim_command(CLI::App& program, Action& action);  ///< trim
+void add_trim_command(CLI::App& program, Action& action);    ///< trim
 void add_verify_command(CLI::App& program, Action& action);  ///< what a path leaves
 void add_post_command(CLI::App& program, Action& action);    ///< a path for a machine
 void add_eval_command(CLI::App& program, Action& action);    ///< a formula by its name

@@ -74,7 +74,7 @@ std::string folder_name(const std::filesystem::path& path)
 // then the folders say which path it is.
 std::string telling_name(const std::filesystem::path& input)
 {
-    const std::string stem = input.stem().string();
+    std::string stem = input.stem().string();
     const std::filesystem::path path = input.lexically_normal();
     const std::string folder = folder_name(path);
     if (stem != "toolpath" || folder.empty())

@@ -22,8 +22,7 @@ TEST(CurveArrangement, KeepsAnOpenCurveWhoseEndsLieAboveEachOther)
 
 TEST(CurveArrangement, BeginsAClosedCurveWhereSThenZIsLeast)
 {
-    const auto ordered =
-        arranged({{{{2, 0}, {2, 2}, {0, 2}, {0, 0}, {2, 0}}, true}});
+    const auto ordered = arranged({{{{2, 0}, {2, 2}, {0, 2}, {0, 0}, {2, 0}}, true}});
     EXPECT_EQ(ordered[0].points, (Points{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}}));
     EXPECT_TRUE(ordered[0].is_closed);
 }

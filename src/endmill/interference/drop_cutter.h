@@ -20,7 +20,7 @@ struct DropContact {
     double tip_z;          ///< mm
     Vec3 point;            ///< where it touches, mm; one of several if it does so in more
     std::size_t triangle;  ///< that it touches; of several the one of the lowest number
-    TouchKind kind;      ///< which part of that triangle
+    TouchKind kind;        ///< which part of that triangle
 };
 
 /// Lowers a cutter onto a mesh. Its tip over (x, y) comes to rest at

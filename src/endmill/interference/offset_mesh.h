@@ -41,7 +41,7 @@ enum class BoundaryContact : std::uint8_t {
 struct OffsetOptions {
     int grid_lines = 200;  ///< along each parameter of each surface, at least 2
     BoundaryContact boundary = BoundaryContact::Contact;
-    double allowance = 0;         ///< mm of stock to leave between part and cutter
+    double allowance = 0;  ///< mm of stock to leave between part and cutter
     /// Greatest chord error in mm of an arc in a strip; finer than the 1e-3 of the spec, so
     /// that at 400 grid lines the strips are no worse than the sheets.
     double arc_tolerance = 4e-4;
