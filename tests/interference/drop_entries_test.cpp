@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -51,6 +53,9 @@ TEST(DropEntries, CutLongThinTriangles)
     }
     EXPECT_NEAR(area, area_of(mesh.corners(0)), 1e-9);
     EXPECT_LT(boxes, 0.4 * 100 * 100);
+    DropEntries spent = entries;
+    EXPECT_EQ(std::move(spent).into_triangles(),
+              std::vector<std::uint32_t>(entries.count(), 0));
 }
 
 TEST(DropEntries, LieInTheirBoxBelowTheirPlane)

@@ -37,7 +37,9 @@ std::optional<LeastGap> least_of_all(std::size_t count, const MakeSearch& make_s
         for (std::size_t chunk = begin; chunk < end; ++chunk) {
             const std::size_t last = std::min((chunk + 1) * places_in_a_chunk, count);
             for (std::size_t k = chunk * places_in_a_chunk; k < last; ++k) {
-                const double enough = least[chunk] ? least[chunk]->gap : infinite;
+                double enough = infinite;
+                if (least[chunk])
+                    enough = least[chunk]->gap;
                 if (const auto found = search(k, enough); found && found->gap < enough)
                     least[chunk] = LeastGap{found->gap, k, found->point};
             }
@@ -63,7 +65,7 @@ public:
     {
     }
 
-    float limit() const { return float(-found_.gap + resolution_); }
+    float limit() const { return static_cast<float>(resolution_ - found_.gap); }
 
     // All of a node lies within its box and not above its plane, so that no point of it is
     // nearer to a supporting plane that looks down than the corners of the plane's piece.
@@ -81,8 +83,8 @@ public:
             const Eigen::Vector2d along = normal.head<2>() + normal.z() * plane.slope;
             const double bound =
                 distance - along.cwiseAbs().dot(plane.half_size) - core_.corner_radius();
-            depths[k] =
-                float(-bound + resolution_ / 4 + rounding_share * std::abs(bound));
+            depths[k] = static_cast<float>(-bound + resolution_ / 4 +
+                                           rounding_share * std::abs(bound));
         }
         return depths;
     }

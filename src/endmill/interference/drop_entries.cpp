@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "endmill/interference/hilbert_curve.h"
 
@@ -175,6 +176,13 @@ std::size_t DropEntries::triangle(std::size_t entry) const
     const std::size_t number = numbers_[entry];
     const std::size_t triangles = mesh_.triangles().size();
     return number < triangles ? number : pieces_[number - triangles].triangle;
+}
+
+std::vector<std::uint32_t> DropEntries::into_triangles() &&
+{
+    for (std::size_t k = 0; k < numbers_.size(); ++k)
+        numbers_[k] = static_cast<std::uint32_t>(triangle(k));
+    return std::move(numbers_);
 }
 
 DropEntries::Corners DropEntries::corners(std::size_t entry) const

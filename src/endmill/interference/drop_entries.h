@@ -45,6 +45,9 @@ public:
     /// that makes of the plane.
     DropEntry whole(std::size_t first, std::size_t last, double margin) const;
 
+    /// The triangle of each entry, in order; of the entries nothing is left.
+    std::vector<std::uint32_t> into_triangles() &&;
+
 private:
     struct Piece {
         std::size_t triangle;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -62,11 +63,8 @@ DropTree::DropTree(const TriangleMesh& mesh, const Cutter& cutter)
     build(DropEntries{mesh, origin_, piece_radii * cutter.radius()});
 }
 
-void DropTree::build(const DropEntries& entries)
+void DropTree::build(DropEntries entries)
 {
-    order_.reserve(entries.count());
-    for (std::size_t k = 0; k < entries.count(); ++k)
-        order_.push_back(static_cast<std::int32_t>(entries.triangle(k)));
     const double margin =
         box_margin * (origin_.cwiseAbs().sum() + half_.sum() + cutter_.radius());
     std::size_t span = 1;  // entries of a node
@@ -87,6 +85,7 @@ void DropTree::build(const DropEntries& entries)
                                    margin));
         span *= 4;
     } while (count > 4);
+    order_ = std::move(entries).into_triangles();
 }
 
 void DropTree::set_node(Level& level, std::size_t number, const DropEntry& whole) const

@@ -105,7 +105,7 @@ private:
         std::int32_t level;
     };
 
-    void build(const DropEntries& entries);
+    void build(DropEntries entries);
     void set_node(Level& level, std::size_t number, const DropEntry& whole) const;
     const Eigen::Array4f& tops_of(const Level& level, std::uint32_t node) const
     {
@@ -118,7 +118,7 @@ private:
     Eigen::Vector2d half_ = Eigen::Vector2d::Zero();
     float reach_ = 0;  // R, rounded up by what floats lose
     Eigen::Array4f no_tops_;
-    std::vector<std::int32_t> order_;  // triangles, four to each of the lowest Nodes
+    std::vector<std::uint32_t> order_;  // triangles, four to each of the lowest Nodes
     std::vector<Level> levels_;  // from the triangles upwards; the last has one Nodes
 };
 
@@ -160,7 +160,7 @@ void DropTree::search(Query& query) const
         if (!(next.bound >= query.limit()))
             continue;
         if (next.level < 0) {
-            query.look_at(static_cast<std::size_t>(order_[next.node]));
+            query.look_at(order_[next.node]);
             continue;
         }
         const Level& level = levels_[next.level];

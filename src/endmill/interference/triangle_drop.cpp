@@ -177,12 +177,12 @@ private:
     {
         const double length2 = value_of(side.length2);
         const double rise2 = square(value_of(side.rise));
-        const double R2 = square(value_of(shape_.R));
+        const double radius2 = square(value_of(shape_.R));
         const double size2 =
-            3 * doubt * doubt * ((square(value_of(side.foot)) + 1) * length2 + R2);
+            3 * doubt * doubt * ((square(value_of(side.foot)) + 1) * length2 + radius2);
         is_doubtful_ |=
-            size2 * rise2 > length2 ||
-            std::abs(value_of(side.half2)) * length2 < 2 * R2 * size2 * (length2 + rise2);
+            size2 * rise2 > length2 || std::abs(value_of(side.half2)) * length2 <
+                                           2 * radius2 * size2 * (length2 + rise2);
     }
 
     void touch_with_ball(const Side<Real>& side)
