@@ -87,11 +87,15 @@ TEST(RefinedPlanes, TouchThePartAtEveryRefinedPoint)
                     places.push_back(sections.planes.frame.point(
                         point.at.x(), sections.planes.positions[k], point.at.y()));
     ASSERT_GT(places.size(), 40U);
-    EXPECT_GE(least_gap(sections.surfaces, sections.cutter, places)->gap, -1e-6);
+    constexpr double resolution = 1e-7;
+    EXPECT_GE(least_gap(sections.surfaces, sections.cutter, places, resolution)->gap,
+              -1e-8);
     // Each on its own, so that none hangs above the part either.
     for (std::size_t k = 0; k < places.size(); k += 7)
-        EXPECT_NEAR(least_gap(sections.surfaces, sections.cutter, {&places[k], 1})->gap,
-                    0, 2e-6);
+        EXPECT_NEAR(
+            least_gap(sections.surfaces, sections.cutter, {&places[k], 1}, resolution)
+                ->gap,
+            0, 2 * resolution);
 }
 
 TEST(RefinedPlanes, TellTheErrorOfTheSampling)

@@ -144,10 +144,6 @@ void fill_ring(const std::vector<Index>& ring, OffsetDraft& draft)
     }
 }
 
-// Over a corner chords err in two directions at once, along the chains and from one to the
-// next, and its triangles are halves of cells: together up to four times as much.
-constexpr double corner_share = 0.25;
-
 // The chains over both ends of a side on the border.
 struct BorderEnds {
     ContactChain first;
@@ -182,8 +178,6 @@ void add_border_corner(const ContactChain& from, const ContactChain& to,
     const Vec3 end = draft.contacts[to.vertices.back()].normal;
     const NormalArc level = arc_between(start, end);
     const std::size_t last = ring.size() - 1;
-    const double tolerance =
-        std::exchange(draft.arc_tolerance, corner_share * draft.arc_tolerance);
     const std::size_t arc_steps =
         arc_shares(level, Cutter::ball(draft.cutter.radius()), draft.arc_tolerance)
             .size() -
@@ -201,7 +195,6 @@ void add_border_corner(const ContactChain& from, const ContactChain& to,
         right = std::move(left);
     }
     draft.add_strip(right, to);
-    draft.arc_tolerance = tolerance;
 }
 
 }  // namespace
