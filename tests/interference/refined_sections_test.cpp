@@ -32,7 +32,7 @@ struct Trough {
 TEST(RefinedSections, KeepWhatIsNotAdmissible)
 {
     const Trough trough;
-    const RefinedCurves kept = trough.refine([](const Vec3&) { return false; });
+    const RefinedCurves kept = trough.refine([](const Vec3&, double) { return false; });
     EXPECT_EQ(kept.refined, 0U);
     EXPECT_EQ(kept.greatest_shift, 0);
     ASSERT_EQ(kept.curves.size(), trough.curves.size());
@@ -44,7 +44,7 @@ TEST(RefinedSections, KeepWhatIsNotAdmissible)
 TEST(RefinedSections, AskAboutReferencePointsInThePlane)
 {
     const Trough trough;
-    trough.refine([](const Vec3& reference) {
+    trough.refine([](const Vec3& reference, double) {
         EXPECT_EQ(reference.y(), 3);
         return true;
     });

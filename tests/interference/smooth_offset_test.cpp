@@ -73,9 +73,9 @@ TEST(SmoothOffset, LeadsBackToTheVerticesOfItsStrips)
     const OffsetMesh offset = offset_mesh(part, Cutter::ball(4), {.grid_lines = 15});
     const Recovered result =
         recovered(offset, part, 15, offset.own_triangles, offset.mesh.triangles().size());
-    // Not over corners, nor where the offset stands upright at the rim.
-    EXPECT_GT(result.found, result.none);
-    EXPECT_LT(result.greatest_error, 1e-6);
+    // None over corners, where most of the triangles are, nor at the upright rim.
+    EXPECT_GT(result.found, 1000);
+    EXPECT_LT(result.greatest_error, 1e-7);
 }
 
 TEST(SmoothOffset, TurnsAboutCreases)

@@ -37,16 +37,34 @@ std::vector<RefinedCurves> refine_all(const SectionSource& source,
     return all;
 }
 
+// Whether the cutter enters the part by no more than `refined_gouge`.
+class GougeCheck {
+public:
+    explicit GougeCheck(const SectionSource& source)
+        : cutter_{source.offset.cutter},
+          tree_{source.surfaces, cutter_.radius() / pieces_per_radius}
+    {
+    }
+
+    bool holds(const Vec3& reference, FinerPieces& finer) const
+    {
+        return !surface_gap(tree_, CutterCore{cutter_, reference}, refined_gouge / 10,
+                            -refined_gouge, finer);
+    }
+
+private:
+    const Cutter& cutter_;
+    PieceTree tree_;
+};
+
 }  // namespace
 
 RefinedPlanes refine_planes(const SectionSource& source, std::span<const Trimmed> trimmed)
 {
-    const Cutter& cutter = source.offset.cutter;
-    const PieceTree tree{source.surfaces, cutter.radius() / pieces_per_radius};
+    const GougeCheck check{source};
     const auto make_admissible = [&]() -> IsAdmissible {
-        return [&, finer = FinerPieces{}](const Vec3& reference) mutable {
-            return !surface_gap(tree, CutterCore{cutter, reference}, refined_gouge / 10,
-                                -refined_gouge, finer);
+        return [&, finer = FinerPieces{}](const Vec3& reference, double) mutable {
+            return check.holds(reference, finer);
         };
     };
     RefinedPlanes result;
@@ -58,11 +76,23 @@ RefinedPlanes refine_planes(const SectionSource& source, std::span<const Trimmed
     return result;
 }
 
+// Only a shift that would be the greatest needs its place looked at, which takes time.
 double sampling_error(const SectionSource& source, std::span<const Trimmed> trimmed)
 {
+    const GougeCheck check{source};
+    const auto make_admissible = [&]() -> IsAdmissible {
+        return [&, finer = FinerPieces{}, greatest = 0.0](const Vec3& reference,
+                                                          double shift) mutable {
+            if (shift <= greatest)
+                return true;
+            if (!check.holds(reference, finer))
+                return false;
+            greatest = shift;
+            return true;
+        };
+    };
     double greatest = 0;
-    for (const RefinedCurves& plane :
-         refine_all(source, trimmed, [] { return IsAdmissible{}; }))
+    for (const RefinedCurves& plane : refine_all(source, trimmed, make_admissible))
         greatest = std::max(greatest, plane.greatest_shift);
     return greatest;
 }

@@ -25,16 +25,15 @@ public:
         TrimmedCurve polished = curve;
         for (TrimmedPoint& point : polished.points) {
             const auto place = polished_place(point);
-            const bool holds =
-                place && (!is_admissible_ ||
-                          is_admissible_(frame_.point(place->x(), across_, place->y())));
-            if (!holds) {
+            const double shift = place ? (*place - point.at).norm() : 0;
+            if (!place ||
+                (is_admissible_ &&
+                 !is_admissible_(frame_.point(place->x(), across_, place->y()), shift))) {
                 ++result_.unrefined;
                 continue;
             }
             ++result_.refined;
-            result_.greatest_shift =
-                std::max(result_.greatest_shift, (*place - point.at).norm());
+            result_.greatest_shift = std::max(result_.greatest_shift, shift);
             point.at = *place;
         }
         leave_out_passed(curve, polished);

@@ -26,9 +26,9 @@ struct PlacedSection {
     double across;
 };
 
-/// Whether the cutter may stand with its reference point there: on no other sheet's wrong
-/// side.
-using IsAdmissible = std::function<bool(const Vec3& reference)>;
+/// Whether the cutter may stand with its reference point there, `shift` mm from where it
+/// was sampled: on no other sheet's wrong side.
+using IsAdmissible = std::function<bool(const Vec3& reference, double shift)>;
 
 /// Polishes what is left in a plane by Newton's method: a crossing by its
 /// two contacts at once, any other point over its s. A point stays as it is sampled where

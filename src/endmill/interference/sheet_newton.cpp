@@ -13,6 +13,15 @@ constexpr int most_rounds = 12;
 // Pivots smaller than this share of the largest: the tangents do not span the plane.
 constexpr double least_pivot = 1e-9;
 
+// Of a parameter, by which a solution at a sheet's end may lie beyond: rounding.
+constexpr double end_slack = 1e-9;
+
+bool is_on_sheet(const Eigen::Vector2d& at, const SheetStart& start)
+{
+    return (at.array() >= start.low.array() - end_slack).all() &&
+           (at.array() <= start.high.array() + end_slack).all();
+}
+
 bool is_within(const Eigen::Vector2d& at, const SheetStart& start)
 {
     return ((at - start.at).cwiseAbs().array() <= start.reach.array()).all();
@@ -43,7 +52,8 @@ std::optional<double> height_on_sheet(const SheetStart& start, const FeedFrame& 
         const Eigen::Vector2d residual{frame.along(found->point) - s,
                                        frame.across(found->point) - across};
         if (residual.norm() <= sheet_residual)
-            return found->point.z();
+            return is_on_sheet(at, start) ? std::optional{found->point.z()}
+                                          : std::nullopt;
         Eigen::Matrix2d slope;
         slope << frame.along(found->du), frame.along(found->dv), frame.across(found->du),
             frame.across(found->dv);
@@ -80,8 +90,11 @@ std::optional<SectionPoint> crossing_of_sheets(const SheetStart& one,
         const auto step = newton_step<4>(slope, residual);
         if (!step)  // one contact twice has no determined step either
             return std::nullopt;
-        if (residual.norm() <= sheet_residual)
+        if (residual.norm() <= sheet_residual) {
+            if (!is_on_sheet(at.head<2>(), one) || !is_on_sheet(at.tail<2>(), other))
+                return std::nullopt;
             return SectionPoint{frame.along(a->point), a->point.z()};
+        }
         at += *step;
         if (!is_within(at.head<2>(), one) || !is_within(at.tail<2>(), other))
             return std::nullopt;

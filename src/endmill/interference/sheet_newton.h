@@ -18,11 +18,14 @@ namespace endmill {
 using SmoothSheet =
     std::function<std::optional<SurfaceTangents>(const Eigen::Vector2d& at)>;
 
-/// A place on a sheet, and how far from it a search may go in each parameter.
+/// A place on a sheet, how far from it a search may go in each parameter, and where the
+/// sheet ends: a search may pass over an end, but not stop beyond it.
 struct SheetStart {
     SmoothSheet sheet;
     Eigen::Vector2d at;
     Eigen::Vector2d reach;
+    Eigen::Vector2d low = Eigen::Vector2d::Constant(-1e300);
+    Eigen::Vector2d high = Eigen::Vector2d::Constant(1e300);
 };
 
 /// How far from what it is to solve a solution may be, in mm: rounding of coordinates of

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -152,7 +154,13 @@ std::optional<SheetStart> SmoothOffset::face_start(const CrossedEdge& edge, doub
         const int j = patch_near(surface, Parameter::V, at.y(), v);
         return offset_jet(surface.jet_in_patch(i, j, at.x(), at.y()), side, cutter);
     };
-    return SheetStart{sheet, place.head<2>() / place.z(), reach_in_cells * cell(surface)};
+    const Interval range_u = surface.range(Parameter::U);
+    const Interval range_v = surface.range(Parameter::V);
+    return SheetStart{sheet,
+                      place.head<2>() / place.z(),
+                      reach_in_cells * cell(surface),
+                      {range_u.low, range_v.low},
+                      {range_u.high, range_v.high}};
 }
 
 std::optional<SheetStart> SmoothOffset::strip_start(const CrossedEdge& edge, double share,
@@ -176,10 +184,13 @@ std::optional<SheetStart> SmoothOffset::strip_start(const CrossedEdge& edge, dou
                                    &cutter = offset_.cutter](const Eigen::Vector2d& at) {
             return turned_offset_jet(line.jet(at.x()), side, along, at.y(), cutter);
         };
+        const Interval range = surfaces_[number].range(along);
         const double cell_along = cell(surfaces_[number])[along == Parameter::U ? 0 : 1];
         return SheetStart{sheet,
                           (1 - share) * spot(edge.below) + share * spot(edge.above),
-                          {reach_in_cells * cell_along, turn_reach}};
+                          {reach_in_cells * cell_along, turn_reach},
+                          {range.low, *own_turn > 0 ? 0 : -std::numbers::pi},
+                          {range.high, *own_turn > 0 ? std::numbers::pi : 0}};
     }
     return std::nullopt;
 }
