@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How many curves each trimming method gets wrong, held to the segments of the curves.
+//
+//   interference-correctness OUTPUT_FOLDER
+//
+// Deterministic, under 30 s. Columns: README.md beside this.
+
+#include <cstdint>
+
+#include "endmill/core/numbers.h"
+#include "support/experiment.h"
+#include "support/trimming_families.h"
+
+using namespace endmill;
+
+namespace {
+
+CsvCell count_cell(std::size_t count)
+{
+    return static_cast<std::int64_t>(count);
+}
+
+// Adds what methods do with a family, and below it what the specification states.
+class FamilyTable {
+public:
+    explicit FamilyTable(Experiment& run) : run_{run}, table_{columns()} {}
+
+    void add(const std::string& name, std::span<const TrimmingTrial> trials,
+             const std::string& stated)
+    {
+        std::vector<CsvCell> found{name, count_cell(trials.size()),
+                                   count_cell(crossing_curves(trials))};
+        for (const TriedMethod& method : tried_methods())
+            found.push_back(count_cell(wrong_curves(trials, method)));
+        table_.add_row(found);
+        std::vector<CsvCell> specified{name + ", stated"};
+        for (const double count : run_.numbers(stated))
+            specified.emplace_back(count);
+        specified.resize(found.size());
+        table_.add_row(specified);
+    }
+
+    const CsvTable& table() const { return table_; }
+
+private:
+    static std::vector<std::string> columns()
+    {
+        std::vector<std::string> names{"row", "curves", "self-crossing"};
+        for (const TriedMethod& method : tried_methods())
+            names.push_back(method.label);
+        return names;
+    }
+
+    Experiment& run_;
+    CsvTable table_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return run_experiment(argc, argv, "interference/correctness", [](Experiment& run) {
+        FamilyTable table{run};
+        const int points = static_cast<int>(run.number("points"));
+        table.add("hard cases", hard_trials(points), "stated_hard");
+        table.add("wavy", wavy_trials(points), "stated_wavy");
+        for (const double count : run.numbers("convex_points"))
+            table.add("convex, " + to_text(count) + " points",
+                      convex_trials(static_cast<int>(count)),
+                      "stated_convex_" + to_text(count));
+        const double radius = run.number("radius_mm");
+        for (const double feed : run.numbers("feeds_deg"))
+            for (const double corner : run.numbers("corner_radii_mm")) {
+                const std::string key = to_text(feed) + "_" + to_text(corner);
+                table.add("sections at " + to_text(feed) + " deg, r = " + to_text(corner),
+                          section_trials({run.text("surface"), {radius, corner}, feed}),
+                          "stated_sections_" + key);
+            }
+        run.write_result(table.table());
+    });
+}

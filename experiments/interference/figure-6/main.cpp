@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figure 6 of Jang, Kim and Jeong: what makes an offset interfere, one profile for each
+// cause, before and after trimming.
+//
+//   interference-figure-6 OUTPUT_FOLDER
+//
+// Deterministic, under 1 s. Columns and verdicts: README.md beside this.
+
+#include <algorithm>
+#include <cstdint>
+
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/interference/cut_out.h"
+#include "endmill/interference/envelope_trimming.h"
+#include "endmill/interference/profile_families.h"
+#include "endmill/interference/trimming_quality.h"
+#include "endmill/io/section_svg.h"
+#include "support/experiment.h"
+
+using namespace endmill;
+
+namespace {
+
+OffsetProfile profile_named(const std::string& name)
+{
+    const auto profiles = hard_profiles();
+    const auto found = std::ranges::find(profiles, name, &OffsetProfile::name);
+    require(found != profiles.end(), "there is no such profile");
+    return *found;
+}
+
+std::vector<SectionPoint> outline(const OffsetProfile& profile, int points)
+{
+    std::vector<SectionPoint> line;
+    for (int i = 0; i < points; ++i) {
+        const double x = profile.from + (profile.to - profile.from) * i / (points - 1);
+        line.emplace_back(x, profile.height(x));
+    }
+    return line;
+}
+
+// The curve as it is, for a judge of results.
+Trimmed untrimmed(const SectionCurve& curve)
+{
+    Trimmed result;
+    result.curves.emplace_back();
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+        const SegmentNumber on{0, static_cast<std::int32_t>(i)};
+        result.curves[0].points.push_back({curve.points[i], on, on, TrimmedKind::Vertex});
+    }
+    return result;
+}
+
+void draw(Experiment& run, CsvTable& result, const std::string& cause,
+          const std::string& name)
+{
+    const OffsetProfile profile = profile_named(name);
+    const int points = static_cast<int>(run.number("points"));
+    const SectionCurve curve = offset_curve(profile, points);
+    const std::span curves{&curve, 1};
+    const Trimmed left = envelope_trimming(curves);
+    const auto cuts = cut_out(curves, left);
+    const TrimmingQuality before = trimming_quality(curves, untrimmed(curve));
+    result.add_row({cause, name, profile.radius, static_cast<std::int64_t>(cuts.size()),
+                    before.gouge_mm, trimming_quality(curves, left).gouge_mm,
+                    cuts.empty() ? "no" : "yes"});
+    FigureOptions figure;
+    figure.title = cause;
+    figure.captions = {"profile " + name + ", ball of radius " + to_text(profile.radius) +
+                       " mm"};
+    run.write(name + ".svg", section_svg({curves,
+                                          left.curves,
+                                          Cutter::ball(profile.radius),
+                                          {outline(profile, points)}},
+                                         figure));
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return run_experiment(argc, argv, "interference/figure-6", [](Experiment& run) {
+        CsvTable result{{"row", "profile", "radius_mm", "stretches_cut",
+                         "below_envelope_before_mm", "below_envelope_after_mm",
+                         "interference"}};
+        const auto causes = run.texts("causes");
+        const auto profiles = run.texts("profiles");
+        for (std::size_t k = 0; k < causes.size(); ++k)
+            draw(run, result, causes[k], profiles.at(k));
+        run.write_result(result);
+    });
+}

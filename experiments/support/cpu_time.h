@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include <time.h>
+
+namespace endmill {
+
+/// What the calling thread has used of a core so far, in s.
+inline double thread_cpu_s()
+{
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// CPU time in s of `work()` on this thread, the best of up to `most_repeats` that together
+/// take `budget_s`, one at least: what the machine can do when nothing else gets in the way.
+template <typename Work>
+double shortest_cpu_s(double budget_s, const Work& work)
+{
+    constexpr int most_repeats = 1000;
+    double shortest = std::numeric_limits<double>::infinity();
+    double used = 0;
+    for (int k = 0; k < most_repeats && used < budget_s; ++k) {
+        const double begin = thread_cpu_s();
+        work();
+        const double time = thread_cpu_s() - begin;
+        used += time;
+        shortest = std::min(shortest, time);
+    }
+    return shortest;
+}
+
+}  // namespace endmill

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "endmill/interference/slicer.h"
+#include "endmill/interference/trimming.h"
+
+namespace endmill {
+
+/// A method as it is timed.
+struct TimedMethod {
+    std::string label;
+    const TrimmingMethod* method;
+    TrimmingOptions options;
+};
+
+/// All methods; method 3 by march and by scan. \param options of all of them.
+std::vector<TimedMethod> timed_methods(const TrimmingOptions& options);
+
+/// The method labelled so, of `timed_methods`. \throws DomainError if there is none.
+TimedMethod timed_method(const std::string& label, const TrimmingOptions& options);
+
+/// CPU time in s to trim all sections on one thread, the best within `budget_s`, see
+/// cpu_time.h.
+double trimming_s(const std::vector<PlaneSection>& sections, const TimedMethod& timed,
+                  double budget_s);
+
+}  // namespace endmill
