@@ -25,6 +25,7 @@ std::vector<TrimmingTrial> planar_trials(const std::vector<OffsetProfile>& profi
                                          int points)
 {
     std::vector<TrimmingTrial> trials;
+    trials.reserve(profiles.size());
     for (const OffsetProfile& profile : profiles)
         trials.push_back(planar_trial(offset_curve(profile, points)));
     return trials;

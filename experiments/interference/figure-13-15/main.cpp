@@ -25,6 +25,7 @@ std::vector<PlaneSection> part_sections(const OffsetSections& offset)
 {
     std::vector<Vec3> contacts;
     const auto count = static_cast<std::int32_t>(offset.offset.mesh.points().size());
+    contacts.reserve(offset.offset.mesh.points().size());
     for (std::int32_t vertex = 0; vertex < count; ++vertex)
         contacts.push_back(contact_point(offset.offset, vertex));
     const auto triangles = offset.offset.mesh.triangles();
