@@ -7,27 +7,15 @@
 
 #include <limits>
 
-#include <sys/resource.h>
-
 #include "benchmarks/envelope/baselines.h"
 #include "benchmarks/envelope/raw_chain.h"
 #include "endmill/interference/envelope_trimming.h"
+#include "support/cpu_time.h"
 #include "support/experiment.h"
 
 using namespace endmill;
 
 namespace {
-
-double cpu_time_s()
-{
-    rusage usage{};
-    getrusage(RUSAGE_THREAD, &usage);
-    const auto seconds = [](const timeval& time) {
-        return static_cast<double>(time.tv_sec) +
-               1e-6 * static_cast<double>(time.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 // Of the best of `repeats`.
 template <typename Work>
@@ -35,9 +23,9 @@ double shortest_s(int repeats, const Work& work)
 {
     double shortest = std::numeric_limits<double>::infinity();
     for (int k = 0; k < repeats; ++k) {
-        const double begin = cpu_time_s();
+        const double begin = thread_cpu_s();
         work();
-        shortest = std::min(shortest, cpu_time_s() - begin);
+        shortest = std::min(shortest, thread_cpu_s() - begin);
     }
     return shortest;
 }
