@@ -101,17 +101,17 @@ std::string section_svg(const SectionDrawing& drawing, FigureOptions figure)
     AxonometricFigure picture{figure, extent(drawing, cutters)};
     for (const auto& line : drawing.part)
         picture.add_curve(placed(line), part_style);
+    for (const SectionCurve& curve : drawing.before)
+        picture.add_curve(placed(curve.points), before_style);
+    // On top and wider: red is what was cut out.
     for (const TrimmedCurve& curve : drawing.after)
         picture.add_curve(
             placed(curve.points, [](const TrimmedPoint& p) { return p.at; }),
             after_style);
-    // On top, thinner: where nothing was cut out both colours show.
-    for (const SectionCurve& curve : drawing.before)
-        picture.add_curve(placed(curve.points), before_style);
     if (!drawing.part.empty())
         picture.add_legend("part", part_style);
-    picture.add_legend("section of the offset (reference points)", before_style);
-    picture.add_legend("what is left", after_style);
+    picture.add_legend("cut out of the section (reference points)", before_style);
+    picture.add_legend("left", after_style);
     if (drawing.cutter && !cutters.empty()) {
         for (const SectionPoint& at : cutters)
             picture.add_curve(outline(*drawing.cutter, at), cutter_style);
