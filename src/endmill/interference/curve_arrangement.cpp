@@ -21,7 +21,8 @@ void turn(SectionCurve& curve)
         return;
     }
     points.pop_back();
-    std::ranges::rotate(points, std::ranges::min_element(points, is_before));
+    std::rotate(points.begin(), std::ranges::min_element(points, is_before),
+                points.end());
     points.push_back(points.front());
 }
 

@@ -39,8 +39,8 @@ std::vector<Vertical> highest_verticals(std::span<const SectionPoint> points,
     const auto has_same_s = [&](const Vertical& a, const Vertical& b) {
         return points[a.top][0] == points[b.top][0];
     };
-    const auto rest = std::ranges::unique(verticals, has_same_s);
-    verticals.erase(rest.begin(), rest.end());
+    verticals.erase(std::unique(verticals.begin(), verticals.end(), has_same_s),
+                    verticals.end());
     return verticals;
 }
 

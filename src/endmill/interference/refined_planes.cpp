@@ -22,17 +22,17 @@ std::vector<RefinedCurves> refine_all(const SectionSource& source,
                                       std::span<const Trimmed> trimmed,
                                       const MakeAdmissible& make_admissible)
 {
-    const auto& [surfaces, offset, grid_lines, planes, sections] = source;
-    require(
-        trimmed.size() == sections.size() && planes.positions.size() == sections.size(),
-        "refine_planes: need as many planes as sections");
-    const SmoothOffset smooth{offset, surfaces, grid_lines};
+    const std::vector<double>& positions = source.planes.positions;
+    require(trimmed.size() == source.sections.size() &&
+                positions.size() == source.sections.size(),
+            "refine_planes: need as many planes as sections");
+    const SmoothOffset smooth{source.offset, source.surfaces, source.grid_lines};
     std::vector<RefinedCurves> all(trimmed.size());
     parallel_for(trimmed.size(), [&](std::size_t begin, std::size_t end) {
         const IsAdmissible is_admissible = make_admissible();
         for (std::size_t k = begin; k < end; ++k)
-            all[k] = refined(trimmed[k].curves, {sections[k], planes.positions[k]},
-                             planes.frame, smooth, is_admissible);
+            all[k] = refined(trimmed[k].curves, {source.sections[k], positions[k]},
+                             source.planes.frame, smooth, is_admissible);
     });
     return all;
 }

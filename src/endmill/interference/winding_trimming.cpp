@@ -258,13 +258,12 @@ private:
     // The dividing lines keep an edge from being in part outside.
     bool is_in_interval(const Halfedge& edge) const
     {
-        const auto& [lesser, greater] =
-            std::minmax(edge->source()->point(), edge->target()->point());
+        const auto ends = std::minmax(edge->source()->point(), edge->target()->point());
         return open_.empty() || std::ranges::any_of(open_, [&](const Interval& interval) {
                    const double low = points_[interval.first][0];
                    const double high = points_[interval.last][0];
-                   return std::min(low, high) <= lesser.x() &&
-                          greater.x() <= std::max(low, high);
+                   return std::min(low, high) <= ends.first.x() &&
+                          ends.second.x() <= std::max(low, high);
                });
     }
 
@@ -317,7 +316,8 @@ private:
         curve.is_closed = true;
         if (points.size() > 1 && points.front().at == points.back().at)
             points.pop_back();
-        std::ranges::rotate(points, std::ranges::min_element(points, {}, place));
+        std::rotate(points.begin(), std::ranges::min_element(points, {}, place),
+                    points.end());
         if (points.size() > 1)
             points.push_back(points.front());
     }
