@@ -8,32 +8,14 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
+#include "endmill/core/exact_pair.h"
+
 namespace endmill {
 namespace {
 
 int sign(double value)
 {
     return (value > 0) - (value < 0);
-}
-
-// A sum and what its rounding lost: together exact.
-struct ExactPair {
-    double rounded;
-    double rest;
-};
-
-// Source: Knuth, The Art of Computer Programming 2, 4.2.2, theorem B.
-ExactPair exact_sum(double a, double b)
-{
-    const double sum = a + b;
-    const double b_part = sum - a;
-    return {sum, (a - (sum - b_part)) + (b - b_part)};
-}
-
-ExactPair exact_product(double a, double b)
-{
-    const double product = a * b;
-    return {product, std::fma(a, b, -product)};
 }
 
 // A sum of doubles kept exactly: as parts that do not overlap, smallest first.
