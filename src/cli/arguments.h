@@ -73,8 +73,9 @@ std::size_t choice_argument(const std::string& option, const std::string& word,
 
 /// Adds an option that takes one of a few words; the first is said to be the default.
 /// `choices` must outlive `command`.
-template <typename Value>
-CLI::Option* add_choice(CLI::App& command, const std::string& name, Value& target,
+/// \param target a Value, or an optional one that stays empty unless the option is given.
+template <typename Value, typename Target>
+CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& target,
                         std::span<const Choice<Value>> choices, const std::string& help)
 {
     std::vector<std::string_view> words;

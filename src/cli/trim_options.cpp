@@ -40,24 +40,6 @@ std::vector<std::string_view> method_words()
     return words;
 }
 
-// Optional, so that it can be told whether it was given.
-template <typename Value>
-void add_optional_choice(CLI::App& command, const std::string& name,
-                         std::optional<Value>& target,
-                         std::span<const Choice<Value>> choices, const std::string& help)
-{
-    std::vector<std::string_view> words;
-    std::string shown;
-    for (const Choice<Value>& choice : choices) {
-        words.push_back(choice.word);
-        shown += (shown.empty() ? "" : "|") + std::string{choice.word};
-    }
-    const auto take = [name, words, choices, &target](const std::string& word) {
-        target = choices[choice_argument(name, word, words)].value;
-    };
-    command.add_option_function<std::string>(name, take, help)->type_name(shown);
-}
-
 void add_method_options(CLI::App& command, TrimOptions& options)
 {
     const std::vector<std::string_view> words = method_words();
@@ -76,10 +58,9 @@ void add_method_options(CLI::App& command, TrimOptions& options)
     add_choice<bool>(command, "--mode", options.paper, modes,
                      "paper: --boundary none, and unless given --method 3 --detection "
                      "literal");
-    add_optional_choice<FoldDetection>(command, "--detection", options.detection,
-                                       detections,
-                                       "how methods 1, 2 and 3 find folds; default "
-                                       "guarded");
+    add_choice<FoldDetection>(command, "--detection", options.detection, detections,
+                              "how methods 1, 2 and 3 find folds; default "
+                              "guarded");
     add_number(command,
                {"--m1-step", "MM",
                 "between the lines of method 1; default R/500, for curves their height / "
@@ -113,7 +94,7 @@ void add_plane_options(CLI::App& command, TrimOptions& options)
                       "default 200",
                       2, most_grid},
                      [&options](int count) { options.grid = count; });
-    add_optional_choice<BoundaryContact>(
+    add_choice<BoundaryContact>(
         command, "--boundary", options.boundary, boundaries,
         "whether border, corners and creases count; default contact");
     add_number(command,

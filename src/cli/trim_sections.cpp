@@ -2,7 +2,6 @@
 #include "cli/trim_sections.h"
 
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -13,6 +12,7 @@
 #include "endmill/interference/mesh_sections.h"
 #include "endmill/io/polyline_csv.h"
 #include "endmill/io/printable.h"
+#include "endmill/planning/path_interval.h"
 #include "endmill/surface/extent.h"
 #include "endmill/surface/tool_side.h"
 
@@ -31,12 +31,11 @@ double milliseconds_since(Clock::time_point start)
 double pitch_for(double scallop, const Cutter& cutter)
 {
     const double r = cutter.corner_radius();
-    require_option(scallop < 2 * r,
-                   "--scallop " + to_text(scallop) +
-                       ": expected a height below twice the corner radius, " +
-                       to_text(2 * r) + " mm");
-    const double half = std::sqrt((2 * r - scallop) * scallop);
-    return 2 * (cutter.flat_radius() + half);
+    require_option(scallop < 2 * r, "--scallop " + to_text(scallop) +
+                                        ": expected a height below twice the corner "
+                                        "radius, " +
+                                        to_text(2 * r) + " mm");
+    return 2 * cutter.flat_radius() + path_interval(BallCutter{r}, 0, scallop).chord;
 }
 
 DrivePlanes planes_over(const Interval& across, const TrimOptions& options)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "trimmed_curves.h"
+
 namespace endmill {
 namespace {
 
@@ -17,14 +19,6 @@ TrimmedCurve curve(const std::vector<SectionPoint>& points, bool is_closed = fal
     return made;
 }
 
-std::vector<SectionPoint> places(const TrimmedCurve& curve)
-{
-    std::vector<SectionPoint> points;
-    for (const TrimmedPoint& point : curve.points)
-        points.push_back(point.at);
-    return points;
-}
-
 using Points = std::vector<SectionPoint>;
 
 TEST(ClippedSections, LeavesWhatLiesWithin)
@@ -32,7 +26,7 @@ TEST(ClippedSections, LeavesWhatLiesWithin)
     const Points points{{0, 0}, {1, 5}, {4, 1}};
     const auto left = clipped({curve(points)}, {0, 4});
     ASSERT_EQ(left.size(), 1U);
-    EXPECT_EQ(places(left[0]), points);
+    EXPECT_EQ(test::places(left[0]), points);
     EXPECT_EQ(left[0].points[2].kind, TrimmedKind::Vertex);
 }
 
@@ -40,7 +34,7 @@ TEST(ClippedSections, CutsBothEndsOffWithinASegment)
 {
     const auto left = clipped({curve({{0, 0}, {4, 4}, {8, 0}})}, {1, 7});
     ASSERT_EQ(left.size(), 1U);
-    EXPECT_EQ(places(left[0]), (Points{{1, 1}, {4, 4}, {7, 1}}));
+    EXPECT_EQ(test::places(left[0]), (Points{{1, 1}, {4, 4}, {7, 1}}));
     EXPECT_EQ(left[0].points[0].kind, TrimmedKind::End);
     EXPECT_EQ(left[0].points[0].on, (SegmentNumber{0, 0}));
     EXPECT_EQ(left[0].points[2].on, (SegmentNumber{0, 1}));
@@ -48,9 +42,9 @@ TEST(ClippedSections, CutsBothEndsOffWithinASegment)
 
 TEST(ClippedSections, CutsASegmentThatSpansTheRangeInEitherDirection)
 {
-    EXPECT_EQ(places(clipped({curve({{0, 0}, {8, 8}})}, {2, 3})[0]),
+    EXPECT_EQ(test::places(clipped({curve({{0, 0}, {8, 8}})}, {2, 3})[0]),
               (Points{{2, 2}, {3, 3}}));
-    EXPECT_EQ(places(clipped({curve({{8, 8}, {0, 0}})}, {2, 3})[0]),
+    EXPECT_EQ(test::places(clipped({curve({{8, 8}, {0, 0}})}, {2, 3})[0]),
               (Points{{3, 3}, {2, 2}}));
 }
 
@@ -58,13 +52,13 @@ TEST(ClippedSections, MakesTwoOfACurveThatLeavesAndReturns)
 {
     const auto left = clipped({curve({{0, 0}, {4, 2}, {0, 4}})}, {0, 2});
     ASSERT_EQ(left.size(), 2U);
-    EXPECT_EQ(places(left[0]), (Points{{0, 0}, {2, 1}}));
-    EXPECT_EQ(places(left[1]), (Points{{2, 3}, {0, 4}}));
+    EXPECT_EQ(test::places(left[0]), (Points{{0, 0}, {2, 1}}));
+    EXPECT_EQ(test::places(left[1]), (Points{{2, 3}, {0, 4}}));
 }
 
 TEST(ClippedSections, KeepsAVerticalOnTheBorderAndNothingBeyond)
 {
-    EXPECT_EQ(places(clipped({curve({{1, 0}, {2, 0}, {2, 5}, {3, 5}})}, {1, 2})[0]),
+    EXPECT_EQ(test::places(clipped({curve({{1, 0}, {2, 0}, {2, 5}, {3, 5}})}, {1, 2})[0]),
               (Points{{1, 0}, {2, 0}, {2, 5}}));
     EXPECT_TRUE(clipped({curve({{3, 0}, {4, 0}})}, {1, 2}).empty());
     EXPECT_TRUE(clipped({curve({{2, 0}, {4, 0}})}, {1, 2}).empty());  // touches it
@@ -77,7 +71,7 @@ TEST(ClippedSections, OpensAClosedCurveThatIsCut)
     const auto cut = clipped({ring}, {0, 2});
     ASSERT_EQ(cut.size(), 2U);
     EXPECT_FALSE(cut[0].is_closed);
-    EXPECT_EQ(places(cut[1]), (Points{{2, 4}, {0, 4}, {0, 0}}));
+    EXPECT_EQ(test::places(cut[1]), (Points{{2, 4}, {0, 4}, {0, 0}}));
     EXPECT_FALSE(cut[1].is_closed);
 }
 

@@ -44,16 +44,21 @@ inline TrimmingOptions options_for(const SectionCurve& curve, FoldDetection dete
     return {.detection = detection, .scan_step = step, .scan_threshold = 4 * step};
 }
 
+/// The points of a curve, without what they come from.
+inline std::vector<SectionPoint> places(const TrimmedCurve& curve)
+{
+    std::vector<SectionPoint> points;
+    for (const TrimmedPoint& point : curve.points)
+        points.push_back(point.at);
+    return points;
+}
+
 /// The points of the only curve that is left.
 inline std::vector<SectionPoint> points_left(const Trimmed& trimmed)
 {
     EXPECT_EQ(trimmed.curves.size(), 1U);
-    std::vector<SectionPoint> points;
-    for (const TrimmedCurve& curve : trimmed.curves) {
-        for (const TrimmedPoint& point : curve.points)
-            points.push_back(point.at);
-    }
-    return points;
+    return trimmed.curves.empty() ? std::vector<SectionPoint>{}
+                                  : places(trimmed.curves.front());
 }
 
 inline void expect_points(const std::vector<SectionPoint>& points,
