@@ -6,6 +6,7 @@
 * A module other than job uses io: whoever computes does not read files.
 * A folder under src/endmill is no declared module, or a declared module has no folder.
 * A header in src shows a library that is kept inside .cpp files.
+* A header for users includes one that is internal to a module, and so is not installed.
 * A header has no test file of its name.
 * A source, script or CMake file has no SPDX line, or one that says something is still to do.
 """
@@ -18,6 +19,7 @@ MODULE = re.compile(r"endmill_module\(([^)]*)\)")
 KEYWORDS = {"USES", "LIBRARIES", "PRIVATE_LIBRARIES"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 KEPT_INSIDE = re.compile(r"^(CGAL|OpenMesh|boost|embree\d*|tbb|oneapi)/")
+INTERNAL = re.compile(r"^// Internal to ", re.M)
 MAY_USE_IO = {"job"}  # and src/cli, which is no module
 SPDX = "SPDX-License-Identifier:"
 UNFINISHED = re.compile(r"\b(TO{1}DO|FIX{1}ME)\b")  # {1}: so that this line passes itself
@@ -70,6 +72,15 @@ def check_headers(root, bad):
                 bad.append(f"{header.relative_to(root)}: {included} belongs in a .cpp file")
 
 
+def check_internal_headers(root, bad):
+    texts = {str(header.relative_to(root / "src")): header.read_text(encoding="utf-8")
+             for header in sorted((root / "src/endmill").glob("*/*.h"))}
+    internal = {name for name, text in texts.items() if INTERNAL.search(text)}
+    for name in sorted(texts.keys() - internal):
+        for included in sorted(internal.intersection(INCLUDE.findall(texts[name]))):
+            bad.append(f"src/{name}: is for users and includes {included}, which is internal")
+
+
 def check_tests(root, bad):
     for header in sorted((root / "src/endmill").glob("*/*.h")):
         test = Path("tests", header.parent.name, header.stem + "_test.cpp")
@@ -102,6 +113,7 @@ def main(root):
     check_folders(root, arrows, bad)
     check_includes(root, arrows, bad)
     check_headers(root, bad)
+    check_internal_headers(root, bad)
     check_tests(root, bad)
     check_texts(root, bad)
     print("\n".join(bad) or f"{len(arrows)} modules, all as declared")

@@ -69,6 +69,18 @@ class Layers(FakeTree):
             self.write("src/endmill/core/vec.h", SPDX + f"#include <{library}>\n")
             self.assert_found("src/endmill/core/vec.h", library)
 
+    def test_a_header_for_users_that_needs_an_internal_one(self):
+        self.write("src/endmill/core/vec.h", SPDX + "// Internal to core\n")
+        self.write("src/endmill/surface/patch.h", SPDX + '#include "endmill/core/vec.h"\n')
+        self.assert_found("src/endmill/surface/patch.h", "endmill/core/vec.h", "internal")
+
+    def test_an_internal_header_may_need_another(self):
+        for header in ("core/vec.h", "surface/patch.h"):
+            self.write(f"src/endmill/{header}", SPDX + "// Internal to its module\n")
+        self.write("src/endmill/surface/patch.h",
+                   SPDX + '// Internal to surface\n#include "endmill/core/vec.h"\n')
+        self.test_a_tidy_house_passes()
+
     def test_a_header_without_a_test(self):
         (self.root / "tests/surface/patch_test.cpp").unlink()
         self.assert_found("src/endmill/surface/patch.h", "tests/surface/patch_test.cpp")

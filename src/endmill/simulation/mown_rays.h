@@ -6,11 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "endmill/simulation/half_space.h"
 #include "endmill/simulation/part_tiles.h"
 #include "endmill/simulation/sweep_tree.h"
 
 namespace endmill {
+
+struct HalfSpace;
 
 /// A ray of the part, shortened to what the moves leave of it.
 struct MownRay {
