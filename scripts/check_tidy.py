@@ -73,6 +73,16 @@ def for_clang(command):
     return command + " -Wno-unknown-warning-option"
 
 
+def each_alone(entry):
+    """A compile command for each file that `entry`'s file only gathers (a unity build)."""
+    gathered = Path(entry["directory"], entry["file"])
+    if not gathered.name.startswith("unity_"):
+        return [entry]
+    parts = re.findall(r'^#include "(.+)"', gathered.read_text(encoding="utf-8"), re.M)
+    return [{**entry, "file": part, "command": entry["command"].replace(entry["file"], part)}
+            for part in parts]
+
+
 def tidy(database, file):
     """What clang-tidy finds in `file`, empty if nothing."""
     command = ["clang-tidy", "--quiet", "-p", str(database), str(file)]
@@ -85,7 +95,8 @@ def main(root, look_at_all):
     database = root / BUILD / "compile_commands.json"
     if not database.exists():
         sys.exit(f"{database} is missing: run cmake --preset release first")
-    entries = json.loads(database.read_text(encoding="utf-8"))
+    entries = [alone for entry in json.loads(database.read_text(encoding="utf-8"))
+               for alone in each_alone(entry)]
     compiled = sorted({Path(entry["directory"], entry["file"]).resolve() for entry in entries})
     compiled = [f for f in compiled if not f.is_relative_to(root / "build")]
     files = None if look_at_all else changed(root)

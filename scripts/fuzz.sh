@@ -8,7 +8,7 @@ usage() {
     cat <<'HELP'
 scripts/fuzz.sh [SECONDS] [--help]
 
-Builds the fuzzers of the readers into build/fuzz (clang, libFuzzer, address and
+Builds the fuzzers of the readers into build/asan (clang, libFuzzer, address and
 undefined-behaviour sanitizers) and runs each for SECONDS (10), as many at a time as
 there are cores. Each begins with the files in tests/fuzz/corpus, with what earlier
 runs found of interest, and with their findings.
@@ -29,21 +29,15 @@ esac
 scripts/setup.sh
 
 folder=build/fuzz
-# The checks that are off add a third to the time of the build; what they find is found by
-# the address sanitizer, or by g++'s in the tests.
-checks="address,undefined -fno-sanitize=null,object-size,alignment,vptr"
-cmake -S . -B "$folder" -G Ninja -D CMAKE_BUILD_TYPE=Fuzz -D CMAKE_CXX_COMPILER=clang++-14 \
-    -D CMAKE_CXX_FLAGS_FUZZ="-O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all -fsanitize=fuzzer-no-link,$checks" \
-    -D ENDMILL_BUILD_FUZZERS=ON -D ENDMILL_BUILD_PROGRAM=OFF -D ENDMILL_BUILD_TESTS=OFF \
-    -D ENDMILL_BUILD_EXPERIMENTS=OFF
-cmake --build "$folder" --target endmill_fuzzers
+cmake --preset asan
+cmake --build --preset asan --target endmill_fuzzers
 
 # Runs one fuzzer; its status tells whether it had no finding.
 fuzz() {
     local name=$1 log="$folder/$1.log"
     local findings="$folder/findings/$name" interesting="$folder/corpus/$name"
     mkdir -p "$findings" "$interesting"
-    if ! "$folder/tests/fuzz/endmill_${name}_fuzz" -max_total_time="$seconds" -timeout=10 \
+    if ! "build/asan/tests/fuzz/endmill_${name}_fuzz" -max_total_time="$seconds" -timeout=10 \
         -rss_limit_mb=1024 -malloc_limit_mb=300 -max_len=4096 -print_final_stats=1 \
         -artifact_prefix="$findings/" "$interesting" "tests/fuzz/corpus/$name" "$findings" \
         >"$log" 2>&1; then

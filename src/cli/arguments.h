@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -66,6 +67,10 @@ struct Choice {
     std::string_view word;
     Value value;
 };
+
+/// Yes unless the option says no.
+inline constexpr std::array yes_first{Choice<bool>{"yes", true},
+                                      Choice<bool>{"no", false}};
 
 /// The place of `word` among `words`. \throws CLI::ValidationError with a suggestion.
 std::size_t choice_argument(const std::string& option, const std::string& word,

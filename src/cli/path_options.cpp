@@ -10,7 +10,8 @@
 namespace endmill {
 namespace {
 
-constexpr std::array points{Choice<bool>{"tip", false}, Choice<bool>{"centre", true}};
+constexpr std::array programmed_points{Choice<bool>{"tip", false},
+                                       Choice<bool>{"centre", true}};
 
 }  // namespace
 
@@ -33,8 +34,8 @@ void add_path_options(CLI::App& command, PathOptions& path)
 
 void add_reading_options(CLI::App& command, PathOptions& path)
 {
-    add_choice<bool>(command, "--programmed-point", path.centre_is_programmed, points,
-                     "what the coordinates of a program say");
+    add_choice<bool>(command, "--programmed-point", path.centre_is_programmed,
+                     programmed_points, "what the coordinates of a program say");
     add_number(command, {"--arc-tolerance", "MM", "from an arc to its chords"},
                path.arc_tolerance);
     command.add_flag("--block-delete", path.block_delete,

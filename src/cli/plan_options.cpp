@@ -33,7 +33,6 @@ constexpr std::array order{Choice<PassOrder>{"zigzag", PassOrder::ZigZag},
                            Choice<PassOrder>{"one-way", PassOrder::OneWay}};
 constexpr std::array distance{Choice<TravelKind>{"contact", TravelKind::Contact},
                               Choice<TravelKind>{"cl", TravelKind::Tip}};
-constexpr std::array yes_first{Choice<bool>{"yes", true}, Choice<bool>{"no", false}};
 constexpr std::array no_first{Choice<bool>{"no", false}, Choice<bool>{"yes", true}};
 constexpr std::array modes{Choice<PlanMode>{"paper", PlanMode::Paper},
                            Choice<PlanMode>{"verified", PlanMode::Verified}};

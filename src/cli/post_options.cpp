@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::array formats{Choice<PostFormat>{"gcode", PostFormat::Gcode},
                              Choice<PostFormat>{"apt", PostFormat::Apt}};
-constexpr std::array yes_first{Choice<bool>{"yes", true}, Choice<bool>{"no", false}};
 
 // Controls know tools by at most five digits.
 constexpr int greatest_tool = 99999;

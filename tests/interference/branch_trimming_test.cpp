@@ -25,9 +25,8 @@ TEST(TrimBranches, SumsUpOverThePlane)
 
 TEST(TrimBranches, AsksTheSearchItIsGiven)
 {
-    const CrossingSearch* none =
-        [](const SectionChain&, const Branches&,
-           const TrimmingOptions&) -> std::optional<ChainCrossing> {
+    CrossingSearch* none = [](const SectionChain&, const Branches&,
+                              const TrimmingOptions&) -> std::optional<ChainCrossing> {
         return std::nullopt;
     };
     const Trimmed trimmed = trim_branches({&loop, 1}, {none}, {});

@@ -274,8 +274,10 @@ TEST(Slice, OfAnInclinedTroughCrossesWhereTheClosedFormSays)
     const double expected =
         R * R / (2 * p) + p / (2 * std::cos(incline) * std::cos(incline));
     EXPECT_NEAR(expected, 8.559885664108, 1e-12);
-    for (const auto& [n, bound] :
+    for (const auto& row :
          {std::pair{51, 2e-2}, {101, 6e-3}, {201, 1.5e-3}, {401, 4e-4}, {801, 1.5e-4}}) {
+        const int n = row.first;  // clang 14 lets no lambda see a structured binding
+        const double bound = row.second;
         const auto trough = test::grid_mesh(n, n, [&](int i, int j) {
             const double x = -20 + 41.0 * i / (n - 1);
             const double y = -15 + 31.0 * j / (n - 1);

@@ -58,6 +58,17 @@ class Tidy(FakeTree):
         files = [self.write("README.md"), self.write("src/endmill/core/lonely.h")]
         self.assertEqual(check_tidy.select(files, self.compiled), [])
 
+    def test_files_that_are_compiled_together_are_looked_at_alone(self):
+        parts = [self.write("src/cli/plan.cpp"), self.write("src/cli/trim.cpp")]
+        text = "".join(f'#include "{part}"\n' for part in parts)
+        unity = self.write("build/release/Unity/unity_0_cxx.cxx", text)
+        together = {"directory": str(self.root), "file": str(unity), "command": f"c++ -c {unity}"}
+        self.assertEqual(check_tidy.each_alone(together),
+                         [{"directory": str(self.root), "file": str(part),
+                           "command": f"c++ -c {part}"} for part in parts])
+        alone = {"directory": str(self.root), "file": str(parts[0]), "command": "c++"}
+        self.assertEqual(check_tidy.each_alone(alone), [alone])
+
 
 if __name__ == "__main__":
     unittest.main()
