@@ -178,6 +178,42 @@ TEST(TrimmingMethods, LeaveCurvesWithoutFoldsAsTheyAre)
     }
 }
 
+// What TrimmedKind says of a point, and the order of curves, for whatever is in the table.
+void expect_in_order_and_from(const SectionCurve& curve, const Trimmed& trimmed)
+{
+    double smallest_s = -std::numeric_limits<double>::infinity();
+    for (const TrimmedCurve& left : trimmed.curves) {
+        ASSERT_GE(left.points.size(), 2U);
+        double least = std::numeric_limits<double>::infinity();
+        for (const TrimmedPoint& point : left.points) {
+            EXPECT_TRUE(point.at.allFinite());
+            ASSERT_EQ(point.on.curve, 0);
+            if (point.kind == TrimmedKind::Vertex) {
+                EXPECT_EQ(point.at, curve.points.at(point.on.point));
+            }
+            least = std::min(least, point.at.x());
+        }
+        EXPECT_GE(least, smallest_s);
+        smallest_s = least;
+    }
+}
+
+TEST(TrimmingMethods, AllKeepTheContract)
+{
+    for (const TrimmingMethod& method : trimming_methods()) {
+        SCOPED_TRACE(method.name);
+        for (const TrimmingVector& vector : test::trimming_vectors()) {
+            const auto options = test::options_for(vector.curve, FoldDetection::Guarded);
+            expect_in_order_and_from(vector.curve,
+                                     method.trim({&vector.curve, 1}, options));
+        }
+        const SectionCurve wave = test::open_curve({{0, 0}, {1, 2}, {2, -1}, {3, 0}});
+        const auto options = test::options_for(wave, FoldDetection::Guarded);
+        EXPECT_EQ(test::points_left(method.trim({&wave, 1}, options)), wave.points);
+        EXPECT_TRUE(method.trim({}, options).curves.empty());
+    }
+}
+
 // A backward curve is not one that a section can be; nothing is hidden all the same.
 TEST(TrimmingMethods, ReportABackwardCurve)
 {

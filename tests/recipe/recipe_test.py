@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""README.md's recipe for a new trimming method, applied to a copy of the sources.
+
+Only the changed table is compiled. The program and the tests are linked again from what the
+build has made, the new object before the library, whose own is then not looked for.
+"""
+import csv
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BUILD = Path(os.environ.get("ENDMILL_BUILD", ROOT / "build/release")).resolve()
+TABLE = "src/endmill/interference/trimming.cpp"
+# Vector T1 of the specification: one symmetric loop, crossing at (0, 0).
+LOOP = "s_mm,z_mm\n-6,6\n2,-2\n0,-1\n-2,-2\n6,6\n"
+
+
+def succeed(*command, cwd):
+    """What a command that must succeed prints."""
+    done = subprocess.run([*map(str, command)], capture_output=True, text=True, check=False, timeout=120,
+                          stdin=subprocess.DEVNULL, cwd=cwd)
+    if done.returncode:
+        raise RuntimeError(shlex.join(map(str, command)) + "\n" + done.stdout + done.stderr)
+    return done.stdout
+
+
+def recipe():
+    """The steps: path and text of the new file, its #include, its line in the table, the call."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    text = text[text.index("**A trimming method**"):]
+    path = re.search(r"`(src/\S+\.h)`", text)[1]
+    file, lines, call = re.findall(r"^```\w*\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)[:3]
+    include, entry = lines.splitlines()
+    return path, file, include, entry, call
+
+
+def apply_recipe(copy):
+    """Follows the recipe in a copy of the sources."""
+    path, file, include, entry, _ = recipe()
+    assert not (copy / path).exists(), path
+    (copy / path).write_text(file, encoding="utf-8")
+    table = (copy / TABLE).read_text(encoding="utf-8")
+    table = table.replace("\n\nnamespace endmill {", f"\n{include}\n\nnamespace endmill {{", 1)
+    table = table.replace("\n};\n", f"\n    {entry}\n}};\n", 1)
+    assert include in table and entry in table
+    (copy / TABLE).write_text(table, encoding="utf-8")
+
+
+def build_command(target, text):
+    """The words of the last command by which the build makes `target` and that contains `text`."""
+    lines = succeed("ninja", "-C", BUILD, "-t", "commands", target, cwd=BUILD).splitlines()
+    commands = [command for line in lines for command in line.split(" && ")]
+    return shlex.split([command for command in commands if text in command][-1])
+
+
+class Recipe(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name).resolve()
+        copy = cls.folder / "copy"
+        shutil.copytree(ROOT / "src", copy / "src")
+        apply_recipe(copy)
+        cls.table = cls.folder / "table.o"
+        words = build_command("endmill", f"-c {ROOT / TABLE}")
+        words = [word.replace(f"{ROOT}/src", f"{copy}/src")
+                 if word in (f"-I{ROOT}/src", str(ROOT / TABLE)) else word for word in words]
+        for option, path in (("-o", cls.table), ("-MF", cls.folder / "table.d")):
+            words[words.index(option) + 1] = path
+        succeed(*words, cwd=BUILD)
+
+    def linked(self, made):
+        """A program of the build, linked with the new table."""
+        program = self.folder / Path(made).name
+        words = build_command(program.name, f" -o {made} ")
+        words[words.index("-o") + 1] = program
+        words.insert(words.index("-o"), self.table)
+        succeed(*words, cwd=BUILD)
+        return program
+
+    def test_method_is_one_of_the_program(self):
+        endmill = self.linked("src/cli/endmill")
+        (self.folder / "curves.csv").write_text(LOOP, encoding="ascii")
+        *_, call = recipe()
+        name, *words = call.split()
+        self.assertEqual(name, "endmill")
+        said = succeed(endmill, *words, "--output", "out", cwd=self.folder)
+        self.assertIn("forward", said)
+        with open(self.folder / "out/trimmed.csv", encoding="ascii", newline="") as file:
+            left = [(row["s_mm"], row["z_mm"]) for row in csv.DictReader(file)]
+        self.assertEqual(left, [("-6", "6"), ("2", "-2"), ("6", "6")])
+        with open(self.folder / "out/loops.csv", encoding="ascii", newline="") as file:
+            [cut] = csv.DictReader(file)
+        self.assertEqual([cut[key] for key in ("first_point", "last_point", "rule")], ["2", "3", "behind"])
+        said = succeed(endmill, "trim", "--polyline", "curves.csv", "--method", "all", cwd=self.folder)
+        self.assertIn("forward", said)
+        self.assertIn("|forward|all", succeed(endmill, "trim", "--help", cwd=self.folder))
+
+    def test_method_passes_the_tests_of_all_methods(self):
+        program = self.linked("src/endmill_interference_test")
+        said = succeed(program, "--gtest_filter=TrimmingMethods.*", cwd=self.folder)
+        self.assertIn("TrimmingMethods.AllKeepTheContract", said)
+
+
+if __name__ == "__main__":
+    unittest.main()
