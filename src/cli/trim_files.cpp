@@ -107,6 +107,21 @@ std::optional<double> clearance(const TrimInput& input, const TrimOptions& optio
     return least ? std::optional{least->gap} : std::nullopt;
 }
 
+// Lines of the part itself in one plane; of curves none is known.
+std::vector<std::vector<SectionPoint>> part_lines(const TrimInput& input,
+                                                  std::size_t plane)
+{
+    std::vector<std::vector<SectionPoint>> lines;
+    if (!input.part)
+        return lines;
+    const DrivePlanes drawn{input.planes->frame, {input.planes->positions[plane]}};
+    const auto* const mesh = std::get_if<TriangleMesh>(&*input.part);
+    const auto sections = slice(mesh ? *mesh : contact_mesh(*input.offset), drawn);
+    for (const SectionCurve& curve : sections.front().curves)
+        lines.push_back(curve.points);
+    return lines;
+}
+
 std::string section_picture(const TrimResult& result, const TrimInput& input,
                             const TrimOptions& options, std::size_t plane)
 {
@@ -117,9 +132,10 @@ std::string section_picture(const TrimResult& result, const TrimInput& input,
         figure.captions.push_back(fmt::format("t = {:.6g} mm, feed at {:g} deg from +x",
                                               input.planes->positions[plane],
                                               options.direction_deg));
-    return section_svg({input.sections[plane].curves, result.trimmed[plane].curves,
-                        input.part ? options.cutter : std::nullopt},
-                       figure);
+    return section_svg(
+        {input.sections[plane].curves, result.trimmed[plane].curves,
+         input.part ? options.cutter : std::nullopt, part_lines(input, plane)},
+        figure);
 }
 
 // All that is left, where it stands; curves of a file in a plane of their own.

@@ -61,6 +61,17 @@ class Trim(ProgramTest):
                          "--tolerance", "0.1", "--scallop", "20", "--json", "-o", "judged", cwd=self.folder)
         self.assertEqual(judged.returncode, 0, judged.stderr + judged.stdout)
 
+    def test_a_drawn_section_has_the_part_where_there_is_one(self):
+        curves = self.file(LOOP, "t1.csv")
+        dome = ROOT / "datasets/meshes/dome.stl"
+        for words, has_part in (((VALLEY, "--cutter", "flat:8", "--tolerance", "1"), True),
+                                ((dome, "--cutter", "ball:4"), True),
+                                (("--polyline", curves), False)):
+            self.summary("trim", *words, *([] if curves in words else ["--grid", "30", "--planes", "3"]),
+                         "--figure", "0", "-o", "out", "--force")
+            drawn = (self.folder / "out/section-0.svg").read_text(encoding="utf-8")
+            self.assertEqual(">part<" in drawn, has_part, words)
+
     def test_refining_does_not_hang_on_the_grid(self):
         heights = []
         for grid in ("60", "90"):

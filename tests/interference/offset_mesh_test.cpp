@@ -171,6 +171,24 @@ TEST(OffsetMesh, OfARectangleIsRoundedAtBorderAndCorners)
     EXPECT_EQ(offset.own_triangles, 50U);
 }
 
+// Strips turn the normal over one contact: they have no part of their own.
+TEST(OffsetMesh, GivesThePartItselfBack)
+{
+    const std::vector part{test::plane(30, 20)};
+    const DrivePlanes planes = planes_over(part, 30, 5);
+    for (const Cutter& cutter : {Cutter::ball(4), Cutter{4, 1}, Cutter::flat(4)}) {
+        const TriangleMesh mesh =
+            contact_mesh(offset_mesh(part, cutter, {.grid_lines = 6, .allowance = 0.5}));
+        EXPECT_EQ(mesh.triangles().size(), 50U);
+        for (const Vec3& point : mesh.points())
+            EXPECT_NEAR(distance_to_rectangle(point, 30, 20), 0, 1e-13);
+        for (const PlaneSection& section : slice(mesh, planes)) {
+            ASSERT_EQ(section.curves.size(), 1U);
+            EXPECT_FALSE(section.curves[0].is_closed);
+        }
+    }
+}
+
 TEST(OffsetMesh, WithAllowanceStandsOffByIt)
 {
     const std::vector part{test::plane(30, 20)};

@@ -20,19 +20,6 @@ using namespace endmill;
 
 namespace {
 
-// Lines of the part itself in each plane: the same triangles over the contacts.
-std::vector<PlaneSection> part_sections(const OffsetSections& offset)
-{
-    std::vector<Vec3> contacts;
-    const auto count = static_cast<std::int32_t>(offset.offset.mesh.points().size());
-    contacts.reserve(offset.offset.mesh.points().size());
-    for (std::int32_t vertex = 0; vertex < count; ++vertex)
-        contacts.push_back(contact_point(offset.offset, vertex));
-    const auto triangles = offset.offset.mesh.triangles();
-    return slice({std::move(contacts), {triangles.begin(), triangles.end()}},
-                 offset.planes);
-}
-
 std::size_t points_of(std::span<const SectionCurve> curves)
 {
     std::size_t count = 0;
@@ -138,7 +125,7 @@ void draw(Experiment& run, CsvTable& result, const PlaneFigure& shown)
          count(CutCause::End), count(CutCause::Fold) > 0 ? "yes" : "no",
          count(CutCause::End) > 0 ? "yes" : "no"});
     std::vector<std::vector<SectionPoint>> part;
-    const auto part_planes = part_sections(offset);
+    const auto part_planes = slice(contact_mesh(offset.offset), offset.planes);
     for (const SectionCurve& curve : part_planes.at(shown.plane).curves)
         part.push_back(curve.points);
     FigureOptions figure;

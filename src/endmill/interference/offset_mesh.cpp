@@ -194,6 +194,16 @@ Vec3 contact_point(const OffsetMesh& offset, std::int32_t vertex)
            control_offset(offset.cutter, offset.contacts[vertex].normal);
 }
 
+TriangleMesh contact_mesh(const OffsetMesh& offset)
+{
+    const std::size_t count = offset.mesh.points().size();
+    std::vector<Vec3> contacts(count);
+    for (std::size_t vertex = 0; vertex < count; ++vertex)
+        contacts[vertex] = contact_point(offset, static_cast<std::int32_t>(vertex));
+    const auto triangles = offset.mesh.triangles().first(offset.sheet_triangles);
+    return {std::move(contacts), {triangles.begin(), triangles.end()}};
+}
+
 std::vector<std::optional<Interval>> path_ranges(const OffsetMesh& offset,
                                                  const DrivePlanes& planes,
                                                  std::span<const PlaneSection> sections)

@@ -90,6 +90,10 @@ OffsetMesh offset_mesh(std::span<const Surface> surfaces, const Cutter& cutter,
 /// few roundings.
 Vec3 contact_point(const OffsetMesh& offset, std::int32_t vertex);
 
+/// The part as the offset samples it: the contacts inside and at the ends of its surfaces,
+/// joined as the offset's triangles are. Its chords err by the cells' size squared.
+TriangleMesh contact_mesh(const OffsetMesh& offset);
+
 /// The range of s over which the path of each plane stays over the part: the smallest that
 /// holds the plane's section of the part, as sampled, and of the offset without its strips
 /// along the border; nothing where the plane meets neither.

@@ -111,7 +111,7 @@ std::string section_svg(const SectionDrawing& drawing, FigureOptions figure)
     if (!drawing.part.empty())
         picture.add_legend("part", part_style);
     picture.add_legend("cut out of the section (reference points)", before_style);
-    picture.add_legend("left", after_style);
+    picture.add_legend("what is left of it", after_style);
     if (drawing.cutter && !cutters.empty()) {
         for (const SectionPoint& at : cutters)
             picture.add_curve(outline(*drawing.cutter, at), cutter_style);
