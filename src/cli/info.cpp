@@ -6,6 +6,7 @@
 
 #include "cli/console.h"
 #include "cli/info_summary.h"
+#include "cli/mesh_remarks.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/error.h"
 #include "endmill/io/output_folder.h"
@@ -41,11 +42,10 @@ ExitCode run_info(const InfoOptions& options)
                               ": --require g1 is for surfaces; found a mesh"};
         const Json summary = mesh_summary(file, options.part);
         if (summary["non_manifold_edges"] != 0)
-            warn(options.common, options.part.path +
-                                     ": edges of more than two triangles: " +
-                                     summary["non_manifold_edges"].dump() +
-                                     ", the first between points " +
-                                     summary["first_non_manifold_edge"].dump());
+            warn(options.common,
+                 options.part.path + ": " +
+                     non_manifold_text(summary["non_manifold_edges"],
+                                       summary["first_non_manifold_edge"].dump()));
         write_summary(options, summary);
         print_result(options.common, summary, mesh_text(summary));
         return ExitCode::Yes;

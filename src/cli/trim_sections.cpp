@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cli/console.h"
+#include "cli/mesh_remarks.h"
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
 #include "endmill/cutter/reference_point.h"
@@ -121,6 +122,15 @@ TrimInput read_trim_input(const TrimOptions& options)
     TrimInput input;
     input.file = options.part.path;
     PartFile file = read_part_for(options.part, options.common);
+    input.remarks = std::move(file.notes);
+    if (auto* mesh = std::get_if<TriangleMesh>(&file.part)) {
+        RemarkedMesh known = remarked(std::move(*mesh));
+        *mesh = std::move(known.mesh);
+        for (std::string& remark : known.remarks) {
+            warn(options.common, options.part.path + ": " + remark);
+            input.remarks.push_back(std::move(remark));
+        }
+    }
     input.name = file.name;
     input.source = file.source;
     input.part = std::make_unique<const Part>(std::move(file.part));

@@ -21,6 +21,7 @@ struct TrimInput {
     std::string file;  ///< as given
     std::string name;
     std::string source;
+    std::vector<std::string> remarks;  ///< on the part's file
     std::unique_ptr<const Part> part;  ///< none for curves; the drop cutter refers to it
     std::optional<OffsetMesh> offset;  ///< of surfaces
     std::optional<DropCutter> drop_cutter;        ///< on a mesh

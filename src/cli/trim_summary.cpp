@@ -63,6 +63,8 @@ Json trim_summary(const TrimInput& input, const TrimOptions& options,
                  {"method", result.method}};
     if (options.cutter && input.part)
         summary["cutter"] = cutter_word(*options.cutter);
+    if (input.part)
+        summary["remarks"] = input.remarks;
     add_counts(summary, result);
     summary["offset_ms"] = input.offset ? Json(input.offset_ms) : Json(nullptr);
     summary["slice_ms"] = input.part ? Json(input.slice_ms) : Json(nullptr);

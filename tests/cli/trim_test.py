@@ -2,6 +2,7 @@
 """endmill trim: what it writes for surfaces, meshes and curves, and what it refuses."""
 import csv
 import json
+import struct
 import unittest
 
 from program import ROOT, ProgramTest, endmill, plane
@@ -9,6 +10,35 @@ from program import ROOT, ProgramTest, endmill, plane
 VALLEY = ROOT / "datasets/surfaces/valley.json"
 # Vector T1 of the specification: one symmetric loop, crossing at (0, 0).
 LOOP = "s_mm,z_mm\n-6,6\n2,-2\n0,-1\n-2,-2\n6,6\n"
+
+# A cube of 10 mm that faces outwards.
+CUBE = """v 0 0 0
+v 10 0 0
+v 10 10 0
+v 0 10 0
+v 0 0 10
+v 10 0 10
+v 10 10 10
+v 0 10 10
+f 1 3 2
+f 1 4 3
+f 5 6 7
+f 5 7 8
+f 1 2 6
+f 1 6 5
+f 2 3 7
+f 2 7 6
+f 3 4 8
+f 3 8 7
+f 4 1 5
+f 4 5 8
+"""
+
+
+def stl(count, triangles):
+    """A binary STL file whose header says `count`."""
+    return bytes(80) + struct.pack("<I", count) + b"".join(
+        struct.pack("<12fH", 0, 0, 1, *sum(triangle, ()), 0) for triangle in triangles)
 
 
 def table(path):
@@ -127,9 +157,82 @@ class Trim(ProgramTest):
 
     def test_broken_curves_are_refused_with_their_line(self):
         for text, message in (("s_mm,z_mm\n", "no row"), ("s_mm,z_mm\n1,2\n", "1 different point"),
-                              ("s_mm,z_mm\n1,2\n1,2\n", "1 different point"), ("s_mm,z_mm\n1,nan\n2,3\n", ":2"),
+                              ("", "file is empty"), ("s_mm,z_mm\n1,2\n1,2\n", "1 different point"),
+                              ("curve,s_mm,z_mm\n0,1,2\n0,2,3\n1,2,3\n", "c.csv:4"), ("s_mm,z_mm\n0,0\n1,1e400\n", ":3"), ("s_mm,z_mm\n1,nan\n2,3\n", ":2"),
                               ("s_mm,y\n1,2\n", "unknown column")):
             self.assert_refused(endmill("trim", "--polyline", self.file(text, "c.csv"), cwd=self.folder), 3, message)
+        self.assert_nothing_left("c.csv")
+
+    def trimmed_mesh(self, text):
+        """The summary, what stands on standard error, and the bytes of the path."""
+        done = endmill("trim", self.file(text, "cube.obj"), "--cutter", "ball:4", "--planes", "3", "--grid", "20",
+                       "--json", "-o", "out", "--force", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        facts = json.loads(done.stdout)
+        for remark in facts["remarks"]:
+            self.assertIn(remark, done.stderr)
+        return facts, (self.folder / "out/toolpath.csv").read_bytes()
+
+    def test_what_is_wrong_with_a_mesh_is_told_and_does_not_move_the_path(self):
+        facts, sound = self.trimmed_mesh(CUBE)
+        self.assertEqual(facts["remarks"], [])
+        for text, remarks in (
+                (CUBE + "f 7 5 6\n", ["left out: 1 triangle with the corners of another"]),
+                (CUBE.replace("f 5 6 7", "f 7 6 5"), ["1 triangle was turned over, so that all face outwards"]),
+                (CUBE + "v 5 0 0\nf 1 9 2\n", ["1 triangle without an area"]),
+                (CUBE.replace("f 1 3 2\n", ""), ["edges of one triangle only: 3; the mesh is a sheet or has holes"]),
+                (CUBE + "v 5 5 5\nf 1 2 9\n",
+                 ["edges of one triangle only: 2; the mesh is a sheet or has holes",
+                  "edges of more than two triangles: 1, the first between points [0,1]"])):
+            facts, path = self.trimmed_mesh(text)
+            for remark, expected in zip(facts["remarks"], remarks, strict=False):
+                self.assertIn(expected, remark)
+            self.assertGreaterEqual(len(facts["remarks"]), len(remarks), text)
+            self.assertEqual(path, sound, remarks)
+
+    def test_a_mesh_of_one_side_only_is_told(self):
+        # Three quadrangles round a strip with half a twist.
+        band = ("v 0 0 0\nv 0 0 2\nv 10 0 0\nv 10 0 2\nv 5 8 0\nv 5 8 2\n"
+                "f 1 3 4\nf 1 4 2\nf 3 5 6\nf 3 6 4\nf 5 2 1\nf 5 1 6\n")
+        facts, _ = self.trimmed_mesh(band)
+        self.assertTrue([remark for remark in facts["remarks"] if "one side only" in remark], facts["remarks"])
+
+    def test_stl_files_that_lie_are_refused_and_nothing_is_written(self):
+        triangles = [((0, 0, 0), (10, 0, 0), (0, 10, 0)), ((10, 0, 0), (10, 10, 0), (0, 10, 0))]
+        for content, message in ((stl(3, triangles), "header says 3 triangles"),
+                                 (stl(1, triangles), "header says 1 triangle"),
+                                 (stl(4_000_000_000, triangles), "header says 4000000000 triangles"),
+                                 (stl(2, triangles)[:-20], "header says 2 triangles"),
+                                 (stl(2, triangles)[:70], "part.stl"), (b"", "file is empty"),
+                                 (stl(0, []), "no triangles"),
+                                 (stl(1, [((0, 0, 0), (1, 0, 0), (2, 0, 0))]), "no area"),
+                                 (stl(1, [((0, 0, 0), (float("nan"), 0, 0), (0, 1, 0))]), "NaN")):
+            done = endmill("trim", self.file(content, "part.stl"), "--cutter", "ball:4", cwd=self.folder)
+            self.assert_refused(done, 3, "part.stl", message)
+            self.assert_nothing_left("part.stl")
+
+    def test_places_that_no_cutter_reaches_are_named(self):
+        overhang = plane(size=(60, 30))
+        for row in overhang["control_points"]:
+            row[1][0], row[2][0] = 70, -10
+        line = plane()
+        for row in line["control_points"]:
+            for i, point in enumerate(row):
+                point[:] = [i, i, 0]
+        for surface, message in ((overhang, "u = 0.5, "), (line, "no normal at u = 0, v = 0 ")):
+            done = endmill("trim", self.file(surface), "--cutter", "ball:4", cwd=self.folder)
+            self.assert_refused(done, 4, "surface.json", message)
+            self.assert_nothing_left("surface.json")
+
+    def test_planes_that_miss_the_part_are_empty(self):
+        def sheet(y):
+            return [[[0, y, 0], [30, y, 0]], [[0, y + 10, 0], [30, y + 10, 0]]]
+        apart = {"format": "endmill-surface/1", "type": "bezier-patches", "name": "apart",
+                 "patches": [sheet(0), sheet(50)]}
+        facts = self.summary("trim", self.file(apart), "--cutter", "ball:4", "--planes", "6", "--grid", "10",
+                             "-o", "out")
+        self.assertEqual((facts["planes"], facts["curves"]), (6, 2))
+        self.assertEqual({row["plane"] for row in table(self.folder / "out/trimmed.csv")}, {"0", "5"})
 
 
 if __name__ == "__main__":
