@@ -51,10 +51,11 @@ const TrimmingMethod& method_named(std::string_view name)
 }
 
 bool is_wrong(const TrimmingTrial& trial, const TrimmingMethod& method,
-              FoldDetection detection)
+              const TriedMethod& tried)
 {
     TrimmingOptions options;
-    options.detection = detection;
+    options.detection = tried.detection;
+    options.three_runs_twist = tried.three_runs_twist;
     options.scan_step = trial.scan_step_mm;
     options.scan_threshold = trial.scan_threshold_mm;
     TrimmingTolerance tolerance = trial.tolerance;
@@ -100,7 +101,7 @@ std::size_t wrong_curves(std::span<const TrimmingTrial> trials, const TriedMetho
 {
     const TrimmingMethod& trimming = method_named(method.method);
     return count_of(trials, [&](const TrimmingTrial& trial) {
-        return is_wrong(trial, trimming, method.detection);
+        return is_wrong(trial, trimming, method);
     });
 }
 

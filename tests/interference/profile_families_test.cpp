@@ -257,6 +257,19 @@ TEST(WavyProfiles, AreAsWrongAsListed)
     }
 }
 
+// Hill and valley are no twist then.
+TEST(WavyProfiles, AreLessWrongByThePrintWithoutItsThreeRuns)
+{
+    const auto family = offset_curves_json("random-families.json")["families"][0];
+    const auto wrong = count_wrong(wavy_profiles(), points,
+                                   [&](const char* method, const SectionCurve&, double) {
+                                       auto made = trial(method, FoldDetection::Literal);
+                                       made.options.three_runs_twist = false;
+                                       return made;
+                                   });
+    expect_counts(wrong, family["wrong"]["literal without P3"]);
+}
+
 TEST(ConvexProfiles, AreAsWrongAsListed)
 {
     const auto family = offset_curves_json("random-families.json")["families"][1];

@@ -33,16 +33,38 @@ public:
         for (const TriedMethod& method : tried_methods())
             found.push_back(count_cell(wrong_curves(trials, method)));
         table_.add_row(found);
-        std::vector<CsvCell> specified{name + ", stated"};
-        for (const double count : run_.numbers(stated))
-            specified.emplace_back(count);
-        specified.resize(found.size());
-        table_.add_row(specified);
+        add_stated(name, stated);
+    }
+
+    // The same of methods as printed but for one sentence: that + - + is a twist.
+    void add_without_three_runs(const std::string& name,
+                                std::span<const TrimmingTrial> trials,
+                                const std::string& stated)
+    {
+        std::vector<CsvCell> found{name, count_cell(trials.size()),
+                                   count_cell(crossing_curves(trials))};
+        for (TriedMethod method : tried_methods()) {
+            method.three_runs_twist = false;
+            found.push_back(method.detection == FoldDetection::Literal
+                                ? count_cell(wrong_curves(trials, method))
+                                : CsvCell{});
+        }
+        table_.add_row(found);
+        add_stated(name, stated);
     }
 
     const CsvTable& table() const { return table_; }
 
 private:
+    void add_stated(const std::string& name, const std::string& stated)
+    {
+        std::vector<CsvCell> specified{name + ", stated"};
+        for (const double count : run_.numbers(stated))
+            specified.emplace_back(count);
+        specified.resize(columns().size());
+        table_.add_row(specified);
+    }
+
     static std::vector<std::string> columns()
     {
         std::vector<std::string> names{"row", "curves", "self-crossing"};
@@ -63,7 +85,10 @@ int main(int argc, char** argv)
         FamilyTable table{run};
         const int points = static_cast<int>(run.number("points"));
         table.add("hard cases", hard_trials(points), "stated_hard");
-        table.add("wavy", wavy_trials(points), "stated_wavy");
+        const std::vector<TrimmingTrial> wavy = wavy_trials(points);
+        table.add("wavy", wavy, "stated_wavy");
+        table.add_without_three_runs("wavy, + - + no twist", wavy,
+                                     "stated_wavy_without_three_runs");
         for (const double count : run.numbers("convex_points"))
             table.add("convex, " + to_text(count) + " points",
                       convex_trials(static_cast<int>(count)),

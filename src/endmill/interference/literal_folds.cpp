@@ -13,13 +13,21 @@ struct Pattern {
     std::string_view cut_rule;
 };
 
-// Signs alternate, so that only the first run behind `from` can begin a pattern which no
-// other begins before.
-std::optional<Pattern> first_pattern(const SectionChain& chain, double dead_band,
+// How the paper's runs are read.
+struct Reading {
+    double dead_band;  // mm
+    bool has_p3;
+};
+
+// Signs alternate, so that only the first run behind `from`, without P3 the first that
+// falls, can begin a pattern which no other begins before.
+std::optional<Pattern> first_pattern(const SectionChain& chain, const Reading& reading,
                                      std::int32_t from)
 {
-    RunReader runs{chain, RunAxis::Z, dead_band, from};
-    const auto a = runs.next();
+    RunReader runs{chain, RunAxis::Z, reading.dead_band, from};
+    auto a = runs.next();
+    if (a && a->grows && !reading.has_p3)
+        a = runs.next();
     if (!a)
         return std::nullopt;
     const int runs_between = a->grows ? 1 : 2;
@@ -43,8 +51,9 @@ double s_between(const SectionChain& chain, std::int32_t from, std::int32_t to)
 void trim_literally(SectionChain& chain, double dead_band, CrossingSearch* search,
                     const TrimmingOptions& options)
 {
+    const Reading reading{dead_band, options.three_runs_twist};
     std::int32_t from = chain.first();
-    while (const auto pattern = first_pattern(chain, dead_band, from)) {
+    while (const auto pattern = first_pattern(chain, reading, from)) {
         const Branches& branches = pattern->branches;
         if (const auto crossing = search(chain, branches, options)) {
             const std::int32_t right = chain.next(crossing->segment_b);

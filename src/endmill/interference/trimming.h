@@ -67,6 +67,9 @@ struct TrimmingOptions {
     double scan_step = 0;       ///< mm between the lines of method 1; > 0 there
     double scan_threshold = 0;  ///< mm of s at which method 1 sees a crossing; > 0 there
     BranchSearch search = BranchSearch::March;  ///< method 3
+    /// Literal detection: whether the signs + - + of dz are a twist, as the paper prints,
+    /// and not only - + - +. To see what that sentence does; see literal_folds.h.
+    bool three_runs_twist = true;
 };
 
 /// A way to cut the loops out of the curves of one plane.
