@@ -99,14 +99,10 @@ void add_mesh_sections(const TriangleMesh& mesh, const TrimOptions& options,
     input.planes = planes_over(across, options);
     const auto start = Clock::now();
     input.drop_cutter.emplace(mesh, with_allowance(*options.cutter, options.allowance));
-    const Vec3 along = frame.point(1, 0, 0);
-    std::vector<FeedLine> lines;
-    for (const double t : input.planes->positions)
-        lines.push_back({along.head<2>(), t});
     MeshSectionOptions sampling;
     sampling.samples = options.grid;
     sampling.tolerance = options.tolerance;
-    for (auto& curves : mesh_sections(*input.drop_cutter, lines, sampling))
+    for (auto& curves : mesh_sections(*input.drop_cutter, *input.planes, sampling))
         input.sections.push_back({std::move(curves), {}, {}, 0});
     input.slice_ms = milliseconds_since(start);
     // What is left is judged by the cutter itself, without the allowance.

@@ -139,6 +139,17 @@ class Trim(ProgramTest):
         self.assertEqual(texts[0], texts[1])
         self.assertEqual(texts[0], texts[2])
 
+    def test_the_border_gouges_unless_it_is_touched(self):
+        # Acceptance A10; at this grid the chord error is four times that of the list's 200.
+        words = ("trim", VALLEY, "--cutter", "ball:20", "--grid", "100", "--direction-deg", "-15")
+        for method in ("envelope", "winding"):
+            facts = self.summary(*words, "--method", method, "--tolerance", "0.008", "-o", "out", "--force")
+            self.assertEqual((facts["planes"], facts["unresolved"]), (100, 0))
+            self.assertLess(facts["max_gouge_mm"], 0.008)
+        done = endmill(*words, "--boundary", "none", "--json", "-o", "none", cwd=self.folder)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertGreater(json.loads(done.stdout)["max_gouge_mm"], 1)
+
     def test_what_does_not_go_together_is_refused(self):
         curves = self.file(LOOP, "t1.csv")
         part = self.file(plane())

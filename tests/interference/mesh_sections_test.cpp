@@ -15,7 +15,7 @@ namespace endmill {
 namespace {
 
 const std::array cutters{Cutter::ball(2), Cutter::flat(2), Cutter{2, 0.5}};
-const FeedLine along_x{{1, 0}, 5};
+const DrivePlanes along_x{FeedFrame{Angle::degrees(0)}, {5}};
 
 // A plate from 0 to 20, 10 wide, of the given heights along x.
 template <typename Height>
@@ -32,7 +32,7 @@ TEST(MeshSections, AreALevelLineOverAPlane)
     const TriangleMesh mesh = plate(2, [](double) { return 3.0; });
     for (const Cutter& cutter : cutters) {
         const DropCutter drop_cutter{mesh, cutter};
-        const auto sections = mesh_sections(drop_cutter, {&along_x, 1}, {.samples = 5});
+        const auto sections = mesh_sections(drop_cutter, along_x, {.samples = 5});
         ASSERT_EQ(sections.size(), 1U);
         ASSERT_EQ(sections[0].size(), 1U);
         const auto& points = sections[0][0].points;
@@ -52,8 +52,9 @@ TEST(MeshSections, FollowTheFeed)
         return Vec3{100 * i - 50, 100 * j - 50, 50 * j};
     });
     const DropCutter drop_cutter{mesh, Cutter::ball(2)};
-    const FeedLine line{{0.6, -0.8}, 3};
-    const auto sections = mesh_sections(drop_cutter, {&line, 1}, {.samples = 50});
+    const FeedFrame frame{Angle::radians(std::atan2(-0.8, 0.6))};
+    const auto sections =
+        mesh_sections(drop_cutter, DrivePlanes{frame, {3}}, {.samples = 50});
     ASSERT_EQ(sections[0].size(), 1U);
     for (const SectionPoint& point : sections[0][0].points) {
         const double y = -0.8 * point.x() + 3 * 0.6;
@@ -68,7 +69,7 @@ TEST(MeshSections, FollowTheFeed)
 bool is_free_nearby(const DropCutter& drop_cutter, double end, const SectionPoint& at,
                     double tolerance)
 {
-    const auto found = drop_cutter.contact({end, along_x.t});
+    const auto found = drop_cutter.contact({end, along_x.positions[0]});
     const double tip = at.y() - drop_cutter.cutter().corner_radius();
     return std::abs(end - at.x()) <= tolerance && found && found->tip_z <= tip + 1e-9;
 }
@@ -82,7 +83,7 @@ void expect_no_chord_gouges(const DropCutter& drop_cutter,
             for (const double share : {0.1, 0.37, 0.5, 0.8}) {
                 const SectionPoint at =
                     curve.points[k - 1] + share * (curve.points[k] - curve.points[k - 1]);
-                const auto found = drop_cutter.contact({at.x(), along_x.t});
+                const auto found = drop_cutter.contact({at.x(), along_x.positions[0]});
                 if (found && found->tip_z > at.y() - r + tolerance) {
                     EXPECT_TRUE(
                         is_free_nearby(drop_cutter, curve.points[k - 1].x(), at,
@@ -100,8 +101,8 @@ TEST(MeshSections, AreHalvedUntilNoChordGouges)
     for (const TriangleMesh& mesh : std::array{ridges, step})
         for (const Cutter& cutter : cutters) {
             const DropCutter drop_cutter{mesh, cutter};
-            const auto sections = mesh_sections(drop_cutter, {&along_x, 1},
-                                                {.samples = 8, .tolerance = 0.01});
+            const auto sections =
+                mesh_sections(drop_cutter, along_x, {.samples = 8, .tolerance = 0.01});
             ASSERT_EQ(sections[0].size(), 1U);
             EXPECT_GT(sections[0][0].points.size(), 16U);
             expect_no_chord_gouges(drop_cutter, sections[0], 0.01);
@@ -115,7 +116,7 @@ TEST(MeshSections, BreakWhereNothingIsBeneath)
                                          test::box_mesh({15, 0, 0}, {20, 10, 1}));
     for (const Cutter& cutter : cutters) {
         const DropCutter drop_cutter{mesh, cutter};
-        const auto sections = mesh_sections(drop_cutter, {&along_x, 1});
+        const auto sections = mesh_sections(drop_cutter, along_x);
         ASSERT_EQ(sections[0].size(), 2U);
         EXPECT_NEAR(sections[0][0].points.back().x(), 7, 0.01);
         EXPECT_NEAR(sections[0][1].points.front().x(), 13, 0.01);
@@ -128,25 +129,25 @@ TEST(MeshSections, BreakWhereNothingIsBeneath)
 TEST(MeshSections, AreNoneWhereThereIsNothing)
 {
     const TriangleMesh mesh = test::flat_mesh(2, 2);
-    const FeedLine far{{1, 0}, 50};
-    EXPECT_TRUE(mesh_sections(DropCutter{mesh, cutters[0]}, {&far, 1})[0].empty());
+    const DrivePlanes far{along_x.frame, {50}};
+    EXPECT_TRUE(mesh_sections(DropCutter{mesh, cutters[0]}, far)[0].empty());
     const TriangleMesh empty;
-    EXPECT_TRUE(mesh_sections(DropCutter{empty, cutters[0]}, {&far, 1})[0].empty());
-    EXPECT_TRUE(mesh_sections(DropCutter{mesh, cutters[0]}, {}).empty());
+    EXPECT_TRUE(mesh_sections(DropCutter{empty, cutters[0]}, far)[0].empty());
+    EXPECT_TRUE(mesh_sections(DropCutter{mesh, cutters[0]}, {far.frame, {}}).empty());
 }
 
 TEST(MeshSections, DoNotDependOnThreads)
 {
     const TriangleMesh mesh = plate(40, [](double x) { return std::sin(3 * x); });
-    std::vector<FeedLine> lines;
+    DrivePlanes planes{FeedFrame{Angle::radians(0.3)}, {}};
     for (int k = 0; k < 20; ++k)
-        lines.push_back({{std::cos(0.3), std::sin(0.3)}, 0.4 * k});
+        planes.positions.push_back(0.4 * k);
     const DropCutter drop_cutter{mesh, cutters[2]};
     set_thread_count(1);
-    const auto alone = mesh_sections(drop_cutter, lines, {.samples = 30});
+    const auto alone = mesh_sections(drop_cutter, planes, {.samples = 30});
     set_thread_count(4);
-    const auto together = mesh_sections(drop_cutter, lines, {.samples = 30});
-    for (std::size_t k = 0; k < lines.size(); ++k) {
+    const auto together = mesh_sections(drop_cutter, planes, {.samples = 30});
+    for (std::size_t k = 0; k < alone.size(); ++k) {
         ASSERT_EQ(alone[k].size(), together[k].size());
         for (std::size_t curve = 0; curve < alone[k].size(); ++curve)
             EXPECT_EQ(alone[k][curve].points, together[k][curve].points);
@@ -157,13 +158,12 @@ TEST(MeshSections, TakeSensibleOptionsOnly)
 {
     const TriangleMesh mesh = test::flat_mesh(2, 2);
     const DropCutter drop_cutter{mesh, cutters[0]};
-    const auto run = [&](const FeedLine& line, const MeshSectionOptions& options) {
-        mesh_sections(drop_cutter, {&line, 1}, options);
+    const auto run = [&](const DrivePlanes& planes, const MeshSectionOptions& options) {
+        mesh_sections(drop_cutter, planes, options);
     };
     EXPECT_THROW(run(along_x, {.samples = 1}), DomainError);
     EXPECT_THROW(run(along_x, {.tolerance = 0}), DomainError);
-    EXPECT_THROW(run({{1, 1}, 0}, {}), DomainError);
-    EXPECT_THROW(run({{1, 0}, std::nan("")}, {}), DomainError);
+    EXPECT_THROW(run({along_x.frame, {0, std::nan("")}}, {}), DomainError);
 }
 
 }  // namespace

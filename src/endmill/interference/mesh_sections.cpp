@@ -14,22 +14,22 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-constexpr double unit_tolerance =
-    1e-9;  // of a direction's length: its rounding, and to spare
-constexpr std::size_t most_points = 5'000'000;  // of a line: some 100 MB
+constexpr std::size_t most_points = 5'000'000;  // of a plane: some 100 MB
 
-// Where the tip rests over a place of the line, if there is anything beneath.
+// Where the tip rests over a place of the plane, if there is anything beneath.
 struct Sample {
     double s;
     std::optional<double> tip_z;
 };
 
-// Walks along one line.
-class LineWalk {
+// Walks along one plane.
+class PlaneWalk {
 public:
-    LineWalk(const DropCutter& drop_cutter, const FeedLine& line, double tolerance)
+    PlaneWalk(const DropCutter& drop_cutter, const FeedFrame& frame, double position,
+              double tolerance)
         : drop_cutter_{drop_cutter},
-          line_{line},
+          frame_{frame},
+          position_{position},
           tolerance_{tolerance}
     {
     }
@@ -59,16 +59,11 @@ private:
         return {s, found->tip_z};
     }
 
-    Vec2 place(double s) const
-    {
-        const Vec2& d = line_.direction;
-        return s * d + line_.t * Vec2{-d.y(), d.x()};
-    }
+    Vec2 place(double s) const { return frame_.point(s, position_, 0).head<2>(); }
 
     Vec3 tip(const Sample& sample) const
     {
-        const Vec2 at = place(sample.s);
-        return {at.x(), at.y(), *sample.tip_z};
+        return frame_.point(sample.s, position_, *sample.tip_z);
     }
 
     // Adds what follows `from` up to `to`.
@@ -101,7 +96,7 @@ private:
         }
         if (++count_ > most_points)
             throw LimitError{
-                "mesh_sections: a line takes over 5 million points; a larger "
+                "mesh_sections: a plane takes over 5 million points; a larger "
                 "tolerance takes fewer"};
         const double r = drop_cutter_.cutter().corner_radius();
         curve_.points.emplace_back(sample.s, *sample.tip_z + r);
@@ -116,7 +111,8 @@ private:
     }
 
     const DropCutter& drop_cutter_;
-    const FeedLine& line_;
+    const FeedFrame& frame_;
+    double position_;
     double tolerance_;
     std::optional<std::size_t> hint_;
     std::size_t count_ = 0;
@@ -129,47 +125,41 @@ struct Extent {
     double high = -std::numeric_limits<double>::infinity();
 };
 
-Extent extent_along(const TriangleMesh& mesh, const Vec2& direction)
+Extent extent_along(const TriangleMesh& mesh, const FeedFrame& frame)
 {
     Extent extent;
     for (const Vec3& point : mesh.points()) {
-        const double s = direction.dot(point.head<2>());
+        const double s = frame.along(point);
         extent = {std::min(extent.low, s), std::max(extent.high, s)};
     }
     return extent;
 }
 
-void check(std::span<const FeedLine> lines, const MeshSectionOptions& options)
+void check(const DrivePlanes& planes, const MeshSectionOptions& options)
 {
     require(options.samples >= 2, "mesh_sections: need at least 2 samples");
     require(options.tolerance > 0 && std::isfinite(options.tolerance),
             "mesh_sections: need 0 < tolerance");
-    for (const FeedLine& line : lines)
-        require(std::isfinite(line.t) &&
-                    std::abs(line.direction.norm() - 1) <= unit_tolerance,
-                "mesh_sections: a line needs a unit direction and a finite t");
+    for (const double position : planes.positions)
+        require(std::isfinite(position), "mesh_sections: need finite positions");
 }
 
 }  // namespace
 
 std::vector<std::vector<SectionCurve>> mesh_sections(const DropCutter& drop_cutter,
-                                                     std::span<const FeedLine> lines,
+                                                     const DrivePlanes& planes,
                                                      const MeshSectionOptions& options)
 {
-    check(lines, options);
-    std::vector<std::vector<SectionCurve>> sections(lines.size());
+    check(planes, options);
+    std::vector<std::vector<SectionCurve>> sections(planes.positions.size());
     const TriangleMesh& mesh = drop_cutter.mesh();
     if (mesh.triangles().empty())
         return sections;
-    parallel_for(lines.size(), [&](std::size_t begin, std::size_t end) {
-        Vec2 direction = lines[begin].direction;
-        Extent extent = extent_along(mesh, direction);
+    const Extent extent = extent_along(mesh, planes.frame);
+    parallel_for(sections.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            if (lines[k].direction != direction) {
-                direction = lines[k].direction;
-                extent = extent_along(mesh, direction);
-            }
-            LineWalk walk{drop_cutter, lines[k], options.tolerance};
+            PlaneWalk walk{drop_cutter, planes.frame, planes.positions[k],
+                           options.tolerance};
             sections[k] = walk.curves(extent.low, extent.high, options.samples);
         }
     });
