@@ -200,7 +200,7 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
                      section_picture(result, input, options, plane));
         folder.write(prefix + "trimmed.svg", trimmed_picture(result, input));
     }
-    const Json summary = trim_summary(input, options, result);
+    Json summary = trim_summary(input, options, result);
     folder.write(prefix + "summary.json", summary.dump(2) + "\n");
     return summary;
 }
