@@ -69,11 +69,10 @@ public:
 
     // All of a node lies within its box and not above its plane, so that no point of it is
     // nearer to a supporting plane that looks down than the corners of the plane's piece.
-    Eigen::Array4f bounds(const DropTree::Nodes& nodes,
-                          const Eigen::Array4f& /*tops*/) const
+    FloatLanes bounds(const DropTree::Nodes& nodes, const FloatLanes& /*tops*/) const
     {
-        Eigen::Array4f depths;
-        for (Eigen::Index k = 0; k < 4; ++k) {
+        FloatLanes depths;
+        for (Eigen::Index k = 0; k < float_lanes; ++k) {
             const DropTree::Plane plane = tree_.plane(nodes, k);
             if (plane.is_empty) {
                 depths[k] = -std::numeric_limits<float>::infinity();

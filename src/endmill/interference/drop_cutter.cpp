@@ -42,7 +42,7 @@ public:
 
     float limit() const { return limit_; }
 
-    Eigen::Array4f bounds(const DropTree::Nodes& nodes, const Eigen::Array4f& tops) const
+    FloatLanes bounds(const DropTree::Nodes& nodes, const FloatLanes& tops) const
     {
         return tree_.tip_bounds(nodes, tops, x_, y_);
     }
@@ -106,7 +106,7 @@ public:
                          : std::numeric_limits<float>::infinity();
     }
 
-    Eigen::Array4f bounds(const DropTree::Nodes& nodes, const Eigen::Array4f& tops) const
+    FloatLanes bounds(const DropTree::Nodes& nodes, const FloatLanes& tops) const
     {
         return tree_.rise_bounds(nodes, tops, move_);
     }

@@ -44,7 +44,7 @@ float rounded_up(double value)
 DropTree::DropTree(const TriangleMesh& mesh, const Cutter& cutter)
     : mesh_{&mesh},
       cutter_{cutter},
-      no_tops_{Eigen::Array4f::Constant(std::numeric_limits<float>::infinity())}
+      no_tops_{FloatLanes::Constant(std::numeric_limits<float>::infinity())}
 {
     require(smallest_radius <= cutter.radius() && cutter.radius() <= largest_radius,
             "DropTree: the cutter's radius must be within 1e-6 … 1e6 mm");
@@ -73,9 +73,9 @@ void DropTree::build(DropEntries entries)
         count = (entries.count() + span - 1) / span;
         Level& level = levels_.emplace_back();
         const auto nothing =
-            Eigen::Array4f::Constant(-std::numeric_limits<float>::infinity());
-        const auto zero = Eigen::Array4f::Zero();
-        level.nodes.assign((count + 3) / 4,
+            FloatLanes::Constant(-std::numeric_limits<float>::infinity());
+        const auto zero = FloatLanes::Zero();
+        level.nodes.assign((count + float_lanes - 1) / float_lanes,
                            {zero, zero, zero, zero, nothing, zero, zero, zero});
         if (!cutter_.is_ball())
             level.tops.assign(level.nodes.size(), nothing);
@@ -83,15 +83,15 @@ void DropTree::build(DropEntries entries)
             set_node(level, k,
                      entries.whole(k * span, std::min((k + 1) * span, entries.count()),
                                    margin));
-        span *= 4;
-    } while (count > 4);
+        span *= float_lanes;
+    } while (count > float_lanes);
     order_ = std::move(entries).into_triangles();
 }
 
 void DropTree::set_node(Level& level, std::size_t number, const DropEntry& whole) const
 {
-    Nodes& nodes = level.nodes[number / 4];
-    const auto k = static_cast<Eigen::Index>(number % 4);
+    Nodes& nodes = level.nodes[number / float_lanes];
+    const auto k = static_cast<Eigen::Index>(number % float_lanes);
     const double R = cutter_.radius();
     const double r = cutter_.corner_radius();
     const double c = cutter_.flat_radius();
@@ -102,7 +102,7 @@ void DropTree::set_node(Level& level, std::size_t number, const DropEntry& whole
     nodes.high_x[k] = rounded_up(whole.box.max().x() + rounding);
     nodes.high_y[k] = rounded_up(whole.box.max().y() + rounding);
     if (!level.tops.empty())
-        level.tops[number / 4][k] = rounded_up(whole.top);
+        level.tops[number / float_lanes][k] = rounded_up(whole.top);
     const double g = whole.slope.norm();
     const double n = std::sqrt(1 + g * g);
     const double height = whole.height + g * c + r * g * g / (n + 1) +
@@ -120,33 +120,33 @@ void DropTree::set_node(Level& level, std::size_t number, const DropEntry& whole
 
 // Over the plane alone the rise is greatest at an end; the boxes grow by half the move, so
 // that they need only be seen from its middle.
-Eigen::Array4f DropTree::rise_bounds(const Nodes& nodes, const Eigen::Array4f& tops,
-                                     const FloatMove& move) const
+FloatLanes DropTree::rise_bounds(const Nodes& nodes, const FloatLanes& tops,
+                                 const FloatMove& move) const
 {
     const Eigen::Array2f middle = (move.from + move.to) / 2;
     const Eigen::Array2f half = (move.to - move.from).abs() * (0.5F + float_share);
-    const auto outside = [](const Eigen::Array4f& low, const Eigen::Array4f& high,
-                            const Eigen::Array4f& place, float grown) -> Eigen::Array4f {
+    const auto outside = [](const FloatLanes& low, const FloatLanes& high,
+                            const FloatLanes& place, float grown) -> FloatLanes {
         return ((low - place).max(place - high) - grown).max(0.0F);
     };
-    const auto lift = [&](const Eigen::Array2f& place) -> Eigen::Array4f {
+    const auto lift = [&](const Eigen::Array2f& place) -> FloatLanes {
         return 2 * (nodes.offset_x * (place.x() - nodes.low_x) +
                     nodes.offset_y * (place.y() - nodes.low_y));
     };
-    const Eigen::Array4f away_x =
+    const FloatLanes away_x =
         outside(nodes.low_x, nodes.high_x, nodes.offset_x + middle.x(), half.x());
-    const Eigen::Array4f away_y =
+    const FloatLanes away_y =
         outside(nodes.low_y, nodes.high_y, nodes.offset_y + middle.y(), half.y());
-    const Eigen::Array4f away2 = away_x * away_x + away_y * away_y;
-    const Eigen::Array4f over_plane =
+    const FloatLanes away2 = away_x * away_x + away_y * away_y;
+    const FloatLanes over_plane =
         nodes.height + nodes.fall * (lift(move.from) - away2) - move.from_z;
-    const Eigen::Array4f over_plane_at_end =
+    const FloatLanes over_plane_at_end =
         nodes.height + nodes.fall * (lift(move.to) - away2) - move.to_z;
-    const Eigen::Array4f over_top = tops - std::min(move.from_z, move.to_z);
-    const Eigen::Array4f gap_x = outside(nodes.low_x, nodes.high_x,
-                                         Eigen::Array4f::Constant(middle.x()), half.x());
-    const Eigen::Array4f gap_y = outside(nodes.low_y, nodes.high_y,
-                                         Eigen::Array4f::Constant(middle.y()), half.y());
+    const FloatLanes over_top = tops - std::min(move.from_z, move.to_z);
+    const FloatLanes gap_x =
+        outside(nodes.low_x, nodes.high_x, FloatLanes::Constant(middle.x()), half.x());
+    const FloatLanes gap_y =
+        outside(nodes.low_y, nodes.high_y, FloatLanes::Constant(middle.y()), half.y());
     return (gap_x * gap_x + gap_y * gap_y <= reach_ * reach_)
         .select(over_plane.max(over_plane_at_end).min(over_top),
                 -std::numeric_limits<float>::infinity());

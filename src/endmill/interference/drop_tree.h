@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -11,6 +12,7 @@
 #include <Eigen/Core>
 
 #include "endmill/cutter/cutter.h"
+#include "endmill/interference/float_lanes.h"
 #include "endmill/mesh/triangle_mesh.h"
 
 namespace endmill {
@@ -18,10 +20,10 @@ namespace endmill {
 class DropEntries;
 struct DropEntry;
 
-/// Triangles in the order of Hilbert's curve in plan, under a tree of nodes with four
+/// Triangles in the order of Hilbert's curve in plan, under a tree of nodes with eight
 /// children each, from which a search learns how high a cutter could come to rest on what
-/// is below. Refers to the mesh, which must outlive it. Takes about 47 bytes a triangle,
-/// and 10 more unless the cutter is a ball.
+/// is below. Refers to the mesh, which must outlive it. Takes about 41 bytes a triangle,
+/// and 5 more unless the cutter is a ball.
 ///
 /// A node has a box in plan and a plane z = a + g . (x, y) that nothing in it is above. On
 /// that plane alone the tip would rest at F = a + |g| (R - r) + r (n - 1) + g . (x, y), n =
@@ -35,17 +37,17 @@ struct DropEntry;
 /// Source: derived here.
 class DropTree {
 public:
-    /// Four nodes, in mm, about origin(). Numbers are rounded such that bounds by floats
+    /// Eight nodes, in mm, about origin(). Numbers are rounded such that bounds by floats
     /// are none too low.
     struct Nodes {
-        Eigen::Array4f low_x;
-        Eigen::Array4f low_y;
-        Eigen::Array4f high_x;
-        Eigen::Array4f high_y;
-        Eigen::Array4f height;  ///< F over the low corner of the box
-        Eigen::Array4f offset_x;
-        Eigen::Array4f offset_y;
-        Eigen::Array4f fall;  ///< c, per mm
+        FloatLanes low_x;
+        FloatLanes low_y;
+        FloatLanes high_x;
+        FloatLanes high_y;
+        FloatLanes height;  ///< F over the low corner of the box
+        FloatLanes offset_x;
+        FloatLanes offset_y;
+        FloatLanes fall;  ///< c, per mm
     };
 
     /// A straight move of the tip, in mm about the origin.
@@ -68,15 +70,15 @@ public:
         return half_;
     }  ///< of the mesh in plan, mm
 
-    /// Bounds of the tip at place (x, y) over four nodes; minus infinity where they are
+    /// Bounds of the tip at place (x, y) over eight nodes; minus infinity where they are
     /// out of reach. \param x, y floats, in mm about the origin.
-    Eigen::Array4f tip_bounds(const Nodes& nodes, const Eigen::Array4f& tops, float x,
-                              float y) const;
+    FloatLanes tip_bounds(const Nodes& nodes, const FloatLanes& tops, float x,
+                          float y) const;
 
-    /// Bounds of how far four nodes rise above the tip of a cutter that moves straight from
+    /// Bounds of how far eight nodes rise above the tip of a cutter that moves straight from
     /// place to place; minus infinity where they stay out of reach.
-    Eigen::Array4f rise_bounds(const Nodes& nodes, const Eigen::Array4f& tops,
-                               const FloatMove& move) const;
+    FloatLanes rise_bounds(const Nodes& nodes, const FloatLanes& tops,
+                           const FloatMove& move) const;
 
     /// The piece of a node's plane over its box, about the origin.
     struct Plane {
@@ -88,7 +90,7 @@ public:
     Plane plane(const Nodes& nodes, Eigen::Index k) const;
 
     /// Shows `query` all triangles that may matter, the promising ones first. It has
-    ///     Eigen::Array4f bounds(const Nodes&, const Eigen::Array4f& tops);
+    ///     FloatLanes bounds(const Nodes&, const FloatLanes& tops);
     ///     float limit();  // what is bounded below that does not matter
     ///     void look_at(std::size_t triangle);
     template <typename Query>
@@ -97,17 +99,35 @@ public:
 private:
     struct Level {
         std::vector<Nodes> nodes;
-        std::vector<Eigen::Array4f> tops;  // greatest z in each node; none for a ball
+        std::vector<FloatLanes> tops;  // greatest z in each node; none for a ball
     };
-    struct Waiting {
-        float bound;
-        std::uint32_t node;
-        std::int32_t level;
-    };
+    // A node that waits, or a triangle; in one word, which is written and read at once.
+    class Waiting {
+    public:
+        Waiting() = default;
+        Waiting(float bound, std::uint32_t node)
+            : word_{std::uint64_t{std::bit_cast<std::uint32_t>(bound)} << 32U | node}
+        {
+        }
+        float bound() const
+        {
+            return std::bit_cast<float>(static_cast<std::uint32_t>(word_ >> 32U));
+        }
+        std::uint32_t node() const { return static_cast<std::uint32_t>(word_); }
 
+    private:
+        std::uint64_t word_;
+    };
+    // 2^33 pieces make 11 levels, each of which leaves seven nodes to be visited.
+    struct WaitingNodes {
+        std::array<Waiting, 80> nodes;
+        std::array<std::int32_t, 80> levels;
+        std::size_t count = 0;
+    };
+    static void put(const Waiting& node, std::size_t first, WaitingNodes& waiting);
     void build(DropEntries entries);
     void set_node(Level& level, std::size_t number, const DropEntry& whole) const;
-    const Eigen::Array4f& tops_of(const Level& level, std::uint32_t node) const
+    const FloatLanes& tops_of(const Level& level, std::uint32_t node) const
     {
         return level.tops.empty() ? no_tops_ : level.tops[node];
     }
@@ -117,32 +137,41 @@ private:
     Vec3 origin_ = Vec3::Zero();
     Eigen::Vector2d half_ = Eigen::Vector2d::Zero();
     float reach_ = 0;  // R, rounded up by what floats lose
-    Eigen::Array4f no_tops_;
-    std::vector<std::uint32_t> order_;  // triangles, four to each of the lowest Nodes
+    FloatLanes no_tops_;
+    std::vector<std::uint32_t> order_;  // triangles, eight to each of the lowest Nodes
     std::vector<Level> levels_;  // from the triangles upwards; the last has one Nodes
 };
 
-inline Eigen::Array4f DropTree::tip_bounds(const Nodes& nodes, const Eigen::Array4f& tops,
-                                           float x, float y) const
+[[gnu::always_inline]] inline FloatLanes DropTree::tip_bounds(const Nodes& nodes,
+                                                              const FloatLanes& tops,
+                                                              float x, float y) const
 {
-    const auto outside = [](const Eigen::Array4f& low, const Eigen::Array4f& high,
-                            const Eigen::Array4f& place) -> Eigen::Array4f {
+    const auto outside = [](const FloatLanes& low, const FloatLanes& high,
+                            const FloatLanes& place) -> FloatLanes {
         return (low - place).max(place - high).max(0.0F);
     };
-    const Eigen::Array4f touched_x = nodes.offset_x + x;
-    const Eigen::Array4f touched_y = nodes.offset_y + y;
-    const Eigen::Array4f away_x = outside(nodes.low_x, nodes.high_x, touched_x);
-    const Eigen::Array4f away_y = outside(nodes.low_y, nodes.high_y, touched_y);
-    const Eigen::Array4f lift =
+    const FloatLanes touched_x = nodes.offset_x + x;
+    const FloatLanes touched_y = nodes.offset_y + y;
+    const FloatLanes away_x = outside(nodes.low_x, nodes.high_x, touched_x);
+    const FloatLanes away_y = outside(nodes.low_y, nodes.high_y, touched_y);
+    const FloatLanes lift =
         2 * (nodes.offset_x * (x - nodes.low_x) + nodes.offset_y * (y - nodes.low_y)) -
         (away_x * away_x + away_y * away_y);
-    const Eigen::Array4f all_x = Eigen::Array4f::Constant(x);
-    const Eigen::Array4f all_y = Eigen::Array4f::Constant(y);
-    const Eigen::Array4f gap_x = outside(nodes.low_x, nodes.high_x, all_x);
-    const Eigen::Array4f gap_y = outside(nodes.low_y, nodes.high_y, all_y);
-    const Eigen::Array4f bounds = (nodes.height + nodes.fall * lift).min(tops);
-    return (gap_x * gap_x + gap_y * gap_y <= reach_ * reach_)
-        .select(bounds, -std::numeric_limits<float>::infinity());
+    const FloatLanes all_x = FloatLanes::Constant(x);
+    const FloatLanes all_y = FloatLanes::Constant(y);
+    const FloatLanes gap_x = outside(nodes.low_x, nodes.high_x, all_x);
+    const FloatLanes gap_y = outside(nodes.low_y, nodes.high_y, all_y);
+    const FloatLanes bounds = (nodes.height + nodes.fall * lift).min(tops);
+    return kept_up_to(reach_ * reach_, gap_x * gap_x + gap_y * gap_y, bounds);
+}
+
+// What stands above `first` among those that wait, the highest last.
+inline void DropTree::put(const Waiting& node, std::size_t first, WaitingNodes& waiting)
+{
+    std::size_t place = waiting.count++;
+    for (; place > first && waiting.nodes[place - 1].bound() > node.bound(); --place)
+        waiting.nodes[place] = waiting.nodes[place - 1];
+    waiting.nodes[place] = node;
 }
 
 template <typename Query>
@@ -150,33 +179,31 @@ void DropTree::search(Query& query) const
 {
     if (levels_.empty())
         return;
-    // 2^33 pieces make 17 levels, each of which leaves three nodes to be visited.
-    std::array<Waiting, 64> waiting;
-    std::size_t count = 0;
-    const auto top = static_cast<std::int32_t>(levels_.size()) - 1;
-    waiting[count++] = {std::numeric_limits<float>::infinity(), 0, top};
-    while (count > 0) {
-        const Waiting next = waiting[--count];
-        if (!(next.bound >= query.limit()))
-            continue;
-        if (next.level < 0) {
-            query.look_at(order_[next.node]);
-            continue;
+    WaitingNodes waiting;
+    Waiting next{std::numeric_limits<float>::infinity(), 0};
+    auto number = static_cast<std::int32_t>(levels_.size()) - 1;
+    while (true) {
+        const Level& level = levels_[number];
+        const FloatLanes bounds =
+            query.bounds(level.nodes[next.node()], tops_of(level, next.node()));
+        const std::size_t before = waiting.count;
+        for (unsigned lanes = lanes_not_below(query.limit(), bounds); lanes != 0;
+             lanes &= lanes - 1) {
+            const auto k = static_cast<std::uint32_t>(std::countr_zero(lanes));
+            waiting.levels[waiting.count] = number - 1;
+            put({bounds[k], next.node() * float_lanes + k}, before, waiting);
         }
-        const Level& level = levels_[next.level];
-        const Eigen::Array4f bounds =
-            query.bounds(level.nodes[next.node], tops_of(level, next.node));
-        const float limit = query.limit();
-        const std::size_t before = count;
-        for (std::uint32_t k = 0; k < 4; ++k) {
-            const float bound = bounds[k];
-            if (!(bound >= limit))
-                continue;
-            std::size_t place = count++;
-            for (; place > before && waiting[place - 1].bound > bound; --place)
-                waiting[place] = waiting[place - 1];
-            waiting[place] = {bound, next.node * 4 + k, next.level - 1};
-        }
+        if (number == 0)
+            for (; waiting.count > before; --waiting.count)
+                if (const Waiting& triangle = waiting.nodes[waiting.count - 1];
+                    triangle.bound() >= query.limit())
+                    query.look_at(order_[triangle.node()]);
+        do {
+            if (waiting.count == 0)
+                return;
+            next = waiting.nodes[--waiting.count];
+        } while (!(next.bound() >= query.limit()));
+        number = waiting.levels[waiting.count];
     }
 }
 

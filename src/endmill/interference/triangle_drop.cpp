@@ -7,6 +7,7 @@
 
 #include "endmill/interference/corner_touch.h"
 #include "endmill/interference/double_double.h"
+#include "endmill/interference/highest_corner.h"
 
 namespace endmill {
 namespace {
@@ -345,6 +346,13 @@ TriangleDrop::TriangleDrop(const Cutter& cutter) : cutter_{cutter} {}
 TriangleContact TriangleDrop::operator()(const std::array<Vec3, 3>& corners, double x,
                                          double y, double least) const
 {
+    if (cutter_.is_ball()) {
+        const auto highest = highest_corner(corners, x, y, cutter_.radius());
+        if (highest && highest->bound + tip_accuracy < least)
+            return {};
+        if (highest && !(highest->bound > highest->tip_z))
+            return {highest->tip_z, corners[highest->corner], TouchKind::Vertex};
+    }
     const CutterShape<double> shape{cutter_.radius(), cutter_.corner_radius(),
                                     cutter_.flat_radius()};
     Lowering<double> lowering{shape, least};

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/interference/float_lanes.h"
+
+#include <gtest/gtest.h>
+
+namespace endmill {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+FloatLanes some_values()
+{
+    FloatLanes values;
+    values << 1, -2, 3, infinity, -infinity, 3, 0, -0.0F;
+    return values;
+}
+
+TEST(FloatLanes, TellsWhichAreNotBelowALimit)
+{
+    EXPECT_EQ(lanes_not_below(3, some_values()), 0b00101100U);
+    EXPECT_EQ(lanes_not_below(0, some_values()), 0b11101101U);
+    EXPECT_EQ(lanes_not_below(-infinity, some_values()), 0b11111111U);
+    EXPECT_EQ(lanes_not_below(infinity, some_values()), 0b00001000U);
+}
+
+TEST(FloatLanes, KeepsTheValuesOfSmallKeys)
+{
+    FloatLanes keys;
+    keys << 0, 1, 2, 3, 4, 2, 2.0000002F, -1;
+    const FloatLanes kept = kept_up_to(2, keys, some_values());
+    for (int k = 0; k < float_lanes; ++k)
+        EXPECT_EQ(kept[k], keys[k] <= 2 ? some_values()[k] : -infinity);
+}
+
+}  // namespace
+}  // namespace endmill
