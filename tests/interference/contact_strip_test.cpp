@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "endmill/core/parallel.h"
 #include "endmill/cutter/reference_point.h"
 #include "random.h"
 
@@ -148,6 +149,45 @@ TEST(OffsetDraft, StripsCoverWhatLiesBetween)
     const std::size_t count = draft.triangles.size();
     draft.add_strip(ContactChain::of(0), ContactChain::of(0));
     EXPECT_EQ(draft.triangles.size(), count);
+}
+
+// Made at once, on any number of threads, chains and strips are what they are one by one.
+TEST(OffsetDraft, ManyAtOnceAreAsOneByOne)
+{
+    test::Random random{8};
+    std::vector<Vec3> normals;
+    for (int k = 0; k < 40; ++k)
+        normals.push_back(random_upward(random));
+    std::vector<ChainPlan> chain_plans;
+    std::vector<StripPlan> strip_plans;
+    for (std::int32_t k = 0; k < 40; ++k) {
+        const Vec3 level = Vec3{normals[k].y(), -normals[k].x(), 0}.normalized();
+        chain_plans.push_back({k, arc_over_border(normals[k], level)});
+        strip_plans.push_back({static_cast<std::size_t>(k), (k + 7UL) % 40});
+    }
+    OffsetDraft one_by_one = draft_with({1, 2, 3}, normals);
+    std::vector<ContactChain> chains;
+    for (const auto& [from, arc] : chain_plans)
+        chains.push_back(one_by_one.add_chain(from, arc, ContactKind::Border));
+    for (const auto& [right, left] : strip_plans)
+        one_by_one.add_strip(chains[right], chains[left]);
+    for (const int threads : {1, 4}) {
+        set_thread_count(threads);
+        OffsetDraft at_once = draft_with({1, 2, 3}, normals);
+        const auto found = at_once.add_chains(chain_plans, ContactKind::Border);
+        at_once.add_strips(found, strip_plans);
+        EXPECT_EQ(at_once.points, one_by_one.points);
+        EXPECT_EQ(at_once.triangles, one_by_one.triangles);
+        ASSERT_EQ(found.size(), chains.size());
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            EXPECT_EQ(found[k].vertices, chains[k].vertices);
+            EXPECT_EQ(found[k].shares, chains[k].shares);
+        }
+        for (std::size_t k = 0; k < at_once.contacts.size(); ++k) {
+            EXPECT_EQ(at_once.contacts[k].normal, one_by_one.contacts[k].normal);
+            EXPECT_EQ(at_once.contacts[k].kind, one_by_one.contacts[k].kind);
+        }
+    }
 }
 
 }  // namespace

@@ -144,58 +144,74 @@ void fill_ring(const std::vector<Index>& ring, OffsetDraft& draft)
     }
 }
 
-// The chains over both ends of a side on the border.
-struct BorderEnds {
-    ContactChain first;
-    ContactChain last;
-};
+// The chains and strips along the border, before they are made.
+class BorderPlan {
+public:
+    BorderPlan(std::span<const SheetSide> sides, const OffsetDraft& draft)
+        : draft_{draft},
+          ends_(sides.size())
+    {
+    }
 
-BorderEnds add_border_side(const SheetSide& side, OffsetDraft& draft)
-{
-    const auto chain_at = [&](std::size_t k) {
-        const Index vertex = side.vertices[k];
-        return draft.add_chain(
-            vertex, arc_over_border(draft.contacts[vertex].normal, side.along[k]),
-            ContactKind::Border);
+    std::span<const ChainPlan> chains() const { return chains_; }
+    std::span<const StripPlan> strips() const { return strips_; }
+
+    // A chain over each point of side `number`.
+    void add_side(std::size_t number, const SheetSide& side)
+    {
+        ends_[number].first = chains_.size();
+        for (std::size_t k = 0; k < side.vertices.size(); ++k) {
+            const Index vertex = side.vertices[k];
+            add_chain(vertex, arc_over_border(normal_of(vertex), side.along[k]));
+            if (k > 0)
+                strips_.push_back({chains_.size() - 2, chains_.size() - 1});
+        }
+        ends_[number].last = chains_.size() - 1;
+    }
+
+    // Strips between the chain over the end of side `before` and that over the beginning
+    // of side `behind`, whose vertices over the corner point are `ring`: the level normals
+    // turn about the axis, by less than half a turn.
+    void add_corner(std::size_t before, std::size_t behind, std::span<const Index> ring)
+    {
+        const std::size_t from = ends_[before].last;
+        const std::size_t to = ends_[behind].first;
+        const NormalArc level =
+            arc_between(level_end(chains_[from].arc), level_end(chains_[to].arc));
+        const std::size_t last = ring.size() - 1;
+        const std::size_t arc_steps =
+            arc_shares(level, Cutter::ball(draft_.cutter.radius()), draft_.arc_tolerance)
+                .size() -
+            1;
+        const std::size_t steps = std::max(arc_steps, last);
+        std::size_t right = from;
+        for (std::size_t k = 1; k < steps; ++k) {
+            const Index base = ring[(k * last + steps / 2) / steps];
+            const Vec3 outwards =
+                level.at(static_cast<double>(k) / static_cast<double>(steps));
+            add_chain(base, arc_between(normal_of(base), outwards));
+            strips_.push_back({right, chains_.size() - 1});
+            right = chains_.size() - 1;
+        }
+        strips_.push_back({right, to});
+    }
+
+private:
+    // The chains over both ends of a side on the border.
+    struct Ends {
+        std::size_t first;
+        std::size_t last;
     };
-    BorderEnds ends{chain_at(0), {}};
-    ends.last = ends.first;
-    for (std::size_t k = 1; k < side.vertices.size(); ++k) {
-        ContactChain next = chain_at(k);
-        draft.add_strip(ends.last, next);
-        ends.last = std::move(next);
-    }
-    return ends;
-}
 
-// Strips between the chain over the end of one border side and that over the beginning of
-// the next, whose vertices over the corner point are `ring`: the level normals turn about
-// the axis, by less than half a turn.
-void add_border_corner(const ContactChain& from, const ContactChain& to,
-                       std::span<const Index> ring, OffsetDraft& draft)
-{
-    const Vec3 start = draft.contacts[from.vertices.back()].normal;
-    const Vec3 end = draft.contacts[to.vertices.back()].normal;
-    const NormalArc level = arc_between(start, end);
-    const std::size_t last = ring.size() - 1;
-    const std::size_t arc_steps =
-        arc_shares(level, Cutter::ball(draft.cutter.radius()), draft.arc_tolerance)
-            .size() -
-        1;
-    const std::size_t steps = std::max(arc_steps, last);
-    ContactChain right = from;
-    for (std::size_t k = 1; k < steps; ++k) {
-        const Index base = ring[(k * last + steps / 2) / steps];
-        const Vec3 outwards =
-            level.at(static_cast<double>(k) / static_cast<double>(steps));
-        ContactChain left =
-            draft.add_chain(base, arc_between(draft.contacts[base].normal, outwards),
-                            ContactKind::Border);
-        draft.add_strip(right, left);
-        right = std::move(left);
-    }
-    draft.add_strip(right, to);
-}
+    const Vec3& normal_of(Index vertex) const { return draft_.contacts[vertex].normal; }
+
+    void add_chain(Index from, const NormalArc& arc) { chains_.push_back({from, arc}); }
+
+    const OffsetDraft& draft_;
+    std::vector<Ends> ends_;
+    std::vector<ChainPlan> chains_;
+    std::vector<StripPlan> strips_;
+};
 
 }  // namespace
 
@@ -234,24 +250,21 @@ std::vector<ContactChain> add_crease_strips(std::span<const SheetSide> sides,
 void add_border_strips(std::span<const SheetSide> sides,
                        std::span<const ContactChain> seams, OffsetDraft& draft)
 {
-    std::size_t vertices = 0;
-    for (const SheetSide& side : sides)
-        vertices += side.is_border() ? side.vertices.size() : 0;
-    draft.reserve_chains(vertices);
-    std::vector<BorderEnds> ends(sides.size());
+    BorderPlan plan{sides, draft};
     for (std::size_t number = 0; number < sides.size(); ++number)
         if (sides[number].is_border())
-            ends[number] = add_border_side(sides[number], draft);
+            plan.add_side(number, sides[number]);
     const CornerWalk walk{sides, seams};
     for (Index number = 0; number < std::ssize(sides); ++number) {
         if (!sides[number].is_border())
             continue;
-        const Index first = side_behind(number);
-        const auto ring = walk.ring_from(first);
+        const auto ring = walk.ring_from(side_behind(number));
         if (!ring.is_closed)
-            add_border_corner(ends[number].last, ends[ring.corners.back()].first,
-                              ring.vertices, draft);
+            plan.add_corner(number, ring.corners.back(), ring.vertices);
     }
+    const std::vector<ContactChain> chains =
+        draft.add_chains(plan.chains(), ContactKind::Border);
+    draft.add_strips(chains, plan.strips());
 }
 
 }  // namespace endmill

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/parallel.h"
 #include "endmill/cutter/reference_point.h"
 
 namespace endmill {
@@ -70,6 +71,30 @@ std::vector<double> ends_of_pieces(const NormalArc& arc, const Interval& whole,
     return ends;
 }
 
+// Calls keep(triangle) for the triangles between two chains.
+template <typename Keep>
+void for_each_triangle(const ContactChain& right, const ContactChain& left,
+                       const Keep& keep)
+{
+    const auto keep_triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+        if (a != b && b != c && c != a)
+            keep(Triangle{a, b, c});
+    };
+    const std::size_t last_right = right.vertices.size() - 1;
+    const std::size_t last_left = left.vertices.size() - 1;
+    std::size_t r = 0;
+    std::size_t l = 0;
+    while (r < last_right || l < last_left)
+        if (l == last_left ||
+            (r < last_right && right.shares[r + 1] <= left.shares[l + 1])) {
+            keep_triangle(right.vertices[r], right.vertices[r + 1], left.vertices[l]);
+            ++r;
+        } else {
+            keep_triangle(right.vertices[r], left.vertices[l + 1], left.vertices[l]);
+            ++l;
+        }
+}
+
 }  // namespace
 
 Vec3 NormalArc::at(double share) const
@@ -111,13 +136,10 @@ std::vector<double> arc_shares(const NormalArc& arc, const Cutter& cutter,
     return shares;
 }
 
-void OffsetDraft::reserve_chains(std::size_t count)
+Vec3 level_end(const NormalArc& arc)
 {
-    const double steps = std::numbers::pi / chord_angle(cutter.radius(), arc_tolerance);
-    const std::size_t more = count * static_cast<std::size_t>(std::ceil(steps));
-    points.reserve(points.size() + more);
-    contacts.reserve(contacts.size() + more);
-    triangles.reserve(triangles.size() + 2 * more);
+    const Vec3 end = arc.at(1);
+    return Vec3{end.x(), end.y(), 0}.normalized();
 }
 
 std::int32_t OffsetDraft::add(const Vec3& point, const OffsetContact& contact)
@@ -140,34 +162,78 @@ ContactChain OffsetDraft::add_chain(std::int32_t from, const NormalArc& arc,
             chain.vertices.push_back(*to);
             break;
         }
-        contact.normal = arc.at(chain.shares[k]);
-        // Over a border the last normal is level, to the bit.
-        if (is_last && kind == ContactKind::Border)
-            contact.normal = Vec3{contact.normal.x(), contact.normal.y(), 0}.normalized();
+        contact.normal = is_last && kind == ContactKind::Border ? level_end(arc)
+                                                                : arc.at(chain.shares[k]);
         chain.vertices.push_back(add(point, contact));
     }
     return chain;
 }
 
+std::vector<ContactChain> OffsetDraft::add_chains(std::span<const ChainPlan> plans,
+                                                  ContactKind kind)
+{
+    std::vector<ContactChain> chains(plans.size());
+    parallel_for(plans.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            chains[k].shares = arc_shares(plans[k].arc, cutter, arc_tolerance);
+    });
+    std::vector<std::size_t> first{points.size()};
+    for (const ContactChain& chain : chains)
+        first.push_back(first.back() + chain.shares.size() - 1);
+    points.resize(first.back());
+    contacts.resize(first.back());
+    parallel_for(plans.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            fill_chain(plans[k], kind, first[k], chains[k]);
+    });
+    return chains;
+}
+
+void OffsetDraft::fill_chain(const ChainPlan& plan, ContactKind kind, std::size_t first,
+                             ContactChain& chain)
+{
+    const Vec3 point = contact_point(plan.from);
+    OffsetContact contact = contacts[plan.from];
+    contact.kind = kind;
+    chain.vertices.resize(chain.shares.size());
+    chain.vertices[0] = plan.from;
+    for (std::size_t k = 1; k < chain.shares.size(); ++k) {
+        const bool is_level = k + 1 == chain.shares.size() && kind == ContactKind::Border;
+        contact.normal = is_level ? level_end(plan.arc) : plan.arc.at(chain.shares[k]);
+        const std::size_t vertex = first + k - 1;
+        points[vertex] = point + control_offset(cutter, contact.normal);
+        contacts[vertex] = contact;
+        chain.vertices[k] = static_cast<std::int32_t>(vertex);
+    }
+}
+
 void OffsetDraft::add_strip(const ContactChain& right, const ContactChain& left)
 {
-    const auto add_triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
-        if (a != b && b != c && c != a)
-            triangles.push_back({a, b, c});
+    for_each_triangle(right, left,
+                      [&](const Triangle& triangle) { triangles.push_back(triangle); });
+}
+
+void OffsetDraft::add_strips(std::span<const ContactChain> chains,
+                             std::span<const StripPlan> plans)
+{
+    const auto in_parallel = [&](const auto& strip) {
+        parallel_for(plans.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k)
+                strip(k, chains[plans[k].right], chains[plans[k].left]);
+        });
     };
-    const std::size_t last_right = right.vertices.size() - 1;
-    const std::size_t last_left = left.vertices.size() - 1;
-    std::size_t r = 0;
-    std::size_t l = 0;
-    while (r < last_right || l < last_left)
-        if (l == last_left ||
-            (r < last_right && right.shares[r + 1] <= left.shares[l + 1])) {
-            add_triangle(right.vertices[r], right.vertices[r + 1], left.vertices[l]);
-            ++r;
-        } else {
-            add_triangle(right.vertices[r], left.vertices[l + 1], left.vertices[l]);
-            ++l;
-        }
+    std::vector<std::size_t> first(plans.size() + 1);
+    in_parallel([&](std::size_t k, const ContactChain& right, const ContactChain& left) {
+        for_each_triangle(right, left, [&](const Triangle&) { ++first[k + 1]; });
+    });
+    first[0] = triangles.size();
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    triangles.resize(first.back());
+    in_parallel([&](std::size_t k, const ContactChain& right, const ContactChain& left) {
+        auto place = triangles.begin() + static_cast<std::ptrdiff_t>(first[k]);
+        for_each_triangle(right, left,
+                          [&](const Triangle& triangle) { *place++ = triangle; });
+    });
 }
 
 Vec3 OffsetDraft::contact_point(std::int32_t vertex) const

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "endmill/interference/offset_mesh.h"
@@ -42,6 +43,21 @@ struct ContactChain {
     static ContactChain of(std::int32_t vertex) { return {{vertex}, {0}}; }
 };
 
+/// A chain to be: from vertex `from` over its contact point along `arc`.
+struct ChainPlan {
+    std::int32_t from;
+    NormalArc arc;
+};
+
+/// A strip to be: the numbers of its chains.
+struct StripPlan {
+    std::size_t right;
+    std::size_t left;
+};
+
+/// The normal at the end of an arc over a border: level, to the bit.
+Vec3 level_end(const NormalArc& arc);
+
 /// An offset mesh that grows.
 struct OffsetDraft {
     Cutter cutter;
@@ -49,9 +65,6 @@ struct OffsetDraft {
     std::vector<Vec3> points;
     std::vector<OffsetContact> contacts;
     std::vector<Triangle> triangles;
-
-    /// Makes room for chains of up to half a turn from `count` vertices.
-    void reserve_chains(std::size_t count);
 
     /// Adds the vertex over the contact point `point`. \return its number.
     std::int32_t add(const Vec3& point, const OffsetContact& contact);
@@ -61,12 +74,24 @@ struct OffsetDraft {
     ContactChain add_chain(std::int32_t from, const NormalArc& arc, ContactKind kind,
                            std::optional<std::int32_t> to = std::nullopt);
 
+    /// Chains with new last vertices, as if added one after the other; on all threads.
+    std::vector<ContactChain> add_chains(std::span<const ChainPlan> plans,
+                                         ContactKind kind);
+
     /// Triangles between two chains. Looking along both, `left` is on the left, seen from
     /// the tool. Those with equal corners are left out.
     void add_strip(const ContactChain& right, const ContactChain& left);
 
+    /// The same for pairs of chains, one after the other; on all threads.
+    void add_strips(std::span<const ContactChain> chains,
+                    std::span<const StripPlan> plans);
+
     /// The contact point of a vertex, in mm.
     Vec3 contact_point(std::int32_t vertex) const;
+
+private:
+    void fill_chain(const ChainPlan& plan, ContactKind kind, std::size_t first,
+                    ContactChain& chain);
 };
 
 }  // namespace endmill

@@ -2,12 +2,30 @@
 #include "endmill/mesh/triangle_mesh.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <utility>
 
 #include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
 
 namespace endmill {
+namespace {
+
+// Whether `holds` for all of the items; asked on all threads, as there may be millions.
+template <typename Items, typename Predicate>
+bool all_hold(const Items& items, const Predicate& holds)
+{
+    std::atomic<bool> do_all{true};
+    parallel_for(items.size(), [&](std::size_t begin, std::size_t end) {
+        if (!std::all_of(items.begin() + static_cast<std::ptrdiff_t>(begin),
+                         items.begin() + static_cast<std::ptrdiff_t>(end), holds))
+            do_all = false;
+    });
+    return do_all;
+}
+
+}  // namespace
 
 TriangleMesh::TriangleMesh(std::vector<Vec3> points, std::vector<Triangle> triangles)
     : points_{std::move(points)},
@@ -16,17 +34,16 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> points, std::vector<Triangle> trian
     constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
     require(points_.size() <= most && triangles_.size() <= most,
             "TriangleMesh: at most 2^31 - 1 points and triangles");
-    require(
-        std::ranges::all_of(points_, [](const Vec3& point) { return point.allFinite(); }),
-        "TriangleMesh: points must be finite");
+    require(all_hold(points_, [](const Vec3& point) { return point.allFinite(); }),
+            "TriangleMesh: points must be finite");
     const auto count = static_cast<std::int32_t>(points_.size());
     const auto exists = [&](std::int32_t number) {
         return 0 <= number && number < count;
     };
-    require(std::ranges::all_of(triangles_,
-                                [&](const Triangle& corners) {
-                                    return std::ranges::all_of(corners, exists);
-                                }),
+    require(all_hold(triangles_,
+                     [&](const Triangle& corners) {
+                         return std::ranges::all_of(corners, exists);
+                     }),
             "TriangleMesh: a triangle names a point that does not exist");
 }
 
