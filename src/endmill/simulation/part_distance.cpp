@@ -20,27 +20,38 @@ PartDistance::PartDistance(const PartCharts& charts, double chord_tolerance)
 {
 }
 
-void PartDistance::build() const
+void PartDistance::prepare() const
 {
-    if (charts_.mesh()) {
-        tree_.emplace(*charts_.mesh());
-        return;
-    }
-    SampledSurface sampling =
-        sampled(charts_.surfaces(), charts_.sides(), chord_tolerance_);
-    sampled_ = std::move(sampling.mesh);
-    chord_error_ = sampling.max_chord_error_mm;
-    tree_.emplace(sampled_);
+    std::call_once(is_prepared_, [this] {
+        if (charts_.mesh())
+            return;
+        pieces_.emplace(charts_.surfaces(), chord_tolerance_);
+        chord_error_ = pieces_->chord_error();
+    });
 }
 
-// Of the part's triangles.
+// The part's triangles. Those of surfaces meet without gaps, as the pieces' do not.
+const TriangleTree& PartDistance::whole() const
+{
+    std::call_once(is_whole_made_, [this] {
+        if (charts_.mesh()) {
+            whole_.emplace(*charts_.mesh());
+            return;
+        }
+        sampled_ = sampled(charts_.surfaces(), charts_.sides(), chord_tolerance_).mesh;
+        whole_.emplace(sampled_);
+    });
+    return *whole_;
+}
+
 NearestPoint PartDistance::nearest(const Vec3& place,
                                    std::optional<std::size_t>& hint) const
 {
-    std::call_once(is_built_, [this] { build(); });
-    const auto found = tree_->nearest(place, hint);
-    hint = found->triangle;
-    return *found;
+    prepare();
+    const NearestPoint found =
+        pieces_ ? pieces_->nearest(place, hint) : *whole().nearest(place, hint);
+    hint = found.triangle;
+    return found;
 }
 
 double PartDistance::operator()(const Vec3& place, std::optional<std::size_t>& hint) const
@@ -68,15 +79,14 @@ double PartDistance::free_length(const Vec3& foot, const Vec3& direction, double
 
 double PartDistance::uncertainty() const
 {
-    std::call_once(is_built_, [this] { build(); });
+    prepare();
     return 2 * chord_error_;
 }
 
 bool PartDistance::is_over_or_under(const Vec3& place) const
 {
-    std::call_once(is_built_, [this] { build(); });
-    return tree_->any_hit({place, Vec3::UnitZ()}) ||
-           tree_->any_hit({place, -Vec3::UnitZ()});
+    return whole().any_hit({place, Vec3::UnitZ()}) ||
+           whole().any_hit({place, -Vec3::UnitZ()});
 }
 
 }  // namespace endmill

@@ -7,11 +7,12 @@
 
 #include "endmill/mesh/triangle_tree.h"
 #include "endmill/simulation/part_cell.h"
+#include "endmill/simulation/sampled_pieces.h"
 
 namespace endmill {
 
 /// Answers how far a place is from the part: a mesh itself, or a triangulation of the
-/// surfaces, which is made when the first question comes. Refers to the charts and their
+/// surfaces, which is made where questions come. Refers to the charts and their
 /// part, which must outlive it. May be asked by any number of threads.
 class PartDistance {
 public:
@@ -39,15 +40,18 @@ public:
     bool is_over_or_under(const Vec3& place) const;
 
 private:
-    void build() const;
+    void prepare() const;
+    const TriangleTree& whole() const;
     NearestPoint nearest(const Vec3& place, std::optional<std::size_t>& hint) const;
 
     const PartCharts& charts_;
     double chord_tolerance_;
-    mutable std::once_flag is_built_;
-    mutable TriangleMesh sampled_;
+    mutable std::once_flag is_prepared_;
+    mutable std::optional<SampledPieces> pieces_;  // of surfaces
     mutable double chord_error_ = 0;
-    mutable std::optional<TriangleTree> tree_;
+    mutable std::once_flag is_whole_made_;
+    mutable TriangleMesh sampled_;
+    mutable std::optional<TriangleTree> whole_;
 };
 
 }  // namespace endmill
