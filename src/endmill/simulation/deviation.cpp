@@ -21,6 +21,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // is known where a limit is broken.
 constexpr double distance_share = 0.25;
 constexpr double finest_distance_share = 0.02;
+// Halves of halves of a patch: a square of them.
+constexpr std::size_t tiles_a_group = 16;
 
 // Close enough for what the distance is for, and no finer than the cells.
 double distance_tolerance(const DeviationOptions& options)
@@ -146,7 +148,7 @@ public:
         sweeps_.assign(cells, -1);
         of_tile_.resize(deviation_.tiles.size());
         Progress progress{options, 2 * of_tile_.size()};
-        for_tiles(progress, [&](std::size_t i) { measure(i); });
+        measure_all(progress);
         Extremes found = merged();
         if (is_beyond(found)) {
             for_tiles(progress, [&](std::size_t i) {
@@ -205,10 +207,28 @@ private:
         }
     }
 
-    void measure(std::size_t number)
+    // A few tiles at a time, always the same, so that nothing hangs on the threads.
+    void measure_all(Progress& progress)
+    {
+        const std::size_t tiles = deviation_.tiles.size();
+        const std::size_t groups = (tiles + tiles_a_group - 1) / tiles_a_group;
+        parallel_for(groups, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t group = begin; group < end; ++group) {
+                const std::size_t first = group * tiles_a_group;
+                const std::size_t count = std::min(tiles_a_group, tiles - first);
+                std::vector<TileMeasure> measures = TileMeasure::measured_together(
+                    measured_, std::span{deviation_.tiles}.subspan(first, count));
+                for (std::size_t k = 0; k < count; ++k) {
+                    keep(first + k, measures[k]);
+                    progress.step();
+                }
+            }
+        });
+    }
+
+    void keep(std::size_t number, TileMeasure& measure)
     {
         const PartTile& tile = deviation_.tiles[number];
-        TileMeasure measure{measured_, tile};
         for (std::size_t k = 0; k < measure.cells().size(); ++k) {
             const MeasuredCell& cell = measure.cells()[k];
             const std::size_t at =

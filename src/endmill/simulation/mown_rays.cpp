@@ -11,6 +11,7 @@
 #include "endmill/core/error.h"
 #include "endmill/cutter/sweep_entry.h"
 #include "endmill/simulation/half_space.h"
+#include "endmill/simulation/sweep_rows.h"
 
 namespace endmill {
 namespace {
@@ -18,9 +19,6 @@ namespace {
 // Of the cutter's radius: what a ray could still lose is then less than rounding makes of
 // it, so it need not be looked at.
 constexpr double negligible_share = 1e-13;
-// mm: what ends so near below a ray's point, as a cutter that just touches a wall, ends
-// there.
-constexpr double touching = 1e-9;
 // Rays of a tile that go ahead of the others.
 constexpr int few_rays = 5;
 
@@ -31,9 +29,14 @@ double tangent_of(double cosine)
                  : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace
+// What is left of a ray, and the cosine of the angle of that against it.
+struct ShortenedRay {
+    double left;
+    double cosine;
+};
 
-std::optional<MownRay> mown(const StraightSweep& sweep, const PartRay& ray, double before)
+std::optional<ShortenedRay> shortened(const StraightSweep& sweep, const PartRay& ray,
+                                      double before)
 {
     const auto entry = sweep_entry(sweep, {ray.point, ray.normal}, before);
     if (!entry)
@@ -44,61 +47,67 @@ std::optional<MownRay> mown(const StraightSweep& sweep, const PartRay& ray, doub
             return std::nullopt;
         left = 0;
     }
-    return MownRay{left, tangent_of(entry->normal.dot(ray.normal)), -1};
+    return ShortenedRay{left, entry->normal.dot(ray.normal)};
+}
+
+}  // namespace
+
+std::optional<MownRay> mown(const StraightSweep& sweep, const PartRay& ray, double before)
+{
+    const auto found = shortened(sweep, ray, before);
+    if (!found)
+        return std::nullopt;
+    return MownRay{found->left, tangent_of(found->cosine), -1};
 }
 
 MownRays::MownRays(std::span<const PartRay> rays, std::span<const double> lengths)
-    : count_{static_cast<int>(rays.size())},
-      centre_{Vec3::Zero()}
+    : bundle_{Vec3::Zero(), Vec3::Zero()}
 {
     require(
         !rays.empty() && rays.size() <= most_tile_cells && rays.size() == lengths.size(),
         "MownRays: need 1 to 64 rays and a length for each");
-    upright_ = Vec3::Zero();
+    rows_.count = static_cast<int>(rays.size());
     for (const PartRay& ray : rays) {
-        centre_ += ray.point / double(count_);
-        upright_ += ray.normal / double(count_);
+        bundle_.centre += ray.point / double(rows_.count);
+        bundle_.upright += ray.normal / double(rows_.count);
     }
     // Any direction serves; the mean of the normals serves best.
-    const double size = upright_.norm();
-    upright_ = size > 0 ? Vec3{upright_ / size} : Vec3::UnitZ();
-    for (std::size_t k = 0; k < rays.size(); ++k) {
+    bundle_.upright = unit_or_up(bundle_.upright);
+    for (std::size_t k = 0; k < most_tile_cells; ++k) {
+        const PartRay& ray = rays[std::min(k, rays.size() - 1)];
         for (int c = 0; c < 3; ++c) {
-            point_[static_cast<std::size_t>(c)][k] = rays[k].point[c];
-            normal_[static_cast<std::size_t>(c)][k] = rays[k].normal[c];
+            rows_.point[static_cast<std::size_t>(c)][k] = ray.point[c];
+            rows_.normal[static_cast<std::size_t>(c)][k] = ray.normal[c];
         }
-        const Vec3 away = rays[k].point - centre_;
-        const double along = away.dot(upright_);
-        above_ = std::max(above_, std::abs(along));
-        beside_ = std::max(beside_, (away - along * upright_).norm());
-        tilt_ = std::max(tilt_, (rays[k].normal - upright_).norm());
-        left_[k] = mown_[k].left = lengths[k];
+        rows_.left[k] =
+            k < rays.size() ? lengths[k] : -std::numeric_limits<double>::infinity();
+        rows_.cosine[k] = 1;
+        rows_.sweep[k] = -1;
     }
-    longest_ = longest();
+    for (const PartRay& ray : rays) {
+        const Vec3 away = ray.point - bundle_.centre;
+        const double along = away.dot(bundle_.upright);
+        bundle_.above = std::max(bundle_.above, std::abs(along));
+        bundle_.beside =
+            std::max(bundle_.beside, (away - along * bundle_.upright).norm());
+        bundle_.tilt = std::max(bundle_.tilt, (ray.normal - bundle_.upright).norm());
+    }
+    bundle_.longest = longest_left(rows_);
+}
+
+MownRay MownRays::operator[](int k) const
+{
+    const auto i = static_cast<std::size_t>(k);
+    return {rows_.left[i], tangent_of(rows_.cosine[i]),
+            static_cast<std::int32_t>(rows_.sweep[i])};
 }
 
 PartRay MownRays::ray(std::size_t k) const
 {
     PartRay ray;
-    ray.point = {point_[0][k], point_[1][k], point_[2][k]};
-    ray.normal = {normal_[0][k], normal_[1][k], normal_[2][k]};
+    ray.point = {rows_.point[0][k], rows_.point[1][k], rows_.point[2][k]};
+    ray.normal = {rows_.normal[0][k], rows_.normal[1][k], rows_.normal[2][k]};
     return ray;
-}
-
-double MownRays::longest() const
-{
-    return std::max(0.0, *std::max_element(left_.begin(), left_.begin() + count_));
-}
-
-// Whether no ray, `length` long, comes within `margin` of the half space: by the slab and
-// the cylinder around the points and the cone around the normals.
-bool MownRays::is_out_of_reach(const HalfSpace& half, double margin, double length) const
-{
-    const double along = half.normal.dot(upright_);
-    const double across = (half.normal - along * upright_).norm();
-    const double most = beside_ * across + above_ * std::abs(along) +
-                        length * std::max(0.0, along + tilt_) + margin;
-    return half.least - half.normal.dot(centre_) >= most;
 }
 
 // Whether a cutter with its reference point there or beyond could shorten a ray.
@@ -106,87 +115,116 @@ bool MownRays::may_matter(const SweepTree& tree, const Vec3& nearest, double mar
                           double length) const
 {
     const Cutter& cutter = tree.sweeps().front().cutter();
-    return !is_out_of_reach(half_space(cutter, centre_, nearest), margin, length);
+    return !bundle_.is_out_of_reach(half_space(cutter, bundle_.centre, nearest), margin,
+                                    length);
 }
 
 // Whether the sweep could shorten a ray whose length is `margin` more than what is left,
 // or one as near as that beside it; `short_by` is how far each then lies beyond the
 // sweep's half space: below 0 it may.
-bool MownRays::may_reach(const StraightSweep& sweep, double margin, Row& short_by) const
+bool MownRays::may_reach(const StraightSweep& sweep, double margin,
+                         RayRows::Row& short_by) const
 {
-    const HalfSpace half = half_space_beyond(sweep, centre_);
-    if (is_out_of_reach(half, margin, longest_ + margin))
+    const HalfSpace half = half_space_beyond(sweep, bundle_.centre);
+    if (bundle_.is_out_of_reach(half, margin, bundle_.longest + margin))
         return false;
-    const auto& [w, least] = half;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < count_; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        const double at =
-            w.x() * point_[0][k] + w.y() * point_[1][k] + w.z() * point_[2][k];
-        const double rate =
-            w.x() * normal_[0][k] + w.y() * normal_[1][k] + w.z() * normal_[2][k];
-        short_by[k] = least - margin - at -
-                      std::max(0.0, left_[k] + margin) * std::max(0.0, rate) +
-                      negligible_share * sweep.cutter().radius();
-        nearest = std::min(nearest, short_by[k]);
-    }
-    return nearest < 0;
+    const double spare = negligible_share * sweep.cutter().radius();
+    return shortfalls(rows_, half, margin, spare, short_by) < 0;
 }
 
 void MownRays::mow(const StraightSweep& sweep, std::int32_t number)
 {
-    Row short_by;
+    RayRows::Row short_by;
     if (!may_reach(sweep, 0, short_by))
         return;
-    bool is_shorter = false;
-    for (int i = 0; i < count_; ++i) {
+    if (sweep.cutter().is_ball())
+        shorten_by_ball(rows_, sweep, number, short_by);
+    else
+        shorten_each(sweep, number, short_by);
+    bundle_.longest = longest_left(rows_);
+}
+
+void MownRays::shorten_each(const StraightSweep& sweep, std::int32_t number,
+                            const RayRows::Row& short_by)
+{
+    for (int i = 0; i < rows_.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
         if (short_by[k] >= 0)
             continue;
-        const auto found = mown(sweep, ray(k), left_[k]);
+        const auto found = shortened(sweep, ray(k), rows_.left[k]);
         if (!found)
             continue;
-        mown_[k] = *found;
-        mown_[k].sweep = number;
-        left_[k] = found->left;
-        is_shorter = true;
+        rows_.left[k] = found->left;
+        rows_.cosine[k] = found->cosine;
+        rows_.sweep[k] = number;
     }
-    if (is_shorter)
-        longest_ = longest();
 }
 
-// Its first, middle and last rays.
-MownRays MownRays::some() const
+// Some of the rays of each, first, middle and last ones.
+MownRays MownRays::some(std::span<MownRays* const> tiles, int of_each)
 {
     std::vector<PartRay> rays;
     std::vector<double> lengths;
-    for (int i = 0; i < few_rays; ++i) {
-        const auto k = static_cast<std::size_t>(i * (count_ - 1) / (few_rays - 1));
-        rays.push_back(ray(k));
-        lengths.push_back(left_[k]);
-    }
+    for (const MownRays* tile : tiles)
+        for (int i = 0; i < of_each; ++i) {
+            const auto k =
+                static_cast<std::size_t>(i * (tile->rows_.count - 1) / (of_each - 1));
+            rays.push_back(tile->ray(k));
+            lengths.push_back(tile->rows_.left[k]);
+        }
     return {rays, lengths};
+}
+
+// By the sweeps that made `count` of the other rays.
+void MownRays::mow_first(const SweepTree& tree, const MownRays& others, int first,
+                         int count)
+{
+    for (int i = first; i < first + count; ++i)
+        if (const std::int32_t number = others[i].sweep; number >= 0)
+            mow(tree.sweeps()[static_cast<std::size_t>(number)], number);
 }
 
 void MownRays::mow(const SweepTree& tree)
 {
-    if (count_ > 2 * few_rays) {
-        // What is left of a few rays tells which sweeps matter: with them first, hardly
-        // any other has to be looked at.
-        MownRays few = some();
-        few.mow(tree);
-        for (int i = 0; i < few_rays; ++i)
-            if (const std::int32_t number = few[i].sweep; number >= 0)
-                mow(tree.sweeps()[static_cast<std::size_t>(number)], number);
-    }
     if (tree.sweeps().empty())
         return;
+    if (rows_.count > 2 * few_rays) {
+        // What is left of a few rays tells which sweeps matter: with them first, hardly
+        // any other has to be looked at.
+        MownRays* const own[] = {this};
+        MownRays few = some(own, few_rays);
+        few.mow(tree);
+        mow_first(tree, few, 0, few_rays);
+    }
     tree.visit(
-        centre_,
-        [&](const Vec3& nearest) { return may_matter(tree, nearest, 0, longest_); },
+        bundle_.centre,
+        [&](const Vec3& nearest) {
+            return may_matter(tree, nearest, 0, bundle_.longest);
+        },
         [&](std::size_t number) {
             mow(tree.sweeps()[number], static_cast<std::int32_t>(number));
         });
+}
+
+void MownRays::mow_together(std::span<MownRays* const> tiles, const SweepTree& tree)
+{
+    if (tiles.empty() || tree.sweeps().empty())
+        return;
+    const int of_each = most_tile_cells / static_cast<int>(tiles.size());
+    require(of_each > 1, "MownRays: need 32 tiles at most");
+    const int few = std::min(of_each, few_rays);
+    MownRays first = some(tiles, few);
+    first.mow(tree);
+    std::vector<RayBundle> bundles;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        tiles[i]->mow_first(tree, first, static_cast<int>(i) * few, few);
+        bundles.push_back(tiles[i]->bundle_);
+    }
+    // Little is left of all now, so that all that still matters is a short list.
+    const SweepRows sweeps{tree, common_bundle(bundles)};
+    for (MownRays* tile : tiles)
+        for (const std::int32_t number : sweeps.near(tile->bundle_))
+            tile->mow(tree.sweeps()[static_cast<std::size_t>(number)], number);
 }
 
 std::vector<std::int32_t> MownRays::near_sweeps(const SweepTree& tree,
@@ -195,11 +233,11 @@ std::vector<std::int32_t> MownRays::near_sweeps(const SweepTree& tree,
     std::vector<std::int32_t> near;
     if (tree.sweeps().empty())
         return near;
-    Row short_by;
+    RayRows::Row short_by;
     tree.visit(
-        centre_,
+        bundle_.centre,
         [&](const Vec3& nearest) {
-            return may_matter(tree, nearest, margin, longest_ + margin);
+            return may_matter(tree, nearest, margin, bundle_.longest + margin);
         },
         [&](std::size_t number) {
             if (may_reach(tree.sweeps()[number], margin, short_by))
@@ -217,9 +255,9 @@ std::vector<std::int32_t> MownRays::sweeps_beneath(const SweepTree& tree, double
     if (tree.sweeps().empty())
         return beneath;
     const auto may_clear = [&](const HalfSpace& half) {
-        if (is_out_of_reach(half, reach + sag, 0))
+        if (bundle_.is_out_of_reach(half, reach + sag, 0))
             return false;
-        for (int i = 0; i < count_; ++i) {
+        for (int i = 0; i < rows_.count; ++i) {
             const PartRay at = ray(static_cast<std::size_t>(i));
             const double along = half.normal.dot(at.normal);
             const double across = (half.normal - along * at.normal).norm();
@@ -229,10 +267,10 @@ std::vector<std::int32_t> MownRays::sweeps_beneath(const SweepTree& tree, double
         return false;
     };
     tree.visit(
-        centre_,
+        bundle_.centre,
         [&](const Vec3& nearest) { return may_matter(tree, nearest, reach + sag, 0); },
         [&](std::size_t number) {
-            if (may_clear(half_space_beyond(tree.sweeps()[number], centre_)))
+            if (may_clear(half_space_beyond(tree.sweeps()[number], bundle_.centre)))
                 beneath.push_back(static_cast<std::int32_t>(number));
         });
     std::ranges::sort(beneath);

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "endmill/simulation/part_tiles.h"
+#include "endmill/simulation/ray_bundle.h"
+#include "endmill/simulation/ray_rows.h"
 #include "endmill/simulation/sweep_tree.h"
 
 namespace endmill {
-
-struct HalfSpace;
 
 /// A ray of the part, shortened to what the moves leave of it.
 struct MownRay {
@@ -35,6 +34,10 @@ public:
     /// Shortens the rays by every sweep of the tree that reaches them.
     void mow(const SweepTree& tree);
 
+    /// Shortens the rays of several by every sweep of the tree that reaches them: as each
+    /// by itself, but for rounding. Sooner for those that lie side by side.
+    static void mow_together(std::span<MownRays* const> tiles, const SweepTree& tree);
+
     /// Shortens them by one sweep.
     void mow(const StraightSweep& sweep, std::int32_t number);
 
@@ -48,30 +51,24 @@ public:
     std::vector<std::int32_t> sweeps_beneath(const SweepTree& tree, double reach,
                                              double sag) const;
 
-    const MownRay& operator[](int k) const { return mown_[static_cast<std::size_t>(k)]; }
+    MownRay operator[](int k) const;
+
+    /// What holds the rays as they are now.
+    const RayBundle& bundle() const { return bundle_; }
 
 private:
-    using Row = std::array<double, most_tile_cells>;
-
     PartRay ray(std::size_t k) const;
-    double longest() const;
-    MownRays some() const;
+    static MownRays some(std::span<MownRays* const> tiles, int of_each);
+    void mow_first(const SweepTree& tree, const MownRays& others, int first, int count);
     bool may_matter(const SweepTree& tree, const Vec3& nearest, double margin,
                     double length) const;
-    bool is_out_of_reach(const HalfSpace& half, double margin, double length) const;
-    bool may_reach(const StraightSweep& sweep, double margin, Row& short_by) const;
+    bool may_reach(const StraightSweep& sweep, double margin,
+                   RayRows::Row& short_by) const;
+    void shorten_each(const StraightSweep& sweep, std::int32_t number,
+                      const RayRows::Row& short_by);
 
-    int count_;
-    Vec3 centre_;        // of the points
-    Vec3 upright_;       // along the mean of the normals, unit
-    double beside_ = 0;  // distances of the furthest points across and along the mean
-    double above_ = 0;
-    double tilt_ = 0;  // greatest length of a normal less the mean
-    std::array<Row, 3> point_{};
-    std::array<Row, 3> normal_{};
-    Row left_{};
-    std::array<MownRay, most_tile_cells> mown_{};
-    double longest_ = 0;
+    RayBundle bundle_;
+    RayRows rows_;
 };
 
 /// What one sweep leaves of a ray, were it the only one: see MownRays. A region that ends

@@ -25,6 +25,20 @@ constexpr double planes_share = 0.25;
 // Of a unit normal's z: upright but for what a file's rounding makes of a wall.
 constexpr double upright_z = 1e-3;
 
+// Of a tile's own size: how far away others are still looked at together with it.
+constexpr double nearby_sizes = 8;
+
+double size_of(const RayBundle& bundle)
+{
+    return std::hypot(bundle.beside, bundle.above);
+}
+
+bool are_near(const RayBundle& one, const RayBundle& other)
+{
+    return (one.centre - other.centre).norm() <=
+           nearby_sizes * std::min(size_of(one), size_of(other));
+}
+
 // The most that a maximum may turn out higher without changing anything.
 double threshold(double found, double limit, double sharpness)
 {
@@ -55,6 +69,38 @@ double shortened(double left, const PartRay& ray, const PartDistance& distance,
 }
 
 TileMeasure::TileMeasure(const Measured& measured, const PartTile& tile)
+    : TileMeasure{measured, tile, NotYetMown{}}
+{
+    if (rays_)
+        rays_->mow(measured_.tree);
+    take_rays();
+}
+
+std::vector<TileMeasure> TileMeasure::measured_together(const Measured& measured,
+                                                        std::span<const PartTile> tiles)
+{
+    std::vector<TileMeasure> measures;
+    measures.reserve(tiles.size());
+    for (const PartTile& tile : tiles)
+        measures.push_back(TileMeasure{measured, tile, NotYetMown{}});
+    // Rays far apart have no sweeps in common.
+    std::vector<MownRays*> near;
+    for (TileMeasure& measure : measures) {
+        if (!measure.rays_)
+            continue;
+        if (!near.empty() && !are_near(near.front()->bundle(), measure.rays_->bundle())) {
+            MownRays::mow_together(near, measured.tree);
+            near.clear();
+        }
+        near.push_back(&*measure.rays_);
+    }
+    MownRays::mow_together(near, measured.tree);
+    for (TileMeasure& measure : measures)
+        measure.take_rays();
+    return measures;
+}
+
+TileMeasure::TileMeasure(const Measured& measured, const PartTile& tile, NotYetMown)
     : measured_{measured},
       tile_{tile},
       touches_side_{measured.charts.touches_side(tile.whole)}
@@ -67,7 +113,7 @@ TileMeasure::TileMeasure(const Measured& measured, const PartTile& tile)
         bend_.convex = std::max(bend_.convex, bend.convex);
         bend_.any = std::max(bend_.any, bend.any);
     }
-    measure();
+    lay_out_rays();
 }
 
 Extremes TileMeasure::extremes()
@@ -155,7 +201,7 @@ std::span<const std::int32_t> TileMeasure::beneath()
     return *beneath_;
 }
 
-void TileMeasure::measure()
+void TileMeasure::lay_out_rays()
 {
     std::array<PartRay, most_tile_cells> rays;
     std::array<double, most_tile_cells> lengths;
@@ -178,9 +224,12 @@ void TileMeasure::measure()
         return std::abs(cell.ray.normal.z()) <= upright_z;
     });
     rays_.emplace(std::span{rays}.first(count), std::span{lengths}.first(count));
-    rays_->mow(measured_.tree);
-    for (std::size_t k = 0; k < count; ++k)
-        if (const MownRay& mown = (*rays_)[static_cast<int>(k)]; mown.sweep >= 0)
+}
+
+void TileMeasure::take_rays()
+{
+    for (std::size_t k = 0; k < cells_.size(); ++k)
+        if (const MownRay mown = (*rays_)[static_cast<int>(k)]; mown.sweep >= 0)
             cells_[k].left = mown;
     for (MeasuredCell& cell : cells_)
         cell.is_outer = is_outer(cell.ray);

@@ -125,6 +125,10 @@ public:
     /// Measures at once. What `measured` refers to, and `tile`, outlive it.
     TileMeasure(const Measured& measured, const PartTile& tile);
 
+    /// The same for several tiles, sooner where neighbours follow each other.
+    static std::vector<TileMeasure> measured_together(const Measured& measured,
+                                                      std::span<const PartTile> tiles);
+
     /// The cells of the tile that have a normal.
     std::span<const MeasuredCell> cells() const { return cells_; }
 
@@ -146,7 +150,10 @@ private:
         std::span<const std::int32_t> beneath;  // that may clear the part
     };
 
-    void measure();
+    struct NotYetMown {};
+    TileMeasure(const Measured& measured, const PartTile& tile, NotYetMown);
+    void lay_out_rays();
+    void take_rays();
     bool is_exhausted() const;
     bool is_outer(const PartRay& ray) const;
     void find_nearer(MeasuredCell& cell) const;
