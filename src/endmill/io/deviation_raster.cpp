@@ -21,44 +21,71 @@ using Eigen::Vector2d;
 // there are, and a fixed number, so that the lots are the same for every number of them.
 constexpr std::size_t lots = 32;
 
-// Calls `body(cell number, cell, ray)` for the cells with an area of some tiles.
+// Calls `body(cell number, cell, ray)` for the cells of a tile with an area.
 template <typename Body>
-void for_cells(const PartCharts& charts, const Deviation& deviation, std::size_t lot,
+void for_cells(const PartCharts& charts, const Deviation& deviation, const PartTile& tile,
                const Body& body)
 {
-    const std::size_t tiles = deviation.tiles.size();
-    for (std::size_t t = lot * tiles / lots; t < (lot + 1) * tiles / lots; ++t) {
-        const PartTile& tile = deviation.tiles[t];
-        for (int k = 0; k < tile.cells(); ++k) {
-            const std::size_t number = tile.first + static_cast<std::size_t>(k);
-            if (!(deviation.area[number] > 0))
-                continue;
-            const auto [cell, ray] = deviation_cell(charts, tile, k);
-            body(number, cell, ray);
-        }
+    for (int k = 0; k < tile.cells(); ++k) {
+        const std::size_t number = tile.first + static_cast<std::size_t>(k);
+        if (!(deviation.area[number] > 0))
+            continue;
+        const auto [cell, ray] = deviation_cell(charts, tile, k);
+        body(number, cell, ray);
     }
 }
 
-// Of the cells' middles, and the tiles' corners, which are those of the part too.
-AlignedBox2d box_of(const PartCharts& charts, const Deviation& deviation)
+// Calls `body(lot, tile)` for all tiles, those of a lot in order.
+template <typename Body>
+void for_tiles(const Deviation& deviation, const Body& body)
 {
-    std::array<AlignedBox2d, lots> boxes;
+    const std::size_t tiles = deviation.tiles.size();
     parallel_for(lots, [&](std::size_t begin, std::size_t end) {
         for (std::size_t lot = begin; lot < end; ++lot)
-            for_cells(charts, deviation, lot,
-                      [&](std::size_t, const PartCell&, const PartRay& ray) {
-                          boxes[lot].extend(ray.point.head<2>());
-                      });
+            for (std::size_t t = lot * tiles / lots; t < (lot + 1) * tiles / lots; ++t)
+                body(lot, deviation.tiles[t]);
     });
+}
+
+AlignedBox2d united(const std::array<AlignedBox2d, lots>& boxes)
+{
     AlignedBox2d whole;
     for (const AlignedBox2d& box : boxes)
         whole.extend(box);
-    for (const PartTile& tile : deviation.tiles)
-        for (int k = 0; k < tile.whole.corners; ++k)
-            if (const auto ray = charts.ray(tile.whole.chart,
-                                            tile.whole.at[static_cast<std::size_t>(k)]))
-                whole.extend(ray->point.head<2>());
     return whole;
+}
+
+AlignedBox2d box_of_corners(const PartCharts& charts, const PartTile& tile)
+{
+    AlignedBox2d box;
+    for (int k = 0; k < tile.whole.corners; ++k)
+        if (const auto ray =
+                charts.ray(tile.whole.chart, tile.whole.at[static_cast<std::size_t>(k)]))
+            box.extend(ray->point.head<2>());
+    return box;
+}
+
+// Of the tiles' corners, and of the middles of cells where these might lie outside: a
+// tile bulges by less than its own size.
+AlignedBox2d box_of(const PartCharts& charts, const Deviation& deviation)
+{
+    std::array<AlignedBox2d, lots> boxes;
+    for_tiles(deviation, [&](std::size_t lot, const PartTile& tile) {
+        boxes[lot].extend(box_of_corners(charts, tile));
+    });
+    const AlignedBox2d corners = united(boxes);
+    for_tiles(deviation, [&](std::size_t lot, const PartTile& tile) {
+        const AlignedBox2d own = box_of_corners(charts, tile);
+        const Vector2d bulge = own.isEmpty() ? Vector2d{0, 0} : Vector2d{own.sizes()};
+        if (!own.isEmpty() && corners.contains(own.min() - bulge) &&
+            corners.contains(own.max() + bulge))
+            return;
+        for_cells(charts, deviation, tile,
+                  [&](std::size_t, const PartCell&, const PartRay& ray) {
+                      boxes[lot].extend(ray.point.head<2>());
+                  });
+    });
+    return united(boxes);
 }
 
 DeviationRaster empty_raster(const AlignedBox2d& box, int squares)
@@ -196,12 +223,11 @@ DeviationRaster deviation_raster(const PartCharts& charts, const Deviation& devi
     require_whole(deviation);
     const DeviationRaster empty = empty_raster(box_of(charts, deviation), squares);
     std::vector<Painter> painters(lots, Painter{empty, limits});
-    parallel_for(lots, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t lot = begin; lot < end; ++lot)
-            for_cells(charts, deviation, lot,
-                      [&](std::size_t number, const PartCell& cell, const PartRay& ray) {
-                          painters[lot].paint(cell, ray, deviation.left[number]);
-                      });
+    for_tiles(deviation, [&](std::size_t lot, const PartTile& tile) {
+        for_cells(charts, deviation, tile,
+                  [&](std::size_t number, const PartCell& cell, const PartRay& ray) {
+                      painters[lot].paint(cell, ray, deviation.left[number]);
+                  });
     });
     for (std::size_t lot = 1; lot < lots; ++lot)
         painters.front().paint(painters[lot].raster());
