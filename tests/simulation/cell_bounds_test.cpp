@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "endmill/simulation/sweep_tree.h"
 #include "random.h"
 #include "test_surfaces.h"
 #include "tip_path.h"

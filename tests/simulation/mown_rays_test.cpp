@@ -52,32 +52,6 @@ TEST_P(MownRaysOf, AreTheLeastOfEverySweepByItself)
 INSTANTIATE_TEST_SUITE_P(BallFlatBull, MownRaysOf,
                          testing::Values(Cutter::ball(5), Cutter::flat(5), Cutter{5, 2}));
 
-TEST(Mown, DoesNotCountWhatIsTakenOnAnotherSideOfThePart)
-{
-    const StraightSweep beyond{Cutter::ball(5), {-20, 0, -9}, {-20, 0, -9}};
-    const PartRay wall{{0, 0, 0}, Vec3::UnitX(), Vec3::Zero(), Vec3::Zero()};
-    EXPECT_FALSE(mown(beyond, wall));
-    const StraightSweep through{Cutter::ball(5), {-4, 0, -9}, {-4, 0, -9}};
-    ASSERT_TRUE(mown(through, wall));
-    EXPECT_NEAR(mown(through, wall)->left, -9, 1e-12);
-}
-
-// A cutter's side, just its radius from an upright wall.
-TEST(Mown, LeavesNothingWhereASideTouches)
-{
-    const PartRay wall{{0.1, 0, 2}, Vec3::UnitX(), Vec3::Zero(), Vec3::Zero()};
-    for (const double radius : {0.3, 1.7, 4.9}) {
-        const double at = 0.1 + radius;
-        const StraightSweep sweep{Cutter::flat(radius), {at, -9, 0}, {at, 9, 0}};
-        const auto left = mown(sweep, wall, 3);
-        ASSERT_TRUE(left);
-        EXPECT_NEAR(left->left, 0, 1e-12);
-        EXPECT_FALSE(mown(sweep, wall, 0));
-    }
-    const StraightSweep beyond{Cutter::flat(1), {-0.91, -9, 0}, {-0.91, 9, 0}};
-    EXPECT_FALSE(mown(beyond, wall, 3));
-}
-
 // Every sweep that clears a place of the part near a ray is among them.
 TEST(MownRays, KnowTheSweepsBeneath)
 {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/simulation/ray_rows.h"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "endmill/simulation/half_space.h"
-#include "endmill/simulation/mown_rays.h"
-#include "random.h"
 
 namespace endmill {
 namespace {
@@ -33,83 +31,6 @@ RayRows rows_of(const std::vector<PartRay>& rays, double length)
     return rows;
 }
 
-RayRows::Row all_may_be_shorter()
-{
-    RayRows::Row short_by;
-    short_by.fill(-1);
-    return short_by;
-}
-
-// Against the closed forms for one ray; level, upright, steep and no moves, and rays that
-// are upright, level and aslant, over, in and beside what is cleared.
-void expect_as_one_by_one(const StraightSweep& sweep, const std::vector<PartRay>& rays,
-                          double length)
-{
-    RayRows rows = rows_of(rays, length);
-    shorten_by_ball(rows, sweep, 7, all_may_be_shorter());
-    for (std::size_t k = 0; k < rays.size(); ++k) {
-        const auto expected = mown(sweep, rays[k], length);
-        ASSERT_EQ(rows.sweep[k], expected ? 7 : -1)
-            << k << ' ' << rays[k].point.transpose() << " along "
-            << rays[k].normal.transpose();
-        EXPECT_NEAR(rows.left[k], expected ? expected->left : length, 1e-9);
-        if (expected && expected->slope < 10) {
-            EXPECT_NEAR(std::abs(rows.cosine[k]), 1 / std::hypot(1, expected->slope),
-                        1e-7);
-        }
-    }
-}
-
-TEST(RayRows, AreShortenedByABallAsOneByOne)
-{
-    test::Random random{31};
-    const auto within = [&](double size) {
-        return Vec3{random.uniform(-size, size), random.uniform(-size, size),
-                    random.uniform(-size, size)};
-    };
-    const Vec3 moves[] = {{3, 1, 0}, {0, 0, -4}, {0, 0, 0}, {0.5, 0.2, 6}, {-2, 2, 1}};
-    const Vec3 ways[] = {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}, {0.6, 0, 0.8}};
-    for (int round = 0; round < 2000; ++round) {
-        const Vec3 from = within(2);
-        const StraightSweep sweep{Cutter::ball(3), from, from + moves[round % 5]};
-        // One by itself, too: what others need is done for all.
-        const int count = round % 2 == 0 ? 1 : 37;
-        std::vector<PartRay> rays;
-        for (int i = 0; i < count; ++i) {
-            Vec3 normal = i < 4 && count > 1 ? ways[i] : Vec3{within(1).normalized()};
-            normal.z() = std::abs(normal.z());
-            rays.push_back({within(6), normal, Vec3::Zero(), Vec3::Zero()});
-        }
-        expect_as_one_by_one(sweep, rays, random.uniform(0.1, 12));
-    }
-}
-
-TEST(RayRows, AlongAMoveMeetTheBallAtItsEnd)
-{
-    const StraightSweep sweep{Cutter::ball(3), {0, 0, -3}, {5, 0, -3}};
-    RayRows rows = rows_of({{{-9, 0, 0}, {1, 0, 0}, Vec3::Zero(), Vec3::Zero()},
-                            {{20, 0, 0}, {-1, 0, 0}, Vec3::Zero(), Vec3::Zero()}},
-                           30);
-    shorten_by_ball(rows, sweep, 0, all_may_be_shorter());
-    EXPECT_NEAR(rows.left[0], 6, 1e-12);
-    EXPECT_NEAR(rows.left[1], 12, 1e-12);
-    EXPECT_NEAR(rows.cosine[0], -1, 1e-12);
-}
-
-TEST(RayRows, LeaveOutThoseThatAreOutOfReach)
-{
-    const std::vector<PartRay> rays(
-        9, {Vec3::Zero(), {0, 0, 1}, Vec3::Zero(), Vec3::Zero()});
-    RayRows rows = rows_of(rays, 5);
-    RayRows::Row short_by = all_may_be_shorter();
-    short_by[4] = 0;
-    shorten_by_ball(rows, StraightSweep{Cutter::ball(3), {0, 0, 1}, {1, 0, 1}}, 2,
-                    short_by);
-    for (std::size_t k = 0; k < 9; ++k)
-        EXPECT_NEAR(rows.left[k], k == 4 ? 5 : 1, 1e-12);
-    EXPECT_NEAR(longest_left(rows), 5, 1e-12);
-}
-
 TEST(RayRows, FallShortOfAHalfSpaceByWhatTheirTipsDo)
 {
     const RayRows rows = rows_of({{{0, 0, 1}, {0, 0, 1}, Vec3::Zero(), Vec3::Zero()},
@@ -121,6 +42,18 @@ TEST(RayRows, FallShortOfAHalfSpaceByWhatTheirTipsDo)
     EXPECT_NEAR(short_by[0], 2.5, 1e-12);
     EXPECT_NEAR(short_by[1], 1.6, 1e-12);
     EXPECT_NEAR(shortfalls(rows, over, 0.25, 0.125, short_by), 1.6 + 0.125 - 0.45, 1e-12);
+}
+
+TEST(RayRows, KnowTheLongest)
+{
+    const std::vector<PartRay> rays(
+        11, {Vec3::Zero(), {0, 0, 1}, Vec3::Zero(), Vec3::Zero()});
+    RayRows rows = rows_of(rays, -2);
+    EXPECT_EQ(rows.padded(), 16);
+    EXPECT_EQ(longest_left(rows), 0);
+    rows.left[10] = 4;
+    EXPECT_EQ(longest_left(rows), 4);
+    EXPECT_EQ(greatest(rows.left, 8), 0);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "endmill/cutter/cutter.h"
-#include "endmill/simulation/mown_rays.h"
+#include "endmill/simulation/mown_ray.h"
 #include "endmill/simulation/part_cell.h"
 
 namespace endmill {

@@ -8,8 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "endmill/simulation/mown_rays.h"
+#include "endmill/simulation/mown_ray.h"
 #include "endmill/simulation/part_tiles.h"
+#include "endmill/simulation/sweep_tree.h"
 
 namespace endmill {
 

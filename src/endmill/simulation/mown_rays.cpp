@@ -4,12 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-
-#include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
-#include "endmill/cutter/sweep_entry.h"
+#include "endmill/simulation/ball_rows.h"
 #include "endmill/simulation/half_space.h"
 #include "endmill/simulation/sweep_rows.h"
 
@@ -22,43 +19,7 @@ constexpr double negligible_share = 1e-13;
 // Rays of a tile that go ahead of the others.
 constexpr int few_rays = 5;
 
-double tangent_of(double cosine)
-{
-    const double c = std::abs(cosine);
-    return c > 0 ? std::sqrt(std::max(0.0, (1 - c) * (1 + c))) / c
-                 : std::numeric_limits<double>::infinity();
-}
-
-// What is left of a ray, and the cosine of the angle of that against it.
-struct ShortenedRay {
-    double left;
-    double cosine;
-};
-
-std::optional<ShortenedRay> shortened(const StraightSweep& sweep, const PartRay& ray,
-                                      double before)
-{
-    const auto entry = sweep_entry(sweep, {ray.point, ray.normal}, before);
-    if (!entry)
-        return std::nullopt;
-    double left = entry->t;
-    if (left < 0 && !clears(sweep, ray.point)) {
-        if (left < -touching || before <= 0)
-            return std::nullopt;
-        left = 0;
-    }
-    return ShortenedRay{left, entry->normal.dot(ray.normal)};
-}
-
 }  // namespace
-
-std::optional<MownRay> mown(const StraightSweep& sweep, const PartRay& ray, double before)
-{
-    const auto found = shortened(sweep, ray, before);
-    if (!found)
-        return std::nullopt;
-    return MownRay{found->left, tangent_of(found->cosine), -1};
-}
 
 MownRays::MownRays(std::span<const PartRay> rays, std::span<const double> lengths)
     : bundle_{Vec3::Zero(), Vec3::Zero()}
@@ -98,7 +59,7 @@ MownRays::MownRays(std::span<const PartRay> rays, std::span<const double> length
 MownRay MownRays::operator[](int k) const
 {
     const auto i = static_cast<std::size_t>(k);
-    return {rows_.left[i], tangent_of(rows_.cosine[i]),
+    return {rows_.left[i], slope_of_cosine(rows_.cosine[i]),
             static_cast<std::int32_t>(rows_.sweep[i])};
 }
 
@@ -151,11 +112,11 @@ void MownRays::shorten_each(const StraightSweep& sweep, std::int32_t number,
         const auto k = static_cast<std::size_t>(i);
         if (short_by[k] >= 0)
             continue;
-        const auto found = shortened(sweep, ray(k), rows_.left[k]);
+        const auto found = mown(sweep, ray(k), rows_.left[k]);
         if (!found)
             continue;
         rows_.left[k] = found->left;
-        rows_.cosine[k] = found->cosine;
+        rows_.cosine[k] = 1 / std::hypot(1.0, found->slope);
         rows_.sweep[k] = number;
     }
 }

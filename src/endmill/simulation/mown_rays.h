@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Internal to simulation
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "endmill/simulation/part_tiles.h"
+#include "endmill/simulation/mown_ray.h"
 #include "endmill/simulation/ray_bundle.h"
 #include "endmill/simulation/ray_rows.h"
 #include "endmill/simulation/sweep_tree.h"
 
 namespace endmill {
-
-/// A ray of the part, shortened to what the moves leave of it.
-struct MownRay {
-    double left = 0;   ///< mm along the normal: material left, or if negative taken away
-    double slope = 0;  ///< of what is left against the part there: tangent of the angle
-    std::int32_t sweep = -1;  ///< the sweep that made it; none if the stock's own surface
-};
 
 /// Rays of the part that lie near each other, and what the moves leave of each.
 /// Source: "mowing the lawn" of the field: every move shortens the rays that meet the
@@ -70,11 +64,5 @@ private:
     RayBundle bundle_;
     RayRows rows_;
 };
-
-/// What one sweep leaves of a ray, were it the only one: see MownRays. A region that ends
-/// at the ray's point, but for rounding, leaves nothing.
-/// \return nothing if it leaves `before` mm or more.
-std::optional<MownRay> mown(const StraightSweep& sweep, const PartRay& ray,
-                            double before = std::numeric_limits<double>::infinity());
 
 }  // namespace endmill

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 
-#include "endmill/cutter/straight_sweep.h"
 #include "endmill/simulation/part_tiles.h"
 
 namespace endmill {
@@ -17,17 +15,23 @@ struct HalfSpace;
 struct alignas(64) RayRows {
     using Row = std::array<double, most_tile_cells>;
 
+    /// That are done at a time where there is a least or a greatest to be found.
+    static constexpr int lanes = 8;
+
     std::array<Row, 3> point;   ///< mm
     std::array<Row, 3> normal;  ///< unit
     Row left;                   ///< mm
     Row cosine;                 ///< of what is left against the part there; any sign
     Row sweep;                  ///< number of the sweep that made it, -1 if none
-    int count;  ///< of rays; those up to the next multiple of 8 are copies
+    int count;  ///< of rays; those after it, up to `padded`, are copies of one of them, of
+                ///< which minus infinity is left, so that nothing shortens them
+
+    int padded() const { return (count + lanes - 1) / lanes * lanes; }
 };
 
-/// mm: what ends so near below a ray's point, as a cutter that just touches a wall, ends
-/// there.
-inline constexpr double touching = 1e-9;
+/// The greatest of the first `count`, or 0. Those up to the next multiple of `lanes` are
+/// looked at as well.
+double greatest(const RayRows::Row& row, int count);
 
 /// The greatest `left`, or 0.
 double longest_left(const RayRows& rows);
@@ -37,10 +41,5 @@ double longest_left(const RayRows& rows);
 /// \return the least of them: below 0 some ray may reach what lies in the half space.
 double shortfalls(const RayRows& rows, const HalfSpace& half, double margin, double spare,
                   RayRows::Row& short_by);
-
-/// Shortens the rays by what a ball clears on a move: `mown` of each, several at a time.
-/// \param short_by below 0 for the rays that the move may shorten.
-void shorten_by_ball(RayRows& rows, const StraightSweep& sweep, std::int32_t number,
-                     const RayRows::Row& short_by);
 
 }  // namespace endmill

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "endmill/simulation/height_stock.h"
-#include "endmill/simulation/mown_rays.h"
+#include "endmill/simulation/mown_ray.h"
 
 namespace endmill {
 

@@ -11,14 +11,6 @@ namespace {
 // Shares of the limits to within which a maximum is sought, if that is more than the slack.
 constexpr double scallop_sharpness = 0.05;
 constexpr double gouge_sharpness = 0.25;
-// Cells that the refinement of one tile may come to: some hundred times its own. If they
-// do not do, the doubt of the last level that they do for stays.
-constexpr std::size_t most_refined_cells = 20'000;
-// Of the corner radius: the sweeps that matter to a cell of this reach are known by what
-// they leave at its middle. In a larger one others, which pass beside the middle, may be
-// the lowest elsewhere; in this one only where they leave nearly half the radius.
-constexpr double local_share = 0.125;
-
 // Of the corner radius: the deepest place that a sweep has on a larger cell may lie beside
 // what it clears of the ray at the middle.
 constexpr double planes_share = 0.25;
@@ -123,54 +115,6 @@ Extremes TileMeasure::extremes()
         found.take(cell);
         found.bound(most_left(cell, {}), least_left(cell));
         found.add_area(cell.value(), cell.cell.area(cell.ray), limits());
-    }
-    return found;
-}
-
-Extremes TileMeasure::refined(const Doubt& doubt)
-{
-    double margin = 0;
-    for (MeasuredCell& cell : cells_) {
-        find_nearer(cell);
-        if (doubt.holds(most_left(cell, {}), least_left(cell)))
-            margin = std::max(margin, owner_margin(cell));
-    }
-    if (!rays_)
-        return {};
-    const std::vector<std::int32_t> near = rays_->near_sweeps(measured_.tree, margin);
-    Extremes found = refined_to(measured_.options.max_refine, doubt, near);
-    // Where the first cells have taken all there is, the others had nothing: the finest
-    // level that does for all of them tells more.
-    int level = 0;
-    for (int beyond = is_exhausted() ? measured_.options.max_refine : 1;
-         beyond - level > 1;) {
-        const int middle = (level + beyond) / 2;
-        found.join(refined_to(middle, doubt, near));
-        (is_exhausted() ? beyond : level) = middle;
-    }
-    return found;
-}
-
-bool TileMeasure::is_exhausted() const
-{
-    return refined_cells_ >= most_refined_cells;
-}
-
-// Every doubtful cell halved so many times at most.
-Extremes TileMeasure::refined_to(int level, const Doubt& doubt,
-                                 std::span<const std::int32_t> near)
-{
-    Extremes found;
-    refined_cells_ = 0;
-    last_level_ = level;
-    for (const MeasuredCell& cell : cells_) {
-        const bool by_planes = needs_planes(cell);
-        const bool at_border =
-            touches_side_ && measured_.charts.touches_border(cell.cell);
-        refine(
-            cell, doubt,
-            {0, at_border, near, by_planes ? beneath() : std::span<const std::int32_t>{}},
-            found);
     }
     return found;
 }
@@ -281,110 +225,6 @@ double TileMeasure::smooth_least(const MeasuredCell& cell) const
 {
     return sweeps().empty() ? cell.left.left
                             : cell.left.left - hidden_gouge(cell, cutter());
-}
-
-// Whether no place `away` mm or more over the part (below 0: in it) has its nearest place of
-// the part on the cell: another is nearer to all that stand so far over the cell, and so to
-// all that stand higher.
-bool TileMeasure::has_no_foot(const MeasuredCell& cell, double away) const
-{
-    const double moves = cell.reach * (1 + std::abs(away) * cell.bend.any);
-    if (!(moves < std::abs(away)) || !std::isfinite(away))
-        return false;
-    std::optional<std::size_t> no_hint;
-    return measured_.distance(cell.ray.point + away * cell.ray.normal, no_hint) + moves <
-           std::abs(away);
-}
-
-Doubt TileMeasure::sharpened(const Doubt& doubt, const Extremes& found) const
-{
-    const Doubt here = doubt_beyond(found.highest.left, -found.deepest.left, limits());
-    return {std::max(doubt.upper, here.upper), std::min(doubt.lower, here.lower)};
-}
-
-void TileMeasure::refine(const MeasuredCell& cell, const Doubt& first_doubt,
-                         const Depth& depth, Extremes& found)
-{
-    found.take(cell);
-    const bool by_planes = depth.by_planes || needs_planes(cell);
-    const std::vector<std::int32_t> beneath =
-        by_planes ? sweeps_on_cell(cell, sweeps(), depth.beneath)
-                  : std::vector<std::int32_t>{};
-    double most = most_left(cell, {});
-    double least =
-        by_planes ? least_left_by_planes(cell, sweeps(), beneath) : smooth_least(cell);
-    // What has been found here meanwhile may have settled more than the first rays.
-    const Doubt doubt = sharpened(first_doubt, found);
-    std::vector<std::int32_t> local;
-    bool is_leaf = !doubt.holds(most, least);
-    if (!is_leaf) {
-        local = local_sweeps(cell, sweeps(), depth.sweeps);
-        if (most > doubt.upper && !local.empty())
-            most = most_left(cell, local);
-        // Only where the ray itself is too long, or a plane tells little: it takes time.
-        if (cell.left.left > doubt.upper && has_no_foot(cell, doubt.upper))
-            most = doubt.upper;
-        if (least < doubt.lower && (by_planes || cell.left.left < doubt.lower) &&
-            has_no_foot(cell, doubt.lower))
-            least = doubt.lower;
-        is_leaf =
-            depth.level >= last_level_ || is_exhausted() || !doubt.holds(most, least);
-    }
-    if (is_leaf) {
-        found.bound(most, least);
-        found.add_area(cell.value(), cell.cell.area(cell.ray), limits());
-        return;
-    }
-    // Whether a sharp edge, or any, passes through the cell the middle does not tell.
-    const bool is_smooth =
-        cell.left.sweep >= 0 && cell.reach <= local_share * cutter().corner_radius();
-    refine_quarters(
-        cell, first_doubt,
-        {depth.level, depth.by_planes, is_smooth ? local : depth.sweeps, beneath}, found);
-}
-
-void TileMeasure::refine_quarters(const MeasuredCell& cell, const Doubt& first_doubt,
-                                  const Depth& depth, Extremes& found)
-{
-    const double quarter_area = cell.cell.area(cell.ray) / 4;
-    const double gouged = found.gouge_area;
-    const double uncut = found.uncut_area;
-    for (const PartCell& quarter : cell.cell.quarters()) {
-        // A strip of half a first cell along the border is not judged: there the cutter
-        // reaches under an edge, and depth along the normal tells little.
-        if (depth.level == 0 && depth.by_planes &&
-            measured_.charts.runs_along_border(quarter)) {
-            found.add_area(cell.value(), quarter_area, limits());
-            continue;
-        }
-        ++refined_cells_;
-        if (const auto ray = measured_.charts.ray(quarter.chart, quarter.centre()))
-            refine(measured(quarter, *ray, depth.sweeps), first_doubt,
-                   {depth.level + 1, depth.by_planes, depth.sweeps, depth.beneath},
-                   found);
-    }
-    // What the middle has is found, however little there is of it.
-    if (-cell.value() > limits().tolerance && found.gouge_area == gouged)
-        found.gouge_area += quarter_area;
-    if (cell.value() > limits().scallop && found.uncut_area == uncut)
-        found.uncut_area += quarter_area;
-}
-
-MeasuredCell TileMeasure::measured(const PartCell& cell, const PartRay& ray,
-                                   std::span<const std::int32_t> sweeps) const
-{
-    MownRay least = stock(ray);
-    for (const std::int32_t number : sweeps) {
-        const StraightSweep& sweep =
-            measured_.tree.sweeps()[static_cast<std::size_t>(number)];
-        if (const auto left = mown(sweep, ray, least.left)) {
-            least = *left;
-            least.sweep = number;
-        }
-    }
-    MeasuredCell found{cell, ray, cell.reach(ray), least, bend_, is_outer(ray)};
-    find_nearer(found);
-    return found;
 }
 
 }  // namespace endmill

@@ -12,6 +12,7 @@
 
 #include "endmill/simulation/cell_bounds.h"
 #include "endmill/simulation/deviation.h"
+#include "endmill/simulation/mown_rays.h"
 #include "endmill/simulation/part_distance.h"
 
 namespace endmill {
