@@ -8,7 +8,7 @@ namespace endmill {
 DrivePlanes planes_over(const SectionPlan& plan, int count)
 {
     const std::vector<Surface> part{dataset_surface(plan.surface)};
-    const FeedFrame frame{Angle::degrees(plan.direction_deg)};
+    const DriveFrame frame{Angle::degrees(plan.direction_deg)};
     return drive_planes(frame, extent_across(part, frame), count);
 }
 

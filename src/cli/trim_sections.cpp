@@ -41,7 +41,7 @@ double pitch_for(double scallop, const Cutter& cutter)
 
 DrivePlanes planes_over(const Interval& across, const TrimOptions& options)
 {
-    const FeedFrame frame{Angle::degrees(options.direction_deg)};
+    const DriveFrame frame{Angle::degrees(options.direction_deg)};
     if (options.pitch)
         return drive_planes_by_pitch(frame, across, *options.pitch);
     if (options.scallop)
@@ -72,7 +72,7 @@ void add_surface_sections(const std::vector<Surface>& surfaces,
     const auto start = Clock::now();
     input.offset = offset_mesh(surfaces, *options.cutter, offset);
     input.offset_ms = milliseconds_since(start);
-    const FeedFrame frame{Angle::degrees(options.direction_deg)};
+    const DriveFrame frame{Angle::degrees(options.direction_deg)};
     input.planes = planes_over(extent_across(surfaces, frame), options);
     const auto slicing = Clock::now();
     input.sections =
@@ -87,7 +87,7 @@ void add_mesh_sections(const TriangleMesh& mesh, const TrimOptions& options,
                        TrimInput& input)
 {
     require_option(!mesh.triangles().empty(), "the mesh has no triangles");
-    const FeedFrame frame{Angle::degrees(options.direction_deg)};
+    const DriveFrame frame{Angle::degrees(options.direction_deg)};
     Interval across{std::numeric_limits<double>::infinity(),
                     -std::numeric_limits<double>::infinity()};
     input.highest = across.high;

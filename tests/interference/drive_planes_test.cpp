@@ -11,11 +11,11 @@
 namespace endmill {
 namespace {
 
-TEST(FeedFrame, AtQuarterTurnsTakesCoordinatesAsTheyAre)
+TEST(DriveFrame, AtQuarterTurnsTakesCoordinatesAsTheyAre)
 {
     const Vec3 point{0.1, 0.7, -3};
     const auto at = [&](double degrees) {
-        const FeedFrame frame{Angle::degrees(degrees)};
+        const DriveFrame frame{Angle::degrees(degrees)};
         return std::pair{frame.along(point), frame.across(point)};
     };
     EXPECT_EQ(at(0), (std::pair{0.1, 0.7}));
@@ -25,22 +25,22 @@ TEST(FeedFrame, AtQuarterTurnsTakesCoordinatesAsTheyAre)
     EXPECT_EQ(at(360), (std::pair{0.1, 0.7}));
 }
 
-TEST(FeedFrame, GivesBackThePoint)
+TEST(DriveFrame, GivesBackThePoint)
 {
     for (const double degrees : {-15.0, 0.0, 33.0, 90.0, 200.0}) {
-        const FeedFrame frame{Angle::degrees(degrees)};
+        const DriveFrame frame{Angle::degrees(degrees)};
         const Vec3 point{12, -5, 7};
         EXPECT_LE(
             (frame.point(frame.along(point), frame.across(point), 7) - point).norm(),
             1e-14 * 13);
         EXPECT_NEAR(frame.across_direction().dot(point), frame.across(point), 1e-14);
     }
-    EXPECT_THROW(FeedFrame{Angle::radians(NAN)}, DomainError);
+    EXPECT_THROW(DriveFrame{Angle::radians(NAN)}, DomainError);
 }
 
 TEST(DrivePlanes, StandInTheMiddlesOfEqualParts)
 {
-    const FeedFrame frame{Angle::degrees(0)};
+    const DriveFrame frame{Angle::degrees(0)};
     EXPECT_EQ(drive_planes(frame, {-2, 2}, 4).positions,
               (std::vector{-1.5, -0.5, 0.5, 1.5}));
     EXPECT_EQ(drive_planes(frame, {3, 3}, 2).positions, (std::vector{3.0, 3.0}));
@@ -48,7 +48,7 @@ TEST(DrivePlanes, StandInTheMiddlesOfEqualParts)
 
 TEST(DrivePlanes, ByPitchAreTheFewestThatKeepIt)
 {
-    const FeedFrame frame{Angle::degrees(0)};
+    const DriveFrame frame{Angle::degrees(0)};
     const auto count = [&](double width, double pitch) {
         return drive_planes_by_pitch(frame, {0, width}, pitch).positions.size();
     };
@@ -63,7 +63,7 @@ TEST(DrivePlanes, ByPitchAreTheFewestThatKeepIt)
 
 TEST(DrivePlanes, RefuseWhatHasNoAnswer)
 {
-    const FeedFrame frame{Angle::degrees(0)};
+    const DriveFrame frame{Angle::degrees(0)};
     EXPECT_THROW(drive_planes(frame, {0, 1}, 0), DomainError);
     EXPECT_THROW(drive_planes(frame, {0, 1}, 10'000'001), DomainError);
     EXPECT_THROW(drive_planes(frame, {1, 0}, 3), DomainError);
@@ -77,7 +77,7 @@ TEST(DrivePlanes, RefuseWhatHasNoAnswer)
 TEST(DrivePlanes, SpanTheExtentOfThePartAcrossTheFeed)
 {
     const std::vector surfaces{test::plane(200, 120)};
-    const Interval across = extent_across(surfaces, FeedFrame{Angle::degrees(30)});
+    const Interval across = extent_across(surfaces, DriveFrame{Angle::degrees(30)});
     EXPECT_NEAR(across.low, -100, 1e-6);
     EXPECT_NEAR(across.high, 60 * std::sqrt(3), 1e-6);
 }

@@ -15,7 +15,7 @@ namespace endmill {
 namespace {
 
 const std::array cutters{Cutter::ball(2), Cutter::flat(2), Cutter{2, 0.5}};
-const DrivePlanes along_x{FeedFrame{Angle::degrees(0)}, {5}};
+const DrivePlanes along_x{DriveFrame{Angle::degrees(0)}, {5}};
 
 // A plate from 0 to 20, 10 wide, of the given heights along x.
 template <typename Height>
@@ -52,7 +52,7 @@ TEST(MeshSections, FollowTheFeed)
         return Vec3{100 * i - 50, 100 * j - 50, 50 * j};
     });
     const DropCutter drop_cutter{mesh, Cutter::ball(2)};
-    const FeedFrame frame{Angle::radians(std::atan2(-0.8, 0.6))};
+    const DriveFrame frame{Angle::radians(std::atan2(-0.8, 0.6))};
     const auto sections =
         mesh_sections(drop_cutter, DrivePlanes{frame, {3}}, {.samples = 50});
     ASSERT_EQ(sections[0].size(), 1U);
@@ -139,7 +139,7 @@ TEST(MeshSections, AreNoneWhereThereIsNothing)
 TEST(MeshSections, DoNotDependOnThreads)
 {
     const TriangleMesh mesh = plate(40, [](double x) { return std::sin(3 * x); });
-    DrivePlanes planes{FeedFrame{Angle::radians(0.3)}, {}};
+    DrivePlanes planes{DriveFrame{Angle::radians(0.3)}, {}};
     for (int k = 0; k < 20; ++k)
         planes.positions.push_back(0.4 * k);
     const DropCutter drop_cutter{mesh, cutters[2]};

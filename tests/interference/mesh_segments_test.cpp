@@ -19,7 +19,7 @@ TEST(MeshSegments, AreThoseOfTrianglesWithVerticesOnBothSides)
         return Vec3{i + random.uniform(-1, 1), j + random.uniform(-1, 1),
                     random.uniform(-1, 1)};
     });
-    const FeedFrame frame{Angle::degrees(40)};
+    const DriveFrame frame{Angle::degrees(40)};
     // Unevenly spaced, two of them equal, one through a vertex.
     std::vector<double> positions{-5, -4.99, -1, 0, 0, 3, 17, 100};
     positions[6] = frame.across(mesh.points()[600]);
@@ -46,7 +46,7 @@ TEST(MeshSegments, AreThoseOfTrianglesWithVerticesOnBothSides)
 // of the six ways in which a plane parts the corners.
 TEST(MeshSegments, HaveTheOuterSideOnTheirLeft)
 {
-    const FeedFrame frame{Angle::degrees(0)};
+    const DriveFrame frame{Angle::degrees(0)};
     for (int first = 0; first < 3; ++first)
         for (const double up : {1.0, -1.0}) {
             const std::vector<Vec3> points{{0, up, 0}, {-up, -up, 0}, {up, -up, 0}};
@@ -64,7 +64,7 @@ TEST(MeshSegments, OfNoTrianglesAreNone)
 {
     const std::vector<double> positions{0, 1};
     const auto segments =
-        mesh_segments(TriangleMesh{}, FeedFrame{Angle::degrees(0)}, positions);
+        mesh_segments(TriangleMesh{}, DriveFrame{Angle::degrees(0)}, positions);
     EXPECT_TRUE(segments.from.empty());
     EXPECT_EQ(segments.first, (std::vector<std::size_t>{0, 0, 0}));
 }

@@ -21,7 +21,7 @@ constexpr auto paper = BoundaryContact::None;
 
 DrivePlanes planes_over(std::span<const Surface> part, double degrees, int count)
 {
-    const FeedFrame frame{Angle::degrees(degrees)};
+    const DriveFrame frame{Angle::degrees(degrees)};
     return drive_planes(frame, extent_across(part, frame), count);
 }
 
@@ -244,7 +244,7 @@ TEST(OffsetMesh, OverAConvexCreaseIsAPipe)
     const OffsetMesh offset = offset_mesh(part, Cutter::ball(3), {.grid_lines = 6});
     EXPECT_EQ(test::rims(offset), 1);
     EXPECT_GT(offset.own_triangles, offset.sheet_triangles);
-    const auto section = slice(offset.mesh, {FeedFrame{Angle::degrees(0)}, {4.9}},
+    const auto section = slice(offset.mesh, {DriveFrame{Angle::degrees(0)}, {4.9}},
                                {.own_triangles = offset.own_triangles})[0];
     ASSERT_EQ(section.curves.size(), 1U);
     int on_pipe = 0;
@@ -271,7 +271,7 @@ TEST(OffsetMesh, OverAConcaveCreaseCrossesAboveIt)
     const std::vector part{test::valley(20, 10, 0.5)};
     const OffsetMesh offset = offset_mesh(part, Cutter::ball(3), {.grid_lines = 6});
     EXPECT_EQ(test::rims(offset), 1);
-    const auto section = slice(offset.mesh, {FeedFrame{Angle::degrees(0)}, {4.9}})[0];
+    const auto section = slice(offset.mesh, {DriveFrame{Angle::degrees(0)}, {4.9}})[0];
     ASSERT_EQ(section.curves.size(), 1U);
     const auto crossings = test::crossings(section.curves[0]);
     ASSERT_EQ(crossings.size(), 1U);
@@ -284,7 +284,7 @@ TEST(OffsetMesh, OverAConcaveCreaseCrossesAboveIt)
     EXPECT_TRUE(holds_crease);
     const OffsetMesh apart =
         offset_mesh(part, Cutter::ball(3), {.grid_lines = 6, .boundary = paper});
-    EXPECT_EQ(slice(apart.mesh, {FeedFrame{Angle::degrees(0)}, {4.9}})[0].curves.size(),
+    EXPECT_EQ(slice(apart.mesh, {DriveFrame{Angle::degrees(0)}, {4.9}})[0].curves.size(),
               2U);
 }
 
@@ -322,7 +322,7 @@ TEST(OffsetMesh, IsOneSheetAcrossSmoothJoints)
             offset_mesh(level, Cutter::ball(2), {.grid_lines = 4, .boundary = boundary});
         EXPECT_EQ(offset.own_triangles, 72U);
         EXPECT_EQ(offset.sheet_triangles, 72U);
-        const auto section = slice(offset.mesh, {FeedFrame{Angle::degrees(10)}, {0.1}},
+        const auto section = slice(offset.mesh, {DriveFrame{Angle::degrees(10)}, {0.1}},
                                    {.own_triangles = offset.own_triangles})[0];
         EXPECT_EQ(section.curves.size(), 1U);
         if (boundary != paper) {

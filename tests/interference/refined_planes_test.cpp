@@ -59,7 +59,7 @@ Sections trough(int grid_lines)
     return {{test::graph(height, {{-20, 21}, {-15, 16}})},
             Cutter::ball(radius),
             grid_lines,
-            {FeedFrame{Angle::degrees(0)}, {0, 1.3}}};
+            {DriveFrame{Angle::degrees(0)}, {0, 1.3}}};
 }
 
 TEST(RefinedPlanes, FindTheCrossingOfTheInclinedTroughWhateverTheGrid)
@@ -130,7 +130,7 @@ TEST(RefinedPlanes, AreTheSameWithAnyNumberOfThreads)
 TEST(RefinedPlanes, KeepLevelPlacesOfAFlatCutterAsSampled)
 {
     const Sections level{
-        {test::plane(20, 10)}, Cutter::flat(2), 11, {FeedFrame{Angle::degrees(0)}, {5}}};
+        {test::plane(20, 10)}, Cutter::flat(2), 11, {DriveFrame{Angle::degrees(0)}, {5}}};
     const RefinedPlanes refined = refine_planes(level.source(), level.trimmed);
     EXPECT_GT(refined.unrefined, 0U);
     for (const TrimmedPoint& point : refined.curves[0].front().points)

@@ -12,7 +12,7 @@ namespace endmill {
 namespace {
 
 constexpr int grid = 21;
-const FeedFrame along_x{Angle::degrees(0)};
+const DriveFrame along_x{Angle::degrees(0)};
 
 // z = x^2 / 8 cut by a ball too large for its bottom, in the plane y = 3.
 struct Trough {

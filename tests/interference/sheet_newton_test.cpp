@@ -36,7 +36,7 @@ Vec3 trough_point(double radius, double x, double y)
             x * x / (2 * p) + y * std::tan(beta) + radius / w};
 }
 
-const FeedFrame along_x{Angle::degrees(0)};
+const DriveFrame along_x{Angle::degrees(0)};
 
 TEST(SheetNewton, FindsTheHeightOfTheClosedForm)
 {
@@ -51,7 +51,7 @@ TEST(SheetNewton, FindsTheHeightOfTheClosedForm)
 TEST(SheetNewton, TurnsWithTheFeed)
 {
     const SmoothSheet sheet = trough(2);
-    const FeedFrame frame{Angle::degrees(-15)};
+    const DriveFrame frame{Angle::degrees(-15)};
     const Vec3 expected = trough_point(2, -1.3, 4);
     const auto z = height_on_sheet({sheet, {-1, 3.8}, {1, 1}}, frame,
                                    frame.along(expected), frame.across(expected));

@@ -19,7 +19,7 @@ namespace {
 
 DrivePlanes planes_at(std::vector<double> positions, double degrees = 0)
 {
-    return {FeedFrame{Angle::degrees(degrees)}, std::move(positions)};
+    return {DriveFrame{Angle::degrees(degrees)}, std::move(positions)};
 }
 
 // Uneven ground with folds: points are pushed sideways.
@@ -73,7 +73,7 @@ TEST(Slice, OfAllPlanesIsThatOfEachAlone)
 
 // The segments that a plain loop over all triangles finds, by their edges.
 using EdgePair = std::tuple<int, int, int, int>;
-std::multiset<EdgePair> plain_segments(const TriangleMesh& mesh, const FeedFrame& frame,
+std::multiset<EdgePair> plain_segments(const TriangleMesh& mesh, const DriveFrame& frame,
                                        double position)
 {
     std::multiset<EdgePair> segments;

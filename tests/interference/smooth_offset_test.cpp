@@ -11,7 +11,7 @@
 namespace endmill {
 namespace {
 
-const FeedFrame along_x{Angle::degrees(0)};
+const DriveFrame along_x{Angle::degrees(0)};
 
 std::vector<Surface> bowl()
 {

@@ -12,7 +12,7 @@ namespace {
 
 using Planes = std::vector<std::vector<SectionCurve>>;
 
-const DrivePlanes turned{FeedFrame{Angle::degrees(90)}, {2, 4}};
+const DrivePlanes turned{DriveFrame{Angle::degrees(90)}, {2, 4}};
 
 TEST(SectionCsv, WritesReferencePointsWhereThePlanesStand)
 {

@@ -34,7 +34,7 @@ const std::vector<TrimmedCurve> one{curve({{0, 0}, {2, 0}})};
 TEST(SectionLinking, LiftsBetweenAllCurves)
 {
     const std::vector<PlaneCurves> planes{{-1, two}, {1, one}};
-    const ToolPath path = link_sections(planes, FeedFrame{Angle::degrees(0)},
+    const ToolPath path = link_sections(planes, DriveFrame{Angle::degrees(0)},
                                         Cutter{5, 2}, {.safe_height = 10});
     EXPECT_EQ(moves(path), "pcrrpccrrpc");
     const auto& points = path.points;
@@ -51,7 +51,7 @@ TEST(SectionLinking, CutsEveryOtherPlaneBackwardsInZigzagAlone)
     const std::vector<PlaneCurves> planes{{0, one}, {1, two}};
     const auto tip = [&](PassOrder order, std::size_t k) {
         LinkOptions options{.order = order, .safe_height = 10};
-        return link_sections(planes, FeedFrame{Angle::degrees(0)}, Cutter::flat(5),
+        return link_sections(planes, DriveFrame{Angle::degrees(0)}, Cutter::flat(5),
                              options)
             .points[k]
             .location.tip;
@@ -63,7 +63,7 @@ TEST(SectionLinking, CutsEveryOtherPlaneBackwardsInZigzagAlone)
 TEST(SectionLinking, TurnsByTheAngleOfTheFeed)
 {
     const std::vector<PlaneCurves> planes{{3, one}};
-    const ToolPath path = link_sections(planes, FeedFrame{Angle::degrees(90)},
+    const ToolPath path = link_sections(planes, DriveFrame{Angle::degrees(90)},
                                         Cutter::ball(1), {.safe_height = 10});
     EXPECT_TRUE(path.points[1].location.tip.isApprox(Vec3(-3, 2, -1), 1e-15));
 }
@@ -71,19 +71,19 @@ TEST(SectionLinking, TurnsByTheAngleOfTheFeed)
 TEST(SectionLinking, OfNothingIsNothing)
 {
     const std::vector<PlaneCurves> planes{{0, {}}, {1, {}}};
-    EXPECT_TRUE(link_sections(planes, FeedFrame{Angle::degrees(0)}, Cutter::ball(1), {})
+    EXPECT_TRUE(link_sections(planes, DriveFrame{Angle::degrees(0)}, Cutter::ball(1), {})
                     .points.empty());
 }
 
 TEST(SectionLinking, RefusesASafeHeightBelowTheTipsAndAnotherAxis)
 {
     const std::vector<PlaneCurves> planes{{0, two}};
-    EXPECT_THROW(link_sections(planes, FeedFrame{Angle::degrees(0)}, Cutter::flat(1),
+    EXPECT_THROW(link_sections(planes, DriveFrame{Angle::degrees(0)}, Cutter::flat(1),
                                {.safe_height = 7.9}),
                  GeometryError);
-    EXPECT_NO_THROW(link_sections(planes, FeedFrame{Angle::degrees(0)}, Cutter::flat(1),
+    EXPECT_NO_THROW(link_sections(planes, DriveFrame{Angle::degrees(0)}, Cutter::flat(1),
                                   {.safe_height = 8}));
-    EXPECT_THROW(link_sections(planes, FeedFrame{Angle::degrees(0)}, Cutter::flat(1),
+    EXPECT_THROW(link_sections(planes, DriveFrame{Angle::degrees(0)}, Cutter::flat(1),
                                {.axis = Vec3::UnitX(), .safe_height = 9}),
                  DomainError);
 }

@@ -31,7 +31,7 @@ int main(int argc, char** argv)
 {
     return run_experiment(argc, argv, "benchmarks/slicing", [](Experiment& run) {
         const TriangleMesh mesh = saddle_mesh(static_cast<int>(run.number("cells")));
-        const DrivePlanes planes = drive_planes(FeedFrame{Angle::degrees(0)}, {-40, 40},
+        const DrivePlanes planes = drive_planes(DriveFrame{Angle::degrees(0)}, {-40, 40},
                                                 static_cast<int>(run.number("planes")));
         CgalSlicer baseline{mesh};
         const std::vector<Surface> part{dataset_surface(run.text("surface"))};

@@ -25,14 +25,14 @@ double snapped(double sine)
 
 }  // namespace
 
-FeedFrame::FeedFrame(Angle direction)
+DriveFrame::DriveFrame(Angle direction)
     : cosine_{snapped(std::cos(direction.radians()))},
       sine_{snapped(std::sin(direction.radians()))}
 {
-    require(std::isfinite(direction.radians()), "FeedFrame: need a finite angle");
+    require(std::isfinite(direction.radians()), "DriveFrame: need a finite angle");
 }
 
-DrivePlanes drive_planes(const FeedFrame& frame, const Interval& across, int count)
+DrivePlanes drive_planes(const DriveFrame& frame, const Interval& across, int count)
 {
     require(1 <= count && count <= most_planes,
             "drive_planes: need 1 <= count <= 10000000");
@@ -46,7 +46,7 @@ DrivePlanes drive_planes(const FeedFrame& frame, const Interval& across, int cou
     return planes;
 }
 
-DrivePlanes drive_planes_by_pitch(const FeedFrame& frame, const Interval& across,
+DrivePlanes drive_planes_by_pitch(const DriveFrame& frame, const Interval& across,
                                   double pitch)
 {
     require(pitch > 0, "drive_planes_by_pitch: need 0 < pitch");
@@ -56,7 +56,7 @@ DrivePlanes drive_planes_by_pitch(const FeedFrame& frame, const Interval& across
     return drive_planes(frame, across, static_cast<int>(count));
 }
 
-Interval extent_across(std::span<const Surface> surfaces, const FeedFrame& frame)
+Interval extent_across(std::span<const Surface> surfaces, const DriveFrame& frame)
 {
     return extent(surfaces, frame.across_direction());
 }

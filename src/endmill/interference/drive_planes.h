@@ -16,10 +16,10 @@ namespace endmill {
 ///     s = x cos a + y sin a,   t = -x sin a + y cos a.
 ///
 /// At multiples of 90 degrees the sine and cosine are exact, and so are s and t.
-class FeedFrame {
+class DriveFrame {
 public:
     /// \param direction of the feed, counter-clockwise from +x.
-    explicit FeedFrame(Angle direction);
+    explicit DriveFrame(Angle direction);
 
     double along(const Vec3& point) const  ///< s in mm
     {
@@ -44,21 +44,21 @@ private:
 
 /// Vertical planes t = positions[k] along the feed.
 struct DrivePlanes {
-    FeedFrame frame;
+    DriveFrame frame;
     std::vector<double> positions;  ///< t in mm, rising
 };
 
 /// `count` planes at lo + (k + 1/2) (hi - lo) / count over `across`, [lo, hi] in mm.
 /// \throws DomainError unless 1 <= count <= 10^7, lo <= hi and both are finite.
-DrivePlanes drive_planes(const FeedFrame& frame, const Interval& across, int count);
+DrivePlanes drive_planes(const DriveFrame& frame, const Interval& across, int count);
 
 /// The fewest planes of that rule that stand no further apart than `pitch` mm, one at
 /// least. \throws DomainError unless pitch > 0, or as above.
-DrivePlanes drive_planes_by_pitch(const FeedFrame& frame, const Interval& across,
+DrivePlanes drive_planes_by_pitch(const DriveFrame& frame, const Interval& across,
                                   double pitch);
 
 /// The extent of `surfaces` across the feed in mm, see extent.h.
 /// \throws DomainError if there are none.
-Interval extent_across(std::span<const Surface> surfaces, const FeedFrame& frame);
+Interval extent_across(std::span<const Surface> surfaces, const DriveFrame& frame);
 
 }  // namespace endmill

@@ -25,7 +25,7 @@ struct Sample {
 // Walks along one plane.
 class PlaneWalk {
 public:
-    PlaneWalk(const DropCutter& drop_cutter, const FeedFrame& frame, double position,
+    PlaneWalk(const DropCutter& drop_cutter, const DriveFrame& frame, double position,
               double tolerance)
         : drop_cutter_{drop_cutter},
           frame_{frame},
@@ -111,7 +111,7 @@ private:
     }
 
     const DropCutter& drop_cutter_;
-    const FeedFrame& frame_;
+    const DriveFrame& frame_;
     double position_;
     double tolerance_;
     std::optional<std::size_t> hint_;
@@ -125,7 +125,7 @@ struct Extent {
     double high = -std::numeric_limits<double>::infinity();
 };
 
-Extent extent_along(const TriangleMesh& mesh, const FeedFrame& frame)
+Extent extent_along(const TriangleMesh& mesh, const DriveFrame& frame)
 {
     Extent extent;
     for (const Vec3& point : mesh.points()) {

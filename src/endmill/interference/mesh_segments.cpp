@@ -50,7 +50,8 @@ private:
     std::vector<double> fenced_;
 };
 
-std::vector<PlaneCount> planes_below(std::span<const Vec3> points, const FeedFrame& frame,
+std::vector<PlaneCount> planes_below(std::span<const Vec3> points,
+                                     const DriveFrame& frame,
                                      std::span<const double> positions)
 {
     const PlaneCounter counter{positions};
@@ -89,7 +90,7 @@ constexpr std::array<SegmentCorners, 7> segment_corners{{{},
 // Cuts a mesh by a batch of planes into segments.
 class Cutting {
 public:
-    Cutting(const TriangleMesh& mesh, const FeedFrame& frame,
+    Cutting(const TriangleMesh& mesh, const DriveFrame& frame,
             std::span<const double> positions)
         : points_{mesh.points()},
           triangles_{mesh.triangles()},
@@ -185,7 +186,7 @@ private:
 
     std::span<const Vec3> points_;
     std::span<const Triangle> triangles_;
-    const FeedFrame& frame_;
+    const DriveFrame& frame_;
     std::span<const double> positions_;
     std::vector<PlaneCount> below_;
     std::size_t chunk_size_;
@@ -194,14 +195,14 @@ private:
 
 }  // namespace
 
-MeshSegments mesh_segments(const TriangleMesh& mesh, const FeedFrame& frame,
+MeshSegments mesh_segments(const TriangleMesh& mesh, const DriveFrame& frame,
                            std::span<const double> positions)
 {
     return Cutting{mesh, frame, positions}.segments();
 }
 
 SectionPoint point_on(const CrossedEdge& edge, std::span<const Vec3> points,
-                      const FeedFrame& frame, double position)
+                      const DriveFrame& frame, double position)
 {
     const Vec3& below = points[edge.below];
     const Vec3& above = points[edge.above];

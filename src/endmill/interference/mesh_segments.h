@@ -30,12 +30,12 @@ inline constexpr std::size_t most_planes_a_batch = 65535;
 /// The segments of all planes t = positions[k] in two passes over the triangles, of which
 /// the second only looks at those that a plane crosses.
 /// \pre positions do not fall, and there are at most `most_planes_a_batch`.
-MeshSegments mesh_segments(const TriangleMesh& mesh, const FeedFrame& frame,
+MeshSegments mesh_segments(const TriangleMesh& mesh, const DriveFrame& frame,
                            std::span<const double> positions);
 
 /// The point below + w (above - below), w = (c - t_below) / (t_above - t_below), of the
 /// plane t = c = `position` on an edge that it crosses.
 SectionPoint point_on(const CrossedEdge& edge, std::span<const Vec3> points,
-                      const FeedFrame& frame, double position);
+                      const DriveFrame& frame, double position);
 
 }  // namespace endmill

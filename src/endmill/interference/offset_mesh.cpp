@@ -208,7 +208,7 @@ std::vector<std::optional<Interval>> path_ranges(const OffsetMesh& offset,
                                                  const DrivePlanes& planes,
                                                  std::span<const PlaneSection> sections)
 {
-    const FeedFrame& frame = planes.frame;
+    const DriveFrame& frame = planes.frame;
     std::vector<std::optional<Interval>> ranges;
     for (const PlaneSection& section : sections)
         ranges.push_back(section.own_range);

@@ -10,7 +10,7 @@ namespace {
 
 class Refinement {
 public:
-    Refinement(const PlacedSection& placed, const FeedFrame& frame,
+    Refinement(const PlacedSection& placed, const DriveFrame& frame,
                const SmoothOffset& offset, const IsAdmissible& is_admissible)
         : section_{placed.section},
           frame_{frame},
@@ -139,7 +139,7 @@ private:
     }
 
     const PlaneSection& section_;
-    const FeedFrame& frame_;
+    const DriveFrame& frame_;
     double across_;
     const SmoothOffset& offset_;
     const IsAdmissible& is_admissible_;
@@ -149,7 +149,7 @@ private:
 }  // namespace
 
 RefinedCurves refined(const std::vector<TrimmedCurve>& curves,
-                      const PlacedSection& placed, const FeedFrame& frame,
+                      const PlacedSection& placed, const DriveFrame& frame,
                       const SmoothOffset& offset, const IsAdmissible& is_admissible)
 {
     Refinement refinement{placed, frame, offset, is_admissible};

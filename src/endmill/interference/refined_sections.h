@@ -38,7 +38,7 @@ using IsAdmissible = std::function<bool(const Vec3& reference, double shift)>;
 /// Source: specification of the interference removal, section 6.
 /// \param is_admissible may be empty: all are.
 RefinedCurves refined(const std::vector<TrimmedCurve>& curves,
-                      const PlacedSection& placed, const FeedFrame& frame,
+                      const PlacedSection& placed, const DriveFrame& frame,
                       const SmoothOffset& offset, const IsAdmissible& is_admissible);
 
 }  // namespace endmill

@@ -41,7 +41,7 @@ std::optional<Eigen::Vector<double, n>> newton_step(
 
 }  // namespace
 
-std::optional<double> height_on_sheet(const SheetStart& start, const FeedFrame& frame,
+std::optional<double> height_on_sheet(const SheetStart& start, const DriveFrame& frame,
                                       double s, double across)
 {
     Eigen::Vector2d at = start.at;
@@ -69,7 +69,7 @@ std::optional<double> height_on_sheet(const SheetStart& start, const FeedFrame& 
 
 std::optional<SectionPoint> crossing_of_sheets(const SheetStart& one,
                                                const SheetStart& other,
-                                               const FeedFrame& frame, double across)
+                                               const DriveFrame& frame, double across)
 {
     Eigen::Vector4d at;
     at << one.at, other.at;

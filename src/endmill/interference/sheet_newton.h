@@ -35,13 +35,13 @@ inline constexpr double sheet_residual = 1e-9;
 /// The height z in mm, reference point, at which a sheet stands over the point `s` of the
 /// plane `across`, by Newton's method.
 /// \return nothing if it does not converge to `sheet_residual` within the start's reach.
-std::optional<double> height_on_sheet(const SheetStart& start, const FeedFrame& frame,
+std::optional<double> height_on_sheet(const SheetStart& start, const DriveFrame& frame,
                                       double s, double across);
 
 /// Where two sheets meet in the plane `across`: two contacts at once, four unknowns.
 /// \return nothing if it does not converge as above, or they do not cross transversally.
 std::optional<SectionPoint> crossing_of_sheets(const SheetStart& one,
                                                const SheetStart& other,
-                                               const FeedFrame& frame, double across);
+                                               const DriveFrame& frame, double across);
 
 }  // namespace endmill

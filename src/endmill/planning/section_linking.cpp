@@ -13,7 +13,7 @@ namespace {
 // Turns curves, one after the other, into passes of one path.
 class SectionPath {
 public:
-    SectionPath(const FeedFrame& frame, const Cutter& cutter, const LinkOptions& options)
+    SectionPath(const DriveFrame& frame, const Cutter& cutter, const LinkOptions& options)
         : frame_{frame},
           corner_radius_{cutter.corner_radius()},
           safe_height_{options.safe_height}
@@ -62,7 +62,7 @@ private:
         path_.points.push_back({pass_, point_++, move, {tip, Vec3::UnitZ()}, {}});
     }
 
-    const FeedFrame& frame_;
+    const DriveFrame& frame_;
     double corner_radius_;
     double safe_height_;
     ToolPath path_;
@@ -72,7 +72,7 @@ private:
 
 }  // namespace
 
-ToolPath link_sections(std::span<const PlaneCurves> planes, const FeedFrame& frame,
+ToolPath link_sections(std::span<const PlaneCurves> planes, const DriveFrame& frame,
                        const Cutter& cutter, const LinkOptions& options)
 {
     require(options.axis == Vec3::UnitZ(),

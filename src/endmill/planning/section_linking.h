@@ -24,7 +24,7 @@ struct PlaneCurves {
 /// Source: specification of the interference removal, section 1.
 /// \throws DomainError if the axis of `options` is not +z.
 /// \throws GeometryError if the safe height lies below a tip.
-ToolPath link_sections(std::span<const PlaneCurves> planes, const FeedFrame& frame,
+ToolPath link_sections(std::span<const PlaneCurves> planes, const DriveFrame& frame,
                        const Cutter& cutter, const LinkOptions& options);
 
 }  // namespace endmill
