@@ -32,10 +32,15 @@ int main(int argc, char** argv)
         const double R = run.number("radius_mm");
         const Cutter bull{R, run.number("corner_radius_mm")};
         const std::vector<Case> cases{
-            {"ball, saddle", 100, saddle_height, Cutter::ball(R), {}},
+            {"ball, saddle, 20 thousand triangles",
+             100,
+             saddle_height,
+             Cutter::ball(R),
+             {}},
             {"ball, saddle", 300, saddle_height, Cutter::ball(R), 1},
             {"ball, bumpy", 300, bumpy_height, Cutter::ball(R), 0.4},
-            {"ball, saddle", 1000, saddle_height, Cutter::ball(R), 0.25},
+            {"ball, saddle, 2 million triangles", 1000, saddle_height, Cutter::ball(R),
+             0.25},
             {"flat, saddle", 300, saddle_height, Cutter::flat(R), {}},
             {"bull-nose, saddle", 300, saddle_height, bull, 0.04},
             {"bull-nose, bumpy", 300, bumpy_height, bull, 0.04}};
