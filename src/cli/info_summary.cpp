@@ -69,16 +69,16 @@ Json surface_summary(const PartFile& file, const SurfaceContinuity& continuity,
     const std::span<const Surface> surfaces = std::get<std::vector<Surface>>(file.part);
     const bool several = surfaces.size() > 1;
     const std::vector<double> sides = tool_side_signs(surfaces, axis);
-    const auto curvature = curvature_range(surfaces, sides);
+    const auto range = curvature_range(surfaces, sides);
     Json summary{{"name", file.name}, {"source", file.source}};
     for (const Vec3 along : {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()})
         summary["size_mm"].push_back(extent(surfaces, along).length());
     summary["area_mm2"] = area(surfaces);
     add_patches(summary, surfaces);
     add_continuity(summary, continuity, several);
-    summary["min_curvature_per_mm"] = curvature ? Json(curvature->least) : Json(nullptr);
+    summary["min_curvature_per_mm"] = range ? Json(range->least) : Json(nullptr);
     summary["max_curvature_per_mm"] =
-        curvature ? Json(curvature->greatest) : Json(nullptr);
+        range ? Json(range->greatest) : Json(nullptr);
     add_cutter_limit(summary, largest_cutter(surfaces, sides), several);
     const auto local = largest_cutter_by_curvature(surfaces, sides);
     summary["max_cutter_radius_local_mm"] =
