@@ -77,8 +77,7 @@ Json surface_summary(const PartFile& file, const SurfaceContinuity& continuity,
     add_patches(summary, surfaces);
     add_continuity(summary, continuity, several);
     summary["min_curvature_per_mm"] = range ? Json(range->least) : Json(nullptr);
-    summary["max_curvature_per_mm"] =
-        range ? Json(range->greatest) : Json(nullptr);
+    summary["max_curvature_per_mm"] = range ? Json(range->greatest) : Json(nullptr);
     add_cutter_limit(summary, largest_cutter(surfaces, sides), several);
     const auto local = largest_cutter_by_curvature(surfaces, sides);
     summary["max_cutter_radius_local_mm"] =

@@ -144,7 +144,7 @@ class AnotherUser(ProgramTest):
 
     def run_as_user(self, *arguments):
         return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True,
-                              check=False, timeout=60, cwd=self.folder, **self.user)
+                              check=False, timeout=600, cwd=self.folder, **self.user)
 
     def test_file_without_read_permission(self):
         path = self.file(plane())
@@ -274,7 +274,7 @@ class Output(ProgramTest):
                 while not (self.folder / "out").exists() and process.poll() is None:
                     time.sleep(0.01)
                 process.send_signal(number)
-                process.communicate(timeout=60)
+                process.communicate(timeout=600)
             self.assertEqual(process.returncode, 128 + number)
             self.assert_nothing_left()
 

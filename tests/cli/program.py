@@ -13,9 +13,9 @@ ENDMILL = os.environ.get("ENDMILL", str(ROOT / "build/release/src/cli/endmill"))
 
 
 def endmill(*arguments, **options):
-    """The finished process of one call."""
+    """The finished process of one call. Ten minutes are a hang, also under sanitizers on a busy machine."""
     command = [ENDMILL, *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=120,
+    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=600,
                           stdin=subprocess.DEVNULL, **options)
 
 

@@ -40,7 +40,7 @@ class Interpreter(ProgramTest):
         tools = self.file(TOOLS, "tools.tbl")
         try:
             return subprocess.run(["rs274", "-g", "-t", tools, program, "canonical.txt"], cwd=self.folder,
-                                  capture_output=True, text=True, check=False, timeout=120, stdin=subprocess.DEVNULL)
+                                  capture_output=True, text=True, check=False, timeout=600, stdin=subprocess.DEVNULL)
         except FileNotFoundError:
             self.fail("rs274 is missing: scripts/setup.sh installs it (Debian package linuxcnc-uspace)")
 

@@ -269,7 +269,7 @@ class Origins(VerifyTest):
         if shutil.which("rs274"):
             self.file("T1 P1 D0.3937 Z0.0 ;ball\n", "tool.tbl")
             done = subprocess.run(["rs274", "-g", "-t", "tool.tbl", "gcode/toolpath.ngc"], cwd=self.folder,
-                                  capture_output=True, text=True, check=True, timeout=60)
+                                  capture_output=True, text=True, check=True, timeout=600)
             self.file(done.stdout, "canonical.txt")
             files.append("canonical.txt")
         found = [self.verify(file, "--part", "surface.json", "--cutter", "ball:10", "--tolerance", "0.05", "--scallop",
@@ -421,7 +421,7 @@ class BadInput(VerifyTest):
                 while not (self.folder / "out").exists() and process.poll() is None:
                     time.sleep(0.01)
                 process.send_signal(number)
-                process.communicate(timeout=60)
+                process.communicate(timeout=600)
             self.assertEqual(process.returncode, 128 + number)
             self.assert_nothing_left("p.csv", "surface.json")
 
@@ -434,7 +434,7 @@ class BadInput(VerifyTest):
             while process.poll() is None and not list(self.folder.glob("out/.engagement.csv.*")):
                 time.sleep(0.001)
             process.send_signal(signal.SIGTERM)
-            process.communicate(timeout=60)
+            process.communicate(timeout=600)
         self.assertEqual(process.returncode, 128 + signal.SIGTERM)
         self.assert_nothing_left("p.csv")
 

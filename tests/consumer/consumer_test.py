@@ -18,7 +18,7 @@ SURFACE = ROOT / "datasets/surfaces/net_rot24_7D.json"
 def run(*command, **options):
     """The finished process of one command, whatever it returned."""
     return subprocess.run([*map(str, command)], capture_output=True, text=True, check=False,
-                          timeout=120, stdin=subprocess.DEVNULL, **options)
+                          timeout=600, stdin=subprocess.DEVNULL, **options)
 
 
 def modules():

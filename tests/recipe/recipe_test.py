@@ -23,7 +23,7 @@ LOOP = "s_mm,z_mm\n-6,6\n2,-2\n0,-1\n-2,-2\n6,6\n"
 
 def succeed(*command, cwd):
     """What a command that must succeed prints."""
-    done = subprocess.run([*map(str, command)], capture_output=True, text=True, check=False, timeout=120,
+    done = subprocess.run([*map(str, command)], capture_output=True, text=True, check=False, timeout=600,
                           stdin=subprocess.DEVNULL, cwd=cwd)
     if done.returncode:
         raise RuntimeError(shlex.join(map(str, command)) + "\n" + done.stdout + done.stderr)
