@@ -2,6 +2,7 @@
 #include "endmill/interference/clearance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -18,6 +19,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double pieces_per_radius = 2;
 // Places that share what they found; fixed, so that threads change nothing.
 constexpr std::size_t places_in_a_chunk = 64;
+constexpr std::array<std::size_t, 3> steps{256, 16, 1};
 
 void check(std::span<const Vec3> references, double resolution)
 {
@@ -26,30 +28,45 @@ void check(std::span<const Vec3> references, double resolution)
         require(reference.allFinite(), "least_gap: a place is not finite");
 }
 
-// The least of what `search(number, enough)` finds below `enough` for each place.
+// The least of what `search(number, enough)` finds below `enough` for the places `begin`,
+// `begin + step`, ... below `end`.
+template <typename Search>
+std::optional<LeastGap> least_of_some(const std::array<std::size_t, 3>& begin_end_step,
+                                      double enough, Search& search)
+{
+    const auto [begin, end, step] = begin_end_step;
+    std::optional<LeastGap> least;
+    for (std::size_t k = begin; k < end; k += step)
+        if (const auto found = search(k, enough); found && found->gap < enough) {
+            least = LeastGap{found->gap, k, found->point};
+            enough = found->gap;
+        }
+    return least;
+}
+
+// The least of what `search(number, enough)` finds below `enough` for each place. Few places
+// first, then more between them: who knows a small gap leaves out what is farther away.
 template <typename MakeSearch>
 std::optional<LeastGap> least_of_all(std::size_t count, const MakeSearch& make_search)
 {
-    const std::size_t chunks = (count + places_in_a_chunk - 1) / places_in_a_chunk;
-    std::vector<std::optional<LeastGap>> least(chunks);
-    parallel_for(chunks, [&](std::size_t begin, std::size_t end) {
-        auto search = make_search();
-        for (std::size_t chunk = begin; chunk < end; ++chunk) {
-            const std::size_t last = std::min((chunk + 1) * places_in_a_chunk, count);
-            for (std::size_t k = chunk * places_in_a_chunk; k < last; ++k) {
-                double enough = infinite;
-                if (least[chunk])
-                    enough = least[chunk]->gap;
-                if (const auto found = search(k, enough); found && found->gap < enough)
-                    least[chunk] = LeastGap{found->gap, k, found->point};
-            }
-        }
-    });
-    std::optional<LeastGap> least_of_chunks;
-    for (const auto& found : least)
-        if (found && (!least_of_chunks || found->gap < least_of_chunks->gap))
-            least_of_chunks = found;
-    return least_of_chunks;
+    std::optional<LeastGap> least;
+    for (const std::size_t step : steps) {
+        const std::size_t stretch = step * places_in_a_chunk;
+        const std::size_t chunks = (count + stretch - 1) / stretch;
+        const double enough = least ? least->gap : infinite;
+        std::vector<std::optional<LeastGap>> least_of_chunk(chunks);
+        parallel_for(chunks, [&](std::size_t begin, std::size_t end) {
+            auto search = make_search();
+            for (std::size_t chunk = begin; chunk < end; ++chunk)
+                least_of_chunk[chunk] = least_of_some(
+                    {chunk * stretch, std::min((chunk + 1) * stretch, count), step},
+                    enough, search);
+        });
+        for (const auto& found : least_of_chunk)
+            if (found && (!least || found->gap < least->gap))
+                least = found;
+    }
+    return least;
 }
 
 // Asks a tree of planes over triangles for the least gap; bounds are negative there, as the
