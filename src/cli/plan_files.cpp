@@ -13,6 +13,7 @@
 #include "cli/plan_text.h"
 #include "cli/progress.h"
 #include "endmill/core/numbers.h"
+#include "endmill/io/path_summary.h"
 #include "endmill/io/printable.h"
 #include "endmill/io/tool_path_csv.h"
 #include "endmill/io/vtp.h"
@@ -50,16 +51,6 @@ std::optional<double> tape_length(const ToolPath& path, const PlanTask& task)
     program.tolerance = std::min(
         {options.planning.chord_tolerance, options.motion.inner, options.motion.outer});
     return gcode(path, program).tape_length_m();
-}
-
-// The part's file as seen from the folder of the summary, so that both may move together.
-std::string part_reference(const std::string& part, const std::filesystem::path& folder)
-{
-    std::error_code failed;
-    const std::filesystem::path relative =
-        std::filesystem::proximate(std::filesystem::absolute(part, failed),
-                                   std::filesystem::absolute(folder), failed);
-    return printable(failed ? part : relative.generic_string());
 }
 
 // Rays that the part is measured by, about: their pitch follows from its area.
@@ -128,7 +119,7 @@ DirectionResult plan_direction(const PlanTask& task, Parameter along,
                          place_text(first.at, first.point), first.patch));
     }
     Json summary = direction_summary(context, options, planned);
-    summary["part"] = part_reference(options.part, folder.path() / prefix);
+    name_part(summary, {options.part}, folder.path() / prefix);
     folder.write(prefix + "toolpath.csv", tool_path_csv(plan.path));
     folder.write(prefix + "toolpath.vtp", tool_path_vtp(plan.path));
     folder.write(prefix + "toolpath.svg",

@@ -103,7 +103,11 @@ ExitCode run_post(const PostOptions& options)
     OutputFolder folder{output_folder(options.path.file, "post", options.common),
                         options.common.force};
     folder.protect(options.path.file);
-    const Json summary = post_summary(posted, options);
+    Json summary = post_summary(posted, options);
+    if (posted.known.part) {
+        const auto& [file, units, up] = *posted.known.part;
+        name_part(summary, {file.string(), units, up}, folder.path());
+    }
     folder.write(posted.file, posted.written.text);
     folder.write("summary.json", summary.dump(2) + "\n");
     for (const PostFormat format : {PostFormat::Gcode, PostFormat::Apt})

@@ -10,6 +10,7 @@
 #include "cli/arguments.h"
 #include "cli/console.h"
 #include "endmill/core/error.h"
+#include "endmill/io/printable.h"
 
 namespace endmill {
 
@@ -47,6 +48,20 @@ PartFile read_part_for(const PartOptions& part, const CommonOptions& options)
     for (const std::string& note : file.notes)
         warn(options, fmt::format("{}: {}", part.path, note));
     return file;
+}
+
+void name_part(Json& summary, const PartOptions& part,
+               const std::filesystem::path& folder)
+{
+    std::error_code failed;
+    const std::filesystem::path relative =
+        std::filesystem::proximate(std::filesystem::absolute(part.path, failed),
+                                   std::filesystem::absolute(folder), failed);
+    summary["part"] = printable(failed ? part.path : relative.generic_string());
+    if (part.units != LengthUnit::Mm)
+        summary["part_units"] = length_unit_names[static_cast<std::size_t>(part.units)];
+    if (part.up != UpAxis::Z)
+        summary["part_up"] = up_axis_names[static_cast<std::size_t>(part.up)];
 }
 
 SurfaceFile read_surface_for(const std::string& path, const std::string& command,

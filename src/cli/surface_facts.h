@@ -25,6 +25,11 @@ void add_part_options(CLI::App& command, PartOptions& part);
 /// Those two options alone.
 void add_mesh_options(CLI::App& command, PartOptions& part);
 
+/// Writes into the summary of a path in `folder` which part it is for, as seen from there,
+/// so that both may move together.
+void name_part(Json& summary, const PartOptions& part,
+               const std::filesystem::path& folder);
+
 /// The argument SURFACE, for a command that a mesh cannot serve.
 void add_surface_argument(CLI::App& command, std::string& path);
 

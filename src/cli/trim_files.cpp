@@ -201,6 +201,8 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
         folder.write(prefix + "trimmed.svg", trimmed_picture(result, input));
     }
     Json summary = trim_summary(input, options, result);
+    if (input.part)
+        name_part(summary, options.part, folder.path() / prefix);
     folder.write(prefix + "summary.json", summary.dump(2) + "\n");
     return summary;
 }

@@ -23,6 +23,9 @@ namespace {
 constexpr double default_tolerance_mm = 0.01;
 constexpr double default_scallop_mm = 0.1;
 
+// Instead of a part's file: the path is judged by none.
+constexpr std::string_view no_part = "none";
+
 std::optional<Tool> told_tool(const VerifyOptions& options)
 {
     std::optional<Tool> tool;
@@ -66,15 +69,18 @@ DeviationLimits limits_of(const VerifyOptions& options, const PathSummary& known
 void add_part(VerifyInput& input, const VerifyOptions& options, const PathSummary& known)
 {
     PartOptions part = options.part;
+    if (part.path == no_part)
+        return;
     if (part.path.empty() && known.part) {
+        const auto& [file, units, up] = *known.part;
         std::error_code ignored;
-        if (std::filesystem::exists(*known.part, ignored))
-            part.path = known.part->lexically_normal().string();
-        else
-            warn(options.common, options.path.file +
-                                     ": the part that its summary names, " +
-                                     shown_path(*known.part) +
-                                     ", is not there; --part FILE names another");
+        if (!std::filesystem::exists(file, ignored))
+            throw FormatError{"E_OPEN",
+                              {options.path.file, "",
+                               "the part that its summary names, " + shown_path(file) +
+                                   ", is not there",
+                               "it, or --part FILE, or --part none to judge nothing"}};
+        part = {file.lexically_normal().string(), units, up};
     }
     if (part.path.empty())
         return;

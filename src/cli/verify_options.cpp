@@ -36,8 +36,8 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
     add_path_options(command, options.path);
     command
         .add_option("--part", options.part.path,
-                    "surface or mesh to judge by; default the one that the path was "
-                    "planned for")
+                    "surface or mesh to judge by, or none; default the one that the "
+                    "path was planned for")
         ->type_name("FILE");
     add_mesh_options(command, options.part);
     command

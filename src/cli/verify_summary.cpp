@@ -62,9 +62,17 @@ void add_count(Json& summary, const std::string& key, const MoveCount& moves)
     summary["deepest_of_" + key + "_mm"] = moves.deepest;
 }
 
-void add_removal(Json& summary, const Removal& removal)
+void add_removal(Json& summary, const Removal& removal, const ToolPath& path)
 {
     summary["removed_mm3"] = removal.total;
+    const auto deepest = std::ranges::max_element(removal.deepest);
+    const bool cuts = deepest != removal.deepest.end() && *deepest > least_cut_depth;
+    summary["deepest_cut_mm"] = cuts ? *deepest : 0;
+    summary["deepest_cut_point"] =
+        cuts ? Json(deepest - removal.deepest.begin()) : Json(nullptr);
+    const auto rates = removal_rates(removal, path);
+    summary["max_rate_mm3_per_min"] = rates ? Json(rates->greatest) : Json(nullptr);
+    summary["mean_rate_mm3_per_min"] = rates ? Json(rates->mean) : Json(nullptr);
     summary["min_z_mm"] = removal.left ? Json(removal.left->low) : Json(nullptr);
     summary["max_z_mm"] = removal.left ? Json(removal.left->high) : Json(nullptr);
     summary["air_moves"] = removal.air_moves;
@@ -167,7 +175,12 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
         add_deviation(summary, *verification.deviation, *charts);
     else
         add_no_deviation(summary);
-    add_removal(summary, verification.removal);
+    add_removal(summary, verification.removal, context.program.path);
+    const StockGrid& grid = verification.rest.grid();
+    summary["min_x_mm"] = grid.low_x;
+    summary["max_x_mm"] = grid.low_x + grid.columns * grid.pitch;
+    summary["min_y_mm"] = grid.low_y;
+    summary["max_y_mm"] = grid.low_y + grid.rows * grid.pitch;
     summary["position_error_mm"] = context.program.position_error_mm;
     summary["remarks"] = context.program.remarks;
     return summary;
@@ -185,7 +198,12 @@ std::string verify_text(const Json& s, const Removal& removal)
         text += rule + "\n";
     text += fmt::format("removed {:.6g} mm3; {} of {} moves cut nothing\n",
                         s["removed_mm3"].get<double>(), s["air_moves"].get<std::size_t>(),
-                        s["points"].get<std::size_t>());
+                        s["points"].get<std::size_t>() - 1);
+    text += fmt::format(
+        "deepest cut {:.4g} mm; removal rate {} mm3/min at most, {} on "
+        "average\n",
+        s["deepest_cut_mm"].get<double>(), number_text(s["max_rate_mm3_per_min"]),
+        number_text(s["mean_rate_mm3_per_min"]));
     return text + hint_text(s);
 }
 

@@ -158,12 +158,24 @@ class Verdicts(VerifyTest):
         self.assertIsInstance(facts["max_scallop_at"]["triangle"], int)
         self.assertAlmostEqual(facts["judged_area_mm2"], 1800, delta=1e-3)
 
-    def test_a_part_that_has_gone_is_told(self):
+    def test_a_part_that_has_gone_is_an_error(self):
         path = self.planned("--mode", "verified")
         (self.folder / "surface.json").unlink()
         done = endmill("verify", path, "--resolution", "1", "-o", "out", cwd=self.folder)
-        self.assertIn("the part that its summary names, ", done.stderr)
+        self.assert_refused(done, 3, "the part that its summary names, ", "--part FILE")
+        self.assertFalse((self.folder / "out").exists())
+        done = endmill("verify", path, "--part", "none", "--resolution", "1", "-o", "out", cwd=self.folder)
         self.assertIn("no part to judge by", done.stdout)
+
+    def test_a_program_is_judged_by_the_part_of_its_path(self):
+        path = self.planned("--mode", "verified")
+        endmill("post", path, "--feed", "500", "-o", "posted", cwd=self.folder)
+        facts = [self.verify(file, "--resolution", "1") for file in (path, "posted/toolpath.ngc")]
+        self.assertIsNotNone(facts[1]["part"])
+        for key in ("verdict", "judged_area_mm2"):
+            self.assertEqual(facts[0][key], facts[1][key])
+        # Coordinates of a program are rounded to 5e-5 mm.
+        self.assertAlmostEqual(facts[0]["max_scallop_mm"], facts[1]["max_scallop_mm"], delta=3e-4)
 
 
 class Volumes(VerifyTest):

@@ -215,6 +215,51 @@ TEST(Removal, ARapidMoveMayGoWhereNothingIsLeft)
     }
 }
 
+// Places upon a lattice of cells, so that many cells lie on the cutter's rim: whoever goes back
+// or up through what he has cut touches nothing, nor does a shank as wide as the cutter.
+TEST_P(RemovalOf, WhatIsOnTheRimIsNotTouchedOnTheWayOut)
+{
+    test::Random random{4};
+    const auto place = [&](double z) {
+        return Vec3{0.05 * std::round(random.uniform(-200, 200)),
+                    0.05 * std::round(random.uniform(-150, 150)), z};
+    };
+    for (int run = 0; run < 40; ++run) {
+        const Vec3 from = place(-3);
+        const Vec3 over = place(-3);
+        const Vec3 to = place(-3);
+        ToolPath path =
+            tip_path({from + Vec3{0, 0, 8}, from, over, to, over, over + Vec3{0, 0, 8}});
+        path.points[0].move = path.points[4].move = path.points[5].move = Move::Rapid;
+        HeightStock stock = small_block(0.1);
+        const Removal removal = remove_along(
+            stock, path, GetParam(), {{ToolCylinder{2 * GetParam().radius(), 8, 60}}});
+        EXPECT_EQ(removal.rapid_cuts.count, 0U) << run;
+        EXPECT_EQ(removal.collisions.count, 0U) << run;
+    }
+}
+
+// One pass through a block, at a feed: its rate is section times feed, and the mean is that of
+// the volume over the time.
+TEST(RemovalRates, AreVolumeByTime)
+{
+    HeightStock stock = small_block(0.5);
+    ToolPath path = tip_path({{-10, 0, -2}, {10, 0, -2}, {10, 0, 5}, {-10, 0, 5}});
+    path.conditions.resize(4);
+    path.conditions[1].feed_mm_per_min = 100;
+    path.conditions[2].feed_mm_per_min = 1000;
+    path.points[3].move = Move::Rapid;
+    const Removal removal = remove_along(stock, path, Cutter::flat(5));
+    EXPECT_NEAR(*removal_rate(removal, path, 1), 10 * 2 * 100, 1e-9);
+    EXPECT_FALSE(removal_rate(removal, path, 3));
+    const auto rates = removal_rates(removal, path);
+    EXPECT_NEAR(rates->greatest, 2000, 1e-9);
+    const double time_min = 20.0 / 100 + 7.0 / 1000;
+    EXPECT_NEAR(rates->mean, (removal.removed[1] + removal.removed[2]) / time_min, 1e-9);
+    path.conditions.clear();
+    EXPECT_FALSE(removal_rates(removal, path));
+}
+
 // The block is 12 thick: cut through, there is no height left below its bottom.
 TEST(Removal, GoesNoDeeperThanTheBottom)
 {

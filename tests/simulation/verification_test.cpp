@@ -169,6 +169,43 @@ TEST(VerifyPath, OfAPathThatOnlyComesNearSaysSo)
     EXPECT_EQ(near.find(" 0 mm"), std::string::npos);
 }
 
+// Between two rapids the ends of a cut are known by its start, too; a plunge by its end.
+TEST(DefaultBlock, ReachesFromWhereCutsBegin)
+{
+    ToolPath path = test::tip_path({{0, 3, 9}, {0, 3, 1}, {100, 3, 2}, {100, 3, 9}});
+    path.points[0].move = path.points[1].move = path.points[3].move = Move::Rapid;
+    const Block block = default_block(nullptr, path, Cutter::ball(5));
+    EXPECT_EQ(block.low, (Vec3{-5, -2, 0}));
+    EXPECT_EQ(block.high, (Vec3{105, 8, 2}));
+    path = test::tip_path({{0, 3, 9}, {0, 3, -4}}, Move::Plunge);
+    path.points[0].move = Move::Rapid;
+    EXPECT_EQ(default_block(nullptr, path, Cutter::ball(5)).low, (Vec3{-5, -2, -5}));
+    EXPECT_EQ(default_block(&plane, path, Cutter::ball(5)).low.z(), -5);
+}
+
+// Rays and stock are there at once; what is proposed fits.
+TEST(VerifyPath, WhatItProposesFitsTheMemory)
+{
+    const ToolPath path = finishing_path(2);
+    VerificationTask task = task_of(path, &plane);
+    task.resolution = 1e-3;
+    task.max_memory_gib = 0.02;
+    std::string what;
+    try {
+        verify_path(task);
+    } catch (const LimitError& error) {
+        what = error.what();
+    }
+    const std::string word = "a resolution of ";
+    const auto proposal = what.rfind(word);
+    ASSERT_NE(proposal, std::string::npos) << what;
+    task.resolution = std::stod(what.substr(proposal + word.size()));
+    EXPECT_EQ(verify_path(task).verdict, Verdict::Clean) << what;
+    const double cells = static_cast<double>(verify_path(task).rest.grid().columns) *
+                         verify_path(task).rest.grid().rows;
+    EXPECT_LT((cells * 8 + verify_path(task).deviation->rays * 16), 0.02 * 0x1p30);
+}
+
 TEST(VerifyPath, RefusesAResolutionThatDoesNotFitTheMemory)
 {
     const ToolPath path = finishing_path(2);

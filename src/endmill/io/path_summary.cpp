@@ -2,6 +2,7 @@
 #include "endmill/io/path_summary.h"
 
 #include <algorithm>
+#include <array>
 #include <system_error>
 
 #include "endmill/io/read_file.h"
@@ -45,6 +46,36 @@ std::optional<Cutter> cutter(const JsonValue& object)
     return cutter;
 }
 
+// The choice that `key` names.
+template <typename Choice, std::size_t count>
+Choice choice(const JsonValue& object, std::string_view key,
+              const std::array<std::string_view, count>& names)
+{
+    const JsonValue value = *known_member(object, key);
+    const auto found = std::ranges::find(names, value.text());
+    if (found == names.end()) {
+        std::string expected;
+        for (const std::string_view name : names)
+            expected += (expected.empty() ? "" : ", ") + std::string{name};
+        throw value.complaint(value.shown(), "one of " + expected);
+    }
+    return static_cast<Choice>(found - names.begin());
+}
+
+std::optional<PartReference> part(const JsonValue& root,
+                                  const std::filesystem::path& folder)
+{
+    const std::optional<std::string> file = text(root, "part");
+    if (!file)
+        return std::nullopt;
+    PartReference part{.file = folder / *file};
+    if (known_member(root, "part_units"))
+        part.units = choice<LengthUnit>(root, "part_units", length_unit_names);
+    if (known_member(root, "part_up"))
+        part.up = choice<UpAxis>(root, "part_up", up_axis_names);
+    return part;
+}
+
 }  // namespace
 
 std::optional<double> PathSummary::tolerance_mm() const
@@ -66,17 +97,15 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
         return std::nullopt;
     const JsonDocument document{read_file(path, limits), shown_path(path), limits};
     const JsonValue root = document.root();
-    const std::optional<std::string> part = text(root, "part");
-    return PathSummary{
-        text(root, "name"),
-        part ? std::optional{tool_path.parent_path() / *part} : std::nullopt,
-        cutter(root),
-        positive_number(root, "chord_tolerance_mm"),
-        positive_number(root, "inner_tolerance_mm"),
-        positive_number(root, "outer_tolerance_mm"),
-        positive_number(root, "scallop_mm"),
-        positive_number(root, "feed_mm_per_min"),
-        positive_number(root, "spindle_rpm")};
+    return PathSummary{text(root, "name"),
+                       part(root, tool_path.parent_path()),
+                       cutter(root),
+                       positive_number(root, "chord_tolerance_mm"),
+                       positive_number(root, "inner_tolerance_mm"),
+                       positive_number(root, "outer_tolerance_mm"),
+                       positive_number(root, "scallop_mm"),
+                       positive_number(root, "feed_mm_per_min"),
+                       positive_number(root, "spindle_rpm")};
 }
 
 }  // namespace endmill

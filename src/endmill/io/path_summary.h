@@ -6,15 +6,23 @@
 #include <string>
 
 #include "endmill/cutter/cutter.h"
+#include "endmill/io/mesh_file.h"
 #include "endmill/io/read_limits.h"
 
 namespace endmill {
+
+/// The part that a path was made for.
+struct PartReference {
+    std::filesystem::path file;         ///< from where the summary stands
+    LengthUnit units = LengthUnit::Mm;  ///< of a mesh
+    UpAxis up = UpAxis::Z;              ///< likewise
+};
 
 /// What the summary.json beside a tool path says that the path itself does not. What it
 /// does not say, or says is null, is none.
 struct PathSummary {
     std::optional<std::string> name;
-    std::optional<std::filesystem::path> part;  ///< file, from where the summary stands
+    std::optional<PartReference> part;
     std::optional<Cutter> cutter;
     std::optional<double> chord_tolerance_mm;
     std::optional<double> inner_tolerance_mm;  ///< gouge

@@ -2,7 +2,6 @@
 #include "endmill/io/removal_csv.h"
 
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "endmill/core/angle.h"
@@ -31,20 +30,6 @@ double rounded_degrees(double radians)
            angles_per_degree;
 }
 
-// Nothing if the move does not go at a feed, or takes no time.
-std::optional<double> rate(const ToolPath& path, std::size_t i, double length,
-                           double removed)
-{
-    if (path.conditions.empty() || path.points[i].move == Move::Rapid)
-        return std::nullopt;
-    const auto feed = path.conditions[i].feed_mm_per_min;
-    if (!feed || !(length > 0))
-        return std::nullopt;
-    // A length may be so small that this overflows: no time either.
-    const double rate = removed / length * *feed;
-    return std::isfinite(rate) ? std::optional{rate} : std::nullopt;
-}
-
 void append_row(std::string& text, const Removal& removal, const ToolPath& path,
                 std::size_t i)
 {
@@ -53,7 +38,7 @@ void append_row(std::string& text, const Removal& removal, const ToolPath& path,
     text += std::to_string(i);
     append(text, length);
     append(text, removal.removed[i]);
-    if (const auto per_min = rate(path, i, length, removal.removed[i]))
+    if (const auto per_min = removal_rate(removal, path, i))
         append(text, *per_min);
     else
         text += ',';

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <optional>
 
 #include "endmill/core/parallel.h"
 #include "endmill/simulation/tile_clearance.h"
@@ -12,6 +13,9 @@
 namespace endmill {
 namespace {
 
+// Of a radius: what must not touch is narrower by this, so that a cell upon the rim, where
+// rounding decides, does not count. Far above rounding, and below any clearance.
+constexpr double rim_share = 1e-9;
 // Moves that are compared with a tile at a time: then its plane is laid anew.
 constexpr int moves_at_a_time = 8;
 constexpr int tiles_in_group = MoveBins::group_side * MoveBins::group_side;
@@ -133,6 +137,14 @@ private:
                 body_depth =
                     std::max(body_depth,
                              body_depth_on_arrival(tile.heights, tile.place, body, move));
+        std::optional<double> rapid_depth;
+        if (move.is_rapid) {
+            std::array<double, HeightStock::tile_size> copy;
+            std::ranges::copy(tile.heights, copy.begin());
+            rapid_depth =
+                cut_tile(HeightStock::Tile{copy}, tile.place, tool_.slim_cutter, move)
+                    .deepest;
+        }
         const TileCut cut = cut_tile(tile.heights, tile.place, tool_.cutter, move);
         for (const BodyCylinder& body : tool_.body)
             body_depth = std::max(
@@ -140,7 +152,7 @@ private:
         if (body_depth > 0)
             raise_to(part_.body_depths[number], body_depth);
         if (cut.deepest > 0)
-            add(tile, number, cut);
+            add(tile, number, {cut.depths, rapid_depth.value_or(cut.deepest)});
     }
 
     void add(WorkedTile& tile, std::uint32_t number, const TileCut& cut)
@@ -180,9 +192,11 @@ std::vector<std::size_t> groups_with_moves(const MoveBins& bins)
 
 SweepingTool sweeping_tool(const Cutter& cutter, std::span<const ToolCylinder> body)
 {
-    SweepingTool tool{cutter, {}, cutter.radius()};
+    constexpr double slim = 1 - rim_share;
+    const Cutter slim_cutter{slim * cutter.radius(), slim * cutter.corner_radius()};
+    SweepingTool tool{cutter, slim_cutter, {}, cutter.radius()};
     for (const ToolCylinder& cylinder : body) {
-        tool.body.push_back({cylinder.diameter / 2, cylinder.from});
+        tool.body.push_back({slim * cylinder.diameter / 2, cylinder.from});
         tool.reach = std::max(tool.reach, cylinder.diameter / 2);
     }
     return tool;

@@ -16,8 +16,10 @@ namespace endmill {
 /// A cutter and the cylinders above it, as the loops want them.
 struct SweepingTool {
     Cutter cutter;
-    std::vector<BodyCylinder> body;
-    double reach;  ///< mm, radius of the widest of all
+    Cutter
+        slim_cutter;  ///< a little narrower: what a rapid must not bring into the stock
+    std::vector<BodyCylinder> body;  ///< as much narrower
+    double reach;                    ///< mm, radius of the widest of all
 };
 
 /// The tool of `cutter` and `body`.

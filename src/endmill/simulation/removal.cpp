@@ -48,6 +48,7 @@ std::vector<SweptMove> moves_from(const ToolPath& path, std::size_t first,
         const Vec3& to = path.points[k].location.tip;
         moves.push_back(swept_move(k == 0 ? to : path.points[k - 1].location.tip, to));
         moves.back().is_continued = k > 1 || (k == 1 && cuts_at_start(path));
+        moves.back().is_rapid = path.points[k].move == Move::Rapid;
     }
     return moves;
 }
@@ -87,6 +88,15 @@ void add_part(Removal& removal, const PartOfRemoval& part, const ToolPath& path,
     }
 }
 
+// Of the move to a point, in mm.
+double length_to(const ToolPath& path, std::size_t number)
+{
+    if (number == 0)
+        return 0;
+    return (path.points[number].location.tip - path.points[number - 1].location.tip)
+        .norm();
+}
+
 }  // namespace
 
 Removal remove_along(HeightStock& stock, const ToolPath& path, const Cutter& cutter,
@@ -115,6 +125,35 @@ Removal remove_along(HeightStock& stock, const ToolPath& path, const Cutter& cut
     removal.total = static_cast<double>(total) * unit;
     removal.left = height_range(stock);
     return removal;
+}
+
+std::optional<double> removal_rate(const Removal& removal, const ToolPath& path,
+                                   std::size_t number)
+{
+    if (path.conditions.empty() || path.points[number].move == Move::Rapid)
+        return std::nullopt;
+    const auto feed = path.conditions[number].feed_mm_per_min;
+    const double length = length_to(path, number);
+    if (!feed || !(length > 0))
+        return std::nullopt;
+    const double rate = removal.removed[number] / length * *feed;
+    return std::isfinite(rate) ? std::optional{rate} : std::nullopt;
+}
+
+std::optional<RemovalRates> removal_rates(const Removal& removal, const ToolPath& path)
+{
+    double greatest = 0;
+    double volume = 0;
+    double time_min = 0;
+    for (std::size_t k = 1; k < path.points.size(); ++k)
+        if (const auto rate = removal_rate(removal, path, k)) {
+            greatest = std::max(greatest, *rate);
+            volume += removal.removed[k];
+            time_min += length_to(path, k) / *path.conditions[k].feed_mm_per_min;
+        }
+    if (!(time_min > 0) || !std::isfinite(volume / time_min))
+        return std::nullopt;
+    return RemovalRates{greatest, volume / time_min};
 }
 
 }  // namespace endmill

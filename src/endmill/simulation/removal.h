@@ -32,8 +32,10 @@ struct MoveCount {
 /// What a path took from a stock, move by move. A move has the number of the point to
 /// which it leads.
 struct Removal {
-    std::vector<double> removed;      ///< mm^3, by each move; one a point
-    std::vector<double> deepest;      ///< mm, downwards at a cell, by each move
+    std::vector<double> removed;  ///< mm^3, by each move; one a point
+    /// mm, downwards at a cell, by each move; of a rapid at cells further inside the cutter
+    /// than 1e-9 of its radius, as on the rim itself rounding decides.
+    std::vector<double> deepest;
     double total = 0;                 ///< mm^3; the sum of all moves
     std::size_t air_moves = 0;        ///< that cut nothing
     MoveCount rapid_cuts;             ///< rapid moves that cut
@@ -65,5 +67,21 @@ struct Removal {
 /// \throws GeometryError if the axis of a point is not +z.
 Removal remove_along(HeightStock& stock, const ToolPath& path, const Cutter& cutter,
                      const RemovalOptions& options = {});
+
+/// What the move to point `number` takes in a minute, in mm^3: nothing without a feed, for a
+/// rapid, which does not go at it, for a move without length, and where the number would
+/// overflow.
+/// \pre `removal` is of `path`.
+std::optional<double> removal_rate(const Removal& removal, const ToolPath& path,
+                                   std::size_t number);
+
+/// The removal rates of a path, in mm^3/min.
+struct RemovalRates {
+    double greatest;
+    double mean;  ///< over the time of all moves that have a rate
+};
+
+/// \return nothing if no move has a rate. \pre As `removal_rate`.
+std::optional<RemovalRates> removal_rates(const Removal& removal, const ToolPath& path);
 
 }  // namespace endmill

@@ -22,6 +22,7 @@ struct SweptMove {
     /// It begins where the move before it ended, which has been taken: the stock is nowhere
     /// above the cutter at the start.
     bool is_continued = false;
+    bool is_rapid = false;  ///< it must not cut
 };
 
 /// \param from, to tips in mm.

@@ -65,19 +65,66 @@ double area_of(const Part& part)
     return sum;
 }
 
+double longest_side(const Block& block)
+{
+    return (block.high - block.low).maxCoeff();
+}
+
 // As many of ten to the power of what a number of so many digits is counted in.
 double units_of(double value, int digits)
 {
     return std::pow(10, digits - 1 - std::floor(std::log10(value)));
 }
 
-// The resolution at which the rays of the part fit, of two digits.
-double fitting_resolution(double area, double bytes)
-{
-    const double fitting = std::sqrt(spare * area * bytes_a_ray / bytes);
-    const double units = units_of(fitting, 2);
-    return std::ceil(fitting * units) / units;
-}
+// What stock and rays of a verification take at a resolution, in bytes.
+class MemoryNeed {
+public:
+    explicit MemoryNeed(const VerificationTask& task)
+        : task_{task},
+          area_{task.part ? area_of(*task.part) : 0}
+    {
+    }
+
+    double rays(double resolution) const
+    {
+        return area_ / (resolution * resolution) * bytes_a_ray;
+    }
+
+    // A stock that is given has a pitch of its own.
+    double both(double resolution) const
+    {
+        const double pitch = task_.stock ? task_.stock->grid().pitch : resolution;
+        return rays(resolution) +
+               required_bytes(task_.block, pitch, task_.extra_bytes_per_cell);
+    }
+
+    // The least resolution of two digits at which both fit, coarser than `resolution`.
+    double fitting_resolution(double resolution, double bytes) const
+    {
+        const double least =
+            std::max(resolution, std::sqrt(spare * area_ * bytes_a_ray /
+                                           std::min(bytes, most_rays * bytes_a_ray)));
+        double fitting = rounded_up(least);
+        while (both(fitting) > bytes)
+            fitting = rounded_up(fitting * (1 + two_digit_step));
+        return fitting;
+    }
+
+    double area() const { return area_; }  // mm^2
+
+private:
+    // Below the step of two digits, so that none is left out.
+    static constexpr double two_digit_step = 0.005;
+
+    static double rounded_up(double value)
+    {
+        const double units = units_of(value, 2);
+        return std::ceil(value * units) / units;
+    }
+
+    const VerificationTask& task_;
+    double area_;
+};
 
 // Three digits, rounded down.
 std::string at_least_text(double value)
@@ -99,28 +146,34 @@ std::string why_nothing_is_cut(double gap)
     return "cutter and part are at least " + at_least_text(gap) + " mm apart";
 }
 
-// Stock and rays: the larger of the two needs decides what is proposed.
+// Stock and rays live at the same time.
 void require_fitting(const VerificationTask& task)
 {
     require(std::isfinite(task.resolution) && task.resolution > 0,
             "verify_path: need 0 < resolution");
-    const double area = task.part ? area_of(*task.part) : 0;
-    const double bytes = area / (task.resolution * task.resolution) * bytes_a_ray;
-    const double limit = std::min(task.max_memory_gib * gib, most_rays * bytes_a_ray);
-    const double fitting = bytes > limit ? fitting_resolution(area, limit) : 0;
+    const double limit = task.max_memory_gib * gib;
     const double extra = task.extra_bytes_per_cell;
-    if (task.stock)
-        require_stock_memory(task.block, task.stock->grid().pitch, task.max_memory_gib,
-                             extra);
-    else if (fitting == 0 || required_bytes(task.block, fitting, extra) > limit)
-        require_stock_memory(task.block, task.resolution, task.max_memory_gib, extra);
-    if (fitting > 0)
-        throw LimitError{
-            "a part of " + to_text(std::round(area)) + " mm2 at a resolution of " +
-            to_text(task.resolution) + " mm would need about " +
-            to_text(std::ceil(bytes / gib * 10) / 10) + " GiB; expected at most " +
-            to_text(task.max_memory_gib) + " GiB (--max-memory), which a resolution of " +
-            to_text(fitting) + " mm fits"};
+    if (!task.part || task.stock)
+        require_stock_memory(task.block,
+                             task.stock ? task.stock->grid().pitch : task.resolution,
+                             limit / gib, extra);
+    const MemoryNeed need{task};
+    const double bytes = need.both(task.resolution);
+    if (!task.part ||
+        (bytes <= limit && need.rays(task.resolution) <= most_rays * bytes_a_ray))
+        return;
+    const double fixed =
+        task.stock ? need.both(std::numeric_limits<double>::infinity())
+                   : required_bytes(task.block, longest_side(task.block), extra);
+    std::string proposal;
+    if (fixed < limit)
+        proposal = ", which a resolution of " +
+                   to_text(need.fitting_resolution(task.resolution, limit)) + " mm fits";
+    throw LimitError{"a part of " + to_text(std::round(need.area())) +
+                     " mm2 and its stock at a resolution of " + to_text(task.resolution) +
+                     " mm would need about " + to_text(std::ceil(bytes / gib * 10) / 10) +
+                     " GiB; expected at most " + to_text(task.max_memory_gib) +
+                     " GiB (--max-memory)" + proposal};
 }
 
 std::optional<Deviation> deviation_of(const VerificationTask& task)
@@ -164,11 +217,19 @@ Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter
 {
     Block tips{Vec3::Constant(std::numeric_limits<double>::infinity()),
                Vec3::Constant(-std::numeric_limits<double>::infinity())};
-    for (const PathPoint& point : path.points)
-        if (point.move == Move::Cut || point.move == Move::Link) {
-            tips.low = tips.low.cwiseMin(point.location.tip);
-            tips.high = tips.high.cwiseMax(point.location.tip);
-        }
+    const auto add = [&](std::size_t number) {
+        const Vec3& tip = path.points[number].location.tip;
+        tips.low = tips.low.cwiseMin(tip);
+        tips.high = tips.high.cwiseMax(tip);
+    };
+    for (std::size_t k = 0; k < path.points.size(); ++k) {
+        const Move move = path.points[k].move;
+        const bool cuts_along = move == Move::Cut || move == Move::Link;
+        if (cuts_along || move == Move::Plunge)
+            add(k);
+        if (cuts_along && k > 0)
+            add(k - 1);
+    }
     if (!part && !tips.low.allFinite())
         throw GeometryError{
             "the path has no cutting move; expected one, a part or a "

@@ -13,8 +13,9 @@
 namespace endmill {
 
 /// The box of the part, widened by the cutter's radius sideways, from 1 mm below the
-/// lowest of part and tips to 1 mm above the part; without a part that of the cutting
-/// tips, up to the highest of them.
+/// lowest of part and tips to 1 mm above the part; without a part that of the tips, up to
+/// the highest of them. Tips are those of moves that cut, both ends of cuts and links and
+/// the lower end of plunges.
 /// Source: spec of the removal, section 3.
 /// \throws GeometryError if there is neither a part nor a tip.
 Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter);
