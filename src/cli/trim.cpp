@@ -31,6 +31,22 @@ void check_figure(const TrimOptions& options, const TrimInput& input)
                        std::to_string(input.sections.size() - 1));
 }
 
+// Planes that miss the part, in a gap between its surfaces.
+void warn_of_empty_planes(const TrimOptions& options, const TrimInput& input)
+{
+    const auto empty = std::ranges::count_if(
+        input.sections, [](const PlaneSection& plane) { return plane.curves.empty(); });
+    if (input.part && empty == std::ssize(input.sections))
+        throw GeometryError{
+            "no drive plane meets the part; expected other --planes, "
+            "--pitch or --direction-deg"};
+    if (input.part && empty > 0)
+        warn(options.common, options.part.path + ": " +
+                                 counted(static_cast<std::size_t>(empty), "drive plane") +
+                                 " of " + std::to_string(input.sections.size()) +
+                                 " miss the part");
+}
+
 struct Outcome {
     Json summary;
     std::string text;
@@ -73,6 +89,7 @@ ExitCode run_trim(const TrimOptions& options)
     check_trim_options(options);
     const TrimInput input = read_trim_input(options);
     check_figure(options, input);
+    warn_of_empty_planes(options, input);
     const std::string name = method_name(options);
     require_option(
         !input.drop_cutter || name == mesh_method || name == "all",

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <regex>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -207,15 +210,35 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
     return summary;
 }
 
+namespace {
+
+// Pictures that an earlier run left in a folder, of whichever plane.
+std::vector<std::string> section_pictures(const std::filesystem::path& folder)
+{
+    static const std::regex picture{R"(section-\d+\.svg)"};
+    std::vector<std::string> names;
+    std::error_code failed;
+    for (const auto& entry : std::filesystem::directory_iterator{folder, failed})
+        if (std::string name = entry.path().filename().string();
+            std::regex_match(name, picture))
+            names.push_back(std::move(name));
+    return names;
+}
+
+}  // namespace
+
 void write_sections(const TrimInput& input, OutputFolder& folder)
 {
     std::vector<std::string> prefixes{""};
     for (const TrimmingMethod& method : trimming_methods())
         prefixes.push_back(std::string{method.name} + "/");
-    for (const std::string& prefix : prefixes)
+    for (const std::string& prefix : prefixes) {
+        for (const std::string& name : section_pictures(folder.path() / prefix))
+            folder.remove_unless_written(prefix + name);
         for (const char* name :
              {"trimmed.csv", "loops.csv", "toolpath.csv", "trimmed.svg", "summary.json"})
             folder.remove_unless_written(prefix + name);
+    }
     folder.write("sections.csv",
                  sections_csv(curves_of(input), input.planes ? &*input.planes : nullptr));
 }

@@ -71,7 +71,7 @@ void add_method_options(CLI::App& command, TrimOptions& options)
         {"--m1-threshold", "MM", "at which method 1 sees a crossing; default 4 steps"},
         options.scan_threshold);
     add_choice<BranchSearch>(command, "--m3", options.search, searches,
-                             "how method 3 goes through two branches");
+                             "how method 3 goes through two branches; default march");
     command.add_flag("--explain", options.explain,
                      "a column in loops.csv: which rule cut it out");
 }
@@ -126,13 +126,13 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
     add_plane_options(command, options);
     add_method_options(command, options);
     add_choice<PassOrder>(command, "--order", options.order, orders,
-                          "in which sense neighbouring planes are cut");
+                          "in which sense neighbouring planes are cut; default zigzag");
     add_number(
         command,
         {"--safe-height", "MM", "where the cutter moves freely; default 5 above the part",
          NumberDomain::any()},
         options.safe_height);
-    add_number(command, {"--tolerance", "MM", "deepest gouge; default 0.01"},
+    add_number(command, {"--tolerance", "MM", "deepest gouge"},
                options.tolerance);
     add_whole_number(
         command,
@@ -156,8 +156,10 @@ void check_trim_options(const TrimOptions& options)
     require_option(has_curves || options.cutter, "--cutter is needed, such as ball:20");
     require_option(!has_curves || !options.refine,
                    "--refine and --polyline: curves have no surface to be refined on");
-    require_option(!(options.pitch && options.scallop),
-                   "--pitch and --scallop: expected one of them");
+    require_option(int{options.planes.has_value()} + int{options.pitch.has_value()} +
+                           int{options.scallop.has_value()} <
+                       2,
+                   "--planes, --pitch and --scallop: expected one of them");
     require_option(
         !options.scallop || !options.cutter || !options.cutter->is_flat(),
         "--scallop: a flat cutter leaves none on level ground; expected --pitch");

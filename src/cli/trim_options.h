@@ -19,7 +19,7 @@ struct TrimOptions {
     PartOptions part;      ///< its path is empty if curves are given
     std::string polyline;  ///< file of curves; empty if a part is given
     std::optional<Cutter> cutter;
-    int planes = 100;
+    std::optional<int> planes;      ///< default 100
     std::optional<double> pitch;    ///< mm, instead of a number of planes
     std::optional<double> scallop;  ///< mm on level ground, ditto
     double direction_deg = 0;       ///< of the feed, from +x

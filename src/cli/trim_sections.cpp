@@ -11,6 +11,7 @@
 #include "endmill/core/numbers.h"
 #include "endmill/cutter/reference_point.h"
 #include "endmill/interference/mesh_sections.h"
+#include "endmill/interference/trimming_memory.h"
 #include "endmill/io/polyline_csv.h"
 #include "endmill/io/printable.h"
 #include "endmill/planning/path_interval.h"
@@ -19,6 +20,8 @@
 
 namespace endmill {
 namespace {
+
+constexpr int default_planes = 100;
 
 using Clock = std::chrono::steady_clock;
 
@@ -47,7 +50,7 @@ DrivePlanes planes_over(const Interval& across, const TrimOptions& options)
     if (options.scallop)
         return drive_planes_by_pitch(frame, across,
                                      pitch_for(*options.scallop, *options.cutter));
-    return drive_planes(frame, across, options.planes);
+    return drive_planes(frame, across, options.planes.value_or(default_planes));
 }
 
 TrimInput curves_input(const TrimOptions& options)
@@ -69,11 +72,14 @@ void add_surface_sections(const std::vector<Surface>& surfaces,
     offset.grid_lines = options.grid;
     offset.boundary = boundary_contact(options);
     offset.allowance = options.allowance;
+    const DriveFrame frame{Angle::degrees(options.direction_deg)};
+    input.planes = planes_over(extent_across(surfaces, frame), options);
+    require_trimming_memory(
+        {surfaces.size(), options.grid, input.planes->positions.size(), offset.boundary},
+        options.common.limits.max_memory_gib);
     const auto start = Clock::now();
     input.offset = offset_mesh(surfaces, *options.cutter, offset);
     input.offset_ms = milliseconds_since(start);
-    const DriveFrame frame{Angle::degrees(options.direction_deg)};
-    input.planes = planes_over(extent_across(surfaces, frame), options);
     const auto slicing = Clock::now();
     input.sections =
         slice(input.offset->mesh, *input.planes, {input.offset->own_triangles});
@@ -87,6 +93,10 @@ void add_mesh_sections(const TriangleMesh& mesh, const TrimOptions& options,
                        TrimInput& input)
 {
     require_option(!mesh.triangles().empty(), "the mesh has no triangles");
+    require_option(!options.refine, "--refine: a mesh has no surface to be refined on");
+    require_option(
+        boundary_contact(options) == BoundaryContact::Contact,
+        "--boundary none: a drop cutter touches borders of a mesh as all else");
     const DriveFrame frame{Angle::degrees(options.direction_deg)};
     Interval across{std::numeric_limits<double>::infinity(),
                     -std::numeric_limits<double>::infinity()};
@@ -97,6 +107,8 @@ void add_mesh_sections(const TriangleMesh& mesh, const TrimOptions& options,
         input.highest = std::max(input.highest, point.z());
     }
     input.planes = planes_over(across, options);
+    require_trimming_memory({0, options.grid, input.planes->positions.size()},
+                            options.common.limits.max_memory_gib);
     const auto start = Clock::now();
     input.drop_cutter.emplace(mesh, with_allowance(*options.cutter, options.allowance));
     MeshSectionOptions sampling;

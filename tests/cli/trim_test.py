@@ -153,6 +153,7 @@ class Trim(ProgramTest):
     def test_what_does_not_go_together_is_refused(self):
         curves = self.file(LOOP, "t1.csv")
         part = self.file(plane())
+        dome = ROOT / "datasets/meshes/dome.stl"
         for words, message in (
                 ((), "PART or --polyline"),
                 ((part,), "--cutter is needed"),
@@ -163,6 +164,9 @@ class Trim(ProgramTest):
                 ((part, "--cutter", "ball:5", "--method", "4"), "--method"),
                 ((part, "--cutter", "flat:5", "--scallop", "0.1"), "flat cutter"),
                 ((part, "--cutter", "ball:5", "--figure", "100"), "--figure 100"),
+                ((part, "--cutter", "ball:5", "--planes", "3", "--pitch", "2"), "--planes, --pitch and --scallop"),
+                ((dome, "--cutter", "ball:5", "--refine"), "--refine"),
+                ((dome, "--cutter", "ball:5", "--boundary", "none"), "--boundary none"),
                 ((part, "--cutter", "ball:5", "--grid", "1"), "--grid")):
             self.assert_refused(endmill("trim", *words, cwd=self.folder), 2, message)
 
@@ -243,7 +247,40 @@ class Trim(ProgramTest):
         facts = self.summary("trim", self.file(apart), "--cutter", "ball:4", "--planes", "6", "--grid", "10",
                              "-o", "out")
         self.assertEqual((facts["planes"], facts["curves"]), (6, 2))
+        told = endmill("trim", "surface.json", "--cutter", "ball:4", "--planes", "6", "--grid", "10", "-o", "out", "--force",
+                       cwd=self.folder)
+        self.assertIn("4 drive planes of 6 miss the part", told.stderr)
         self.assertEqual({row["plane"] for row in table(self.folder / "out/trimmed.csv")}, {"0", "5"})
+
+
+    def test_planes_that_all_miss_are_refused(self):
+        sheets = [[[[0, y, 0], [30, y, 0]], [[0, y + 10, 0], [30, y + 10, 0]]] for y in (0, 50)]
+        apart = {"format": "endmill-surface/1", "type": "bezier-patches", "name": "apart", "patches": sheets}
+        done = endmill("trim", self.file(apart), "--cutter", "ball:4", "--planes", "1", "--grid", "10", "-o", "out",
+                       cwd=self.folder)
+        self.assert_refused(done, 4, "surface.json", "no drive plane meets the part")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_what_cannot_fit_the_memory_is_refused_before_the_work(self):
+        for words in (("--grid", "9000"), ("--planes", "300000", "--grid", "20")):
+            done = endmill("trim", VALLEY, "--cutter", "ball:20", *words, "--max-memory", "0.5", "-o", "out",
+                           cwd=self.folder)
+            self.assert_refused(done, 6, "GiB", "--max-memory", "--grid")
+            self.assertFalse((self.folder / "out").exists())
+
+    def test_a_later_run_leaves_no_picture_of_an_earlier_one(self):
+        run = ("trim", VALLEY, "--cutter", "ball:20", "--grid", "20", "--planes", "4", "--tolerance", "9", "-o", "out")
+        self.summary(*run, "--figure", "1")
+        self.summary(*run, "--figure", "2", "--force")
+        self.assertEqual([file.name for file in (self.folder / "out").glob("section-*.svg")], ["section-2.svg"])
+
+    def test_a_path_names_its_part_so_that_verify_judges_by_it(self):
+        self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "40", "--planes", "4", "--tolerance", "9", "-o",
+                     "out")
+        judged = endmill("verify", "out/toolpath.csv", "--resolution", "4", "--json", "-o", "judged", cwd=self.folder)
+        facts = json.loads(judged.stdout)
+        self.assertIn("valley.json", facts["part"])
+        self.assertGreater(facts["judged_area_mm2"], 1000)
 
 
 if __name__ == "__main__":

@@ -54,6 +54,21 @@ TEST(SurfaceGap, ToACylinderIsTheDistanceOfItsAxis)
     }
 }
 
+TEST(SurfaceGap, BelowALimitIsThereIfTheLeastIs)
+{
+    const std::vector<Surface> surfaces{cylinder()};
+    const PieceTree tree{surfaces, 1};
+    FinerPieces finer;
+    for (const double h : {6.0, 7.9, 8.1, 9.0}) {
+        const CutterCore core{Cutter::ball(3), {0.6 * h, 1, 0.8 * h}};
+        for (const double limit : {-1.0, -0.01, 0.0, 0.5}) {
+            // Not where the resolution decides.
+            ASSERT_GT(std::abs(h - 5 - 3 - limit), 1e-6);
+            EXPECT_EQ(has_gap_below(tree, core, 1e-9, limit, finer), h - 5 - 3 < limit);
+        }
+    }
+}
+
 TEST(SurfaceGap, IsNotLookedForAboveWhatIsEnough)
 {
     const std::vector<Surface> surfaces{cylinder()};

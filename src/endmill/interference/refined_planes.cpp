@@ -48,8 +48,8 @@ public:
 
     bool holds(const Vec3& reference, FinerPieces& finer) const
     {
-        return !surface_gap(tree_, CutterCore{cutter_, reference}, refined_gouge / 10,
-                            -refined_gouge, finer);
+        return !has_gap_below(tree_, CutterCore{cutter_, reference}, refined_gouge / 10,
+                              -refined_gouge, finer);
     }
 
 private:

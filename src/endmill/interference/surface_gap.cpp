@@ -2,6 +2,7 @@
 #include "endmill/interference/surface_gap.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -11,15 +12,21 @@ namespace {
 // Halvings of a piece: 2^-40 of it is below any resolution that rounding allows.
 constexpr int most_halvings = 80;
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// The least of all gaps, or any below what is enough.
+enum class Aim { Least, Any };
+
 // Boxes, then pieces, nearest first; keeps the least gap so far.
 class GapSearch {
 public:
     GapSearch(const PieceTree& tree, const CutterCore& core, double resolution,
-              FinerPieces& finer)
+              FinerPieces& finer, Aim aim)
         : tree_{tree},
           core_{core},
           resolution_{resolution},
-          finer_{finer}
+          finer_{finer},
+          aim_{aim}
     {
     }
 
@@ -137,7 +144,7 @@ private:
                 const Vec3 corner = piece.bezier.corner(end_u, end_v);
                 const double gap = core_.gap(corner);
                 if (gap < least_) {
-                    least_ = gap;
+                    least_ = aim_ == Aim::Any ? -infinite : gap;
                     found_ = SurfaceGap{gap, corner};
                 }
             }
@@ -148,6 +155,7 @@ private:
     const CutterCore& core_;
     double resolution_;
     FinerPieces& finer_;
+    Aim aim_;
     double least_ = 0;
     std::optional<SurfaceGap> found_;
 };
@@ -159,7 +167,14 @@ std::optional<SurfaceGap> surface_gap(const PieceTree& tree, const CutterCore& c
                                       FinerPieces& finer)
 {
     finer.limit_memory();
-    return GapSearch{tree, core, resolution, finer}.least(enough);
+    return GapSearch{tree, core, resolution, finer, Aim::Least}.least(enough);
+}
+
+bool has_gap_below(const PieceTree& tree, const CutterCore& core, double resolution,
+                   double limit, FinerPieces& finer)
+{
+    finer.limit_memory();
+    return GapSearch{tree, core, resolution, finer, Aim::Any}.least(limit).has_value();
 }
 
 }  // namespace endmill

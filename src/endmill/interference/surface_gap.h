@@ -23,4 +23,9 @@ std::optional<SurfaceGap> surface_gap(const PieceTree& tree, const CutterCore& c
                                       double resolution, double enough,
                                       FinerPieces& finer);
 
+/// Whether some gap is below `limit`, by more than `resolution` mm: quicker to tell than the
+/// least of them where the cutter is deep in the part.
+bool has_gap_below(const PieceTree& tree, const CutterCore& core, double resolution,
+                   double limit, FinerPieces& finer);
+
 }  // namespace endmill

@@ -165,7 +165,7 @@ void require_reachable(const Surface& surface, const Vec3& axis, double side)
     const std::string place = place_text(found->at, found->point);
     if (found->singular)
         throw GeometryError{"the surface has no normal at " + place};
-    throw GeometryError{"the ball cannot touch the surface at " + place +
+    throw GeometryError{"the cutter cannot touch the surface at " + place +
                         ", where normal . axis = " + to_text(found->normal_dot_axis) +
                         "; expected above 0 everywhere"};
 }
