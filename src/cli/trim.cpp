@@ -7,6 +7,7 @@
 #include "cli/trim_files.h"
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
+#include "endmill/interference/trimmed_planes.h"
 #include "endmill/io/printable.h"
 
 namespace endmill {
@@ -56,6 +57,10 @@ struct Outcome {
 Outcome trim_all(const TrimInput& input, const TrimOptions& options, OutputFolder& folder)
 {
     Outcome outcome;
+    // The first run pays for the start of the threads and for what is read first.
+    if (!input.drop_cutter)
+        trim_planes(input.sections, input.ranges, trimming_methods().front(),
+                    trimming_options(options, 1));
     for (const TrimmingMethod& method : trimming_methods()) {
         if (input.drop_cutter && method.name != mesh_method) {
             outcome.text += "method " + std::string{method.name} + ": not run, " +
@@ -71,6 +76,8 @@ Outcome trim_all(const TrimInput& input, const TrimOptions& options, OutputFolde
             outcome.is_good = is_good(result, options);
         outcome.summary["methods"][std::string{method.name}] = std::move(summary);
     }
+    if (!input.drop_cutter)
+        outcome.text += methods_text(outcome.summary["methods"]);
     folder.write("summary.json", outcome.summary.dump(2) + "\n");
     return outcome;
 }

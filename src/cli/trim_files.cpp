@@ -11,9 +11,11 @@
 #include <fmt/format.h>
 
 #include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
 #include "endmill/interference/clearance.h"
 #include "endmill/interference/refined_planes.h"
 #include "endmill/interference/trimmed_planes.h"
+#include "endmill/interference/trimming_quality.h"
 #include "endmill/io/section_csv.h"
 #include "endmill/io/section_svg.h"
 #include "endmill/io/tool_path_csv.h"
@@ -161,6 +163,26 @@ std::string trimmed_picture(const TrimResult& result, const TrimInput& input)
     return curves_svg(curves, figure);
 }
 
+// Rounding of coordinates of some 100 mm.
+constexpr double step_back_mm = 1e-10;
+
+Comparison comparison(const TrimInput& input, const TrimOptions& options,
+                      std::span<const Trimmed> trimmed)
+{
+    std::vector<TrimmingQuality> qualities(trimmed.size());
+    parallel_for(trimmed.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            qualities[k] = trimming_quality(input.sections[k].curves, trimmed[k]);
+    });
+    Comparison result;
+    for (const TrimmingQuality& quality : qualities) {
+        if (quality.step_back_mm > step_back_mm || quality.gouge_mm > options.tolerance)
+            ++result.wrong;
+        result.deepest_below_mm = std::max(result.deepest_below_mm, quality.gouge_mm);
+    }
+    return result;
+}
+
 }  // namespace
 
 TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
@@ -176,6 +198,8 @@ TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
                                                      result.options);
     result.trim_ms =
         std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    if (method_name(options) == "all" && !input.drop_cutter)
+        result.comparison = comparison(input, options, result.trimmed);
     if (input.offset)
         measure_sampling(input, options, result);
     for (std::size_t k = 0; k < result.trimmed.size(); ++k)

@@ -132,8 +132,7 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
         {"--safe-height", "MM", "where the cutter moves freely; default 5 above the part",
          NumberDomain::any()},
         options.safe_height);
-    add_number(command, {"--tolerance", "MM", "deepest gouge"},
-               options.tolerance);
+    add_number(command, {"--tolerance", "MM", "deepest gouge"}, options.tolerance);
     add_whole_number(
         command,
         {"--figure", "number of a plane to be drawn before and after", 0, most_planes},

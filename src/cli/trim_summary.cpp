@@ -69,6 +69,10 @@ Json trim_summary(const TrimInput& input, const TrimOptions& options,
     summary["offset_ms"] = input.offset ? Json(input.offset_ms) : Json(nullptr);
     summary["slice_ms"] = input.part ? Json(input.slice_ms) : Json(nullptr);
     summary["trim_ms"] = result.trim_ms;
+    if (result.comparison) {
+        summary["wrong_sections"] = result.comparison->wrong;
+        summary["max_below_envelope_mm"] = result.comparison->deepest_below_mm;
+    }
     summary["min_clearance_mm"] = or_null(result.min_clearance);
     summary["max_gouge_mm"] = or_null(max_gouge(result));
     if (input.offset) {
@@ -95,6 +99,23 @@ std::string trim_text(const Json& s)
     if (const auto left = s["unresolved"].get<std::size_t>())
         text += ", " + counted(left, "fold") + " left";
     return text + "\n";
+}
+
+std::string methods_text(const Json& methods)
+{
+    std::string text =
+        fmt::format("{:<10}{:>10}{:>8}{:>10}{:>12}{:>8}{:>22}\n", "method", "trim ms",
+                    "loops", "points", "folds left", "wrong", "below envelope mm");
+    for (const auto& [name, s] : methods.items())
+        text += fmt::format("{:<10}{:>10.3g}{:>8}{:>10}{:>12}{:>8}{:>22.3g}\n", name,
+                            s["trim_ms"].get<double>(), s["loops"].get<std::size_t>(),
+                            s["points"].get<std::size_t>(),
+                            s["unresolved"].get<std::size_t>(),
+                            s["wrong_sections"].get<std::size_t>(),
+                            s["max_below_envelope_mm"].get<double>());
+    return text +
+           "wrong: sections that step back, or lie more than --tolerance below the upper "
+           "envelope\n";
 }
 
 }  // namespace endmill

@@ -12,6 +12,12 @@
 
 namespace endmill {
 
+/// How what a method left is off the upper envelope of the sections.
+struct Comparison {
+    std::size_t wrong = 0;        ///< sections that step back, or lie too far below it
+    double deepest_below_mm = 0;  ///< the envelope, of all sections
+};
+
 /// What one method made of the sections.
 struct TrimResult {
     std::string method;
@@ -20,6 +26,7 @@ struct TrimResult {
     std::vector<std::vector<CutOut>> loops;  ///< one a plane
     ToolPath path;                           ///< empty for curves
     double trim_ms = 0;                      ///< wall time of the method
+    std::optional<Comparison> comparison;    ///< if all methods are compared
     std::optional<double> min_clearance;     ///< mm; none for curves, or without a path
     std::optional<double> sampling_error;    ///< mm
     std::optional<std::size_t> unrefined;    ///< if it was refined
@@ -37,5 +44,9 @@ Json trim_summary(const TrimInput& input, const TrimOptions& options,
 
 /// A line for people: counts, times and clearance.
 std::string trim_text(const Json& summary);
+
+/// What several methods made of the same sections, side by side: a table, a line a method.
+/// \param methods their summaries by name.
+std::string methods_text(const Json& methods);
 
 }  // namespace endmill

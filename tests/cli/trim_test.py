@@ -69,6 +69,8 @@ class Trim(ProgramTest):
         for name in names:
             last = [row["z_mm"] for row in table(self.folder / "out" / name / "trimmed.csv")]
             self.assertEqual((len(last), last[0], last[-1]), (3, "6", "6"), name)
+            self.assertEqual(facts["methods"][name]["wrong_sections"], 0, name)
+            self.assertLess(facts["methods"][name]["max_below_envelope_mm"], 1e-9, name)
 
     def test_a_fold_that_is_left_is_told(self):
         # Vector T5: nested loops, which the guarded methods leave.
