@@ -24,6 +24,10 @@ struct NumberDomain {
 
     static NumberDomain any() { return {}; }  ///< every finite number
     static NumberDomain positive() { return {0, "a number above 0"}; }  ///< above 0
+    static NumberDomain from_zero()                                     ///< 0 and above
+    {
+        return {-std::numeric_limits<double>::denorm_min(), "a number from 0"};
+    }
 };
 
 /// The finite number in `domain` that `text` spells.

@@ -39,6 +39,11 @@ void add_trim_command(CLI::App& program, Action& action);    ///< trim
 void add_verify_command(CLI::App& program, Action& action);  ///< what a path leaves
 void add_post_command(CLI::App& program, Action& action);    ///< a path for a machine
 void add_eval_command(CLI::App& program, Action& action);    ///< a formula by its name
-void add_cite_command(CLI::App& program, Action& action);    ///< the sources
+void add_feed_command(CLI::App& program, Action& action);    ///< how fast a path may go
+void add_coefficients_command(CLI::App& program,
+                              Action& action);  ///< of one engagement
+void add_toollife_command(CLI::App& program,
+                          Action& action);                 ///< economic cutting speed
+void add_cite_command(CLI::App& program, Action& action);  ///< the sources
 
 }  // namespace endmill

@@ -36,6 +36,9 @@ ExitCode run(int argc, char** argv, bool json_errors)
     add_trim_command(program, action);
     add_verify_command(program, action);
     add_post_command(program, action);
+    add_feed_command(program, action);
+    add_coefficients_command(program, action);
+    add_toollife_command(program, action);
     add_eval_command(program, action);
     add_cite_command(program, action);
     try {

@@ -66,6 +66,19 @@ TEST(ToolPathCsv, WritesWhatTheMachineIsTold)
     EXPECT_EQ(tool_path_csv(path), tool_path_csv({path.points}));
 }
 
+TEST(ToolPathCsv, SaysLastWhatLimitsEachMove)
+{
+    const ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 0},
+                         {0, 1, Move::Cut, {{1, 5, 3}, {0, 0, 1}}, {}, 0}},
+                        {{800.5, 6000, {}}, {{}, 6000, {}}}};
+    const std::vector<std::string_view> limits{"", "thrust"};
+    const std::string text = tool_path_csv(path, limits);
+    EXPECT_THAT(text, testing::HasSubstr(",feed_mm_per_min,spindle_rpm,limit\n"));
+    EXPECT_THAT(text, testing::HasSubstr(",800.5,6000,\n"));
+    EXPECT_THAT(text, testing::EndsWith(",,6000,thrust\n"));
+    EXPECT_THROW(tool_path_csv(path, std::vector<std::string_view>{"cap"}), DomainError);
+}
+
 TEST(ToolPathCsv, RefusesConditionsForSomePointsOnly)
 {
     ToolPath path = wavy_path(2, 5);

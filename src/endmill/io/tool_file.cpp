@@ -8,48 +8,16 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
-#include "endmill/io/file_format.h"
-#include "endmill/io/printable.h"
+#include "endmill/io/json_format.h"
 #include "endmill/io/read_file.h"
 #include "endmill/io/strict_json.h"
 
 namespace endmill {
 namespace {
 
-constexpr std::string_view format_family = "endmill-tool/";
 constexpr std::string_view format_name = "endmill-tool/1";
-constexpr std::size_t longest_name = 200;
 constexpr int most_flutes = 100;  // more are a mistake: no end mill has them
 constexpr double right_angle_deg = 90;
-
-void check_content(std::string_view content, const std::string& file)
-{
-    const auto format = recognized_format(content);
-    if (format == "JSON")
-        return;
-    throw FormatError{
-        "E_FORMAT",
-        {file, "",
-         format ? "content looks like " + std::string{*format} : "content is not JSON",
-         "JSON of format \"endmill-tool/1\""}};
-}
-
-// First of all keys, since a newer version may have others.
-void check_format(const JsonValue& root)
-{
-    const JsonValue value = root.member("format");
-    const std::string format = value.text();
-    if (format == format_name)
-        return;
-    const std::string expected = "\"endmill-tool/1\"";
-    if (format.starts_with(format_family)) {
-        const auto version =
-            number_from_text(std::string_view{format}.substr(format_family.size()));
-        if (version && *version > 1)
-            throw value.complaint("made by a newer version: " + value.shown(), expected);
-    }
-    throw value.complaint(value.shown(), expected, "E_FORMAT");
-}
 
 Cutter cutter(const JsonValue& root)
 {
@@ -61,19 +29,12 @@ Cutter cutter(const JsonValue& root)
 
 double positive(const JsonValue& value, double most)
 {
-    const double number = value.number();
-    if (!(number > 0 && number <= most))
-        throw value.complaint(value.shown(),
-                              "a number above 0, at most " + to_text(most));
-    return number;
+    return number_in(value, {.above = 0, .most = most});
 }
 
 double not_negative(const JsonValue& value, double most)
 {
-    const double number = value.number();
-    if (!(number >= 0 && number <= most))
-        throw value.complaint(value.shown(), "a number from 0 to " + to_text(most));
-    return number;
+    return number_in(value, {.above = 0, .most = most, .from = true});
 }
 
 ToolCylinder cylinder(const JsonValue& value, double most_mm)
@@ -140,18 +101,15 @@ Tool parse_tool(std::string_view content, const std::filesystem::path& path,
         "format",    "name",      "source", "cutter", "flutes",
         "helix_deg", "length_mm", "limits", "shank",  "holder"};
     const std::string file = shown_path(path);
-    check_content(content, file);
+    require_json(content, file, format_name);
     const JsonDocument document{content, file, limits};
     const JsonValue root = document.root();
-    check_format(root);
+    require_format(root, format_name);
     root.allow_only(keys);
 
     Tool tool{.cutter = cutter(root)};
-    const auto name = root.find_member("name");
-    tool.name =
-        name ? printable(name->text(), longest_name) : printable(path.stem().string());
-    if (const auto source = root.find_member("source"))
-        source->text();  // said for a reader; only that it is a text is checked
+    tool.name = name_or_stem(root, path);
+    remark(root, "source");  // said for a reader; only that it is a text is checked
     if (const auto flutes = root.find_member("flutes"))
         tool.flutes = static_cast<int>(flutes->whole_number(1, most_flutes));
     tool.helix = helix(root);

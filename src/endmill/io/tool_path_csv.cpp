@@ -53,6 +53,7 @@ struct OptionalColumns {
     bool patch = false;
     bool feed = false;
     bool speed = false;
+    bool limit = false;
 };
 
 OptionalColumns optional_columns(const ToolPath& path)
@@ -72,7 +73,8 @@ class RowWriter {
 public:
     explicit RowWriter(const OptionalColumns& columns) : columns_{columns} {}
 
-    void append(std::string& text, const PathPoint& point, const CuttingConditions& told)
+    void append(std::string& text, const PathPoint& point, const CuttingConditions& told,
+                std::string_view limit)
     {
         text += std::to_string(point.pass);
         text += ',';
@@ -101,6 +103,10 @@ public:
             append(text, told.feed_mm_per_min, 14);
         if (columns_.speed)
             append(text, told.spindle_rpm, 15);
+        if (columns_.limit) {
+            text += ',';
+            text += limit;
+        }
         text += '\n';
     }
 
@@ -132,34 +138,56 @@ std::string header(const OptionalColumns& columns)
     line += contact_columns;
     line += columns.feed ? ",feed_mm_per_min" : "";
     line += columns.speed ? ",spindle_rpm" : "";
+    line += columns.limit ? ",limit" : "";
     line += '\n';
     return line;
 }
 
+// What is written: a path, and a word a point, or none at all.
+struct Table {
+    const ToolPath& path;
+    std::span<const std::string_view> limits;
+    OptionalColumns columns;
+};
+
 // The lines of `count` points, beginning without what came before them: chunks are
 // independent of each other.
-std::string rows(const ToolPath& path, const OptionalColumns& columns, std::size_t first,
-                 std::size_t count)
+std::string rows(const Table& table, std::size_t first, std::size_t count)
 {
-    RowWriter writer{columns};
+    RowWriter writer{table.columns};
     std::string text;
     for (std::size_t i = first; i < first + count; ++i)
-        writer.append(text, path.points[i],
-                      path.conditions.empty() ? CuttingConditions{} : path.conditions[i]);
+        writer.append(text, table.path.points[i],
+                      table.path.conditions.empty() ? CuttingConditions{}
+                                                    : table.path.conditions[i],
+                      table.columns.limit ? table.limits[i] : std::string_view{});
     return text;
+}
+
+std::string table_text(const Table& table)
+{
+    require(table.path.conditions.empty() ||
+                table.path.conditions.size() == table.path.points.size(),
+            "tool_path_csv: need conditions for no point or for all");
+    return joined_rows(
+        header(table.columns), table.path.points.size(),
+        [&](std::size_t first, std::size_t count) { return rows(table, first, count); });
 }
 
 }  // namespace
 
 std::string tool_path_csv(const ToolPath& path)
 {
-    require(path.conditions.empty() || path.conditions.size() == path.points.size(),
-            "tool_path_csv: need conditions for no point or for all");
-    const OptionalColumns columns = optional_columns(path);
-    return joined_rows(header(columns), path.points.size(),
-                       [&](std::size_t first, std::size_t count) {
-                           return rows(path, columns, first, count);
-                       });
+    return table_text({path, {}, optional_columns(path)});
+}
+
+std::string tool_path_csv(const ToolPath& path, std::span<const std::string_view> limits)
+{
+    require(limits.size() == path.points.size(),
+            "tool_path_csv: need a limit for every point");
+    OptionalColumns columns = optional_columns(path);
+    columns.limit = true;
+    return table_text({path, limits, columns});
 }
 
 }  // namespace endmill

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "endmill/path/tool_path.h"
 
@@ -16,5 +18,10 @@ namespace endmill {
 /// \throws DomainError if a number is not finite, or there are conditions for some points
 /// and not for all.
 std::string tool_path_csv(const ToolPath& path);
+
+/// The same with a last column, limit: what keeps the feed of each move from being higher.
+/// \param limits words without commas and quotes, one a point; empty where there is none.
+/// \throws DomainError as above, or unless there is a word for each point.
+std::string tool_path_csv(const ToolPath& path, std::span<const std::string_view> limits);
 
 }  // namespace endmill

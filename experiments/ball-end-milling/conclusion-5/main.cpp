@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Conclusion 5 of Park & Maeng, "less danger of breaking the tip, less wear at the outer edge":
+// force near the stock's top and life used up, at the constant feed and at the varied one.
+//
+//   ball-end-milling-conclusion-5 OUTPUT_FOLDER
+//
+// Deterministic, under 20 s. Columns and verdicts: README.md beside this.
+
+#include "endmill/process/tool_life.h"
+#include "support/experiment.h"
+#include "support/milling_jobs.h"
+#include "support/stroke_comparison.h"
+#include "support/wear_and_force.h"
+
+using namespace endmill;
+
+int main(int argc, char** argv)
+{
+    return run_experiment(
+        argc, argv, "ball-end-milling/conclusion-5", [](Experiment& run) {
+            CsvTable result{{"row", "shallow_force_n", "force_n", "used_life",
+                             "shallow_force_falls", "used_life_falls"}};
+            const std::vector<SegmentCut> cuts = reference_cuts();
+            const auto materials = run.texts("materials");
+            const auto feeds = run.numbers("constant_feeds_mm_per_min");
+            const auto speeds = run.numbers("constant_speeds_rpm");
+            const double depth = run.number("shallow_radii") * reference_passes().radius;
+            const double life = run.number("tool_life_min");
+            const FeedPlanOptions options{.accuracy = run.number("accuracy")};
+            for (std::size_t i = 0; i < materials.size(); ++i) {
+                const MillingJob job = reference_job(materials[i]);
+                const auto add = [&](const std::string& row, const auto& moves) {
+                    const PeakForces peaks = peak_forces(moves, job, depth);
+                    const double used = used_life(moves, job, life);
+                    add_named(result, materials[i] + ", " + row,
+                              {{"shallow_force_n", peaks.shallow_n},
+                               {"force_n", peaks.all_n},
+                               {"used_life", used}});
+                    return std::pair{peaks.shallow_n, used};
+                };
+                const auto constant =
+                    add("constant",
+                        constant_moves(cuts, job.tool.flutes, feeds.at(i), speeds.at(i)));
+                const auto varied =
+                    add("varied", milled_moves(cuts, feed_plan(cuts, job, options), {}));
+                add_named(result, materials[i] + ", claims",
+                          {{"shallow_force_falls", word(varied.first < constant.first)},
+                           {"used_life_falls", word(varied.second < constant.second)}});
+            }
+            run.write_result(result);
+        });
+}

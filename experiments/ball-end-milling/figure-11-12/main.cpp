@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figures 11 and 12 of Park & Maeng on a saddle of our own, for theirs is not given: shape and
+// path, geometry, feed and spindle speed for steel.
+//
+//   ball-end-milling-figure-11-12 OUTPUT_FOLDER
+//
+// Deterministic, under 2 s. Columns and verdicts: README.md beside this.
+
+#include "endmill/io/surface_svg.h"
+#include "endmill/io/tool_path_svg.h"
+#include "support/along_path.h"
+#include "support/milling_jobs.h"
+#include "support/passes_table.h"
+
+using namespace endmill;
+
+namespace {
+
+constexpr double above_stock_mm = 5;  // of tips that return
+
+OneWayPasses saddle_passes(double over_the_top_mm)
+{
+    OneWayPasses plan = reference_passes();
+    plan.surface = bicycle_saddle;
+    plan.extent = {{-90, 90}, {-20, 20}};
+    plan.stock_top =
+        surface_facts(plan.surface, plan.extent, 0, 240).greatest_z_mm + over_the_top_mm;
+    return plan;
+}
+
+void write_figures(Experiment& run, const OneWayPasses& plan, const MilledPath& milled)
+{
+    const SurfaceDrawing surface{.figure = {.title = "A saddle of our own"},
+                                 .spaces_per_patch = 2};
+    run.write("saddle.svg",
+              surface_svg(gridded(plan.surface, plan.extent, 24, 12), surface));
+    const ToolPath path =
+        milled_tool_path(milled, plan.radius, plan.stock_top + above_stock_mm);
+    run.write("path.svg", tool_path_svg(path, {.title = "Cutter path over it, tips"}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return run_experiment(
+        argc, argv, "ball-end-milling/figure-11-12", [](Experiment& run) {
+            CsvTable result{{"row", "least_z_mm", "greatest_z_mm", "area_mm2",
+                             "steepest_deg", "least_radius_mm", "above_stock_percent",
+                             "passes", "segments", "cl_length_mm", "least", "mean",
+                             "greatest", "jumps", "cut_min", "mean_feed_mm_per_min"}};
+            const OneWayPasses plan = saddle_passes(run.number("least_depth_mm"));
+            const MilledPath milled = milled_path(plan);
+            const FeedPlan feeds =
+                feed_plan(milled.cuts, reference_job(run.text("material")),
+                          {.accuracy = run.number("accuracy")});
+            add_named(result, "surface", surface_cells(plan));
+            add_named(result, "path", path_cells(plan));
+            add_geometry(result, milled.cuts);
+            add_feeds(result, run.text("material"), milled.cuts, feeds);
+            add_named(
+                result, "cutting",
+                {{"cut_min", feeds.totals.cut_min},
+                 {"mean_feed_mm_per_min", feeds.totals.length_mm / feeds.totals.cut_min},
+                 {"jumps",
+                  std::int64_t{cap_jumps(milled.cuts, feeds, plan.radius / 2).count}}});
+            run.write_result(result);
+            write_along(run, run.text("material"),
+                        "Feed along the path, our saddle, steel", milled.cuts, feeds);
+            write_figures(run, plan, milled);
+        });
+}

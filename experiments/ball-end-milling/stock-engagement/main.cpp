@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the paper could not do: the engagement of the path REF in the simulated stock beside the
+// idealised one, and the true peak of the force along the plans of both.
+//
+//   ball-end-milling-stock-engagement OUTPUT_FOLDER
+//
+// Deterministic, under 60 s on one core. Columns: README.md beside this.
+
+#include "endmill/core/numbers.h"
+#include "endmill/process/front_load.h"
+#include "endmill/process/segment_load.h"
+#include "support/experiment.h"
+#include "support/milling_jobs.h"
+#include "support/peak_force_table.h"
+
+using namespace endmill;
+
+int main(int argc, char** argv)
+{
+    return run_experiment(
+        argc, argv, "ball-end-milling/stock-engagement", [](Experiment& run) {
+            CsvTable result{{"row", "mean_i5", "mean_i7", "removed_mm3", "cut_min",
+                             "infeasible", "idealised_peak_n", "idealised_over_percent",
+                             "simulated_peak_n", "simulated_over_percent"}};
+            const OneWayPasses plan = reference_passes();
+            const MilledPath milled = milled_path(plan);
+            const SimulatedCuts simulated =
+                simulated_cuts(plan, milled, run.number("pitch_mm"));
+            add_engagements(result, milled.cuts, simulated, plan.radius);
+            const FeedPlanOptions paper{.accuracy = run.number("accuracy")};
+            FeedPlanOptions direct = paper;
+            direct.peak = PeakRule::Direct;
+            for (const std::string& material : run.texts("materials")) {
+                const PeakForceRun judged{milled.cuts, simulated,
+                                          reference_job(material)};
+                CsvTable along = judged.along_table();
+                const auto add = [&](const std::string& name, const FeedPlan& feeds) {
+                    judged.add(result, along, material + ", " + name, feeds);
+                };
+                add("idealised, R_m = 1.8", feed_plan(milled.cuts, judged.job, paper));
+                add("idealised, direct", feed_plan(milled.cuts, judged.job, direct));
+                add("simulated, R_m = 1.8",
+                    simulated_plan(milled.cuts, simulated, judged.job, paper));
+                add("simulated, direct",
+                    simulated_plan(milled.cuts, simulated, judged.job, direct));
+                run.write(material + "-peaks.csv", along.text());
+            }
+            run.write_result(result);
+        });
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "endmill/process/feed_plan.h"
+#include "support/one_way_passes.h"
+
+namespace endmill {
+
+/// The calibrated set of datasets/ for a material, "steel" or "aluminium": the file of the
+/// material, the tool that both share, the machine as set for the material.
+/// Source: spec of ball-end milling, section 8, REF set.
+MillingJob reference_job(const std::string& material);
+
+/// The path REF: the formula's test surface, a ball of 5 mm, passes along x.
+OneWayPasses reference_passes();
+
+/// Its moves, their lengths stretched to the 5385.6 mm that the paper prints.
+std::vector<SegmentCut> reference_cuts();
+
+/// The share of the length at a limit, 0 … 1.
+double limit_share(const FeedPlanTotals& totals, FeedLimit limit);
+double limit_share(const FeedPlanTotals& totals, SpeedLimit limit);  ///< see above
+
+}  // namespace endmill

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "support/named_cells.h"
+#include "support/one_way_passes.h"
+
+namespace endmill {
+
+/// What the surface of `plan` is like: least_z_mm, greatest_z_mm, area_mm2, steepest_deg,
+/// least_radius_mm, above_stock_percent (of the rectangle).
+NamedCells surface_cells(const OneWayPasses& plan);
+
+/// passes, segments, cl_length_mm of the path.
+NamedCells path_cells(const OneWayPasses& plan);
+
+/// The same, and beside_print_percent, by how much it is longer than `printed_mm`.
+NamedCells path_cells(const OneWayPasses& plan, double printed_mm);
+
+/// The same passes over the spline through a mesh of `intervals_x` by `intervals_y` of their
+/// surface.
+OneWayPasses on_mesh(OneWayPasses plan, int intervals_x, int intervals_y);
+
+}  // namespace endmill

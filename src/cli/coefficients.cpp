@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// endmill coefficients: the cutting action coefficients of one engagement, and its forces.
+
+#include <array>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "build_facts.h"
+#include "cli/coefficients_options.h"
+#include "cli/console.h"
+#include "cli/surface_facts.h"
+#include "endmill/core/angle.h"
+#include "endmill/core/error.h"
+#include "endmill/io/force_profile_csv.h"
+#include "endmill/io/material_file.h"
+#include "endmill/io/output_folder.h"
+#include "endmill/io/printable.h"
+#include "endmill/process/force_pattern.h"
+#include "endmill/process/force_profile.h"
+
+namespace endmill {
+namespace {
+
+constexpr int profile_angles = 360;
+
+BallEngagement engagement_of(const CoefficientsOptions& options)
+{
+    if (options.previous == PreviousPass::Pass && !options.pick_feed_ratio)
+        throw DomainError{
+            "--pick-feed-ratio: expected a number from 0, or --previous none or edge"};
+    return {.mu = Angle::degrees(options.mu_deg).radians(),
+            .lambda = Angle::degrees(options.lambda_deg).radians(),
+            .pick_feed_ratio = options.pick_feed_ratio.value_or(0),
+            .depth_ratio = options.depth_ratio,
+            .previous = options.previous};
+}
+
+// The cutter as far as it is told; the size does not matter to what is a ratio.
+MillingTool tool_of(const CoefficientsOptions& options)
+{
+    return {.radius = options.diameter_mm.value_or(2) / 2,
+            .flutes = options.flutes.value_or(1),
+            .helix = Angle::degrees(options.helix_deg.value_or(0)).radians()};
+}
+
+bool has_forces(const CoefficientsOptions& options)
+{
+    return !options.material.empty() && options.feed_per_tooth_mm &&
+           options.diameter_mm && options.flutes;
+}
+
+void add_coefficients(Json& summary, const CuttingCoefficients& c)
+{
+    const std::array all{c.I1, c.I2, c.I3, c.I4, c.I5, c.I6, c.I7, c.I8};
+    for (std::size_t k = 0; k < all.size(); ++k)
+        summary["I" + std::to_string(k + 1)] = all[k];
+}
+
+void add_force(Json& summary, const CuttingForce& force)
+{
+    summary["force_x_n"] = force.x_n;
+    summary["force_y_n"] = force.y_n;
+    summary["force_z_n"] = force.z_n;
+    summary["torque_n_m"] = force.torque_n_m;
+}
+
+std::string profile_text(const MillingCut& cut)
+{
+    const ForceProfile profile{cut};
+    std::vector<double> angles;
+    std::vector<CuttingForce> forces;
+    for (int k = 0; k < profile_angles; ++k) {
+        angles.push_back(2 * std::numbers::pi * k / profile_angles);
+        forces.push_back(profile.at(angles.back()));
+    }
+    return force_profile_csv(angles, forces);
+}
+
+// \return the folder that was written to, if any.
+std::string write_results(const CoefficientsOptions& options, const Json& summary,
+                          const std::optional<std::string>& profile)
+{
+    if (options.common.output.empty() && !profile)
+        return {};
+    OutputFolder folder{output_folder("profile", "coefficients", options.common),
+                        options.common.force};
+    if (!options.material.empty())
+        folder.protect(options.material);
+    folder.write("summary.json", summary.dump(2) + "\n");
+    if (profile)
+        folder.write("profile.csv", *profile);
+    folder.remove_unless_written("profile.csv");
+    folder.publish();
+    return folder.path().string();
+}
+
+ExitCode run_coefficients(const CoefficientsOptions& options)
+{
+    const BallEngagement engagement = engagement_of(options);
+    const ChipModel chip = options.chip.value_or(ChipModel::Paper);
+    const MillingTool tool = tool_of(options);
+    const CuttingCoefficients coefficients =
+        cutting_coefficients(engagement, chip, options.accuracy);
+    Json summary;
+    add_coefficients(summary, coefficients);
+    summary["engaged_angle_deg"] = Angle::radians(engaged_angle(engagement)).degrees();
+    if (options.flutes && options.helix_deg)
+        summary["peak_factor"] = ForcePattern{engagement, chip, tool}.peak_factor();
+    std::optional<std::string> profile;
+    if (has_forces(options)) {
+        const CuttingMaterial material =
+            read_material(options.material, options.common.limits);
+        add_force(summary, mean_force(coefficients, material, tool,
+                                      *options.feed_per_tooth_mm, options.milling));
+        if (options.has_profile && options.helix_deg)
+            profile = profile_text(
+                {engagement,
+                 chip,
+                 material,
+                 tool,
+                 *options.feed_per_tooth_mm,
+                 options.milling,
+                 {options.runout_mm, Angle::degrees(options.runout_deg).radians()}});
+    }
+    if (options.has_profile && !profile)
+        throw DomainError{
+            "--profile: expected --material, --feed-per-tooth, --cutter, --flutes and "
+            "--helix-deg"};
+    const std::string folder = write_results(options, summary, profile);
+    std::string text;
+    for (const auto& [key, value] : summary.items())
+        text += key + " = " + value.dump() + "\n";
+    print_result(options.common, summary,
+                 folder.empty() ? text : text + "written to " + printable(folder) + "\n");
+    return ExitCode::Yes;
+}
+
+}  // namespace
+
+void add_coefficients_command(CLI::App& program, Action& action)
+{
+    CLI::App* command = program.add_subcommand(
+        "coefficients", "cutting action coefficients of a ball-end mill, and its forces");
+    const auto options = std::make_shared<CoefficientsOptions>();
+    add_coefficients_options(*command, *options);
+    command->footer(
+        "I1 to I8 are means over a turn of one tooth, in ball radii. With --flutes and\n"
+        "--helix-deg also peak_factor, largest over mean torque; with --material,\n"
+        "--feed-per-tooth, --cutter and --flutes the mean forces on the work: x along "
+        "the\n"
+        "feed, y across it towards the stock, z upwards. Prints; writes summary.json "
+        "only\n"
+        "with --output or --profile (default ./profile-coefficients).\n\n"
+        "Example:\n  endmill coefficients --mu-deg 0 --lambda-deg -17 --pick-feed-ratio "
+        "0.5 --depth-ratio 1\n    --flutes 2 --helix-deg 30 --cutter ball:10 "
+        "--feed-per-tooth 0.1\n    --material datasets/materials/steel.json");
+    command->callback([options, &action] {
+        action = [options] { return run_coefficients(*options); };
+    });
+}
+
+}  // namespace endmill

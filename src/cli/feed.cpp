@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// endmill feed: how fast each move of a path may go.
+
+#include <memory>
+
+#include "cli/console.h"
+#include "cli/feed_cuts.h"
+#include "cli/feed_files.h"
+#include "endmill/core/error.h"
+#include "endmill/io/output_folder.h"
+#include "endmill/io/printable.h"
+#include "endmill/process/fed_path.h"
+#include "endmill/process/planned_feed.h"
+
+namespace endmill {
+namespace {
+
+constexpr double mm_per_m = 1000;
+constexpr double s_per_min = 60;
+
+std::optional<double> planned_minutes(const ToolPath& path, const SegmentCuts& cuts,
+                                      const FeedInput& input,
+                                      const FeedCommandOptions& options)
+{
+    if (options.mode != FeedMode::Planned)
+        return std::nullopt;
+    const double acceleration = input.job.machine.acceleration_m_per_s2.value();
+    const std::vector<double> times =
+        planned_times(path, {mm_per_m * acceleration, options.corner_tolerance});
+    double sum = 0;
+    for (const std::size_t point : cuts.points)
+        sum += times[point];
+    return sum / s_per_min;
+}
+
+FeedTimes times_of(const FeedPlan& plan, const ToolPath& path, const SegmentCuts& cuts,
+                   const FeedCommandOptions& options)
+{
+    std::optional<double> noncut = options.noncut_min;
+    if (options.rapid_mm_per_min)
+        noncut = noncut_minutes(path, cuts.points, *options.rapid_mm_per_min);
+    return feed_times({plan.totals.length_mm, plan.totals.cut_min, noncut,
+                       options.constant_feed_mm_per_min});
+}
+
+ExitCode run_feed(const FeedCommandOptions& options)
+{
+    const FeedInput input = read_feed_input(options);
+    for (const std::string& remark : input.program.remarks)
+        warn(options.common, options.path.file + ": " + remark);
+    const SegmentCuts cuts = feed_cuts(input, options);
+    const FeedPlan plan = cuts_plan(input, cuts, options);
+    const ToolPath path = fed_path(input.program.path, cuts.points, plan.rows,
+                                   options.plunge_feed_mm_per_min);
+    OutputFolder folder{output_folder(options.path.file, "feed", options.common),
+                        options.common.force};
+    for (const std::string& file : files_of(input, options))
+        folder.protect(file);
+    const Json summary =
+        write_feed({input, options, cuts, plan, path, times_of(plan, path, cuts, options),
+                    planned_minutes(path, cuts, input, options), folder.path()},
+                   folder);
+    folder.publish();
+    print_result(
+        options.common, summary,
+        feed_text(summary) + "written to " + printable(folder.path().string()) + "\n");
+    if (plan.totals.infeasible == 0)
+        return ExitCode::Yes;
+    const std::string told = options.path.file + ": " + infeasible_text(summary);
+    if (options.allow_infeasible) {
+        warn(options.common, told);
+        return ExitCode::Yes;
+    }
+    report_error("E_INFEASIBLE", told, ExitCode::No, options.common.json_errors);
+    return ExitCode::No;
+}
+
+}  // namespace
+
+void add_feed_command(CLI::App& program, Action& action)
+{
+    CLI::App* command = program.add_subcommand(
+        "feed", "feed and spindle speed of every move of a ball-end mill");
+    const auto options = std::make_shared<FeedCommandOptions>();
+    add_feed_options(*command, *options);
+    command->footer(
+        "Writes toolpath.csv, engagement.csv (a row a cutting move), feed.svg and\n"
+        "summary.json to --output (default ./NAME-feed); of a machine program also\n"
+        "NAME-feed.ngc. The axis is +z. Exit 1 if no feed satisfies the limits "
+        "somewhere:\n"
+        "the least is used there, unless --allow-infeasible.\n\n"
+        "Example:\n  endmill plan datasets/surfaces/saddle.json --cutter ball:10 "
+        "--order one-way\n    --direction u -o results\n"
+        "  endmill feed results/toolpath.csv --material datasets/materials/steel.json\n"
+        "    --machine datasets/machines/milling-machine-steel.json\n"
+        "    --tool datasets/tools/ball-10-steel-and-aluminium.json --stock-top 20\n"
+        "    --constant-feed-mm-per-min 40 --noncut-min 1");
+    command->callback([options, &action] {
+        action = [options] {
+            return naming(options->path.file, [&] { return run_feed(*options); });
+        };
+    });
+}
+
+}  // namespace endmill

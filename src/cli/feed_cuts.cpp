@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/feed_cuts.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "cli/progress.h"
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/process/coefficient_table.h"
+#include "endmill/process/front_load.h"
+#include "endmill/simulation/stock_fronts.h"
+#include "endmill/simulation/stock_memory.h"
+
+namespace endmill {
+namespace {
+
+HeightStock stock_of(const FeedInput& input, const FeedCommandOptions& options)
+{
+    if (input.stock.heights)
+        return *input.stock.heights;
+    require_stock_memory(input.stock.block, options.resolution,
+                         options.common.limits.max_memory_gib);
+    return block_stock(input.stock.block, options.resolution);
+}
+
+FeedPlan stock_plan(const FeedInput& input, const SegmentCuts& cuts,
+                    const FeedCommandOptions& options)
+{
+    HeightStock stock = stock_of(input, options);
+    const FeedRules rules = feed_rules(input.job, input.plan);
+    FeedPlan plan;
+    std::vector<double> lengths;
+    ProgressLine progress{"removing and planning", options.common};
+    for_each_ball_front(
+        stock, {&input.program.path, input.tool.cutter, cuts.points},
+        [&](std::size_t number, const BallFront& front) {
+            progress.show(static_cast<double>(number) /
+                          static_cast<double>(cuts.cuts.size()));
+            lengths.push_back(cuts.cuts[number].length_mm);
+            plan.rows.push_back(segment_feed(
+                front_load(lengths.back(), front, input.job.tool, input.plan, rules),
+                rules));
+        });
+    plan.totals = feed_plan_totals(plan.rows, lengths, rules.limits);
+    return plan;
+}
+
+}  // namespace
+
+SegmentCuts feed_cuts(const FeedInput& input, const FeedCommandOptions& options)
+{
+    SegmentCutOptions cut{.radius = input.job.tool.radius,
+                          .stock_top = input.stock_top,
+                          .first_pass = options.first_pass,
+                          .part = input.part,
+                          .contact_tolerance = options.contact_tolerance};
+    if (options.engagement == EngagementChoice::Contact)
+        cut.source = CutSource::Contact;
+    if (options.engagement == EngagementChoice::Passes)
+        cut.source = CutSource::Passes;
+    SegmentCuts cuts = segment_cuts(input.program.path, cut);
+    if (cuts.cuts.empty())
+        throw GeometryError{"no move of the path cuts; expected one that goes along"};
+    const auto is_deep = [](const SegmentCut& move) { return move.depth_mm > 0; };
+    if (std::ranges::none_of(cuts.cuts, is_deep))
+        throw GeometryError{"the whole path lies above the stock, whose top is at z = " +
+                            to_text(input.stock_top) +
+                            " mm; expected a higher --stock-top or --stock"};
+    return cuts;
+}
+
+FeedPlan cuts_plan(const FeedInput& input, const SegmentCuts& cuts,
+                   const FeedCommandOptions& options)
+{
+    if (options.engagement == EngagementChoice::Stock)
+        return stock_plan(input, cuts, options);
+    FeedPlanOptions plan = input.plan;
+    std::optional<CoefficientTable> table;
+    if (options.has_table)
+        plan.table = &table.emplace(plan.chip);
+    return feed_plan(cuts.cuts, input.job, plan);
+}
+
+}  // namespace endmill

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/feed_summary.h"
+#include "endmill/io/output_folder.h"
+
+namespace endmill {
+
+/// Writes all files of a feed plan into `folder`, in the place of what an earlier run left
+/// there.
+/// \return summary.json
+Json write_feed(const FeedResult& result, OutputFolder& folder);
+
+}  // namespace endmill

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/feed_input.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "cli/console.h"
+#include "endmill/core/error.h"
+#include "endmill/io/machine_file.h"
+#include "endmill/io/material_file.h"
+#include "endmill/io/path_file.h"
+#include "endmill/io/printable.h"
+#include "endmill/io/read_file.h"
+#include "endmill/io/tool_file.h"
+#include "endmill/simulation/verification.h"
+
+namespace endmill {
+namespace {
+
+// Of a path alone the block is the path's own box, whose top tells nothing of the stock's.
+std::optional<double> told_stock_top(const FeedCommandOptions& options,
+                                     const VerifyStock& stock)
+{
+    if (options.stock_top)
+        return options.stock_top;
+    if (options.stock != "block" || !options.part.path.empty())
+        return stock.block.high.z();
+    return std::nullopt;
+}
+
+Tool tool_without_file(const FeedCommandOptions& options, const Program& program,
+                       const PathSummary& known)
+{
+    for (const auto& cutter : {options.path.cutter, program.cutter, known.cutter})
+        if (cutter)
+            return Tool{.cutter = *cutter};
+    throw DomainError{options.path.file +
+                      ": neither the path nor a summary.json beside it names the cutter; "
+                      "expected --cutter or --tool"};
+}
+
+// What the command line says of the tool rules over its file.
+void tell(Tool& tool, const ToolOptions& told)
+{
+    if (told.flutes)
+        tool.flutes = told.flutes;
+    if (told.helix_deg)
+        tool.helix = Angle::degrees(*told.helix_deg);
+    if (told.max_force_n)
+        tool.limits.cutting_force = told.max_force_n;
+    if (told.max_thrust_n)
+        tool.limits.thrust = told.max_thrust_n;
+    if (told.max_torque_n_m)
+        tool.limits.torque = told.max_torque_n_m;
+}
+
+void require_same_cutter(const std::optional<Tool>& tool,
+                         const std::optional<Cutter>& cutter)
+{
+    if (tool && cutter && tool->cutter != *cutter)
+        throw DomainError{"--cutter " + cutter_word(*cutter) + ": the tool file says " +
+                          cutter_word(tool->cutter) +
+                          "; expected the same, or one of the two options"};
+}
+
+FeedPlanOptions plan_options(const FeedCommandOptions& options)
+{
+    FeedPlanOptions plan =
+        options.mode == FeedMode::Paper ? FeedPlanOptions{} : corrected_feed_options();
+    plan.chip = options.chip.value_or(plan.chip);
+    if (options.peak) {
+        plan.peak = options.peak->rule;
+        plan.peak_factor = options.peak->factor;
+    }
+    plan.max_feed_per_tooth_mm = options.max_feed_per_tooth_mm;
+    plan.min_feed_per_tooth_mm = options.min_feed_per_tooth_mm;
+    plan.block_time_ms = options.block_time_ms;
+    plan.accuracy = options.accuracy;
+    return plan;
+}
+
+void require_answerable(const FeedInput& input, const FeedCommandOptions& options)
+{
+    const std::string peak = peak_word(input.plan.peak, input.plan.peak_factor);
+    const bool has_factor = input.plan.peak == PeakRule::Constant;
+    if (!has_factor && !input.tool.helix)
+        throw DomainError{"--peak " + peak +
+                          ": the helix of the flutes is not known; expected --helix-deg, "
+                          "or a tool file with helix_deg"};
+    if (!has_factor && options.has_table)
+        throw DomainError{"--coefficients table: expected --peak constant:R; " + peak +
+                          " asks for the loads of every turn, not their mean"};
+    if (options.engagement == EngagementChoice::Stock && options.has_table)
+        throw DomainError{
+            "--coefficients table: expected --engagement contact, passes or auto; those "
+            "of the stock are in no table"};
+    if (options.mode == FeedMode::Planned && !input.job.machine.acceleration_m_per_s2)
+        throw DomainError{
+            "--mode planned: the acceleration is not known; expected --machine with "
+            "acceleration_m_per_s2"};
+}
+
+// A path whose rows were mixed up is another path.
+void require_order(const Program& program, const std::string& file)
+{
+    const std::vector<PathPoint>& points = program.path.points;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const PathPoint& last = points[i - 1];
+        const PathPoint& next = points[i];
+        const bool is_rising =
+            next.pass > last.pass || (next.pass == last.pass && next.point > last.point);
+        if (!is_rising)
+            throw FormatError{
+                "E_CSV",
+                {file, "row " + std::to_string(i + 1),
+                 "point " + std::to_string(next.point) + " of pass " +
+                     std::to_string(next.pass) + " after point " +
+                     std::to_string(last.point) + " of pass " + std::to_string(last.pass),
+                 "points in the order of the path"}};
+    }
+}
+
+void add_stock(FeedInput& input, const FeedCommandOptions& options)
+{
+    VerifyOptions stock;
+    stock.common = options.common;
+    stock.part = options.part;
+    stock.stock = options.stock;
+    stock.resolution = options.resolution;
+    const Part part = input.part;
+    input.stock = read_verify_stock(stock, input.part.empty() ? nullptr : &part,
+                                    input.program.path, input.tool.cutter);
+    const auto top = told_stock_top(options, input.stock);
+    if (!top)
+        throw DomainError{
+            "the stock's top is not known; expected --stock-top, --stock or --part"};
+    input.stock_top = *top;
+    if (!input.stock.heights)
+        input.stock.block.high.z() = *top;
+}
+
+}  // namespace
+
+FeedInput read_feed_input(const FeedCommandOptions& options)
+{
+    const std::string& file = options.path.file;
+    const ReadLimits& limits = options.common.limits;
+    std::optional<Tool> tool;
+    if (!options.tool.file.empty())
+        tool = read_tool(options.tool.file, limits);
+    require_same_cutter(tool, options.path.cutter);
+    const PathSummary known = read_path_summary(file, limits).value_or(PathSummary{});
+    const auto cutter = options.path.cutter ? options.path.cutter
+                        : tool              ? std::optional{tool->cutter}
+                                            : known.cutter;
+    Program program = read_program_for(options.path, cutter, options.common);
+    require_order(program, file);
+    if (!tool)
+        tool = tool_without_file(options, program, known);
+    tell(*tool, options.tool);
+    const std::string stem = std::filesystem::path{file}.stem().string();
+    FeedInput input{.name = printable(known.name.value_or(stem)),
+                    .program = std::move(program),
+                    .known = known,
+                    .tool = *tool,
+                    .job = {read_material(options.material, limits), milling_tool(*tool)},
+                    .plan = plan_options(options)};
+    input.is_program = path_format(read_file(file, limits), file) != PathFormat::Csv;
+    if (!options.machine.empty())
+        input.job.machine = read_machine(options.machine, limits).limits;
+    require_answerable(input, options);
+    if (!options.part.path.empty())
+        input.part =
+            read_surface_for(options.part.path, "feed --part", options.common).surfaces;
+    add_stock(input, options);
+    return input;
+}
+
+std::vector<std::string> files_of(const FeedInput& input,
+                                  const FeedCommandOptions& options)
+{
+    std::vector<std::string> files{options.path.file, options.material};
+    for (const std::string& file :
+         {options.machine, options.tool.file, options.part.path, input.stock.file})
+        if (!file.empty())
+            files.push_back(file);
+    return files;
+}
+
+}  // namespace endmill

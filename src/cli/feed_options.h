@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "cli/arguments.h"
+#include "cli/path_options.h"
+#include "cli/surface_facts.h"
+#include "endmill/process/feed_options.h"
+#include "endmill/process/segment_cuts.h"
+
+namespace endmill {
+
+/// By which rules `feed` plans.
+enum class FeedMode {
+    Paper,      ///< as printed, misprints corrected
+    Corrected,  ///< exact chip, loads as the flutes turn, exact limits
+    Planned     ///< that, and what a machine with bounded acceleration makes of it
+};
+
+/// Where the engagement of a cut comes from.
+enum class EngagementChoice { Auto, Contact, Passes, Stock };
+
+/// The words of `feed` and `coefficients` for what their options stand for.
+inline constexpr std::array feed_modes{Choice<FeedMode>{"paper", FeedMode::Paper},
+                                       Choice<FeedMode>{"corrected", FeedMode::Corrected},
+                                       Choice<FeedMode>{"planned", FeedMode::Planned}};
+/// Ditto.
+inline constexpr std::array engagement_choices{
+    Choice<EngagementChoice>{"auto", EngagementChoice::Auto},
+    Choice<EngagementChoice>{"contact", EngagementChoice::Contact},
+    Choice<EngagementChoice>{"passes", EngagementChoice::Passes},
+    Choice<EngagementChoice>{"stock", EngagementChoice::Stock}};
+/// Ditto.
+inline constexpr std::array chip_models{Choice<ChipModel>{"paper", ChipModel::Paper},
+                                        Choice<ChipModel>{"exact", ChipModel::Exact}};
+/// Ditto.
+inline constexpr std::array first_passes{
+    Choice<PreviousPass>{"slot", PreviousPass::None},
+    Choice<PreviousPass>{"edge", PreviousPass::Edge}};
+/// Whether coefficients come from a table.
+inline constexpr std::array coefficient_sources{Choice<bool>{"direct", false},
+                                                Choice<bool>{"table", true}};
+
+/// More edges than any mill has; their sums would take long.
+inline constexpr int most_flutes = 100;
+
+/// What --peak says.
+struct PeakChoice {
+    PeakRule rule = PeakRule::Constant;
+    double factor = 1.8;  ///< of PeakRule::Constant
+};
+
+/// As on the command line: "constant:1.8", "torque" or "direct".
+std::string peak_word(PeakRule rule, double factor);
+
+/// A tool that is told without a file, or what is told instead of what the file says.
+struct ToolOptions {
+    std::string file;
+    std::optional<int> flutes;
+    std::optional<double> helix_deg;
+    std::optional<double> max_force_n;
+    std::optional<double> max_thrust_n;
+    std::optional<double> max_torque_n_m;
+};
+
+/// What `endmill feed` is told.
+struct FeedCommandOptions {
+    CommonOptions common;
+    PathOptions path;
+    PartOptions part;  ///< its path empty: no part
+    std::string material;
+    std::string machine;  ///< empty: none
+    ToolOptions tool;
+    FeedMode mode = FeedMode::Paper;
+    EngagementChoice engagement = EngagementChoice::Auto;
+    PreviousPass first_pass = PreviousPass::None;
+    std::optional<double> stock_top;  ///< mm
+    std::string stock = "block";      ///< as in `verify`
+    double resolution = 0.1;          ///< mm, of the stock
+    double contact_tolerance = 0.05;  ///< mm
+    double accuracy = 1e-6;           ///< of a coefficient
+    bool has_table = false;
+    std::optional<ChipModel> chip;   ///< empty: the mode's
+    std::optional<PeakChoice> peak;  ///< empty: the mode's
+    std::optional<double> min_feed_per_tooth_mm;
+    std::optional<double> max_feed_per_tooth_mm;
+    double block_time_ms = 10;
+    double corner_tolerance = 0.01;  ///< mm
+    std::optional<double> rapid_mm_per_min;
+    std::optional<double> noncut_min;
+    std::optional<double> constant_feed_mm_per_min;
+    double plunge_feed_mm_per_min = 200;
+    bool allow_infeasible = false;
+};
+
+/// Adds --chip, as the commands share it.
+void add_chip_option(CLI::App& command, std::optional<ChipModel>& chip);
+
+/// Adds every option of `feed` to `command`.
+void add_feed_options(CLI::App& command, FeedCommandOptions& options);
+
+}  // namespace endmill

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/feed_summary.h"
+
+#include <fmt/format.h>
+
+#include "build_facts.h"
+#include "cli/surface_facts.h"
+#include "endmill/core/numbers.h"
+#include "endmill/io/printable.h"
+
+namespace endmill {
+namespace {
+
+Json number_or_null(const std::optional<double>& number)
+{
+    return number ? Json(*number) : Json(nullptr);
+}
+
+Json file_or_null(const std::string& file)
+{
+    return file.empty() ? Json(nullptr) : Json(printable(file));
+}
+
+// What `verify` judges the written path by: the part that was given, or else the one that the
+// path was planned for.
+void add_part(Json& summary, const FeedResult& result)
+{
+    PartOptions part = result.options.part;
+    if (const auto& known = result.input.known.part; part.path.empty() && known)
+        part = {known->file.string(), known->units, known->up};
+    summary["part"] = nullptr;
+    if (!part.path.empty())
+        name_part(summary, part, result.folder);
+}
+
+void add_tool(Json& summary, const FeedInput& input)
+{
+    const MillingTool& tool = input.job.tool;
+    summary["cutter"] = cutter_word(input.tool.cutter);
+    summary["flutes"] = tool.flutes;
+    summary["helix_deg"] =
+        input.tool.helix ? Json(input.tool.helix->degrees()) : Json(nullptr);
+    summary["max_force_n"] = number_or_null(tool.cutting_force_n);
+    summary["max_thrust_n"] = number_or_null(tool.thrust_n);
+    summary["max_tool_torque_n_m"] = number_or_null(tool.torque_n_m);
+}
+
+void add_choices(Json& summary, const FeedResult& result)
+{
+    const FeedCommandOptions& options = result.options;
+    const FeedPlanOptions& plan = result.input.plan;
+    const FeedRules rules = feed_rules(result.input.job, plan);
+    summary["mode"] = word_for<FeedMode>(options.mode, feed_modes);
+    summary["chip"] = word_for<ChipModel>(plan.chip, chip_models);
+    summary["peak"] = peak_word(plan.peak, plan.peak_factor);
+    summary["engagement"] =
+        word_for<EngagementChoice>(options.engagement, engagement_choices);
+    summary["first_pass"] = word_for<PreviousPass>(options.first_pass, first_passes);
+    summary["coefficients"] = word_for<bool>(options.has_table, coefficient_sources);
+    summary["accuracy"] = plan.accuracy;
+    summary["stock_top_mm"] = result.input.stock_top;
+    summary["contact_tolerance_mm"] = options.contact_tolerance;
+    summary["max_feed_per_tooth_mm"] = number_or_null(rules.range.most_mm);
+    summary["min_feed_per_tooth_mm"] = rules.range.least_mm;
+    summary["block_time_ms"] = plan.block_time_ms;
+    summary["plunge_feed_mm_per_min"] = options.plunge_feed_mm_per_min;
+    summary["rapid_mm_per_min"] = number_or_null(options.rapid_mm_per_min);
+    summary["constant_feed_mm_per_min"] =
+        number_or_null(options.constant_feed_mm_per_min);
+    if (options.mode == FeedMode::Planned)
+        summary["corner_tolerance_mm"] = options.corner_tolerance;
+    if (options.engagement == EngagementChoice::Stock)
+        summary["resolution_mm"] = options.resolution;
+}
+
+void add_times(Json& summary, const FeedResult& result)
+{
+    const FeedTimes& times = result.times;
+    summary["cut_min"] = times.cut_min;
+    summary["noncut_min"] = number_or_null(times.noncut_min);
+    summary["total_min"] = number_or_null(times.total_min);
+    summary["constant_feed_min"] = number_or_null(times.constant_feed_min);
+    summary["saving_percent"] = number_or_null(times.saving_percent);
+    if (result.planned_min)
+        summary["planned_min"] = *result.planned_min;
+}
+
+void add_plan(Json& summary, const FeedPlanTotals& totals)
+{
+    Json limits;
+    for (const FeedLimit limit : all_feed_limits)
+        limits[std::string{feed_limit_name(limit)}] =
+            totals.limit_shares[static_cast<std::size_t>(limit)];
+    Json speed_limits;
+    for (const SpeedLimit limit : all_speed_limits)
+        speed_limits[std::string{speed_limit_name(limit)}] =
+            totals.speed_limit_shares[static_cast<std::size_t>(limit)];
+    summary["limits"] = limits;
+    summary["infeasible"] = totals.infeasible;
+    summary["speed_limits"] = speed_limits;
+    summary["max_torque_n_m"] = totals.max_torque_n_m;
+    summary["max_power_w"] = totals.max_power_w;
+    summary["needed_limits"] = {
+        {"cutting_force_n", number_or_null(totals.needed.cutting_force_n)},
+        {"thrust_n", number_or_null(totals.needed.thrust_n)},
+        {"torque_n_m", number_or_null(totals.needed.torque_n_m)}};
+}
+
+// What whoever reads the path next needs: `verify`, `post`.
+void add_known(Json& summary, const FeedInput& input)
+{
+    const auto add = [&](const char* key, const std::optional<double>& value) {
+        if (value)
+            summary[key] = *value;
+    };
+    add("chord_tolerance_mm", input.known.chord_tolerance_mm);
+    add("inner_tolerance_mm", input.known.inner_tolerance_mm);
+    add("outer_tolerance_mm", input.known.outer_tolerance_mm);
+    add("scallop_mm", input.known.scallop_mm);
+    summary["interpolation"] = "linear";
+    summary["remarks"] = input.program.remarks;
+}
+
+std::string shares_text(const Json& shares)
+{
+    std::string text;
+    for (const auto& [name, share] : shares.items())
+        if (share.get<double>() > 0)
+            text += fmt::format("{}{} {:.1f} %", text.empty() ? "" : ", ", name,
+                                100 * share.get<double>());
+    return text;
+}
+
+std::string saving_text(const Json& s)
+{
+    std::string text;
+    if (!s["total_min"].is_null())
+        text += fmt::format("; with {:.4g} min besides {:.4g} min",
+                            s["noncut_min"].get<double>(), s["total_min"].get<double>());
+    if (!s["saving_percent"].is_null())
+        text += fmt::format(", {:.1f} % less than at {:g} mm/min",
+                            s["saving_percent"].get<double>(),
+                            s["constant_feed_mm_per_min"].get<double>());
+    if (s.contains("planned_min"))
+        text += fmt::format("; as the machine follows, {:.4g} min of cutting",
+                            s["planned_min"].get<double>());
+    return text;
+}
+
+}  // namespace
+
+Json feed_summary(const FeedResult& result)
+{
+    const FeedInput& input = result.input;
+    Json summary{{"name", input.name},
+                 {"endmill", program_version},
+                 {"toolpath", printable(result.options.path.file)},
+                 {"material", printable(result.options.material)},
+                 {"machine", file_or_null(result.options.machine)},
+                 {"tool", file_or_null(result.options.tool.file)}};
+    add_part(summary, result);
+    add_tool(summary, input);
+    add_choices(summary, result);
+    summary["points"] = input.program.path.points.size();
+    summary["segments"] = result.cuts.cuts.size();
+    const bool is_by_stock = result.options.engagement == EngagementChoice::Stock;
+    summary["segments_by_contact"] = is_by_stock ? 0 : result.cuts.by_contact;
+    summary["segments_by_passes"] = is_by_stock ? 0 : result.cuts.by_passes;
+    summary["segments_by_stock"] = is_by_stock ? result.cuts.cuts.size() : 0;
+    summary["cut_mm"] = result.plan.totals.length_mm;
+    add_times(summary, result);
+    add_plan(summary, result.plan.totals);
+    add_known(summary, input);
+    return summary;
+}
+
+std::string feed_text(const Json& s)
+{
+    std::string text =
+        fmt::format("{}: {} of cut in {}, {:.4g} min{}\n", s["name"].get<std::string>(),
+                    fmt::format("{:.6g} mm", s["cut_mm"].get<double>()),
+                    counted(s["segments"].get<std::size_t>(), "segment"),
+                    s["cut_min"].get<double>(), saving_text(s));
+    text += "feed limited by " + shares_text(s["limits"]) + " of the length\n";
+    text += "speed limited by " + shares_text(s["speed_limits"]) + "\n";
+    if (s["mode"] == "paper")
+        text +=
+            "mode paper; --mode corrected takes the exact chip and the loads of every "
+            "turn\n";
+    return text;
+}
+
+std::string infeasible_text(const Json& s)
+{
+    std::string text = fmt::format(
+        "no feed from {:g} mm a tooth satisfies the limits on {} of {}",
+        s["min_feed_per_tooth_mm"].get<double>(), s["infeasible"].get<std::size_t>(),
+        counted(s["segments"].get<std::size_t>(), "segment"));
+    const char* separator = "; expected at least ";
+    const auto add = [&](const char* key, const char* limit, const char* unit) {
+        const Json& needed = s["needed_limits"][key];
+        if (needed.is_null())
+            return;
+        text += fmt::format("{}{} {} {}", separator, limit, to_text(needed.get<double>()),
+                            unit);
+        separator = ", ";
+    };
+    add("cutting_force_n", "cutting_force", "N");
+    add("thrust_n", "thrust", "N");
+    add("torque_n_m", "torque", "N m");
+    return text +
+           " (--max-force-n, --max-thrust-n, --max-torque-n-m), or "
+           "--allow-infeasible";
+}
+
+}  // namespace endmill

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/engaged_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "endmill/process/previous_pass.h"
+
+namespace endmill {
+namespace {
+
+using std::numbers::pi;
+
+// P_z + `cosine` on the previous pass.
+PassCondition above(const EngagedRegion& region, double cosine)
+{
+    return {cosine - region.rise * region.cos_lambda, -region.cos_lambda,
+            region.sin_lambda};
+}
+
+// P_x on the previous pass.
+PassCondition in_front_of_axis(const EngagedRegion& region)
+{
+    return {region.rise * region.sin_lambda, region.sin_lambda, region.cos_lambda};
+}
+
+// p of an angle x with this sine and cosine.
+double half_tangent(double sine, double cosine)
+{
+    return sine / (1 + cosine);
+}
+
+double other_leg(double hypotenuse, double leg)
+{
+    return std::sqrt(std::max(0.0, (hypotenuse - leg) * (hypotenuse + leg)));
+}
+
+// The front plane below the top: the stretches that the previous pass has left.
+void add_front(const EngagedRegion& region, std::vector<BorderArc>& arcs)
+{
+    if (region.top_cosine >= region.cos_lambda)
+        return;
+    const double low_cosine = region.top_cosine / region.cos_lambda;
+    const double end = half_tangent(other_leg(1, low_cosine), low_cosine);
+    std::array<double, 6> knots{-end, end};
+    int count = 2;
+    const auto add = [&](double p) {
+        if (std::abs(p) < end)
+            knots[count++] = p;
+    };
+    if (region.previous == PreviousPass::Edge)
+        add(0);
+    if (std::abs(region.wall) < 1)
+        add(-half_tangent(region.wall, other_leg(1, region.wall)));
+    if (region.previous == PreviousPass::Pass && region.pick_feed < 2) {
+        const double half_chord = other_leg(1, region.pick_feed / 2);
+        for (const double side : {-half_chord, half_chord}) {
+            const double y = -region.across / 2 - side * region.sin_mu;
+            const double w = -region.rise / 2 + side * region.cos_mu;
+            add(half_tangent(-y, -w));
+        }
+    }
+    std::sort(knots.begin(), knots.begin() + count);
+    for (int k = count - 1; k > 0; --k) {
+        const double middle = (knots[k - 1] + knots[k]) / 2;
+        if (!region.previous_left(region.point(BorderKind::Front, middle)))
+            continue;
+        if (!arcs.empty() && arcs.back().to == knots[k])
+            arcs.back().to = knots[k - 1];
+        else
+            arcs.push_back({BorderKind::Front, knots[k], knots[k - 1]});
+    }
+}
+
+// The previous pass below the top.
+void add_previous_ball(const EngagedRegion& region, bool split_at_axis,
+                       std::vector<BorderArc>& arcs)
+{
+    const SignChanges top = sign_changes(region, above(region, region.top_cosine));
+    SignChanges axis;
+    if (split_at_axis && region.sin_lambda < 0)
+        axis = sign_changes(region, in_front_of_axis(region));
+    for (int k = 0; k <= top.count; ++k) {
+        if (top.is_positive == (k % 2 == 0))
+            continue;
+        double from = k > 0 ? top.at[k - 1] : region.first;
+        const double to = k < top.count ? top.at[k] : 1;
+        for (int j = 0; j < axis.count; ++j)
+            if (axis.at[j] > from && axis.at[j] < to) {
+                arcs.push_back({BorderKind::PreviousBall, from, axis.at[j]});
+                from = axis.at[j];
+            }
+        if (from < to)
+            arcs.push_back({BorderKind::PreviousBall, from, to});
+    }
+}
+
+// Lower end in p of the wall: where the previous pass or the front plane bounds it. None if
+// it is not engaged at all.
+std::optional<double> wall_begin(const EngagedRegion& region)
+{
+    const double front = half_tangent(region.sin_lambda, region.cos_lambda);
+    if (region.previous != PreviousPass::Pass)
+        return front;
+    const double tau2 = 2 * region.across - region.pick_feed * region.pick_feed;
+    if (tau2 <= 0)
+        return region.rise > 0 ? std::optional{front} : std::nullopt;
+    const double tau = std::sqrt(tau2);
+    const double x = tau * region.cos_lambda + region.rise * region.sin_lambda;
+    const double z = tau * region.sin_lambda - region.rise * region.cos_lambda;
+    if (z >= 0)
+        return std::nullopt;
+    return x / (other_leg(1, region.wall) - z);
+}
+
+void add_wall(const EngagedRegion& region, bool split_at_axis,
+              std::vector<BorderArc>& arcs)
+{
+    const double rho = other_leg(1, region.wall);
+    if (std::abs(region.wall) >= 1 || rho <= region.top_cosine)
+        return;
+    const std::optional<double> begin = wall_begin(region);
+    if (!begin)
+        return;
+    const double cosine = region.top_cosine / rho;
+    const double high = half_tangent(other_leg(1, cosine), cosine);
+    const double low = std::max(-high, *begin);
+    if (split_at_axis && low < 0 && high > 0) {
+        arcs.push_back({BorderKind::Wall, high, 0});
+        arcs.push_back({BorderKind::Wall, 0, low});
+    } else if (low < high) {
+        arcs.push_back({BorderKind::Wall, high, low});
+    }
+}
+
+}  // namespace
+
+EngagedRegion::EngagedRegion(const BallEngagement& engagement)
+    : previous{engagement.previous},
+      cos_lambda{std::cos(engagement.lambda)},
+      sin_lambda{std::sin(engagement.lambda)},
+      cos_mu{std::cos(engagement.mu)},
+      sin_mu{std::sin(engagement.mu)},
+      pick_feed{previous == PreviousPass::Pass ? engagement.pick_feed_ratio : 0},
+      across{pick_feed * cos_mu},
+      rise{pick_feed * sin_mu},
+      top_cosine{std::max(0.0, 1 - engagement.depth_ratio)},
+      top_sine{engagement.depth_ratio < 1
+                   ? std::sqrt(engagement.depth_ratio * (2 - engagement.depth_ratio))
+                   : 1},
+      depth{std::min(1.0, engagement.depth_ratio)},
+      wall{previous == PreviousPass::Pass ? 1 - across
+                                          : (previous == PreviousPass::Edge ? 0.0 : 1.0)},
+      amplitude{std::sqrt(std::max(0.0, 1 - pick_feed / 2) / 2)},
+      reach{2 * std::sqrt(pick_feed) * amplitude},
+      first{1}
+{
+    if (previous != PreviousPass::Pass || pick_feed >= 2)
+        return;
+    // nu runs from mu, at the wall, if that is not behind the front plane.
+    const double tau2 = 2 * across - pick_feed * pick_feed;
+    const double half_sine = std::sin(engagement.mu / 2);
+    if (tau2 > 0)
+        first = (half_sine / amplitude) / (1 + std::sqrt(tau2) / reach);
+    else
+        first = sin_mu > 0 ? 1 : -1;
+}
+
+bool EngagedRegion::previous_left(const Vec3& point) const
+{
+    if (previous == PreviousPass::None)
+        return true;
+    if (previous == PreviousPass::Edge)
+        return point.y() > 0;
+    const double from_axis = point.y() + across;
+    if (std::abs(from_axis) >= 1)
+        return true;
+    const double w = cos_lambda * point.z() - sin_lambda * point.x();
+    return w <= -rise - std::sqrt((1 - from_axis) * (1 + from_axis));
+}
+
+bool EngagedRegion::has(const Vec3& point) const
+{
+    return cos_lambda * point.x() + sin_lambda * point.z() > 0 && previous_left(point);
+}
+
+Vec3 EngagedRegion::point(BorderKind kind, double p) const
+{
+    const double sine = 2 * p / (1 + p * p);
+    const double cosine = (1 - p) * (1 + p) / (1 + p * p);
+    if (kind == BorderKind::Front)
+        return {cosine * sin_lambda, -sine, -cosine * cos_lambda};
+    if (kind == BorderKind::Wall) {
+        const double rho = other_leg(1, wall);
+        return {rho * sine, wall, -rho * cosine};
+    }
+    const PassPoint pass = pass_point(*this, p);
+    const double w = -rise - pass.cosine;
+    return {pass.tau * cos_lambda - w * sin_lambda, pass.sine - across,
+            w * cos_lambda + pass.tau * sin_lambda};
+}
+
+BorderPoint EngagedRegion::moving_point(BorderKind kind, double p) const
+{
+    const double angle_rate = 2 / (1 + p * p);
+    const double sine = p * angle_rate;
+    const double cosine = (1 - p) * (1 + p) / (1 + p * p);
+    const Vec3 at = point(kind, p);
+    if (kind == BorderKind::Front)
+        return {at, sin_lambda * angle_rate, sine * cos_lambda * angle_rate};
+    if (kind == BorderKind::Wall) {
+        const double rho = other_leg(1, wall);
+        return {at, wall * rho * cosine * angle_rate, rho * sine * angle_rate};
+    }
+    const PassPoint pass = pass_point(*this, p);
+    const double w_rate = pass.sine * pass.phi_by_x;
+    const double x_rate = pass.tau_by_x * cos_lambda - w_rate * sin_lambda;
+    const double y_rate = pass.cosine * pass.phi_by_x;
+    const double z_rate = w_rate * cos_lambda + pass.tau_by_x * sin_lambda;
+    return {at, (at.y() * x_rate - at.x() * y_rate) * angle_rate, z_rate * angle_rate};
+}
+
+double EngagedRegion::beside_axis() const
+{
+    return across < 1 ? pass_parameter(*this, half_tangent(across, other_leg(1, across)))
+                      : first;
+}
+
+bool EngagedRegion::is_radial(BorderKind kind) const
+{
+    return (kind == BorderKind::Front && sin_lambda == 0) ||
+           (kind == BorderKind::Wall && wall == 0);
+}
+
+std::vector<AzimuthRange> EngagedRegion::ranges_at(double sine, double cosine) const
+{
+    std::array<double, 14> ends{-pi / 2, 3 * pi / 2};
+    int count = 2;
+    const auto add = [&](double x, double y) {
+        const double azimuth = std::atan2(x, y);
+        ends[count++] = azimuth < -pi / 2 ? azimuth + 2 * pi : azimuth;
+    };
+    if (cosine < cos_lambda) {
+        const double low = cosine / cos_lambda;
+        const double y = other_leg(1, low);
+        add(low * sin_lambda, y);
+        add(low * sin_lambda, -y);
+    }
+    if (std::abs(wall) < sine) {
+        const double x = other_leg(sine, wall);
+        add(x, wall);
+        add(-x, wall);
+    }
+    const SignChanges crossings = sign_changes(*this, above(*this, cosine));
+    for (int k = 0; k < crossings.count; ++k) {
+        const Vec3 crossing = point(BorderKind::PreviousBall, crossings.at[k]);
+        add(crossing.x(), crossing.y());
+    }
+    std::sort(ends.begin(), ends.begin() + count);
+    std::vector<AzimuthRange> ranges;
+    for (int k = 0; k + 1 < count; ++k) {
+        const double middle = (ends[k] + ends[k + 1]) / 2;
+        if (ends[k] == ends[k + 1] ||
+            !has({sine * std::sin(middle), sine * std::cos(middle), -cosine}))
+            continue;
+        if (!ranges.empty() && ranges.back().to == ends[k])
+            ranges.back().to = ends[k + 1];
+        else
+            ranges.push_back({ends[k], ends[k + 1]});
+    }
+    return ranges;
+}
+
+std::vector<BorderArc> EngagedRegion::borders(bool split_at_axis) const
+{
+    constexpr int usual_arcs = 8;
+    std::vector<BorderArc> arcs;
+    arcs.reserve(usual_arcs);
+    add_front(*this, arcs);
+    add_previous_ball(*this, split_at_axis, arcs);
+    add_wall(*this, split_at_axis, arcs);
+    return arcs;
+}
+
+}  // namespace endmill

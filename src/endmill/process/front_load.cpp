@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/front_load.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include "endmill/core/error.h"
+#include "endmill/core/vec.h"
+#include "endmill/process/segment_load.h"
+
+namespace endmill {
+namespace {
+
+using std::numbers::pi;
+
+// Turns of the flutes' period, and heights of an edge over the ball's radius: finer than the
+// cells of a front, whose width the sums are good to.
+constexpr int turns = 180;
+constexpr int edge_steps = 64;
+
+// A place on the ball or the shank, in radii.
+struct Place {
+    double sine;  // of the azimuth from Y
+    double cosine;
+    double radius;     // from the axis
+    double thickness;  // of the chip over the feed, for an element of height
+};
+
+Place ball_place(const Vec3& at, const BallFront& front, ChipModel chip)
+{
+    const double radius = std::hypot(at.x(), at.y());
+    const double sine = at.x() / radius;
+    const double ahead =
+        at.x() * std::cos(front.lambda) + at.z() * std::sin(front.lambda);
+    return {sine, at.y() / radius, radius,
+            chip == ChipModel::Exact ? ahead / radius : std::abs(sine)};
+}
+
+Place shank_place(double azimuth, const BallFront& front, ChipModel chip)
+{
+    const double sine = std::sin(azimuth);
+    return {sine, std::cos(azimuth), 1,
+            chip == ChipModel::Exact ? std::cos(front.lambda) * sine : std::abs(sine)};
+}
+
+// I1 to I8 of an element: the chip's terms with its thickness, the edge's with 1.
+void add(CuttingCoefficients& sum, const Place& at, double weight)
+{
+    sum.I1 += weight * at.thickness * at.cosine;
+    sum.I2 += weight * at.thickness * at.sine;
+    sum.I3 += weight * at.cosine;
+    sum.I4 += weight * at.sine;
+    sum.I5 += weight * at.thickness;
+    sum.I6 += weight;
+    sum.I7 += weight * at.thickness * at.radius;
+    sum.I8 += weight * at.radius;
+}
+
+Vec3 cell_middle(const BallFront& front, int row, int column)
+{
+    const double y = -1 + 2 * (row + 0.5) / front.rows;
+    const double rho = std::sqrt(1 - y * y);
+    const double chi = (front.lambda - pi / 2) * (1 - (column + 0.5) / front.columns);
+    return {rho * std::cos(chi), y, rho * std::sin(chi)};
+}
+
+bool is_engaged(const BallFront& front, const Vec3& at)
+{
+    const double chi = std::atan2(at.z(), at.x());
+    const double from = front.lambda - pi / 2;
+    if (chi <= from)
+        return false;
+    const int row =
+        std::clamp(static_cast<int>((at.y() + 1) / 2 * front.rows), 0, front.rows - 1);
+    const int column = std::clamp(static_cast<int>((1 - chi / from) * front.columns), 0,
+                                  front.columns - 1);
+    return front.engaged[static_cast<std::size_t>(row) * front.columns + column] != 0;
+}
+
+// How far up the shank is engaged at an azimuth, in radii.
+double shank_height(const BallFront& front, double azimuth)
+{
+    const double turned = azimuth - 2 * pi * std::floor(azimuth / (2 * pi));
+    if (turned >= pi)
+        return 0;
+    const auto count = static_cast<double>(front.shank.size());
+    return front
+        .shank[static_cast<std::size_t>(std::min(turned / pi * count, count - 1))];
+}
+
+void add(EdgeSums& sums, const Place& at, double height)
+{
+    sums.chip += at.thickness * height;
+    sums.edge += height;
+    sums.chip_torque += at.radius * at.thickness * height;
+    sums.edge_torque += at.radius * height;
+}
+
+// A helical edge in a front.
+struct Edge {
+    const BallFront& front;
+    ChipModel chip;
+    double tangent;  // of the helix
+    double top;      // of the shank's material over the centre
+
+    void add_to(EdgeSums& sums, double tip_azimuth) const
+    {
+        const double step = 1.0 / edge_steps;
+        for (int k = 0; (k + 0.5) * step < 1 + top; ++k) {
+            const double height = (k + 0.5) * step;
+            const double azimuth = tip_azimuth - height * tangent;
+            if (height > 1) {
+                if (height - 1 < shank_height(front, azimuth))
+                    add(sums, shank_place(azimuth, front, chip), step);
+                continue;
+            }
+            const double radius = std::sqrt(height * (2 - height));
+            const Vec3 at{radius * std::sin(azimuth), radius * std::cos(azimuth),
+                          height - 1};
+            if (is_engaged(front, at))
+                add(sums, ball_place(at, front, chip), step);
+        }
+    }
+};
+
+void keep_smaller(std::optional<double>& least, const std::optional<double>& bound)
+{
+    if (bound && (!least || *bound < *least))
+        least = bound;
+}
+
+}  // namespace
+
+void require_sound(const BallFront& front)
+{
+    require(
+        front.rows > 0 && front.columns > 0 &&
+            front.engaged.size() == static_cast<std::size_t>(front.rows) * front.columns,
+        "BallFront: need a value for each of its cells");
+    require(std::abs(front.lambda) < pi / 2, "BallFront: need a slope below 90 degrees");
+    require(std::ranges::all_of(front.shank,
+                                [](double h) { return std::isfinite(h) && h >= 0; }),
+            "BallFront: need heights from 0");
+}
+
+CuttingCoefficients front_coefficients(const BallFront& front, ChipModel chip)
+{
+    require_sound(front);
+    CuttingCoefficients sum{};
+    const double cell = 2.0 / front.rows * (pi / 2 - front.lambda) / front.columns;
+    for (int row = 0; row < front.rows; ++row)
+        for (int column = 0; column < front.columns; ++column)
+            if (front.engaged[static_cast<std::size_t>(row) * front.columns + column] !=
+                0)
+                add(sum, ball_place(cell_middle(front, row, column), front, chip),
+                    cell / (2 * pi));
+    const auto azimuths = static_cast<double>(front.shank.size());
+    for (std::size_t k = 0; k < front.shank.size(); ++k)
+        add(sum, shank_place(pi * (static_cast<double>(k) + 0.5) / azimuths, front, chip),
+            front.shank[k] / azimuths / 2);
+    return sum;
+}
+
+FrontPattern::FrontPattern(const BallFront& front, ChipModel chip,
+                           const MillingTool& tool)
+{
+    require_sound(front);
+    require_sound(tool);
+    const double top = front.shank.empty() ? 0 : std::ranges::max(front.shank);
+    const Edge edge{front, chip, std::tan(tool.helix), top};
+    const double period = 2 * pi / tool.flutes;
+    for (int k = 0; k < turns; ++k) {
+        EdgeSums sums;
+        for (int flute = 0; flute < tool.flutes; ++flute)
+            edge.add_to(sums, period * (flute + static_cast<double>(k) / turns));
+        sums_.push_back(sums);
+    }
+}
+
+EdgeSums FrontPattern::mean() const
+{
+    EdgeSums mean;
+    for (const EdgeSums& sums : sums_) {
+        mean.chip += sums.chip / turns;
+        mean.edge += sums.edge / turns;
+        mean.chip_torque += sums.chip_torque / turns;
+        mean.edge_torque += sums.edge_torque / turns;
+    }
+    return mean;
+}
+
+double FrontPattern::peak_factor() const
+{
+    const double mean_torque = mean().chip_torque;
+    if (!(mean_torque > 0))
+        return 1;
+    return std::ranges::max(sums_, {}, &EdgeSums::chip_torque).chip_torque / mean_torque;
+}
+
+FeedBounds FrontPattern::direct_bounds(const LoadModel& model,
+                                       const LoadLimits& limits) const
+{
+    FeedBounds least;
+    for (const EdgeSums& sums : sums_) {
+        const FeedBounds bounds = feed_bounds(model, sums, limits);
+        keep_smaller(least.cutting_force, bounds.cutting_force);
+        keep_smaller(least.thrust, bounds.thrust);
+        keep_smaller(least.torque, bounds.torque);
+    }
+    return least;
+}
+
+CuttingLoads FrontPattern::largest_loads(const LoadModel& model,
+                                         double feed_per_tooth_mm) const
+{
+    CuttingLoads largest;
+    for (const EdgeSums& sums : sums_) {
+        const CuttingLoads loads = cutting_loads(model, sums, feed_per_tooth_mm);
+        largest.cutting_force_n =
+            std::max(largest.cutting_force_n, loads.cutting_force_n);
+        largest.thrust_n = std::max(largest.thrust_n, loads.thrust_n);
+        largest.torque_n_m = std::max(largest.torque_n_m, loads.torque_n_m);
+    }
+    return largest;
+}
+
+SegmentLoad front_load(double length_mm, const BallFront& front, const MillingTool& tool,
+                       const FeedPlanOptions& options, const FeedRules& rules)
+{
+    const double angle = std::clamp(front.rim_angle, least_life_angle, pi);
+    const auto load_of_sums = [&](const EdgeSums& sums, double factor) {
+        return SegmentLoad{
+            .length_mm = length_mm,
+            .engaged_angle = angle,
+            .bounds = feed_bounds(rules.model, sums, rules.limits),
+            .loads = [sums, &rules](
+                         double feed) { return cutting_loads(rules.model, sums, feed); },
+            .peak_factor = factor};
+    };
+    if (options.peak == PeakRule::Constant)
+        return load_of_sums(edge_sums(front_coefficients(front, options.chip),
+                                      tool.flutes, options.peak_factor),
+                            options.peak_factor);
+    const auto pattern = std::make_shared<const FrontPattern>(front, options.chip, tool);
+    if (options.peak == PeakRule::Torque) {
+        const double factor = pattern->peak_factor();
+        return load_of_sums(scaled(pattern->mean(), factor), factor);
+    }
+    return {.length_mm = length_mm,
+            .engaged_angle = angle,
+            .bounds = pattern->direct_bounds(rules.model, rules.limits),
+            .loads = [pattern, &rules](double feed) {
+                return pattern->largest_loads(rules.model, feed);
+            }};
+}
+
+}  // namespace endmill

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/segment_cuts.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+#include "endmill/process/cut_moves.h"
+#include "endmill/process/move_contacts.h"
+#include "endmill/process/pass_index.h"
+
+namespace endmill {
+namespace {
+
+// Of the ball's centre at the neighbouring crossing: its foot is searched from that of the
+// neighbour's middle, which lies within a move of it.
+constexpr double any_distance = 1e300;
+
+void require_sound(const SegmentCutOptions& options)
+{
+    require(std::isfinite(options.radius) && options.radius > 0,
+            "segment_cuts: need 0 < radius");
+    require(std::isfinite(options.stock_top), "segment_cuts: need a finite stock top");
+    require(options.first_pass != PreviousPass::Pass,
+            "segment_cuts: need a first pass in a slot or on an edge");
+    require(std::isfinite(options.contact_tolerance) && options.contact_tolerance > 0,
+            "segment_cuts: need 0 < contact tolerance");
+}
+
+// The earlier pass beside a move, and on which side it lies.
+struct Neighbour {
+    PassCrossing crossing;
+    bool is_left;
+};
+
+std::optional<Neighbour> nearest(const NeighbouringPasses& passes)
+{
+    const auto& [left, right] = passes;
+    if (left && (!right || left->distance <= right->distance))
+        return Neighbour{*left, true};
+    if (right)
+        return Neighbour{*right, false};
+    return std::nullopt;
+}
+
+class CutFinder {
+public:
+    CutFinder(const ToolPath& path, const SegmentCutOptions& options)
+        : options_{options},
+          moves_{cut_moves(path)},
+          passes_{moves_}
+    {
+        if (options.source == CutSource::Passes)
+            contacts_.resize(moves_.size());
+        else if (options.part.empty())
+            contacts_ = told_contacts(path, moves_);
+        else
+            contacts_ = projected_contacts(path, moves_, part_.emplace(options.part),
+                                           {options.radius, options.contact_tolerance});
+    }
+
+    const std::vector<CutMove>& moves() const { return moves_; }
+
+    // \param is_by_contact set to 1 where the contact was used.
+    SegmentCut cut(std::size_t i, char& is_by_contact) const
+    {
+        const CutMove& move = moves_[i];
+        SegmentCut cut{.pass = move.pass,
+                       .point = 0,
+                       .length_mm = move.length_mm,
+                       .lambda = std::asin(move.direction().z()),
+                       .depth_mm = options_.stock_top - move.middle().z(),
+                       .previous = options_.first_pass};
+        const NeighbouringPasses passes = passes_.beside(i, 2 * options_.radius);
+        const std::optional<Neighbour> neighbour = nearest(passes);
+        if (neighbour) {
+            cut.previous = PreviousPass::Pass;
+            cut.milling = neighbour->is_left ? Milling::Down : Milling::Up;
+            cut.has_two_neighbours = passes.left && passes.right;
+        }
+        is_by_contact = contacts_[i] && set_by_contact(i, neighbour, cut) ? 1 : 0;
+        if (is_by_contact == 0 && neighbour)
+            set_by_passes(move, neighbour->crossing, cut);
+        return cut;
+    }
+
+private:
+    // Source: spec of ball-end milling, section 12: the line between the centres is the
+    // model's pick feed itself.
+    static void set_by_passes(const CutMove& move, const PassCrossing& crossing,
+                              SegmentCut& cut)
+    {
+        const Vec3 direction = move.direction();
+        const Vec3 left = Vec3{-direction.y(), direction.x(), 0}.normalized();
+        const double across = std::abs(crossing.offset.dot(left));
+        const double rise = crossing.offset.dot(direction.cross(left));
+        cut.mu = std::atan2(rise, across);
+        cut.pick_feed_mm = crossing.distance;
+        cut.pick_feed_horizontal_mm = across;
+    }
+
+    // \return false where the contact is none of the model: an overhang, or a part that is
+    //         too tight for the ball.
+    bool set_by_contact(std::size_t i, const std::optional<Neighbour>& neighbour,
+                        SegmentCut& cut) const
+    {
+        const CutMove& move = moves_[i];
+        const Vec3 direction = move.direction();
+        const Vec3& told = contacts_[i]->normal;
+        const Vec3 normal = (told - told.dot(direction) * direction).normalized();
+        if (!(normal.z() > 0))
+            return false;
+        const double to_stock = cut.milling == Milling::Down ? 1 : -1;
+        const Vec3 across = to_stock * direction.cross(normal);
+        const auto feed = neighbour ? pick_feed(i, neighbour->crossing, across)
+                                    : std::optional<double>{0};
+        if (!feed)
+            return false;
+        cut.mu = std::atan2(across.z(), normal.z());
+        if (neighbour) {
+            cut.pick_feed_mm = *feed;
+            cut.pick_feed_horizontal_mm = *feed * std::cos(*cut.mu);
+        }
+        return true;
+    }
+
+    // Eq. (13); without a part the distance of the centres.
+    std::optional<double> pick_feed(std::size_t i, const PassCrossing& crossing,
+                                    const Vec3& across) const
+    {
+        const std::optional<BallFoot>& foot = contacts_[i]->foot;
+        if (!foot)
+            return crossing.distance;
+        const auto curvature = part_->curvature(foot->at, across);
+        if (!curvature || !(1 + options_.radius * *curvature > 0))
+            return std::nullopt;
+        const Vec3 centre =
+            moves_[i].middle() - crossing.offset + options_.radius * Vec3::UnitZ();
+        const BallFoot beside = part_->foot(centre, contacts_[crossing.move]->foot->at,
+                                            options_.radius, any_distance);
+        const double distance =
+            (foot->point - beside.point).cross(moves_[i].direction()).norm();
+        return distance * (1 + options_.radius * *curvature);
+    }
+
+    const SegmentCutOptions& options_;
+    std::vector<CutMove> moves_;
+    PassIndex passes_;
+    std::optional<ContactSearch> part_;
+    std::vector<std::optional<MoveContact>> contacts_;  // one a move
+};
+
+void require_contacts(const ToolPath& path, const SegmentCuts& cuts,
+                      const std::vector<char>& by_contact)
+{
+    for (std::size_t i = 0; i < by_contact.size(); ++i)
+        if (by_contact[i] == 0) {
+            const PathPoint& point = path.points[cuts.points[i]];
+            throw GeometryError{"no contact with the part on the move to point " +
+                                std::to_string(point.point) + " of pass " +
+                                std::to_string(point.pass) +
+                                "; expected a path with normals at both ends, and a ball "
+                                "that fits the part"};
+        }
+}
+
+}  // namespace
+
+SegmentCuts segment_cuts(const ToolPath& path, const SegmentCutOptions& options)
+{
+    require_sound(options);
+    const CutFinder finder{path, options};
+    const std::vector<CutMove>& moves = finder.moves();
+    SegmentCuts cuts;
+    cuts.cuts.resize(moves.size());
+    std::vector<char> by_contact(moves.size());
+    parallel_for(moves.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            cuts.cuts[i] = finder.cut(i, by_contact[i]);
+    });
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        cuts.cuts[i].point = path.points[moves[i].point].point;
+        cuts.points.push_back(moves[i].point);
+        ++(by_contact[i] != 0 ? cuts.by_contact : cuts.by_passes);
+    }
+    if (options.source == CutSource::Contact)
+        require_contacts(path, cuts, by_contact);
+    return cuts;
+}
+
+}  // namespace endmill

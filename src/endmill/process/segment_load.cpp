@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/segment_load.h"
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+
+#include "endmill/core/error.h"
+#include "endmill/process/force_pattern.h"
+
+namespace endmill {
+namespace {
+
+SegmentLoad load_of_sums(const SegmentCut& cut, const EdgeSums& sums,
+                         const FeedRules& rules)
+{
+    return {.length_mm = cut.length_mm,
+            .engaged_angle = tool_life_angle(ball_engagement(cut, rules.model.radius)),
+            .bounds = feed_bounds(rules.model, sums, rules.limits),
+            .loads = [sums, &rules](double feed) {
+                return cutting_loads(rules.model, sums, feed);
+            }};
+}
+
+}  // namespace
+
+BallEngagement ball_engagement(const SegmentCut& cut, double radius)
+{
+    const bool has_pass = cut.previous == PreviousPass::Pass;
+    require(!has_pass || (cut.mu && cut.pick_feed_mm),
+            "ball_engagement: need mu and the pick feed beside a previous pass");
+    const BallEngagement engagement{
+        .mu = cut.mu.value_or(0),
+        .lambda = cut.lambda,
+        .pick_feed_ratio = has_pass ? *cut.pick_feed_mm / radius : 0,
+        .depth_ratio = cut.depth_mm / radius,
+        .previous = cut.previous};
+    require_sound(engagement);
+    return engagement;
+}
+
+double tool_life_angle(const BallEngagement& engagement)
+{
+    if (is_air(engagement))
+        return least_life_angle;
+    switch (engagement.previous) {
+        case PreviousPass::None:
+            return std::numbers::pi;
+        case PreviousPass::Edge:
+            return std::numbers::pi / 2;
+        case PreviousPass::Pass:
+            break;
+    }
+    return std::clamp(engaged_angle(engagement), least_life_angle, std::numbers::pi);
+}
+
+EdgeSums edge_sums(const CuttingCoefficients& coefficients, int flutes, double factor)
+{
+    return scaled({coefficients.I5, coefficients.I6, coefficients.I7, coefficients.I8},
+                  flutes * factor);
+}
+
+SegmentLoad factored_load(const SegmentCut& cut, const CuttingCoefficients& coefficients,
+                          double factor, const FeedRules& rules)
+{
+    SegmentLoad load =
+        load_of_sums(cut, edge_sums(coefficients, rules.drive.flutes, factor), rules);
+    load.peak_factor = factor;
+    return load;
+}
+
+SegmentLoad turning_load(const SegmentCut& cut, const MillingTool& tool, PeakRule rule,
+                         ChipModel chip, const FeedRules& rules)
+{
+    const BallEngagement engagement = ball_engagement(cut, rules.model.radius);
+    if (is_air(engagement))
+        return load_of_sums(cut, {}, rules);
+    // Shared, since a std::function has to be copyable.
+    const auto pattern = std::make_shared<const ForcePattern>(engagement, chip, tool);
+    if (rule == PeakRule::Torque) {
+        const double factor = pattern->peak_factor();
+        SegmentLoad load = load_of_sums(cut, scaled(pattern->mean(), factor), rules);
+        load.peak_factor = factor;
+        return load;
+    }
+    return {.length_mm = cut.length_mm,
+            .engaged_angle = tool_life_angle(engagement),
+            .bounds = pattern->direct_bounds(rules.model, rules.limits),
+            .loads = [pattern, &rules](double feed) {
+                return pattern->largest_loads(rules.model, feed);
+            }};
+}
+
+}  // namespace endmill

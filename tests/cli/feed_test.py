@@ -1,0 +1,278 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""endmill feed: A14 and rasters in closed form, its files, what it refuses."""
+import csv
+import json
+import math
+import unittest
+
+from program import ROOT, SURFACES, ProgramTest, endmill, plane
+
+STEEL = ROOT / "datasets/materials/steel.json"
+MACHINE = ROOT / "datasets/machines/milling-machine-steel.json"
+TOOL = ROOT / "datasets/tools/ball-10-steel-and-aluminium.json"
+HEADER = ("pass,point,length_mm,mu_deg,lambda_deg,pick_feed_mm,pick_feed_horizontal_mm,depth_mm,"
+          "engaged_angle_deg,feed_per_tooth_mm,peak_factor,limit,speed_limit,cutting_force_n,thrust_n,"
+          "torque_n_m,power_w")
+# A14 of the spec: one straight horizontal slot.
+SLOT = {"format": "endmill-material/1", "specific_resistance_n_per_mm2": 2000, "edge_thickness_mm": 0.016,
+        "r1": 0.4, "r2": 0.4, "r3": 0.2, "r4": 0.6, "alpha": 0.368, "v1_m_per_min": 28.4313}
+TWO_FLUTES = ["--cutter", "ball:10", "--flutes", "2"]
+
+
+def rows(path):
+    with path.open(encoding="ascii", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def raster(passes, pick=2.5, moves=3, length=30, y=1):
+    """A one-way raster along x at z = 0, towards `y`, as CSV."""
+    lines = ["pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm"]
+    for k in range(passes):
+        place = y * k * pick
+        lines += [f"{k},0,rapid,0,{place},30", f"{k},1,plunge,0,{place},0"]
+        lines += [f"{k},{i + 1},cut,{length * i / moves},{place},0" for i in range(1, moves + 1)]
+        lines += [f"{k},{moves + 2},retract,{length},{place},30"]
+    return "\n".join(lines) + "\n"
+
+
+class Feed(ProgramTest):
+    def fed(self, path, *options, status=0):
+        """The folder written by `feed` and the summary."""
+        done = endmill("feed", path, "--material", STEEL, *options, "-o", "out", "--force", "--json",
+                       cwd=self.folder)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return self.folder / "out", json.loads(done.stdout)
+
+    def test_one_slot_is_that_of_the_spec(self):
+        path = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n50,0,0\n", "slot.csv")
+        facts = self.summary("feed", path, "--material", self.file(SLOT, "m.json"), *TWO_FLUTES, "--max-force-n",
+                             "1200", "--stock-top", "5", "--peak", "constant:1.8", "-o", "out",
+                             "--accuracy", "1e-10", "--noncut-min", "0")
+        row = rows(self.folder / "out/engagement.csv")[0]
+        self.assertAlmostEqual(float(row["feed_per_tooth_mm"]), 0.072097110475, delta=1e-11)
+        told = rows(self.folder / "out/toolpath.csv")[1]
+        self.assertAlmostEqual(float(told["spindle_rpm"]), 904.996386706, delta=1e-8)
+        self.assertAlmostEqual(float(told["feed_mm_per_min"]), 130.495248944, delta=1e-8)
+        self.assertEqual((told["limit"], row["speed_limit"]), ("cutting_force", "economic_speed"))
+        self.assertAlmostEqual(facts["cut_min"], 50 / 130.495248944, delta=1e-11)
+        self.assertEqual(facts["limits"]["cutting_force"], 1)
+        self.assertEqual((facts["total_min"], facts["saving_percent"]), (facts["cut_min"], None))
+
+    def test_files_and_keys_are_those_of_the_design(self):
+        path = self.file(raster(3), "raster.csv")
+        out, facts = self.fed(path, "--machine", MACHINE, "--tool", TOOL, "--stock-top", "2")
+        self.assertEqual(sorted(p.name for p in out.iterdir()),
+                         ["engagement.csv", "feed.svg", "summary.json", "toolpath.csv"])
+        self.assertEqual((out / "engagement.csv").read_text().splitlines()[0], HEADER)
+        head = (out / "toolpath.csv").read_text().splitlines()[0]
+        self.assertTrue(head.endswith(",feed_mm_per_min,spindle_rpm,limit"), head)
+        self.assertTrue((out / "feed.svg").read_text().startswith("<svg"))
+        for key in ("cut_min", "limits", "infeasible", "speed_limits", "max_torque_n_m", "max_power_w"):
+            self.assertIn(key, facts)
+        self.assertEqual([facts[k] for k in ("mode", "chip", "peak", "engagement")],
+                         ["paper", "paper", "constant:1.8", "auto"])
+        for key in ("noncut_min", "total_min", "constant_feed_min", "saving_percent"):
+            self.assertIsNone(facts[key])
+        self.assertEqual(facts["segments_by_passes"], 9)
+        self.assertEqual(facts, json.loads((out / "summary.json").read_text()))
+        self.assertAlmostEqual(sum(facts["limits"].values()), 1, delta=1e-12)
+
+    def test_a_raster_has_the_engagement_of_its_pitch(self):
+        for towards, pick in ((1, 2.5), (-1, 1.5)):
+            out, _ = self.fed(self.file(raster(3, pick, y=towards), "raster.csv"), "--tool", TOOL,
+                              "--stock-top", "5")
+            cuts = rows(out / "engagement.csv")
+            self.assertEqual(len(cuts), 9)
+            self.assertEqual((cuts[0]["pick_feed_mm"], cuts[0]["mu_deg"]), ("", ""))
+            self.assertEqual(float(cuts[0]["engaged_angle_deg"]), 180)
+            for cut in cuts[3:]:
+                self.assertAlmostEqual(float(cut["pick_feed_mm"]), pick, delta=1e-12)
+                self.assertEqual((float(cut["mu_deg"]), float(cut["lambda_deg"])), (0, 0))
+                self.assertAlmostEqual(float(cut["engaged_angle_deg"]),
+                                       math.degrees(math.acos(1 - pick / 5)), delta=1e-8)
+                self.assertEqual(float(cut["depth_mm"]), 5)
+
+    def test_times_add_up(self):
+        path = self.file(raster(2), "raster.csv")
+        out, facts = self.fed(path, "--tool", TOOL, "--stock-top", "5", "--rapid-mm-per-min", "3000",
+                              "--constant-feed-mm-per-min", "40", "--plunge-feed-mm-per-min", "100")
+        points = rows(out / "toolpath.csv")
+        self.assertEqual(points[1]["feed_mm_per_min"], "100")
+        self.assertEqual(points[0]["feed_mm_per_min"], "")
+        # Two plunges and two retracts of 30 mm at 100; one return over 30 and 2.5 mm.
+        noncut = 4 * 30 / 100 + math.hypot(30, 2.5) / 3000
+        self.assertAlmostEqual(facts["noncut_min"], noncut, delta=1e-12)
+        cut = sum(10 / float(p["feed_mm_per_min"]) for p in points if p["move"] == "cut")
+        self.assertAlmostEqual(facts["cut_min"], cut, delta=1e-12)
+        self.assertAlmostEqual(facts["constant_feed_min"], 60 / 40 + noncut, delta=1e-12)
+        self.assertAlmostEqual(facts["saving_percent"],
+                               100 * (1 - (cut + noncut) / (60 / 40 + noncut)), delta=1e-9)
+
+    def test_more_than_two_neighbours_is_noted(self):
+        text = raster(2, 5) + "".join(f"9,{i},cut,{x},2.5,0\n" for i, x in enumerate((0, 15, 30)))
+        out, _ = self.fed(self.file(text.replace("9,0,cut", "9,0,plunge"), "raster.csv"), "--tool", TOOL,
+                          "--stock-top", "5")
+        self.assertEqual((out / "engagement.csv").read_text().splitlines()[0], HEADER + ",note")
+        self.assertEqual([r["note"] for r in rows(out / "engagement.csv")][-2:], ["two_neighbours"] * 2)
+
+    def test_a_program_is_written_again(self):
+        program = self.file("%\nG21 G90\nT3 M6\nS1000 M3\nG0 X0 Y0 Z30\nG1 Z0 F50\nX30 F300\nG0 Z30\n"
+                            "G0 X0 Y2.5\nG1 Z0 F50\nX30 F300\nG0 Z30\nM30\n%\n", "part.ngc")
+        out, _ = self.fed(program, "--tool", TOOL, "--stock-top", "5")
+        text = (out / "part-feed.ngc").read_text()
+        told = [p for p in rows(out / "toolpath.csv") if p["move"] == "cut"]
+        self.assertEqual(len(told), 2)
+        for point in told:
+            self.assertIn(f"F{float(point['feed_mm_per_min']):.4f}".rstrip("0"), text)
+            self.assertIn(f"S{float(point['spindle_rpm']):.4f}".rstrip("0"), text)
+        self.assertIn("F50", text)
+        self.assertNotIn("F300", text)
+        self.assertIn("T3 M6", text)
+
+    def test_contact_is_used_where_the_path_knows_it(self):
+        surface = self.file(plane())
+        done = endmill("plan", surface, "--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "0.5",
+                       "--direction", "u", "--order", "one-way", "-o", "plan", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        path = self.folder / "plan/toolpath.csv"
+        results = []
+        for options in ([], ["--part", surface], ["--engagement", "passes"]):
+            out, facts = self.fed(path, "--flutes", "2", "--max-force-n", "900", "--stock-top", "4", *options)
+            kind = "passes" if "passes" in options else "contact"
+            self.assertEqual(facts["segments_by_" + kind], facts["segments"])
+            results.append([(r["mu_deg"], r["pick_feed_mm"], r["limit"]) for r in rows(out / "engagement.csv")
+                            if r["pick_feed_mm"]])
+            self.assertTrue(results[-1])
+        for other in results[1:]:
+            for one, two in zip(results[0], other):
+                self.assertAlmostEqual(float(one[0]), float(two[0]), delta=1e-7)
+                self.assertAlmostEqual(float(one[1]), float(two[1]), delta=1e-9)
+
+    def test_what_it_writes_is_verified_by_the_same_part(self):
+        surface = self.file(plane())
+        done = endmill("plan", surface, "--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "0.5",
+                       "--direction", "u", "-o", "plan", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        out, facts = self.fed(self.folder / "plan/toolpath.csv", "--flutes", "2", "--max-force-n", "900",
+                              "--stock-top", "4")
+        self.assertEqual(facts["part"], "../surface.json")
+        done = endmill("verify", out / "toolpath.csv", "--resolution", "1", "-o", "verified", "--json",
+                       cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["verdict"], "clean")
+
+    def test_the_stock_gives_what_the_passes_say(self):
+        path = self.file(raster(4), "raster.csv")
+        common = ["--tool", TOOL, "--stock-top", "5", "--max-feed-per-tooth", "1", "--stock",
+                  "-20,-20,-20,50,30,5"]
+        out, facts = self.fed(path, *common)
+        passes = rows(out / "engagement.csv")
+        out, facts = self.fed(path, *common, "--engagement", "stock", "--resolution", "0.5")
+        self.assertEqual(facts["segments_by_stock"], 12)
+        stock = rows(out / "engagement.csv")
+        for one, two in zip(passes[3:], stock[3:]):
+            self.assertAlmostEqual(float(one["feed_per_tooth_mm"]), float(two["feed_per_tooth_mm"]),
+                                   delta=0.05 * float(one["feed_per_tooth_mm"]))
+
+    def test_modes_and_peaks(self):
+        path = self.file(raster(2), "raster.csv")
+        common = ["--tool", TOOL, "--stock-top", "5"]
+        _, corrected = self.fed(path, *common, "--mode", "corrected")
+        self.assertEqual((corrected["chip"], corrected["peak"]), ("exact", "direct"))
+        _, planned = self.fed(path, *common, "--mode", "planned", "--machine", MACHINE)
+        self.assertGreaterEqual(planned["planned_min"], planned["cut_min"])
+        _, torque = self.fed(path, *common, "--peak", "torque", "--chip", "exact")
+        self.assertEqual((torque["mode"], torque["peak"], torque["chip"]), ("paper", "torque", "exact"))
+        _, table = self.fed(path, *common, "--coefficients", "table")
+        _, direct = self.fed(path, *common)
+        self.assertAlmostEqual(table["cut_min"], direct["cut_min"], delta=0.1 * direct["cut_min"])
+
+    def test_the_same_bytes_with_any_number_of_threads(self):
+        path = self.file(raster(40, 0.7, 40), "raster.csv")
+        for threads in ("1", "4"):
+            self.fed(path, "--tool", TOOL, "--stock-top", "5", "--threads", threads)
+            (self.folder / "out").rename(self.folder / ("out" + threads))
+        for name in ("toolpath.csv", "engagement.csv", "feed.svg"):
+            self.assertEqual((self.folder / "out1" / name).read_bytes(),
+                             (self.folder / "out4" / name).read_bytes())
+
+    def test_infeasible_says_how_many_and_what_would_do(self):
+        path = self.file(raster(1), "raster.csv")
+        common = ["--material", STEEL, *TWO_FLUTES, "--stock-top", "20", "-o", "out", "--force"]
+        done = endmill("feed", path, *common, "--max-force-n", "100", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("3 of 3 segments", done.stderr)
+        needed = done.stderr.split("cutting_force ")[1].split(" N")[0]
+        self.assertTrue((self.folder / "out/toolpath.csv").exists())
+        allowed = endmill("feed", path, *common, "--max-force-n", "100", "--allow-infeasible", cwd=self.folder)
+        self.assertEqual(allowed.returncode, 0)
+        enough = endmill("feed", path, *common, "--max-force-n", needed, cwd=self.folder)
+        self.assertEqual(enough.returncode, 0, enough.stderr)
+
+    def refused(self, status, *words, path=None, options=(), material=STEEL):
+        path = path or self.file(raster(2), "raster.csv")
+        done = endmill("feed", path, "--material", material, *options, "-o", "out", cwd=self.folder)
+        self.assert_refused(done, status, *words)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_refuses_a_wrong_command_line(self):
+        top = ["--stock-top", "5"]
+        self.refused(2, "flutes", options=["--cutter", "ball:10", *top])
+        self.refused(2, "--cutter", options=["--flutes", "2", *top])
+        self.refused(2, "ball", options=["--cutter", "flat:10", "--flutes", "2", *top])
+        self.refused(2, "--cutter", options=["--cutter", "ball:0", "--flutes", "2", *top])
+        self.refused(2, "--flutes", options=["--cutter", "ball:10", "--flutes", "0", *top])
+        self.refused(2, "helix", options=[*TWO_FLUTES, "--peak", "torque", *top])
+        self.refused(2, "helix", options=[*TWO_FLUTES, "--mode", "corrected", *top])
+        self.refused(2, "--peak", options=[*TWO_FLUTES, "--peak", "constant:0.5", *top])
+        self.refused(2, "--peak", options=[*TWO_FLUTES, "--peak", "constant:nan", *top])
+        self.refused(2, "--stock-top", options=TWO_FLUTES)
+        self.refused(2, "acceleration", options=["--tool", TOOL, "--mode", "planned", *top])
+        self.refused(2, "--coefficients", options=["--tool", TOOL, "--peak", "direct", "--coefficients", "table",
+                                                   *top])
+        self.refused(2, "--noncut-min", options=[*TWO_FLUTES, *top, "--noncut-min", "1", "--rapid-mm-per-min", "9"])
+        self.refused(2, "accuracy", options=["--tool", TOOL, *top, "--accuracy", "1"])
+        mesh = self.file("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                         "endloop\nendfacet\nendsolid a\n", "part.stl")
+        self.refused(2, "mesh", options=["--tool", TOOL, *top, "--part", mesh])
+
+    def test_refuses_bad_files(self):
+        common = ["--tool", TOOL, "--stock-top", "5"]
+        bad = dict(SLOT)
+        del bad["r3"]
+        self.refused(3, "r3", material=self.file(bad, "m.json"), options=common)
+        self.refused(3, "specific_resistance", options=common,
+                     material=self.file({**SLOT, "specific_resistance_n_per_mm2": 0}, "m.json"))
+        self.refused(3, "tip_z_mm", path=self.file("tip_x_mm,tip_y_mm\n0,0\n1,1\n", "p.csv"), options=common)
+        swapped = "pass,point,tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0,0,0\n0,2,1,0,0\n0,1,2,0,0\n"
+        self.refused(3, "point 1 of pass 0 after point 2", path=self.file(swapped, "p.csv"), options=common)
+        back = "pass,point,tip_x_mm,tip_y_mm,tip_z_mm\n1,0,0,0,0\n0,0,1,0,0\n"
+        self.refused(3, "pass 0 after point 0 of pass 1", path=self.file(back, "p.csv"), options=common)
+        self.refused(3, "machine", options=[*common, "--machine", self.file({"format": "x"}, "machine.json")])
+
+    def test_refuses_what_the_geometry_does_not_allow(self):
+        common = ["--tool", TOOL]
+        top = ["--stock-top", "5"]
+        still = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n0,0,0\n0,0,-1\n", "p.csv")
+        self.refused(4, "no move", path=still, options=[*common, *top])
+        self.refused(4, "above the stock", options=[*common, "--stock-top", "-1"])
+        self.refused(4, "contact", options=[*common, *top, "--engagement", "contact"])
+        leaning = self.file("tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z\n0,0,0,0,0,1\n1,0,0,0,0.6,0.8\n",
+                            "p.csv")
+        self.refused(4, "+z", path=leaning, options=[*common, *top])
+        surface = self.file(plane(size=(60, 30)))
+        path = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n5,5,0\n20,5,0.3\n", "p.csv")
+        self.refused(4, "misses it by 0.2", path=path, options=[*common, *top, "--part", surface])
+        done = endmill("feed", path, "--material", STEEL, *common, *top, "--part", surface,
+                       "--contact-tolerance", "0.5", "-o", "out", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_move_that_stays_in_place_is_left_out(self):
+        text = "tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n5,0,0\n5,0,0\n9,0,0\n"
+        out, facts = self.fed(self.file(text, "p.csv"), "--tool", TOOL, "--stock-top", "5")
+        self.assertEqual(facts["segments"], 2)
+        self.assertEqual(len(rows(out / "toolpath.csv")), 4)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/io/machine_file.h"
+#include "fuzz_program.h"
+
+// A machine that is read is sound; or the error is one that the reader promises.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
+{
+    using namespace endmill;
+    const std::string_view content{reinterpret_cast<const char*>(bytes), size};
+    try {
+        const MachineDescription machine =
+            parse_machine(content, "f.json", {.max_memory_gib = 0.25});
+        require_sound(machine.limits);
+        for (const AxisTravel& travel : machine.travels)
+            program_must(std::isfinite(travel.from) && travel.from <= travel.to);
+        program_must(is_fit_for_a_terminal(machine.name + machine.source));
+    } catch (const FormatError& error) {
+        program_must(error.file() == "f.json" && is_fit_for_a_terminal(error.what()));
+    } catch (const LimitError&) {
+    }
+    return 0;
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/cut_moves.h"
+
+#include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
+
+namespace endmill {
+namespace {
+
+PathPoint at(Move move, const Vec3& tip)
+{
+    return {3, 0, move, {tip, Vec3::UnitZ()}, {}};
+}
+
+TEST(CutMoves, AreTheCutsThatGoAlongByTheirPlaceOnThePath)
+{
+    const ToolPath path{
+        {at(Move::Rapid, {0, 0, 5}), at(Move::Plunge, {0, 0, 0}),
+         at(Move::Cut, {3, 4, 0}), at(Move::Cut, {3, 4, 0}), at(Move::Cut, {3, 4, -2}),
+         at(Move::Cut, {3, 4, 1}), at(Move::Link, {3, 5, 1}), at(Move::Cut, {5, 5, 1})},
+        {}};
+    const std::vector<CutMove> moves = cut_moves(path);
+    ASSERT_EQ(moves.size(), 2u);
+    EXPECT_EQ(moves[0].point, 2u);
+    EXPECT_EQ(moves[0].pass, 3);
+    EXPECT_DOUBLE_EQ(moves[0].length_mm, 5);
+    EXPECT_DOUBLE_EQ(moves[0].begin_mm, 5);
+    EXPECT_EQ(moves[0].middle(), (Vec3{1.5, 2, 0}));
+    EXPECT_LT((moves[0].direction() - Vec3{0.6, 0.8, 0}).norm(), 1e-15);
+    EXPECT_EQ(moves[1].point, 7u);
+    EXPECT_DOUBLE_EQ(moves[1].middle_mm(), 5 + 5 + 2 + 3 + 1 + 1);
+}
+
+TEST(CutMoves, OfAPathWithoutAMoveAreNone)
+{
+    EXPECT_TRUE(cut_moves({}).empty());
+    EXPECT_TRUE(cut_moves({{at(Move::Cut, {0, 0, 0})}, {}}).empty());
+}
+
+TEST(CutMoves, NeedAnUprightAxis)
+{
+    ToolPath path{{at(Move::Rapid, {0, 0, 0}), at(Move::Cut, {1, 0, 0})}, {}};
+    path.points[1].location.axis = Vec3{0, 0.01, 1}.normalized();
+    EXPECT_THROW(cut_moves(path), GeometryError);
+}
+
+}  // namespace
+}  // namespace endmill

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/force_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
+#include "endmill/process/force_pattern.h"
+#include "random.h"
+
+namespace endmill {
+namespace {
+
+using std::numbers::pi;
+
+const CuttingMaterial material{2000, 0.016, 0.4, 0.5, 0.2, 0.6, 0.37, 28};
+
+MillingCut cut(const BallEngagement& engagement, ChipModel chip, int flutes, double helix)
+{
+    return {engagement, chip, material, {5, flutes, helix}, 0.1, Milling::Down, {}};
+}
+
+// The mean over a turn, between the corners that the flutes make together: near each the
+// force is like a square root, so the places are dense there.
+CuttingForce mean_over_turn(const ForceProfile& profile, int flutes)
+{
+    constexpr int samples = 100;
+    std::vector<double> ends{0, 2 * pi};
+    for (const double event : profile.edge().events())
+        for (int flute = 0; flute < flutes; ++flute) {
+            const double turn = event + 2 * pi * flute / flutes;
+            ends.push_back(turn < 2 * pi ? turn : turn - 2 * pi);
+        }
+    std::sort(ends.begin(), ends.end());
+    CuttingForce mean{0, 0, 0, 0};
+    for (std::size_t k = 1; k < ends.size(); ++k) {
+        const double length = ends[k] - ends[k - 1];
+        if (length < 1e-12)
+            continue;
+        for (int j = 0; j < samples; ++j) {
+            const double angle = pi * (j + 0.5) / samples;
+            const double turn = ends[k - 1] + length * (1 - std::cos(angle)) / 2;
+            const double weight = length / 2 * std::sin(angle) * pi / samples / (2 * pi);
+            const CuttingForce force = profile.at(turn);
+            mean.x_n += weight * force.x_n;
+            mean.y_n += weight * force.y_n;
+            mean.z_n += weight * force.z_n;
+            mean.torque_n_m += weight * force.torque_n_m;
+        }
+    }
+    return mean;
+}
+
+void expect_near(const CuttingForce& found, const CuttingForce& expected, double relative)
+{
+    const double size = std::hypot(expected.x_n, expected.y_n, expected.z_n);
+    EXPECT_NEAR(found.x_n, expected.x_n, relative * size);
+    EXPECT_NEAR(found.y_n, expected.y_n, relative * size);
+    EXPECT_NEAR(found.z_n, expected.z_n, relative * size);
+    EXPECT_NEAR(found.torque_n_m, expected.torque_n_m,
+                relative * std::abs(expected.torque_n_m));
+}
+
+CuttingForce mean_of_model(const MillingCut& cut)
+{
+    return mean_force(cutting_coefficients(cut.engagement, cut.chip), cut.material,
+                      cut.tool, cut.feed_per_tooth_mm, cut.milling);
+}
+
+TEST(ForceProfile, HasTheMeanOfTheMeanModelForAnyHelix)
+{
+    test::Random random{51};
+    for (int n = 0; n < 8; ++n) {
+        const BallEngagement engagement{random.uniform(-1, 1), random.uniform(-0.9, 0.9),
+                                        random.uniform(0.1, 1), random.uniform(0.2, 1.8)};
+        MillingCut one = cut(engagement, n % 2 == 0 ? ChipModel::Paper : ChipModel::Exact,
+                             1 + n % 3, n == 5 ? 0 : random.uniform(0, 1));
+        one.milling = n % 4 < 2 ? Milling::Up : Milling::Down;
+        expect_near(mean_over_turn(ForceProfile{one}, one.tool.flutes),
+                    mean_of_model(one), 2e-4);
+    }
+}
+
+// The sums of a force pattern are closed; without runout torque and thrust are theirs.
+TEST(ForceProfile, HasTheTorqueAndThrustOfTheForcePattern)
+{
+    test::Random random{52};
+    for (int n = 0; n < 40; ++n) {
+        const BallEngagement engagement{random.uniform(-1, 1), random.uniform(-0.9, 0.9),
+                                        random.uniform(0.1, 1), random.uniform(0.2, 1.8)};
+        const MillingCut one =
+            cut(engagement, n % 2 == 0 ? ChipModel::Paper : ChipModel::Exact, 3, 0.6);
+        const ForcePattern pattern{engagement, one.chip, one.tool};
+        const double turn = random.uniform(0, 2 * pi);
+        const CuttingForce force = ForceProfile{one}.at(turn);
+        const EdgeSums sums = pattern.at(turn);
+        const double scale = 2000 * 5;
+        EXPECT_NEAR(force.z_n, scale * (0.2 * 0.1 * sums.chip + 0.6 * 0.016 * sums.edge),
+                    1e-6);
+        EXPECT_NEAR(
+            force.torque_n_m,
+            -scale * 5 / 1000 * (0.1 * sums.chip_torque + 0.016 * sums.edge_torque),
+            1e-8);
+    }
+}
+
+// Uphill nothing is cut near azimuth 0, and no chip is clipped; what runout adds to one flute
+// it takes from others.
+TEST(ForceProfile, HasTheSameMeanWithRunoutWhileNoChipIsClipped)
+{
+    for (const ChipModel chip : {ChipModel::Paper, ChipModel::Exact}) {
+        MillingCut one = cut({0.1, 0.6, 0.6, 0.4}, chip, 3, 0.5);
+        one.feed_per_tooth_mm = chip == ChipModel::Paper ? 0.1 : 100;
+        one.runout = {1e-3, 0.7};
+        const double accuracy = chip == ChipModel::Paper ? 2e-4 : 1e-3;
+        expect_near(mean_over_turn(ForceProfile{one}, 3), mean_of_model(one), accuracy);
+    }
+}
+
+// One flute in turn meets what runout adds, the next what it takes.
+TEST(ForceProfile, OfTwoFlutesWithRunoutDiffersFromFluteToFlute)
+{
+    MillingCut one = cut({0, 0, 0, 1, PreviousPass::None}, ChipModel::Paper, 2, 0);
+    const double offset = 0.02;
+    one.runout = {offset, 0};
+    const ForceProfile profile{one};
+    // Flute 0 at 90 degrees, flute 1 out of the cut; then the other way round. The torque is
+    // K r0^2 (t + h) pi/4 with t = f +- 2 e.
+    const double scale = 2000 * 25 * pi / 4 / 1000;
+    EXPECT_NEAR(-profile.at(pi / 2).torque_n_m, scale * (0.1 + 2 * offset + 0.016), 1e-9);
+    EXPECT_NEAR(-profile.at(-pi / 2).torque_n_m, scale * (0.1 - 2 * offset + 0.016),
+                1e-9);
+}
+
+TEST(ForceProfile, WithMoreRunoutThanFeedLeavesAFluteIdle)
+{
+    MillingCut one = cut({0, 0, 0, 1, PreviousPass::None}, ChipModel::Paper, 2, 0.4);
+    one.runout = {0.2, 0};
+    const ForceProfile profile{one};
+    EXPECT_EQ(profile.at(-pi / 2).torque_n_m, 0);
+    EXPECT_LT(profile.at(pi / 2).torque_n_m, 0);
+}
+
+// A slot without helix at 90 degrees: tangential force against y when milling up, radial along x.
+TEST(ForceProfile, OfAStraightFluteIsClosed)
+{
+    MillingCut one = cut({0, 0, 0, 1, PreviousPass::None}, ChipModel::Paper, 1, 0);
+    one.milling = Milling::Up;
+    const CuttingForce force = ForceProfile{one}.at(pi / 2);
+    EXPECT_NEAR(force.y_n, -2000 * 5 * (0.1 + 0.016), 1e-9);
+    EXPECT_NEAR(force.x_n, 2000 * 5 * (0.4 * 0.1 + 0.5 * 0.016), 1e-9);
+    EXPECT_NEAR(force.z_n, 2000 * 5 * (0.2 * 0.1 + 0.6 * 0.016), 1e-9);
+    EXPECT_NEAR(force.torque_n_m, 2000 * 25 * pi / 4 * (0.1 + 0.016) / 1000, 1e-9);
+}
+
+TEST(ForceProfile, InAirIsNothing)
+{
+    const CuttingForce force =
+        ForceProfile{cut({0, 0, 0.5, -1}, ChipModel::Exact, 2, 0.5)}.at(1);
+    EXPECT_EQ(force.x_n, 0);
+    EXPECT_EQ(force.torque_n_m, 0);
+}
+
+TEST(ForceProfile, RefusesWhatIsNoCut)
+{
+    const MillingCut good = cut({0, 0, 0.5, 1}, ChipModel::Paper, 2, 0.5);
+    MillingCut bad = good;
+    bad.feed_per_tooth_mm = -0.1;
+    EXPECT_THROW(ForceProfile{bad}, DomainError);
+    bad = good;
+    bad.runout.offset_mm = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(ForceProfile{bad}, DomainError);
+    bad = good;
+    bad.tool.flutes = 0;
+    EXPECT_THROW(ForceProfile{bad}, DomainError);
+}
+
+}  // namespace
+}  // namespace endmill

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "endmill/process/cutting_material.h"
+#include "endmill/process/milling_machine.h"
+#include "endmill/process/milling_tool.h"
+
+// Materials, tools and machines that several tests of the process module share.
+namespace endmill::test {
+
+/// The reference set of the spec, section 8, in N; 1 kgf = 9.80665 N.
+inline CuttingMaterial steel()
+{
+    return {.specific_resistance_n_per_mm2 = 204 * 9.80665,
+            .edge_thickness_mm = 0.016,
+            .r1 = 0.4,
+            .r2 = 0.4,
+            .r3 = 0.2,
+            .r4 = 0.6,
+            .alpha = 0.3680141,
+            .v1_m_per_min = 28.4313,
+            .max_feed_per_tooth_mm = 0.15,
+            .min_feed_per_tooth_mm = 0.005,
+            .name = "steel"};
+}
+
+/// The reference cutter, ditto.
+inline MillingTool ball_10()
+{
+    return {.radius = 5,
+            .flutes = 2,
+            .helix = 0.5235987755982988,  // 30 degrees
+            .cutting_force_n = 128.3 * 9.80665,
+            .thrust_n = 46.19 * 9.80665,
+            .torque_n_m = 2 * 9.80665};
+}
+
+/// The reference machine for steel, ditto.
+inline MachineLimits mill_3000()
+{
+    return {.max_rpm = 3000, .max_power_w = 3700, .max_feed_mm_per_min = 2000};
+}
+
+}  // namespace endmill::test

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/pass_index.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "process/pass_examples.h"
+
+namespace endmill {
+namespace {
+
+// The rules of the header, one move after the other.
+NeighbouringPasses looked_through(const std::vector<CutMove>& moves, std::size_t number,
+                                  double reach)
+{
+    const CutMove& own = moves[number];
+    const Vec3 way = own.direction();
+    NeighbouringPasses found;
+    for (std::size_t i = 0; i < number; ++i) {
+        const CutMove& other = moves[i];
+        const double slant = other.direction().dot(way);
+        if (std::abs(slant) < std::sqrt(0.5))
+            continue;
+        const double along =
+            (own.middle() - other.from).dot(way) / slant;  // mm from its begin
+        if (along < 0 || along > other.length_mm)
+            continue;
+        if (other.pass == own.pass && own.middle_mm() - other.begin_mm - along < reach)
+            continue;
+        const Vec3 offset = own.middle() - (other.from + along * other.direction());
+        auto& side = offset.cross(way).z() < 0 ? found.right : found.left;
+        if (offset.norm() < (side ? side->distance : reach))
+            side = PassCrossing{i, along / other.length_mm, offset, offset.norm()};
+    }
+    return found;
+}
+
+// A wavy surface, passes at a slant, zigzag, of moves of random lengths.
+std::vector<CutMove> wavy_moves(double slant)
+{
+    std::mt19937 random{7};
+    std::uniform_real_distribution<double> length{0.2, 2};
+    ToolPath path;
+    for (int pass = 0; pass < 14; ++pass)
+        for (double x = 0; x < 40; x += length(random)) {
+            const double along = pass % 2 == 0 ? x : 40 - x;
+            const double across = 1.3 * pass;
+            const Vec3 tip{std::cos(slant) * along - std::sin(slant) * across,
+                           std::sin(slant) * along + std::cos(slant) * across,
+                           4 * std::sin(along / 7) * std::cos(across / 5)};
+            path.points.push_back(
+                {pass, 0, x == 0 ? Move::Rapid : Move::Cut, {tip, Vec3::UnitZ()}, {}});
+        }
+    return cut_moves(path);
+}
+
+void expect_same(const std::optional<PassCrossing>& one,
+                 const std::optional<PassCrossing>& other)
+{
+    ASSERT_EQ(one.has_value(), other.has_value());
+    if (one) {
+        EXPECT_NEAR(one->distance, other->distance, 1e-12);
+        EXPECT_LT((one->offset - other->offset).norm(), 1e-11);
+    }
+}
+
+TEST(PassIndex, FindsWhatLookingAtEveryMoveFinds)
+{
+    for (const double slant : {0.0, 0.3, 1.1, std::numbers::pi / 2}) {
+        const std::vector<CutMove> moves = wavy_moves(slant);
+        const PassIndex index{moves};
+        for (const double reach : {1.0, 3.0, 12.0})
+            for (std::size_t i = 0; i < moves.size(); ++i) {
+                const NeighbouringPasses fast = index.beside(i, reach);
+                const NeighbouringPasses slow = looked_through(moves, i, reach);
+                expect_same(fast.left, slow.left);
+                expect_same(fast.right, slow.right);
+            }
+    }
+}
+
+TEST(PassIndex, LeavesOutTheOwnPassNearbyButNotFurtherOn)
+{
+    // There, and back beside it, in one pass.
+    ToolPath path;
+    for (const Vec3& tip : {Vec3{0, 0, 0}, Vec3{10, 0, 0}, Vec3{20, 0, 0}, Vec3{20, 1, 0},
+                            Vec3{10, 1, 0}, Vec3{0, 1, 0}})
+        path.points.push_back({0, 0, Move::Cut, {tip, Vec3::UnitZ()}, {}});
+    const std::vector<CutMove> moves = cut_moves(path);
+    const PassIndex index{moves};
+    EXPECT_FALSE(index.beside(3, 15).left);  // 11 mm of path to its neighbour
+    EXPECT_TRUE(index.beside(3, 10).left);
+    EXPECT_TRUE(index.beside(4, 15).left);  // 31 mm
+}
+
+TEST(PassIndex, TakesAPassStraightAboveForNoPickFeedAndOneInPlaceForAir)
+{
+    const ToolPath path = passes({{Vec3{0, 0, 0}, Vec3{20, 0, 0}},
+                                  {Vec3{0, 0, -2}, Vec3{20, 0, -2}},
+                                  {Vec3{0, 0, -2}, Vec3{20, 0, -2}}},
+                                 1);
+    const std::vector<CutMove> moves = cut_moves(path);
+    const PassIndex index{moves};
+    const NeighbouringPasses above = index.beside(1, 10);
+    EXPECT_FALSE(above.left || above.right);
+    EXPECT_EQ(index.beside(2, 10).left.value().distance, 0);
+}
+
+TEST(PassIndex, LeavesOutWhatCrossesTheWay)
+{
+    for (const double degrees : {40.0, 50.0, 130.0, 140.0}) {
+        const double angle = degrees * std::numbers::pi / 180;
+        const Vec3 way{std::cos(angle), std::sin(angle), 0};
+        const Vec3 beside{0, 2, 0};
+        const ToolPath path = passes(
+            {{beside - 10 * way, beside + 10 * way}, {Vec3{-5, 0, 0}, Vec3{5, 0, 0}}}, 1);
+        const std::vector<CutMove> moves = cut_moves(path);
+        EXPECT_EQ(PassIndex{moves}.beside(1, 10).left.has_value(),
+                  std::abs(degrees - 90) > 45);
+    }
+}
+
+}  // namespace
+}  // namespace endmill

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/top_integrals.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace endmill {
+namespace {
+
+using std::numbers::pi;
+
+// The top goes round at the equator; the front takes back what it covers behind.
+TEST(TopIntegrals, OfASlotAddUpToItsArea)
+{
+    for (const double lambda : {-0.8, -0.2, 0.3, 1.1}) {
+        const EngagedRegion region{{0, lambda, 0, 1, PreviousPass::None}};
+        const double front = border_integrals(region, ChipModel::Paper, 1e-12)[5];
+        EXPECT_NEAR(top_integrals(region, ChipModel::Paper)[5], pi, 1e-12);
+        EXPECT_NEAR(front, -2 * lambda, 1e-11);
+    }
+}
+
+TEST(TopIntegrals, OfALevelSlotAreThoseOfTheTop)
+{
+    const EngagedRegion region{{0, 0, 0, 0.5, PreviousPass::None}};
+    for (const double sum : border_integrals(region, ChipModel::Exact, 1e-12))
+        EXPECT_EQ(sum, 0);
+    const CoefficientSums top = top_integrals(region, ChipModel::Paper);
+    EXPECT_NEAR(top[3], 1, 1e-12);  // height times the mean of sin over half a turn
+    EXPECT_NEAR(top[5], pi / 2, 1e-12);
+    EXPECT_NEAR(top[7], pi / 2 * (pi / 3 - std::sin(2 * pi / 3) / 2), 1e-12);
+}
+
+}  // namespace
+}  // namespace endmill
