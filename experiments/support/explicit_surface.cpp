@@ -20,6 +20,7 @@ namespace {
 std::vector<double> nodes(const Interval& range, int intervals)
 {
     std::vector<double> nodes;
+    nodes.reserve(static_cast<std::size_t>(intervals) + 1);
     for (int i = 0; i <= intervals; ++i)
         nodes.push_back(range.low + range.length() * i / intervals);
     return nodes;

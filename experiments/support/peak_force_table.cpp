@@ -30,6 +30,8 @@ void add_engagements(CsvTable& table, const std::vector<SegmentCut>& cuts,
 {
     std::vector<CuttingCoefficients> idealised;
     std::vector<CuttingCoefficients> met;
+    idealised.reserve(cuts.size());
+    met.reserve(cuts.size());
     for (std::size_t i = 0; i < cuts.size(); ++i) {
         idealised.push_back(
             cutting_coefficients(ball_engagement(cuts[i], radius), ChipModel::Exact));

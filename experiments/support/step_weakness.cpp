@@ -110,12 +110,13 @@ std::size_t verified_points(const Surface& surface, const ToolPath& path,
 {
     const std::span<const Surface> surfaces{&surface, 1};
     const MarchedSurface on = marched(surface, plan.direction);
-    const GougeTest gouge{surfaces, plan.ball, Vec3::UnitZ()};
+    const ClearMoves clear{surfaces, tool_side_signs(surfaces, Vec3::UnitZ()), plan.ball,
+                           Vec3::UnitZ(), plan.tolerance};
     const OffsetBounds bounds{on.surface};
     const StripCover line_cover{on, bounds, plan.ball, plan.tolerance};
     const VerifiedSurface verified{
         .marched = on,
-        .gouge = gouge,
+        .clear = clear,
         .line_cover = line_cover,
         .tolerances = {plan.tolerance, plan.tolerance},
         .direction = plan.direction,

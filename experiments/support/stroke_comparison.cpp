@@ -12,6 +12,7 @@ std::vector<TurnRange> turn_ranges(const std::vector<MilledMove>& moves,
                                    const MillingJob& job, int steps)
 {
     std::vector<TurnRange> ranges;
+    ranges.reserve(moves.size());
     for (const MilledMove& move : moves)
         ranges.push_back(turn_range(move, job, steps));
     return ranges;
@@ -38,6 +39,7 @@ std::vector<MilledMove> milled_moves(const std::vector<SegmentCut>& cuts,
                                      const std::optional<double>& feed_per_tooth_mm)
 {
     std::vector<MilledMove> moves;
+    moves.reserve(cuts.size());
     for (std::size_t i = 0; i < cuts.size(); ++i)
         moves.push_back({cuts[i],
                          feed_per_tooth_mm.value_or(plan.rows[i].tooth.feed_per_tooth_mm),

@@ -29,6 +29,7 @@ std::vector<MilledMove> constant_moves(const std::vector<SegmentCut>& cuts, int 
                                        double feed_mm_per_min, double spindle_rpm)
 {
     std::vector<MilledMove> moves;
+    moves.reserve(cuts.size());
     for (const SegmentCut& cut : cuts)
         moves.push_back({cut, feed_mm_per_min / (flutes * spindle_rpm), spindle_rpm});
     return moves;

@@ -9,8 +9,8 @@
 
 #include "endmill/core/error.h"
 #include "endmill/surface/nurbs.h"
-#include "support/revolved_surfaces.h"
-#include "support/test_surfaces.h"
+#include "revolved_surfaces.h"
+#include "test_surfaces.h"
 
 namespace endmill {
 namespace {

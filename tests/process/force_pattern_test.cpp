@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
-#include "process/milling_examples.h"
+#include "milling_examples.h"
 #include "random.h"
 
 namespace endmill {
@@ -225,16 +225,16 @@ TEST(ForcePattern, ReachesEachLimitAtItsBound)
 // bound comes from them.
 TEST(ForcePattern, OfVanishingChipsKeepsItsBounds)
 {
-    const LoadModel model{test::steel(), 5};
+    const LoadModel in_steel{test::steel(), 5};
     const double limit = 1258;
     for (int k = 0; k < 60; ++k) {
         const BallEngagement engagement{-0.15 + 0.013 * k, 0.35 + 0.0107 * k,
                                         0.29 - 0.0013 * k, 1.3 + 0.057 * k};
         const ForcePattern pattern{engagement, ChipModel::Exact, test::ball_10()};
-        const FeedBounds bounds = pattern.direct_bounds(model, {limit, {}, {}});
+        const FeedBounds bounds = pattern.direct_bounds(in_steel, {limit, {}, {}});
         ASSERT_GT(bounds.cutting_force.value(), 0) << k;
         EXPECT_NEAR(
-            pattern.largest_loads(model, bounds.cutting_force.value()).cutting_force_n,
+            pattern.largest_loads(in_steel, bounds.cutting_force.value()).cutting_force_n,
             limit, 1e-4 * limit);
     }
 }

@@ -11,7 +11,7 @@
 #include "endmill/core/error.h"
 #include "endmill/process/force_pattern.h"
 #include "endmill/process/segment_load.h"
-#include "process/milling_examples.h"
+#include "milling_examples.h"
 
 namespace endmill {
 namespace {

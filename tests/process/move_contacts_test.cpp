@@ -8,8 +8,8 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
-#include "process/pass_examples.h"
-#include "support/test_surfaces.h"
+#include "pass_examples.h"
+#include "test_surfaces.h"
 
 namespace endmill {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "process/pass_examples.h"
+#include "pass_examples.h"
 
 namespace endmill {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "endmill/core/error.h"
 #include "endmill/surface/nurbs.h"
-#include "process/pass_examples.h"
-#include "support/revolved_surfaces.h"
-#include "support/test_surfaces.h"
+#include "pass_examples.h"
+#include "revolved_surfaces.h"
+#include "test_surfaces.h"
 
 namespace endmill {
 namespace {
