@@ -73,12 +73,13 @@ class Trim(ProgramTest):
             self.assertLess(facts["methods"][name]["max_below_envelope_mm"], 1e-9, name)
 
     def test_a_fold_that_is_left_is_told(self):
-        # Vector T5: nested loops, which the guarded methods leave.
-        wide = "s_mm,z_mm\n0,0\n6,-6\n4,-7\n5,-8\n3,-9\n4,-10\n2,-11\n8,-5\n"
+        # Vector T5: nested loops, which the guarded methods leave. s steps back twice.
+        wide = "s_mm,z_mm\n-10,10\n4,-4\n-2,-3\n0,-3.6\n2,-3.1\n-4,-4\n10,10\n"
         done = endmill("trim", "--polyline", self.file(wide, "w.csv"), "--method", "3", "--json", "-o", "out",
                        cwd=self.folder)
         facts = json.loads(done.stdout)
-        self.assertEqual(done.returncode, 1 if facts["unresolved"] else 0, done.stderr)
+        self.assertEqual((done.returncode, facts["unresolved"], facts["loops"]), (1, 2, 0), done.stderr)
+        self.assertIn("2 folds left", endmill("trim", "--polyline", "w.csv", "--method", "3", cwd=self.folder).stdout)
 
     def test_a_surface_becomes_a_path_that_verify_accepts(self):
         facts = self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--tolerance",
@@ -116,6 +117,42 @@ class Trim(ProgramTest):
         # The lowest point of a valley's section is its crossing: the same on both grids.
         self.assertAlmostEqual(heights[0][0], heights[1][0], delta=1e-6)
         self.assertAlmostEqual(heights[0][1], heights[1][1], delta=1e-4)
+
+    def test_every_loop_is_explained(self):
+        known = {"below the envelope", "winding number", "valley", "E1", "E2", "E3", "P3", "P4", "P3 cut", "P4 cut",
+                 "closed", "outside the range"}
+        for method, own in (("envelope", "below the envelope"), ("winding", "winding number"), ("3r", "valley")):
+            self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "40", "--planes", "9", "--tolerance", "1",
+                         "--method", method, "--explain", "-o", "out", "--force")
+            rules = {loop["rule"] for loop in table(self.folder / "out/loops.csv")}
+            self.assertLessEqual(rules, known)
+            self.assertLessEqual({own, "outside the range"}, rules)
+
+    def test_folds_that_the_range_cuts_off_are_not_told(self):
+        def sheet(x, low, high):
+            return [[[x, -20, low], [x + 20, -20, high]], [[x, 20, low], [x + 20, 20, high]]]
+        roof = {"format": "endmill-surface/1", "type": "bezier-patches", "name": "roof",
+                "patches": [sheet(-20, -10, 0), sheet(0, 0, -10)]}
+        words = ("trim", self.file(roof), "--cutter", "bull:10:2", "--direction-deg", "37", "--planes", "7", "--grid",
+                 "30")
+        paths = []
+        for method in ("3r", "envelope"):
+            facts = self.summary(*words, "--method", method, "-o", method)
+            self.assertEqual(facts["unresolved"], 0)
+            paths.append([(row["plane"], row["s_mm"], row["z_mm"])
+                          for row in table(self.folder / method / "trimmed.csv")])
+        self.assertEqual(paths[0], paths[1])
+
+    def test_loops_end_at_points_that_are_left(self):
+        for number, words in enumerate(((), ("--refine",), ("--method", "3r", "--direction-deg", "-15"))):
+            out = self.folder / str(number)
+            self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "40", "--planes", "9", "--tolerance", "1",
+                         "-o", out, *words)
+            left = {(row["plane"], row["s_mm"], row["z_mm"]) for row in table(out / "trimmed.csv")}
+            loops = table(out / "loops.csv")
+            self.assertGreaterEqual(len(loops), 18)
+            for loop in loops:
+                self.assertIn((loop["plane"], loop["s_mm"], loop["z_mm"]), left, words)
 
     def test_a_mesh_is_followed_by_the_drop_cutter(self):
         mesh = ROOT / "datasets/meshes"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "endmill/interference/envelope_trimming.h"
 #include "offset_parts.h"
 
 namespace endmill {
@@ -110,6 +111,67 @@ TEST(BorderStrips, AroundASquareAreQuarterPipesAndEighthsOfABall)
     const double expected = 4 * std::numbers::pi * 2 + 2 * std::numbers::pi * 4;
     EXPECT_NEAR(area, expected, 2e-3 * expected);
     EXPECT_LT(area, expected);
+}
+
+// How deep a point is in a cutter, `across` mm beside its axis and `below` mm below its
+// reference point; negative outside.
+double depth_in(const Cutter& cutter, double across, double below)
+{
+    const double r = cutter.corner_radius();
+    const double beyond = across - cutter.flat_radius();  // the bottom circle
+    if (below < 0)
+        return std::min(r - below, cutter.radius() - across);
+    return r - (beyond > 0 ? std::hypot(beyond, below) : below);
+}
+
+// How deep the origin, the highest corner of a part, is in the cutter at most, at the points of
+// the path and in the middles between them; by the closed form.
+double depth_over_corner(const Cutter& cutter, const std::vector<Surface>& part)
+{
+    OffsetOptions options;
+    options.grid_lines = 11;
+    const OffsetMesh offset = offset_mesh(part, cutter, options);
+    DrivePlanes planes{DriveFrame{Angle::degrees(0)}, {}};
+    for (double t = -9.97; t < 0; t += 0.37)
+        planes.positions.push_back(t);
+    double deepest = 0;
+    for (std::size_t k = 0; const PlaneSection& section : slice(offset.mesh, planes)) {
+        const double t = planes.positions[k++];
+        const auto compare = [&](const SectionPoint& at) {
+            const double across = std::hypot(at.x(), t);
+            if (at.x() <= 0)
+                deepest = std::max(deepest, depth_in(cutter, across, at.y()));
+        };
+        for (const TrimmedCurve& curve : envelope_trimming(section.curves).curves)
+            for (std::size_t i = 1; i < curve.points.size(); ++i) {
+                compare(curve.points[i].at);
+                compare((curve.points[i - 1].at + curve.points[i].at) / 2);
+            }
+    }
+    return deepest;
+}
+
+// Where the normal turns past the axis, the bottom circle turns about it at once.
+TEST(BoundaryStrips, KeepToTheirChordErrorOverCorners)
+{
+    constexpr double chord_error = 1e-3;  // mm, of the specification
+    for (const Cutter& cutter : {Cutter::ball(10), Cutter::flat(10), Cutter{10, 3},
+                                 Cutter{10, 0.5}, Cutter{10, 8}}) {
+        SCOPED_TRACE(cutter.corner_radius());
+        for (const SectionPoint& slope :
+             {SectionPoint{0.6, 0.2}, SectionPoint{2, 0.3}, SectionPoint{0.05, 0.02}}) {
+            const auto height = [&](double x, double y) {
+                return slope.x() * x + slope.y() * y;
+            };
+            EXPECT_LE(
+                depth_over_corner(cutter, {test::facet({{-10, 0}, {-10, 0}}, height)}),
+                chord_error)
+                << slope.transpose();
+        }
+        for (const double slope : {0.3, 1.5})
+            EXPECT_LE(depth_over_corner(cutter, test::pyramid(10, slope)), chord_error)
+                << slope;
+    }
 }
 
 }  // namespace

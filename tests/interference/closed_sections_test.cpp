@@ -56,6 +56,7 @@ TEST(TrimClosed, KeepsOneBesideOrWithoutOpenCurves)
         point.x() += 20;
     const std::vector<SectionCurve> curves{open, beside};
     EXPECT_EQ(trim_closed(curves, {}).curves.size(), 1U);
+    EXPECT_EQ(trim_closed(curves, {}).rule, "below the envelope");
     EXPECT_EQ(trim_closed({&beside, 1}, {}).curves.size(), 1U);
 }
 

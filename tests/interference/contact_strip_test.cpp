@@ -103,6 +103,24 @@ TEST(ArcShares, EndWhereTheArcPassesTheAxis)
     EXPECT_LT(arc_shares(past, Cutter{10, 3}, 1e-3).size(), 200U);
 }
 
+// Evenly spaced for a ball; denser for a bull-nose cutter where chains pass the axis.
+TEST(CornerShares, AreDenserBesideTheAxis)
+{
+    const Vec3 normal = Vec3{-0.6, 0, 0.8};
+    const NormalArc level = arc_between(Vec3{0.28, 0.96, 0}, Vec3{0.96, -0.28, 0});
+    const auto ball = corner_shares(level, normal, {Cutter::ball(10), 1e-3}, 1);
+    EXPECT_EQ(ball.size(), std::ceil(level.angle / (2 * std::acos(1 - 1e-4))) + 1);
+    EXPECT_EQ(corner_shares(level, normal, {Cutter::flat(10), 1e-3}, 1), ball);
+    EXPECT_EQ(corner_shares(level, Vec3::UnitZ(), {Cutter{10, 3}, 1e-3}, 1), ball);
+    EXPECT_EQ(corner_shares(level, normal, {Cutter::ball(10), 1e-3}, 90).size(), 91U);
+    const auto bull = corner_shares(level, normal, {Cutter{10, 3}, 1e-3}, 1);
+    EXPECT_GT(bull.size(), ball.size());
+    const auto passing = std::ranges::min_element(bull, {}, [&](double share) {
+        return std::abs(normal.cross(level.at(share)).z());
+    });
+    EXPECT_LT(passing[1] - passing[0], ball[1] / 4);
+}
+
 OffsetDraft draft_with(const Vec3& point, const std::vector<Vec3>& normals)
 {
     OffsetDraft draft{Cutter::ball(2), 1e-2, {}, {}, {}};

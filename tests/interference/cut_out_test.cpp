@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "endmill/interference/clipped_sections.h"
 #include "endmill/interference/profile_families.h"
 #include "trimmed_curves.h"
 
@@ -125,6 +126,10 @@ TEST(CutOut, HoldsExactlyThePointsThatAreNotLeft)
     for (const OffsetProfile& profile : hard_profiles()) {
         SCOPED_TRACE(profile.name);
         const SectionCurve curve = offset_curve(profile, 401);
+        for (const CutOut& cut : cut_from(curve, "envelope"))
+            EXPECT_EQ(cut.rule, "below the envelope");
+        for (const CutOut& cut : cut_from(curve, "winding"))
+            EXPECT_EQ(cut.rule, "winding number");
         const Trimmed trimmed = test::trim("3r", curve);
         std::vector<bool> seen(curve.points.size(), false);
         for (const TrimmedPoint& point : trimmed.curves.at(0).points) {
@@ -149,6 +154,46 @@ TEST(CutOut, HoldsExactlyThePointsThatAreNotLeft)
                       points[i - 1].kind == TrimmedKind::Vertex;
         EXPECT_EQ(crossings, bounds);
     }
+}
+
+// Cut off within the segments 0 and 2 at the ends of a range.
+TEST(CutOut, OfWhatLiesOutsideTheRangeEndsAtItsEnd)
+{
+    const SectionCurve roof = test::open_curve({{0, 0}, {4, 4}, {8, 4}, {12, 0}});
+    Trimmed trimmed = test::trim("envelope", roof);
+    trimmed.curves = clipped(trimmed.curves, {1, 10});
+    const auto cuts = cut_out({&roof, 1}, trimmed);
+    ASSERT_EQ(cuts.size(), 2U);
+    expect_stretch(cuts[0], 0, 0, CutCause::End);
+    EXPECT_EQ(cuts[0].place, SectionPoint(1, 1));
+    expect_stretch(cuts[1], 3, 3, CutCause::End);
+    EXPECT_EQ(cuts[1].place, SectionPoint(10, 2));
+    // Of a piece of one segment too, of which no vertex is left.
+    trimmed.curves = clipped(trimmed.curves, {5, 7});
+    const auto all = cut_out({&roof, 1}, trimmed);
+    ASSERT_EQ(all.size(), 1U);
+    expect_stretch(all[0], 0, 3, CutCause::End);
+    EXPECT_EQ(all[0].place, SectionPoint(5, 4));
+}
+
+// A crossing that was moved past a vertex, and an end that was moved up.
+TEST(CutOut, NamesPlacesAsTheyAreInTheResult)
+{
+    const SectionCurve folded = test::open_curve(
+        {{-6, 6}, {-1, 1}, {2, -2}, {0, -1}, {-2, -2}, {6, 6}, {7, 6}, {6.5, 7}});
+    Trimmed trimmed = test::trim("3r", folded);
+    auto& points = trimmed.curves.at(0).points;
+    ASSERT_EQ(points.size(), 5U);
+    ASSERT_EQ(points[2].kind, TrimmedKind::Crossing);
+    points[2].at = {-1.5, 1.5};
+    points[4].at = {7, 6.25};
+    points.erase(points.begin() + 1);
+    const auto cuts = cut_out({&folded, 1}, trimmed);
+    ASSERT_EQ(cuts.size(), 2U);
+    expect_stretch(cuts[0], 1, 4, CutCause::Fold);
+    EXPECT_EQ(cuts[0].place, SectionPoint(-1.5, 1.5));
+    expect_stretch(cuts[1], 7, 7, CutCause::End);
+    EXPECT_EQ(cuts[1].place, SectionPoint(7, 6.25));
 }
 
 TEST(CutOut, NamesCausesAsInFiles)

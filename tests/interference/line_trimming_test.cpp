@@ -30,17 +30,23 @@ TEST(SearchByLines, NeedsBothBranchesToReachTheOthersCusp)
     EXPECT_FALSE(search_by_lines(chain, {0, 1, 3, 4}, {}));
 }
 
-// Each line picks the other wrong segment: it gives up, and the crossing is missed.
+// From segment 0 to 5, to 2, to 4, and to 0 again: it gives up, and misses the crossing of
+// the segments 2 and 5.
 TEST(SearchByLines, EndsWhereItDoesNotConverge)
 {
-    const std::vector<SectionPoint> points{{-10, 9}, {-9, 1},  {3, 0.5}, {4, -3},
-                                           {-4, -3}, {-3, -1}, {9, 0.9}, {10, 9}};
+    const std::vector<SectionPoint> points{{-5, 7}, {0, 4},  {1, -5}, {3, -3},
+                                           {-5, 7}, {2, -9}, {4, 7},  {6, 9}};
     const SectionChain chain{points, 0};
     const Branches branches{0, 3, 4, 7};
-    const auto crossing = search_by_lines(chain, branches, {});
-    if (crossing) {
-        EXPECT_LT(crossing->segment_a, 3);
-    }
+    EXPECT_EQ(first_crossed_of_b(chain, branches, 0), 5);
+    EXPECT_EQ(first_crossed_of_a(chain, branches, 5), 2);
+    EXPECT_EQ(first_crossed_of_b(chain, branches, 2), 4);
+    EXPECT_EQ(first_crossed_of_a(chain, branches, 4), 0);
+    const auto missed = crossing_of(chain, 2, 5, true);
+    ASSERT_TRUE(missed);
+    EXPECT_NEAR(missed->at.x(), 19.0 / 7, 1e-15);
+    for (const auto detection : {FoldDetection::Literal, FoldDetection::Guarded})
+        EXPECT_FALSE(search_by_lines(chain, branches, {.detection = detection}));
 }
 
 }  // namespace

@@ -90,6 +90,22 @@ TEST(RunReader, AlternatesOnRandomChains)
     }
 }
 
+TEST(BackwardRuns, AreCountedOfWhatIsLeft)
+{
+    const auto count = [](const std::vector<double>& s) {
+        std::vector<TrimmedPoint> points;
+        for (const double at : s)
+            points.push_back({{at, 0}, {0, 0}, {0, 0}, TrimmedKind::Vertex});
+        return backward_runs(points, 1e-3);
+    };
+    EXPECT_EQ(count({}), 0);
+    EXPECT_EQ(count({0, 1, 1, 2}), 0);
+    EXPECT_EQ(count({0, 2, 1.5, 1, 3, 2}), 2);
+    EXPECT_EQ(count({2, 1}), 1);
+    EXPECT_EQ(count({0, 2, 1, 1.0005, 0.5, 3}), 1);  // within the dead band
+    EXPECT_EQ(count({0, 2, 1.9995, 3}), 0);
+}
+
 TEST(DeadBand, IsAShareOfTheLargerExtent)
 {
     EXPECT_DOUBLE_EQ(dead_band(heights({0, 8})), 8e-10);

@@ -2,6 +2,7 @@
 #include "endmill/interference/winding_trimming.h"
 
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -83,11 +84,25 @@ TEST(WindingTrimming, IsTheEnvelopeOfHardProfiles)
     }
 }
 
+TEST(WindingTrimming, IsTheEnvelopeOfWavyProfiles)
+{
+    for (const OffsetProfile& profile : wavy_profiles()) {
+        SCOPED_TRACE(profile.name);
+        expect_as_envelope(offset_curve(profile, 401));
+    }
+}
+
+// All with few points; of the others a part, for the time.
 TEST(WindingTrimming, IsTheEnvelopeOfConvexProfiles)
 {
-    for (const OffsetProfile& profile : convex_profiles(41)) {
-        SCOPED_TRACE(profile.name);
-        expect_as_envelope(offset_curve(profile, 41));
+    const std::pair<int, std::size_t> samplings[]{
+        {41, 1}, {101, 1}, {401, 5}, {1601, 25}};
+    for (const auto& [points, step] : samplings) {
+        const auto profiles = convex_profiles(points);
+        for (std::size_t k = 0; k < profiles.size(); k += step) {
+            SCOPED_TRACE(std::to_string(points) + " of " + profiles[k].name);
+            expect_as_envelope(offset_curve(profiles[k], points));
+        }
     }
 }
 
@@ -96,6 +111,123 @@ TEST(WindingTrimming, KeepsWhatHangsOver)
 {
     const Points slot{{-5, 0}, {-1, 0}, {-2, -3}, {2, -3}, {1, 0}, {5, 0}};
     EXPECT_EQ(winding({test::open_curve(slot)}), (std::vector<Points>{slot}));
+}
+
+// The vertical step of one curve goes down to where the other passes, not to its own end.
+TEST(WindingTrimming, EndsWhereAVerticalSegmentIsCrossed)
+{
+    const SectionCurve stepped = test::open_curve({{0, 1}, {2, 2}, {2, 0}, {2, 2}});
+    const SectionCurve passing =
+        test::open_curve({{1, 0}, {3, 2}, {0, 1}, {3, 0}, {2, 0}});
+    const auto left = winding({stepped, passing});
+    ASSERT_EQ(left.size(), 1U);
+    test::expect_points(
+        left[0], {{0, 1}, {2, 2}, {2, 5.0 / 3}, {0, 1}, {1.5, 0.5}, {2, 1}, {2, 1.0 / 3}},
+        1e-15);
+    const Trimmed trimmed = winding_trimming(std::vector{stepped, passing});
+    const TrimmedPoint& last = trimmed.curves[0].points.back();
+    EXPECT_EQ(last.kind, TrimmedKind::Crossing);
+    EXPECT_EQ(last.on, (SegmentNumber{0, 1}));
+    EXPECT_EQ(last.across, (SegmentNumber{1, 2}));
+}
+
+// Curves on a small grid of whole numbers, which are full of degenerate places.
+std::vector<SectionCurve> whole_number_curves(std::mt19937_64& random)
+{
+    const auto below = [&](std::uint64_t bound) {
+        return static_cast<double>(random() % bound);
+    };
+    std::vector<SectionCurve> curves;
+    for (int c = 0; c < 2; ++c) {
+        Points points;
+        for (int k = 0; k < 5; ++k)
+            points.emplace_back(below(4), below(4));
+        if (points.front() == points.back())
+            points.back().x() += 1;
+        if (points.front().x() > points.back().x())
+            std::ranges::reverse(points);
+        curves.push_back(test::open_curve(points));
+    }
+    return curves;
+}
+
+bool lies_on(const SectionPoint& point, const SectionPoint& from, const SectionPoint& to)
+{
+    constexpr double rounding = 1e-14;
+    const SectionPoint way = to - from;
+    const SectionPoint off = point - from;
+    return std::abs(way.x() * off.y() - way.y() * off.x()) <= rounding &&
+           off.dot(way) >= -rounding && (point - to).dot(way) <= rounding;
+}
+
+bool lies_on_one_segment(const SectionPoint& from, const SectionPoint& to,
+                         const std::vector<SectionCurve>& curves)
+{
+    for (const SectionCurve& curve : curves)
+        for (std::size_t k = 1; k < curve.points.size(); ++k)
+            if (lies_on(from, curve.points[k - 1], curve.points[k]) &&
+                lies_on(to, curve.points[k - 1], curve.points[k]))
+                return true;
+    return false;
+}
+
+// The index of a place that has no vertex straight above: what crosses a ray upwards.
+int index_at(const SectionPoint& place, const std::vector<SectionCurve>& curves)
+{
+    int index = 0;
+    for (const SectionCurve& curve : curves)
+        for (std::size_t k = 1; k < curve.points.size(); ++k) {
+            const SectionPoint& from = curve.points[k - 1];
+            const SectionPoint& to = curve.points[k];
+            if ((from.x() < place.x()) == (to.x() < place.x()))
+                continue;
+            const double share = (place.x() - from.x()) / (to.x() - from.x());
+            if (from.y() + share * (to.y() - from.y()) > place.y())
+                index += from.x() < to.x() ? -1 : 1;
+        }
+    return index;
+}
+
+// A little to the left of the middle of a piece, and off the vertical through a vertex.
+SectionPoint left_of(const std::pair<SectionPoint, SectionPoint>& piece)
+{
+    const SectionPoint way = (piece.second - piece.first).normalized();
+    const SectionPoint middle = (piece.first + piece.second) / 2;
+    return middle + 1e-5 * SectionPoint{-way.y(), way.x()} + SectionPoint{1e-7, 0};
+}
+
+// Whether two pieces of a result have more than a point in common.
+bool overlap(const std::pair<SectionPoint, SectionPoint>& one,
+             const std::pair<SectionPoint, SectionPoint>& other)
+{
+    const SectionPoint middle = (one.first + one.second) / 2;
+    return lies_on(middle, other.first, other.second) &&
+           (lies_on(one.first, other.first, other.second) ||
+            lies_on(one.second, other.first, other.second)) &&
+           std::abs((one.second - one.first).x() * (other.second - other.first).y() -
+                    (one.second - one.first).y() * (other.second - other.first).x()) <
+               1e-14;
+}
+
+// Each piece of a result is a piece of a segment, no material is on its left, and none
+// comes out twice.
+TEST(WindingTrimming, LeavesPiecesOfSegmentsEachOnce)
+{
+    std::mt19937_64 random{20};
+    for (int trial = 0; trial < 1000; ++trial) {
+        SCOPED_TRACE(trial);
+        const auto curves = whole_number_curves(random);
+        std::vector<std::pair<SectionPoint, SectionPoint>> pieces;
+        for (const Points& points : winding(curves))
+            for (std::size_t k = 1; k < points.size(); ++k)
+                pieces.emplace_back(points[k - 1], points[k]);
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            EXPECT_TRUE(lies_on_one_segment(pieces[i].first, pieces[i].second, curves));
+            EXPECT_GE(index_at(left_of(pieces[i]), curves), 0);
+            for (std::size_t k = 0; k < pieces.size(); ++k)
+                EXPECT_FALSE(i != k && overlap(pieces[i], pieces[k]));
+        }
+    }
 }
 
 TEST(WindingTrimming, DropsWhatIsDetached)

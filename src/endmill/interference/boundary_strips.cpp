@@ -179,17 +179,15 @@ public:
         const NormalArc level =
             arc_between(level_end(chains_[from].arc), level_end(chains_[to].arc));
         const std::size_t last = ring.size() - 1;
-        const std::size_t arc_steps =
-            arc_shares(level, Cutter::ball(draft_.cutter.radius()), draft_.arc_tolerance)
-                .size() -
-            1;
-        const std::size_t steps = std::max(arc_steps, last);
+        const std::vector<double> shares =
+            corner_shares(level, normal_of(ring[last / 2]),
+                          {draft_.cutter, draft_.arc_tolerance}, last);
         std::size_t right = from;
-        for (std::size_t k = 1; k < steps; ++k) {
-            const Index base = ring[(k * last + steps / 2) / steps];
-            const Vec3 outwards =
-                level.at(static_cast<double>(k) / static_cast<double>(steps));
-            add_chain(base, arc_between(normal_of(base), outwards));
+        for (std::size_t k = 1; k + 1 < shares.size(); ++k) {
+            const auto nearest = static_cast<std::size_t>(
+                std::lround(shares[k] * static_cast<double>(last)));
+            const Index base = ring[nearest];
+            add_chain(base, arc_between(normal_of(base), level.at(shares[k])));
             strips_.push_back({right, chains_.size() - 1});
             right = chains_.size() - 1;
         }

@@ -43,7 +43,9 @@ bool has_point_above(const SectionCurve& curve, const Trimmed& open)
 void append_envelope(const SectionCurve& curve, std::int32_t number,
                      const TrimmingOptions& options, Trimmed& trimmed)
 {
-    for (TrimmedCurve& part : envelope_trimming({&curve, 1}, options).curves) {
+    Trimmed envelope = envelope_trimming({&curve, 1}, options);
+    trimmed.rule = envelope.rule;
+    for (TrimmedCurve& part : envelope.curves) {
         for (TrimmedPoint& point : part.points)
             point.on.curve = point.across.curve = number;
         trimmed.curves.push_back(std::move(part));

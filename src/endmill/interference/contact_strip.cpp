@@ -50,17 +50,16 @@ bool keeps_to_chord(const NormalArc& arc, const Interval& stretch, const Cutter&
     return (to_middle - std::clamp(share, 0.0, 1.0) * chord).norm() <= tolerance;
 }
 
-// Halves a stretch of an arc until its pieces keep to their chords. \return their ends.
-std::vector<double> ends_of_pieces(const NormalArc& arc, const Interval& whole,
-                                   const Cutter& cutter, double tolerance)
+// Halves a stretch of an arc until keeps(piece) of its pieces. \return their ends.
+template <typename Keeps>
+std::vector<double> ends_of_pieces(const Interval& whole, const Keeps& keeps)
 {
     std::vector<double> ends;
     std::vector<Interval> pieces{whole};
     while (!pieces.empty()) {
         const Interval piece = pieces.back();
         pieces.pop_back();
-        if (piece.length() <= least_share ||
-            keeps_to_chord(arc, piece, cutter, tolerance)) {
+        if (piece.length() <= least_share || keeps(piece)) {
             ends.push_back(piece.high);
             continue;
         }
@@ -69,6 +68,37 @@ std::vector<double> ends_of_pieces(const NormalArc& arc, const Interval& whole,
         pieces.push_back({piece.low, middle});
     }
     return ends;
+}
+
+// How far the strip between two arcs of normals, which part by `gap` rad and pass the axis
+// at `beside` rad, is from the surface over a fixed contact. At a rad beside the axis the
+// chord between the bottom circle's points, gap / a rad apart on it, errs across the circle
+// by (R - r) (gap / a)^2 / 8, and along the normal by a times that; but no more than the
+// height r a^2 / 2 by which the circle is below the bottom. Both are equal at `worst`.
+double error_beside_axis(const Cutter& cutter, double gap, double beside)
+{
+    const double bend = cutter.flat_radius() * gap * gap / 8;
+    const double worst = std::cbrt(2 * bend / cutter.corner_radius());
+    return bend > 0 ? bend / std::max(beside, worst) : 0;
+}
+
+// Whether the strip between the arcs from `normal` to two level ones keeps to the surface.
+bool keeps_beside_axis(const Vec3& normal, const Vec3& one, const Vec3& other,
+                       const ArcSampling& sampling)
+{
+    if (sampling.cutter.is_ball() || sampling.cutter.corner_radius() == 0)
+        return true;  // no circle, or none below the bottom
+    const double tilt = std::hypot(normal.x(), normal.y());
+    const Vec3 across = normal.cross(one).stableNormalized();
+    const Vec3 beyond = normal.cross(other).stableNormalized();
+    // An arc that begins outwards leads away from the axis.
+    const auto beside = [&](const Vec3& level, const Vec3& pole) {
+        return normal.dot(level) >= 0 ? tilt : std::abs(pole.z());
+    };
+    const double least = std::min(beside(one, across), beside(other, beyond));
+    const bool is_between = across.z() * beyond.z() <= 0 && least < tilt;
+    return error_beside_axis(sampling.cutter, angle_between(across, beyond) * tilt,
+                             is_between ? 0 : least) <= sampling.tolerance;
 }
 
 // Calls keep(triangle) for the triangles between two chains.
@@ -130,7 +160,29 @@ std::vector<double> arc_shares(const NormalArc& arc, const Cutter& cutter,
             continue;
         }
         const auto ends =
-            ends_of_pieces(arc, {k / double(steps), high}, cutter, tolerance);
+            ends_of_pieces({k / double(steps), high}, [&](const Interval& piece) {
+                return keeps_to_chord(arc, piece, cutter, tolerance);
+            });
+        shares.insert(shares.end(), ends.begin(), ends.end());
+    }
+    return shares;
+}
+
+std::vector<double> corner_shares(const NormalArc& level, const Vec3& normal,
+                                  const ArcSampling& sampling, std::size_t least)
+{
+    const double step = chord_angle(sampling.cutter.radius(), sampling.tolerance);
+    const auto steps = std::max(
+        {std::size_t{1}, least, static_cast<std::size_t>(std::ceil(level.angle / step))});
+    std::vector<double> shares{0};
+    for (std::size_t k = 0; k < steps; ++k) {
+        const auto count = static_cast<double>(steps);
+        const Interval whole{static_cast<double>(k) / count,
+                             static_cast<double>(k + 1) / count};
+        const auto ends = ends_of_pieces(whole, [&](const Interval& piece) {
+            return keeps_beside_axis(normal, level.at(piece.low), level.at(piece.high),
+                                     sampling);
+        });
         shares.insert(shares.end(), ends.begin(), ends.end());
     }
     return shares;

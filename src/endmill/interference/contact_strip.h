@@ -28,6 +28,12 @@ NormalArc arc_between(const Vec3& start, const Vec3& end);
 /// \pre normal.z() > 0
 NormalArc arc_over_border(const Vec3& normal, const Vec3& along);
 
+/// For which cutter an arc is sampled, and to what chord error.
+struct ArcSampling {
+    Cutter cutter;
+    double tolerance;  ///< mm
+};
+
 /// Shares of `arc`, from 0 to 1, between which the reference points of `cutter` over a
 /// fixed contact lie within `tolerance` mm of their chords. Where the arc passes over the
 /// axis, the bottom of a flat or bull-nose cutter turns by up to half a turn at once: there
@@ -42,6 +48,14 @@ struct ContactChain {
 
     static ContactChain of(std::int32_t vertex) { return {{vertex}, {0}}; }
 };
+
+/// The same for chains over a corner: shares of the arc `level` of level normals, from 0 to
+/// 1, so that the strips between neighbouring chains, each from the unit `normal` to a level
+/// one, lie within `tolerance` mm of what the cutter rolls over. Beside the axis the middle
+/// of a flat or bull-nose cutter's bottom turns fast: chains that pass it are denser.
+/// \param least of the steps, evenly spaced: these are not left out.
+std::vector<double> corner_shares(const NormalArc& level, const Vec3& normal,
+                                  const ArcSampling& sampling, std::size_t least);
 
 /// A chain to be: from vertex `from` over its contact point along `arc`.
 struct ChainPlan {

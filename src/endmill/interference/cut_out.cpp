@@ -11,13 +11,20 @@ namespace {
 
 constexpr std::int32_t cut = -1;
 
+// Some segments of a curve, one behind the other.
+struct Segments {
+    std::int32_t first;
+    std::int32_t last;
+};
+
 // Where the points of sections are in a result, whose points are put in one row with a gap
 // between curves.
 class KeptPoints {
 public:
     KeptPoints(std::span<const SectionCurve> curves, const Trimmed& trimmed)
         : places_(curves.size()),
-          crossings_(curves.size(), nullptr)
+          crossings_(curves.size(), nullptr),
+          ends_(curves.size(), nullptr)
     {
         for (std::size_t c = 0; c < curves.size(); ++c)
             places_[c].resize(curves[c].points.size(), cut);
@@ -39,16 +46,28 @@ public:
         return places_[curve][point] != cut;
     }
 
-    // The point of `kind` on `segment` next to the kept `vertex`, or null.
-    const TrimmedPoint* beside(SegmentNumber vertex, SegmentNumber segment,
+    // A kept vertex as it is in the result, where it may have been moved.
+    const SectionPoint& at(SegmentNumber vertex) const
+    {
+        return row_[places_[vertex.curve][vertex.point]]->at;
+    }
+
+    // The point of `kind` next to the kept `vertex` on one of the segments `first` to
+    // `last` of its curve, or null: on the first or the last one, but that moved crossings
+    // leave out vertices.
+    const TrimmedPoint* beside(SegmentNumber vertex, const Segments& segments,
                                TrimmedKind kind) const
     {
+        const auto holds = [&](SegmentNumber segment) {
+            return segment.curve == vertex.curve && segments.first <= segment.point &&
+                   segment.point <= segments.last;
+        };
         const std::int32_t place = places_[vertex.curve][vertex.point];
         for (const std::int32_t k : {place + 1, place - 1}) {
             const TrimmedPoint* point = row_[k];
             if (point != nullptr && point->kind == kind &&
-                (point->on == segment ||
-                 (point->across == segment && kind == TrimmedKind::Crossing)))
+                (holds(point->on) ||
+                 (holds(point->across) && kind == TrimmedKind::Crossing)))
                 return point;
         }
         return nullptr;
@@ -66,6 +85,9 @@ public:
         return crossings_[curve];
     }
 
+    // One of the ends and links on a curve, or null.
+    const TrimmedPoint* end_on(std::int32_t curve) const { return ends_[curve]; }
+
 private:
     void add(const TrimmedPoint& point)
     {
@@ -77,6 +99,9 @@ private:
                 if (crossings_[curve] == nullptr)
                     crossings_[curve] = &point;
             }
+        } else if (point.kind != TrimmedKind::Vertex &&
+                   ends_[point.on.curve] == nullptr) {
+            ends_[point.on.curve] = &point;
         }
         row_.push_back(&point);
     }
@@ -84,6 +109,7 @@ private:
     std::vector<std::vector<std::int32_t>> places_;  // in row_, or `cut`
     std::vector<const TrimmedPoint*> row_;
     std::vector<const TrimmedPoint*> crossings_;  // the first one on each curve
+    std::vector<const TrimmedPoint*> ends_;       // the first end or link on each
 };
 
 // Where a stretch is bounded.
@@ -113,7 +139,9 @@ public:
             return {vertex, true};
         if (const TrimmedPoint* link = point_of(TrimmedKind::Link))
             return {link->at, false};
-        return {points_[has_before() ? before_.point : behind_.point], false};
+        if (const TrimmedPoint* end = point_of(TrimmedKind::End))
+            return {end->at, false};
+        return {kept_.at(has_before() ? before_ : behind_), false};
     }
 
 private:
@@ -122,9 +150,10 @@ private:
 
     const TrimmedPoint* point_of(TrimmedKind kind) const
     {
+        const Segments segments{before_.point, last_.point};
         const TrimmedPoint* point =
-            has_before() ? kept_.beside(before_, before_, kind) : nullptr;
-        return point == nullptr && has_behind() ? kept_.beside(behind_, last_, kind)
+            has_before() ? kept_.beside(before_, segments, kind) : nullptr;
+        return point == nullptr && has_behind() ? kept_.beside(behind_, segments, kind)
                                                 : point;
     }
 
@@ -138,7 +167,8 @@ private:
         const SectionPoint& behind = points_[behind_.point];
         if (before.x() == behind.x())
             return std::nullopt;
-        return orientation(points_[last_.point], behind, before) == 0 ? before : behind;
+        return kept_.at(orientation(points_[last_.point], behind, before) == 0 ? before_
+                                                                               : behind_);
     }
 
     std::span<const SectionPoint> points_;
@@ -155,6 +185,8 @@ Bound bound_of(const SectionCurve& curve, const KeptPoints& kept, SegmentNumber 
         return StretchBounds{curve, kept, first, last}.bound();
     if (const TrimmedPoint* crossing = kept.crossing_on(first.curve))
         return {crossing->at, true};
+    if (const TrimmedPoint* end = kept.end_on(first.curve))
+        return {end->at, false};
     return {std::nullopt, false};
 }
 
@@ -193,9 +225,11 @@ void append_stretches(const SectionCurve& curve, std::int32_t number,
     }
 }
 
-// What a rule cut lies in one stretch.
+// What a rule cut lies in one stretch. What none tells, the method's own cut.
 void name_rules(const Trimmed& trimmed, std::vector<CutOut>& stretches)
 {
+    for (CutOut& piece : stretches)
+        piece.rule = trimmed.rule;
     for (const AppliedRule& rule : trimmed.rules) {
         const auto behind =
             std::upper_bound(stretches.begin(), stretches.end(), rule,

@@ -27,10 +27,23 @@ struct CutOut {
     std::int32_t last_point;
     CutCause cause;
     /// The crossing that bounds it, the first one along the curve if two do; or where the
-    /// curve ends now. Nothing where nothing of the curve is left.
+    /// curve ends now, also cut off within a segment: a point of the result, as it is there.
+    /// Nothing where nothing of the curve is left.
     std::optional<SectionPoint> place;
-    std::string_view
-        rule;  ///< the one that cut it, of several the last; empty if not told
+    /// The rule that cut it, of several the last:
+    ///
+    ///     below the envelope  `envelope`; in all but `winding` of closed curves
+    ///     winding number      `winding`: the tool would be in the material there
+    ///     valley              3r and guarded 1, 2, 3: behind a crossing of two branches
+    ///     E1, E2              the same: a tail at the end, at the beginning
+    ///     E3                  the same: a branch too short to cross the one beside it
+    ///     P4, P3              literal 1, 2, 3: the signs - + - + or + - + of dz
+    ///     P4 cut, P3 cut      the same, and no crossing was found: a blind cut
+    ///     closed              1, 2, 3, 3r: a closed curve below the others
+    ///     outside the range   the part ends there; by any method
+    ///
+    /// Empty if a method does not tell.
+    std::string_view rule;
 };
 
 /// Tells whether a point of a section belongs to a contact on a concave crease.

@@ -240,7 +240,9 @@ private:
 Trimmed envelope_trimming(std::span<const SectionCurve> curves,
                           const TrimmingOptions& /*options*/)
 {
-    return Writer{PlanePoints{curves}}.write();
+    Trimmed trimmed = Writer{PlanePoints{curves}}.write();
+    trimmed.rule = "below the envelope";
+    return trimmed;
 }
 
 }  // namespace endmill

@@ -77,4 +77,18 @@ std::optional<SectionRun> RunReader::next()
     return SectionRun{std::exchange(vertex_, vertex), vertex, sign > 0};
 }
 
+int backward_runs(std::span<const TrimmedPoint> points, double dead_band)
+{
+    int runs = 0;
+    bool is_backward = false;
+    for (std::size_t k = 1; k < points.size(); ++k) {
+        const double change = points[k].at.x() - points[k - 1].at.x();
+        if (std::abs(change) <= dead_band)
+            continue;
+        runs += change < 0 && !is_backward;
+        is_backward = change < 0;
+    }
+    return runs;
+}
+
 }  // namespace endmill

@@ -46,4 +46,9 @@ private:
     std::int32_t vertex_;  // where the next run begins, but for leading segments
 };
 
+/// How many maximal runs of a trimmed curve lead back in s: reversals that are left. Runs as
+/// those of a chain.
+/// \param dead_band in mm.
+int backward_runs(std::span<const TrimmedPoint> points, double dead_band);
+
 }  // namespace endmill

@@ -52,7 +52,8 @@ struct AppliedRule {
 struct Trimmed {
     std::vector<TrimmedCurve> curves;  ///< by smallest s, then z there
     std::vector<AppliedRule> rules;    ///< in the order in which they were applied
-    int unresolved = 0;  ///< folds found and left, with no crossing and no end rule
+    std::string_view rule;  ///< what cut out all that none of those tells; lives for ever
+    int unresolved = 0;     ///< folds found and left, with no crossing and no end rule
 };
 
 /// How methods 1, 2 and 3 find folds: as printed, or corrected.
