@@ -22,7 +22,11 @@ struct Planned {
     Planned(const Surface& part, double side, MotionTolerances motion)
         : marched{part, side},
           bounds{marched.surface},
-          gouge{{&marched.surface, 1}, BallCutter{radius}, Vec3::UnitZ()},
+          clear{{&marched.surface, 1},
+                {&marched.side, 1},
+                BallCutter{radius},
+                Vec3::UnitZ(),
+                motion.inner},
           cover{marched, bounds, BallCutter{radius}, motion.outer},
           tolerances{motion}
     {
@@ -37,13 +41,13 @@ struct Planned {
     VerifiedSurface surface(std::size_t most_points = 100'000,
                             bool stop_at_borders = false) const
     {
-        return {marched,      gouge,           cover,      tolerances,
+        return {marched,      clear,           cover,      tolerances,
                 Parameter::U, stop_at_borders, most_points};
     }
 
     MarchedSurface marched;
     OffsetBounds bounds;
-    GougeTest gouge;
+    ClearMoves clear;
     StripCover cover;
     MotionTolerances tolerances;
 };

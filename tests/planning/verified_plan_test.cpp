@@ -12,6 +12,7 @@
 #include "endmill/core/parallel.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/motion_error.h"
+#include "normal_depth.h"
 #include "planned_path.h"
 #include "revolved_surfaces.h"
 #include "swept_deviation.h"
@@ -72,6 +73,23 @@ TEST(VerifiedPlan, KeepsItsTolerancesOnTheFittedNets)
 {
     for (const char* name : {"net_rot24_7D", "net_symV24_1A"})
         expect_kept({net(name)}, {7.5, {0.5, 0.5}, 0.5}, 25);
+}
+
+// Beyond the border the ball reaches under the part, deeper along the normals there than
+// any point of the part is in it.
+TEST(VerifiedPlan, KeepsItsToleranceAlongTheNormalsAtTheBorder)
+{
+    for (const char* name : {"net_full48_41D", "net_rot24_7D"}) {
+        const Surface part = net(name);
+        for (const Demand& demand :
+             {Demand{7.5, {0.5, 0.5}, 0.5}, Demand{7.5, {1.5, 1.5}, 0.1}}) {
+            const VerifiedPlan plan = plan_verified({&part, 1}, BallCutter{7.5},
+                                                    options_of(demand, Parameter::V));
+            for (const double inset : {0.0, 1e-5, 1e-4})
+                EXPECT_LE(test::border_depth(part, plan.path, 7.5, 1500, inset),
+                          demand.tolerances.inner);
+        }
+    }
 }
 
 TEST(VerifiedPlan, KeepsOneSidedTolerances)

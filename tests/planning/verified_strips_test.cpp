@@ -18,8 +18,12 @@ constexpr double radius = 5;
 VerifiedStrips strips_of(const Surface& part, double side, const VerifiedOptions& options)
 {
     const MarchedSurface marched{part, side};
-    const GougeTest gouge{{&part, 1}, BallCutter{radius}, Vec3::UnitZ()};
-    return verified_strips(marched, gouge, options);
+    const ClearMoves clear{{&part, 1},
+                           {&side, 1},
+                           BallCutter{radius},
+                           Vec3::UnitZ(),
+                           options.tolerances.inner};
+    return verified_strips(marched, clear, options);
 }
 
 VerifiedOptions options_with(double inner, double outer, double scallop)

@@ -8,9 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/Geometry>
-
-#include "endmill/planning/contact_line.h"
+#include "endmill/planning/patch_offset.h"
 #include "endmill/planning/segment_distance.h"
 
 namespace endmill {
@@ -25,43 +23,6 @@ constexpr double widest_cell = 1;
 constexpr int most_cells = 200'000;
 // Of the radius, for the rounding of distances: a pass planned to the limit is on it.
 constexpr double rounding = 1e-12;
-
-// A surface's offset within one of its patches, whose normals count at its borders.
-class PatchOffset {
-public:
-    PatchOffset(const MarchedSurface& marched, const SurfacePoint& inside, double height)
-        : marched_{marched},
-          i_{marched.surface.patch_number(Parameter::U, inside.u)},
-          j_{marched.surface.patch_number(Parameter::V, inside.v)},
-          u_{marched.surface.breaks(Parameter::U).subspan(i_, 2)},
-          v_{marched.surface.breaks(Parameter::V).subspan(j_, 2)},
-          height_{height}
-    {
-    }
-
-    // r + h N; where there is no normal, none.
-    std::optional<Vec3> at(double u, double v) const
-    {
-        const SurfaceTangents tangents = marched_.surface.patch(i_, j_).tangents(
-            (u - u_[0]) / (u_[1] - u_[0]), (v - v_[0]) / (v_[1] - v_[0]));
-        if (has_plain_normal(tangents))
-            return tangents.point +
-                   marched_.side * height_ * tangents.du.cross(tangents.dv).normalized();
-        const auto normal = limit_normal(marched_.surface.jet_in_patch(i_, j_, u, v),
-                                         {u < u_[1] ? 1 : -1, v < v_[1] ? 1 : -1});
-        if (!normal)
-            return std::nullopt;
-        return tangents.point + marched_.side * height_ * *normal;
-    }
-
-private:
-    const MarchedSurface& marched_;
-    int i_;
-    int j_;
-    std::span<const double> u_;
-    std::span<const double> v_;
-    double height_;
-};
 
 struct Cell {
     SurfacePoint low;

@@ -25,12 +25,6 @@ constexpr double gap_precision = 1.0 / 64;  // of a scan
 // Of the radius: demands are made to the limit.
 constexpr double rounding = 1e-12;
 
-bool is_clear(const VerifiedSurface& surface, const BallMove& move, FinerPieces& finer)
-{
-    return surface.gouge.test(move, surface.tolerances.inner, finer).verdict ==
-           GougeVerdict::Clear;
-}
-
 // The work on one pass.
 class PassBuilder {
 public:
@@ -72,8 +66,7 @@ private:
 
     bool is_clear(const SurfaceContact& from, const SurfaceContact& to)
     {
-        return endmill::is_clear(
-            surface_,
+        return surface_.clear.hold(
             {ball_centre(from, surface_.cutter()), ball_centre(to, surface_.cutter())},
             finer_);
     }
@@ -284,7 +277,7 @@ bool halve_step(VerifiedPass& pass, std::size_t step, const VerifiedSurface& sur
                                   ball_centre(to, surface.cutter())};
         FinerPieces finer;
         for (const SweptSegment& half : {first, second})
-            if (!is_clear(surface, {half.start, half.end}, finer) ||
+            if (!surface.clear.hold({half.start, half.end}, finer) ||
                 !surface.line_cover.covers_line(half, pass.v))
                 return false;
         piece.insert(piece.begin() + static_cast<std::ptrdiff_t>(step) + 1, contact);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "endmill/interference/gouge_test.h"
+#include "endmill/planning/clear_moves.h"
 #include "endmill/planning/contact_line.h"
 #include "endmill/planning/linking.h"
 #include "endmill/planning/strip_cover.h"
@@ -22,14 +22,14 @@ struct MotionTolerances {
 /// A surface to plan on, and what its moves are judged by. All outlive it.
 struct VerifiedSurface {
     const MarchedSurface& marched;
-    const GougeTest& gouge;        ///< of the whole part
+    const ClearMoves& clear;       ///< of the whole part, at `tolerances.inner`
     const StripCover& line_cover;  ///< at the height `tolerances.outer`
     MotionTolerances tolerances;
     Parameter direction;
     bool stop_at_borders;  ///< a CL point on every patch border
     std::size_t most_points;
 
-    const BallCutter& cutter() const { return gouge.cutter(); }  ///< of the test
+    const BallCutter& cutter() const { return clear.cutter(); }
 };
 
 /// A place beside a pass that its ball must reach.

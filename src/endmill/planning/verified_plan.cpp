@@ -83,15 +83,15 @@ std::vector<PassPiece> pieces_in_order(std::vector<VerifiedPass> passes,
     return ordered;
 }
 
-LinkedPath linked(const std::vector<PassPiece>& pieces, const GougeTest& gouge,
+LinkedPath linked(const std::vector<PassPiece>& pieces, const ClearMoves& clear,
                   const VerifiedOptions& options)
 {
     const auto is_clear = [&](const SurfaceContact& from, const SurfaceContact& to) {
-        const BallMove move{ball_centre(from, gouge.cutter()),
-                            ball_centre(to, gouge.cutter())};
-        return gouge.test(move, options.tolerances.inner).verdict == GougeVerdict::Clear;
+        FinerPieces finer;
+        return clear.hold(
+            {ball_centre(from, clear.cutter()), ball_centre(to, clear.cutter())}, finer);
     };
-    return link_pieces(pieces, gouge.cutter(), options.link, is_clear);
+    return link_pieces(pieces, clear.cutter(), options.link, is_clear);
 }
 
 }  // namespace
@@ -102,7 +102,8 @@ VerifiedPlan plan_verified(std::span<const Surface> surfaces, const BallCutter& 
     require_sound(cutter, options);
     const std::vector<double> sides = tool_side_signs(surfaces, options.link.axis);
     require_reachable(surfaces, options.link.axis, sides);
-    const GougeTest gouge{surfaces, cutter, options.link.axis};
+    const ClearMoves clear{surfaces, sides, cutter, options.link.axis,
+                           options.tolerances.inner};
     VerifiedPlan plan;
     std::vector<ToolPath> paths;
     VerifiedOptions own = options;
@@ -114,13 +115,13 @@ VerifiedPlan plan_verified(std::span<const Surface> surfaces, const BallCutter& 
             };
         const MarchedSurface marched =
             marched_surface(surfaces[number], sides[number], options.direction);
-        VerifiedStrips strips = verified_strips(marched, gouge, own);
+        VerifiedStrips strips = verified_strips(marched, clear, own);
         for (const SurfacePoint& at : strips.uncovered)
             plan.uncovered.push_back({static_cast<int>(number),
                                       in_surface_order(at, options.direction),
                                       marched.surface.tangents(at.u, at.v).point});
         LinkedPath path =
-            linked(pieces_in_order(std::move(strips.passes), options), gouge, options);
+            linked(pieces_in_order(std::move(strips.passes), options), clear, options);
         own.most_points -= std::min(own.most_points, path.path.points.size());
         plan.lifted_links += path.lifted_links;
         paths.push_back(std::move(path.path));

@@ -42,7 +42,8 @@ struct VerifiedPlan {
 /// by the ball's true motion along straight moves:
 ///
 /// * no move, links and plunges included, enters any of the surfaces deeper than the inner
-///   tolerance, nor does the shank;
+///   tolerance, nor does the shank; nor takes more along the normals at the border, where
+///   the ball reaches under the part;
 /// * beside each move its line is under no more material than the outer tolerance, and
 ///   between passes the surface under no more than scallop height and outer tolerance
 ///   together, but for the places in `uncovered`.

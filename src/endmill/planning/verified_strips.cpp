@@ -33,21 +33,21 @@ constexpr int rolling_samples = 33;  // of a step, to see what halving it would 
 // The passes over one surface while they come about.
 class StripPlanner {
 public:
-    StripPlanner(const MarchedSurface& marched, const GougeTest& gouge,
+    StripPlanner(const MarchedSurface& marched, const ClearMoves& clear,
                  const VerifiedOptions& options)
         : marched_{marched},
           options_{options},
           total_height_{std::min(options.scallop_height + options.tolerances.outer,
-                                 gouge.cutter().radius())},
+                                 clear.cutter().radius())},
           bounds_{marched.surface},
-          line_cover_{marched, bounds_, gouge.cutter(), options.tolerances.outer},
-          strip_cover_{marched, bounds_, gouge.cutter(), total_height_},
-          front_{marched, gouge.cutter(),
+          line_cover_{marched, bounds_, clear.cutter(), options.tolerances.outer},
+          strip_cover_{marched, bounds_, clear.cutter(), total_height_},
+          front_{marched, clear.cutter(),
                  planned_share * std::min(options.scallop_height,
-                                          widest_share * gouge.cutter().radius()),
+                                          widest_share * clear.cutter().radius()),
                  options.direction},
           surface_{marched,
-                   gouge,
+                   clear,
                    line_cover_,
                    options.tolerances,
                    options.direction,
@@ -294,10 +294,8 @@ private:
             return;
         const Vec3 centre = ball_centre(contact_at(marched_, *place, options_.direction),
                                         surface_.cutter());
-        const bool fits =
-            surface_.gouge.test({centre, centre}, surface_.tolerances.inner).verdict ==
-            GougeVerdict::Clear;
-        if (!fits || splits == 0)
+        FinerPieces finer;
+        if (!surface_.clear.hold({centre, centre}, finer) || splits == 0)
             return note(place);
         const VerifiedPass middle = verified_pass(surface_, (below.v + above.v) / 2, {});
         if (middle.pieces.empty())
@@ -333,10 +331,10 @@ private:
 
 }  // namespace
 
-VerifiedStrips verified_strips(const MarchedSurface& marched, const GougeTest& gouge,
+VerifiedStrips verified_strips(const MarchedSurface& marched, const ClearMoves& clear,
                                const VerifiedOptions& options)
 {
-    return StripPlanner{marched, gouge, options}.plan();
+    return StripPlanner{marched, clear, options}.plan();
 }
 
 }  // namespace endmill

@@ -16,9 +16,9 @@ struct VerifiedStrips {
 
 /// Lays passes along u over all of a surface and cuts them into steps, as plan_verified
 /// says.
-/// \param gouge of the whole part.
+/// \param clear of the whole part, at the inner tolerance.
 /// \throws as plan_verified.
-VerifiedStrips verified_strips(const MarchedSurface& marched, const GougeTest& gouge,
+VerifiedStrips verified_strips(const MarchedSurface& marched, const ClearMoves& clear,
                                const VerifiedOptions& options);
 
 }  // namespace endmill
