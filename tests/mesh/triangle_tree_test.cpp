@@ -73,6 +73,9 @@ void expect_nearest(const TriangleMesh& mesh, const Vec3& place)
 {
     const TriangleTree tree{mesh};
     const NearestPoint found = tree.nearest(place).value();
+    EXPECT_FALSE(tree.nearest(place, {}, 0.999 * found.distance));
+    EXPECT_EQ(tree.nearest(place, {}, found.distance * 1.01 + 1e-300)->point,
+              found.point);
     const double accuracy = 1e-14 * largest_coordinate(mesh, place);
     EXPECT_NEAR(found.distance, double(distance_to(mesh, place)), accuracy);
     EXPECT_NEAR((found.point - place).norm(), found.distance, accuracy);

@@ -177,5 +177,114 @@ TEST(DeviationCertainty, OfAFlatCutterOnASlopeIsReached)
     }
 }
 
+// What is measured of the first rays hangs on the part and the path, not on the limits.
+void expect_same_values(const Deviation& one, const Deviation& other)
+{
+    EXPECT_EQ(one.mean_scallop_mm, other.mean_scallop_mm);
+    EXPECT_EQ(one.p99_scallop_mm, other.p99_scallop_mm);
+    EXPECT_EQ(one.left, other.left);
+}
+
+// A bull-nose cutter leaves a fillet in the corner of floor and wall: the place furthest from
+// both is the ball's that touches them and the fillet, (sqrt(2) - 1) r / sqrt(2) from each.
+TEST(DeviationCertainty, OfARestInACornerIsTheBallsBetweenAtAnyLimit)
+{
+    const TriangleMesh mesh{
+        {{0, 0, 0}, {20, 0, 0}, {20, 10, 0}, {0, 10, 0}, {20, 0, 10}, {20, 10, 10}},
+        {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}}};
+    std::vector<Vec3> tips;
+    for (int i = 0; i < 6; ++i)
+        for (const double y : {-9.0, 19.0})
+            tips.emplace_back(std::min(-5 + 4.0 * i, 15.0), i % 2 ? 10 - y : y, 0);
+    const double truth = 2 * (std::sqrt(2.0) - 1) / std::sqrt(2.0);
+    std::optional<Deviation> first;
+    for (const double limit : {0.1, 0.5, 0.6, 1.0, 3.0}) {
+        const auto [word, left] = judged(mesh, tips, Cutter{5, 2}, 0.1, {0.01, limit});
+        EXPECT_EQ(word, limit < truth ? Verdict::Uncut : Verdict::Clean) << limit;
+        EXPECT_LE(left.max_scallop_mm, truth + 1e-9) << limit;
+        EXPECT_GE(left.max_scallop_mm, truth - 0.01) << limit;
+        EXPECT_GE(left.max_scallop_mm + left.scallop_bound_mm, truth) << limit;
+        if (first)
+            expect_same_values(*first, left);
+        else
+            first = left;
+    }
+}
+
+// A flat cutter takes the tip of a ridge, half a mm high, at 45 degrees: the middle of the
+// flat is 0.5 / sqrt(2) from either face.
+TEST(DeviationCertainty, OfAGougeInARidgeIsTheDistanceFromItsFacesAtAnyLimit)
+{
+    const TriangleMesh mesh{{{-10, -5, -10},
+                             {0, -5, 0},
+                             {0, 5, 0},
+                             {-10, 5, -10},
+                             {10, -5, -10},
+                             {10, 5, -10}},
+                            {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}}};
+    const double truth = 0.5 / std::sqrt(2.0);
+    std::optional<Deviation> first;
+    for (const double limit : {0.01, 0.3, 0.4, 0.5, 0.7, 1.0}) {
+        const auto [word, left] = judged(mesh, {{0, -20, -0.5}, {0, 20, -0.5}},
+                                         Cutter::flat(3), 0.1, {limit, any_rest});
+        EXPECT_EQ(word, limit < truth ? Verdict::Gouged : Verdict::Clean) << limit;
+        EXPECT_LE(left.max_gouge_mm, truth + 1e-9) << limit;
+        EXPECT_GE(left.max_gouge_mm, truth - 0.01) << limit;
+        EXPECT_GE(left.max_gouge_mm + left.gouge_bound_mm, truth) << limit;
+        if (first)
+            expect_same_values(*first, left);
+        else
+            first = left;
+    }
+}
+
+// A strip narrower than the pitch, and a thin cutter that goes into it beside its only row of
+// rays.
+TEST(DeviationCertainty, OfAGougeThatNoFirstRayMeetsIsFound)
+{
+    const Part part = std::vector<Surface>{test::plane(20, 2)};
+    for (const double pitch : {2.0, 1.0, 0.5}) {
+        const auto [word, left] = judged(part, {{7.4, 1.6, 5}, {7.4, 1.6, -0.5}},
+                                         Cutter::flat(0.2), pitch, {0.3, 0.05});
+        EXPECT_TRUE(left.is_cut) << pitch;
+        EXPECT_EQ(word, Verdict::Gouged) << pitch;
+        EXPECT_LE(left.max_gouge_mm, 0.5 + 1e-9) << pitch;
+    }
+}
+
+// While a gouge may be there, nothing else is said: a finer grid could still find it.
+TEST(DeviationCertainty, OfARestIsOpenWhileAGougeIs)
+{
+    Deviation left;
+    left.max_scallop_mm = 1;
+    left.gouge_bound_mm = 0.05;
+    EXPECT_EQ(verdict(left, {0.02, 0.1}), Verdict::Undecided);
+    EXPECT_EQ(verdict(left, {0.05, 0.1}), Verdict::Uncut);
+    left.max_gouge_mm = 0.06;
+    EXPECT_EQ(verdict(left, {0.05, 0.1}), Verdict::Gouged);
+}
+
+// A stock that an earlier run has gouged stays gouged, whatever follows.
+TEST(DeviationCertainty, OfAGougeInTheStockItselfIsTold)
+{
+    const Part part = std::vector<Surface>{test::plane(20, 12)};
+    HeightStock stock = block_stock({{-5, -5, -5}, {25, 17, 0}}, 0.5);
+    for (int row = 18; row < 26; ++row)
+        for (int column = 20; column < 30; ++column)
+            stock.set_height(column, row, -0.5);
+    const PartCharts charts = part_charts(part);
+    const std::vector<StraightSweep> sweeps =
+        path_sweeps(test::tip_path({{0, 6, 0}, {20, 6, 0}}), Cutter::ball(5));
+    DeviationOptions options;
+    options.pitch = 0.25;
+    options.stock = [&](const PartRay& ray) { return ray_in_stock(stock, ray); };
+    const Deviation left = measure_deviation(charts, SweepTree{sweeps}, options);
+    EXPECT_EQ(verdict(left, options.limits), Verdict::Gouged);
+    EXPECT_NEAR(left.max_gouge_mm, 0.5, 1e-9);
+    // The pit is 4 by 5 mm; of a ring of half a pitch and one inside it the cells do not tell.
+    EXPECT_GT(left.gouge_area_mm2, 3 * 4 - 1);
+    EXPECT_LT(left.gouge_area_mm2, 4 * 5 + 1);
+}
+
 }  // namespace
 }  // namespace endmill

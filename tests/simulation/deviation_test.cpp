@@ -57,6 +57,35 @@ ToolPath level_passes(double pitch)
     });
 }
 
+// A ball whose centre passes `beyond` outside the edge x = 0 of a plane, and takes 0.3 mm along
+// the normal at the edge, nothing any more 0.06 mm inside it.
+TEST(Deviation, LeavesOpenWhatAFinerGridMayJudgeAtTheBorder)
+{
+    constexpr double radius = 4;
+    constexpr double beyond = 3.9;
+    const Part part = std::vector<Surface>{test::plane(4, 3)};
+    const double tip = std::sqrt(radius * radius - beyond * beyond) - 0.3 - radius;
+    const auto verdict_at = [&](double pitch, bool is_beside) {
+        std::vector<Vec3> tips{{0, 0, 0},   {4, 0, 0}, {4, 1.5, 0},
+                               {0, 1.5, 0}, {0, 3, 0}, {4, 3, 0}};
+        if (is_beside)
+            for (const Vec3& at : {Vec3{4, 3, 9}, Vec3{-beyond, 3, 9},
+                                   Vec3{-beyond, 3, tip}, Vec3{-beyond, 0, tip}})
+                tips.push_back(at);
+        DeviationOptions options;
+        options.limits = {0.1, 1};
+        options.pitch = pitch;
+        const Deviation deviation =
+            deviation_of(part, test::tip_path(tips), Cutter::ball(radius), options);
+        return verdict(deviation, options.limits);
+    };
+    for (const double pitch : {1.0, 0.3, 0.02})
+        EXPECT_EQ(verdict_at(pitch, false), Verdict::Clean) << pitch;
+    EXPECT_EQ(verdict_at(1, true), Verdict::Undecided);
+    EXPECT_EQ(verdict_at(0.3, true), Verdict::Undecided);
+    EXPECT_EQ(verdict_at(0.02, true), Verdict::Gouged);
+}
+
 class ParallelPasses : public testing::TestWithParam<double> {};
 
 // The passes lie a whole number of pitches apart, so that cusps fall between rays.

@@ -18,6 +18,8 @@ TEST(PartDistance, OfABoxIsToItsFaces)
     const auto distance = [&](const Vec3& place) { return distance_of(place, hint); };
     EXPECT_EQ(distance({1, 1, 6}), 2);
     EXPECT_EQ(distance({5, 7, 4}), 5);
+    EXPECT_TRUE(distance_of.is_clear({5, 7, 4}, 4.99));
+    EXPECT_FALSE(distance_of.is_clear({5, 7, 4}, 5.01));
 }
 
 TEST(PartDistance, OfACylinderIsToItsRadiusWithinTheTolerance)
@@ -41,13 +43,17 @@ TEST(PartDistance, FreeLengthsAreTheRadiiOfBallsThatFit)
     const PartDistance in_box{charts, 0.1};
     std::optional<std::size_t> hint;
     const auto from_wall = [&](double height, double length) {
-        return in_box.free_length({0, 1.5, height}, Vec3::UnitX(), length, hint);
+        return in_box.free_ball({{0, 1.5, height}, Vec3::UnitX(), length}, hint).length;
     };
     EXPECT_NEAR(from_wall(2, 100), 1, 1e-9);
     EXPECT_NEAR(from_wall(3.7, 100), 0.3, 1e-9);
     EXPECT_EQ(from_wall(3.7, 0.1), 0.1);
     EXPECT_NEAR(from_wall(4, 100), 0, 1e-9);
-    EXPECT_EQ(in_box.free_length({0, 1.5, 2}, -Vec3::UnitX(), 100, hint), 100);
+    EXPECT_EQ(in_box.free_ball({{0, 1.5, 2}, -Vec3::UnitX(), 100}, hint).length, 100);
+
+    const auto low = in_box.free_ball({{0, 1.5, 3.7}, Vec3::UnitX(), 100}, hint);
+    ASSERT_TRUE(low.other);
+    EXPECT_NEAR((*low.other - Vec3(0.3, 1.5, 4)).norm(), 0, 1e-8);
 
     // Inwards from a cylinder: to its axis.
     const Part part =
@@ -55,7 +61,8 @@ TEST(PartDistance, FreeLengthsAreTheRadiiOfBallsThatFit)
     const PartCharts round = part_charts(part);
     const PartDistance in_cylinder{round, 0.001};
     std::optional<std::size_t> no_hint;
-    const double free = in_cylinder.free_length({2, 0, 20}, -Vec3::UnitZ(), 100, no_hint);
+    const double free =
+        in_cylinder.free_ball({{2, 0, 20}, -Vec3::UnitZ(), 100}, no_hint).length;
     EXPECT_LE(free, 20.1);
     EXPECT_GE(free, 19);
     EXPECT_EQ(in_cylinder.uncertainty() <= 0.002, true);

@@ -42,7 +42,7 @@ TEST(SampledPieces, DistancesFromATorusAreWithinTheChordError)
     for (int i = 0; i < 300; ++i) {
         Vec3 place = somewhere(random);
         place.z() = std::abs(place.z());
-        const NearestPoint found = pieces.nearest(place, {});
+        const NearestPoint found = *pieces.nearest(place, {});
         EXPECT_NEAR(found.distance, distance_from_torus(place),
                     pieces.chord_error() + 1e-12);
         EXPECT_NEAR(found.distance, (found.point - place).norm(), 1e-12);
@@ -58,8 +58,8 @@ TEST(SampledPieces, AnyHintLeadsToTheSameAnswer)
     std::optional<std::size_t> hint;
     for (int i = 0; i < 300; ++i) {
         const Vec3 place = somewhere(random);
-        const NearestPoint plain = fresh.nearest(place, {});
-        const NearestPoint hinted = pieces.nearest(place, hint);
+        const NearestPoint plain = *fresh.nearest(place, {});
+        const NearestPoint hinted = *pieces.nearest(place, hint);
         EXPECT_EQ(plain.distance, hinted.distance);
         EXPECT_EQ(plain.triangle, hinted.triangle);
         EXPECT_EQ(plain.point, hinted.point);
@@ -76,7 +76,7 @@ TEST(SampledPieces, AnswersAnyNumberOfThreads)
         for (std::size_t i = begin; i < end; ++i) {
             const double angle = 0.003 * static_cast<double>(i);
             const Vec3 place{22 * std::cos(angle), 22 * std::sin(angle), 9};
-            errors[i] = pieces.nearest(place, {}).distance - distance_from_torus(place);
+            errors[i] = pieces.nearest(place, {})->distance - distance_from_torus(place);
         }
     });
     for (const double error : errors)
@@ -89,9 +89,11 @@ TEST(SampledPieces, OfAPlaneAreThePlaneWhateverTheirNumber)
     const std::vector<Surface> plane{Surface{{0, 1}, {0, 1}, {BezierPatch{1, 1, net}}}};
     const SampledPieces pieces{plane, 1e-6};
     EXPECT_EQ(pieces.chord_error(), 0);
-    EXPECT_NEAR(pieces.nearest({3, 3, 4}, {}).distance, 3, 1e-12);
-    EXPECT_NEAR(pieces.nearest({-4, 2, 4}, {}).distance, 5, 1e-12);
-    EXPECT_NEAR(pieces.nearest({3, 3, 1}, {}).distance, 0, 1e-12);
+    EXPECT_NEAR(pieces.nearest({3, 3, 4}, {})->distance, 3, 1e-12);
+    EXPECT_NEAR(pieces.nearest({3, 3, 4}, {}, 3.001)->distance, 3, 1e-12);
+    EXPECT_FALSE(pieces.nearest({3, 3, 4}, {}, 2.999));
+    EXPECT_NEAR(pieces.nearest({-4, 2, 4}, {})->distance, 5, 1e-12);
+    EXPECT_NEAR(pieces.nearest({3, 3, 1}, {})->distance, 0, 1e-12);
 }
 
 TEST(SampledPieces, RefuseAToleranceFarTooFine)

@@ -26,10 +26,20 @@ TEST(RayInBlock, EndsAtTheFaceThatItLeavesThrough)
     EXPECT_NEAR(oblique.slope, 1, 1e-15);
 }
 
-TEST(RayInBlock, HasNothingIfItBeginsOutside)
+TEST(RayInBlock, MissesWhatLiesBetweenItsPointAndTheBlock)
 {
-    EXPECT_EQ(ray_in_block(block, ray_of({0, 0, 6}, {0, 0, 1})).left, 0);
-    EXPECT_EQ(ray_in_block(block, ray_of({11, 0, 0}, {1, 0, 0})).left, 0);
+    EXPECT_EQ(ray_in_block(block, ray_of({0, 0, 6}, {0, 0, 1})).left, -1);
+    EXPECT_EQ(ray_in_block(block, ray_of({11, 0, 0}, {1, 0, 0})).left, -1);
+    const MownRay oblique = ray_in_block(block, ray_of({0, 0, 7}, {1, 0, 1}));
+    EXPECT_NEAR(oblique.left, -2 * std::sqrt(2.0), 1e-14);
+    EXPECT_NEAR(oblique.slope, 1, 1e-14);
+}
+
+TEST(RayInBlock, MissesAllDownToTheFloorBesideTheBlock)
+{
+    EXPECT_EQ(ray_in_block(block, ray_of({11, 0, 0}, {0, 0, 1})).left, -5);
+    const double level = ray_in_block(block, ray_of({-11, 0, 0}, {1, 0, 0})).left;
+    EXPECT_NEAR(level, -std::sqrt(900.0), 1e-12);  // the diagonal
 }
 
 TEST(RayInStock, OfAFullBlockIsThatInTheBlock)
@@ -52,8 +62,42 @@ TEST(RayInStock, EndsAtAWallOfTheStock)
             stock.set_height(column, row, -5);
     // Columns 30 and on begin at x = 5.
     EXPECT_NEAR(ray_in_stock(stock, ray_of({1, 0, 0}, {1, 0, 0})).left, 4, 1e-12);
-    EXPECT_EQ(ray_in_stock(stock, ray_of({7, 0, 0}, {1, 0, 0})).left, 0);
-    EXPECT_EQ(ray_in_stock(stock, ray_of({70, 0, 0}, {1, 0, 0})).left, 0);
+    // Back to the wall, and of the cell beside it nothing is known.
+    EXPECT_NEAR(ray_in_stock(stock, ray_of({7, 0, 0}, {1, 0, 0})).left, -1.5, 1e-12);
+    EXPECT_NEAR(ray_in_stock(stock, ray_of({70, 0, 0}, {1, 0, 0})).left, -60, 1e-12);
+    EXPECT_NEAR(ray_in_stock(stock, ray_of({7, 0, 0}, {0, 0, 1})).left, -5, 1e-12);
+}
+
+// A floor that an earlier run has lowered.
+TEST(RayInStock, MissesWhatWasTakenBefore)
+{
+    HeightStock stock = block_stock(block, 0.5);
+    for (int row = 0; row < stock.grid().rows; ++row)
+        for (int column = 0; column < stock.grid().columns; ++column)
+            stock.set_height(column, row, -0.5);
+    EXPECT_NEAR(ray_in_stock(stock, ray_of({1.1, 2.2, 0}, {0, 0, 1})).left, -0.5, 1e-12);
+    EXPECT_NEAR(ray_in_stock(stock, ray_of({1.1, 2.2, 0}, {1, 0, 1})).left,
+                -0.5 * std::sqrt(2.0), 1e-12);
+    EXPECT_NEAR(ray_in_stock(stock, ray_of({1.1, 2.2, -2}, {0, 0, 1})).left, 1.5, 1e-12);
+}
+
+// Cells are steps: a slope that was cut exactly is not gouged by them.
+TEST(RayInStock, TakesNoStepForAGouge)
+{
+    HeightStock stock = block_stock(block, 0.5);
+    const StockGrid& grid = stock.grid();
+    for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column)
+            stock.set_height(column, row,
+                             0.4 * (grid.low_x + (column + 0.5) * grid.pitch));
+    for (int i = 0; i < 50; ++i) {
+        const double x = -5 + 0.171 * i;
+        EXPECT_GE(ray_in_stock(stock, ray_of({x, 0.3, 0.4 * x}, {-0.4, 0, 1})).left, 0);
+        const double deep =
+            ray_in_stock(stock, ray_of({x, 0.3, 0.4 * x + 2}, {-0.4, 0, 1})).left;
+        EXPECT_LE(deep, -1.4);
+        EXPECT_GE(deep, -2 / std::hypot(1, 0.4));
+    }
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST(TileMeasure, RefinedIsNearerToTheTruth)
         at = Eigen::Vector2d{0.5, 0.5} + (at - Eigen::Vector2d{0.5, 0.5}) / 2;
     TileMeasure coarse{measured, tile};
     const Extremes rough = coarse.extremes();
-    const Extremes fine = coarse.refined(doubt_beyond(0, 0, limits));
+    const Extremes fine = coarse.refined(doubt_beyond(0, 0, limits), {0, 0});
     const double truth = 5 - std::sqrt(25 - 2.0);  // in the tile's corners
     for (const Extremes& found : {rough, fine}) {
         EXPECT_LE(found.highest.left, truth + 1e-12);

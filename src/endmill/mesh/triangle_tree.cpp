@@ -355,16 +355,21 @@ void TriangleTree::ask(Query& query) const
 }
 
 std::optional<NearestPoint> TriangleTree::nearest(const Vec3& place,
-                                                  std::optional<std::size_t> hint) const
+                                                  std::optional<std::size_t> hint,
+                                                  double within) const
 {
     require(is_within_reach(place), "TriangleTree: a place must be within 1e30 mm");
     require(!hint || *hint < order_.size(), "TriangleTree: the hint is no triangle");
     if (order_.empty())
         return std::nullopt;
     NearestQuery query{place, box_margin * largest_coordinate_};
+    query.least_square = within > 0 ? within * within : 0;
+    const double asked = query.least_square;
     if (hint)
         query.look_at(*mesh_, *hint);
     ask(query);
+    if (!(query.least_square < asked))
+        return std::nullopt;
     query.best.distance = std::sqrt(query.least_square);
     return query.best;
 }

@@ -50,11 +50,13 @@ public:
     ///        neighbouring question: it makes the answer come sooner, never another.
     ///        A triangle that shares the nearest edge or point with others is equal to
     ///        them.
-    /// \return nothing if the mesh has no triangle.
+    /// \param within in mm: only what is nearer is asked for, which takes less time.
+    /// \return nothing if the mesh has no triangle, or none so near.
     /// \throws DomainError if a coordinate of the place is not within 1e30 mm, or the
     ///         hint is not the number of a triangle.
-    std::optional<NearestPoint> nearest(const Vec3& place,
-                                        std::optional<std::size_t> hint = {}) const;
+    std::optional<NearestPoint> nearest(
+        const Vec3& place, std::optional<std::size_t> hint = {},
+        double within = std::numeric_limits<double>::infinity()) const;
 
     /// The hit of least t, on either side of a triangle. Watertight: a ray that meets the
     /// inside of a triangle, an edge that two share, or a point with triangles all

@@ -106,8 +106,9 @@ double least_by(const MeasuredCell& cell, const HalfSpace& half)
     return rate > 0 ? -depth / rate : -infinite;
 }
 
-// By the plane across the way from the cell's middle; and, as that way may lie in the part
-// where a sweep touches it near the middle, across the way from below.
+// By the plane across the way from the cell's middle; as that way may lie in the part
+// where a sweep touches it near the middle, across the way from below; and from as far below
+// as these leave open, for there, beside an edge too, is where the sweep ends.
 double least_by_planes(const MeasuredCell& cell, const StraightSweep& sweep)
 {
     const Vec3& middle = cell.ray.point;
@@ -115,7 +116,11 @@ double least_by_planes(const MeasuredCell& cell, const StraightSweep& sweep)
     if (least == infinite)
         return least;
     const Vec3 below = middle - sweep.cutter().radius() * cell.ray.normal;
-    return std::max(least, least_by(cell, half_space_beyond(sweep, below)));
+    const double known = std::max(least, least_by(cell, half_space_beyond(sweep, below)));
+    if (!std::isfinite(known))
+        return known;
+    const Vec3 end = middle + known * cell.ray.normal;
+    return std::max(known, least_by(cell, half_space_beyond(sweep, end)));
 }
 
 }  // namespace

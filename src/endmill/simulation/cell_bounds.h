@@ -23,6 +23,7 @@ struct MeasuredCell {
     PartCharts::Bend bend;  ///< of the part nearby
     bool is_outer = false;  ///< on an outer wall of the part, whose rest is not judged
     std::optional<double> nearer = {};  ///< what counts instead of `left`, mm
+    bool is_measured = true;            ///< else `nearer` is a close bound of what counts
 
     /// What counts at its middle, in mm.
     double value() const

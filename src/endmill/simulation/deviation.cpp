@@ -5,7 +5,10 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <queue>
+#include <utility>
 
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
@@ -17,20 +20,12 @@ namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Of the narrower limit, and of the pitch at least: how closely the distance from the part
-// is known where a limit is broken.
-constexpr double distance_share = 0.25;
-constexpr double finest_distance_share = 0.02;
+// Of the pitch: how closely the distance from the part is known.
+constexpr double distance_share = 0.025;
+// Of a greatest length: how closely it is measured.
+constexpr double sharpness = 1e-3;
 // Halves of halves of a patch: a square of them.
 constexpr std::size_t tiles_a_group = 16;
-
-// Close enough for what the distance is for, and no finer than the cells.
-double distance_tolerance(const DeviationOptions& options)
-{
-    return std::max(
-        distance_share * std::min(options.limits.scallop, options.limits.tolerance),
-        finest_distance_share * options.pitch);
-}
 
 // The value that 99 % of the area does not reach, from a histogram over the leading bits
 // of each value, that is in steps of 1/2048 of it.
@@ -146,18 +141,15 @@ public:
         deviation_.left.assign(cells, 0);
         deviation_.area.assign(cells, 0);
         sweeps_.assign(cells, -1);
+        is_measured_.assign(cells, 1);
         of_tile_.resize(deviation_.tiles.size());
         Progress progress{options, 2 * of_tile_.size()};
         measure_all(progress);
-        Extremes found = merged();
-        if (is_beyond(found)) {
-            for_tiles(progress, [&](std::size_t i) {
-                if (is_beyond(of_tile_[i]))
-                    shorten(i);
-            });
-            found = merged();
-        }
-        refine(found, progress);
+        highest_ = measured_greatest(+1);
+        deepest_ = measured_greatest(-1);
+        refine(merged(), progress);
+        for (int times = 1; times <= options.max_refine && !merged().is_cut; ++times)
+            halve(times, progress);
         add_extremes(deviation_, merged(), measured_.tree);
         add_areas(deviation_);
         return std::move(deviation_);
@@ -175,35 +167,97 @@ private:
         });
     }
 
-    bool is_beyond(const Extremes& some) const
+    struct Candidate {
+        double length;  // mm
+        std::size_t tile;
+
+        bool operator<(const Candidate& other) const
+        {
+            return std::pair{length, other.tile} < std::pair{other.length, tile};
+        }
+    };
+
+    static DeviationPlace& greatest(Extremes& some, double sign)
     {
-        return endmill::is_beyond(some.highest.left, limits_) ||
-               endmill::is_beyond(some.deepest.left, limits_);
+        return sign > 0 ? some.highest : some.deepest;
     }
 
-    // Where a limit is broken in a tile, the distance from the part counts.
-    void shorten(std::size_t number)
+    // The greatest length on that side, measured; what is only known to be no greater than
+    // that, but for its sharpness, then counts as no more.
+    std::optional<DeviationPlace> measured_greatest(double sign)
+    {
+        std::priority_queue<Candidate> candidates;
+        for (std::size_t i = 0; i < of_tile_.size(); ++i)
+            if (const double length = sign * greatest(of_tile_[i], sign).left; length > 0)
+                candidates.push({length, i});
+        const double spare = verdict_slack + 2 * measured_.distance.uncertainty();
+        std::optional<DeviationPlace> best;
+        while (!candidates.empty()) {
+            const auto [length, tile] = candidates.top();
+            const double known = best ? sign * best->left : 0;
+            if (best && length <= known * (1 + sharpness) + spare)
+                break;
+            candidates.pop();
+            const std::size_t at = greatest_of_tile(tile, sign);
+            const bool was_measured = is_measured_[at] != 0;
+            if (!was_measured)
+                measure(tile, at, sign);
+            DeviationPlace& place = greatest(of_tile_[tile], sign);
+            if (sign * place.left > known)
+                best = place;
+            if (was_measured)
+                break;
+            place.left = deviation_.left[greatest_of_tile(tile, sign)];
+            candidates.push({sign * place.left, tile});
+        }
+        if (best)
+            lower_to(*best, sign);
+        return best;
+    }
+
+    std::size_t greatest_of_tile(std::size_t number, double sign) const
     {
         const PartTile& tile = deviation_.tiles[number];
-        Extremes& found = of_tile_[number];
-        found.highest.left = -infinite;
-        found.deepest.left = infinite;
-        found.gouge_area = found.uncut_area = 0;
-        std::optional<std::size_t> hint;
-        for (int k = 0; k < tile.cells(); ++k) {
-            const std::size_t at = tile.first + static_cast<std::size_t>(k);
-            const PartCell cell = tile.cell(k);
-            const auto ray = measured_.charts.ray(cell.chart, cell.centre());
-            if (!ray)
+        const auto first =
+            deviation_.left.begin() + static_cast<std::ptrdiff_t>(tile.first);
+        const auto last = first + tile.cells();
+        const auto found =
+            sign > 0 ? std::max_element(first, last) : std::min_element(first, last);
+        return static_cast<std::size_t>(found - deviation_.left.begin());
+    }
+
+    // Measures what counts of a ray, and makes it the greatest of its tile.
+    void measure(std::size_t number, std::size_t at, double sign)
+    {
+        const PartTile& tile = deviation_.tiles[number];
+        const PartCell cell = tile.cell(static_cast<int>(at - tile.first));
+        std::optional<std::size_t> no_hint;
+        const auto ray = measured_.charts.ray(cell.chart, cell.centre());
+        const double left =
+            shortened(deviation_.left[at], *ray, measured_.distance, no_hint);
+        deviation_.left[at] = static_cast<float>(left);
+        is_measured_[at] = 1;
+        greatest(of_tile_[number], sign) = {left, *ray, cell.chart, cell.centre(),
+                                            sweeps_[at]};
+    }
+
+    void lower_to(const DeviationPlace& best, double sign)
+    {
+        const double most = sign * best.left;
+        for (std::size_t i = 0; i < of_tile_.size(); ++i) {
+            if (sign > 0 && most <= limits_.scallop)
+                of_tile_[i].uncut_area = 0;
+            if (sign < 0 && most <= limits_.tolerance)
+                of_tile_[i].gouge_area = 0;
+            DeviationPlace& place = greatest(of_tile_[i], sign);
+            if (sign * place.left <= most)
                 continue;
-            double left = deviation_.left[at];
-            if (endmill::is_beyond(left, limits_)) {
-                left = shortened(left, *ray, measured_.distance, hint);
-                deviation_.left[at] = static_cast<float>(left);
-            }
-            found.take(
-                DeviationPlace{left, *ray, cell.chart, cell.centre(), sweeps_[at]});
-            found.add_area(left, cell.area(*ray), limits_);
+            place.left = best.left;
+            const PartTile& tile = deviation_.tiles[i];
+            for (float& left : std::span{deviation_.left}.subspan(
+                     tile.first, static_cast<std::size_t>(tile.cells())))
+                if (sign * left > most)
+                    left = static_cast<float>(best.left);
         }
     }
 
@@ -218,7 +272,9 @@ private:
                 const std::size_t count = std::min(tiles_a_group, tiles - first);
                 std::vector<TileMeasure> measures = TileMeasure::measured_together(
                     measured_, std::span{deviation_.tiles}.subspan(first, count));
+                std::optional<std::size_t> hint;
                 for (std::size_t k = 0; k < count; ++k) {
+                    measures[k].count(hint);
                     keep(first + k, measures[k]);
                     progress.step();
                 }
@@ -239,6 +295,7 @@ private:
                                       ? 0
                                       : static_cast<float>(cell.cell.area(cell.ray));
             sweeps_[at] = cell.left.sweep;
+            is_measured_[at] = cell.is_measured ? 1 : 0;
         }
         of_tile_[number] = measure.extremes();
     }
@@ -256,13 +313,30 @@ private:
             doubt.upper = infinite;  // that is settled; a gouge would still come first
         for_tiles(progress, [&](std::size_t i) {
             if (doubt.holds(of_tile_[i].upper, of_tile_[i].lower))
-                of_tile_[i] = TileMeasure{measured_, deviation_.tiles[i]}.refined(doubt);
+                of_tile_[i] = TileMeasure{measured_, deviation_.tiles[i]}.refined(
+                    doubt, {.tolerance = gouge, .scallop = rest});
+        });
+    }
+
+    // A cutter that no ray meets may still have cut between them.
+    void halve(int times, Progress& progress)
+    {
+        for_tiles(progress, [&](std::size_t i) {
+            const Extremes found =
+                TileMeasure{measured_, deviation_.tiles[i]}.halved(times);
+            if (!found.is_cut)
+                return;
+            of_tile_[i].merge(found);
+            of_tile_[i].lower = std::min(of_tile_[i].lower, found.deepest.left);
         });
     }
 
     Extremes merged() const
     {
         Extremes found;
+        for (const auto& place : {highest_, deepest_})
+            if (place)
+                found.take(*place);
         for (const Extremes& some : of_tile_)
             found.merge(some);
         return found;
@@ -272,7 +346,10 @@ private:
     DeviationLimits limits_;
     Deviation deviation_;
     std::vector<Extremes> of_tile_;
-    std::vector<std::int32_t> sweeps_;  // of each cell
+    std::vector<std::int32_t> sweeps_;       // of each cell
+    std::vector<std::uint8_t> is_measured_;  // of each, what counts of its ray
+    std::optional<DeviationPlace> highest_;  // of the first rays
+    std::optional<DeviationPlace> deepest_;
 };
 
 }  // namespace
@@ -281,37 +358,8 @@ Deviation measure_deviation(const PartCharts& charts, const SweepTree& tree,
                             const DeviationOptions& options)
 {
     check(options);
-    const PartDistance distance{charts, distance_tolerance(options)};
+    const PartDistance distance{charts, distance_share * options.pitch};
     return Measurement{{charts, tree, options, distance}}.run();
-}
-
-std::string_view verdict_name(Verdict verdict)
-{
-    switch (verdict) {
-        case Verdict::Clean:
-            return "clean";
-        case Verdict::Gouged:
-            return "gouged";
-        case Verdict::Uncut:
-            return "uncut";
-        case Verdict::Undecided:
-            return "undecided";
-    }
-    return {};
-}
-
-Verdict verdict(const Deviation& deviation, const DeviationLimits& limits)
-{
-    const double tolerance = limits.tolerance + verdict_slack;
-    const double scallop = limits.scallop + verdict_slack;
-    if (deviation.max_gouge_mm > tolerance)
-        return Verdict::Gouged;
-    if (deviation.max_scallop_mm > scallop)
-        return Verdict::Uncut;
-    const bool is_certain =
-        deviation.max_gouge_mm + deviation.gouge_bound_mm <= tolerance &&
-        deviation.max_scallop_mm + deviation.scallop_bound_mm <= scallop;
-    return is_certain ? Verdict::Clean : Verdict::Undecided;
 }
 
 }  // namespace endmill

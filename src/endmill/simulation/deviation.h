@@ -72,11 +72,13 @@ struct Deviation {
 /// rays could change the verdict, or either maximum by more than the slack and a twentieth
 /// of its limit.
 ///
-/// Where a limit is broken along the normal, only as much of that length counts as the
-/// ray's own point stays the part's nearest place, the radius of a ball between the end of
-/// the material and the part: beside a wall, in a corner or on a narrow ridge, the ray of
-/// one face may end near another. Once a gouge is known nothing is refined; once too much
-/// is known to be left, only for gouges. The areas of both are those of the finest cells.
+/// Of what is left along the normal, only as much counts as the ray's own point stays the
+/// part's nearest place, the radius of a ball between the end of the material and the part:
+/// beside a wall, in a corner or on a narrow ridge, the ray of one face may end near
+/// another. That holds for every ray and hangs on no limit; the maxima are measured so,
+/// other rays to about 1 % where that is much quicker. Once a gouge is known nothing is
+/// refined; once too much is known to be left, only for gouges. The areas of both are those
+/// of the finest cells.
 ///
 /// Between rays on a smooth piece of the part a round corner hides a gouge of at most
 /// (d^2 / 2)(1 / r + k), d a cell's half diagonal, r the cutter's corner radius, k the
@@ -87,10 +89,14 @@ struct Deviation {
 /// leaves is convex, so its highest place is a cell's corner. Curvature of the part over a
 /// cell enters by d^2 k.
 ///
-/// Refined rays keep half a first cell away from where the part ends: sides of surfaces
-/// that meet no other, edges of one triangle. On upright outer walls of the part, beside
-/// which half a pitch away there is no part over or under, rests are not judged: no path
-/// over the part can reach the stock there. They count as 0 and have no area.
+/// Where no ray meets a move, cells that one comes near are halved until one does.
+///
+/// In refined cells half a first cell along where the part ends (sides of surfaces that meet
+/// no other, edges of one triangle) is not judged: what stands there is no gouge and no
+/// rest, but the bounds hold for it too, for a finer grid would judge it. On upright outer
+/// walls of the part, beside which half a pitch away there is no part over or under, rests
+/// are not judged: no path over the part can reach the stock there. They count as 0 and
+/// have no area.
 /// Source: spec of the removal, section 2, 3; the bounds are derived in
 /// paper/notes/deviation-bounds.md.
 /// \throws DomainError for options out of range, LimitError for too many cells.
@@ -103,8 +109,9 @@ enum class Verdict { Clean, Gouged, Uncut, Undecided };
 /// The word for it in files: "clean", "gouged", "uncut" or "undecided".
 std::string_view verdict_name(Verdict verdict);
 
-/// The first that applies, with both limits raised by the slack: gouged or uncut by a
-/// measured point, clean if the bounds say so, else undecided.
+/// The first that applies, with both limits raised by the slack: gouged by a measured point,
+/// undecided while the bound leaves room for a gouge, uncut by a measured point, clean if the
+/// bounds say so, else undecided. So a finer grid changes none but undecided.
 /// Source: spec of the removal, section 3.
 Verdict verdict(const Deviation& deviation, const DeviationLimits& limits);
 

@@ -2,12 +2,14 @@
 #include "endmill/simulation/part_distance.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "endmill/surface/sampling.h"
 
 namespace endmill {
 namespace {
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double longest = 1e9;      // mm
 constexpr int most_shrinkings = 60;  // far more than it takes but where nothing is free
 constexpr double rounding = 1e-9;    // of a ball's radius
@@ -44,37 +46,53 @@ const TriangleTree& PartDistance::whole() const
     return *whole_;
 }
 
-NearestPoint PartDistance::nearest(const Vec3& place,
-                                   std::optional<std::size_t>& hint) const
+std::optional<NearestPoint> PartDistance::nearest(const Vec3& place,
+                                                  std::optional<std::size_t>& hint,
+                                                  double within) const
 {
     prepare();
-    const NearestPoint found =
-        pieces_ ? pieces_->nearest(place, hint) : *whole().nearest(place, hint);
-    hint = found.triangle;
+    const std::optional<NearestPoint> found = pieces_
+                                                  ? pieces_->nearest(place, hint, within)
+                                                  : whole().nearest(place, hint, within);
+    if (found)
+        hint = found->triangle;
     return found;
 }
 
 double PartDistance::operator()(const Vec3& place, std::optional<std::size_t>& hint) const
 {
-    return nearest(place, hint).distance + chord_error_;
+    const double found = nearest(place, hint, infinite)->distance;
+    return found + chord_error_;
 }
 
-double PartDistance::free_length(const Vec3& foot, const Vec3& direction, double length,
+bool PartDistance::is_clear(const Vec3& centre, double radius) const
+{
+    prepare();  // the chord error is asked for
+    std::optional<std::size_t> no_hint;
+    return !nearest(centre, no_hint, radius - chord_error_);
+}
+
+FreeBall PartDistance::free_ball(const PartWay& way,
                                  std::optional<std::size_t>& hint) const
 {
-    double free = std::min(length, longest);
+    prepare();
+    FreeBall ball{std::min(way.length, longest), std::nullopt};
     for (int i = 0; i < most_shrinkings; ++i) {
-        const Vec3 centre = foot + free * direction;
-        const NearestPoint other = nearest(centre, hint);
-        if (other.distance + chord_error_ >= free * (1 - rounding))
-            return free == length ? length : std::max(0.0, free - uncertainty());
+        const Vec3 centre = way.foot + ball.length * way.direction;
+        const auto other =
+            nearest(centre, hint, ball.length * (1 - rounding) - chord_error_);
+        if (!other) {
+            if (ball.other)
+                ball.length = std::max(0.0, ball.length - uncertainty());
+            return ball;
+        }
         // The ball that touches the foot and goes through the other place.
-        const Vec3 away = other.point - foot;
-        const double over = away.dot(direction);
+        const Vec3 away = other->point - way.foot;
+        const double over = away.dot(way.direction);
         const double through = over > 0 ? away.squaredNorm() / (2 * over) : 0;
-        free = std::min(through, (free + other.distance) / 2);
+        ball = {std::min(through, (ball.length + other->distance) / 2), other->point};
     }
-    return 0;
+    return {0, ball.other};
 }
 
 double PartDistance::uncertainty() const

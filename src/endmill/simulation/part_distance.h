@@ -12,6 +12,19 @@
 
 namespace endmill {
 
+/// A way from a place of the part.
+struct PartWay {
+    Vec3 foot;       ///< mm
+    Vec3 direction;  ///< unit, along the normal or against it
+    double length;   ///< mm, positive
+};
+
+/// The largest ball that touches the part at a foot, as far as it was asked for.
+struct FreeBall {
+    double length;              ///< its radius, mm
+    std::optional<Vec3> other;  ///< place of the part that keeps it from growing, if met
+};
+
 /// Answers how far a place is from the part: a mesh itself, or a triangulation of the
 /// surfaces, which is made where questions come. Refers to the charts and their
 /// part, which must outlive it. May be asked by any number of threads.
@@ -25,14 +38,16 @@ public:
     /// there.
     double operator()(const Vec3& place, std::optional<std::size_t>& hint) const;
 
-    /// How far one comes from `foot`, a place of the part, along `direction` (unit) while
-    /// no other place of the part is nearer than it, in mm, and at most `length`: the
-    /// radius of the largest ball that touches the part there. Not more, but less by at
-    /// most `uncertainty()` and a little where it is less than the length.
+    /// Whether no place of the part is nearer than `radius`, to the chord tolerance.
+    bool is_clear(const Vec3& centre, double radius) const;
+
+    /// How far one comes on a way while no other place of the part is nearer than its
+    /// foot: the radius of the largest ball that touches the part there, at most the way's
+    /// length. Not more, but less by at most `uncertainty()` and a little where it is less
+    /// than the length. \param hint as above.
     /// Source: J. Ma, S. W. Bae, S. Choi, 3D medial axis point approximation using nearest
     /// neighbors and the normal field, 2012: balls that shrink.
-    double free_length(const Vec3& foot, const Vec3& direction, double length,
-                       std::optional<std::size_t>& hint) const;
+    FreeBall free_ball(const PartWay& way, std::optional<std::size_t>& hint) const;
 
     /// mm; at most twice the chord tolerance, and 0 of a mesh.
     double uncertainty() const;
@@ -43,7 +58,9 @@ public:
 private:
     void prepare() const;
     const TriangleTree& whole() const;
-    NearestPoint nearest(const Vec3& place, std::optional<std::size_t>& hint) const;
+    std::optional<NearestPoint> nearest(const Vec3& place,
+                                        std::optional<std::size_t>& hint,
+                                        double within) const;
 
     const PartCharts& charts_;
     double chord_tolerance_;

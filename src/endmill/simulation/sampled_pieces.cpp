@@ -152,10 +152,16 @@ const TriangleTree& SampledPieces::tree(std::size_t piece) const
 
 void SampledPieces::look_at(Search& search, std::size_t piece) const
 {
-    NearestPoint found = *tree(piece).nearest(search.place);
-    found.triangle = piece;
-    if (!search.best || found.distance < search.best->distance ||
-        (found.distance == search.best->distance && piece < search.best->triangle))
+    // One as near in an earlier piece counts, so that it is looked for as well.
+    const double within =
+        search.best ? std::nextafter(search.best->distance, 2 * search.best->distance + 1)
+                    : search.within;
+    std::optional<NearestPoint> found = tree(piece).nearest(search.place, {}, within);
+    if (!found)
+        return;
+    found->triangle = piece;
+    if (!search.best || found->distance < search.best->distance ||
+        (found->distance == search.best->distance && piece < search.best->triangle))
         search.best = found;
 }
 
@@ -179,14 +185,15 @@ void SampledPieces::look_into(Search& search, std::size_t level, std::size_t num
         look_into(search, level - 1, order[k].second);
 }
 
-NearestPoint SampledPieces::nearest(const Vec3& place,
-                                    std::optional<std::size_t> hint) const
+std::optional<NearestPoint> SampledPieces::nearest(const Vec3& place,
+                                                   std::optional<std::size_t> hint,
+                                                   double within) const
 {
-    Search search{place};
+    Search search{place, within};
     if (hint)
         look_at(search, *hint);
     look_into(search, boxes_.size() - 1, 0);
-    return *search.best;
+    return search.best;
 }
 
 }  // namespace endmill

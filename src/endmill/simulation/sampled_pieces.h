@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -29,8 +30,11 @@ public:
     /// The place of the triangles that is nearest to `place`; instead of the triangle's
     /// number that of its piece is given. Of equal ones in several pieces it is the first
     /// piece's. \param hint the piece of a question nearby: the answer comes sooner, and
-    /// is the same.
-    NearestPoint nearest(const Vec3& place, std::optional<std::size_t> hint) const;
+    /// is the same. \param within in mm: only what is nearer is asked for.
+    /// \return nothing if no triangle is so near.
+    std::optional<NearestPoint> nearest(
+        const Vec3& place, std::optional<std::size_t> hint,
+        double within = std::numeric_limits<double>::infinity()) const;
 
     /// A bound on the distance between surfaces and triangles, mm.
     double chord_error() const { return chord_error_; }
@@ -65,12 +69,13 @@ private:
     };
     struct Search {
         const Vec3& place;
+        double within;
         std::optional<NearestPoint> best = {};
 
+        double limit() const { return best ? best->distance : within; }
         bool may_improve(const Box& box) const
         {
-            return !best ||
-                   box.squared_distance(place) <= best->distance * best->distance;
+            return box.squared_distance(place) <= limit() * limit();
         }
     };
 

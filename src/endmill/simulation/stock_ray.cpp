@@ -42,6 +42,90 @@ struct CellWalk {
     }
 };
 
+// How far a block is from a place outside it along `way`, a unit vector; or, if it is not
+// met there, how far the block could reach.
+MownRay missing(const Block& block, const PartRay& ray)
+{
+    const Vec3 way = -ray.normal;
+    double enter = 0;
+    double leave = infinite;
+    double rate = 1;  // of what is entered through
+    for (int c = 0; c < 3; ++c) {
+        const double low = block.low[c] - ray.point[c];
+        const double high = block.high[c] - ray.point[c];
+        if (way[c] == 0) {
+            if (low > 0 || high < 0)
+                leave = -infinite;
+            continue;
+        }
+        const double first = (way[c] > 0 ? low : high) / way[c];
+        if (first > enter) {
+            enter = first;
+            rate = way[c];
+        }
+        leave = std::min(leave, (way[c] > 0 ? high : low) / way[c]);
+    }
+    if (enter <= leave)
+        return {-enter, tangent_of(rate), -1};
+    const double floor = (block.low.z() - ray.point.z()) / way.z();
+    const double most = (block.high - block.low).norm();
+    return {-(floor > 0 ? std::min(floor, most) : most), 0, -1};
+}
+
+// The highest of the cells around one, or of those that there are.
+double highest_around(const HeightStock& stock, int column, int row)
+{
+    const StockGrid& grid = stock.grid();
+    double highest = -infinite;
+    for (int j = std::max(row - 1, 0); j <= std::min(row + 1, grid.rows - 1); ++j)
+        for (int i = std::max(column - 1, 0); i <= std::min(column + 1, grid.columns - 1);
+             ++i)
+            highest = std::max(highest, stock.height(i, j));
+    return highest;
+}
+
+bool holds(const StockGrid& grid, int column, int row)
+{
+    return column >= 0 && column < grid.columns && row >= 0 && row < grid.rows;
+}
+
+Block box_of(const StockGrid& grid, double top)
+{
+    return {{grid.low_x, grid.low_y, grid.bottom_z},
+            {grid.low_x + grid.columns * grid.pitch, grid.low_y + grid.rows * grid.pitch,
+             top}};
+}
+
+// What is missing for certain below a ray's point that lies over its own cell, or beside all
+// cells.
+MownRay missing(const HeightStock& stock, const PartRay& ray)
+{
+    const StockGrid& grid = stock.grid();
+    const Vec3 way = -ray.normal;
+    CellWalk x{ray.point.x(), way.x(), grid.low_x, grid.pitch};
+    CellWalk y{ray.point.y(), way.y(), grid.low_y, grid.pitch};
+    const MownRay beside = missing(box_of(grid, ray.point.z()), ray);
+    if (!holds(grid, x.cell, y.cell))
+        return beside;
+    double t = 0;
+    while (holds(grid, x.cell, y.cell)) {
+        const double height = highest_around(stock, x.cell, y.cell);
+        const double above = ray.point.z() + t * way.z() - height;
+        const double end = std::min(x.next, y.next);
+        if (height > grid.bottom_z) {
+            if (above <= 0)
+                return {-t, assumed_slope, -1};
+            if (way.z() < 0 && t + above / -way.z() <= end)
+                return {-t + above / way.z(), assumed_slope, -1};
+        }
+        if (!std::isfinite(end))
+            break;
+        t = std::max(t, end);
+        (x.next <= y.next ? x : y).advance();
+    }
+    return missing(box_of(grid, grid.bottom_z), ray);
+}
+
 }  // namespace
 
 MownRay ray_in_block(const Block& block, const PartRay& ray)
@@ -49,7 +133,7 @@ MownRay ray_in_block(const Block& block, const PartRay& ray)
     MownRay left{infinite, 0, -1};
     for (int c = 0; c < 3; ++c) {
         if (ray.point[c] < block.low[c] || ray.point[c] > block.high[c])
-            return {0, 0, -1};
+            return missing(block, ray);
         const double rate = ray.normal[c];
         const double way = (rate > 0 ? block.high[c] : block.low[c]) - ray.point[c];
         if (rate != 0 && way / rate < left.left)
@@ -63,8 +147,11 @@ MownRay ray_in_stock(const HeightStock& stock, const PartRay& ray)
     const StockGrid& grid = stock.grid();
     CellWalk x{ray.point.x(), ray.normal.x(), grid.low_x, grid.pitch};
     CellWalk y{ray.point.y(), ray.normal.y(), grid.low_y, grid.pitch};
+    if (!holds(grid, x.cell, y.cell) ||
+        stock.height(x.cell, y.cell) <= std::max(ray.point.z(), grid.bottom_z))
+        return missing(stock, ray);
     double t = 0;
-    while (x.cell >= 0 && x.cell < grid.columns && y.cell >= 0 && y.cell < grid.rows) {
+    while (holds(grid, x.cell, y.cell)) {
         const double height = stock.height(x.cell, y.cell);
         const double above = ray.point.z() + t * ray.normal.z() - height;
         if (above >= 0 || height <= grid.bottom_z)

@@ -7,12 +7,17 @@
 namespace endmill {
 
 /// What of a ray of the part lies in a block, before any move: up to where it leaves the
-/// block's box. Nothing if it begins outside.
+/// block's box. If it begins outside, material is missing below its point: up to where the
+/// ray, drawn on into the part, meets the box, which counts as below 0. Where it never does,
+/// all is missing as far as the box reaches: down to its floor, or its diagonal if that is
+/// less.
 MownRay ray_in_block(const Block& block, const PartRay& ray);
 
-/// The same in a stock of heights, each of which counts for the whole of its cell: off by
-/// what the stock changes within a pitch. What an earlier run took from the part itself is
-/// not told: a ray that begins above the stock has nothing left.
+/// The same in a stock of heights, such as an earlier run leaves. Over its point each height
+/// counts for the whole of its cell: off by what the stock changes within a pitch. Below it
+/// only that is missing which lies above the highest cell around: what the heights of cells
+/// tell for certain. So a gouge shows less deep by up to a pitch times the tangent of its
+/// slope.
 MownRay ray_in_stock(const HeightStock& stock, const PartRay& ray);
 
 }  // namespace endmill

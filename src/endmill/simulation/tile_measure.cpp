@@ -56,8 +56,8 @@ double shortened(double left, const PartRay& ray, const PartDistance& distance,
                  std::optional<std::size_t>& hint)
 {
     const double sign = left < 0 ? -1 : 1;
-    return sign *
-           distance.free_length(ray.point, sign * ray.normal, std::abs(left), hint);
+    const PartWay way{ray.point, sign * ray.normal, std::abs(left)};
+    return sign * distance.free_ball(way, hint).length;
 }
 
 TileMeasure::TileMeasure(const Measured& measured, const PartTile& tile)
@@ -124,13 +124,6 @@ bool TileMeasure::is_outer(const PartRay& ray) const
 {
     return is_wall_ && !measured_.distance.is_over_or_under(
                            ray.point + measured_.options.pitch / 2 * ray.normal);
-}
-
-void TileMeasure::find_nearer(MeasuredCell& cell) const
-{
-    std::optional<std::size_t> no_hint;
-    if (is_beyond(cell.left.left, limits()))
-        cell.nearer = shortened(cell.left.left, cell.ray, measured_.distance, no_hint);
 }
 
 std::span<const std::int32_t> TileMeasure::beneath()

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -120,6 +121,9 @@ bool is_beyond(double left, const DeviationLimits& limits);
 double shortened(double left, const PartRay& ray, const PartDistance& distance,
                  std::optional<std::size_t>& hint);
 
+/// What is left counts as it is if it is less, in mm.
+inline constexpr double negligible_length = 1e-6;
+
 /// The rays of one tile, mown, and what may lie between them.
 class TileMeasure {
 public:
@@ -136,11 +140,20 @@ public:
     /// Their numbers in the tile.
     std::span<const int> numbers() const { return numbers_; }
 
+    /// Finds what counts of the cells' rays: to a close bound, where that is much quicker.
+    /// \param hint as in PartDistance.
+    void count(std::optional<std::size_t>& hint);
+
     /// What the cells have, and what bounds it between their middles.
     Extremes extremes();
 
-    /// The same with every doubtful cell refined.
-    Extremes refined(const Doubt& doubt);
+    /// The same with every doubtful cell refined. What counts of a ray is measured where a
+    /// limit is broken or more is left, or taken, than is `known`, and only there.
+    Extremes refined(const Doubt& doubt, const DeviationLimits& known);
+
+    /// What the rays of its cells, halved so many times wherever a sweep comes near, find:
+    /// where no first ray is cut.
+    Extremes halved(int times);
 
 private:
     // How far a cell has been halved, and the sweeps that may matter to it.
@@ -157,7 +170,11 @@ private:
     void take_rays();
     bool is_exhausted() const;
     bool is_outer(const PartRay& ray) const;
-    void find_nearer(MeasuredCell& cell) const;
+    void find_nearer(MeasuredCell& cell, const Extremes& found);
+    void count_side(double sign, std::optional<std::size_t>& hint);
+    bool is_free(double sign, double length);
+    double measured_free(double sign) const;
+    bool is_smooth_within(double distance, const PartRay& middle) const;
     std::span<const std::int32_t> beneath();
     Extremes refined_to(int level, const Doubt& doubt,
                         std::span<const std::int32_t> near);
@@ -178,6 +195,8 @@ private:
                 Extremes& found);
     void refine_quarters(const MeasuredCell& cell, const Doubt& first_doubt,
                          const Depth& depth, Extremes& found);
+    void halve(const MeasuredCell& cell, int times, std::span<const std::int32_t> near,
+               Extremes& found);
     MeasuredCell measured(const PartCell& cell, const PartRay& ray,
                           std::span<const std::int32_t> sweeps) const;
 
@@ -190,6 +209,9 @@ private:
     std::vector<int> numbers_;
     std::optional<MownRays> rays_;
     std::optional<std::vector<std::int32_t>> beneath_;  // found when first asked for
+    // How far all rays are free along the normals and against them, mm.
+    std::array<std::optional<double>, 2> free_ = {};
+    DeviationLimits known_ = {};
     std::size_t refined_cells_ = 0;
     int last_level_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "endmill/simulation/half_space.h"
 #include "endmill/simulation/tile_measure.h"
 
 namespace endmill {
@@ -18,11 +19,11 @@ constexpr double local_share = 0.125;
 
 }  // namespace
 
-Extremes TileMeasure::refined(const Doubt& doubt)
+Extremes TileMeasure::refined(const Doubt& doubt, const DeviationLimits& known)
 {
+    known_ = known;
     double margin = 0;
-    for (MeasuredCell& cell : cells_) {
-        find_nearer(cell);
+    for (const MeasuredCell& cell : cells_) {
         if (doubt.holds(most_left(cell, {}), least_left(cell)))
             margin = std::max(margin, owner_margin(cell));
     }
@@ -54,7 +55,8 @@ Extremes TileMeasure::refined_to(int level, const Doubt& doubt,
     Extremes found;
     refined_cells_ = 0;
     last_level_ = level;
-    for (const MeasuredCell& cell : cells_) {
+    for (MeasuredCell& cell : cells_) {
+        find_nearer(cell, found);
         const bool by_planes = needs_planes(cell);
         const bool at_border =
             touches_side_ && measured_.charts.touches_border(cell.cell);
@@ -134,23 +136,77 @@ void TileMeasure::refine_quarters(const MeasuredCell& cell, const Doubt& first_d
     const double uncut = found.uncut_area;
     for (const PartCell& quarter : cell.cell.quarters()) {
         // A strip of half a first cell along the border is not judged: there the cutter
-        // reaches under an edge, and depth along the normal tells little.
-        if (depth.level == 0 && depth.by_planes &&
-            measured_.charts.runs_along_border(quarter)) {
-            found.add_area(cell.value(), quarter_area, limits());
-            continue;
-        }
+        // reaches under an edge, and depth along the normal tells little. But a finer
+        // grid judges some of it, so that what is there leaves the verdict open.
+        const bool is_strip = depth.level == 0 && depth.by_planes &&
+                              measured_.charts.runs_along_border(quarter);
+        Extremes strip;
+        Extremes& quarter_found = is_strip ? strip : found;
         ++refined_cells_;
-        if (const auto ray = measured_.charts.ray(quarter.chart, quarter.centre()))
-            refine(measured(quarter, *ray, depth.sweeps), first_doubt,
+        if (const auto ray = measured_.charts.ray(quarter.chart, quarter.centre())) {
+            MeasuredCell finer = measured(quarter, *ray, depth.sweeps);
+            find_nearer(finer, quarter_found);
+            refine(finer, first_doubt,
                    {depth.level + 1, depth.by_planes, depth.sweeps, depth.beneath},
-                   found);
+                   quarter_found);
+        }
+        if (is_strip) {
+            found.bound(strip.upper, strip.lower);
+            found.rays += strip.rays;
+            found.add_area(cell.value(), quarter_area, limits());
+        }
     }
     // What the middle has is found, however little there is of it.
     if (-cell.value() > limits().tolerance && found.gouge_area == gouged)
         found.gouge_area += quarter_area;
     if (cell.value() > limits().scallop && found.uncut_area == uncut)
         found.uncut_area += quarter_area;
+}
+
+Extremes TileMeasure::halved(int times)
+{
+    Extremes found;
+    if (!rays_)
+        return found;
+    double reach = 0;
+    for (const MeasuredCell& cell : cells_)
+        reach = std::max(reach, cell.reach);
+    const std::vector<std::int32_t> near = rays_->near_sweeps(measured_.tree, reach);
+    refined_cells_ = 0;
+    for (const MeasuredCell& cell : cells_)
+        halve(cell, times, near, found);
+    return found;
+}
+
+void TileMeasure::halve(const MeasuredCell& cell, int times,
+                        std::span<const std::int32_t> near, Extremes& found)
+{
+    const RayBundle around{.centre = cell.ray.point,
+                           .upright = cell.ray.normal,
+                           .beside = cell.reach,
+                           .above = cell.reach * cell.reach * cell.bend.any / 2,
+                           .tilt = cell.reach * cell.bend.any};
+    std::vector<std::int32_t> here;
+    for (const std::int32_t number : near) {
+        const StraightSweep& sweep = sweeps()[static_cast<std::size_t>(number)];
+        if (!around.is_out_of_reach(half_space_beyond(sweep, cell.ray.point), 0,
+                                    std::max(0.0, cell.left.left) + cell.reach))
+            here.push_back(number);
+    }
+    if (times == 0 || here.empty() || is_exhausted())
+        return;
+    for (const PartCell& quarter : cell.cell.quarters()) {
+        ++refined_cells_;
+        const auto ray = measured_.charts.ray(quarter.chart, quarter.centre());
+        if (!ray)
+            continue;
+        MeasuredCell finer = measured(quarter, *ray, here);
+        if (finer.left.sweep >= 0) {
+            find_nearer(finer, found);
+            found.take(finer);
+        }
+        halve(finer, times - 1, here, found);
+    }
 }
 
 MeasuredCell TileMeasure::measured(const PartCell& cell, const PartRay& ray,
@@ -165,9 +221,7 @@ MeasuredCell TileMeasure::measured(const PartCell& cell, const PartRay& ray,
             least.sweep = number;
         }
     }
-    MeasuredCell found{cell, ray, cell.reach(ray), least, bend_, is_outer(ray)};
-    find_nearer(found);
-    return found;
+    return {cell, ray, cell.reach(ray), least, bend_, is_outer(ray)};
 }
 
 }  // namespace endmill
