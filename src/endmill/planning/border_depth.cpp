@@ -100,15 +100,12 @@ BorderDepth::BorderDepth(std::span<const Surface> surfaces, std::span<const doub
     require(surfaces.size() == sides.size(), "BorderDepth: need a side for each surface");
     require(0 < depth && depth < radius_, "BorderDepth: need 0 < depth < cutter radius");
     const std::vector<PatchSide> borders = border_sides(surfaces);
-    for (std::size_t number = 0; number < surfaces.size(); ++number) {
-        const auto own =
-            std::ranges::equal_range(borders, number, {}, &PatchSide::number);
-        if (own.empty())
-            continue;
+    for (auto side = borders.begin(); side != borders.end();) {
+        const std::size_t number = side->number;
         const MarchedSurface marched{surfaces[number], sides[number]};
         const OffsetBounds bounds{marched.surface};
-        for (const PatchSide& side : own)
-            add_pieces(marched, bounds, side);
+        for (; side != borders.end() && side->number == number; ++side)
+            add_pieces(marched, bounds, *side);
     }
     if (!pieces_.empty())
         add_nodes(0, pieces_.size());

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "endmill/process/widest_registers.h"
+#include "endmill/core/widest_registers.h"
 
 namespace endmill {
 namespace {
@@ -231,7 +231,7 @@ struct BothSums {
     CoefficientSums gauss;
 };
 
-ENDMILL_PROCESS_WIDEST
+ENDMILL_WIDEST_REGISTERS
 void integrate(const EngagedRegion& region, ChipModel chip, const Stretch& stretch,
                BothSums& sums)
 {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "endmill/core/error.h"
-#include "endmill/process/widest_registers.h"
+#include "endmill/core/widest_registers.h"
 
 namespace endmill {
 namespace {
@@ -80,7 +80,7 @@ struct GridStep {
 
 // Linear between the 16 nodes from `first` on; the last axis is the depth, whose nodes follow
 // each other.
-ENDMILL_PROCESS_WIDEST
+ENDMILL_WIDEST_REGISTERS
 Coefficients blended(const Coefficients* first, const std::array<GridStep, 3>& steps,
                      double depth_share)
 {

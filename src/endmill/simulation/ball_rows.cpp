@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "endmill/core/widest_registers.h"
 #include "endmill/simulation/mown_ray.h"
 #include "endmill/simulation/tile_heights.h"
-#include "endmill/simulation/widest_registers.h"
 
 namespace endmill {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <span>
 
-#include "endmill/simulation/widest_registers.h"
+#include "endmill/core/widest_registers.h"
 
 namespace endmill {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "endmill/core/widest_registers.h"
 #include "endmill/simulation/half_space.h"
 #include "endmill/simulation/tile_heights.h"
-#include "endmill/simulation/widest_registers.h"
 
 namespace endmill {
 namespace {

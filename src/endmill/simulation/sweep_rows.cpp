@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/simulation/sweep_rows.h"
 
+#include "endmill/core/widest_registers.h"
 #include "endmill/simulation/tile_heights.h"
-#include "endmill/simulation/widest_registers.h"
 
 namespace endmill {
 namespace {

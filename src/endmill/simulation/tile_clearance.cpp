@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "endmill/simulation/widest_registers.h"
+#include "endmill/core/widest_registers.h"
 
 namespace endmill {
 namespace {

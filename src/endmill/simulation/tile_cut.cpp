@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "endmill/core/widest_registers.h"
 #include "endmill/simulation/bull_heights.h"
-#include "endmill/simulation/widest_registers.h"
 
 namespace endmill {
 namespace {
