@@ -4,13 +4,17 @@
 
 Usage: scripts/generate_offset_curves.py [FOLDER]
 
-vectors.json and hard-cases.json there are data and not made here; vectors/*.csv and
-hard-cases/*.csv are their curves.
+vectors.json, hard-cases.json and random-families.json there are data and not made here;
+vectors/*.csv and hard-cases/*.csv are curves of theirs, random-families/*.json the profiles of
+the families and the exact envelopes of their curves.
 """
 import json
 import sys
 from math import cos, cosh, log, sin, sqrt, tanh
 from pathlib import Path
+
+from generation.profile_families import CONVEX_POINTS, convex, wavy
+from generation.upper_envelope import carriers_and_joints
 
 FOLDER = Path(__file__).resolve().parent.parent / "datasets/offset-curves"
 
@@ -82,6 +86,18 @@ def write(path, points):
     print(path)
 
 
+def write_family(path, family):
+    """The profiles of a family, a line each, with what carries the envelope of the curve."""
+    path.parent.mkdir(exist_ok=True)
+    rows = []
+    for number, (parameters, points) in enumerate(family, 1):
+        ranges, joints = carriers_and_joints(points)
+        rows.append(json.dumps({"profile": number, "parameters": parameters,
+                                "carriers": ranges, "joints": joints}))
+    path.write_text("[\n" + ",\n".join(rows) + "\n]\n", encoding="utf-8")
+    print(path)
+
+
 def main(arguments):
     if len(arguments) > 1 or any(a.startswith("-") for a in arguments):
         print(__doc__.strip())
@@ -91,6 +107,10 @@ def main(arguments):
         write(folder / "vectors" / f"{vector['name']}.csv", vector["points"])
     for case in json.loads((FOLDER / "hard-cases.json").read_text())["cases"]:
         write(folder / "hard-cases" / f"{case['name']}.csv", offset(case))
+    families = folder / "random-families"
+    write_family(families / "wavy.json", wavy())
+    for points in CONVEX_POINTS:
+        write_family(families / f"convex-{points}.json", convex(points))
     return 0
 
 

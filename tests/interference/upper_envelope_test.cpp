@@ -3,11 +3,14 @@
 #include "endmill/interference/upper_envelope.h"
 
 #include <algorithm>
+#include <array>
 
 #include <gtest/gtest.h>
 
+#include "endmill/interference/profile_families.h"
 #include "random.h"
 #include "trimmed_curves.h"
+#include "trimming_vectors.h"
 
 namespace endmill {
 namespace {
@@ -90,6 +93,68 @@ TEST(UpperEnvelope, IsTheHighestSegmentEverywhere)
             curve.points, {}, [](const SectionPoint& point) { return point[0]; });
         EXPECT_NEAR(covered, (*largest)[0] - (*least)[0], 1e-9);
     }
+}
+
+using Ranges = std::vector<std::array<std::int32_t, 2>>;
+
+// Carriers whose segments follow each other, as first and last of them.
+Ranges carrier_ranges(const UpperEnvelope& envelope)
+{
+    Ranges result;
+    std::int32_t before = no_segment;
+    for (const std::int32_t segment : carriers(envelope)) {
+        if (before == no_segment || std::abs(segment - before) != 1)
+            result.push_back({segment, segment});
+        result.back() = {std::min(result.back()[0], segment),
+                         std::max(result.back()[1], segment)};
+        before = segment;
+    }
+    return result;
+}
+
+// Of a profile listed with carriers and joints.
+bool is_as_listed(const UpperEnvelope& envelope, const nlohmann::json& listed)
+{
+    constexpr double last_bits = 1e-9;  // mm, of sine and cosine
+    if (carrier_ranges(envelope) != listed["carriers"].get<Ranges>())
+        return false;
+    std::vector<SectionPoint> crossings;
+    for (const auto& joint : listed["joints"])
+        if (joint.size() == 2)
+            crossings.emplace_back(joint[0], joint[1]);
+    std::size_t k = 0;
+    for (const EnvelopePiece& piece : envelope.pieces) {
+        if (piece.from >= 0)
+            continue;
+        const EnvelopeCrossing& found = envelope.crossings.at(~piece.from);
+        if (k == crossings.size() ||
+            (SectionPoint{found.s, found.z} - crossings[k]).norm() > last_bits)
+            return false;
+        ++k;
+    }
+    return k == crossings.size();
+}
+
+// By rational numbers in another language: scripts/generation/upper_envelope.py.
+void expect_as_listed(const std::string& family,
+                      const std::vector<OffsetProfile>& profiles, int points)
+{
+    constexpr int other_libraries = 2;  // profiles that other last bits change
+    const auto listed = test::offset_curves_json("random-families/" + family + ".json");
+    ASSERT_EQ(profiles.size(), listed.size());
+    int others = 0;
+    for (std::size_t i = 0; i < profiles.size(); ++i)
+        others +=
+            !is_as_listed(envelope_of(offset_curve(profiles[i], points)), listed[i]);
+    EXPECT_LE(others, other_libraries) << family;
+}
+
+TEST(UpperEnvelope, IsAsListedForAllRandomProfiles)
+{
+    expect_as_listed("wavy", wavy_profiles(), 401);
+    for (const int points : {41, 101, 401})
+        expect_as_listed("convex-" + std::to_string(points), convex_profiles(points),
+                         points);
 }
 
 }  // namespace

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Two families of random profiles, as datasets/offset-curves/random-families.json says them."""
+import random
+from math import cos, sin, sqrt
+
+WAVY_PROFILES = 400
+CONVEX_PROFILES = 500
+CONVEX_POINTS = (41, 101, 401)
+
+
+class Uniform:
+    """Numbers of [0, 1), two draws of the Mersenne Twister each."""
+
+    def __init__(self, seed):
+        state = [seed]
+        for i in range(1, 624):
+            state.append((1812433253 * (state[-1] ^ state[-1] >> 30) + i) % 2**32)
+        self.twister = random.Random()
+        self.twister.setstate((3, (*state, 624), None))
+
+    def __call__(self):
+        low, high = self.twister.getrandbits(32), self.twister.getrandbits(32)
+        return min((low + 4294967296.0 * high) / 18446744073709551616.0, 1 - 2**-53)
+
+
+def offset_curve(profile, low, high, radius, count):
+    """The places of a ball's centre along `profile`, which gives height and slope at x."""
+    points = []
+    for i in range(count):
+        x = low + (high - low) * i / (count - 1)
+        z, m = profile(x)
+        w = sqrt(1 + m * m)
+        points.append((x - radius * m / w, z + radius / w))
+    return points
+
+
+def wavy():
+    """Pairs of the parameters of a profile and its curve of 401 points."""
+    u = Uniform(7)
+    for _ in range(WAVY_PROFILES):
+        a1, a2, a3 = 0.5 * u(), 0.8 * u(), 0.5 * u()
+        w1, w2, q1, q2 = 1 + 2 * u(), 2 + 3 * u(), 6 * u(), 6 * u()
+        m, radius = 1.5 * (u() - 0.5), 0.3 + 1.5 * u()
+
+        def profile(x):
+            z = 0.3 * a1 * x * x + a2 * cos(w1 * x + q1) + 0.5 * a3 * cos(w2 * x + q2) + m * x
+            slope = (0.6 * a1 * x - a2 * w1 * sin(w1 * x + q1)
+                     - 0.5 * a3 * w2 * sin(w2 * x + q2) + m)
+            return z, slope
+        yield [a1, a2, a3, w1, w2, q1, q2, m, radius], offset_curve(profile, -4, 4, radius, 401)
+
+
+def convex(points):
+    """Pairs of the parameters of a profile and its curve, for one of CONVEX_POINTS."""
+    u = Uniform(11)
+    for count in CONVEX_POINTS[:CONVEX_POINTS.index(points) + 1]:
+        for _ in range(CONVEX_PROFILES):
+            a, b = 0.1 + u(), 0.05 * u()
+            m, c = 3 * (u() - 0.5), 2 * (u() - 0.5)
+            radius = (0.5 + 2.5 * u()) / (2 * a)
+
+            def profile(x):
+                t = x - c
+                return a * t * t + b * t**4 + m * x, 2 * a * t + 4 * b * t**3 + m
+            end = 4 + 2 * radius
+            if count == points:
+                yield [a, b, m, c, radius], offset_curve(profile, -end, end, radius, count)
