@@ -6,12 +6,42 @@
 #include "cli/arguments.h"
 #include "endmill/core/error.h"
 #include "endmill/io/path_file.h"
+#include "endmill/io/printable.h"
+#include "endmill/io/read_file.h"
 
 namespace endmill {
 namespace {
 
 constexpr std::array programmed_points{Choice<bool>{"tip", false},
                                        Choice<bool>{"centre", true}};
+
+// Only G-code has arcs and blocks to leave out, and its centre may be programmed; what
+// rs274 prints has no such blocks left.
+void require_effect(const PathOptions& path, const CommonOptions& options)
+{
+    if (!path.arc_tolerance && !path.centre_is_programmed && !path.block_delete)
+        return;
+    const PathFormat format =
+        path_format(read_file(path.file, options.limits), path.file);
+    if (format == PathFormat::Gcode)
+        return;
+    const bool is_canonical = format == PathFormat::Canonical;
+    const std::string kind = is_canonical                ? "the output of rs274 -g"
+                             : format == PathFormat::Apt ? "APT CL data"
+                                                         : "a tool path (CSV)";
+    const auto refuse = [&](const std::string& option, const std::string& why) {
+        throw DomainError{option + ": " + printable(path.file) + " is " + kind + ", " +
+                          why + "; expected G-code, or not this option"};
+    };
+    if (path.block_delete)
+        refuse("--block-delete", is_canonical ? "whose blocks rs274 -b has left out"
+                                              : "which has no blocks to leave out");
+    if (is_canonical)
+        return;
+    if (path.centre_is_programmed)
+        refuse("--programmed-point centre", "whose coordinates are the tip's");
+    refuse("--arc-tolerance", "which has no arcs");
+}
 
 }  // namespace
 
@@ -35,11 +65,13 @@ void add_path_options(CLI::App& command, PathOptions& path)
 void add_reading_options(CLI::App& command, PathOptions& path)
 {
     add_choice<bool>(command, "--programmed-point", path.centre_is_programmed,
-                     programmed_points, "what the coordinates of a program say");
-    add_number(command, {"--arc-tolerance", "MM", "from an arc to its chords"},
-               path.arc_tolerance);
+                     programmed_points, "G-code: what its coordinates say");
+    add_number(
+        command,
+        {"--arc-tolerance", "MM", "G-code: from an arc to its chords; default 0.001"},
+        path.arc_tolerance);
     command.add_flag("--block-delete", path.block_delete,
-                     "leave out blocks that begin with /");
+                     "G-code: leave out blocks that begin with /");
 }
 
 Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
@@ -47,7 +79,9 @@ Program read_program_for(const PathOptions& path, const std::optional<Cutter>& c
 {
     PathReadOptions reading;
     reading.limits = options.limits;
-    reading.gcode.arc_tolerance_mm = path.arc_tolerance;
+    require_effect(path, options);
+    if (path.arc_tolerance)
+        reading.gcode.arc_tolerance_mm = *path.arc_tolerance;
     reading.gcode.block_delete = path.block_delete;
     if (path.centre_is_programmed) {
         if (!cutter)

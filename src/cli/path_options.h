@@ -13,8 +13,8 @@ namespace endmill {
 /// What a command is told of the tool path that it reads.
 struct PathOptions {
     std::string file;
-    std::optional<Cutter> cutter;       ///< empty: that of the path or its summary
-    double arc_tolerance = 0.001;       ///< mm, from an arc of a program to its chords
+    std::optional<Cutter> cutter;              ///< empty: that of the path or its summary
+    std::optional<double> arc_tolerance = {};  ///< mm, from a program's arc to its chords
     bool centre_is_programmed = false;  ///< coordinates of a program are not the tip's
     bool block_delete = false;          ///< blocks that begin with / are left out
 };
@@ -27,8 +27,9 @@ void add_reading_options(CLI::App& command, PathOptions& path);
 
 /// Reads the path.
 /// \param cutter what is known of it before the path is read.
-/// \throws DomainError if the centre is programmed and `cutter` is none: where the tip is
-///         would not be known; FormatError, LimitError as `read_program`.
+/// \throws DomainError for an option that says nothing of a file of this kind, and if the
+///         centre is programmed and `cutter` is none: where the tip is would not be known;
+///         FormatError, LimitError as `read_program`.
 Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
                          const CommonOptions& options);
 

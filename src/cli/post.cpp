@@ -84,8 +84,26 @@ void warn_of(const PostedPath& posted, const PostOptions& options)
              "no spindle speed is known: M3 stands without S; --spindle-rpm tells one");
 }
 
+// What only G-code has must not be asked for in vain.
+void require_effect(const PostOptions& options)
+{
+    if (options.format == PostFormat::Gcode)
+        return;
+    const std::pair<bool, const char*> told[] = {
+        {options.safe_height.has_value(), "--safe-height"},
+        {options.tool.has_value(), "--tool-number"},
+        {options.line_numbers, "--line-numbers"},
+        {!options.comments, "--comments no"}};
+    for (const auto& [is_told, option] : told)
+        if (is_told)
+            throw DomainError{std::string{option} + ": has no meaning in " +
+                              names_of(options.format).word +
+                              "; expected --format gcode, or not this option"};
+}
+
 ExitCode run_post(const PostOptions& options)
 {
+    require_effect(options);
     const PathSummary beside = read_path_summary(options.path.file, options.common.limits)
                                    .value_or(PathSummary{});
     Program program = read_program_for(

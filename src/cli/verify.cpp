@@ -32,7 +32,7 @@ ExitCode run_verify(const VerifyOptions& options)
     const Json summary = write_verification({input, options, task, verification}, folder);
     folder.publish();
     print_result(options.common, summary,
-                 verify_text(summary, verification.removal) + "written to " +
+                 verify_text(summary, verification) + "written to " +
                      printable(folder.path().string()) + "\n");
     return verification.verdict == Verdict::Clean ? ExitCode::Yes : ExitCode::No;
 }

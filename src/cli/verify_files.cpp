@@ -44,7 +44,7 @@ std::vector<std::string> figure_captions(const VerifyResult& result)
                     "mm deeper, a rest {:.3g} mm higher",
                     cutter_word(result.task.cutter), result.options.resolution,
                     deviation.gouge_bound_mm, deviation.scallop_bound_mm)};
-    for (const std::string& rule : broken_rules(result.verification.removal))
+    for (const std::string& rule : broken_rules(result.verification))
         captions.push_back("in all " +
                            std::string{verdict_name(result.verification.verdict)} + ": " +
                            rule);

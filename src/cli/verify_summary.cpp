@@ -80,6 +80,24 @@ void add_removal(Json& summary, const Removal& removal, const ToolPath& path)
     add_count(summary, "collisions", removal.collisions);
 }
 
+void add_part_collisions(Json& summary, const Verification& verification)
+{
+    const PartCollisions& found = verification.part_collisions;
+    const bool is_judged = verification.deviation.has_value();
+    add_count(summary, "part_collisions", found.moves);
+    Json place = nullptr;
+    if (found.deepest_at && found.deepest_move)
+        place = {{"point_mm", vector_json(*found.deepest_at)},
+                 {"point", *found.deepest_move}};
+    summary["deepest_of_part_collisions_at"] = place;
+    summary["part_collision_error_mm"] = finite_or_null(found.error_mm);
+    summary["part_collision_bound_mm"] = finite_or_null(found.bound_mm);
+    if (!is_judged)
+        for (const char* key : {"part_collisions", "deepest_of_part_collisions_mm",
+                                "part_collision_error_mm", "part_collision_bound_mm"})
+            summary[key] = nullptr;
+}
+
 std::string number_text(const Json& value)
 {
     return value.is_null() ? "unknown" : fmt::format("{:.4g}", value.get<double>());
@@ -124,6 +142,17 @@ std::string areas_text(const Json& s)
         number_text(s["p99_scallop_mm"]));
 }
 
+// What rapids, shank and holder may do unseen.
+std::string contacts_text(const StockContacts& contacts)
+{
+    if (!(contacts.width_mm > 0))
+        return "";
+    return fmt::format(
+        "a cut by a rapid, or by shank or holder, that is narrower than {:.3g} mm seen "
+        "from above may be missed\n",
+        contacts.width_mm);
+}
+
 // What has to be known to read the verdict.
 std::string hint_text(const Json& s)
 {
@@ -136,8 +165,9 @@ std::string hint_text(const Json& s)
 
 }  // namespace
 
-std::vector<std::string> broken_rules(const Removal& removal)
+std::vector<std::string> broken_rules(const Verification& verification)
 {
+    const Removal& removal = verification.removal;
     std::vector<std::string> rules;
     const auto& [rapids, first_rapid, depth] = removal.rapid_cuts;
     if (rapids > 0)
@@ -150,6 +180,19 @@ std::vector<std::string> broken_rules(const Removal& removal)
             "shank or holder is up to {:.4g} mm in the material, on {}, the first to "
             "point {}",
             inside, counted(hits, "move"), first_hit.value_or(0)));
+    const PartCollisions& in_part = verification.part_collisions;
+    if (in_part.moves.count > 0 && in_part.deepest_at)
+        rules.push_back(fmt::format(
+            "shank or holder is up to {:.4g} mm in the part, on {}, the first to point "
+            "{}; deepest at {:.4g}, {:.4g}, {:.4g} on the move to point {}",
+            in_part.moves.deepest, counted(in_part.moves.count, "move"),
+            in_part.moves.first.value_or(0), in_part.deepest_at->x(),
+            in_part.deepest_at->y(), in_part.deepest_at->z(),
+            in_part.deepest_move.value_or(0)));
+    else if (in_part.bound_mm > closed_contact_bound)
+        rules.push_back(fmt::format(
+            "shank or holder may be up to {:.4g} mm in the part, for all that is known",
+            in_part.bound_mm));
     return rules;
 }
 
@@ -176,6 +219,8 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
     else
         add_no_deviation(summary);
     add_removal(summary, verification.removal, context.program.path);
+    summary["contact_width_bound_mm"] = verification.contacts.width_mm;
+    add_part_collisions(summary, verification);
     const StockGrid& grid = verification.rest.grid();
     summary["min_x_mm"] = grid.low_x;
     summary["max_x_mm"] = grid.low_x + grid.columns * grid.pitch;
@@ -186,7 +231,7 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
     return summary;
 }
 
-std::string verify_text(const Json& s, const Removal& removal)
+std::string verify_text(const Json& s, const Verification& verification)
 {
     std::string text = fmt::format("{}: {}\n", s["name"].get<std::string>(),
                                    s["verdict"].get<std::string>());
@@ -194,8 +239,9 @@ std::string verify_text(const Json& s, const Removal& removal)
         text += "no part to judge by: --part FILE names one\n";
     else
         text += extremes_text(s) + areas_text(s);
-    for (const std::string& rule : broken_rules(removal))
+    for (const std::string& rule : broken_rules(verification))
         text += rule + "\n";
+    text += contacts_text(verification.contacts);
     text += fmt::format("removed {:.6g} mm3; {} of {} moves cut nothing\n",
                         s["removed_mm3"].get<double>(), s["air_moves"].get<std::size_t>(),
                         s["points"].get<std::size_t>() - 1);

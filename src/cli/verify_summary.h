@@ -25,11 +25,11 @@ struct VerifyContext {
 Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
                     const Verification& verification, const PartCharts* charts);
 
-/// What makes a path gouged whatever it leaves: rapids that cut, and a shank or holder in
-/// the material; a line each.
-std::vector<std::string> broken_rules(const Removal& removal);
+/// What makes a path gouged, or leaves it undecided, whatever it leaves: rapids that cut,
+/// and a shank or holder in the material or the part; a line each.
+std::vector<std::string> broken_rules(const Verification& verification);
 
 /// The summary for a person.
-std::string verify_text(const Json& summary, const Removal& removal);
+std::string verify_text(const Json& summary, const Verification& verification);
 
 }  // namespace endmill

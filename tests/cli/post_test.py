@@ -119,6 +119,21 @@ class Post(ProgramTest):
         facts = self.summary("post", path, "--programmed-point", "centre", "-o", "known")
         self.assertEqual(facts["safe_height_mm"], 7)
 
+    def test_what_says_nothing_of_a_file_is_refused(self):
+        apt = self.file("UNITS/MM\nFEDRAT/100,MMPM\nGOTO/0,0,0\nGOTO/1,0,0\nFINI\n", "p.apt")
+        csv = self.file(TIPS, "p.csv")
+        canonical = self.file("12 N30 USE_LENGTH_UNITS(CANON_UNITS_MM)\n", "p.canon")
+        for path, kind in ((apt, "APT CL data"), (csv, "a tool path (CSV)"), (canonical, "the output of rs274 -g")):
+            for option in (["--arc-tolerance", "0.5"], ["--programmed-point", "centre"], ["--block-delete"]):
+                if path == canonical and option != ["--block-delete"]:
+                    continue
+                done = endmill("post", path, "--cutter", "ball:6", "--feed", "9", *option, cwd=self.folder)
+                self.assert_refused(done, 2, f"{' '.join(option[:1])}", f"is {kind}", "expected G-code")
+        self.summary("post", csv, "--feed", "9", "--programmed-point", "tip", "-o", "out")
+        for option in (["--safe-height", "9"], ["--tool-number", "3"], ["--line-numbers"], ["--comments", "no"]):
+            done = endmill("post", csv, "--feed", "9", "--format", "apt", *option, cwd=self.folder)
+            self.assert_refused(done, 2, option[0], "expected --format gcode")
+
     def test_results_are_named_after_the_path_or_its_plan(self):
         for place, name in (("p.csv", "p"), ("a/p.csv", "p"), ("toolpath.csv", "toolpath"),
                             ("./toolpath.csv", "toolpath"), ("plate/toolpath.csv", "plate"), ("u/toolpath.csv", "u"),

@@ -19,10 +19,10 @@ def endmill(*arguments, **options):
                           stdin=subprocess.DEVNULL, **options)
 
 
-def plane(patches_u=1, patches_v=1, size=(60, 30)):
-    """A surface file, as a dictionary, of a horizontal plane with equal steps."""
+def plane(patches_u=1, patches_v=1, size=(60, 30), slope=0):
+    """A surface file, as a dictionary, of a plane that rises along x, with equal steps."""
     columns, rows = 3 * patches_u, 3 * patches_v
-    net = [[[size[0] * i / columns, size[1] * j / rows, 0] for i in range(columns + 1)]
+    net = [[[size[0] * i / columns, size[1] * j / rows, slope * size[0] * i / columns] for i in range(columns + 1)]
            for j in range(rows + 1)]
     return {"format": "endmill-surface/1", "name": "plane", "source": "a test", "type": "bezier",
             "patches_u": patches_u, "patches_v": patches_v, "control_points": net}

@@ -255,6 +255,21 @@ class Volumes(VerifyTest):
         # The holder begins 40 mm above the tip.
         self.assertAlmostEqual(facts["deepest_of_collisions_mm"], 5, delta=1e-9)
 
+    def test_holder_in_the_part_is_a_collision_where_nothing_is_left_to_hit(self):
+        slope = 0.5
+        part = self.file(plane(size=(60, 30), slope=slope))
+        tool = self.file({"format": "endmill-tool/1", "cutter": "ball:4",
+                          "holder": [{"diameter_mm": 16, "from_mm": 1.5, "to_mm": 50}]}, "tool.json")
+        # A plunge to the part; the stock ends under the part where the holder goes in.
+        depth = 8 - (8 + 1.5) / (1 + slope)
+        facts = self.cut("--part", part, "--tool", tool, "--stock", "0,0,-9,60,30,15", "--resolution", "0.5",
+                         tips=COLUMNS + "30,15,20\n30,15,15\n", status=1)
+        self.assertEqual((facts["collisions"], facts["part_collisions"], facts["verdict"]), (0, 1, "gouged"))
+        self.assertAlmostEqual(facts["deepest_of_part_collisions_mm"], depth, delta=0.03 * depth)
+        x, y, z = facts["deepest_of_part_collisions_at"]["point_mm"]
+        self.assertAlmostEqual(z, slope * x, delta=1e-9)
+        self.assertEqual(facts["first_of_part_collisions"], 1)
+
     def test_engagement_of_half_a_slot(self):
         self.cut("--cutter", "flat:10", "--stock", "-10,0,-10,10,10,0", "--resolution", "0.25", "--engagement")
         rows = [row for row in self.rows("out/engagement.csv") if row["latitude_deg"] == "90"]
@@ -353,7 +368,10 @@ class BadInput(VerifyTest):
     def test_cutter(self):
         self.refuse(2, "names the cutter; expected --cutter or --tool", options=())
         self.refuse(2, "--cutter ball:8: the tool file says ball:10", options=("--cutter", "ball:8", "--tool", HOLDER))
-        self.refuse(2, "--programmed-point centre: expected --cutter", options=("--programmed-point", "centre"))
+        self.refuse(2, "--programmed-point centre: expected --cutter", options=("--programmed-point", "centre"),
+                    content="G21 G90\nG1 X0 Y0 Z1 F100\nX2\nM2\n", name="p.ngc")
+        self.refuse(2, "--programmed-point centre: ", "a tool path (CSV)",
+                    options=("--cutter", "ball:10", "--programmed-point", "centre"))
         self.refuse(2, "--cutter", options=("--cutter", "ball"))
 
     def test_command_line(self):

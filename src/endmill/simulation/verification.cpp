@@ -27,6 +27,8 @@ constexpr double bytes_a_ray = 16;
 constexpr double most_rays = 4e9;
 // Cells are somewhat smaller than the pitch, to be whole numbers along the part.
 constexpr double spare = 1.05;
+// Of the memory, for a second look at rapids and shanks: rays and stock have theirs.
+constexpr double finer_share = 0.125;
 
 Block bounding_box(const Part& part)
 {
@@ -203,12 +205,25 @@ std::optional<Deviation> deviation_of(const VerificationTask& task)
     return deviation;
 }
 
-Verdict verdict_of(const std::optional<Deviation>& deviation, const Removal& removal,
-                   const DeviationLimits& limits)
+// Of a stock that is no block nothing is known between its cells.
+StockContacts contacts_with_stock(const VerificationTask& task, const Removal& removal,
+                                  const StockGrid& grid)
 {
-    if (removal.rapid_cuts.count > 0 || removal.collisions.count > 0)
+    const FinerContacts finer{*task.path, task.cutter, task.body,
+                              finer_share * task.max_memory_gib * gib};
+    return task.stock ? contacts_of(removal, grid, task.block.high.z(), finer)
+                      : finer_contacts(removal, task.block, grid, finer);
+}
+
+Verdict verdict_of(const Verification& found, const DeviationLimits& limits)
+{
+    if (found.contacts.rapid_cuts.count > 0 || found.contacts.collisions.count > 0 ||
+        found.part_collisions.moves.count > 0)
         return Verdict::Gouged;
-    return deviation ? verdict(*deviation, limits) : Verdict::Clean;
+    const Verdict of_rest =
+        found.deviation ? verdict(*found.deviation, limits) : Verdict::Clean;
+    const bool is_open = found.part_collisions.bound_mm > closed_contact_bound;
+    return is_open && of_rest != Verdict::Gouged ? Verdict::Undecided : of_rest;
 }
 
 }  // namespace
@@ -264,8 +279,16 @@ Verification verify_path(const VerificationTask& task)
     HeightStock rest =
         task.stock ? *task.stock : block_stock(task.block, task.resolution);
     Removal removal = remove_along(rest, *task.path, task.cutter, {task.body});
-    const Verdict verdict = verdict_of(deviation, removal, task.deviation.limits);
-    return {std::move(deviation), std::move(removal), std::move(rest), verdict};
+    PartCollisions in_part;
+    if (task.part)
+        in_part = part_collisions(*task.part, *task.path, task.cutter, task.body);
+    const StockContacts contacts = contacts_with_stock(task, removal, rest.grid());
+    removal.rapid_cuts = contacts.rapid_cuts;
+    removal.collisions = contacts.collisions;
+    Verification found{std::move(deviation), std::move(removal), contacts,
+                       std::move(in_part),   std::move(rest),    Verdict::Clean};
+    found.verdict = verdict_of(found, task.deviation.limits);
+    return found;
 }
 
 }  // namespace endmill

@@ -7,7 +7,9 @@
 #include "endmill/cutter/tool.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/simulation/deviation.h"
+#include "endmill/simulation/finer_contacts.h"
 #include "endmill/simulation/height_stock.h"
+#include "endmill/simulation/part_collisions.h"
 #include "endmill/simulation/removal.h"
 
 namespace endmill {
@@ -43,13 +45,16 @@ struct VerificationTask {
 /// lead, as a sweep's number in `deviation`.
 struct Verification {
     std::optional<Deviation> deviation;  ///< none without a part
-    Removal removal;
+    Removal removal;  ///< rapid cuts and collisions are those of `contacts`
+    StockContacts contacts;
+    PartCollisions part_collisions;  ///< none without a part
     HeightStock rest;
     Verdict verdict;
 };
 
 /// Removes the material and measures what is left against the part. A rapid that cuts, and
-/// a shank or holder in the material, make the verdict `Gouged`.
+/// a shank or holder in the material or in the part, make the verdict `Gouged`; one that
+/// may be in the part, for all that is known, leaves it `Undecided`.
 /// Source: spec of the removal, section 3.
 /// \throws GeometryError if the path cuts nothing over the part, with the gap between
 /// them, or an axis is not +z; LimitError, with a resolution that fits, if the memory
