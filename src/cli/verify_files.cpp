@@ -38,12 +38,17 @@ std::string stock_text(const VerifyResult& result)
 std::vector<std::string> figure_captions(const VerifyResult& result)
 {
     const Deviation& deviation = *result.verification.deviation;
-    std::vector<std::string> captions{
-        fmt::format("{}; rays {:g} mm apart, finer where in doubt; between them a gouge "
-                    "may be {:.3g} "
-                    "mm deeper, a rest {:.3g} mm higher",
-                    cutter_word(result.task.cutter), result.options.resolution,
-                    deviation.gouge_bound_mm, deviation.scallop_bound_mm)};
+    const auto [gouge, scallop] = refined_bounds(deviation, result.input.limits);
+    std::string between = "; the verdict is settled, so no finer ones";
+    if (gouge)
+        between = fmt::format(
+            ", finer where in doubt; between them a gouge may be {:.3g} mm deeper",
+            deviation.gouge_bound_mm);
+    if (gouge && scallop)
+        between += fmt::format(", a rest {:.3g} mm higher", deviation.scallop_bound_mm);
+    std::vector<std::string> captions{fmt::format("{}; rays {:g} mm apart{}",
+                                                  cutter_word(result.task.cutter),
+                                                  result.options.resolution, between)};
     for (const std::string& rule : broken_rules(result.verification))
         captions.push_back("in all " +
                            std::string{verdict_name(result.verification.verdict)} + ": " +

@@ -29,7 +29,8 @@ Json deviation_place(const std::optional<DeviationPlace>& place, const PartChart
     return json;
 }
 
-void add_deviation(Json& summary, const Deviation& d, const PartCharts& charts)
+void add_deviation(Json& summary, const Deviation& d, const RefinedBounds& refined,
+                   const PartCharts& charts)
 {
     summary["max_gouge_mm"] = d.max_gouge_mm;
     summary["max_gouge_at"] = deviation_place(d.deepest, charts);
@@ -43,6 +44,8 @@ void add_deviation(Json& summary, const Deviation& d, const PartCharts& charts)
     summary["gouge_bound_mm"] = finite_or_null(d.gouge_bound_mm);
     summary["scallop_bound_mm"] = finite_or_null(d.scallop_bound_mm);
     summary["bound_mm"] = finite_or_null(std::max(d.gouge_bound_mm, d.scallop_bound_mm));
+    summary["gouge_bound_refined"] = refined.gouge;
+    summary["scallop_bound_refined"] = refined.scallop;
     summary["rays"] = d.rays;
 }
 
@@ -51,7 +54,8 @@ void add_no_deviation(Json& summary)
     for (const char* key :
          {"max_gouge_mm", "max_gouge_at", "gouge_area_mm2", "max_scallop_mm",
           "max_scallop_at", "p99_scallop_mm", "mean_scallop_mm", "uncut_area_mm2",
-          "judged_area_mm2", "gouge_bound_mm", "scallop_bound_mm", "bound_mm", "rays"})
+          "judged_area_mm2", "gouge_bound_mm", "scallop_bound_mm", "bound_mm",
+          "gouge_bound_refined", "scallop_bound_refined", "rays"})
         summary[key] = nullptr;
 }
 
@@ -121,15 +125,25 @@ std::string place_text(const Json& place)
     return text;
 }
 
+// A bound of the first rays alone says how coarse they are, not what was done.
+std::string between_text(const Json& bound, const Json& is_refined)
+{
+    return is_refined.get<bool>()
+               ? "between rays at most " + number_text(bound) + " mm more"
+               : "not looked for between the rays: the verdict is settled";
+}
+
 std::string extremes_text(const Json& s)
 {
     return fmt::format(
-        "deepest gouge {} mm{} (between rays at most {} mm more; tolerance {:g} mm)\n"
-        "highest rest {} mm{} (between rays at most {} mm more; limit {:g} mm)\n",
+        "deepest gouge {} mm{} ({}; tolerance {:g} mm)\n"
+        "highest rest {} mm{} ({}; limit {:g} mm)\n",
         number_text(s["max_gouge_mm"]), place_text(s["max_gouge_at"]),
-        number_text(s["gouge_bound_mm"]), s["tolerance_mm"].get<double>(),
-        number_text(s["max_scallop_mm"]), place_text(s["max_scallop_at"]),
-        number_text(s["scallop_bound_mm"]), s["scallop_limit_mm"].get<double>());
+        between_text(s["gouge_bound_mm"], s["gouge_bound_refined"]),
+        s["tolerance_mm"].get<double>(), number_text(s["max_scallop_mm"]),
+        place_text(s["max_scallop_at"]),
+        between_text(s["scallop_bound_mm"], s["scallop_bound_refined"]),
+        s["scallop_limit_mm"].get<double>());
 }
 
 std::string areas_text(const Json& s)
@@ -164,6 +178,13 @@ std::string hint_text(const Json& s)
 }
 
 }  // namespace
+
+RefinedBounds refined_bounds(const Deviation& deviation, const DeviationLimits& limits)
+{
+    const bool is_gouged = deviation.max_gouge_mm > limits.tolerance + verdict_slack;
+    const bool is_uncut = deviation.max_scallop_mm > limits.scallop + verdict_slack;
+    return {!is_gouged, !is_gouged && !is_uncut};
+}
 
 std::vector<std::string> broken_rules(const Verification& verification)
 {
@@ -215,7 +236,8 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
         {"resolution_mm", options.resolution},
         {"max_refine", options.max_refine}};
     if (verification.deviation && charts)
-        add_deviation(summary, *verification.deviation, *charts);
+        add_deviation(summary, *verification.deviation,
+                      refined_bounds(*verification.deviation, context.limits), *charts);
     else
         add_no_deviation(summary);
     add_removal(summary, verification.removal, context.program.path);

@@ -20,6 +20,16 @@ struct VerifyContext {
     const Program& program;
 };
 
+/// Which bounds were made as close as the verdict needs. A gouge settles it, and too much
+/// left settles that much: what bounds the rest then is that of the first rays.
+struct RefinedBounds {
+    bool gouge;
+    bool scallop;
+};
+
+/// Those of a deviation.
+RefinedBounds refined_bounds(const Deviation& deviation, const DeviationLimits& limits);
+
 /// summary.json of `verify`. Deviations are null without a part.
 /// \param charts of the part, if there is one.
 Json verify_summary(const VerifyContext& context, const VerifyOptions& options,

@@ -62,15 +62,23 @@ TEST(FinerContacts, SayWhatTheyCouldNotSee)
     EXPECT_NEAR(found.width_mm, std::numbers::sqrt2 * pitch, 1e-12);
 }
 
+// The shank is over the stock in two passes beside the ridge, and in its side in a deeper one.
 TEST(FinerContacts, SeeAShankInARidge)
 {
-    ToolPath path = over_ridge(0.3, 0);
-    path.points[5].location.tip.z() = path.points[4].location.tip.z() = -2;
-    path.points[5].move = Move::Cut;
-    path.points[4].location.tip.y() = path.points[5].location.tip.y() = -3.15;
-    const StockContacts found = contacts(path, {{{.diameter = 7, .from = 1, .to = 20}}});
-    EXPECT_GE(found.collisions.count, 1U);
-    EXPECT_NEAR(found.collisions.deepest, 1, 1e-12);
+    const ToolPath path = test::tip_path({{-20, -7, -2},
+                                          {20, -7, -2},
+                                          {20, -3.15, -2},
+                                          {-20, -3.15, -2},
+                                          {-20, 3.15, -2},
+                                          {20, 3.15, -2},
+                                          {20, -3.15, -3},
+                                          {-20, -3.15, -3}});
+    const std::vector<ToolCylinder> shank{{.diameter = 7, .from = 2.5, .to = 20}};
+    EXPECT_EQ(contacts(path, shank, 0).collisions.count, 0U);
+    const StockContacts found = contacts(path, shank);
+    EXPECT_EQ(found.collisions.count, 1U);
+    EXPECT_EQ(found.collisions.first, 7U);
+    EXPECT_NEAR(found.collisions.deepest, 0.5, 1e-12);
 }
 
 // What the cutter leaves by, or comes back through, it has cut.

@@ -52,8 +52,22 @@ bool rises_where_it_was(const Vec3& from, const Vec3& to)
     return to.x() == from.x() && to.y() == from.y() && to.z() >= from.z();
 }
 
+// The cells that an extent touches.
+CellRange cells_under(const Extent& extent, const StockGrid& grid)
+{
+    const auto cell = [&](double at, double low, int count) {
+        return static_cast<int>(
+            std::clamp(std::floor((at - low) / grid.pitch), -1.0, double(count)));
+    };
+    return {std::max(0, cell(extent.low_x, grid.low_x, grid.columns)),
+            std::min(grid.columns, cell(extent.high_x, grid.low_x, grid.columns) + 1),
+            std::max(0, cell(extent.low_y, grid.low_y, grid.rows)),
+            std::min(grid.rows, cell(extent.high_y, grid.low_y, grid.rows) + 1)};
+}
+
 // Where a move may touch what lies below `top` and must not; nothing if no move may.
-std::optional<Extent> doubtful_extent(const FinerContacts& task, double top)
+std::optional<CellRange> doubtful_cells(const FinerContacts& task, const StockGrid& grid,
+                                        double top)
 {
     double widest = 0;
     double lowest_end = std::numeric_limits<double>::infinity();
@@ -79,20 +93,10 @@ std::optional<Extent> doubtful_extent(const FinerContacts& task, double top)
                 extent.add(end, widest);
         }
     }
-    return extent.low_x <= extent.high_x ? std::optional{extent} : std::nullopt;
-}
-
-// The cells that an extent touches, and one more all around.
-CellRange cells_under(const Extent& extent, const StockGrid& grid)
-{
-    const auto cell = [&](double at, double low, int count) {
-        return static_cast<int>(
-            std::clamp(std::floor((at - low) / grid.pitch), -1.0, double(count)));
-    };
-    return {std::max(0, cell(extent.low_x, grid.low_x, grid.columns) - 1),
-            std::min(grid.columns, cell(extent.high_x, grid.low_x, grid.columns) + 2),
-            std::max(0, cell(extent.low_y, grid.low_y, grid.rows) - 1),
-            std::min(grid.rows, cell(extent.high_y, grid.low_y, grid.rows) + 2)};
+    if (!(extent.low_x <= extent.high_x))
+        return std::nullopt;
+    const CellRange range = cells_under(extent, grid);
+    return range.is_empty() ? std::nullopt : std::optional{range};
 }
 
 StockGrid finer(const StockGrid& grid, const CellRange& range, int times)
@@ -124,7 +128,7 @@ int subdivisions(const StockGrid& grid, double most_bytes)
 StockContacts contacts_of(const Removal& removal, const StockGrid& grid, double top,
                           const FinerContacts& task)
 {
-    const bool is_doubtful = doubtful_extent(task, top).has_value();
+    const bool is_doubtful = doubtful_cells(task, grid, top).has_value();
     return {removal.rapid_cuts, removal.collisions,
             is_doubtful ? std::numbers::sqrt2 * grid.pitch : 0};
 }
@@ -133,16 +137,13 @@ StockContacts finer_contacts(const Removal& coarse, const Block& block,
                              const StockGrid& grid, const FinerContacts& task)
 {
     StockContacts contacts = contacts_of(coarse, grid, block.high.z(), task);
-    const auto extent = doubtful_extent(task, block.high.z());
-    if (!extent)
+    const auto range = doubtful_cells(task, grid, block.high.z());
+    if (!range)
         return contacts;
-    const CellRange range = cells_under(*extent, grid);
-    if (range.is_empty())
-        return {coarse.rapid_cuts, coarse.collisions, 0};
-    const int times = subdivisions(finer(grid, range, 1), task.most_bytes);
+    const int times = subdivisions(finer(grid, *range, 1), task.most_bytes);
     if (times == 1)
         return contacts;
-    HeightStock stock{finer(grid, range, times), block.high.z()};
+    HeightStock stock{finer(grid, *range, times), block.high.z()};
     const Removal fine = remove_along(stock, task.path, task.cutter,
                                       {{task.body.begin(), task.body.end()}});
     return {fine.rapid_cuts, fine.collisions, contacts.width_mm / times};

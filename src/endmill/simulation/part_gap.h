@@ -12,4 +12,9 @@ namespace endmill {
 /// Infinite if there is no sweep or no chart.
 double part_gap(const PartCharts& charts, const SweepTree& tree);
 
+/// Whether a cutter passes over the part, as seen from above, below a stock's `top`, in mm:
+/// then it takes something there, unless this is gone. Found by looking closer where it
+/// may, down to 2^-12 of a chart; what is narrower is none.
+bool passes_over(const PartCharts& charts, const SweepTree& tree, double top);
+
 }  // namespace endmill

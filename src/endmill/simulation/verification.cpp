@@ -143,8 +143,7 @@ std::string why_nothing_is_cut(double gap)
         return "it has no move, or the part has no side that faces the tool";
     if (!(gap > 0))
         return "the cutter is beside or under the part, nearer than can be told; "
-               "expected "
-               "a move that reaches a ray of the part (--resolution)";
+               "expected a move over the part, into the stock";
     return "cutter and part are at least " + at_least_text(gap) + " mm apart";
 }
 
@@ -193,7 +192,7 @@ std::optional<Deviation> deviation_of(const VerificationTask& task)
                           : ray_in_block(task.block, ray);
     };
     Deviation deviation = measure_deviation(charts, tree, options);
-    if (!deviation.is_cut)
+    if (!deviation.is_cut && !passes_over(charts, tree, task.block.high.z()))
         throw GeometryError{"the path cuts nothing over the part: " +
                             why_nothing_is_cut(part_gap(charts, tree))};
     // A path that begins with a rapid has no sweep for its first point.

@@ -56,8 +56,8 @@ struct Verification {
 /// a shank or holder in the material or in the part, make the verdict `Gouged`; one that
 /// may be in the part, for all that is known, leaves it `Undecided`.
 /// Source: spec of the removal, section 3.
-/// \throws GeometryError if the path cuts nothing over the part, with the gap between
-/// them, or an axis is not +z; LimitError, with a resolution that fits, if the memory
+/// \throws GeometryError if the path cuts nothing over the part, whatever the resolution,
+/// with the gap between them, or an axis is not +z; LimitError, with a resolution that fits, if the memory
 /// would not do; DomainError for limits out of range.
 Verification verify_path(const VerificationTask& task);
 
