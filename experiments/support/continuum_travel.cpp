@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/angle.h"
 #include "endmill/planning/path_interval.h"
 #include "endmill/surface/curvature.h"
 #include "endmill/surface/tool_side.h"
@@ -41,8 +42,8 @@ std::vector<Place> places_of(const Surface& surface, int samples)
             const SurfaceJet jet =
                 surface.jet(std::lerp(u.low, u.high, (i + 0.5) / samples),
                             std::lerp(v.low, v.high, (j + 0.5) / samples));
-            places.push_back({jet, fundamental_forms(jet, side),
-                              cell * jet.du.cross(jet.dv).norm()});
+            places.push_back(
+                {jet, fundamental_forms(jet, side), cell * jet.du.cross(jet.dv).norm()});
         }
     return places;
 }
@@ -69,6 +70,34 @@ double greatest_interval_density(const Place& place, const PlanToJudge& plan)
     return least;
 }
 
+// Of planes along the feed that stands square to `across`.
+double planar_travel(const std::vector<Place>& places, const PlanToJudge& plan,
+                     const Vec3& across, int planes)
+{
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Place& place : places) {
+        low = std::min(low, across.dot(place.jet.point));
+        high = std::max(high, across.dot(place.jet.point));
+    }
+    std::vector<double> length(planes, 0);  // times the distance of these planes
+    std::vector<double> dense(planes, 0);   // planes a mm
+    for (const Place& place : places) {
+        const double at = (across.dot(place.jet.point) - low) / (high - low);
+        const auto plane =
+            static_cast<std::size_t>(std::clamp(at * planes, 0.0, planes - 1.0));
+        const double slant = place.forms.normal.cross(across).norm();
+        length[plane] += place.area * slant;
+        dense[plane] = std::max(
+            dense[plane], density(place, across.cross(place.forms.normal), plan) / slant);
+    }
+    double travel = 0;
+    for (int k = 0; k < planes; ++k)
+        travel +=
+            length[static_cast<std::size_t>(k)] * dense[static_cast<std::size_t>(k)];
+    return travel;
+}
+
 }  // namespace
 
 ContinuumTravel continuum_travel(const Surface& surface, const PlanToJudge& plan,
@@ -85,8 +114,8 @@ ContinuumTravel continuum_travel(const Surface& surface, const PlanToJudge& plan
         double length = 0;
         double passes = 0;  // for a unit of the parameter across
         for (int k = 0; k < samples; ++k) {
-            const auto number = static_cast<std::size_t>(
-                along_u ? pass * samples + k : k * samples + pass);
+            const auto number = static_cast<std::size_t>(along_u ? pass * samples + k
+                                                                 : k * samples + pass);
             const Place& place = places[number];
             const Vec3& feed = along_u ? place.jet.du : place.jet.dv;
             const double dense = density(place, feed, plan);
@@ -94,52 +123,24 @@ ContinuumTravel continuum_travel(const Surface& surface, const PlanToJudge& plan
             length += feed.norm() * step;
             passes = std::max(passes, width * dense);
             travel.local += place.area * dense;
-            travel.best_direction +=
-                place.area * greatest_interval_density(place, plan);
+            travel.best_direction += place.area * greatest_interval_density(place, plan);
         }
         travel.iso += length * passes * step_across;
     }
     return travel;
 }
 
-double planar_travel(const Surface& surface, const PlanToJudge& plan, Angle feed,
-                     int samples)
-{
-    const Vec3 across{-std::sin(feed.radians()), std::cos(feed.radians()), 0};
-    const std::vector<Place> places = places_of(surface, samples);
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const Place& place : places) {
-        low = std::min(low, across.dot(place.jet.point));
-        high = std::max(high, across.dot(place.jet.point));
-    }
-    const int planes = std::max(1, static_cast<int>(planes_a_line * samples));
-    std::vector<double> length(planes, 0);  // times the distance of these planes
-    std::vector<double> dense(planes, 0);   // planes a mm
-    for (const Place& place : places) {
-        const double at = (across.dot(place.jet.point) - low) / (high - low);
-        const auto plane =
-            static_cast<std::size_t>(std::clamp(at * planes, 0.0, planes - 1.0));
-        const double slant = place.forms.normal.cross(across).norm();
-        length[plane] += place.area * slant;
-        dense[plane] = std::max(
-            dense[plane],
-            density(place, across.cross(place.forms.normal), plan) / slant);
-    }
-    double travel = 0;
-    for (int k = 0; k < planes; ++k)
-        travel += length[static_cast<std::size_t>(k)] * dense[static_cast<std::size_t>(k)];
-    return travel;
-}
-
 PlanarExtremes planar_extremes(const Surface& surface, const PlanToJudge& plan,
                                int directions, int samples)
 {
+    const std::vector<Place> places = places_of(surface, samples);
+    const int planes = std::max(1, static_cast<int>(planes_a_line * samples));
     PlanarExtremes found{std::numeric_limits<double>::infinity(), 0, 0};
     for (int k = 0; k < directions; ++k) {
         const double degrees = 180.0 * k / directions;
+        const double feed = Angle::degrees(degrees).radians();
         const double travel =
-            planar_travel(surface, plan, Angle::degrees(degrees), samples);
+            planar_travel(places, plan, {-std::sin(feed), std::cos(feed), 0}, planes);
         if (travel < found.least)
             found = {travel, degrees, found.greatest};
         found.greatest = std::max(found.greatest, travel);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "endmill/core/angle.h"
 #include "support/judged_path.h"
 
 namespace endmill {
@@ -20,16 +19,12 @@ struct ContinuumTravel {
 ContinuumTravel continuum_travel(const Surface& surface, const PlanToJudge& plan,
                                  int samples);
 
-/// The same of parallel planes along `feed` in the xy plane, each as near to the next as
-/// its narrowest place.
-double planar_travel(const Surface& surface, const PlanToJudge& plan, Angle feed,
-                     int samples);
-
-/// The feed directions of least and greatest planar travel.
+/// The same of parallel planes, each as near to the next as its narrowest place, over the
+/// directions of the feed in the xy plane.
 struct PlanarExtremes {
-    double least;
-    double least_at_deg;
-    double greatest;
+    double least;         ///< mm
+    double least_at_deg;  ///< from +x
+    double greatest;      ///< mm
 };
 
 /// Of feeds at multiples of 180 degrees / `directions`.

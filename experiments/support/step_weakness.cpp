@@ -6,7 +6,9 @@
 #include <span>
 
 #include "endmill/planning/segment_distance.h"
+#include "endmill/planning/step_length.h"
 #include "endmill/planning/verified_pass.h"
+#include "endmill/surface/curvature.h"
 #include "endmill/surface/tool_side.h"
 
 namespace endmill {
@@ -39,6 +41,28 @@ std::vector<double> pass_parameters(const ToolPath& path, Parameter direction)
 // Steps between samples of a pass, fine beside the steps of any path that is looked at.
 constexpr int pass_samples = 4096;
 
+// The line of a pass, sample by sample.
+struct PassLine {
+    std::vector<Vec3> contacts;
+    std::vector<Vec3> centres;    // of the ball
+    std::vector<double> bending;  // curvature, 1/mm
+};
+
+PassLine pass_line(const MarchedSurface& on, double v, const PlanToJudge& plan)
+{
+    const Interval range = on.surface.range(Parameter::U);
+    PassLine line;
+    for (int k = 0; k <= pass_samples; ++k) {
+        const double u = std::lerp(range.low, range.high, k / double(pass_samples));
+        const SurfaceJet jet = on.surface.jet(u, v);
+        line.contacts.push_back(jet.point);
+        line.centres.push_back(jet.point + plan.ball.radius() *
+                                               fundamental_forms(jet, on.side).normal);
+        line.bending.push_back(curve_curvature(jet.du, jet.duu));
+    }
+    return line;
+}
+
 bool is_within(std::span<const Vec3> samples, double tolerance)
 {
     for (const Vec3& sample : samples)
@@ -47,17 +71,33 @@ bool is_within(std::span<const Vec3> samples, double tolerance)
     return true;
 }
 
-// Number of the last sample to which a chord from number `first` is found to hold: by
+// Number after the last sample to which the paper's step from number `first` may go.
+std::size_t beyond_paper_step(const PassLine& line, std::size_t first, double tolerance)
+{
+    const double longest = step_length(line.bending[first], tolerance).chord;
+    std::size_t end = first + 2;
+    while (end < line.contacts.size() &&
+           (line.contacts[end] - line.contacts[first]).norm() <= longest)
+        ++end;
+    return end;
+}
+
+// Number of the last sample to which a step from number `first` is found to hold: by
 // halving, as errors grow with the step by and large.
-std::size_t end_of_chord(std::span<const Vec3> samples, std::size_t first,
-                         double tolerance)
+std::size_t end_of_step(const PassLine& line, std::size_t first, double tolerance,
+                        const StepRule& rule)
 {
     std::size_t low = first + 1;
-    std::size_t high = samples.size();
+    std::size_t high =
+        rule.paper ? beyond_paper_step(line, first, tolerance) : line.contacts.size();
     while (high - low > 1) {
         const std::size_t middle = std::midpoint(low, high);
-        const auto between = samples.subspan(first, middle - first + 1);
-        (is_within(between, tolerance) ? low : high) = middle;
+        const auto holds = [&](std::span<const Vec3> samples) {
+            return is_within(samples.subspan(first, middle - first + 1), tolerance);
+        };
+        const bool is_good = (!rule.chord || holds(line.contacts)) &&
+                             (!rule.motion || holds(line.centres));
+        (is_good ? low : high) = middle;
     }
     return low;
 }
@@ -130,21 +170,16 @@ std::size_t verified_points(const Surface& surface, const ToolPath& path,
     return points;
 }
 
-std::size_t chord_points(const Surface& surface, const ToolPath& path,
-                         const PlanToJudge& plan)
+std::size_t greedy_points(const Surface& surface, const ToolPath& path,
+                          const PlanToJudge& plan, const StepRule& rule)
 {
     const MarchedSurface on = marched(surface, plan.direction);
-    const Interval range = on.surface.range(Parameter::U);
     std::size_t points = 0;
     for (const double v : pass_parameters(path, plan.direction)) {
-        std::vector<Vec3> samples;
-        for (int k = 0; k <= pass_samples; ++k) {
-            const double u = std::lerp(range.low, range.high, k / double(pass_samples));
-            samples.push_back(on.surface.tangents(u, v).point);
-        }
+        const PassLine line = pass_line(on, v, plan);
         ++points;
-        for (std::size_t at = 0; at + 1 < samples.size(); ++points)
-            at = end_of_chord(samples, at, plan.tolerance);
+        for (std::size_t at = 0; at + 1 < line.contacts.size(); ++points)
+            at = end_of_step(line, at, plan.tolerance, rule);
     }
     return points;
 }

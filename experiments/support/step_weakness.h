@@ -29,10 +29,18 @@ ToolPath rolled_path(const Surface& surface, const ToolPath& path,
 std::size_t verified_points(const Surface& surface, const ToolPath& path,
                             const PlanToJudge& plan);
 
-/// CL points of the longest steps whose chords keep the plan's tolerance on the passes of
-/// `path`, looked at in 4097 samples of each pass, between which steps end.
-std::size_t chord_points(const Surface& surface, const ToolPath& path,
-                         const PlanToJudge& plan);
+/// What steps are held to.
+struct StepRule {
+    bool chord = true;    ///< the line of the pass strays no further from the chord
+    bool motion = false;  ///< nor the line of the ball's centre from the chord of that
+    bool paper =
+        false;  ///< no longer than the paper's step for the curvature at its start
+};
+
+/// CL points of the longest steps that keep the plan's tolerance on the passes of `path`,
+/// looked at in 4097 samples of each pass, between which steps end.
+std::size_t greedy_points(const Surface& surface, const ToolPath& path,
+                          const PlanToJudge& plan, const StepRule& rule);
 
 /// Share in percent of the area of the first cells, between 0 and 100, that lies under more
 /// than `height` mm.

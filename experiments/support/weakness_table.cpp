@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "support/continuum_travel.h"
 #include "support/scallop_between.h"
 #include "support/step_weakness.h"
 
@@ -54,6 +55,26 @@ void add_scallop(NamedNumbers& numbers, const std::string& how, const Deviation&
                          area_above_percent(left, above_scallop * scallop_height));
 }
 
+// Lines of samples of the integrals, which then are within half a percent of those of
+// twice as many; and feeds of planes.
+constexpr int continuum_samples = 500;
+constexpr int planar_feeds = 36;
+
+void add_continuum(NamedNumbers& numbers, const Surface& surface, const PlanToJudge& plan)
+{
+    const ContinuumTravel travel = continuum_travel(surface, plan, continuum_samples);
+    const PlanarExtremes planes =
+        planar_extremes(surface, plan, planar_feeds, continuum_samples);
+    numbers.emplace_back("continuum: iso-parametric, mm", travel.iso);
+    numbers.emplace_back("continuum: own interval everywhere, mm", travel.local);
+    numbers.emplace_back("continuum: best direction everywhere, mm",
+                         travel.best_direction);
+    numbers.emplace_back("continuum: planes, least, mm", planes.least);
+    numbers.emplace_back("continuum: planes, direction of the least, deg",
+                         planes.least_at_deg);
+    numbers.emplace_back("continuum: planes, most, mm", planes.greatest);
+}
+
 }  // namespace
 
 NamedNumbers weaknesses(const Surface& surface, const PlanToJudge& plan, double rays)
@@ -76,11 +97,21 @@ NamedNumbers weaknesses(const Surface& surface, const PlanToJudge& plan, double 
     numbers.emplace_back("points", double(judged.economy.ncl));
     numbers.emplace_back("points, verified steps on these passes",
                          double(verified_points(surface, judged.path, plan)));
-    numbers.emplace_back("points, chords that hold on these passes",
-                         double(chord_points(surface, judged.path, plan)));
+    numbers.emplace_back(
+        "points, chords that hold on these passes",
+        double(greedy_points(surface, judged.path, plan, {.chord = true})));
+    numbers.emplace_back("points, chords and motions that hold on these passes",
+                         double(greedy_points(surface, judged.path, plan,
+                                              {.chord = true, .motion = true})));
+    numbers.emplace_back(
+        "points, the paper's steps, shortened where these do not hold",
+        double(greedy_points(surface, judged.path, plan,
+                             {.chord = true, .motion = true, .paper = true})));
     numbers.emplace_back("points, verified plan", double(verified.economy.ncl));
     numbers.emplace_back("passes", double(judged.economy.passes));
     numbers.emplace_back("passes, verified plan", double(verified.economy.passes));
+    numbers.emplace_back("travel without links, mm", judged.economy.cut.contact_mm);
+    add_continuum(numbers, surface, plan);
     return numbers;
 }
 

@@ -28,7 +28,7 @@ void handle_interrupts()
     std::signal(SIGXFSZ, SIG_IGN);
     sigset_t signals;
     sigemptyset(&signals);
-    for (const int number : {SIGINT, SIGTERM})
+    for (const int number : {SIGINT, SIGTERM, SIGHUP})
         if (!is_ignored(number))  // as nohup and shells with background jobs ask for
             sigaddset(&signals, number);
     // Blocked here and in every thread to come, so that only the waiting one gets them:

@@ -3,7 +3,7 @@
 
 namespace endmill {
 
-/// From here on SIGINT and SIGTERM remove all unpublished output and end the program with
+/// From here on SIGINT, SIGTERM and SIGHUP remove all unpublished output and end the program with
 /// 128 + the signal's number; a write past the file size limit is an error, not a signal.
 /// Call once, before any thread is started.
 void handle_interrupts();

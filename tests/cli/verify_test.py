@@ -262,7 +262,7 @@ class Volumes(VerifyTest):
                           "holder": [{"diameter_mm": 16, "from_mm": 1.5, "to_mm": 50}]}, "tool.json")
         # A plunge to the part; the stock ends under the part where the holder goes in.
         depth = 8 - (8 + 1.5) / (1 + slope)
-        facts = self.cut("--part", part, "--tool", tool, "--stock", "0,0,-9,60,30,15", "--resolution", "0.5",
+        facts = self.cut("--part", part, "--tool", tool, "--stock", "0,0,-9,60,30,16", "--resolution", "0.5",
                          tips=COLUMNS + "30,15,20\n30,15,15\n", status=1)
         self.assertEqual((facts["collisions"], facts["part_collisions"], facts["verdict"]), (0, 1, "gouged"))
         self.assertAlmostEqual(facts["deepest_of_part_collisions_mm"], depth, delta=0.03 * depth)

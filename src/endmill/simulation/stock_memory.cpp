@@ -73,12 +73,13 @@ void require_stock_memory(const Block& box, double pitch, double memory_gib, dou
         return;
     const Vec3 size = box.high - box.low;
     const auto fits = fitting_pitch(box, memory_gib * bytes_per_gib, extra);
-    throw LimitError{
-        "a stock of " + to_text(size.x()) + " x " + to_text(size.y()) +
-        " mm in cells of " + to_text(pitch) + " mm would need about " +
-        two_digits(bytes / bytes_per_gib) + " GiB; expected at most " +
-        to_text(memory_gib) + " GiB (--max-memory)" +
-        (fits ? ", which cells of " + to_text(*fits) + " mm fit" : std::string{})};
+    throw LimitError{"a stock of " + to_text(size.x()) + " x " + to_text(size.y()) +
+                     " mm in cells of " + to_text(pitch) + " mm would need about " +
+                     two_digits(bytes / bytes_per_gib) + " GiB; expected at most " +
+                     to_text(memory_gib) + " GiB (--max-memory)" +
+                     (fits && std::isfinite(*fits)
+                          ? ", which cells of " + to_text(*fits) + " mm fit"
+                          : std::string{})};
 }
 
 }  // namespace endmill
