@@ -4,7 +4,7 @@
 //
 //   verification-weaknesses OUTPUT_FOLDER
 //
-// Deterministic, under 15 s on two cores. Columns: README.md beside this.
+// Deterministic, under 30 s on two cores. Columns: README.md beside this.
 
 #include "support/experiment.h"
 #include "support/weakness_table.h"
