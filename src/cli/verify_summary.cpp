@@ -242,6 +242,8 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
         add_no_deviation(summary);
     add_removal(summary, verification.removal, context.program.path);
     summary["contact_width_bound_mm"] = verification.contacts.width_mm;
+    const double earlier = verification.earlier_gouge_bound_mm;
+    summary["earlier_gouge_bound_mm"] = earlier > 0 ? Json(earlier) : Json(nullptr);
     add_part_collisions(summary, verification);
     const StockGrid& grid = verification.rest.grid();
     summary["min_x_mm"] = grid.low_x;
@@ -261,6 +263,11 @@ std::string verify_text(const Json& s, const Verification& verification)
         text += "no part to judge by: --part FILE names one\n";
     else
         text += extremes_text(s) + areas_text(s);
+    if (!s["earlier_gouge_bound_mm"].is_null())
+        text += fmt::format(
+            "where an earlier run gouged a slope this is up to {} mm deeper than it "
+            "shows\n",
+            number_text(s["earlier_gouge_bound_mm"]));
     for (const std::string& rule : broken_rules(verification))
         text += rule + "\n";
     text += contacts_text(verification.contacts);

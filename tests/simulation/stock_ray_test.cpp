@@ -100,5 +100,32 @@ TEST(RayInStock, TakesNoStepForAGouge)
     }
 }
 
+// A slope all of which lies 0.3 below the part, along the normal.
+TEST(RayInStock, ShowsAGougeOnASlopeLessDeepByNoMoreThanItSays)
+{
+    const double pitch = 0.1;
+    for (const Vec3& along : {Vec3{0, 0, 1}, Vec3{0.5, 0, 1}, Vec3{-1, 0.7, 1}}) {
+        const Vec3 normal = along.normalized();
+        HeightStock stock = block_stock(block, pitch);
+        const StockGrid& grid = stock.grid();
+        for (int row = 0; row < grid.rows; ++row)
+            for (int column = 0; column < grid.columns; ++column)
+                stock.set_height(
+                    column, row,
+                    -(0.3 + normal.x() * grid.x(column) + normal.y() * grid.y(row)) /
+                        normal.z());
+        test::Random random{5};
+        for (int i = 0; i < 200; ++i) {
+            const double x = random.uniform(-2, 2);
+            const double y = random.uniform(-2, 2);
+            const double z = -(normal.x() * x + normal.y() * y) / normal.z();
+            const double shown = -ray_in_stock(stock, ray_of({x, y, z}, normal)).left;
+            EXPECT_LE(shown, 0.3 + 1e-12);
+            const double slope = normal.head<2>().norm();
+            EXPECT_GE(shown, 0.3 - slope * shallower_by(pitch) - 1e-12);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace endmill

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace endmill {
 namespace {
@@ -166,6 +167,11 @@ MownRay ray_in_stock(const HeightStock& stock, const PartRay& ray)
         (x.next <= y.next ? x : y).advance();
     }
     return {t, assumed_slope, -1};
+}
+
+double shallower_by(double pitch)
+{
+    return 1.5 * std::numbers::sqrt2 * pitch;
 }
 
 }  // namespace endmill

@@ -16,8 +16,13 @@ MownRay ray_in_block(const Block& block, const PartRay& ray);
 /// The same in a stock of heights, such as an earlier run leaves. Over its point each height
 /// counts for the whole of its cell: off by what the stock changes within a pitch. Below it
 /// only that is missing which lies above the highest cell around: what the heights of cells
-/// tell for certain. So a gouge shows less deep by up to a pitch times the tangent of its
-/// slope.
+/// tell for certain. So a gouge shows less deep, by up to `shallower_by`.
 MownRay ray_in_stock(const HeightStock& stock, const PartRay& ray);
+
+/// By how much less deep, in mm, a gouge in a stock of this pitch may show whose floor is even
+/// over the cells around: on no slope by nothing, on any slope by no more than this. The
+/// highest cell around ends 1.5 pitches away along x and y, so that it is higher by 1.5
+/// pitches times the slopes along both, and nearer along the normal by its cosine less.
+double shallower_by(double pitch);
 
 }  // namespace endmill

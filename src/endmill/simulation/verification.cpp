@@ -284,8 +284,14 @@ Verification verify_path(const VerificationTask& task)
     const StockContacts contacts = contacts_with_stock(task, removal, rest.grid());
     removal.rapid_cuts = contacts.rapid_cuts;
     removal.collisions = contacts.collisions;
-    Verification found{std::move(deviation), std::move(removal), contacts,
-                       std::move(in_part),   std::move(rest),    Verdict::Clean};
+    Verification found{.deviation = std::move(deviation),
+                       .removal = std::move(removal),
+                       .contacts = contacts,
+                       .part_collisions = std::move(in_part),
+                       .rest = std::move(rest),
+                       .verdict = Verdict::Clean};
+    if (task.stock && task.part)
+        found.earlier_gouge_bound_mm = shallower_by(task.stock->grid().pitch);
     found.verdict = verdict_of(found, task.deviation.limits);
     return found;
 }

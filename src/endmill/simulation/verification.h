@@ -48,6 +48,9 @@ struct Verification {
     Removal removal;  ///< rapid cuts and collisions are those of `contacts`
     StockContacts contacts;
     PartCollisions part_collisions;  ///< none without a part
+    /// mm; on slopes a gouge by an earlier run, in a stock that was given, may be deeper
+    /// than it shows by this, which no bound in `deviation` knows; 0 without such a stock.
+    double earlier_gouge_bound_mm = 0;
     HeightStock rest;
     Verdict verdict;
 };
