@@ -39,7 +39,7 @@ std::vector<std::string> figure_captions(const VerifyResult& result)
 {
     const Deviation& deviation = *result.verification.deviation;
     const auto [gouge, scallop] = refined_bounds(deviation, result.input.limits);
-    std::string between = "; the verdict is settled, so no finer ones";
+    std::string between = ", not finer, as a gouge is certain";
     if (gouge)
         between = fmt::format(
             ", finer where in doubt; between them a gouge may be {:.3g} mm deeper",

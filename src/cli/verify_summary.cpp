@@ -130,7 +130,7 @@ std::string between_text(const Json& bound, const Json& is_refined)
 {
     return is_refined.get<bool>()
                ? "between rays at most " + number_text(bound) + " mm more"
-               : "not looked for between the rays: the verdict is settled";
+               : "not looked for between the rays, as this is settled";
 }
 
 std::string extremes_text(const Json& s)

@@ -14,12 +14,14 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Triangles that are compared with the moves together, and such blocks whose findings are
 // kept until they are counted in, in order.
-constexpr std::size_t block_size = 64;
-constexpr std::size_t blocks_at_a_time = 256;
+constexpr std::size_t block_size = 8;
+constexpr std::size_t blocks_at_a_time = 2048;
 // Of the deepest contact: closely enough for a person.
 constexpr double sharp_share = 0.01;
 // Of the slack.
 constexpr double sharp_slack = 0.125;
+// Of what the part strays from the mesh.
+constexpr double blurred_share = 0.5;
 // Pieces of a triangle for one move; what is left then counts as deep as it may be.
 constexpr int most_pieces = 20'000;
 
@@ -57,6 +59,14 @@ public:
 
     void look_at(const Corners& corners, double negligible, double sharpness)
     {
+        const Vec3 centre = (corners[0] + corners[1] + corners[2]) / 3;
+        double reach2 = 0;
+        for (const Vec3& corner : corners)
+            reach2 = std::max(reach2, (corner - centre).squaredNorm());
+        if (place_in_body(task_.cylinder, move_, centre).depth + std::sqrt(reach2) +
+                task_.chord_error <=
+            std::max(negligible, found_.depth))
+            return;
         // The corners lie on the part, what is between them does not.
         for (const Vec3& corner : corners)
             count(place_in_body(task_.cylinder, move_, corner).depth, corner);
@@ -68,7 +78,10 @@ public:
             const BodyPlace at = place_in_body(task_.cylinder, move_, middle);
             count(at.depth - task_.chord_error, middle);
             const double most = greatest(piece, middle, at);
-            const double sharp = std::max(sharpness, sharp_share * found_.depth);
+            // Closer than the mesh is to the part would tell nothing.
+            const double sharp =
+                std::max({sharpness, blurred_share * task_.chord_error,
+                          found_.is_in() ? sharp_share * found_.depth : 0});
             const double known = found_.is_in() ? found_.depth + sharp : 0;
             if (most + task_.chord_error <= std::max(negligible, known))
                 continue;
@@ -157,7 +170,7 @@ std::vector<Finding> contacts_in(const BodyAndMesh& task, const BodyMoves& moves
         Finding finding{number, {.depth = 0, .place = box.middle(), .most = -infinite}};
         Piecewise piecewise{task, move, finding.found};
         for (std::size_t k = first; k < last; ++k)
-            piecewise.look_at(task.mesh.corners(k), negligible, moves.sharpness());
+            piecewise.look_at(task.mesh.corners(k), negligible, moves.sharpness(number));
         if (finding.found.depth > 0 || finding.found.most > 0)
             findings.push_back(finding);
     }
@@ -184,10 +197,15 @@ std::vector<StraightSweep> BodyMoves::open_sweeps() const
 
 double BodyMoves::negligible(std::size_t number) const
 {
-    return open(number).is_in() ? deepest_ + sharpness() : part_contact_slack;
+    return open(number).is_in() ? deepest_ + depth_sharpness() : part_contact_slack;
 }
 
-double BodyMoves::sharpness() const
+double BodyMoves::sharpness(std::size_t number) const
+{
+    return open(number).is_in() ? depth_sharpness() : sharp_slack * part_contact_slack;
+}
+
+double BodyMoves::depth_sharpness() const
 {
     return std::max(sharp_slack * part_contact_slack, sharp_share * deepest_);
 }
@@ -211,13 +229,12 @@ void BodyMoves::begin_pass()
 
 void BodyMoves::end_pass(double chord_error)
 {
-    // A deepest place that the triangles blur by no more is sharp enough.
-    const double sharp = chord_error + sharpness();
     std::erase_if(open_, [&](std::uint32_t number) {
         const BodyMove& move = moves_[number];
         if (!move.is_in())
             return move.most <= part_contact_slack;
-        return chord_error <= sharpness() || move.most <= deepest_ + sharp;
+        return chord_error <= depth_sharpness() ||
+               move.most <= deepest_ + depth_sharpness();
     });
 }
 
@@ -232,7 +249,7 @@ PartCollisions BodyMoves::found(std::size_t first) const
             found.bound_mm = std::max(found.bound_mm, move.most);
             continue;
         }
-        most = std::max({most, move.most, deepest_ + sharpness()});
+        most = std::max({most, move.most, deepest_ + depth_sharpness()});
         ++found.moves.count;
         if (!found.moves.first)
             found.moves.first = first + k;

@@ -49,7 +49,7 @@ public:
     double negligible(std::size_t number) const;
 
     /// How closely a depth beyond the negligible is asked for, in mm.
-    double sharpness() const;
+    double sharpness(std::size_t number) const;
 
     /// Counts in what was found of an open move.
     void take(std::size_t number, const BodyMove& found);
@@ -62,6 +62,8 @@ public:
     PartCollisions found(std::size_t first) const;
 
 private:
+    double depth_sharpness() const;
+
     std::span<const StraightSweep> sweeps_;
     std::vector<BodyMove> moves_;
     std::vector<std::uint32_t> open_;

@@ -19,7 +19,7 @@ struct Passing {
     double e;       // mm, across it
 
     double over_end(double u) const { return height - slope * u; }
-    double from_axis(double u) const { return std::hypot(e, s - u); }
+    double from_axis(double u) const { return std::sqrt(e * e + (s - u) * (s - u)); }
     double from_rim(double u) const { return radius - from_axis(u); }
 
     // Where both are equal, between a u at which the first is more and one at which it is

@@ -138,7 +138,8 @@ StockContacts finer_contacts(const Removal& coarse, const Block& block,
 {
     StockContacts contacts = contacts_of(coarse, grid, block.high.z(), task);
     const auto range = doubtful_cells(task, grid, block.high.z());
-    if (!range)
+    const bool is_settled = coarse.rapid_cuts.count > 0 || coarse.collisions.count > 0;
+    if (!range || is_settled)
         return contacts;
     const int times = subdivisions(finer(grid, *range, 1), task.most_bytes);
     if (times == 1)

@@ -31,8 +31,8 @@ struct FinerContacts {
 /// Contacts are seen at the centres of cells. So the part of a block over which rapids pass
 /// below its top, other than straight up from where the cutter has been, and shank or
 /// holder, where they reach out of the cutter, is cut once more in cells three or nine times as
-/// fine, which keep the centres: what `coarse` saw is seen, and what is a third or a ninth as
-/// wide.
+/// fine, which keep the centres. Not so where `coarse` saw a contact, which settles the
+/// verdict.
 /// \param coarse what `remove_along` found of `block` in the cells of `grid`.
 StockContacts finer_contacts(const Removal& coarse, const Block& block,
                              const StockGrid& grid, const FinerContacts& task);

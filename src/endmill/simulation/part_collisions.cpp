@@ -20,8 +20,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double finer = 8;
 // mm: half the slack, so that a body that rests on the part stays below it.
 constexpr double finest_chord_error = part_contact_slack / 2;
-// About 200 MB.
-constexpr std::size_t most_triangles = 2'000'000;
+// Its three corners, and half a point with its normal.
+constexpr double bytes_a_triangle = 36;
 
 double top_of(const TriangleMesh& mesh)
 {
@@ -50,9 +50,11 @@ void look_at(const TriangleMesh& mesh, double chord_error,
 }
 
 // Coarse triangles decide most moves; the fine ones are for the few that they leave open.
-void look_at(std::span<const Surface> surfaces, std::span<const BodyCylinder> body,
-             BodyMoves& moves)
+void look_at(std::span<const Surface> surfaces, double most_bytes,
+             std::span<const BodyCylinder> body, BodyMoves& moves)
 {
+    const auto most_triangles = static_cast<std::size_t>(
+        std::clamp(most_bytes / bytes_a_triangle, 1.0, double(most_sampled_triangles)));
     const std::vector<double> sides = tool_side_signs(surfaces, Vec3::UnitZ());
     double tolerance = std::max(default_chord_tolerance(surfaces), finest_chord_error);
     while (true) {
@@ -78,7 +80,8 @@ bool reaches_out(const ToolCylinder& cylinder, const Cutter& cutter)
 }
 
 PartCollisions part_collisions(const Part& part, const ToolPath& path,
-                               const Cutter& cutter, std::span<const ToolCylinder> body)
+                               const Cutter& cutter, std::span<const ToolCylinder> body,
+                               double most_bytes)
 {
     std::vector<BodyCylinder> cylinders;
     double widest = 0;
@@ -94,7 +97,7 @@ PartCollisions part_collisions(const Part& part, const ToolPath& path,
     if (const auto* mesh = std::get_if<TriangleMesh>(&part))
         look_at(*mesh, 0, cylinders, moves);
     else
-        look_at(std::get<std::vector<Surface>>(part), cylinders, moves);
+        look_at(std::get<std::vector<Surface>>(part), most_bytes, cylinders, moves);
     return moves.found(path.points.size() - sweeps.size());
 }
 

@@ -44,7 +44,9 @@ bool reaches_out(const ToolCylinder& cylinder, const Cutter& cutter);
 /// All moves count, rapids too, and the first point if the cutter has come down there.
 /// What does not reach out of the cutter is left out.
 /// \param path tips along +z. Throws like `path_sweeps`.
+/// \param most_bytes for the triangles of a surface.
 PartCollisions part_collisions(const Part& part, const ToolPath& path,
-                               const Cutter& cutter, std::span<const ToolCylinder> body);
+                               const Cutter& cutter, std::span<const ToolCylinder> body,
+                               double most_bytes = 5e8);
 
 }  // namespace endmill

@@ -27,7 +27,7 @@ constexpr double bytes_a_ray = 16;
 constexpr double most_rays = 4e9;
 // Cells are somewhat smaller than the pitch, to be whole numbers along the part.
 constexpr double spare = 1.05;
-// Of the memory, for a second look at rapids and shanks: rays and stock have theirs.
+// Of the memory, for a closer look at rapids, and at shank and holder.
 constexpr double finer_share = 0.125;
 
 Block bounding_box(const Part& part)
@@ -280,7 +280,8 @@ Verification verify_path(const VerificationTask& task)
     Removal removal = remove_along(rest, *task.path, task.cutter, {task.body});
     PartCollisions in_part;
     if (task.part)
-        in_part = part_collisions(*task.part, *task.path, task.cutter, task.body);
+        in_part = part_collisions(*task.part, *task.path, task.cutter, task.body,
+                                  finer_share * task.max_memory_gib * gib);
     const StockContacts contacts = contacts_with_stock(task, removal, rest.grid());
     removal.rapid_cuts = contacts.rapid_cuts;
     removal.collisions = contacts.collisions;
