@@ -226,6 +226,7 @@ class Volumes(VerifyTest):
         second = self.cut("--cutter", "ball:10", "--stock", "rest.vti", tips=COLUMNS + "30,3,-1\n-30,3,-1\n")
         self.assertAlmostEqual(first["removed_mm3"] + second["removed_mm3"], whole["removed_mm3"], delta=1e-9)
         self.assertEqual(second["min_z_mm"], whole["min_z_mm"])
+        self.assertIsNone(second["earlier_gouge_bound_mm"])  # no part
 
     def test_stock_may_be_a_mesh_and_the_rest_is_one(self):
         self.cut("--cutter", "ball:10", *BLOCK, "--resolution", "0.5", "--write-mesh")
@@ -269,6 +270,18 @@ class Volumes(VerifyTest):
         x, y, z = facts["deepest_of_part_collisions_at"]["point_mm"]
         self.assertAlmostEqual(z, slope * x, delta=1e-9)
         self.assertEqual(facts["first_of_part_collisions"], 1)
+
+    def test_a_ridge_between_cells_is_seen_by_a_rapid(self):
+        # 0.3 mm wide between two slots, its top at 0; the rapid goes along it 1 mm deep.
+        lines = ["G21 G90 F100"] + [f"G{g} X{x} Y{y} Z{z}" for g, x, y, z in (
+            (0, -30, -5.15, -2), (1, 30, -5.15, -2), (0, 30, 0, 20), (0, 30, 5.15, 20), (0, 30, 5.15, -2),
+            (1, -30, 5.15, -2), (0, -30, 0, 20), (0, -30, 0, -1), (0, 30, 0, -1))] + ["M2"]
+        facts = self.cut("--cutter", "flat:10", *BLOCK, "--resolution", "0.5", tips="\n".join(lines), name="c.ngc",
+                         status=1)
+        self.assertEqual((facts["rapid_cuts"], facts["deepest_of_rapid_cuts_mm"]), (1, 1))
+        self.assertAlmostEqual(facts["contact_width_bound_mm"], 0.5 * math.sqrt(2) / 9, delta=1e-12)
+        # Whatever stays above the block cannot cut.
+        self.assertEqual(self.cut("--cutter", "ball:10", *BLOCK)["contact_width_bound_mm"], 0)
 
     def test_engagement_of_half_a_slot(self):
         self.cut("--cutter", "flat:10", "--stock", "-10,0,-10,10,10,0", "--resolution", "0.25", "--engagement")
@@ -383,6 +396,19 @@ class BadInput(VerifyTest):
             self.refuse(2, f"--stock {stock}: expected ", "X0,Y0,Z0,X1,Y1,Z1",
                         options=("--cutter", "ball:10", "--stock", stock))
         self.refuse(2, "--max-refine", options=("--cutter", "ball:10", "--max-refine", "21"))
+
+    def test_a_nick_in_the_part_is_no_idle_path_at_any_resolution(self):
+        path = self.file(COLUMNS + "-3.4,-10,-0.5\n-3.4,-3.5,-0.5\n-10,-3.5,-0.5\n", "nick.csv")
+        part = ("--part", self.file(plane()), "--cutter", "flat:10")
+        for resolution, refine, verdict in ((5, 0, "undecided"), (5, 8, "gouged"), (1, 8, "gouged")):
+            done = endmill("verify", path, *part, "--resolution", resolution, "--max-refine", refine, "-o", "out",
+                           "--force", cwd=self.folder)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            facts = json.loads((self.folder / "out/summary.json").read_text())
+            self.assertEqual((facts["verdict"], facts["gouge_bound_refined"]), (verdict, verdict != "gouged"))
+            self.assertFalse(facts["scallop_bound_refined"])
+            self.assertEqual("gouge" in done.stdout and "as this is settled" in done.stdout, True)
+        shutil.rmtree(self.folder / "out")
 
     def test_a_path_beside_the_part(self):
         part = ("--part", self.file(plane()), "--cutter", "ball:10", "--resolution", "1")
