@@ -470,7 +470,7 @@ class BadInput(VerifyTest):
     def test_interrupt_leaves_nothing(self):
         path = self.file(passes(range(31)), "p.csv")
         self.file(plane())
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             with subprocess.Popen([ENDMILL, "verify", path, "--part", "surface.json", "--cutter", "ball:10",
                                    "--resolution", "0.01", "-o", "out"], cwd=self.folder, stderr=subprocess.PIPE,
                                   stdout=subprocess.PIPE) as process:
