@@ -83,7 +83,7 @@ void measure_sampling(const TrimInput& input, const TrimOptions& options,
                       TrimResult& result)
 {
     const SectionSource source{std::get<std::vector<Surface>>(*input.part), *input.offset,
-                               options.grid, *input.planes, input.sections};
+                               *input.planes, input.sections};
     if (!options.refine) {
         result.sampling_error = sampling_error(source, result.trimmed);
         return;

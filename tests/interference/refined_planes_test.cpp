@@ -2,17 +2,20 @@
 #include "endmill/interference/refined_planes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/interference/clearance.h"
-#include "endmill/interference/clipped_sections.h"
-#include "endmill/interference/envelope_trimming.h"
-#include "test_surfaces.h"
+#include "dense_drop.h"
+#include "endmill/interference/trimmed_planes.h"
+#include "offset_parts.h"
+#include "trimmed_curves.h"
 
 namespace endmill {
 namespace {
@@ -25,7 +28,6 @@ constexpr double beta = 25 * std::numbers::pi / 180;
 struct Sections {
     std::vector<Surface> surfaces;
     Cutter cutter;
-    int grid_lines;
     DrivePlanes planes;
     OffsetMesh offset;
     std::vector<PlaneSection> sections;
@@ -34,22 +36,15 @@ struct Sections {
     Sections(std::vector<Surface> part, const Cutter& with, int grid, DrivePlanes at)
         : surfaces{std::move(part)},
           cutter{with},
-          grid_lines{grid},
           planes{std::move(at)},
           offset{offset_mesh(surfaces, cutter, {.grid_lines = grid})},
-          sections{slice(offset.mesh, planes, {offset.own_triangles})}
+          sections{slice(offset.mesh, planes, {offset.own_triangles})},
+          trimmed{trim_planes(sections, path_ranges(offset, planes, sections),
+                              test::trimming_method("envelope"), {})}
     {
-        for (const PlaneSection& section : sections) {
-            trimmed.push_back(envelope_trimming(section.curves, {}));
-            // Not over the border, where the offset stands upright in the end.
-            trimmed.back().curves = clipped(trimmed.back().curves, {-15, 15});
-        }
     }
 
-    SectionSource source() const
-    {
-        return {surfaces, offset, grid_lines, planes, sections};
-    }
+    SectionSource source() const { return {surfaces, offset, planes, sections}; }
 };
 
 Sections trough(int grid_lines)
@@ -127,15 +122,134 @@ TEST(RefinedPlanes, AreTheSameWithAnyNumberOfThreads)
     EXPECT_EQ(heights[0], heights[1]);
 }
 
-TEST(RefinedPlanes, KeepLevelPlacesOfAFlatCutterAsSampled)
+TEST(RefinedPlanes, RestOnLevelPlacesWithAFlatCutter)
 {
     const Sections level{
         {test::plane(20, 10)}, Cutter::flat(2), 11, {DriveFrame{Angle::degrees(0)}, {5}}};
     const RefinedPlanes refined = refine_planes(level.source(), level.trimmed);
-    EXPECT_GT(refined.unrefined, 0U);
+    EXPECT_EQ(refined.unrefined, 0U);
     for (const TrimmedPoint& point : refined.curves[0].front().points)
-        EXPECT_LE(point.at.y(), 0.0);
+        EXPECT_EQ(point.at.y(), 0.0);
 }
+
+// A part with its closed form.
+struct KnownPart {
+    std::vector<Surface> surfaces;
+    test::PlanPart plan;
+};
+
+// Hills and hollows too narrow for the cutters, its border bent up and down.
+KnownPart bumpy()
+{
+    const test::Polynomial height =
+        test::monomial(2, 0, 0.02) + test::monomial(0, 2, -0.018) +
+        test::monomial(1, 1, 0.006) + test::monomial(3, 0, 0.0012) +
+        test::monomial(0, 3, -0.0011) + test::monomial(2, 2, -0.00012) +
+        test::monomial(1, 0, -0.15) + test::monomial(0, 1, 0.1) +
+        test::monomial(3, 2, 4e-6) + test::monomial(1, 3, 3e-5);
+    const test::Rectangle over{{-20, 21}, {-15, 16}};
+    return {{test::graph(height, over, {2, 1})}, test::plan_graph(height, over)};
+}
+
+double bernstein(const std::array<double, 4>& c, double t)
+{
+    const double s = 1 - t;
+    return c[0] * s * s * s + 3 * c[1] * s * s * t + 3 * c[2] * s * t * t +
+           c[3] * t * t * t;
+}
+
+// The valley's x depends on u alone, y on v: u by bisection.
+KnownPart valley()
+{
+    return {{test::narrowing_valley()},
+            {{{0, 100}, {0, 100}}, [](double x, double y) {
+                 double low = 0;
+                 double high = 1;
+                 for (int halving = 0; halving < 52; ++halving) {
+                     const double u = (low + high) / 2;
+                     (bernstein({0, 60, 40, 100}, u) < x ? low : high) = u;
+                 }
+                 const double outer = bernstein({40, 45, 55, 60}, y / 100);
+                 const double inner = bernstein({20, 0, -20, -40}, y / 100);
+                 return bernstein({outer, inner, inner, outer}, (low + high) / 2);
+             }}};
+}
+
+// A crease that turns down, one that turns up, and corners where they meet.
+KnownPart folded()
+{
+    const auto height = [](double x, double y) {
+        return 0.6 * std::abs(x) - 0.4 * std::abs(y);
+    };
+    std::vector<Surface> facets;
+    for (const Interval& y : {Interval{-9, 0}, Interval{0, 9}})
+        for (const Interval& x : {Interval{-9, 0}, Interval{0, 9}})
+            facets.push_back(test::facet({x, y}, height));
+    return {std::move(facets), {{{-9, 9}, {-9, 9}}, height}};
+}
+
+struct Case {
+    const char* name;
+    KnownPart (*part)();
+    Cutter cutter;
+};
+
+class RefinedHeights : public testing::TestWithParam<Case> {};
+
+// The promise of --refine. A few planes, the first and last next to the corners, and of their
+// points all crossings, ends and the points beside them, of others some: the dense drop
+// takes its time.
+TEST_P(RefinedHeights, AreThoseOfADenseDropWhateverTheGrid)
+{
+    const KnownPart part = GetParam().part();
+    const Cutter& cutter = GetParam().cutter;
+    for (const double degrees : {0.0, 30.0})
+        for (const int grid : {25, 50, 100, 200}) {
+            const DriveFrame frame{Angle::degrees(degrees)};
+            const Interval across = extent_across(part.surfaces, frame);
+            const auto at = [&](double share) {
+                return std::lerp(across.low, across.high, share);
+            };
+            const Sections sections{
+                part.surfaces, cutter, grid, {frame, {at(0.01), at(0.63), at(0.985)}}};
+            const RefinedPlanes refined =
+                refine_planes(sections.source(), sections.trimmed);
+            EXPECT_EQ(refined.unrefined, 0U);
+            for (std::size_t k = 0; k < 3; ++k)
+                for (const TrimmedCurve& curve : refined.curves[k])
+                    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+                        const auto is_plain = [&](std::size_t j) {
+                            return curve.points[j].kind == TrimmedKind::Vertex;
+                        };
+                        if (i > 0 && i + 1 < curve.points.size() && i % 37 != 0 &&
+                            is_plain(i - 1) && is_plain(i) && is_plain(i + 1))
+                            continue;
+                        const SectionPoint& point = curve.points[i].at;
+                        const Vec3 axis =
+                            frame.point(point.x(), sections.planes.positions[k], 0);
+                        EXPECT_NEAR(
+                            point.y(),
+                            test::DenseDrop(part.plan, cutter, axis.x(), axis.y())
+                                .height(),
+                            1e-4)
+                            << "grid " << grid << ", " << degrees << " deg, plane " << k
+                            << ", s = " << point.x();
+                    }
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfPartsAndCutters, RefinedHeights,
+    testing::Values(Case{"ValleyByBall", valley, Cutter::ball(10)},
+                    Case{"ValleyByBullNose", valley, Cutter{10, 3}},
+                    Case{"ValleyByFlat", valley, Cutter::flat(10)},
+                    Case{"BumpyByBall", bumpy, Cutter::ball(8)},
+                    Case{"BumpyByBullNose", bumpy, Cutter{8, 2}},
+                    Case{"BumpyByFlat", bumpy, Cutter::flat(8)},
+                    Case{"FoldedByBall", folded, Cutter::ball(3)},
+                    Case{"FoldedByBullNose", folded, Cutter{3, 1}},
+                    Case{"FoldedByFlat", folded, Cutter::flat(3)}),
+    [](const auto& tested) { return std::string{tested.param.name}; });
 
 TEST(RefinedPlanes, RefuseAnotherNumberOfPlanes)
 {

@@ -64,7 +64,8 @@ TEST(SurfaceGap, BelowALimitIsThereIfTheLeastIs)
         for (const double limit : {-1.0, -0.01, 0.0, 0.5}) {
             // Not where the resolution decides.
             ASSERT_GT(std::abs(h - 5 - 3 - limit), 1e-6);
-            EXPECT_EQ(has_gap_below(tree, core, 1e-9, limit, finer), h - 5 - 3 < limit);
+            EXPECT_EQ(gap_below(tree, core, 1e-9, limit, finer).has_value(),
+                      h - 5 - 3 < limit);
         }
     }
 }

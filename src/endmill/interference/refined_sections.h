@@ -3,42 +3,49 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
+#include "endmill/interference/drop_kinks.h"
+#include "endmill/interference/offset_mesh.h"
 #include "endmill/interference/slicer.h"
-#include "endmill/interference/smooth_offset.h"
 #include "endmill/interference/trimming.h"
 
 namespace endmill {
 
-/// Trimmed curves of one plane, their points put on the smooth offset.
+/// The curves that were trimmed, where they lie, and what they are a sampling of.
+struct SampledSection {
+    const PlaneSection& section;  ///< of the offset's mesh
+    DriveLine line;
+    const OffsetMesh& offset;
+    const SmoothDrop& drop;  ///< for offset.cutter
+};
+
+/// Trimmed curves of one plane, their points where the cutter rests on the smooth part.
 struct RefinedCurves {
     std::vector<TrimmedCurve> curves;
-    std::size_t refined = 0;    ///< points that now lie on the smooth offset
+    std::size_t refined = 0;    ///< points at which the cutter now rests on the part
     std::size_t unrefined = 0;  ///< points kept as sampled
-    double greatest_shift = 0;  ///< of the refined ones' z, or of a crossing, mm
+    double greatest_shift = 0;  ///< mm in z of a point, or of a crossing over its old place
 };
 
-/// The curves that were trimmed, and t of their plane in mm.
-struct PlacedSection {
-    const PlaneSection& section;
-    double across;
-};
-
-/// Whether the cutter may stand with its reference point there, `shift` mm from where it
-/// was sampled: on no other sheet's wrong side.
-using IsAdmissible = std::function<bool(const Vec3& reference, double shift)>;
-
-/// Polishes what is left in a plane by Newton's method: a crossing by its
-/// two contacts at once, any other point over its s. A point stays as it is sampled where
-/// the search leaves the neighbouring cells or does not converge, over corners of the part
-/// and level places of a flat bottom, and where the polished one is not admissible. Points
-/// that a crossing has passed by are left out.
+/// Lets the cutter down on the smooth part at every point that is left in a plane and
+/// that lies on the upper envelope of its section: over its own s, a crossing where two
+/// contacts are equally high. A crossing that was not sampled is put in. Vertices that a
+/// crossing has passed by are left out.
+///
+/// Kept as sampled are points below the envelope, which a method left in a fold; points on
+/// a vertical step and on the upright rim of the offset, where the height over s is
+/// anything; and those where the cutter touches a border, if the offset has none.
 /// Source: specification of the interference removal, section 6.
-/// \param is_admissible may be empty: all are.
-RefinedCurves refined(const std::vector<TrimmedCurve>& curves,
-                      const PlacedSection& placed, const DriveFrame& frame,
-                      const SmoothOffset& offset, const IsAdmissible& is_admissible);
+/// \param finer of this drop and this thread alone.
+RefinedCurves refined(const SampledSection& sampled,
+                      const std::vector<TrimmedCurve>& curves, FinerPieces& finer);
+
+/// The greatest shift in z of the points that `refined` would move, mm, if above `least`;
+/// else `least`. Quicker: contacts far from those sampled are looked for where the shift is
+/// greater only.
+double greatest_shift(const SampledSection& sampled,
+                      const std::vector<TrimmedCurve>& curves, double least,
+                      FinerPieces& finer);
 
 }  // namespace endmill

@@ -145,7 +145,12 @@ private:
                 const double gap = core_.gap(corner);
                 if (gap < least_) {
                     least_ = aim_ == Aim::Any ? -infinite : gap;
-                    found_ = SurfaceGap{gap, corner};
+                    const BezierPiece& bezier = piece.bezier;
+                    found_ = SurfaceGap{gap,
+                                        corner,
+                                        bezier.surface,
+                                        {end_u == 0 ? bezier.low.u : bezier.high.u,
+                                         end_v == 0 ? bezier.low.v : bezier.high.v}};
                 }
             }
         return bound >= least_ - resolution_;
@@ -170,11 +175,11 @@ std::optional<SurfaceGap> surface_gap(const PieceTree& tree, const CutterCore& c
     return GapSearch{tree, core, resolution, finer, Aim::Least}.least(enough);
 }
 
-bool has_gap_below(const PieceTree& tree, const CutterCore& core, double resolution,
-                   double limit, FinerPieces& finer)
+std::optional<SurfaceGap> gap_below(const PieceTree& tree, const CutterCore& core,
+                                    double resolution, double limit, FinerPieces& finer)
 {
     finer.limit_memory();
-    return GapSearch{tree, core, resolution, finer, Aim::Any}.least(limit).has_value();
+    return GapSearch{tree, core, resolution, finer, Aim::Any}.least(limit);
 }
 
 }  // namespace endmill

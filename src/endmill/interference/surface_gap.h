@@ -2,6 +2,7 @@
 // Internal to interference
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "endmill/interference/cutter_core.h"
@@ -14,6 +15,8 @@ namespace endmill {
 struct SurfaceGap {
     double gap;
     Vec3 point;
+    std::size_t surface;  ///< number of its surface
+    SurfacePoint at;
 };
 
 /// The point of the surfaces nearest to the cutter, or deepest in it, its gap known to
@@ -23,9 +26,9 @@ std::optional<SurfaceGap> surface_gap(const PieceTree& tree, const CutterCore& c
                                       double resolution, double enough,
                                       FinerPieces& finer);
 
-/// Whether some gap is below `limit`, by more than `resolution` mm: quicker to tell than the
-/// least of them where the cutter is deep in the part.
-bool has_gap_below(const PieceTree& tree, const CutterCore& core, double resolution,
-                   double limit, FinerPieces& finer);
+/// Any point whose gap is below `limit`; nothing if that of none is by more than
+/// `resolution` mm: quicker to tell than the least where the cutter is deep in the part.
+std::optional<SurfaceGap> gap_below(const PieceTree& tree, const CutterCore& core,
+                                    double resolution, double limit, FinerPieces& finer);
 
 }  // namespace endmill

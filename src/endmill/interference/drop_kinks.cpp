@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/interference/drop_kinks.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace endmill {
+namespace {
+
+// mm by which a contact that does not carry the cutter is lower: above the rounding of
+// heights, and far below what is asked of them.
+constexpr double lower_contact = 1e-8;
+// mm: contacts that near are one.
+constexpr double same_contact = 1e-6;
+// mm: heights over two contacts that are equal, and places that are one.
+constexpr double same_height = 1e-12;
+constexpr double same_place = 1e-11;
+// Halvings of any distance between two places down to `same_place`.
+constexpr int most_rounds = 100;
+// Contacts between two places, each higher than those beside it, in a tree of this depth.
+constexpr int most_depth = 8;
+
+// The contact that a known one becomes where the cutter has gone to `s`.
+std::optional<PartContact> moved_contact(const SmoothDrop& drop, const DriveLine& line,
+                                         const PartContact& contact, double s)
+{
+    return drop.climb({contact.surface, {contact.on.at.x(), contact.on.at.y()}},
+                      line.axis(s));
+}
+
+class KinkSearch {
+public:
+    KinkSearch(const SmoothDrop& drop, const DriveLine& line, FinerPieces& finer)
+        : drop_{drop},
+          line_{line},
+          finer_{finer}
+    {
+    }
+
+    void search(const DropRest& low, const DropRest& high, int depth)
+    {
+        if (depth == 0 || carries_on(drop_, line_, low, high) ||
+            carries_on(drop_, line_, high, low))
+            return;
+        const auto kink = kink_of(low, high);
+        if (!kink)
+            return;
+        const DropRest top{kink->s,
+                           drop_.highest(kink->contact, line_.axis(kink->s), finer_)};
+        if (top.contact.on.height <= kink->contact.on.height) {
+            found.push_back(top);
+            return;
+        }
+        search(low, top, depth - 1);
+        search(top, high, depth - 1);
+    }
+
+    std::vector<DropRest> found;
+
+private:
+    std::optional<PartContact> moved(const PartContact& contact, double s) const
+    {
+        return moved_contact(drop_, line_, contact, s);
+    }
+
+    // Where the heights over two contacts are equal. Where one of them slides into the
+    // other, the one that has not moved far is the higher.
+    std::optional<DropRest> kink_of(const DropRest& low, const DropRest& high) const
+    {
+        DropRest left = low;
+        DropRest right = high;
+        double s = tangents_meet(low, high);
+        for (int round = 0; round < most_rounds; ++round) {
+            if (!(left.s < s && s < right.s))
+                s = std::midpoint(left.s, right.s);
+            const auto a = moved(left.contact, s);
+            const auto b = moved(right.contact, s);
+            if (!a && !b)
+                return std::nullopt;
+            const double lead = !a   ? -infinite
+                                : !b ? infinite
+                                     : lead_of(*a, *b, left.contact, right.contact);
+            const DropRest rest{s, lead > 0 ? *a : *b};
+            double next = right.s;
+            if (a && b)
+                next = tangents_meet({s, *a}, {s, *b});
+            (lead > 0 ? left : right) = rest;
+            if (std::abs(lead) <= same_height || std::abs(next - s) <= same_place ||
+                right.s - left.s <= same_place)
+                return rest;
+            s = next;
+        }
+        return std::nullopt;
+    }
+
+    // How much higher the contact `a`, once at `left`, is than `b`, once at `right`.
+    static double lead_of(const PartContact& a, const PartContact& b,
+                          const PartContact& left, const PartContact& right)
+    {
+        if ((a.on.point - b.on.point).norm() > same_contact)
+            return a.on.height - b.on.height;
+        const double from_left = (a.on.point - left.on.point).norm();
+        const double from_right = (a.on.point - right.on.point).norm();
+        return from_left < from_right ? infinite : -infinite;
+    }
+
+    double tangents_meet(const DropRest& one, const DropRest& other) const
+    {
+        const double rise = line_.rise(one.contact.on.slope);
+        const double other_rise = line_.rise(other.contact.on.slope);
+        const double lead = one.contact.on.height - rise * one.s -
+                            (other.contact.on.height - other_rise * other.s);
+        return lead / (other_rise - rise);
+    }
+
+    static constexpr double infinite = 1e300;
+
+    const SmoothDrop& drop_;
+    const DriveLine& line_;
+    FinerPieces& finer_;
+};
+
+}  // namespace
+
+bool carries_on(const SmoothDrop& drop, const DriveLine& line, const DropRest& from,
+                const DropRest& to)
+{
+    const auto there = moved_contact(drop, line, from.contact, to.s);
+    return there && there->on.height >= to.contact.on.height - lower_contact;
+}
+
+std::vector<DropRest> kinks_between(const SmoothDrop& drop, const DriveLine& line,
+                                    const DropRest& low, const DropRest& high,
+                                    FinerPieces& finer)
+{
+    KinkSearch search{drop, line, finer};
+    search.search(low, high, most_depth);
+    return std::move(search.found);
+}
+
+}  // namespace endmill
