@@ -3,13 +3,17 @@
 
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace endmill {
 namespace {
 
-// mm by which a contact that does not carry the cutter is lower: above the rounding of
-// heights, and far below what is asked of them.
-constexpr double lower_contact = 1e-8;
+// mm by which the heights over two contacts differ: above their rounding, and far below
+// what is asked of them.
+constexpr double other_contact = 1e-8;
+// The same of their slopes, mm per mm.
+constexpr double other_slope = 1e-5;
 // mm: contacts that near are one.
 constexpr double same_contact = 1e-6;
 // mm: heights over two contacts that are equal, and places that are one.
@@ -19,14 +23,6 @@ constexpr double same_place = 1e-11;
 constexpr int most_rounds = 100;
 // Contacts between two places, each higher than those beside it, in a tree of this depth.
 constexpr int most_depth = 8;
-
-// The contact that a known one becomes where the cutter has gone to `s`.
-std::optional<PartContact> moved_contact(const SmoothDrop& drop, const DriveLine& line,
-                                         const PartContact& contact, double s)
-{
-    return drop.climb({contact.surface, {contact.on.at.x(), contact.on.at.y()}},
-                      line.axis(s));
-}
 
 class KinkSearch {
 public:
@@ -39,8 +35,7 @@ public:
 
     void search(const DropRest& low, const DropRest& high, int depth)
     {
-        if (depth == 0 || carries_on(drop_, line_, low, high) ||
-            carries_on(drop_, line_, high, low))
+        if (depth == 0 || goes_over(low, high))
             return;
         const auto kink = kink_of(low, high);
         if (!kink)
@@ -58,9 +53,22 @@ public:
     std::vector<DropRest> found;
 
 private:
+    // The contact that a known one becomes where the cutter has gone to `s`.
     std::optional<PartContact> moved(const PartContact& contact, double s) const
     {
-        return moved_contact(drop_, line_, contact, s);
+        return drop_.climb({contact.surface, {contact.on.at.x(), contact.on.at.y()}},
+                           line_.axis(s));
+    }
+
+    // Whether both contacts become the same half way, or one that is as high and goes on as
+    // the other, on a level place: one that ends there slides into the other.
+    bool goes_over(const DropRest& low, const DropRest& high) const
+    {
+        const double middle = std::midpoint(low.s, high.s);
+        const auto a = moved(low.contact, middle);
+        const auto b = moved(high.contact, middle);
+        return a && b && std::abs(a->on.height - b->on.height) <= other_contact &&
+               (a->on.slope - b->on.slope).norm() <= other_slope;
     }
 
     // Where the heights over two contacts are equal. Where one of them slides into the
@@ -121,13 +129,6 @@ private:
 };
 
 }  // namespace
-
-bool carries_on(const SmoothDrop& drop, const DriveLine& line, const DropRest& from,
-                const DropRest& to)
-{
-    const auto there = moved_contact(drop, line, from.contact, to.s);
-    return there && there->on.height >= to.contact.on.height - lower_contact;
-}
 
 std::vector<DropRest> kinks_between(const SmoothDrop& drop, const DriveLine& line,
                                     const DropRest& low, const DropRest& high,

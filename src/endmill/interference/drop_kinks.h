@@ -29,15 +29,12 @@ struct DropRest {
     PartContact contact;  ///< the highest one there
 };
 
-/// Whether the contact of `from` is the one of `to`, too, where the cutter has gone there.
-bool carries_on(const SmoothDrop& drop, const DriveLine& line, const DropRest& from,
-                const DropRest& to);
-
 /// Where between two places the cutter touches twice, so that its height has a kink: the
-/// contact of `low` does not go over into that of `high`, another one takes its place. Each
-/// is found by Newton's method on the heights over both contacts, which follow the cutter
-/// over sheets, borders and corners, between bounds that close in; if a third contact is
-/// higher there, on both sides of it.
+/// contact of `low` does not go over into that of `high`, another one takes its place. Looked
+/// for unless both become the same half way: places are to be close to each other, as
+/// neighbouring samples are. Each is found by Newton's method on the heights over both
+/// contacts, which follow the cutter over sheets, borders and corners, between bounds that
+/// close in; if a third contact is higher there, on both sides of it.
 /// \param finer of this drop and this thread alone.
 /// \return those kinks, s rising, with one of their contacts; none if a contact goes over
 ///         smoothly.

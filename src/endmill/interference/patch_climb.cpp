@@ -57,6 +57,13 @@ Step step_along(const Vector2d& direction, const Vector2d& slope, const Matrix2d
     return {by * direction, rise * by / 2};
 }
 
+// -1 or +1 where `at` is on the lower or upper end of u or of v, else 0.
+Vector2d ends_at(const Vector2d& at, const Vector2d& low, const Vector2d& high)
+{
+    return (at.array() >= high.array()).cast<double>() -
+           (at.array() <= low.array()).cast<double>();
+}
+
 class PatchClimb {
 public:
     PatchClimb(const Surface& surface, PatchNumber patch, const Cutter& cutter,
@@ -74,8 +81,11 @@ public:
 
     std::optional<PatchContact> from(const Vector2d& start)
     {
-        if (!begin(start.cwiseMax(low_).cwiseMin(high_)))
+        at_ = start.cwiseMax(low_).cwiseMin(high_);
+        const auto here = height(at_);
+        if (!here)
             return std::nullopt;
+        here_ = *here;
         for (int round = 0; round < most_rounds; ++round)
             if (!rises())
                 break;
@@ -93,50 +103,7 @@ private:
         return contact_height(jet(at), cutter_, axis_);
     }
 
-    // -1 or +1 where `at` is on the lower or upper end of u or of v, else 0.
-    Vector2d ends(const Vector2d& at) const
-    {
-        return (at.array() >= high_.array()).cast<double>() -
-               (at.array() <= low_.array()).cast<double>();
-    }
-
-    // Goes from a place to one below the cutter.
-    bool begin(Vector2d at)
-    {
-        for (int round = 0; round < most_rounds; ++round) {
-            if (const auto found = height(at)) {
-                at_ = at;
-                here_ = *found;
-                return true;
-            }
-            const auto nearer = towards_axis(at);
-            if (!nearer || *nearer == at)
-                return false;
-            at = *nearer;
-        }
-        return false;
-    }
-
-    std::optional<Vector2d> towards_axis(const Vector2d& at) const
-    {
-        const SurfaceJet here = jet(at);
-        Matrix2d plan;
-        plan << here.du.head<2>(), here.dv.head<2>();
-        const Vector2d across = here.point.head<2>() - axis_;
-        const double rho = across.norm();
-        const Vector2d way = (below_share * cutter_.radius() / rho - 1) * across;
-        const Eigen::FullPivLU<Matrix2d> factors{plan};
-        if (!factors.isInvertible())
-            return std::nullopt;
-        Vector2d by = factors.solve(way);
-        const Vector2d end = ends(at);
-        for (const int k : {0, 1})  // along the edge if the way leads out of the patch
-            if (end[k] * by[k] > 0) {
-                by[k] = 0;
-                by[1 - k] = plan.col(1 - k).dot(way) / plan.col(1 - k).squaredNorm();
-            }
-        return Vector2d{(at + by).cwiseMax(low_).cwiseMin(high_)};
-    }
+    Vector2d ends(const Vector2d& at) const { return ends_at(at, low_, high_); }
 
     bool is_at_rim() const
     {
@@ -314,6 +281,41 @@ private:
 };
 
 }  // namespace
+
+std::optional<Vector2d> place_below(const Surface& surface, const Vector2d& start,
+                                    const Cutter& cutter, const Vector2d& axis)
+{
+    const Interval u = surface.range(Parameter::U);
+    const Interval v = surface.range(Parameter::V);
+    const Vector2d low{u.low, v.low};
+    const Vector2d high{u.high, v.high};
+    Vector2d at = start.cwiseMax(low).cwiseMin(high);
+    for (int round = 0; round < most_rounds; ++round) {
+        const SurfaceTangents here = surface.tangents(at.x(), at.y());
+        Matrix2d plan;
+        plan << here.du.head<2>(), here.dv.head<2>();
+        const Vector2d across = here.point.head<2>() - axis;
+        const double rho = across.norm();
+        if (rho < cutter.radius())
+            return at;
+        const Vector2d way = (below_share * cutter.radius() / rho - 1) * across;
+        const Eigen::FullPivLU<Matrix2d> factors{plan};
+        if (!factors.isInvertible())
+            return std::nullopt;
+        Vector2d by = factors.solve(way);
+        const Vector2d end = ends_at(at, low, high);
+        for (const int k : {0, 1})  // along the edge if the way leads out of the surface
+            if (end[k] * by[k] > 0) {
+                by[k] = 0;
+                by[1 - k] = plan.col(1 - k).dot(way) / plan.col(1 - k).squaredNorm();
+            }
+        const Vector2d next = (at + by).cwiseMax(low).cwiseMin(high);
+        if (next == at)
+            return std::nullopt;
+        at = next;
+    }
+    return std::nullopt;
+}
 
 std::optional<PatchContact> climb(const Surface& surface, PatchNumber patch,
                                   const Vector2d& start, const Cutter& cutter,

@@ -43,9 +43,12 @@ std::optional<PartContact> SmoothDrop::climb(const PartPlace& start,
                                              const Eigen::Vector2d& axis) const
 {
     const Surface& surface = surfaces_[start.surface];
-    const PatchNumber first{surface.patch_number(Parameter::U, start.at.u),
-                            surface.patch_number(Parameter::V, start.at.v)};
-    auto found = endmill::climb(surface, first, {start.at.u, start.at.v}, cutter_, axis);
+    const auto below = place_below(surface, {start.at.u, start.at.v}, cutter_, axis);
+    if (!below)
+        return std::nullopt;
+    const PatchNumber first{surface.patch_number(Parameter::U, below->x()),
+                            surface.patch_number(Parameter::V, below->y())};
+    auto found = endmill::climb(surface, first, *below, cutter_, axis);
     if (!found)
         return std::nullopt;
     const auto has = [&](const PatchNumber& patch) {
