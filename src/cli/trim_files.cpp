@@ -24,8 +24,6 @@
 namespace endmill {
 namespace {
 
-constexpr double clear_above = 5;  // mm between the part and rapids, as `plan` has it
-
 std::vector<std::vector<SectionCurve>> curves_of(const TrimInput& input)
 {
     std::vector<std::vector<SectionCurve>> curves;
@@ -56,8 +54,7 @@ ToolPath linked(const TrimInput& input, const TrimOptions& options,
         planes.push_back({input.planes->positions[k], trimmed[k].curves});
     LinkOptions link;
     link.order = options.order;
-    link.safe_height =
-        options.safe_height.value_or(input.highest + options.allowance + clear_above);
+    link.safe_height = safe_height(input, options);
     return link_sections(planes, input.planes->frame, *options.cutter, link);
 }
 

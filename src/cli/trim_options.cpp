@@ -23,6 +23,10 @@ constexpr std::array boundaries{
 constexpr std::array orders{Choice<PassOrder>{"zigzag", PassOrder::ZigZag},
                             Choice<PassOrder>{"one-way", PassOrder::OneWay}};
 
+// What says something of a part and its path, and nothing of curves that are given.
+constexpr std::array part_options{
+    "--units", "--up",       "--planes",    "--pitch", "--scallop",    "--direction-deg",
+    "--grid",  "--boundary", "--allowance", "--order", "--safe-height"};
 constexpr const char* all_methods = "all";
 // Of the ball's radius; of the curves' extent in z where there is no cutter.
 constexpr double step_share_of_radius = 1.0 / 500;
@@ -72,8 +76,14 @@ void add_method_options(CLI::App& command, TrimOptions& options)
         options.scan_threshold);
     add_choice<BranchSearch>(command, "--m3", options.search, searches,
                              "how method 3 goes through two branches; default march");
-    command.add_flag("--explain", options.explain,
-                     "a column in loops.csv: which rule cut it out");
+    command.add_flag(
+        "--explain", options.explain,
+        "a column `rule` in loops.csv: below the envelope, winding number; valley "
+        "(behind "
+        "a crossing), E1, E2 (a tail at the end, the beginning), E3 (a branch too "
+        "short); "
+        "literal P4, P3 (signs of dz), with `cut` where no crossing was found; closed; "
+        "outside the range");
 }
 
 void add_plane_options(CLI::App& command, TrimOptions& options)
@@ -138,6 +148,9 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
         {"--figure", "number of a plane to be drawn before and after", 0, most_planes},
         [&options](int plane) { options.figure = plane; });
     add_common_options(command, options.common);
+    CLI::Option* const polyline = command.get_option("--polyline");
+    for (const char* name : part_options)
+        command.get_option(name)->excludes(polyline);
 }
 
 void require_option(bool holds, const std::string& what)
@@ -153,6 +166,8 @@ void check_trim_options(const TrimOptions& options)
     require_option(has_curves != !options.part.path.empty(),
                    "expected PART or --polyline, one of them");
     require_option(has_curves || options.cutter, "--cutter is needed, such as ball:20");
+    require_option(!has_curves || !options.cutter,
+                   "--cutter and --polyline: curves are trimmed as they are");
     require_option(!has_curves || !options.refine,
                    "--refine and --polyline: curves have no surface to be refined on");
     require_option(int{options.planes.has_value()} + int{options.pitch.has_value()} +

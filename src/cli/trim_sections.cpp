@@ -22,6 +22,7 @@ namespace endmill {
 namespace {
 
 constexpr int default_planes = 100;
+constexpr double clear_above = 5;  // mm between the part and rapids, as `plan` has it
 
 using Clock = std::chrono::steady_clock;
 
@@ -147,6 +148,27 @@ TrimInput read_trim_input(const TrimOptions& options)
     else
         add_surface_sections(std::get<std::vector<Surface>>(*input.part), options, input);
     return input;
+}
+
+double safe_height(const TrimInput& input, const TrimOptions& options)
+{
+    return options.safe_height.value_or(input.highest + options.allowance + clear_above);
+}
+
+std::optional<double> pick_feed(const DrivePlanes& planes)
+{
+    const std::vector<double>& at = planes.positions;
+    return at.size() < 2 ? std::nullopt : std::optional{at[1] - at[0]};
+}
+
+std::optional<double> level_scallop(double pitch, const Cutter& cutter)
+{
+    const double over = pitch - 2 * cutter.flat_radius();
+    if (over <= 0)
+        return 0;
+    if (over >= 2 * cutter.corner_radius())
+        return std::nullopt;
+    return scallop_height(BallCutter{cutter.corner_radius()}, 0, over);
 }
 
 CreaseTest crease_test(const TrimInput& input, std::size_t plane)

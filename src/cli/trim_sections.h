@@ -38,6 +38,16 @@ struct TrimInput {
 ///         offset_mesh and drive_planes.
 TrimInput read_trim_input(const TrimOptions& options);
 
+/// Height in mm at which the cutter moves freely.
+double safe_height(const TrimInput& input, const TrimOptions& options);
+
+/// The distance between neighbouring planes, mm; nothing if there is one.
+std::optional<double> pick_feed(const DrivePlanes& planes);
+
+/// The scallop in mm that passes `pitch` mm apart leave on level ground, the inverse of what
+/// --scallop asks for; nothing where they leave ground between them.
+std::optional<double> level_scallop(double pitch, const Cutter& cutter);
+
 /// Whether a point of plane `plane` is a contact on a concave crease.
 CreaseTest crease_test(const TrimInput& input, std::size_t plane);
 

@@ -9,6 +9,7 @@
 #include "cli/console.h"
 #include "endmill/core/numbers.h"
 #include "endmill/interference/trimming.h"
+#include "endmill/path/path_lengths.h"
 
 namespace endmill {
 namespace {
@@ -16,6 +17,20 @@ namespace {
 Json or_null(const std::optional<double>& value)
 {
     return value ? finite_or_null(*value) : Json(nullptr);
+}
+
+// Where the path goes, and how far.
+void add_path(Json& summary, const TrimInput& input, const TrimOptions& options,
+              const TrimResult& result)
+{
+    const PathLengths lengths = path_lengths(result.path);
+    summary["cut_mm"] = lengths.at_feed_mm;
+    summary["rapid_mm"] = lengths.lifted_mm;
+    summary["safe_height_mm"] = safe_height(input, options);
+    const std::optional<double> pitch = pick_feed(*input.planes);
+    summary["pitch_mm"] = or_null(pitch);
+    summary["level_scallop_mm"] =
+        or_null(pitch ? level_scallop(*pitch, *options.cutter) : std::nullopt);
 }
 
 void add_counts(Json& summary, const TrimResult& result)
@@ -82,6 +97,8 @@ Json trim_summary(const TrimInput& input, const TrimOptions& options,
             summary["unrefined"] = *result.unrefined;
     }
     add_settings(summary, options, result.options);
+    if (input.planes)
+        add_path(summary, input, options, result);
     if (input.part)
         summary["interpolation"] = "linear";
     return summary;

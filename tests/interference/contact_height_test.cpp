@@ -59,10 +59,10 @@ TEST(ContactHeight, DerivativesAreThoseOfTheHeight)
                 const ContactHeight less = at(-way.x(), -way.y(), still);
                 EXPECT_NEAR(here.gradient[k], (more.value - less.value) / (2 * h), 1e-8);
                 EXPECT_NEAR(here.rim_gradient[k], (more.rim - less.rim) / (2 * h), 1e-8);
-                EXPECT_LT((here.hessian.col(k) -
-                           (more.gradient - less.gradient) / (2 * h))
-                              .norm(),
-                          1e-8);
+                EXPECT_LT(
+                    (here.hessian.col(k) - (more.gradient - less.gradient) / (2 * h))
+                        .norm(),
+                    1e-8);
                 EXPECT_LT((here.rim_hessian.col(k) -
                            (more.rim_gradient - less.rim_gradient) / (2 * h))
                               .norm(),

@@ -199,9 +199,9 @@ private:
             top = std::max(top, at(low + k * step));
         for (int k = 0; k < border_samples; ++k)
             if (at(low + (k + 0.5) * step) >= top - near_share * cutter_.radius())
-                top = std::max(top, golden_top(at, low + std::max(k - 1, 0) * step,
-                                               low + std::min(k + 2, border_samples) *
-                                                         step));
+                top = std::max(top,
+                               golden_top(at, low + std::max(k - 1, 0) * step,
+                                          low + std::min(k + 2, border_samples) * step));
         return top;
     }
 

@@ -17,8 +17,8 @@ const test::Polynomial slope = test::monomial(1, 0, 0.3) + test::monomial(0, 1, 
 const test::Rectangle square{{-10, 10}, {-10, 10}};
 
 std::optional<PatchContact> climb_from(const Surface& surface,
-                                       const Eigen::Vector2d& start,
-                                       const Cutter& cutter, const Eigen::Vector2d& axis)
+                                       const Eigen::Vector2d& start, const Cutter& cutter,
+                                       const Eigen::Vector2d& axis)
 {
     const auto below = place_below(surface, start, cutter, axis);
     return below ? climb(surface, {0, 0}, *below, cutter, axis) : std::nullopt;
@@ -32,8 +32,7 @@ TEST(PatchClimb, RestsOnAPlaneByItsNormal)
     const double level = std::hypot(0.3, 0.2);
     for (const Cutter& cutter : cutters) {
         const Eigen::Vector2d axis{1, 2};
-        const double expected = 0.3 * 1 - 0.2 * 2 +
-                                cutter.corner_radius() / normal.z() +
+        const double expected = 0.3 * 1 - 0.2 * 2 + cutter.corner_radius() / normal.z() +
                                 cutter.flat_radius() * level;
         for (const Eigen::Vector2d& start :
              {Eigen::Vector2d{0.5, 0.5}, {0.1, 0.9}, {0, 0}, {1, 1}}) {
@@ -69,9 +68,9 @@ TEST(PatchClimb, RestsOnAnEdgeAndInACorner)
 
 TEST(PatchClimb, FindsTheTopThatDenseSamplesFind)
 {
-    const test::Polynomial hills = test::monomial(2, 0, -0.03) +
-                                   test::monomial(0, 2, -0.02) +
-                                   test::monomial(1, 1, 0.013) + test::monomial(1, 0, 0.2);
+    const test::Polynomial hills =
+        test::monomial(2, 0, -0.03) + test::monomial(0, 2, -0.02) +
+        test::monomial(1, 1, 0.013) + test::monomial(1, 0, 0.2);
     const test::PlanPart part = test::plan_graph(hills, square);
     const Surface surface = test::graph(hills, square);
     test::Random random{5};
@@ -88,7 +87,8 @@ TEST(PatchClimb, FindsTheTopThatDenseSamplesFind)
 TEST(PatchClimb, TellsHowTheHeightGoesOn)
 {
     const test::Polynomial hills = test::monomial(2, 0, -0.03) +
-                                   test::monomial(0, 2, -0.02) + test::monomial(1, 0, 0.2);
+                                   test::monomial(0, 2, -0.02) +
+                                   test::monomial(1, 0, 0.2);
     const Surface surface = test::graph(hills, square);
     constexpr double h = 1e-5;
     for (const Cutter& cutter : cutters)

@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include "dense_drop.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/interference/clearance.h"
-#include "dense_drop.h"
 #include "endmill/interference/trimmed_planes.h"
 #include "offset_parts.h"
 #include "trimmed_curves.h"
@@ -158,21 +158,20 @@ double bernstein(const std::array<double, 4>& c, double t)
            c[3] * t * t * t;
 }
 
-// The valley's x depends on u alone, y on v: u by bisection.
+// The valley's x depends on u alone, y on v: u by Newton's method, from x / 100 on, where
+// x' is 60 at least.
 KnownPart valley()
 {
-    return {{test::narrowing_valley()},
-            {{{0, 100}, {0, 100}}, [](double x, double y) {
-                 double low = 0;
-                 double high = 1;
-                 for (int halving = 0; halving < 52; ++halving) {
-                     const double u = (low + high) / 2;
-                     (bernstein({0, 60, 40, 100}, u) < x ? low : high) = u;
-                 }
-                 const double outer = bernstein({40, 45, 55, 60}, y / 100);
-                 const double inner = bernstein({20, 0, -20, -40}, y / 100);
-                 return bernstein({outer, inner, inner, outer}, (low + high) / 2);
-             }}};
+    const auto height = [](double x, double y) {
+        double u = x / 100;
+        for (int round = 0; round < 6; ++round)
+            u -= (bernstein({0, 60, 40, 100}, u) - x) /
+                 (180 * (1 - u) * (1 - u) - 120 * u * (1 - u) + 180 * u * u);
+        const double outer = bernstein({40, 45, 55, 60}, y / 100);
+        const double inner = bernstein({20, 0, -20, -40}, y / 100);
+        return bernstein({outer, inner, inner, outer}, u);
+    };
+    return {{test::narrowing_valley()}, {{{0, 100}, {0, 100}}, height}};
 }
 
 // A crease that turns down, one that turns up, and corners where they meet.
@@ -227,29 +226,29 @@ TEST_P(RefinedHeights, AreThoseOfADenseDropWhateverTheGrid)
                         const SectionPoint& point = curve.points[i].at;
                         const Vec3 axis =
                             frame.point(point.x(), sections.planes.positions[k], 0);
-                        EXPECT_NEAR(
-                            point.y(),
-                            test::DenseDrop(part.plan, cutter, axis.x(), axis.y())
-                                .height(),
-                            1e-4)
+                        EXPECT_NEAR(point.y(),
+                                    test::DenseDrop(part.plan, cutter, axis.x(), axis.y())
+                                        .height(),
+                                    1e-4)
                             << "grid " << grid << ", " << degrees << " deg, plane " << k
                             << ", s = " << point.x();
                     }
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    OfPartsAndCutters, RefinedHeights,
-    testing::Values(Case{"ValleyByBall", valley, Cutter::ball(10)},
-                    Case{"ValleyByBullNose", valley, Cutter{10, 3}},
-                    Case{"ValleyByFlat", valley, Cutter::flat(10)},
-                    Case{"BumpyByBall", bumpy, Cutter::ball(8)},
-                    Case{"BumpyByBullNose", bumpy, Cutter{8, 2}},
-                    Case{"BumpyByFlat", bumpy, Cutter::flat(8)},
-                    Case{"FoldedByBall", folded, Cutter::ball(3)},
-                    Case{"FoldedByBullNose", folded, Cutter{3, 1}},
-                    Case{"FoldedByFlat", folded, Cutter::flat(3)}),
-    [](const auto& tested) { return std::string{tested.param.name}; });
+INSTANTIATE_TEST_SUITE_P(OfPartsAndCutters, RefinedHeights,
+                         testing::Values(Case{"ValleyByBall", valley, Cutter::ball(10)},
+                                         Case{"ValleyByBullNose", valley, Cutter{10, 3}},
+                                         Case{"ValleyByFlat", valley, Cutter::flat(10)},
+                                         Case{"BumpyByBall", bumpy, Cutter::ball(8)},
+                                         Case{"BumpyByBullNose", bumpy, Cutter{8, 2}},
+                                         Case{"BumpyByFlat", bumpy, Cutter::flat(8)},
+                                         Case{"FoldedByBall", folded, Cutter::ball(3)},
+                                         Case{"FoldedByBullNose", folded, Cutter{3, 1}},
+                                         Case{"FoldedByFlat", folded, Cutter::flat(3)}),
+                         [](const auto& tested) {
+                             return std::string{tested.param.name};
+                         });
 
 TEST(RefinedPlanes, RefuseAnotherNumberOfPlanes)
 {

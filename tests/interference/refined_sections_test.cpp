@@ -112,8 +112,8 @@ TEST(RefinedSections, TouchNoEdgeIfTheOffsetHasNone)
     for (const TrimmedPoint& point : result.curves[0].points) {
         double least = 1e300;
         for (double x = -12; x <= 12; x += 1e-3)
-            least = std::min(least,
-                             std::hypot(x - point.at.x(), x * x / 8 - point.at.y()));
+            least =
+                std::min(least, std::hypot(x - point.at.x(), x * x / 8 - point.at.y()));
         EXPECT_GT(least, 7 - 1e-4);
     }
 }

@@ -50,18 +50,18 @@ TEST(SmoothDrop, RestsOnCreasesOfOneSurfaceAndOfSeveral)
     // A ridge within a surface, and four facets of their own that meet in a tip.
     const std::vector<Surface> ridge{test::valley(10, 20, -0.5)};
     const std::vector<Surface> pyramid = test::pyramid(10, 0.5);
-    const test::PlanPart ridge_plan{
-        {{-10, 10}, {0, 20}}, [](double x, double) { return -0.5 * std::abs(x); }};
-    const test::PlanPart pyramid_plan{
-        {{-10, 10}, {-10, 10}},
-        [](double x, double y) { return -0.5 * (std::abs(x) + std::abs(y)); }};
+    const test::PlanPart ridge_plan{{{-10, 10}, {0, 20}},
+                                    [](double x, double) { return -0.5 * std::abs(x); }};
+    const test::PlanPart pyramid_plan{{{-10, 10}, {-10, 10}}, [](double x, double y) {
+                                          return -0.5 * (std::abs(x) + std::abs(y));
+                                      }};
     test::Random random{4};
     for (const Cutter& cutter : cutters)
         for (int k = 0; k < 10; ++k) {
             const Eigen::Vector2d axis{random.uniform(-3, 3), random.uniform(-3, 3)};
-            EXPECT_NEAR(
-                height_over(SmoothDrop{ridge, cutter}, {0, {0.9, 0.5}}, axis),
-                test::DenseDrop(ridge_plan, cutter, axis.x(), axis.y()).height(), 1e-5);
+            EXPECT_NEAR(height_over(SmoothDrop{ridge, cutter}, {0, {0.9, 0.5}}, axis),
+                        test::DenseDrop(ridge_plan, cutter, axis.x(), axis.y()).height(),
+                        1e-5);
             EXPECT_NEAR(
                 height_over(SmoothDrop{pyramid, cutter}, {0, {0.9, 0.9}}, axis),
                 test::DenseDrop(pyramid_plan, cutter, axis.x(), axis.y()).height(), 1e-5);
@@ -73,12 +73,14 @@ TEST(SmoothDrop, RestsOnCreasesOfOneSurfaceAndOfSeveral)
 
 TEST(SmoothDrop, CrossesSmoothJointsOfPatches)
 {
-    const test::Polynomial hill = test::monomial(2, 0, -0.02) + test::monomial(0, 2, -0.03);
+    const test::Polynomial hill =
+        test::monomial(2, 0, -0.02) + test::monomial(0, 2, -0.03);
     const test::Rectangle over{{-10, 10}, {-10, 10}};
     const std::vector<Surface> whole{test::graph(hill, over)};
     const std::vector<Surface> parts{test::graph(hill, over, {4, 5})};
     for (const Cutter& cutter : cutters)
-        for (const Eigen::Vector2d& axis : {Eigen::Vector2d{-6, 7}, {0, 0}, {4.9, -2.1}}) {
+        for (const Eigen::Vector2d& axis :
+             {Eigen::Vector2d{-6, 7}, {0, 0}, {4.9, -2.1}}) {
             const auto one = SmoothDrop{whole, cutter}.climb({0, {0.4, 0.6}}, axis);
             const auto other = SmoothDrop{parts, cutter}.climb({0, {3.9, 0.1}}, axis);
             ASSERT_TRUE(one && other);

@@ -19,7 +19,8 @@ struct PlanFunction {
 // The cutter's surface above its tip over `across` from its axis; nothing where it stands
 // upright. With d = rho - (R - r) and w^2 = r^2 - d^2 it is d^2 / (r + w), its derivatives
 // by rho are d / w and r^2 / w^3.
-std::optional<PlanFunction> profile_at(const Cutter& cutter, const Eigen::Vector2d& across)
+std::optional<PlanFunction> profile_at(const Cutter& cutter,
+                                       const Eigen::Vector2d& across)
 {
     const double rho = across.norm();
     const double beyond = rho - cutter.flat_radius();
@@ -62,16 +63,15 @@ std::optional<ContactHeight> contact_height(const SurfaceJet& jet, const Cutter&
     };
     const Vec3 up{-profile->gradient.x(), -profile->gradient.y(), 1};
     const Vec3 out{across.x(), across.y(), 0};
-    return ContactHeight{
-        jet.point,
-        jet.point.z() + cutter.corner_radius() - profile->value,
-        {up.dot(jet.du), up.dot(jet.dv)},
-        bent(up) - plan.transpose() * profile->hessian * plan,
-        rim,
-        plan.transpose() * across,
-        bent(out) + plan.transpose() * plan,
-        profile->gradient,
-        {jet.du.norm(), jet.dv.norm()}};
+    return ContactHeight{jet.point,
+                         jet.point.z() + cutter.corner_radius() - profile->value,
+                         {up.dot(jet.du), up.dot(jet.dv)},
+                         bent(up) - plan.transpose() * profile->hessian * plan,
+                         rim,
+                         plan.transpose() * across,
+                         bent(out) + plan.transpose() * plan,
+                         profile->gradient,
+                         {jet.du.norm(), jet.dv.norm()}};
 }
 
 }  // namespace endmill

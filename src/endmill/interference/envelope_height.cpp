@@ -17,7 +17,9 @@ EnvelopeHeight::EnvelopeHeight(std::span<const SectionCurve> curves)
 
 std::optional<double> EnvelopeHeight::at(double s) const
 {
-    const auto is_before = [](const Point& point, double at) { return point.at.x() < at; };
+    const auto is_before = [](const Point& point, double at) {
+        return point.at.x() < at;
+    };
     auto next = std::lower_bound(points_.begin(), points_.end(), s, is_before);
     std::optional<double> height;
     if (next != points_.begin() && next != points_.end() && next->is_joined) {

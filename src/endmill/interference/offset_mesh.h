@@ -42,9 +42,12 @@ struct OffsetOptions {
     int grid_lines = 200;  ///< along each parameter of each surface, at least 2
     BoundaryContact boundary = BoundaryContact::Contact;
     double allowance = 0;  ///< mm of stock to leave between part and cutter
-    /// Greatest chord error in mm of an arc in a strip, less than the 1e-3 of the spec: over
-    /// corners, where chords err in two directions at once, it is up to four times as
-    /// much, and should not exceed that of sheets of 400 grid lines.
+    /// Greatest chord error in mm of an arc in a strip, along the normal, less than the 1e-3
+    /// of the spec: it should not exceed that of sheets of 400 grid lines. Over corners of a
+    /// part up to (1 + 1 / N_z)^2 times as much, N_z the corner's own: 4 on level ground. For
+    /// a triangle errs there by l^2 / 8R, l its longest edge, a step a along a chain and what
+    /// parts two chains, at most a / N_z: those from a tilted normal part where they pass
+    /// over the top. In z it is 1 / N_z of the contact as much.
     double arc_tolerance = 1.25e-4;
     std::size_t most_vertices = 100'000'000;  ///< of all sheets
 };

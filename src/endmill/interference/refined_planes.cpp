@@ -38,11 +38,10 @@ void for_each_plane(const SectionSource& source, std::span<const Trimmed> trimme
 RefinedPlanes refine_planes(const SectionSource& source, std::span<const Trimmed> trimmed)
 {
     std::vector<RefinedCurves> all(trimmed.size());
-    for_each_plane(
-        source, trimmed,
-        [&](std::size_t k, const SampledSection& sampled, FinerPieces& finer) {
-            all[k] = refined(sampled, trimmed[k].curves, finer);
-        });
+    for_each_plane(source, trimmed,
+                   [&](std::size_t k, const SampledSection& sampled, FinerPieces& finer) {
+                       all[k] = refined(sampled, trimmed[k].curves, finer);
+                   });
     RefinedPlanes result;
     for (RefinedCurves& plane : all) {
         result.curves.push_back(std::move(plane.curves));
@@ -55,11 +54,10 @@ RefinedPlanes refine_planes(const SectionSource& source, std::span<const Trimmed
 double sampling_error(const SectionSource& source, std::span<const Trimmed> trimmed)
 {
     std::vector<double> shifts(trimmed.size());
-    for_each_plane(
-        source, trimmed,
-        [&](std::size_t k, const SampledSection& sampled, FinerPieces& finer) {
-            shifts[k] = greatest_shift(sampled, trimmed[k].curves, 0, finer);
-        });
+    for_each_plane(source, trimmed,
+                   [&](std::size_t k, const SampledSection& sampled, FinerPieces& finer) {
+                       shifts[k] = greatest_shift(sampled, trimmed[k].curves, 0, finer);
+                   });
     return shifts.empty() ? 0 : *std::ranges::max_element(shifts);
 }
 

@@ -54,9 +54,9 @@ public:
             is_step = is_step || points[first].kind == TrimmedKind::Link;
         }
         const auto height = envelope_.at(s);
-        return height && (is_step || points[k].at.y() >=
-                                         *height - below_envelope *
-                                                       sampled_.offset.cutter.radius());
+        return height && (is_step ||
+                          points[k].at.y() >=
+                              *height - below_envelope * sampled_.offset.cutter.radius());
     }
 
     // The highest contact that is uphill from where a point was sampled.

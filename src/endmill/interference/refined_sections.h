@@ -25,7 +25,8 @@ struct RefinedCurves {
     std::vector<TrimmedCurve> curves;
     std::size_t refined = 0;    ///< points at which the cutter now rests on the part
     std::size_t unrefined = 0;  ///< points kept as sampled
-    double greatest_shift = 0;  ///< mm in z of a point, or of a crossing over its old place
+    double greatest_shift =
+        0;  ///< mm in z of a point, or of a crossing over its old place
 };
 
 /// Lets the cutter down on the smooth part at every point that is left in a plane and
