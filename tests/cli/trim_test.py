@@ -2,6 +2,7 @@
 """endmill trim: what it writes for surfaces, meshes and curves, and what it refuses."""
 import csv
 import json
+import math
 import struct
 import unittest
 
@@ -88,6 +89,16 @@ class Trim(ProgramTest):
         self.assertGreater(facts["loops"], 0)
         self.assertLess(facts["max_gouge_mm"], 0.05)
         out = self.folder / "out"
+        points = [(row["move"], [float(row[f"tip_{axis}_mm"]) for axis in "xyz"]) for row in table(out / "toolpath.csv")]
+        lengths = {"cut": 0.0, "lifted": 0.0}
+        for (_, before), (move, behind) in zip(points, points[1:]):
+            lengths["cut" if move == "cut" else "lifted"] += math.dist(before, behind)
+        self.assertAlmostEqual(facts["cut_mm"], lengths["cut"], delta=1e-6)
+        self.assertAlmostEqual(facts["rapid_mm"], lengths["lifted"], delta=1e-6)
+        self.assertEqual(facts["safe_height_mm"], max(tip[2] for _, tip in points))
+        self.assertAlmostEqual(facts["pitch_mm"], 100 / 12, delta=1e-9)
+        # Of two circles of radius 10 that far apart.
+        self.assertAlmostEqual(facts["level_scallop_mm"], 10 - math.sqrt(100 - (50 / 12) ** 2), delta=1e-9)
         for name in ("section-10.svg", "trimmed.svg"):
             self.assertIn("<svg", (out / name).read_text(encoding="utf-8"))
         judged = endmill("verify", out / "toolpath.csv", "--part", VALLEY, "--cutter", "ball:20", "--resolution", "1",

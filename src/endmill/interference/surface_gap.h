@@ -15,8 +15,8 @@ namespace endmill {
 struct SurfaceGap {
     double gap;
     Vec3 point;
-    std::size_t surface;  ///< number of its surface
-    SurfacePoint at;
+    std::size_t surface = 0;  ///< number of its surface; of a mesh no more is known
+    SurfacePoint at{};
 };
 
 /// The point of the surfaces nearest to the cutter, or deepest in it, its gap known to
