@@ -61,7 +61,8 @@ TEST(RefinedSections, PutInACrossingThatWasNotSampled)
     std::erase_if(curves[0].points, [](const TrimmedPoint& point) {
         return point.kind == TrimmedKind::Crossing;
     });
-    const auto& points = trough.refine(curves).curves[0].points;
+    const RefinedCurves result = trough.refine(curves);
+    const auto& points = result.curves[0].points;
     const auto found =
         std::ranges::find(points, TrimmedKind::Crossing, &TrimmedPoint::kind);
     ASSERT_NE(found, points.end());
