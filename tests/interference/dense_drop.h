@@ -21,6 +21,8 @@ namespace endmill::test {
 struct PlanPart {
     Rectangle over;
     std::function<double(double, double)> height;  ///< z in mm at x, y
+    /// Lines in x and y along which it is bent: samples miss tops on them.
+    std::vector<std::array<Eigen::Vector2d, 2>> creases = {};
 };
 
 inline double value_at(const Polynomial& polynomial, double x, double y)
@@ -33,7 +35,7 @@ inline double value_at(const Polynomial& polynomial, double x, double y)
 /// The part of `graph`.
 inline PlanPart plan_graph(const Polynomial& height, const Rectangle& over)
 {
-    return {over, [height](double x, double y) { return value_at(height, x, y); }};
+    return {over, [height](double x, double y) { return value_at(height, x, y); }, {}};
 }
 
 /// The greatest value of `f` between two places if it has one hill there.
@@ -172,10 +174,12 @@ private:
         double top = lowest;
         for (int k = 0; k < 4; ++k)
             top = std::max(top, border_top(corners[k], corners[k + 1]));
+        for (const auto& [from, to] : part_.creases)
+            top = std::max(top, border_top(from, to));
         return top;
     }
 
-    // Along what of a side is below the cutter.
+    // Along what of a side or a crease is below the cutter.
     double border_top(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const
     {
         const double length = (to - from).norm();

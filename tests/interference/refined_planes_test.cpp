@@ -171,7 +171,7 @@ KnownPart valley()
         const double inner = bernstein({20, 0, -20, -40}, y / 100);
         return bernstein({outer, inner, inner, outer}, u);
     };
-    return {{test::narrowing_valley()}, {{{0, 100}, {0, 100}}, height}};
+    return {{test::narrowing_valley()}, {{{0, 100}, {0, 100}}, height, {}}};
 }
 
 // A crease that turns down, one that turns up, and corners where they meet.
@@ -184,7 +184,8 @@ KnownPart folded()
     for (const Interval& y : {Interval{-9, 0}, Interval{0, 9}})
         for (const Interval& x : {Interval{-9, 0}, Interval{0, 9}})
             facets.push_back(test::facet({x, y}, height));
-    return {std::move(facets), {{{-9, 9}, {-9, 9}}, height}};
+    return {std::move(facets),
+            {{{-9, 9}, {-9, 9}}, height, {{{{0, -9}, {0, 9}}}, {{{-9, 0}, {9, 0}}}}}};
 }
 
 struct Case {
