@@ -51,10 +51,12 @@ TEST(SmoothDrop, RestsOnCreasesOfOneSurfaceAndOfSeveral)
     const std::vector<Surface> ridge{test::valley(10, 20, -0.5)};
     const std::vector<Surface> pyramid = test::pyramid(10, 0.5);
     const test::PlanPart ridge_plan{{{-10, 10}, {0, 20}},
-                                    [](double x, double) { return -0.5 * std::abs(x); }};
-    const test::PlanPart pyramid_plan{{{-10, 10}, {-10, 10}}, [](double x, double y) {
-                                          return -0.5 * (std::abs(x) + std::abs(y));
-                                      }};
+                                    [](double x, double) { return -0.5 * std::abs(x); },
+                                    {{{{0, 0}, {0, 20}}}}};
+    const test::PlanPart pyramid_plan{
+        {{-10, 10}, {-10, 10}},
+        [](double x, double y) { return -0.5 * (std::abs(x) + std::abs(y)); },
+        {{{{0, -10}, {0, 10}}}, {{{-10, 0}, {10, 0}}}}};
     test::Random random{4};
     for (const Cutter& cutter : cutters)
         for (int k = 0; k < 10; ++k) {
