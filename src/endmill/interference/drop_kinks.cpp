@@ -85,14 +85,11 @@ private:
             const auto b = moved(right.contact, s);
             if (!a && !b)
                 return std::nullopt;
-            const double lead = !a   ? -infinite
-                                : !b ? infinite
-                                     : lead_of(*a, *b, left.contact, right.contact);
-            const DropRest rest{s, lead > 0 ? *a : *b};
-            double next = right.s;
-            if (a && b)
-                next = tangents_meet({s, *a}, {s, *b});
-            (lead > 0 ? left : right) = rest;
+            const double lead = lead_of(a, b, left.contact, right.contact);
+            const bool is_left = lead > 0;
+            const DropRest rest{s, is_left ? *a : *b};
+            (is_left ? left : right) = rest;
+            const double next = a && b ? tangents_meet({s, *a}, {s, *b}) : right.s;
             if (std::abs(lead) <= same_height || std::abs(next - s) <= same_place ||
                 right.s - left.s <= same_place)
                 return rest;
@@ -101,14 +98,18 @@ private:
         return std::nullopt;
     }
 
-    // How much higher the contact `a`, once at `left`, is than `b`, once at `right`.
-    static double lead_of(const PartContact& a, const PartContact& b,
-                          const PartContact& left, const PartContact& right)
+    // How much higher the contact `a`, once at `left`, is than `b`, once at `right`. One
+    // that is lost is below all.
+    static double lead_of(const std::optional<PartContact>& a,
+                          const std::optional<PartContact>& b, const PartContact& left,
+                          const PartContact& right)
     {
-        if ((a.on.point - b.on.point).norm() > same_contact)
-            return a.on.height - b.on.height;
-        const double from_left = (a.on.point - left.on.point).norm();
-        const double from_right = (a.on.point - right.on.point).norm();
+        if (!a || !b)
+            return a ? infinite : -infinite;
+        if ((a->on.point - b->on.point).norm() > same_contact)
+            return a->on.height - b->on.height;
+        const double from_left = (a->on.point - left.on.point).norm();
+        const double from_right = (a->on.point - right.on.point).norm();
         return from_left < from_right ? infinite : -infinite;
     }
 
