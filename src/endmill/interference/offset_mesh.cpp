@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include "endmill/core/error.h"
+#include "endmill/core/large_pages.h"
 #include "endmill/core/parallel.h"
 #include "endmill/cutter/reference_point.h"
 #include "endmill/interference/boundary_strips.h"
@@ -14,6 +16,7 @@
 #include "endmill/interference/offset_sheet.h"
 #include "endmill/interference/sheet_sides.h"
 #include "endmill/mesh/disjoint_sets.h"
+#include "endmill/surface/patch_rows.h"
 #include "endmill/surface/patch_sides.h"
 #include "endmill/surface/tool_side.h"
 
@@ -39,21 +42,79 @@ void check(std::span<const Surface> surfaces, const OffsetOptions& options)
                          std::to_string(options.most_vertices)};
 }
 
-// Fills in the vertices of row j.
-void add_row(const OffsetSheet& sheet, const Surface& surface, Index j,
-             OffsetDraft& draft)
-{
-    for (Index i = 0; i < sheet.columns(); ++i) {
-        const SurfaceTangents tangents = tangents_at(sheet, surface, i, j);
-        const Vec3 normal = normal_at(sheet, surface, i, j, tangents);
-        const Index vertex = sheet.vertex(i, j);
+// The vertices of a sheet, row by row.
+class SheetRows {
+public:
+    SheetRows(const OffsetSheet& sheet, const Surface& surface)
+        : sheet_{sheet},
+          surface_{surface}
+    {
+        for (Index begin = 0, end = 0; begin < sheet.columns(); begin = end) {
+            const int patch = sheet.u[begin].patch;
+            while (end < sheet.columns() && sheet.u[end].patch == patch)
+                ++end;
+            stretches_.push_back(
+                {begin, end, rows_of(begin, end, sheet.v.front().patch)});
+        }
+    }
+
+    // Fills in the vertices of row j.
+    void add_row(Index j, OffsetDraft& draft) const
+    {
+        const SheetLine& v = sheet_.v[j];
+        for (const Stretch& stretch : stretches_) {
+            const auto& patch = surface_.patch(sheet_.u[stretch.begin].patch, v.patch);
+            const double at = local(Parameter::V, v);
+            const bool is_its = patch.degree(Parameter::U) == stretch.rows.degree();
+            const TangentRow row =
+                is_its ? stretch.rows.at(patch, at)
+                       : rows_of(stretch.begin, stretch.end, v.patch).at(patch, at);
+            for (Index i = stretch.begin; i < stretch.end; ++i)
+                add_vertex(i, j, row.row(i - stretch.begin), draft);
+        }
+    }
+
+private:
+    // Columns in one patch.
+    struct Stretch {
+        Index begin;
+        Index end;
+        PatchRows rows;
+    };
+
+    double local(Parameter along, const SheetLine& line) const
+    {
+        const auto breaks = surface_.breaks(along);
+        return (line.parameter - breaks[line.patch]) /
+               (breaks[line.patch + 1] - breaks[line.patch]);
+    }
+
+    PatchRows rows_of(Index begin, Index end, int row) const
+    {
+        std::vector<double> u;
+        for (Index i = begin; i < end; ++i)
+            u.push_back(local(Parameter::U, sheet_.u[i]));
+        return {surface_.patch(sheet_.u[begin].patch, row).degree(Parameter::U), u};
+    }
+
+    template <typename Row>
+    void add_vertex(Index i, Index j, const Row& row, OffsetDraft& draft) const
+    {
+        const SurfaceTangents tangents{
+            {row[0], row[1], row[2]}, {row[3], row[4], row[5]}, {row[6], row[7], row[8]}};
+        const Vec3 normal = normal_at(sheet_, surface_, i, j, tangents);
+        const Index vertex = sheet_.vertex(i, j);
         draft.points[vertex] = tangents.point + control_offset(draft.cutter, normal);
-        draft.contacts[vertex] = {{sheet.u[i].parameter, sheet.v[j].parameter},
+        draft.contacts[vertex] = {{sheet_.u[i].parameter, sheet_.v[j].parameter},
                                   normal,
-                                  sheet.surface,
+                                  sheet_.surface,
                                   ContactKind::Face};
     }
-}
+
+    const OffsetSheet& sheet_;
+    const Surface& surface_;
+    std::vector<Stretch> stretches_;
+};
 
 // The rows of all sheets, one after the other.
 std::vector<std::pair<std::size_t, Index>> all_rows(std::span<const OffsetSheet> sheets)
@@ -65,6 +126,28 @@ std::vector<std::pair<std::size_t, Index>> all_rows(std::span<const OffsetSheet>
     return rows;
 }
 
+// Room for all vertices and triangles, with half a turn of the normal over each point of
+// the border: the most that it is, but for the bottom of a cutter that is no ball.
+void make_room(std::span<const OffsetSheet> sheets, std::span<const SheetSide> sides,
+               BoundaryContact boundary, OffsetDraft& draft)
+{
+    std::size_t count = 0;
+    for (const OffsetSheet& sheet : sheets)
+        count += sheet.u.size() * sheet.v.size();
+    if (boundary == BoundaryContact::Contact) {
+        const NormalArc half_turn{Vec3::UnitX(), Vec3::UnitZ(), std::numbers::pi};
+        const std::size_t most =
+            arc_shares(half_turn, Cutter::ball(draft.cutter.radius()),
+                       draft.arc_tolerance)
+                .size();
+        for (const SheetSide& side : sides)
+            count += side.is_border() ? side.vertices.size() * most : 0;
+    }
+    reserve_in_large_pages(draft.points, count);
+    reserve_in_large_pages(draft.contacts, count);
+    reserve_in_large_pages(draft.triangles, 2 * count);
+}
+
 void add_vertices(std::span<const Surface> surfaces, std::span<const OffsetSheet> sheets,
                   OffsetDraft& draft)
 {
@@ -73,12 +156,13 @@ void add_vertices(std::span<const Surface> surfaces, std::span<const OffsetSheet
         static_cast<std::size_t>(last.first) + last.u.size() * last.v.size();
     draft.points.resize(count);
     draft.contacts.resize(count);
+    std::vector<SheetRows> vertices;
+    for (const OffsetSheet& sheet : sheets)
+        vertices.emplace_back(sheet, surfaces[sheet.surface]);
     const auto rows = all_rows(sheets);
     parallel_for(rows.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-            const auto& [sheet, j] = rows[k];
-            add_row(sheets[sheet], surfaces[sheets[sheet].surface], j, draft);
-        }
+        for (std::size_t k = begin; k < end; ++k)
+            vertices[rows[k].first].add_row(rows[k].second, draft);
     });
 }
 
@@ -98,7 +182,7 @@ void set_cells(const OffsetSheet& sheet, Index j, std::span<Triangle> place)
     }
 }
 
-std::vector<Triangle> cells_of(std::span<const OffsetSheet> sheets)
+void add_cells(std::span<const OffsetSheet> sheets, OffsetDraft& draft)
 {
     const auto rows = all_rows(sheets);
     std::vector<std::size_t> first{0};
@@ -106,14 +190,13 @@ std::vector<Triangle> cells_of(std::span<const OffsetSheet> sheets)
         const bool is_last = j + 1 == sheets[sheet].rows();
         first.push_back(first.back() + (is_last ? 0 : 2 * sheets[sheet].u.size() - 2));
     }
-    std::vector<Triangle> triangles(first.back());
+    draft.triangles.resize(first.back());
     parallel_for(rows.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
             if (first[k + 1] > first[k])
                 set_cells(sheets[rows[k].first], rows[k].second,
-                          std::span{triangles}.subspan(first[k]));
+                          std::span{draft.triangles}.subspan(first[k]));
     });
-    return triangles;
 }
 
 // Makes one the vertices of smooth joints and of collapsed edges.
@@ -168,10 +251,11 @@ OffsetMesh offset_mesh(std::span<const Surface> surfaces, const Cutter& cutter,
     const auto sheets = offset_sheets(surfaces, tool_sides, options.grid_lines);
     OffsetDraft draft{
         with_allowance(cutter, options.allowance), options.arc_tolerance, {}, {}, {}};
-    add_vertices(surfaces, sheets, draft);
-    draft.triangles = cells_of(sheets);
     const double same_point = same_end_mm(surfaces);
     auto sides = sheet_sides(surfaces, sheets, same_point);
+    make_room(sheets, sides, options.boundary, draft);
+    add_vertices(surfaces, sheets, draft);
+    add_cells(sheets, draft);
     join_vertices(sides, same_point, draft);
     const std::size_t sheet_triangles = draft.triangles.size();
     std::size_t own_triangles = sheet_triangles;

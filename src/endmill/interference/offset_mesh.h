@@ -25,6 +25,17 @@ enum class ContactKind : std::uint8_t {
 
 /// The contact of a vertex. Its point is `contact_point`.
 struct OffsetContact {
+    /// Leaves all members as they are: of millions that are filled in afterwards.
+    OffsetContact() {}
+    OffsetContact(const SurfacePoint& place, const Vec3& unit_normal,
+                  std::int32_t surface_number, ContactKind touched)
+        : at{place},
+          normal{unit_normal},
+          surface{surface_number},
+          kind{touched}
+    {
+    }
+
     SurfacePoint at;
     Vec3 normal;           ///< unit, N_z >= 0; turned, where an edge or corner is touched
     std::int32_t surface;  ///< number of the surface
