@@ -31,24 +31,85 @@ double angle_between(const Vec3& one, const Vec3& other)
     return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-// Whether the reference points over a stretch of an arc keep to their chord, and the bottom
-// circle turns little enough for the places between to do so.
-bool keeps_to_chord(const NormalArc& arc, const Interval& stretch, const Cutter& cutter,
-                    double tolerance)
-{
-    const Vec3 start = arc.at(stretch.low);
-    const Vec3 end = arc.at(stretch.high);
-    const double turn = angle_between({start.x(), start.y(), 0}, {end.x(), end.y(), 0});
-    if (turn > chord_angle(cutter.flat_radius(), tolerance / 2))
-        return false;
-    const Vec3 from = control_offset(cutter, start);
-    const Vec3 chord = control_offset(cutter, end) - from;
-    const Vec3 to_middle =
-        control_offset(cutter, arc.at(std::midpoint(stretch.low, stretch.high))) - from;
-    const double length2 = chord.squaredNorm();
-    const double share = length2 > 0 ? to_middle.dot(chord) / length2 : 0;
-    return (to_middle - std::clamp(share, 0.0, 1.0) * chord).norm() <= tolerance;
-}
+// Reference points of a cutter with a flat bottom over an arc of normals.
+class BottomArc {
+public:
+    BottomArc(const NormalArc& arc, const Cutter& cutter, double tolerance)
+        : arc_{arc},
+          cutter_{cutter},
+          tolerance_{tolerance},
+          most_turn_{chord_angle(cutter.flat_radius(), tolerance / 2)},
+          sine_{std::sin(most_turn_)},
+          cosine_{std::cos(most_turn_)}
+    {
+    }
+
+    // Adds the ends of pieces of `stretch` that keep to their chords, halved until they do.
+    void add_ends(const Interval& stretch, std::vector<double>& ends) const
+    {
+        std::vector<Piece> pieces{{place(stretch.low), place(stretch.high)}};
+        while (!pieces.empty()) {
+            const Piece piece = pieces.back();
+            pieces.pop_back();
+            const double low = piece.low.share;
+            const double high = piece.high.share;
+            if (high - low > least_share) {
+                const Place middle = place(std::midpoint(low, high));
+                if (!keeps_to_chord(piece, middle)) {
+                    pieces.push_back({middle, piece.high});
+                    pieces.push_back({piece.low, middle});
+                    continue;
+                }
+            }
+            ends.push_back(high);
+        }
+    }
+
+private:
+    struct Place {
+        double share;
+        Vec3 normal;
+        Vec3 offset;  // of the reference point
+    };
+    struct Piece {
+        Place low;
+        Place high;
+    };
+
+    Place place(double share) const
+    {
+        const Vec3 normal = arc_.at(share);
+        return {share, normal, control_offset(cutter_, normal)};
+    }
+
+    // Whether the bottom circle turns little enough between two normals for the places
+    // between to keep to their chord.
+    bool turns_little(const Vec3& one, const Vec3& other) const
+    {
+        const double along = one.x() * other.x() + one.y() * other.y();
+        const double across = one.x() * other.y() - one.y() * other.x();
+        return most_turn_ >= std::numbers::pi ||
+               sine_ * along >= cosine_ * std::abs(across);
+    }
+
+    bool keeps_to_chord(const Piece& piece, const Place& middle) const
+    {
+        if (!turns_little(piece.low.normal, piece.high.normal))
+            return false;
+        const Vec3 chord = piece.high.offset - piece.low.offset;
+        const Vec3 to_middle = middle.offset - piece.low.offset;
+        const double length2 = chord.squaredNorm();
+        const double share = length2 > 0 ? to_middle.dot(chord) / length2 : 0;
+        return (to_middle - std::clamp(share, 0.0, 1.0) * chord).norm() <= tolerance_;
+    }
+
+    const NormalArc& arc_;
+    const Cutter& cutter_;
+    double tolerance_;
+    double most_turn_;  // of the bottom circle over a chord, rad
+    double sine_;
+    double cosine_;
+};
 
 // Halves a stretch of an arc until keeps(piece) of its pieces. \return their ends.
 template <typename Keeps>
@@ -153,18 +214,15 @@ std::vector<double> arc_shares(const NormalArc& arc, const Cutter& cutter,
                             : chord_angle(cutter.corner_radius(), tolerance / 2);
     const int steps = std::max(1, static_cast<int>(std::ceil(arc.angle / step)));
     std::vector<double> shares{0};
-    for (int k = 0; k < steps; ++k) {
-        const double high = (k + 1) / double(steps);
-        if (cutter.is_ball()) {
-            shares.push_back(high);
-            continue;
-        }
-        const auto ends =
-            ends_of_pieces({k / double(steps), high}, [&](const Interval& piece) {
-                return keeps_to_chord(arc, piece, cutter, tolerance);
-            });
-        shares.insert(shares.end(), ends.begin(), ends.end());
+    if (cutter.is_ball()) {
+        shares.reserve(static_cast<std::size_t>(steps) + 1);
+        for (int k = 1; k <= steps; ++k)
+            shares.push_back(k / double(steps));
+        return shares;
     }
+    const BottomArc bottom{arc, cutter, tolerance};
+    for (int k = 0; k < steps; ++k)
+        bottom.add_ends({k / double(steps), (k + 1) / double(steps)}, shares);
     return shares;
 }
 
