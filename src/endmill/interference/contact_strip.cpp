@@ -18,14 +18,6 @@ namespace {
 // turns faster than any sampling follows.
 constexpr double least_share = 0x1p-16;
 
-// Greatest angle of an arc of `radius` whose chord lies within `tolerance` of it.
-double chord_angle(double radius, double tolerance)
-{
-    if (radius <= tolerance)
-        return std::numbers::pi;
-    return 2 * std::acos(1 - tolerance / radius);
-}
-
 double angle_between(const Vec3& one, const Vec3& other)
 {
     return std::atan2(one.cross(other).norm(), one.dot(other));
@@ -187,6 +179,13 @@ void for_each_triangle(const ContactChain& right, const ContactChain& left,
 }
 
 }  // namespace
+
+double chord_angle(double radius, double tolerance)
+{
+    if (radius <= tolerance)
+        return std::numbers::pi;
+    return 2 * std::acos(1 - tolerance / radius);
+}
 
 Vec3 NormalArc::at(double share) const
 {

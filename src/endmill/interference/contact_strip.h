@@ -28,6 +28,10 @@ NormalArc arc_between(const Vec3& start, const Vec3& end);
 /// \pre normal.z() > 0
 NormalArc arc_over_border(const Vec3& normal, const Vec3& along);
 
+/// Greatest angle in rad of an arc of `radius` whose chord lies within `tolerance` of it, both
+/// in mm; half a turn at most.
+double chord_angle(double radius, double tolerance);
+
 /// For which cutter an arc is sampled, and to what chord error.
 struct ArcSampling {
     Cutter cutter;

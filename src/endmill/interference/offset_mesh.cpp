@@ -127,25 +127,28 @@ std::vector<std::pair<std::size_t, Index>> all_rows(std::span<const OffsetSheet>
 }
 
 // Room for all vertices and triangles, with half a turn of the normal over each point of
-// the border: the most that it is, but for the bottom of a cutter that is no ball.
+// the border: more than that only where corners or the bottom of a cutter that is no ball
+// make up most of the strips. Far more than the sheets have is never asked for at once.
 void make_room(std::span<const OffsetSheet> sheets, std::span<const SheetSide> sides,
                BoundaryContact boundary, OffsetDraft& draft)
 {
-    std::size_t count = 0;
+    constexpr double most_to_sheets = 4;
+    double count = 0;
     for (const OffsetSheet& sheet : sheets)
-        count += sheet.u.size() * sheet.v.size();
+        count += static_cast<double>(sheet.u.size() * sheet.v.size());
     if (boundary == BoundaryContact::Contact) {
-        const NormalArc half_turn{Vec3::UnitX(), Vec3::UnitZ(), std::numbers::pi};
-        const std::size_t most =
-            arc_shares(half_turn, Cutter::ball(draft.cutter.radius()),
-                       draft.arc_tolerance)
-                .size();
+        const double steps =
+            std::numbers::pi / chord_angle(draft.cutter.radius(), draft.arc_tolerance);
+        double strips = 0;
         for (const SheetSide& side : sides)
-            count += side.is_border() ? side.vertices.size() * most : 0;
+            if (side.is_border())
+                strips += steps * static_cast<double>(side.vertices.size());
+        count += std::min(strips, most_to_sheets * count);
     }
-    reserve_in_large_pages(draft.points, count);
-    reserve_in_large_pages(draft.contacts, count);
-    reserve_in_large_pages(draft.triangles, 2 * count);
+    const auto vertices = static_cast<std::size_t>(count);
+    reserve_in_large_pages(draft.points, vertices);
+    reserve_in_large_pages(draft.contacts, vertices);
+    reserve_in_large_pages(draft.triangles, 2 * vertices);
 }
 
 void add_vertices(std::span<const Surface> surfaces, std::span<const OffsetSheet> sheets,
