@@ -31,13 +31,17 @@ float rounded_down(double value)
 // Keeps the highest contact so far.
 class DropQuery {
 public:
-    DropQuery(const DropTree& tree, const TriangleDrop& drop, const Vec2& place)
+    DropQuery(const DropTree& tree, const TriangleDrop& drop, const Vec2& place,
+              std::optional<std::size_t> hint)
         : tree_{tree},
           drop_{drop},
           place_{place},
           x_{static_cast<float>(place.x() - tree.origin().x())},
           y_{static_cast<float>(place.y() - tree.origin().y())}
     {
+        if (hint)
+            lower_onto(*hint);
+        first_ = triangle_;
     }
 
     float limit() const { return limit_; }
@@ -47,16 +51,11 @@ public:
         return tree_.tip_bounds(nodes, tops, x_, y_);
     }
 
+    // The tree comes by the hint once more.
     void look_at(std::size_t triangle)
     {
-        const TriangleContact found =
-            drop_(tree_.mesh().corners(triangle), place_.x(), place_.y(), best_.tip_z);
-        const bool is_equal = triangle_ != none && found.tip_z == best_.tip_z;
-        if (!(found.tip_z > best_.tip_z || (is_equal && triangle < triangle_)))
-            return;
-        best_ = found;
-        triangle_ = triangle;
-        limit_ = rounded_down(found.tip_z - tree_.origin().z());
+        if (triangle != first_)
+            lower_onto(triangle);
     }
 
     std::optional<DropContact> contact() const
@@ -69,6 +68,18 @@ public:
 private:
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
+    void lower_onto(std::size_t triangle)
+    {
+        const TriangleContact found =
+            drop_(tree_.mesh().corners(triangle), place_.x(), place_.y(), best_.tip_z);
+        const bool is_equal = triangle_ != none && found.tip_z == best_.tip_z;
+        if (!(found.tip_z > best_.tip_z || (is_equal && triangle < triangle_)))
+            return;
+        best_ = found;
+        triangle_ = triangle;
+        limit_ = rounded_down(found.tip_z - tree_.origin().z());
+    }
+
     const DropTree& tree_;
     const TriangleDrop& drop_;
     const Vec2& place_;
@@ -77,6 +88,7 @@ private:
     float limit_ = std::numeric_limits<float>::lowest();
     TriangleContact best_;
     std::size_t triangle_ = none;
+    std::size_t first_;  // that was looked at, or none
 };
 
 // Keeps whether a move of the tip runs above what it passes over, but for a tolerance.
@@ -144,9 +156,7 @@ std::optional<DropContact> contact_at(const DropTree& tree, const TriangleDrop& 
 {
     if (!is_beneath(tree, place))
         return std::nullopt;
-    DropQuery query{tree, drop, place};
-    if (hint)
-        query.look_at(*hint);
+    DropQuery query{tree, drop, place, hint};
     tree.search(query);
     return query.contact();
 }
