@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/interference/float_lanes.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace endmill {
@@ -30,6 +32,35 @@ TEST(FloatLanes, KeepsTheValuesOfSmallKeys)
     const FloatLanes kept = kept_up_to(2, keys, some_values());
     for (int k = 0; k < float_lanes; ++k)
         EXPECT_EQ(kept[k], keys[k] <= 2 ? some_values()[k] : -infinity);
+}
+
+TEST(WideLanes, AreCountedWithLaneByLane)
+{
+    FloatLanes values;
+    values << 1, -2, 3, 0.1F, -5e9F, 3, 0, 1e-40F;
+    const WideLanes wide{values};
+    const WideLanes third{1.0F / 3};
+    const FloatLanes sum = (wide + third).lanes();
+    const FloatLanes difference = (wide - third).lanes();
+    const FloatLanes product = (wide * third).lanes();
+    const FloatLanes most = larger(wide, third).lanes();
+    const FloatLanes least = smaller(wide, third).lanes();
+    for (int k = 0; k < float_lanes; ++k) {
+        EXPECT_EQ(sum[k], values[k] + 1.0F / 3);
+        EXPECT_EQ(difference[k], values[k] - 1.0F / 3);
+        EXPECT_EQ(product[k], values[k] * (1.0F / 3));
+        EXPECT_EQ(most[k], std::max(values[k], 1.0F / 3));
+        EXPECT_EQ(least[k], std::min(values[k], 1.0F / 3));
+    }
+}
+
+TEST(WideLanes, KnowInfinity)
+{
+    const WideLanes wide{some_values()};
+    const FloatLanes least = smaller(wide, WideLanes{infinity}).lanes();
+    for (int k = 0; k < float_lanes; ++k)
+        EXPECT_EQ(least[k], some_values()[k]);
+    EXPECT_TRUE((larger(wide, WideLanes{infinity}).lanes() == infinity).all());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/core/widest_registers.h"
 #include "endmill/interference/concave_bound.h"
 #include "endmill/interference/drop_tree.h"
 #include "endmill/interference/hilbert_curve.h"
@@ -151,6 +152,7 @@ bool is_beneath(const DropTree& tree, const Vec2& place)
     return gap.maxCoeff() <= 2 * tree.cutter().radius();
 }
 
+ENDMILL_WIDEST_REGISTERS
 std::optional<DropContact> contact_at(const DropTree& tree, const TriangleDrop& drop,
                                       const Vec2& place, std::optional<std::size_t> hint)
 {

@@ -146,23 +146,27 @@ private:
                                                               const FloatLanes& tops,
                                                               float x, float y) const
 {
-    const auto outside = [](const FloatLanes& low, const FloatLanes& high,
-                            const FloatLanes& place) -> FloatLanes {
-        return (low - place).max(place - high).max(0.0F);
+    const WideLanes low_x{nodes.low_x};
+    const WideLanes low_y{nodes.low_y};
+    const WideLanes high_x{nodes.high_x};
+    const WideLanes high_y{nodes.high_y};
+    const WideLanes offset_x{nodes.offset_x};
+    const WideLanes offset_y{nodes.offset_y};
+    const auto outside = [](const WideLanes& low, const WideLanes& high,
+                            const WideLanes& place) {
+        return larger(larger(low - place, place - high), WideLanes{0});
     };
-    const FloatLanes touched_x = nodes.offset_x + x;
-    const FloatLanes touched_y = nodes.offset_y + y;
-    const FloatLanes away_x = outside(nodes.low_x, nodes.high_x, touched_x);
-    const FloatLanes away_y = outside(nodes.low_y, nodes.high_y, touched_y);
-    const FloatLanes lift =
-        2 * (nodes.offset_x * (x - nodes.low_x) + nodes.offset_y * (y - nodes.low_y)) -
-        (away_x * away_x + away_y * away_y);
-    const FloatLanes all_x = FloatLanes::Constant(x);
-    const FloatLanes all_y = FloatLanes::Constant(y);
-    const FloatLanes gap_x = outside(nodes.low_x, nodes.high_x, all_x);
-    const FloatLanes gap_y = outside(nodes.low_y, nodes.high_y, all_y);
-    const FloatLanes bounds = (nodes.height + nodes.fall * lift).min(tops);
-    return kept_up_to(reach_ * reach_, gap_x * gap_x + gap_y * gap_y, bounds);
+    const WideLanes away_x = outside(low_x, high_x, offset_x + WideLanes{x});
+    const WideLanes away_y = outside(low_y, high_y, offset_y + WideLanes{y});
+    const WideLanes gap_x = outside(low_x, high_x, WideLanes{x});
+    const WideLanes gap_y = outside(low_y, high_y, WideLanes{y});
+    const WideLanes lift = WideLanes{2} * (offset_x * (WideLanes{x} - low_x) +
+                                           offset_y * (WideLanes{y} - low_y)) -
+                           (away_x * away_x + away_y * away_y);
+    const WideLanes bounds =
+        smaller(WideLanes{nodes.height} + WideLanes{nodes.fall} * lift, WideLanes{tops});
+    return kept_up_to(reach_ * reach_, (gap_x * gap_x + gap_y * gap_y).lanes(),
+                      bounds.lanes());
 }
 
 // What stands above `first` among those that wait, the highest last.
@@ -175,7 +179,7 @@ inline void DropTree::put(const Waiting& node, std::size_t first, WaitingNodes& 
 }
 
 template <typename Query>
-void DropTree::search(Query& query) const
+[[gnu::always_inline]] inline void DropTree::search(Query& query) const
 {
     if (levels_.empty())
         return;

@@ -2,6 +2,7 @@
 // Internal to interference
 #pragma once
 
+#include <cstring>
 #include <limits>
 
 #include <Eigen/Core>
@@ -16,6 +17,57 @@ namespace endmill {
 /// busier than one would.
 constexpr int float_lanes = 8;
 using FloatLanes = Eigen::Array<float, float_lanes, 1>;  ///< see float_lanes
+
+/// The same as one vector of the compiler, which takes as many at once as the registers hold
+/// that a function is compiled for; Eigen has decided that before.
+class WideLanes {
+public:
+    [[gnu::always_inline]] explicit WideLanes(const FloatLanes& values)
+    {
+        std::memcpy(&values_, values.data(), sizeof values_);
+    }
+    [[gnu::always_inline]] explicit WideLanes(float value) : values_{Vector{} + value} {}
+
+    [[gnu::always_inline]] FloatLanes lanes() const
+    {
+        FloatLanes lanes;
+        std::memcpy(lanes.data(), &values_, sizeof values_);
+        return lanes;
+    }
+
+    [[gnu::always_inline]] friend WideLanes operator+(const WideLanes& one,
+                                                      const WideLanes& other)
+    {
+        return WideLanes{one.values_ + other.values_};
+    }
+    [[gnu::always_inline]] friend WideLanes operator-(const WideLanes& one,
+                                                      const WideLanes& other)
+    {
+        return WideLanes{one.values_ - other.values_};
+    }
+    [[gnu::always_inline]] friend WideLanes operator*(const WideLanes& one,
+                                                      const WideLanes& other)
+    {
+        return WideLanes{one.values_ * other.values_};
+    }
+    [[gnu::always_inline]] friend WideLanes larger(const WideLanes& one,
+                                                   const WideLanes& other)
+    {
+        return WideLanes{one.values_ > other.values_ ? one.values_ : other.values_};
+    }
+    [[gnu::always_inline]] friend WideLanes smaller(const WideLanes& one,
+                                                    const WideLanes& other)
+    {
+        return WideLanes{one.values_ < other.values_ ? one.values_ : other.values_};
+    }
+
+private:
+    using Vector = float __attribute__((vector_size(float_lanes * sizeof(float))));
+
+    [[gnu::always_inline]] explicit WideLanes(const Vector& values) : values_{values} {}
+
+    Vector values_;
+};
 
 /// Bit k for each k with values[k] >= limit.
 inline unsigned lanes_not_below(float limit, const FloatLanes& values)
