@@ -145,15 +145,14 @@ private:
         Chunk& chunk = chunks_[number];
         const std::size_t begin = number * chunk_size_;
         const std::size_t end = std::min(begin + chunk_size_, triangles_.size());
-        std::vector<Index> crossed(end - begin);
+        chunk.crossed.resize(end - begin);
         std::size_t count = 0;
         for (std::size_t k = begin; k < end; ++k) {
             const auto [low, high] = planes_across(triangles_[k], below_);
-            crossed[count] = static_cast<Index>(k);
+            chunk.crossed[count] = static_cast<Index>(k);
             count += low != high ? 1 : 0;
         }
-        chunk.crossed.assign(crossed.begin(),
-                             crossed.begin() + static_cast<std::ptrdiff_t>(count));
+        chunk.crossed.resize(count);
         chunk.places.assign(positions_.size(), 0);
         for (const Index k : chunk.crossed) {
             const auto [low, high] = planes_across(triangles_[k], below_);

@@ -29,24 +29,31 @@ void SegmentLinks::link(std::span<const CrossedEdge> from,
 }
 
 // The cells of a grid come row by row, two triangles each, so that the next segment is one
-// or three places away in the list; tried first is what last was so. Leaves the segments
-// that this does not link in open_.
+// or three places away in the list; tried first is what was so at the last one of the same
+// kind of triangle. Leaves the segments that this does not link in open_.
 void SegmentLinks::guess(std::span<const CrossedEdge> from,
                          std::span<const CrossedEdge> to)
 {
     const auto count = static_cast<std::uint32_t>(from.size());
-    std::array<Index, 4> steps{1, -1, 3, -3};
+    std::array<Index, 2> likely{1, 1};
     for (Index k = 0; k < static_cast<Index>(count); ++k) {
-        const auto found = std::ranges::find_if(steps, [&](Index step) {
+        const auto edge = std::bit_cast<std::uint64_t>(to[k]);
+        const auto goes_on = [&](Index step) {
             const auto other = static_cast<std::uint32_t>(k + step);
-            return other < count && from[other] == to[k] && is_entered_[other] == 0;
-        });
-        if (found == steps.end()) {
-            open_.push_back(k);
-            continue;
+            return other < count && std::bit_cast<std::uint64_t>(from[other]) == edge &&
+                   is_entered_[other] == 0;
+        };
+        Index& step = likely[k & 1];
+        if (!goes_on(step)) {
+            constexpr std::array<Index, 4> steps{1, -1, 3, -3};
+            const auto found = std::ranges::find_if(steps, goes_on);
+            if (found == steps.end()) {
+                open_.push_back(k);
+                continue;
+            }
+            step = *found;
         }
-        join(k, k + *found);
-        std::rotate(steps.begin(), found, found + 1);
+        join(k, k + step);
     }
 }
 

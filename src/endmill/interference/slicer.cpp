@@ -97,6 +97,11 @@ private:
     {
         curve_.points.clear();
         curve_.edges.clear();
+        Interval own{std::numeric_limits<double>::infinity(),
+                     -std::numeric_limits<double>::infinity()};
+        const auto extend = [&](double s) {
+            own = {std::min(own.low, s), std::max(own.high, s)};
+        };
         bool was_own = false;
         Index last = start;
         for (Index k = start; k != SegmentLinks::none && is_traced_[k] == 0;
@@ -105,7 +110,7 @@ private:
             const SectionPoint& point = segments_.start[first_ + k];
             const bool is_own = segments_.triangle[first_ + k] < own_triangles_;
             if (is_own || was_own)
-                extend(section.own_range, point.x());
+                extend(point.x());
             curve_.add(point, segments_.from[first_ + k]);
             was_own = is_own;
             last = k;
@@ -117,20 +122,23 @@ private:
             const SectionPoint end =
                 point_on(edge, mesh_.points(), planes_.frame, position_);
             if (was_own)
-                extend(section.own_range, end.x());
+                extend(end.x());
             curve_.add(end, edge);
             curve_.direct();
         }
+        if (own.low <= own.high)
+            section.own_range = hull(section.own_range, own);
         if (curve_.points.size() < 2)
             return;
         section.curves.push_back({curve_.points, is_closed});
         section.edges.push_back(curve_.edges);
     }
 
-    static void extend(std::optional<Interval>& range, double s)
+    static Interval hull(const std::optional<Interval>& one, const Interval& other)
     {
-        range = range ? Interval{std::min(range->low, s), std::max(range->high, s)}
-                      : Interval{s, s};
+        return one ? Interval{std::min(one->low, other.low),
+                              std::max(one->high, other.high)}
+                   : other;
     }
 
     static void sort_curves(PlaneSection& section)
