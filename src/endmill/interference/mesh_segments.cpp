@@ -115,7 +115,6 @@ public:
         }
         segments.from.resize(segments.first.back());
         segments.to.resize(segments.first.back());
-        segments.start.resize(segments.first.back());
         segments.triangle.resize(segments.first.back());
         for_each_chunk([&](std::size_t chunk) { cut(chunks_[chunk], segments); });
         return segments;
@@ -173,11 +172,8 @@ private:
                 const auto& [from, to] =
                     segment_corners[is_above(0) | is_above(1) << 1 | is_above(2) << 2];
                 const std::size_t place = chunk.places[plane]++;
-                const CrossedEdge edge{triangle[from[0]], triangle[from[1]]};
-                segments.from[place] = edge;
+                segments.from[place] = {triangle[from[0]], triangle[from[1]]};
                 segments.to[place] = {triangle[to[0]], triangle[to[1]]};
-                segments.start[place] =
-                    point_on(edge, points_, frame_, positions_[plane]);
                 segments.triangle[place] = k;
             }
         }
@@ -198,17 +194,6 @@ MeshSegments mesh_segments(const TriangleMesh& mesh, const DriveFrame& frame,
                            std::span<const double> positions)
 {
     return Cutting{mesh, frame, positions}.segments();
-}
-
-SectionPoint point_on(const CrossedEdge& edge, std::span<const Vec3> points,
-                      const DriveFrame& frame, double position)
-{
-    const Vec3& below = points[edge.below];
-    const Vec3& above = points[edge.above];
-    const double t = frame.across(below);
-    const double s = frame.along(below);
-    const double w = (position - t) / (frame.across(above) - t);
-    return {s + w * (frame.along(above) - s), below.z() + w * (above.z() - below.z())};
 }
 
 }  // namespace endmill

@@ -19,7 +19,6 @@ namespace endmill {
 struct MeshSegments {
     std::vector<CrossedEdge> from;
     std::vector<CrossedEdge> to;
-    std::vector<SectionPoint> start;  ///< on `from`, see `point_on`
     std::vector<std::int32_t> triangle;
     std::vector<std::size_t> first;  ///< one more than planes
 };
@@ -35,7 +34,15 @@ MeshSegments mesh_segments(const TriangleMesh& mesh, const DriveFrame& frame,
 
 /// The point below + w (above - below), w = (c - t_below) / (t_above - t_below), of the
 /// plane t = c = `position` on an edge that it crosses.
-SectionPoint point_on(const CrossedEdge& edge, std::span<const Vec3> points,
-                      const DriveFrame& frame, double position);
+inline SectionPoint point_on(const CrossedEdge& edge, std::span<const Vec3> points,
+                             const DriveFrame& frame, double position)
+{
+    const Vec3& below = points[edge.below];
+    const Vec3& above = points[edge.above];
+    const double t = frame.across(below);
+    const double s = frame.along(below);
+    const double w = (position - t) / (frame.across(above) - t);
+    return {s + w * (frame.along(above) - s), below.z() + w * (above.z() - below.z())};
+}
 
 }  // namespace endmill

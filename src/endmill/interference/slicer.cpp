@@ -24,6 +24,12 @@ struct TracedCurve {
     std::vector<SectionPoint> points;
     std::vector<CrossedEdge> edges;
 
+    explicit TracedCurve(std::size_t most)
+    {
+        points.reserve(most);
+        edges.reserve(most);
+    }
+
     void add(const SectionPoint& point, const CrossedEdge& edge)
     {
         if (!points.empty() && points.back() == point)
@@ -95,43 +101,50 @@ private:
     // Adds the curve that begins with segment `start`.
     void trace(Index start, bool is_closed, PlaneSection& section)
     {
-        curve_.points.clear();
-        curve_.edges.clear();
+        order_.clear();
+        for (Index k = start; k != SegmentLinks::none && is_traced_[k] == 0;
+             k = links_.next(k)) {
+            is_traced_[k] = 1;
+            order_.push_back(k);
+        }
         Interval own{std::numeric_limits<double>::infinity(),
                      -std::numeric_limits<double>::infinity()};
         const auto extend = [&](double s) {
             own = {std::min(own.low, s), std::max(own.high, s)};
         };
+        TracedCurve curve{order_.size() + 1};
+        const auto from = std::span{segments_.from}.subspan(first_);
+        const auto triangle = std::span{segments_.triangle}.subspan(first_);
         bool was_own = false;
-        Index last = start;
-        for (Index k = start; k != SegmentLinks::none && is_traced_[k] == 0;
-             k = links_.next(k)) {
-            is_traced_[k] = 1;
-            const SectionPoint& point = segments_.start[first_ + k];
-            const bool is_own = segments_.triangle[first_ + k] < own_triangles_;
+        for (const Index k : order_) {
+            const SectionPoint point = point_of(from[k]);
+            const bool is_own = triangle[k] < own_triangles_;
             if (is_own || was_own)
                 extend(point.x());
-            curve_.add(point, segments_.from[first_ + k]);
+            curve.add(point, from[k]);
             was_own = is_own;
-            last = k;
         }
         if (is_closed) {
-            curve_.close();
+            curve.close();
         } else {
-            const CrossedEdge& edge = segments_.to[first_ + last];
-            const SectionPoint end =
-                point_on(edge, mesh_.points(), planes_.frame, position_);
+            const CrossedEdge& edge = segments_.to[first_ + order_.back()];
+            const SectionPoint end = point_of(edge);
             if (was_own)
                 extend(end.x());
-            curve_.add(end, edge);
-            curve_.direct();
+            curve.add(end, edge);
+            curve.direct();
         }
         if (own.low <= own.high)
             section.own_range = hull(section.own_range, own);
-        if (curve_.points.size() < 2)
+        if (curve.points.size() < 2)
             return;
-        section.curves.push_back({curve_.points, is_closed});
-        section.edges.push_back(curve_.edges);
+        section.curves.push_back({std::move(curve.points), is_closed});
+        section.edges.push_back(std::move(curve.edges));
+    }
+
+    SectionPoint point_of(const CrossedEdge& edge) const
+    {
+        return point_on(edge, mesh_.points(), planes_.frame, position_);
     }
 
     static Interval hull(const std::optional<Interval>& one, const Interval& other)
@@ -169,7 +182,7 @@ private:
     double position_ = 0;
     SegmentLinks links_;
     std::vector<std::uint8_t> is_traced_;
-    TracedCurve curve_;
+    std::vector<Index> order_;  // of the segments of a curve
 };
 
 }  // namespace
