@@ -178,6 +178,14 @@ void for_each_triangle(const ContactChain& right, const ContactChain& left,
         }
 }
 
+// How many triangles there are between two chains that share no vertex but the first.
+std::size_t triangles_between(const ContactChain& right, const ContactChain& left)
+{
+    const std::size_t steps = right.vertices.size() + left.vertices.size() - 2;
+    const bool is_one = right.vertices.front() == left.vertices.front();
+    return steps - (is_one && steps > 0 ? 1 : 0);
+}
+
 }  // namespace
 
 double chord_angle(double radius, double tolerance)
@@ -325,23 +333,18 @@ void OffsetDraft::add_strip(const ContactChain& right, const ContactChain& left)
 void OffsetDraft::add_strips(std::span<const ContactChain> chains,
                              std::span<const StripPlan> plans)
 {
-    const auto in_parallel = [&](const auto& strip) {
-        parallel_for(plans.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k)
-                strip(k, chains[plans[k].right], chains[plans[k].left]);
-        });
-    };
     std::vector<std::size_t> first(plans.size() + 1);
-    in_parallel([&](std::size_t k, const ContactChain& right, const ContactChain& left) {
-        for_each_triangle(right, left, [&](const Triangle&) { ++first[k + 1]; });
-    });
+    for (std::size_t k = 0; k < plans.size(); ++k)
+        first[k + 1] = triangles_between(chains[plans[k].right], chains[plans[k].left]);
     first[0] = triangles.size();
     std::partial_sum(first.begin(), first.end(), first.begin());
     triangles.resize(first.back());
-    in_parallel([&](std::size_t k, const ContactChain& right, const ContactChain& left) {
-        auto place = triangles.begin() + static_cast<std::ptrdiff_t>(first[k]);
-        for_each_triangle(right, left,
-                          [&](const Triangle& triangle) { *place++ = triangle; });
+    parallel_for(plans.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            auto place = triangles.begin() + static_cast<std::ptrdiff_t>(first[k]);
+            for_each_triangle(chains[plans[k].right], chains[plans[k].left],
+                              [&](const Triangle& triangle) { *place++ = triangle; });
+        }
     });
 }
 

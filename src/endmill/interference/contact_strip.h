@@ -101,6 +101,7 @@ struct OffsetDraft {
     void add_strip(const ContactChain& right, const ContactChain& left);
 
     /// The same for pairs of chains, one after the other; on all threads.
+    /// \pre they are from add_chains: no two share a vertex but their first.
     void add_strips(std::span<const ContactChain> chains,
                     std::span<const StripPlan> plans);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/mesh/triangle_mesh.h"
 
-#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <utility>
@@ -12,14 +11,17 @@
 namespace endmill {
 namespace {
 
-// Whether `holds` for all of the items; asked on all threads, as there may be millions.
+// Whether `holds` for all of the items; asked on all threads, as there may be millions, and
+// of several items at once, which an end at the first that fails would not allow.
 template <typename Items, typename Predicate>
 bool all_hold(const Items& items, const Predicate& holds)
 {
     std::atomic<bool> do_all{true};
     parallel_for(items.size(), [&](std::size_t begin, std::size_t end) {
-        if (!std::all_of(items.begin() + static_cast<std::ptrdiff_t>(begin),
-                         items.begin() + static_cast<std::ptrdiff_t>(end), holds))
+        bool is_all = true;
+        for (std::size_t k = begin; k < end; ++k)
+            is_all &= holds(items[k]);
+        if (!is_all)
             do_all = false;
     });
     return do_all;
@@ -36,13 +38,14 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> points, std::vector<Triangle> trian
             "TriangleMesh: at most 2^31 - 1 points and triangles");
     require(all_hold(points_, [](const Vec3& point) { return point.allFinite(); }),
             "TriangleMesh: points must be finite");
-    const auto count = static_cast<std::int32_t>(points_.size());
-    const auto exists = [&](std::int32_t number) {
-        return 0 <= number && number < count;
+    const auto count = static_cast<std::uint32_t>(points_.size());
+    const auto exists = [count](std::int32_t number) -> unsigned {  // none is below 0
+        return static_cast<std::uint32_t>(number) < count ? 1 : 0;
     };
     require(all_hold(triangles_,
-                     [&](const Triangle& corners) {
-                         return std::ranges::all_of(corners, exists);
+                     [exists](const Triangle& corners) {
+                         return (exists(corners[0]) & exists(corners[1]) &
+                                 exists(corners[2])) != 0;
                      }),
             "TriangleMesh: a triangle names a point that does not exist");
 }

@@ -15,7 +15,7 @@ using TangentRow = Eigen::Array<double, Eigen::Dynamic, 9>;
 
 /// Patches on a grid of parameters, row by row: the Bernstein polynomials are computed once
 /// for a column and once for a row, and the net is contracted once a row, so that a place
-/// costs a tenth of BezierPatch::tangents.
+/// costs a quarter of BezierPatch::tangents.
 class PatchRows {
 public:
     /// \param degree of the patches in u, 1 … 25.
