@@ -83,10 +83,10 @@ void add_methods(Experiment& run, CsvTable& result, SectionPlan plan)
                 return times.at(static_cast<std::size_t>(found - kinds.begin()));
             };
             for (std::size_t k = 0; k < kinds.size(); ++k) {
-                const std::string what =
-                    kinds[k] == "slicing" ? kinds[k] : "method " + kinds[k];
-                add_row(result, place + ", " + what, ms * times[k], "ms",
-                        allowed_share * stated.at(k));
+                std::string row = place;
+                row += kinds[k] == "slicing" ? ", " : ", method ";
+                row += kinds[k];
+                add_row(result, row, ms * times[k], "ms", allowed_share * stated.at(k));
             }
             add_row(result, place + ", march to method 2", time("3 march") / time("2"),
                     "times", march_bar);
