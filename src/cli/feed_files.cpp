@@ -8,7 +8,9 @@
 #include "cli/console.h"
 #include "endmill/io/feed_csv.h"
 #include "endmill/io/feed_svg.h"
+#include "endmill/io/printable.h"
 #include "endmill/io/tool_path_csv.h"
+#include "endmill/post/fed_gcode.h"
 #include "endmill/post/gcode_writer.h"
 #include "endmill/process/fed_path.h"
 
@@ -23,6 +25,9 @@ std::string program_name(const FeedResult& result)
 std::string program_text(const FeedResult& result)
 {
     const FeedInput& input = result.input;
+    if (input.format == PathFormat::Gcode)
+        return fed_gcode(input.text, printable(result.options.path.file), input.reading,
+                         result.path);
     GcodeOptions options;
     options.name = input.name;
     options.cutter = input.tool.cutter;
@@ -50,7 +55,7 @@ Json write_feed(const FeedResult& result, OutputFolder& folder)
                                                         result.cuts.points, rows)));
     folder.write("engagement.csv", feed_csv(result.cuts.cuts, rows));
     folder.write("feed.svg", feed_svg(result.cuts.cuts, rows, figure_of(summary)));
-    if (result.input.is_program)
+    if (result.input.format != PathFormat::Csv)
         folder.write(program_name(result), program_text(result));
     folder.write("summary.json", summary.dump(2) + "\n");
     folder.remove_unless_written(program_name(result));

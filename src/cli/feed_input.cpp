@@ -8,7 +8,6 @@
 #include "endmill/core/error.h"
 #include "endmill/io/machine_file.h"
 #include "endmill/io/material_file.h"
-#include "endmill/io/path_file.h"
 #include "endmill/io/printable.h"
 #include "endmill/io/read_file.h"
 #include "endmill/io/tool_file.h"
@@ -153,7 +152,9 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
     const auto cutter = options.path.cutter ? options.path.cutter
                         : tool              ? std::optional{tool->cutter}
                                             : known.cutter;
-    Program program = read_program_for(options.path, cutter, options.common);
+    std::string text = read_file(file, limits);
+    const PathReadOptions reading = path_reading(options.path, cutter, options.common);
+    Program program = parse_program(text, file, reading);
     require_order(program, file);
     if (!tool)
         tool = tool_without_file(options, program, known);
@@ -165,7 +166,10 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
                     .tool = *tool,
                     .job = {read_material(options.material, limits), milling_tool(*tool)},
                     .plan = plan_options(options)};
-    input.is_program = path_format(read_file(file, limits), file) != PathFormat::Csv;
+    input.format = path_format(text, file);
+    if (input.format == PathFormat::Gcode)
+        input.text = std::move(text);
+    input.reading = gcode_reading(reading);
     if (!options.machine.empty())
         input.job.machine = read_machine(options.machine, limits).limits;
     require_answerable(input, options);

@@ -7,6 +7,7 @@
 #include "cli/feed_options.h"
 #include "cli/verify_stock.h"
 #include "endmill/cutter/tool.h"
+#include "endmill/io/path_file.h"
 #include "endmill/io/path_summary.h"
 #include "endmill/post/program.h"
 
@@ -16,7 +17,9 @@ namespace endmill {
 struct FeedInput {
     std::string name;
     Program program;
-    bool is_program = false;  ///< G-code or the like: written again with the new feeds
+    PathFormat format = PathFormat::Csv;  ///< a machine program is written again, too
+    std::string text = {};                ///< of a G-code program: its lines are kept
+    GcodeReadOptions reading = {};        ///< how it was read
     PathSummary known;
     Tool tool;
     MillingJob job;

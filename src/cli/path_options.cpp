@@ -5,7 +5,6 @@
 
 #include "cli/arguments.h"
 #include "endmill/core/error.h"
-#include "endmill/io/path_file.h"
 #include "endmill/io/printable.h"
 #include "endmill/io/read_file.h"
 
@@ -74,8 +73,8 @@ void add_reading_options(CLI::App& command, PathOptions& path)
                      "G-code: leave out blocks that begin with /");
 }
 
-Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
-                         const CommonOptions& options)
+PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter>& cutter,
+                             const CommonOptions& options)
 {
     PathReadOptions reading;
     reading.limits = options.limits;
@@ -90,7 +89,13 @@ Program read_program_for(const PathOptions& path, const std::optional<Cutter>& c
                 "cutter, to know where the tip is"};
         reading.gcode.programmed_point_height_mm = cutter->corner_radius();
     }
-    return read_program(path.file, reading);
+    return reading;
+}
+
+Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
+                         const CommonOptions& options)
+{
+    return read_program(path.file, path_reading(path, cutter, options));
 }
 
 }  // namespace endmill

@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 #include "endmill/cutter/cutter.h"
-#include "endmill/post/program.h"
+#include "endmill/io/path_file.h"
 
 namespace endmill {
 
@@ -24,6 +24,11 @@ void add_path_options(CLI::App& command, PathOptions& path);
 
 /// The options that say how a program is read.
 void add_reading_options(CLI::App& command, PathOptions& path);
+
+/// How the path is read.
+/// \throws DomainError as `read_program_for`.
+PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter>& cutter,
+                             const CommonOptions& options);
 
 /// Reads the path.
 /// \param cutter what is known of it before the path is read.

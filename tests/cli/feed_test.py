@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import re
 import unittest
 
 from program import ROOT, SURFACES, ProgramTest, endmill, plane
@@ -128,6 +129,35 @@ class Feed(ProgramTest):
         self.assertIn("F50", text)
         self.assertNotIn("F300", text)
         self.assertIn("T3 M6", text)
+
+    def test_a_program_keeps_its_comments_and_arcs(self):
+        lines = ["%", "(roughing, F300)", "N10 G21 G90 G17", "T3 M6", "S1000 M3", "G0 X0 Y0 Z30 ; over the start",
+                 "G1 Z0 F50", "G1 X30 F300", "G3 X30 Y20 I0 J10 (half a turn)", "G1 X0", "G0 Z30", "M30", "%"]
+        program = self.file("\n".join(lines) + "\n", "part.ngc")
+        out, facts = self.fed(program, "--tool", TOOL, "--stock-top", "5")
+        written = (out / "part-feed.ngc").read_text().splitlines()
+        self.assertGreater(facts["segments"], 60)  # the arc in chords of a thousandth
+        bare = [re.sub(r" ?\b[FS][0-9.]+", "", line) for line in written if not line.startswith("(")]
+        # A slot all along: one feed and one speed for the line, the arc and the line back.
+        self.assertEqual(bare, [re.sub(r" ?\b[FS][0-9.]+", "", line) for line in lines if not line.startswith("(")])
+        self.assertIn(lines[1], written)
+        rpm, feed = (rows(out / "toolpath.csv")[2][key] for key in ("spindle_rpm", "feed_mm_per_min"))
+        self.assertIn(f"S{float(rpm):.4f}".rstrip("0").rstrip(".") + " M3", written)
+        self.assertIn(f"G1 X30 F{float(feed):.4f}".rstrip("0").rstrip("."), written)
+
+    def test_an_arc_over_the_border_of_a_groove_is_split_there(self):
+        # A slot along x, then an arc across it: its feed is another where the stock is gone.
+        program = self.file("G21 G90 G17\nS1000 M3\nG0 X-30 Y0 Z30\nG1 Z0 F50\nX30 F300\nG0 Z30\nX-20 Y4\n"
+                            "G1 Z0 F50\nG2 X20 Y4 R200 F300\nG0 Z30\nM30\n", "part.ngc")
+        out, _ = self.fed(program, "--tool", TOOL, "--stock-top", "5", "--allow-infeasible")
+        arcs = [line for line in (out / "part-feed.ngc").read_text().splitlines() if line.startswith("G2 ")]
+        self.assertGreater(len(arcs), 1)
+        self.assertTrue(all(" I" in arc and " J" in arc for arc in arcs), arcs)
+        again = self.summary("verify", out / "part-feed.ngc", "--cutter", "ball:10", "--stock",
+                             "-40,-20,-5,40,20,5", "-o", "a", "--force")
+        before = self.summary("verify", program, "--cutter", "ball:10", "--stock",
+                              "-40,-20,-5,40,20,5", "-o", "b", "--force")
+        self.assertAlmostEqual(again["removed_mm3"], before["removed_mm3"], delta=0.1)
 
     def test_contact_is_used_where_the_path_knows_it(self):
         surface = self.file(plane())

@@ -6,7 +6,7 @@ import re
 import subprocess
 import unittest
 
-from program import SURFACES, ProgramTest, endmill
+from program import ROOT, SURFACES, ProgramTest, endmill
 
 # Its table is in inches, whatever the program's unit is.
 TOOLS = "T1 P1 D0.3937 Z0.0 ;ball\nT12 P12 D0.3937 Z1.0 ;another\n"
@@ -110,6 +110,29 @@ class Interpreter(ProgramTest):
         self.assertEqual(re.findall(r"(?:SET_FEED_RATE|SET_SPINDLE_SPEED|SELECT_TOOL)\((.*)\)", said),
                          ["0.0000", "1", "0, 1000.0000", "100.0000", "200.0000", "12", "0, 2000.0000", "300.0000",
                           "0.0000"])
+
+    def test_a_program_with_other_feeds_moves_as_before(self):
+        material = ROOT / "datasets/materials/steel.json"
+        program = self.file("%\n(groove)\nG21 G90 G17 G40 G49 G94\nT1 M6\nS1000 M3\nG0 X-30 Y0 Z30\nG1 Z0 F50\n"
+                            "X30 F300\nG0 Z30\nX-20 Y4\nG1 Z0 F50\nG2 X20 Y4 R200 F300\nG91 G3 X-40 I-20 Z-0.5\n"
+                            "G90 G0 Z30\nM30\n%\n", "part.ngc")
+        done = endmill("feed", program, "--material", material, "--cutter", "ball:10", "--flutes", 2, "--max-force-n",
+                       1200, "--stock-top", 5, "--allow-infeasible", "-o", "fed", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        said = []
+        for file in (program, self.folder / "fed/part-feed.ngc"):
+            done = self.interpret(file)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            said.append((self.folder / "canonical.txt").read_text())
+        straight = [MOVE.findall(text) for text in said]
+        self.assertEqual(straight[0], straight[1])
+        self.assertIn("groove", said[1])
+        ends = [re.findall(r"ARC_FEED\((\S+), (\S+), (\S+), (\S+), (\S+), (\S+),", text) for text in said]
+        self.assertEqual(len(ends[0]), 2)
+        self.assertGreater(len(ends[1]), 2)
+        centres = {tuple(round(float(c), 2) for c in end[2:4]) for end in ends[0]}
+        self.assertEqual({tuple(round(float(c), 2) for c in end[2:4]) for end in ends[1]}, centres)
+        self.assertEqual(ends[1][-1][:2], ends[0][-1][:2])
 
     def test_names_that_would_be_commands_stay_comments(self):
         table = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n1,0,0\n", "p.csv")

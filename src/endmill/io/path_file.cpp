@@ -102,13 +102,19 @@ PathFormat path_format(std::string_view content, const std::filesystem::path& pa
                       {shown_path(path), "", "content is not recognised", expected}};
 }
 
-Program read_program(const std::filesystem::path& path, const PathReadOptions& options)
+GcodeReadOptions gcode_reading(const PathReadOptions& options)
 {
-    const std::string content = read_file(path, options.limits);
-    const std::string file = shown_path(path);
     GcodeReadOptions gcode = options.gcode;
     gcode.max_extent_mm = options.limits.max_extent_mm;
     gcode.most_points = points_within(options.limits.max_memory_gib);
+    return gcode;
+}
+
+Program parse_program(std::string_view content, const std::filesystem::path& path,
+                      const PathReadOptions& options)
+{
+    const std::string file = shown_path(path);
+    const GcodeReadOptions gcode = gcode_reading(options);
     switch (path_format(content, path)) {
         case PathFormat::Csv:
             return parse_tool_path(content, file, options.limits);
@@ -120,6 +126,11 @@ Program read_program(const std::filesystem::path& path, const PathReadOptions& o
             break;
     }
     return parse_gcode(content, file, gcode);
+}
+
+Program read_program(const std::filesystem::path& path, const PathReadOptions& options)
+{
+    return parse_program(read_file(path, options.limits), path, options);
 }
 
 }  // namespace endmill

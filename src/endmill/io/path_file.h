@@ -30,6 +30,15 @@ struct PathReadOptions {
 /// \throws FormatError E_FORMAT for another kind of file, which is named if it is known.
 PathFormat path_format(std::string_view content, const std::filesystem::path& path);
 
+/// `options.gcode` as the limits bound it.
+GcodeReadOptions gcode_reading(const PathReadOptions& options);
+
+/// The tool path in the content of a file of any of these kinds.
+/// \param path for its extension and messages.
+/// \throws as `read_program`, which reads the file first.
+Program parse_program(std::string_view content, const std::filesystem::path& path,
+                      const PathReadOptions& options = {});
+
 /// Reads a tool path from a file of any of these kinds.
 /// \throws FormatError, LimitError as `read_file`, `path_format` and the reader of the
 ///         kind: `parse_tool_path`, `parse_gcode`, `parse_canonical`, `parse_apt`.

@@ -250,4 +250,40 @@ void check_m_codes(const GcodeBlock& block, const TextLines& lines)
     }
 }
 
+bool is_arc(const GcodeBlock& block, const GcodeModes& modes)
+{
+    return (modes.motion == GcodeMotion::ClockwiseArc ||
+            modes.motion == GcodeMotion::CounterclockwiseArc) &&
+           block.has_any("XYZIJKR");
+}
+
+void check_words(const GcodeBlock& block, const GcodeModes& modes, const TextLines& lines)
+{
+    for (const char letter : {'A', 'B', 'C'})
+        if (block.has(letter))
+            throw lines.complaint(std::string{"rotary axis word "} + letter,
+                                  "a three-axis program: five axes need --machine");
+    const bool dwells = block.g.contains(40);
+    const bool blends = block.g.contains(640);
+    if (dwells && !(block.has('P') && block.value('P') >= 0))
+        throw lines.complaint("G4 without P >= 0", "P, the time to wait in s");
+    if (block.has('Q') && !blends)
+        throw lines.complaint("word Q", "Q only beside G64");
+    const bool is_used_otherwise = dwells || blends || block.has('M');
+    if (block.has('L') && !block.has('M'))
+        throw lines.complaint("word L", "L only beside an M code that takes it");
+    const bool along_arc = is_arc(block, modes);
+    for (const char letter : {'I', 'J', 'K', 'R', 'P'}) {
+        if (!block.has(letter) || along_arc)
+            continue;
+        const bool is_for_others = letter == 'P' || letter == 'R';
+        if (!(is_for_others && is_used_otherwise))
+            throw lines.complaint(std::string{"word "} + letter + " without an arc",
+                                  "it in a block of G2 or G3");
+    }
+    if (block.has('P') && (dwells || blends) && along_arc)
+        throw lines.complaint("word P for both an arc and G4 or G64",
+                              "them in blocks of their own");
+}
+
 }  // namespace endmill

@@ -55,4 +55,14 @@ struct GcodeModes {
 ///         two stop or two turn the spindle.
 void check_m_codes(const GcodeBlock& block, const TextLines& lines);
 
+/// Whether `block` goes along an arc: a full circle needs no axis word.
+/// \param modes with the block's codes in force.
+bool is_arc(const GcodeBlock& block, const GcodeModes& modes);
+
+/// \throws FormatError at the line where `lines` stands if a word stands in a block that has
+///         no use for it: it would be one that another control has a use for.
+/// \param modes with the block's codes in force.
+void check_words(const GcodeBlock& block, const GcodeModes& modes,
+                 const TextLines& lines);
+
 }  // namespace endmill

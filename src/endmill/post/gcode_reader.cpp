@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "endmill/core/numbers.h"
 #include "endmill/post/gcode_arc.h"
@@ -40,6 +41,13 @@ public:
         return builder_.take();
     }
 
+    std::vector<GcodeMove> read_moves()
+    {
+        keeps_moves_ = true;
+        read();
+        return std::move(moves_);
+    }
+
 private:
     // A deleted block is not even looked at: it may hold what only a machine understands.
     void read_line()
@@ -53,8 +61,13 @@ private:
             text.remove_prefix(1);
         }
         const GcodeBlock block = parse_block(text, lines_);
+        const std::size_t first = builder_.point_count();
+        arc_.reset();
         if (!block.is_empty())
             execute(block);
+        if (keeps_moves_ && builder_.point_count() > first)
+            moves_.push_back(
+                {lines_.number(), first, builder_.point_count(), modes_, arc_});
     }
 
     // Words before a first % are a leader to some controls and the program to others.
@@ -76,7 +89,7 @@ private:
         const GcodeModes before = modes_;
         modes_.apply(block, lines_);
         check_m_codes(block, lines_);
-        check_words(block);
+        check_words(block, modes_, lines_);
         note_modes(block, before);
         if (modes_.inverse_time != before.inverse_time)
             feed_.reset();
@@ -87,48 +100,10 @@ private:
         end_program(block);
     }
 
-    // No word may stand in a block that has no use for it: it would be one that another
-    // control has a use for.
-    void check_words(const GcodeBlock& block) const
-    {
-        for (const char letter : {'A', 'B', 'C'})
-            if (block.has(letter))
-                throw lines_.complaint(std::string{"rotary axis word "} + letter,
-                                       "a three-axis program: five axes need --machine");
-        const bool dwells = block.g.contains(40);
-        const bool blends = block.g.contains(640);
-        if (dwells && !(block.has('P') && block.value('P') >= 0))
-            throw lines_.complaint("G4 without P >= 0", "P, the time to wait in s");
-        if (block.has('Q') && !blends)
-            throw lines_.complaint("word Q", "Q only beside G64");
-        const bool is_used_otherwise = dwells || blends || block.has('M');
-        if (block.has('L') && !block.has('M'))
-            throw lines_.complaint("word L", "L only beside an M code that takes it");
-        for (const char letter : {'I', 'J', 'K', 'R', 'P'}) {
-            if (!block.has(letter) || is_arc(block))
-                continue;
-            const bool is_for_others = letter == 'P' || letter == 'R';
-            if (!(is_for_others && is_used_otherwise))
-                throw lines_.complaint(std::string{"word "} + letter + " without an arc",
-                                       "it in a block of G2 or G3");
-        }
-        if (block.has('P') && (dwells || blends) && is_arc(block))
-            throw lines_.complaint("word P for both an arc and G4 or G64",
-                                   "them in blocks of their own");
-    }
-
-    // A full circle needs no axis word.
-    bool is_arc(const GcodeBlock& block) const
-    {
-        return (modes_.motion == GcodeMotion::ClockwiseArc ||
-                modes_.motion == GcodeMotion::CounterclockwiseArc) &&
-               block.has_any("XYZIJKR");
-    }
-
     bool is_motion(const GcodeBlock& block) const
     {
         if (!block.has_any("XYZ"))
-            return is_arc(block);
+            return is_arc(block, modes_);
         if (modes_.motion == GcodeMotion::None)
             throw lines_.complaint("axis word without a motion mode",
                                    "G0, G1, G2 or G3 in this block or before");
@@ -217,7 +192,7 @@ private:
         const Vec3 start = position_;
         for (int axis = 0; axis < 3; ++axis)
             move_axis(block, axis);
-        const bool along_arc = is_arc(block);
+        const bool along_arc = is_arc(block, modes_);
         const ArcReader arcs{block, modes_, lines_, options_};
         if (along_arc)
             arcs.check_words();
@@ -226,7 +201,7 @@ private:
         else if (!was_known)
             start_path(is_rapid);
         else if (along_arc)
-            builder_.go_along(arcs.arc(start, position_), *feed_);
+            builder_.go_along(arc_.emplace(arcs.arc(start, position_)), *feed_);
         else
             builder_.go_to(position_, is_rapid ? std::nullopt : feed_);
     }
@@ -327,6 +302,9 @@ private:
     bool has_percent_ = false;
     bool has_words_ = false;
     bool has_ended_ = false;
+    bool keeps_moves_ = false;
+    std::vector<GcodeMove> moves_;
+    std::optional<Arc> arc_;  // of the line
 };
 
 }  // namespace
@@ -335,6 +313,12 @@ Program parse_gcode(std::string_view text, const std::string& file,
                     const GcodeReadOptions& options)
 {
     return GcodeReader{text, file, options}.read();
+}
+
+std::vector<GcodeMove> gcode_moves(std::string_view text, const std::string& file,
+                                   const GcodeReadOptions& options)
+{
+    return GcodeReader{text, file, options}.read_moves();
 }
 
 }  // namespace endmill

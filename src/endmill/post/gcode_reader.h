@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "endmill/post/arc.h"
+#include "endmill/post/gcode_modes.h"
 #include "endmill/post/gcode_read_options.h"
 #include "endmill/post/program.h"
 
@@ -31,5 +36,19 @@ namespace endmill {
 /// Source: spec of the removal, section 5; [KramerProctorMessina].
 Program parse_gcode(std::string_view text, const std::string& file,
                     const GcodeReadOptions& options = {});
+
+/// A line of a program that moves the tool.
+struct GcodeMove {
+    std::size_t line;             ///< from 1
+    std::size_t first;            ///< of the path's points that it made
+    std::size_t end;              ///< behind the last of them
+    GcodeModes modes;             ///< in force, with the line's own codes
+    std::optional<Arc> arc = {};  ///< if the line goes along one
+};
+
+/// The lines that make the points of the path, in order, none without a point.
+/// \throws as `parse_gcode`.
+std::vector<GcodeMove> gcode_moves(std::string_view text, const std::string& file,
+                                   const GcodeReadOptions& options = {});
 
 }  // namespace endmill

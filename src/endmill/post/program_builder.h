@@ -37,6 +37,9 @@ public:
     /// Whether the path has begun.
     bool has_position() const { return !path_.points.empty(); }
 
+    /// How many points the path has so far.
+    std::size_t point_count() const { return path_.points.size(); }
+
     /// Goes straight to `target`; without a feed as a rapid.
     /// \throws FormatError E_RANGE if a coordinate or the feed is out of range.
     /// \throws LimitError if the path has too many points.
