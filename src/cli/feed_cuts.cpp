@@ -31,17 +31,21 @@ FeedPlan stock_plan(const FeedInput& input, const SegmentCuts& cuts,
     HeightStock stock = stock_of(input, options);
     const FeedRules rules = feed_rules(input.job, input.plan);
     FeedPlan plan;
+    plan.rows.resize(cuts.cuts.size());
     std::vector<double> lengths;
+    for (const SegmentCut& cut : cuts.cuts)
+        lengths.push_back(cut.length_mm);
     ProgressLine progress{"removing and planning", options.common};
     for_each_ball_front(
-        stock, {&input.program.path, input.tool.cutter, cuts.points},
+        stock,
+        {.path = &input.program.path,
+         .cutter = input.tool.cutter,
+         .points = cuts.points,
+         .progress = [&](double share) { progress.show(share); }},
         [&](std::size_t number, const BallFront& front) {
-            progress.show(static_cast<double>(number) /
-                          static_cast<double>(cuts.cuts.size()));
-            lengths.push_back(cuts.cuts[number].length_mm);
-            plan.rows.push_back(segment_feed(
-                front_load(lengths.back(), front, input.job.tool, input.plan, rules),
-                rules));
+            plan.rows[number] = segment_feed(
+                front_load(lengths[number], front, input.job.tool, input.plan, rules),
+                rules);
         });
     plan.totals = feed_plan_totals(plan.rows, lengths, rules.limits);
     return plan;

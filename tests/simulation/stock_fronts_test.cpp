@@ -10,6 +10,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/simulation/removal.h"
+#include "endmill/simulation/stock_probe.h"
 #include "tip_path.h"
 
 namespace endmill {
@@ -137,11 +138,12 @@ TEST(StockFronts, HaveTheAngleOfTheirRim)
     EXPECT_NEAR(last_of_raster(2.5, 6, 0.1, true).rim_angle, std::acos(0.5), 0.03);
     HeightStock stock = block_stock({{-15, -15, -20}, {15, 15, 3}}, 0.1);
     const ToolPath path = test::tip_path({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {2, 0, 1}});
-    std::vector<double> angles;
+    std::array<double, 2> angles{};
     const std::array<std::size_t, 2> points{1, 2};
-    for_each_ball_front(
-        stock, {&path, Cutter::ball(5), points},
-        [&](std::size_t, const BallFront& front) { angles.push_back(front.rim_angle); });
+    for_each_ball_front(stock, {&path, Cutter::ball(5), points},
+                        [&](std::size_t number, const BallFront& front) {
+                            angles.at(number) = front.rim_angle;
+                        });
     EXPECT_NEAR(angles.at(0), pi, 0.1);
     EXPECT_EQ(angles.at(1), 0);  // straight up
 }
@@ -161,6 +163,45 @@ TEST(StockFronts, OfAnUphillSlotHaveItsClosedCoefficients)
     EXPECT_NEAR(found[0], 0, 1.5e-3);
     EXPECT_NEAR(found[5], 0.5 - lambda / pi, 4e-3);
     EXPECT_NEAR(found[6], (2 - std::cos(lambda)) / 4, 4e-3);
+}
+
+// Fronts looked at one by one, each on a stock that a path up to there has left: moves shorter
+// than the ball, back and forth, so that every one meets what those just before it left.
+TEST(StockFronts, AreThoseThatEachMoveFindsWhicheverThreadLooks)
+{
+    const Block block{{-12, -12, -20}, {12, 12, 4}};
+    std::vector<Vec3> tips;
+    for (int k = 0; k < 150; ++k) {
+        const int pass = k / 25;
+        const double x = -13 + (pass % 2 == 0 ? k % 25 : 24 - k % 25);
+        tips.emplace_back(x, -6 + 2.5 * pass, std::sin(0.9 * k));
+    }
+    const ToolPath path = test::tip_path(tips);
+    std::vector<std::size_t> points;
+    for (std::size_t k = 1; k < tips.size(); ++k)
+        points.push_back(k);
+    HeightStock whole = block_stock(block, 0.5);
+    std::vector<BallFront> fronts(points.size());
+    for_each_ball_front(
+        whole, {&path, Cutter::ball(5), points},
+        [&](std::size_t number, const BallFront& front) { fronts[number] = front; });
+    for (const std::size_t k : {1, 2, 40, 65, 66, 129, 149}) {
+        HeightStock stock = block_stock(block, 0.5);
+        for (std::size_t i = 0; i + 1 < k; ++i)
+            take_swept(stock, Cutter::ball(5), swept_move(tips[i], tips[i + 1]));
+        const ToolPath move = test::tip_path({tips[k - 1], tips[k]});
+        const std::array<std::size_t, 1> last{1};
+        for_each_ball_front(stock, {&move, Cutter::ball(5), last},
+                            [&](std::size_t, const BallFront& front) {
+                                EXPECT_EQ(front.engaged, fronts[k - 1].engaged) << k;
+                                EXPECT_EQ(front.shank, fronts[k - 1].shank) << k;
+                                EXPECT_EQ(front.rim_angle, fronts[k - 1].rim_angle) << k;
+                            });
+    }
+    // The stock that is left is that of the removal.
+    HeightStock removed = block_stock(block, 0.5);
+    remove_along(removed, path, Cutter::ball(5));
+    EXPECT_NEAR(stock_volume(whole), stock_volume(removed), 1e-9);
 }
 
 TEST(StockFronts, RefuseWhatTheyDoNotKnow)

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
 #include "endmill/simulation/removable_path.h"
+#include "endmill/simulation/stock_patch.h"
 #include "endmill/simulation/stock_probe.h"
 
 namespace endmill {
@@ -22,6 +24,11 @@ constexpr int rim_azimuths = 256;
 // Of the height of the highest engaged cell above the tip: below it by half a cell or so, the
 // ring is engaged as its border says and not as its last cell does.
 constexpr double rim_share = 1 - 1.0 / 32;
+
+// Moves that are looked at side by side: enough that the threads part evenly, and no more than
+// fit into this memory.
+constexpr double most_batch_moves = 64;
+constexpr double batch_bytes = 1 << 25;
 
 // The frame of a BallFront in the middle of a move, Y to the right.
 struct Frame {
@@ -49,7 +56,7 @@ Vec3 place(const Frame& frame, const Vec3& at)
 }
 
 // How far the stock goes above a place, in mm; not above 0: it is free.
-double covered(const HeightStock& stock, const Vec3& at)
+double covered(const StockPatch& stock, const Vec3& at)
 {
     const auto height = height_under(stock, at.x(), at.y());
     return height && *height > stock.grid().bottom_z ? *height - at.z() : -1;
@@ -62,7 +69,7 @@ struct Look {
     double highest = -1;  // z of the highest engaged cell, in radii
 };
 
-void look_at_row(const HeightStock& stock, const Frame& frame, int row, BallFront& front,
+void look_at_row(const StockPatch& stock, const Frame& frame, int row, BallFront& front,
                  Look& look)
 {
     const double y = -1 + 2 * (row + 0.5) / front.rows;
@@ -78,7 +85,7 @@ void look_at_row(const HeightStock& stock, const Frame& frame, int row, BallFron
     }
 }
 
-void look_at_shank(const HeightStock& stock, const Frame& frame, BallFront& front,
+void look_at_shank(const StockPatch& stock, const Frame& frame, BallFront& front,
                    Look& look)
 {
     for (int k = 0; k < front.columns; ++k) {
@@ -90,7 +97,7 @@ void look_at_shank(const HeightStock& stock, const Frame& frame, BallFront& fron
     }
 }
 
-double rim_angle(const HeightStock& stock, const Frame& frame, const BallFront& front,
+double rim_angle(const StockPatch& stock, const Frame& frame, const BallFront& front,
                  double highest)
 {
     const auto in_shank =
@@ -120,31 +127,90 @@ void mirror(BallFront& front)
                          front.engaged.end() - (row + 1) * front.columns);
 }
 
-BallFront front_on(const HeightStock& stock, const Vec3& from, const Vec3& to,
-                   const BallFrontTask& task)
+// A move, and the stock around its middle as it finds it.
+struct FoundStock {
+    std::size_t number;
+    Vec3 from;
+    Vec3 to;
+    StockPatch patch;
+
+    Vec3 middle() const { return (from + to) / 2; }
+};
+
+BallFront front_on(const FoundStock& found, const BallFrontTask& task)
 {
     const double radius = task.cutter.radius();
     BallFront front{.rows = task.rows, .columns = task.columns};
     front.engaged.resize(static_cast<std::size_t>(front.rows) * front.columns);
     front.shank.resize(front.columns);
-    const Vec3 way = to - from;
+    const Vec3 way = found.to - found.from;
     const double level = std::hypot(way.x(), way.y());
     if (level == 0)
         return front;
     front.lambda = std::atan2(way.z(), level);
-    Frame frame{(from + to) / 2 + radius * Vec3::UnitZ(), radius, way.x() / level,
+    Frame frame{found.middle() + radius * Vec3::UnitZ(), radius, way.x() / level,
                 way.y() / level, front.lambda};
     add_columns(frame, front.columns);
     Look look;
     for (int row = 0; row < front.rows; ++row)
-        look_at_row(stock, frame, row, front, look);
-    look_at_shank(stock, frame, front, look);
+        look_at_row(found.patch, frame, row, front, look);
+    look_at_shank(found.patch, frame, front, look);
     if (look.right + look.left > 0)
-        front.rim_angle = rim_angle(stock, frame, front, look.highest);
+        front.rim_angle = rim_angle(found.patch, frame, front, look.highest);
     if (look.left > look.right)
         mirror(front);
     return front;
 }
+
+// Cuts along the path, and keeps what the moves find.
+class StockWalk {
+public:
+    StockWalk(HeightStock& stock, const BallFrontTask& task)
+        : stock_{stock},
+          task_{task},
+          most_{static_cast<std::size_t>(std::clamp(
+              batch_bytes / StockPatch::bytes(stock.grid(), task.cutter.radius()), 1.0,
+              most_batch_moves))}
+    {
+    }
+
+    // What the next moves to be looked at find; none after the last, and all is cut.
+    void go_on(std::vector<FoundStock>& batch)
+    {
+        const std::vector<PathPoint>& points = task_.path->points;
+        batch.resize(std::min(most_, task_.points.size() - looked_at_));
+        for (FoundStock& found : batch) {
+            cut_up_to(task_.points[looked_at_]);
+            found.number = looked_at_++;
+            found.from = points[reached_ - 1].location.tip;
+            found.to = points[reached_].location.tip;
+            found.patch.copy(stock_, found.middle(), task_.cutter.radius());
+        }
+        if (batch.empty())
+            cut_up_to(points.size());
+    }
+
+private:
+    // All moves before the one to a point.
+    void cut_up_to(std::size_t end)
+    {
+        const std::vector<PathPoint>& points = task_.path->points;
+        for (; reached_ < end; ++reached_) {
+            const Vec3& to = points[reached_].location.tip;
+            if (reached_ > 0)
+                take_swept(stock_, task_.cutter,
+                           swept_move(points[reached_ - 1].location.tip, to));
+            else if (cuts_at_start(*task_.path))
+                take_swept(stock_, task_.cutter, swept_move(to, to));
+        }
+    }
+
+    HeightStock& stock_;
+    const BallFrontTask& task_;
+    std::size_t most_;           // moves of a batch
+    std::size_t looked_at_ = 0;  // of the task's points
+    std::size_t reached_ = 0;    // of the path's points
+};
 
 void require_sound(const BallFrontTask& task)
 {
@@ -166,17 +232,25 @@ void for_each_ball_front(
     const std::function<void(std::size_t number, const BallFront& front)>& visit)
 {
     require_sound(task);
-    const std::vector<PathPoint>& points = task.path->points;
-    std::size_t next = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        const Vec3& to = points[k].location.tip;
-        const Vec3& from = k == 0 ? to : points[k - 1].location.tip;
-        if (next < task.points.size() && task.points[next] == k) {
-            visit(next, front_on(stock, from, to, task));
-            ++next;
-        }
-        if (k > 0 || cuts_at_start(*task.path))
-            take_swept(stock, task.cutter, swept_move(from, to));
+    StockWalk walk{stock, task};
+    std::vector<FoundStock> batch;
+    std::vector<FoundStock> next;
+    walk.go_on(batch);
+    while (!batch.empty()) {
+        // The removal goes ahead while the fronts are looked at: its moves are in order, and
+        // wait for each other.
+        parallel_for(batch.size() + 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (i == 0)
+                    walk.go_on(next);
+                else
+                    visit(batch[i - 1].number, front_on(batch[i - 1], task));
+            }
+        });
+        if (task.progress)
+            task.progress(static_cast<double>(batch.back().number + 1) /
+                          static_cast<double>(task.points.size()));
+        std::swap(batch, next);
     }
 }
 

@@ -20,6 +20,7 @@ struct BallFrontTask {
     int rows = 96;                        ///< cells across the feed; even
     int columns =
         128;  ///< cells about the axis across the feed, and azimuths of the shank
+    std::function<void(double share)> progress = {};  ///< called now and then, if set
 };
 
 /// Takes from `stock`, move by move, what the ball-end mill sweeps along the path, as
@@ -32,6 +33,10 @@ struct BallFrontTask {
 /// higher than the ball's centre there. The rim is looked at 256 azimuths, a little below the
 /// highest engaged place. A move straight up or down engages nothing.
 /// Source: spec of ball-end milling, section 12, `stock`.
+///
+/// Every move finds what the one before it left, so one thread cuts, move by move; it copies
+/// the stock around each middle, and the other threads look at the copies. Beside the stock it
+/// takes up to 64 MB, or two copies if they are larger. The fronts and the stock are the same with any number of threads.
 ///
 /// \throws DomainError unless the cutter is a ball, rows are even and above 0, there is a
 ///         column, and the points are as said; as `remove_along`.
