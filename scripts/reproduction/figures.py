@@ -4,6 +4,7 @@ import math
 import re
 
 import matplotlib
+import numpy as np
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402 (the backend is chosen first)
@@ -16,7 +17,7 @@ from .tables import Table, number, read_table  # noqa: E402
 FILE_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,59}\.(svg|csv)")
 PLOT_KEYS = {"csv", "x", "y", "group_by", "filter", "labels", "x_scale", "y_scale",
              "x_label", "y_label", "title", "kind"}
-KINDS = {"line", "points", "bar"}
+KINDS = {"line", "points", "bar", "surface"}
 STYLE = {
     "svg.hashsalt": "endmill",  # ids in the file would otherwise be random
     "font.size": 10,
@@ -64,6 +65,9 @@ def draw(plot, folder, path):
     check(plot, path.name)
     table = filtered(read_table(folder / plot["csv"]), plot)
     with plt.rc_context(STYLE):
+        if plot.get("kind") == "surface":
+            draw_surface(plot, table, path)
+            return
         figure, axes = plt.subplots(figsize=(7.2, 4.2), layout="constrained")
         curves = list(curves_of(table, plot))
         if plot.get("kind") == "bar":
@@ -86,6 +90,8 @@ def check(plot, name):
         raise Fault(f"{where}: y is a list of columns")
     if plot.get("kind", "line") not in KINDS:
         raise Fault(f"{where}: kind is one of {sorted(KINDS)}")
+    if plot.get("kind") == "surface" and ("group_by" not in plot or len(plot["y"]) != 1):
+        raise Fault(f"{where}: a surface has one column y, over x and group_by")
     if not FILE_NAME.fullmatch(plot["csv"]):
         raise Fault(f"{where}: csv {plot['csv']!r} is no plain file name")
 
@@ -164,6 +170,35 @@ def draw_bars(axes, curves):
     for i, (label, xs, ys) in enumerate(curves):
         offset = (i - (len(curves) - 1) / 2) * width
         axes.bar([texts.index(x) + offset for x in xs], ys, width=width, label=label)
+
+
+def grid_of(table, plot):
+    """Rising values of x and of group_by, and rows of y over them; Fault if one is missing."""
+    across, along = (sorted({number(text) for text in table.column(plot[key])}) for key in ("x", "group_by"))
+    cells = {(number(x), number(other)): number(y) for x, other, y in
+             zip(*(table.column(column) for column in (plot["x"], plot["group_by"], plot["y"][0])))}
+    if len(across) < 2 or len(along) < 2 or len(cells) != len(across) * len(along):
+        raise Fault(f"{plot['csv']}: a surface needs a number for every x with every {plot['group_by']}")
+    return across, along, [[cells[x, other] for x in across] for other in along]
+
+
+def draw_surface(plot, table, path):
+    """A column over two others, as a net seen from above; what is nearer covers what is behind."""
+    across, along, rows = grid_of(table, plot)
+    labels = plot.get("labels", {})
+    figure = plt.figure(figsize=(7.2, 5.2), layout="constrained")
+    axes = figure.add_subplot(projection="3d", proj_type="ortho")
+    axes.plot_surface(np.array([across] * len(along)), np.array([[y] * len(across) for y in along]), np.array(rows),
+                      rstride=1, cstride=1, color="#cfe0f2", edgecolor="#12365f", linewidth=0.5, shade=False)
+    axes.view_init(elev=30, azim=-55)
+    axes.set_box_aspect((1, 1, 0.7), zoom=1.05)
+    axes.set_xlabel(plot.get("x_label", labels.get(plot["x"], plot["x"])), labelpad=8)
+    axes.set_ylabel(labels.get(plot["group_by"], plot["group_by"]), labelpad=8)
+    axes.set_zlabel(plot.get("y_label", labels.get(plot["y"][0], plot["y"][0])), labelpad=8)
+    if "title" in plot:
+        axes.set_title(plot["title"], fontsize=11, loc="left")
+    figure.savefig(path, metadata={"Date": None, "Creator": None})
+    plt.close(figure)
 
 
 def dress(axes, plot, legend):

@@ -5,7 +5,7 @@ import xml.etree.ElementTree as xml
 
 from fake_tree import FakeTree
 from reproduction.fault import Fault
-from reproduction.figures import curves_of, draw_all, filtered
+from reproduction.figures import curves_of, draw_all, filtered, grid_of
 from reproduction.tables import read_table
 
 RESULT = "row,radius_mm,k,interval_mm\na,5,0,2\nb,5,0.1,1.5\nc,10,0,2.8\nd,10,0.1,\n"
@@ -33,6 +33,27 @@ class Figures(FakeTree):
             for x in ("k", "row"):
                 root = xml.fromstring(self.drawn(kind=kind, x=x, y_scale="log"))
                 self.assertTrue(root.tag.endswith("svg"))
+
+    def test_a_surface_is_a_net_over_two_columns(self):
+        self.write("result.csv", "row,u,v,z\na,1,0,3\nb,0,0,1\nc,0,5,2\nd,1,5,4\ne,2,0,0\nf,2,5,-1\n")
+        surface = {"kind": "surface", "x": "u", "group_by": "v", "y": ["z"]}
+        self.assertEqual(grid_of(read_table(self.root / "result.csv"), surface),
+                         ([0, 1, 2], [0, 5], [[1, 3, 0], [2, 4, -1]]))
+        drawn = self.drawn(**surface)
+        self.assertEqual(drawn, self.drawn(**surface))
+        net = [e for e in xml.fromstring(drawn).iter() if e.get("id", "").startswith("Poly3DCollection")]
+        self.assertEqual(len(net), 1)
+        self.assertEqual(len([e for e in net[0].iter() if e.tag.endswith("path")]), 2)
+
+    def test_a_surface_with_a_hole_is_refused(self):
+        for csv in ("u,v,z\n0,0,1\n1,0,1\n0,1,1\n", "u,v,z\n0,0,1\n0,1,1\n"):
+            self.write("result.csv", csv)
+            with self.assertRaises(Fault):
+                self.drawn(kind="surface", x="u", group_by="v", y=["z"])
+        self.write("result.csv", "u,v,z\n0,0,1\n1,0,1\n0,1,1\n1,1,2\n")
+        for plot in ({}, {"group_by": "v", "y": ["z", "u"]}):
+            with self.assertRaises(Fault):
+                self.drawn(kind="surface", x="u", **({"y": ["z"]} | plot))
 
     def test_a_curve_for_each_group_with_a_gap_where_a_cell_is_empty(self):
         plot = params(group_by="radius_mm")["figures"][0]["plot"]
