@@ -78,7 +78,7 @@ SegmentCut cut_of(const OneWayPasses& plan, const PassMove& move)
     cut.depth_mm = plan.stock_top - middle.at.z() + plan.radius * (1 - middle.normal.z());
     cut.previous = plan.first_pass;
     if (move.back > 0) {
-        cut.previous = PreviousPass::Pass;
+        cut.previous = PreviousPass::Beside;
         cut.pick_feed_mm =
             move.back * middle.spread * (1 + plan.radius * middle.k_across);
         cut.pick_feed_horizontal_mm = *cut.pick_feed_mm * std::cos(*cut.mu);

@@ -26,7 +26,7 @@ constexpr int profile_angles = 360;
 
 BallEngagement engagement_of(const CoefficientsOptions& options)
 {
-    if (options.previous == PreviousPass::Pass && !options.pick_feed_ratio)
+    if (options.previous == PreviousPass::Beside && !options.pick_feed_ratio)
         throw DomainError{
             "--pick-feed-ratio: expected a number from 0, or --previous none or edge"};
     return {.mu = Angle::degrees(options.mu_deg).radians(),

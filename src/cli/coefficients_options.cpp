@@ -9,7 +9,7 @@
 namespace endmill {
 namespace {
 
-constexpr std::array previous_passes{Choice<PreviousPass>{"pass", PreviousPass::Pass},
+constexpr std::array previous_passes{Choice<PreviousPass>{"pass", PreviousPass::Beside},
                                      Choice<PreviousPass>{"none", PreviousPass::None},
                                      Choice<PreviousPass>{"edge", PreviousPass::Edge}};
 constexpr std::array milling_words{Choice<Milling>{"down", Milling::Down},

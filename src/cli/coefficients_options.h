@@ -16,7 +16,7 @@ struct CoefficientsOptions {
     double lambda_deg = 0;
     std::optional<double> pick_feed_ratio;  ///< needed beside a previous pass
     double depth_ratio = 0;
-    PreviousPass previous = PreviousPass::Pass;
+    PreviousPass previous = PreviousPass::Beside;
     std::optional<ChipModel> chip;
     std::optional<int> flutes;
     std::optional<double> helix_deg;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/io/json_format.h"
 
+#include <array>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -16,10 +17,10 @@ using testing::HasSubstr;
 std::string complaint_of_format(const std::string& text)
 {
     return complaint_of([&] {
-        require_json(text, "f.json", "endmill-thing/2");
-        const JsonDocument document{text, "f.json"};
+        constexpr std::array<std::string_view, 2> keys{"format", "size"};
+        const FormatDocument document{text, "f.json", {}, {"endmill-thing/2", keys}};
         const JsonValue root = document.root();
-        require_format(root, "endmill-thing/2");
+        EXPECT_EQ(root.member("format").text(), "endmill-thing/2");
     });
 }
 
@@ -36,6 +37,11 @@ TEST(JsonFormat, IsTheOneOrSaysWhy)
                 HasSubstr("E_FORMAT"));
     EXPECT_THAT(complaint_of_format("{}"), HasSubstr("\"format\" is missing"));
     EXPECT_THAT(complaint_of_format(R"({"format": 2})"), HasSubstr("expected a string"));
+    EXPECT_THAT(complaint_of_format(R"({"format": "endmill-thing/2", "sise": 1})"),
+                HasSubstr("sise"));
+    // Another version first: its keys are others.
+    EXPECT_THAT(complaint_of_format(R"({"format": "endmill-thing/3", "sise": 1})"),
+                HasSubstr("newer version"));
     EXPECT_THAT(complaint_of_format("solid x"), HasSubstr("E_FORMAT"));
 }
 

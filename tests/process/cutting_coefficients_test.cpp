@@ -131,7 +131,7 @@ TEST(CuttingCoefficients, AreThoseOfTheTable)
         const auto number = [&](int k) { return number_from_text(cell[k]).value(); };
         const BallEngagement engagement{
             number(2), number(3), number(4), number(5),
-            cell[0] == "pass" ? PreviousPass::Pass : PreviousPass::None};
+            cell[0] == "pass" ? PreviousPass::Beside : PreviousPass::None};
         const auto found = listed(cutting_coefficients(
             engagement, cell[1] == "paper" ? ChipModel::Paper : ChipModel::Exact));
         for (int k = 0; k < 8; ++k)

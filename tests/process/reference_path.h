@@ -90,7 +90,7 @@ inline SegmentCut reference_cut(double X, double end, double Y, double pick)
     cut.mu = std::atan2(middle.across.z(), middle.N.z());
     cut.depth_mm =
         20 - middle.at.z() - reference_radius * middle.N.z() + reference_radius;
-    cut.previous = pick > 0 ? PreviousPass::Pass : PreviousPass::Edge;
+    cut.previous = pick > 0 ? PreviousPass::Beside : PreviousPass::Edge;
     if (pick > 0) {
         cut.pick_feed_mm =
             pick * middle.spread * (1 + reference_radius * middle.k_across);

@@ -14,7 +14,7 @@ TEST(SegmentCut, SaysNothingThatIsNotKnown)
     const SegmentCut cut;
     EXPECT_FALSE(cut.mu || cut.pick_feed_mm || cut.pick_feed_horizontal_mm);
     EXPECT_EQ(cut.length_mm, 0);
-    EXPECT_EQ(cut.previous, PreviousPass::Pass);
+    EXPECT_EQ(cut.previous, PreviousPass::Beside);
     EXPECT_EQ(cut.milling, Milling::Down);
     SegmentCut first = cut;
     first.previous = PreviousPass::None;

@@ -40,7 +40,7 @@ TEST(SegmentCuts, OfParallelPassesOnAPlaneHaveTheGeometryOfItsPickFeed)
                 ASSERT_EQ(cuts.cuts.size(), 20u);
                 EXPECT_EQ(cuts.cuts[3].previous, PreviousPass::None);
                 const SegmentCut& cut = cuts.cuts[15];
-                EXPECT_EQ(cut.previous, PreviousPass::Pass);
+                EXPECT_EQ(cut.previous, PreviousPass::Beside);
                 EXPECT_EQ(cut.milling, to_right ? Milling::Down : Milling::Up);
                 EXPECT_NEAR(cut.mu.value(), slope, 1e-12);
                 EXPECT_NEAR(cut.lambda, climb, 1e-12);
@@ -207,7 +207,7 @@ TEST(SegmentCuts, RefuseWhatIsNoOption)
     options.stock_top = std::nan("");
     EXPECT_THROW(segment_cuts(path, options), DomainError);
     options = by_passes();
-    options.first_pass = PreviousPass::Pass;
+    options.first_pass = PreviousPass::Beside;
     EXPECT_THROW(segment_cuts(path, options), DomainError);
     options = by_passes();
     options.source = CutSource::Contact;

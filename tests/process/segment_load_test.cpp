@@ -150,10 +150,10 @@ TEST(SegmentLoad, TakesTheEngagementFromTheMove)
     EXPECT_EQ(engagement.lambda, 0.2);
     EXPECT_NEAR(engagement.pick_feed_ratio, 0.3, 1e-15);
     EXPECT_NEAR(engagement.depth_ratio, 0.4, 1e-15);
-    EXPECT_EQ(engagement.previous, PreviousPass::Pass);
+    EXPECT_EQ(engagement.previous, PreviousPass::Beside);
     SegmentCut first{.length_mm = 1, .depth_mm = 2, .previous = PreviousPass::Edge};
     EXPECT_NO_THROW(ball_engagement(first, 5));
-    first.previous = PreviousPass::Pass;
+    first.previous = PreviousPass::Beside;
     EXPECT_THROW(ball_engagement(first, 5), DomainError);
     EXPECT_THROW(ball_engagement(cut_of(1.6, 0, 0.3, 0.4), 5), DomainError);
     EXPECT_THROW(ball_engagement(cut_of(0, 0, -0.3, 0.4), 5), DomainError);

@@ -63,7 +63,7 @@ private:
         if (e_.previous == PreviousPass::Edge && y < 0)
             return {0, 0, 0};
         const long double across = y + a_;
-        if (e_.previous == PreviousPass::Pass && std::abs(across) < 1) {
+        if (e_.previous == PreviousPass::Beside && std::abs(across) < 1) {
             const long double q = (-b_ - std::sqrt((1 - across) * (1 + across))) / rho;
             if (q <= -1)
                 return {0, 0, 0};

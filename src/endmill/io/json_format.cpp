@@ -7,6 +7,7 @@
 #include "endmill/core/numbers.h"
 #include "endmill/io/file_format.h"
 #include "endmill/io/printable.h"
+#include "endmill/io/read_file.h"
 
 namespace endmill {
 namespace {
@@ -24,8 +25,6 @@ std::optional<double> version_of(std::string_view format)
 {
     return number_from_text(format.substr(format.find('/') + 1));
 }
-
-}  // namespace
 
 void require_json(std::string_view content, const std::string& file,
                   std::string_view format)
@@ -53,6 +52,26 @@ void require_format(const JsonValue& root, std::string_view format)
             throw value.complaint("made by a newer version: " + value.shown(),
                                   quoted(format));
     throw value.complaint(value.shown(), quoted(format), "E_FORMAT");
+}
+
+// Before it is read as JSON, which could only say that it is none.
+std::string_view checked(std::string_view content, const std::string& file,
+                         std::string_view format)
+{
+    require_json(content, file, format);
+    return content;
+}
+
+}  // namespace
+
+FormatDocument::FormatDocument(std::string_view content,
+                               const std::filesystem::path& path,
+                               const ReadLimits& limits, const Format& format)
+    : document_{checked(content, shown_path(path), format.name), shown_path(path), limits}
+{
+    const JsonValue root = document_.root();
+    require_format(root, format.name);
+    root.allow_only(format.keys);
 }
 
 std::string name_or_stem(const JsonValue& root, const std::filesystem::path& path)

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -11,16 +12,29 @@
 
 namespace endmill {
 
-/// \throws FormatError E_FORMAT unless `content` begins as JSON does: what it looks like.
-/// \param file the name for messages. \param format the whole word, "endmill-tool/1".
-void require_json(std::string_view content, const std::string& file,
-                  std::string_view format);
+/// The JSON of a file of one format, checked as far as its keys.
+class FormatDocument {
+public:
+    /// What a format is called, and which keys its root may have.
+    struct Format {
+        std::string_view name;  ///< the whole word, "endmill-tool/1": '/' and a version
+        std::span<const std::string_view> keys;
+    };
 
-/// Checks the key `format`, first of all since a newer version may have other keys.
-/// \param format the whole word, which ends in '/' and a version.
-/// \throws FormatError E_JSON if it is missing or names a newer version; E_FORMAT if it
-///         is another format.
-void require_format(const JsonValue& root, std::string_view format);
+    /// The key `format` is checked first of all, since a newer version may have other keys.
+    /// \param path for messages.
+    /// \throws FormatError E_FORMAT for what does not begin as JSON does, saying what it looks
+    ///         like, and for another format; E_JSON if the format is missing or a newer
+    ///         version's, and for other keys; FormatError and LimitError as `JsonDocument`.
+    FormatDocument(std::string_view content, const std::filesystem::path& path,
+                   const ReadLimits& limits, const Format& format);
+
+    JsonValue root() const& { return document_.root(); }  ///< as of JsonDocument
+    JsonValue root() const&& = delete;                    ///< it would dangle
+
+private:
+    JsonDocument document_;
+};
 
 /// The name that the file gives itself in `name`, or that of the file, fit for a terminal.
 std::string name_or_stem(const JsonValue& root, const std::filesystem::path& path);

@@ -167,12 +167,8 @@ MachineDescription parse_machine(std::string_view content,
                                                     "spindle",
                                                     "max_feed_mm_per_min",
                                                     "acceleration_m_per_s2"};
-    const std::string file = shown_path(path);
-    require_json(content, file, format_name);
-    const JsonDocument document{content, file, limits};
+    const FormatDocument document{content, path, limits, {format_name, keys}};
     const JsonValue root = document.root();
-    require_format(root, format_name);
-    root.allow_only(keys);
 
     const double most = limits.max_extent_mm;
     MachineDescription machine{.name = name_or_stem(root, path),

@@ -80,12 +80,8 @@ CuttingMaterial parse_material(std::string_view content,
                                                     "max_feed_per_tooth_mm",
                                                     "min_feed_per_tooth_mm",
                                                     "source"};
-    const std::string file = shown_path(path);
-    require_json(content, file, format_name);
-    const JsonDocument document{content, file, limits};
+    const FormatDocument document{content, path, limits, {format_name, keys}};
     const JsonValue root = document.root();
-    require_format(root, format_name);
-    root.allow_only(keys);
 
     CuttingMaterial material{
         .specific_resistance_n_per_mm2 =

@@ -100,12 +100,8 @@ Tool parse_tool(std::string_view content, const std::filesystem::path& path,
     constexpr std::array<std::string_view, 10> keys{
         "format",    "name",      "source", "cutter", "flutes",
         "helix_deg", "length_mm", "limits", "shank",  "holder"};
-    const std::string file = shown_path(path);
-    require_json(content, file, format_name);
-    const JsonDocument document{content, file, limits};
+    const FormatDocument document{content, path, limits, {format_name, keys}};
     const JsonValue root = document.root();
-    require_format(root, format_name);
-    root.allow_only(keys);
 
     Tool tool{.cutter = cutter(root)};
     tool.name = name_or_stem(root, path);

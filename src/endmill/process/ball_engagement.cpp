@@ -23,8 +23,8 @@ void require_sound(const BallEngagement& engagement)
 
 bool is_air(const BallEngagement& engagement)
 {
-    return engagement.depth_ratio <= 0 ||
-           (engagement.previous == PreviousPass::Pass && engagement.pick_feed_ratio == 0);
+    return engagement.depth_ratio <= 0 || (engagement.previous == PreviousPass::Beside &&
+                                           engagement.pick_feed_ratio == 0);
 }
 
 bool is_engaged(const BallEngagement& engagement, double latitude, double azimuth)

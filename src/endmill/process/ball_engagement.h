@@ -7,9 +7,9 @@ namespace endmill {
 
 /// What the cutter meets across the feed.
 enum class PreviousPass {
-    Pass,  ///< a parallel pass, one pick feed back, has taken its share
-    None,  ///< a slot: full stock on both sides
-    Edge   ///< the first pass, ball centre over the block's edge: stock on one side
+    Beside,  ///< a parallel pass, one pick feed back, has taken its share
+    None,    ///< a slot: full stock on both sides
+    Edge     ///< the first pass, ball centre over the block's edge: stock on one side
 };
 
 /// How a ball-end cutter on a straight move stands in the stock, in radii of the ball.
@@ -26,7 +26,7 @@ struct BallEngagement {
         pick_feed_ratio;  ///< distance from the previous pass; >= 0. Only read with Pass
     double
         depth_ratio;  ///< from the tip up to the stock's horizontal top; at most 0: air
-    PreviousPass previous = PreviousPass::Pass;  ///< what has been cut before
+    PreviousPass previous = PreviousPass::Beside;  ///< what has been cut before
 };
 
 /// A range of azimuths on the cutter in which its edges cut.

@@ -124,7 +124,7 @@ CoefficientTable::CoefficientTable(ChipModel chip, const CoefficientTableOptions
 
 bool CoefficientTable::covers(const BallEngagement& engagement) const
 {
-    return engagement.previous == PreviousPass::Pass &&
+    return engagement.previous == PreviousPass::Beside &&
            std::abs(engagement.mu) <= largest_angle &&
            std::abs(engagement.lambda) <= largest_angle &&
            engagement.pick_feed_ratio <= 1;

@@ -54,7 +54,7 @@ void add_front(const EngagedRegion& region, std::vector<BorderArc>& arcs)
         add(0);
     if (std::abs(region.wall) < 1)
         add(-half_tangent(region.wall, other_leg(1, region.wall)));
-    if (region.previous == PreviousPass::Pass && region.pick_feed < 2) {
+    if (region.previous == PreviousPass::Beside && region.pick_feed < 2) {
         const double half_chord = other_leg(1, region.pick_feed / 2);
         for (const double side : {-half_chord, half_chord}) {
             const double y = -region.across / 2 - side * region.sin_mu;
@@ -102,7 +102,7 @@ void add_previous_ball(const EngagedRegion& region, bool split_at_axis,
 std::optional<double> wall_begin(const EngagedRegion& region)
 {
     const double front = half_tangent(region.sin_lambda, region.cos_lambda);
-    if (region.previous != PreviousPass::Pass)
+    if (region.previous != PreviousPass::Beside)
         return front;
     const double tau2 = 2 * region.across - region.pick_feed * region.pick_feed;
     if (tau2 <= 0)
@@ -143,7 +143,7 @@ EngagedRegion::EngagedRegion(const BallEngagement& engagement)
       sin_lambda{std::sin(engagement.lambda)},
       cos_mu{std::cos(engagement.mu)},
       sin_mu{std::sin(engagement.mu)},
-      pick_feed{previous == PreviousPass::Pass ? engagement.pick_feed_ratio : 0},
+      pick_feed{previous == PreviousPass::Beside ? engagement.pick_feed_ratio : 0},
       across{pick_feed * cos_mu},
       rise{pick_feed * sin_mu},
       top_cosine{std::max(0.0, 1 - engagement.depth_ratio)},
@@ -151,13 +151,14 @@ EngagedRegion::EngagedRegion(const BallEngagement& engagement)
                    ? std::sqrt(engagement.depth_ratio * (2 - engagement.depth_ratio))
                    : 1},
       depth{std::min(1.0, engagement.depth_ratio)},
-      wall{previous == PreviousPass::Pass ? 1 - across
-                                          : (previous == PreviousPass::Edge ? 0.0 : 1.0)},
+      wall{previous == PreviousPass::Beside
+               ? 1 - across
+               : (previous == PreviousPass::Edge ? 0.0 : 1.0)},
       amplitude{std::sqrt(std::max(0.0, 1 - pick_feed / 2) / 2)},
       reach{2 * std::sqrt(pick_feed) * amplitude},
       first{1}
 {
-    if (previous != PreviousPass::Pass || pick_feed >= 2)
+    if (previous != PreviousPass::Beside || pick_feed >= 2)
         return;
     // nu runs from mu, at the wall, if that is not behind the front plane.
     const double tau2 = 2 * across - pick_feed * pick_feed;

@@ -20,7 +20,7 @@ struct SegmentCut {
     std::optional<double> pick_feed_mm = {};             ///< f_p, between the centres
     std::optional<double> pick_feed_horizontal_mm = {};  ///< f_p cos(mu)
     double depth_mm = 0;  ///< l, stock's top over the tip; 0 or less: in air
-    PreviousPass previous = PreviousPass::Pass;  ///< needs mu and the pick feed
+    PreviousPass previous = PreviousPass::Beside;  ///< needs mu and the pick feed
     Milling milling = Milling::Down;
     bool has_two_neighbours =
         false;  ///< an earlier pass on the other side too, further off

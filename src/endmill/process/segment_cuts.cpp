@@ -23,7 +23,7 @@ void require_sound(const SegmentCutOptions& options)
     require(std::isfinite(options.radius) && options.radius > 0,
             "segment_cuts: need 0 < radius");
     require(std::isfinite(options.stock_top), "segment_cuts: need a finite stock top");
-    require(options.first_pass != PreviousPass::Pass,
+    require(options.first_pass != PreviousPass::Beside,
             "segment_cuts: need a first pass in a slot or on an edge");
     require(std::isfinite(options.contact_tolerance) && options.contact_tolerance > 0,
             "segment_cuts: need 0 < contact tolerance");
@@ -76,7 +76,7 @@ public:
         const NeighbouringPasses passes = passes_.beside(i, 2 * options_.radius);
         const std::optional<Neighbour> neighbour = nearest(passes);
         if (neighbour) {
-            cut.previous = PreviousPass::Pass;
+            cut.previous = PreviousPass::Beside;
             cut.milling = neighbour->is_left ? Milling::Down : Milling::Up;
             cut.has_two_neighbours = passes.left && passes.right;
         }

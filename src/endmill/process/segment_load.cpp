@@ -26,7 +26,7 @@ SegmentLoad load_of_sums(const SegmentCut& cut, const EdgeSums& sums,
 
 BallEngagement ball_engagement(const SegmentCut& cut, double radius)
 {
-    const bool has_pass = cut.previous == PreviousPass::Pass;
+    const bool has_pass = cut.previous == PreviousPass::Beside;
     require(!has_pass || (cut.mu && cut.pick_feed_mm),
             "ball_engagement: need mu and the pick feed beside a previous pass");
     const BallEngagement engagement{
@@ -48,7 +48,7 @@ double tool_life_angle(const BallEngagement& engagement)
             return std::numbers::pi;
         case PreviousPass::Edge:
             return std::numbers::pi / 2;
-        case PreviousPass::Pass:
+        case PreviousPass::Beside:
             break;
     }
     return std::clamp(engaged_angle(engagement), least_life_angle, std::numbers::pi);
