@@ -15,6 +15,13 @@ MillingJob reference_job(const std::string& material)
         read_machine("datasets/machines/milling-machine-" + material + ".json").limits};
 }
 
+MillingJob right_hand_job(const MillingJob& job)
+{
+    MillingJob turned = job;
+    turned.tool.helix = -job.tool.helix;
+    return turned;
+}
+
 OneWayPasses reference_passes()
 {
     return {.surface = ball_end_test_surface, .extent = {{-60, 60}, {-40, 40}}};

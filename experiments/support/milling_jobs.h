@@ -14,6 +14,11 @@ namespace endmill {
 /// Source: spec of ball-end milling, section 8, REF set.
 MillingJob reference_job(const std::string& material);
 
+/// The same with the helix of a right-hand cutter under M03 that mills down: in the frame of
+/// BallEngagement, which is mirrored then, its edges trail the other way.
+/// Source: paper/notes/ball-engagement.md, section 5.
+MillingJob right_hand_job(const MillingJob& job);
+
 /// The path REF: the formula's test surface, a ball of 5 mm, passes along x.
 OneWayPasses reference_passes();
 

@@ -6,6 +6,7 @@
 
 #include "endmill/process/front_load.h"
 #include "endmill/process/segment_load.h"
+#include "support/milling_jobs.h"
 #include "support/stroke_comparison.h"
 
 namespace endmill {
@@ -44,7 +45,8 @@ void add_engagements(CsvTable& table, const std::vector<SegmentCut>& cuts,
 
 CsvTable PeakForceRun::along_table()
 {
-    return CsvTable{{"row", "pass", "travel_mm", "plan", "idealised_n", "simulated_n"}};
+    return CsvTable{{"row", "pass", "travel_mm", "plan", "idealised_n", "simulated_n",
+                     "right_hand_idealised_n", "right_hand_simulated_n"}};
 }
 
 void PeakForceRun::add(CsvTable& table, CsvTable& along, const std::string& name,
@@ -53,6 +55,10 @@ void PeakForceRun::add(CsvTable& table, CsvTable& along, const std::string& name
     const std::vector<MilledMove> moves = milled_moves(cuts, plan, {});
     const std::vector<double> by_model = idealised_peaks(moves, job);
     const std::vector<double> by_stock = simulated_peaks(moves, simulated, job);
+    const MillingJob right_hand = right_hand_job(job);
+    const std::vector<double> right_by_model = idealised_peaks(moves, right_hand);
+    const std::vector<double> right_by_stock =
+        simulated_peaks(moves, simulated, right_hand);
     const double limit_n = job.tool.cutting_force_n.value();
     add_named(table, name,
               {{"cut_min", plan.totals.cut_min},
@@ -60,7 +66,13 @@ void PeakForceRun::add(CsvTable& table, CsvTable& along, const std::string& name
                {"idealised_peak_n", std::ranges::max(by_model)},
                {"idealised_over_percent", over_percent(cuts, by_model, limit_n)},
                {"simulated_peak_n", std::ranges::max(by_stock)},
-               {"simulated_over_percent", over_percent(cuts, by_stock, limit_n)}});
+               {"simulated_over_percent", over_percent(cuts, by_stock, limit_n)},
+               {"right_hand_idealised_peak_n", std::ranges::max(right_by_model)},
+               {"right_hand_idealised_over_percent",
+                over_percent(cuts, right_by_model, limit_n)},
+               {"right_hand_simulated_peak_n", std::ranges::max(right_by_stock)},
+               {"right_hand_simulated_over_percent",
+                over_percent(cuts, right_by_stock, limit_n)}});
     double travel = 0;
     for (std::size_t i = 0; i < cuts.size(); ++i) {
         if (i > 0 && cuts[i].pass != cuts[i - 1].pass)
@@ -68,7 +80,8 @@ void PeakForceRun::add(CsvTable& table, CsvTable& along, const std::string& name
         travel += cuts[i].length_mm;
         along.add_row({std::to_string(cuts[i].pass) + "." + std::to_string(cuts[i].point),
                        static_cast<std::int64_t>(cuts[i].pass),
-                       travel - cuts[i].length_mm / 2, name, by_model[i], by_stock[i]});
+                       travel - cuts[i].length_mm / 2, name, by_model[i], by_stock[i],
+                       right_by_model[i], right_by_stock[i]});
     }
 }
 

@@ -27,12 +27,12 @@ int main(int argc, char** argv)
             const double depth = run.number("shallow_radii") * reference_passes().radius;
             const double life = run.number("tool_life_min");
             const FeedPlanOptions options{.accuracy = run.number("accuracy")};
-            for (std::size_t i = 0; i < materials.size(); ++i) {
-                const MillingJob job = reference_job(materials[i]);
+            const auto add_job = [&](std::size_t i, const std::string& name,
+                                     const MillingJob& job) {
                 const auto add = [&](const std::string& row, const auto& moves) {
                     const PeakForces peaks = peak_forces(moves, job, depth);
                     const double used = used_life(moves, job, life);
-                    add_named(result, materials[i] + ", " + row,
+                    add_named(result, name + ", " + row,
                               {{"shallow_force_n", peaks.shallow_n},
                                {"force_n", peaks.all_n},
                                {"used_life", used}});
@@ -43,9 +43,14 @@ int main(int argc, char** argv)
                         constant_moves(cuts, job.tool.flutes, feeds.at(i), speeds.at(i)));
                 const auto varied =
                     add("varied", milled_moves(cuts, feed_plan(cuts, job, options), {}));
-                add_named(result, materials[i] + ", claims",
+                add_named(result, name + ", claims",
                           {{"shallow_force_falls", word(varied.first < constant.first)},
                            {"used_life_falls", word(varied.second < constant.second)}});
+            };
+            for (std::size_t i = 0; i < materials.size(); ++i) {
+                const MillingJob job = reference_job(materials[i]);
+                add_job(i, materials[i], job);
+                add_job(i, materials[i] + ", right hand", right_hand_job(job));
             }
             run.write_result(result);
         });

@@ -32,16 +32,21 @@ int main(int argc, char** argv)
             const FeedPlan plan = feed_plan(stroke, job, options);
             const auto varied = milled_moves(stroke, plan, {});
             const auto constant = milled_moves(stroke, plan, constant_mm);
-            const StrokeComparison compared =
-                compared_strokes(constant, varied, job, steps);
-            add_named(result, material + ", constant", stroke_cells(compared.constant));
-            add_named(result, material + ", varied", stroke_cells(compared.varied));
-            add_named(result, material + ", claims", claim_cells(compared));
-            add_named(result, material + ", passes of 40",
-                      claim_counts(cuts, job, constant_mm, count_steps));
-            run.write(material + "-forces.csv", compared.along.text());
-            run.write(material + "-turn.csv",
-                      middle_turn(constant, varied, job, steps).text());
+            const auto add = [&](const std::string& name, const std::string& file,
+                                 const MillingJob& cutter) {
+                const StrokeComparison compared =
+                    compared_strokes(constant, varied, cutter, steps);
+                add_named(result, name + ", constant", stroke_cells(compared.constant));
+                add_named(result, name + ", varied", stroke_cells(compared.varied));
+                add_named(result, name + ", claims", claim_cells(compared));
+                add_named(result, name + ", passes of 40",
+                          claim_counts(cuts, cutter, constant_mm, count_steps));
+                run.write(file + "-forces.csv", compared.along.text());
+                run.write(file + "-turn.csv",
+                          middle_turn(constant, varied, cutter, steps).text());
+            };
+            add(material, material, job);
+            add(material + ", right hand", material + "-right-hand", right_hand_job(job));
             write_along(run, material, "Stroke A, " + material, stroke, plan);
         }
         run.write_result(result);

@@ -19,9 +19,12 @@ int main(int argc, char** argv)
 {
     return run_experiment(
         argc, argv, "ball-end-milling/stock-engagement", [](Experiment& run) {
-            CsvTable result{{"row", "mean_i5", "mean_i7", "removed_mm3", "cut_min",
-                             "infeasible", "idealised_peak_n", "idealised_over_percent",
-                             "simulated_peak_n", "simulated_over_percent"}};
+            CsvTable result{
+                {"row", "mean_i5", "mean_i7", "removed_mm3", "cut_min", "infeasible",
+                 "idealised_peak_n", "idealised_over_percent", "simulated_peak_n",
+                 "simulated_over_percent", "right_hand_idealised_peak_n",
+                 "right_hand_idealised_over_percent", "right_hand_simulated_peak_n",
+                 "right_hand_simulated_over_percent"}};
             const OneWayPasses plan = reference_passes();
             const MilledPath milled = milled_path(plan);
             const SimulatedCuts simulated =
@@ -43,6 +46,11 @@ int main(int argc, char** argv)
                     simulated_plan(milled.cuts, simulated, judged.job, paper));
                 add("simulated, direct",
                     simulated_plan(milled.cuts, simulated, judged.job, direct));
+                const MillingJob right_hand = right_hand_job(judged.job);
+                add("idealised, direct, right hand",
+                    feed_plan(milled.cuts, right_hand, direct));
+                add("simulated, direct, right hand",
+                    simulated_plan(milled.cuts, simulated, right_hand, direct));
                 run.write(material + "-peaks.csv", along.text());
             }
             run.write_result(result);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/io/feed_csv.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -65,24 +64,19 @@ void append_feed(std::string& text, const SegmentFeed& row)
 std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows)
 {
     require(cuts.size() == rows.size(), "feed_csv: need a row a move");
-    const bool has_notes = std::ranges::any_of(cuts, &SegmentCut::has_two_neighbours);
     const std::string header =
         "pass,point,length_mm,mu_deg,lambda_deg,pick_feed_mm,pick_feed_horizontal_mm,"
         "depth_mm,engaged_angle_deg,feed_per_tooth_mm,peak_factor,limit,speed_limit,"
-        "cutting_force_n,thrust_n,torque_n_m,power_w";
-    return joined_rows(header + (has_notes ? ",note\n" : "\n"), rows.size(),
-                       [&](std::size_t first, std::size_t count) {
-                           std::string text;
-                           for (std::size_t i = first; i < first + count; ++i) {
-                               append_geometry(text, cuts[i]);
-                               append_feed(text, rows[i]);
-                               if (has_notes)
-                                   text += cuts[i].has_two_neighbours ? ",two_neighbours"
-                                                                      : ",";
-                               text += '\n';
-                           }
-                           return text;
-                       });
+        "cutting_force_n,thrust_n,torque_n_m,power_w\n";
+    return joined_rows(header, rows.size(), [&](std::size_t first, std::size_t count) {
+        std::string text;
+        for (std::size_t i = first; i < first + count; ++i) {
+            append_geometry(text, cuts[i]);
+            append_feed(text, rows[i]);
+            text += '\n';
+        }
+        return text;
+    });
 }
 
 }  // namespace endmill

@@ -20,7 +20,8 @@ constexpr std::string_view location_columns =
     "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z";
 constexpr std::string_view contact_columns =
     ",u,v,contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,normal_z";
-constexpr std::string_view no_contact = ",,,,,,,,";
+constexpr std::string_view no_contact_place = ",,,,,";  // u, v, point
+constexpr std::string_view no_normal = ",,,";
 
 // Appends numbers, and copies the text of one that its column had in the row before:
 // an axis or the parameter of an iso-line hardly ever changes.
@@ -73,9 +74,13 @@ class RowWriter {
 public:
     explicit RowWriter(const OptionalColumns& columns) : columns_{columns} {}
 
-    void append(std::string& text, const PathPoint& point, const CuttingConditions& told,
+    // Row number `i`.
+    void append(std::string& text, const ToolPath& path, std::size_t i,
                 std::string_view limit)
     {
+        const PathPoint& point = path.points[i];
+        const CuttingConditions told =
+            path.conditions.empty() ? CuttingConditions{} : path.conditions[i];
         text += std::to_string(point.pass);
         text += ',';
         text += std::to_string(point.point);
@@ -95,10 +100,13 @@ public:
             numbers_[6].append(text, point.contact->u);
             numbers_[7].append(text, point.contact->v);
             append(text, point.contact->contact.point, 8);
-            append(text, point.contact->contact.normal, 11);
         } else {
-            text += no_contact;
+            text += no_contact_place;
         }
+        if (const std::optional<Vec3> normal = path.normal(i))
+            append(text, *normal, 11);
+        else
+            text += no_normal;
         if (columns_.feed)
             append(text, told.feed_mm_per_min, 14);
         if (columns_.speed)
@@ -157,9 +165,7 @@ std::string rows(const Table& table, std::size_t first, std::size_t count)
     RowWriter writer{table.columns};
     std::string text;
     for (std::size_t i = first; i < first + count; ++i)
-        writer.append(text, table.path.points[i],
-                      table.path.conditions.empty() ? CuttingConditions{}
-                                                    : table.path.conditions[i],
+        writer.append(text, table.path, i,
                       table.columns.limit ? table.limits[i] : std::string_view{});
     return text;
 }
@@ -169,6 +175,9 @@ std::string table_text(const Table& table)
     require(table.path.conditions.empty() ||
                 table.path.conditions.size() == table.path.points.size(),
             "tool_path_csv: need conditions for no point or for all");
+    require(table.path.normals.empty() ||
+                table.path.normals.size() == table.path.points.size(),
+            "tool_path_csv: need normals for no point or for all");
     return joined_rows(
         header(table.columns), table.path.points.size(),
         [&](std::size_t first, std::size_t count) { return rows(table, first, count); });

@@ -15,8 +15,8 @@ namespace endmill {
 /// if any point has one), a line a point. Numbers have the shortest text that reads back
 /// to the same double; what a point does not have is an empty cell. The same bytes with
 /// any number of threads.
-/// \throws DomainError if a number is not finite, or there are conditions for some points
-/// and not for all.
+/// \throws DomainError if a number is not finite, or there are conditions or normals for some
+/// points and not for all.
 std::string tool_path_csv(const ToolPath& path);
 
 /// The same with a last column, limit: what keeps the feed of each move from being higher.

@@ -39,6 +39,8 @@ public:
         reserve();
         while (lines_.next())
             add_row();
+        if (!program_.path.normals.empty())
+            program_.path.normals.resize(program_.path.points.size(), Vec3::Zero());
         if (program_.path.points.empty())
             throw lines_.complaint("E_CSV", "no row after the header", "a point");
         add_remarks();
@@ -52,14 +54,28 @@ private:
         ToolPath& path = program_.path;
         has_conditions_ = columns_.has(Tool) || columns_.has(Feed) || columns_.has(Speed);
         const std::size_t most = lines_.most_lines_left();
-        const std::size_t bytes =
-            sizeof(PathPoint) + (has_conditions_ ? sizeof(CuttingConditions) : 0);
+        const bool has_normals = columns_.has(NormalX) && !columns_.has_contacts();
+        const std::size_t bytes = sizeof(PathPoint) + (has_normals ? sizeof(Vec3) : 0) +
+                                  (has_conditions_ ? sizeof(CuttingConditions) : 0);
         require_memory(file_, static_cast<double>(most) * static_cast<double>(bytes),
                        limits_);
         if (most > std::numeric_limits<int>::max())
             throw LimitError{file_ + ": more than 2147483647 points"};
         path.points.reserve(most);
         path.conditions.reserve(has_conditions_ ? most : 0);
+    }
+
+    // What is known of the contact beside `contact`; kept only for files that tell it.
+    void add_normal()
+    {
+        std::vector<Vec3>& normals = program_.path.normals;
+        const std::vector<PathPoint>& points = program_.path.points;
+        if (!columns_.has(NormalX) || points.back().contact)
+            return;
+        if (const std::optional<Vec3> normal = direction(NormalX)) {
+            normals.resize(points.size(), Vec3::Zero());
+            normals.back() = *normal;
+        }
     }
 
     // Points count through the file where it does not count them itself.
@@ -74,6 +90,7 @@ private:
             {whole_number(Pass).value_or(0),
              whole_number(Point).value_or(static_cast<int>(path.points.size())), move(),
              location(), contact(), whole_number(Patch).value_or(0)});
+        add_normal();
         if (has_conditions_)
             path.conditions.push_back(
                 {positive(Feed), positive(Speed), whole_number(Tool)});
@@ -213,11 +230,12 @@ private:
         const std::optional<double> v = number(V);
         const std::optional<Vec3> point = place(ContactX);
         const std::optional<Vec3> normal = direction(NormalX);
-        if (!u && !v && !point && !normal)
-            return std::nullopt;
+        if (!u && !v && !point)
+            return std::nullopt;  // of a normal alone: `add_normal`
         for (const PathColumn column : {U, V, ContactX, NormalX})
             if (cell(column).empty())
-                refuse(column, "all of u, v, contact and normal, or none");
+                refuse(column,
+                       "all of u, v, contact and normal, the normal alone, or none");
         return SurfaceContact{*u, *v, {*point, *normal}};
     }
 
@@ -229,10 +247,12 @@ private:
             remarks.emplace_back("no column move: every move is taken for a cut");
         if (!columns_.has(AxisX))
             remarks.emplace_back("no axis: it is taken for +z");
-        if (!columns_.has_contacts() &&
-            (columns_.has(U) || columns_.has(ContactX) || columns_.has(NormalX)))
+        if (!columns_.has_contacts() && (columns_.has(U) || columns_.has(ContactX)))
             remarks.emplace_back(
-                "contacts are left out: they need u, v, contact and normal");
+                columns_.has(NormalX)
+                    ? "of contacts the normals are kept: more needs u, v, contact and "
+                      "normal"
+                    : "contacts are left out: they need u, v, contact and normal");
         if (columns_.has(Limit))
             remarks.emplace_back("the column limit is left out");
     }
@@ -262,6 +282,15 @@ Program parse_tool_path(std::string_view text, const std::string& file,
                         const ReadLimits& limits)
 {
     return PathCsvReader{text, file, limits}.read_all();
+}
+
+std::size_t line_of_row(std::string_view text, std::size_t row)
+{
+    CsvLines lines{text, {}};
+    bool is_there = lines.next();  // the header
+    for (std::size_t k = 0; is_there && k <= row; ++k)
+        is_there = lines.next();
+    return lines.line();
 }
 
 Program read_tool_path(const std::filesystem::path& path, const ReadLimits& limits)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,19 @@ struct CuttingConditions {
 struct ToolPath {
     std::vector<PathPoint> points;
     std::vector<CuttingConditions> conditions = {};  ///< none, or one a point
+    /// None, or one a point: the part's unit normal where the cutter touches it, if the path
+    /// tells no more of the contact; else 0.
+    std::vector<Vec3> normals = {};
+
+    /// The part's unit normal where the cutter touches it at points[i]; none if not told.
+    std::optional<Vec3> normal(std::size_t i) const
+    {
+        if (points[i].contact)
+            return points[i].contact->contact.normal;
+        if (normals.empty() || normals[i] == Vec3::Zero())
+            return std::nullopt;
+        return normals[i];
+    }
 };
 
 }  // namespace endmill

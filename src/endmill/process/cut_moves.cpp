@@ -53,4 +53,14 @@ std::vector<CutMove> cut_moves(const ToolPath& path)
     return moves;
 }
 
+std::size_t zero_length_cuts(const ToolPath& path)
+{
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < path.points.size(); ++i)
+        if (path.points[i].move == Move::Cut &&
+            path.points[i].location.tip == path.points[i - 1].location.tip)
+            ++count;
+    return count;
+}
+
 }  // namespace endmill

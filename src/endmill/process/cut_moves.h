@@ -30,4 +30,7 @@ struct CutMove {
 /// \throws GeometryError unless the axis of every point is +z.
 std::vector<CutMove> cut_moves(const ToolPath& path);
 
+/// How many moves to cut points go nowhere.
+std::size_t zero_length_cuts(const ToolPath& path);
+
 }  // namespace endmill

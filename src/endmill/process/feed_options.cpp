@@ -17,6 +17,8 @@ std::optional<double> smaller(const std::optional<double>& one,
     return one ? one : other;
 }
 
+}  // namespace
+
 FeedRange feed_range(const CuttingMaterial& material, const FeedPlanOptions& options)
 {
     FeedRange range;
@@ -26,8 +28,6 @@ FeedRange feed_range(const CuttingMaterial& material, const FeedPlanOptions& opt
         material.min_feed_per_tooth_mm.value_or(range.least_mm));
     return range;
 }
-
-}  // namespace
 
 FeedPlanOptions corrected_feed_options()
 {

@@ -47,6 +47,9 @@ struct FeedPlanOptions {
 /// The options of mode `corrected`: exact chip, direct peaks, exact limits.
 FeedPlanOptions corrected_feed_options();
 
+/// The feeds per tooth that may be used, as `options` or else the material say.
+FeedRange feed_range(const CuttingMaterial& material, const FeedPlanOptions& options);
+
 /// The rules that `job` and `options` make. The torque's limit is the smaller of the tool's
 /// and the spindle's.
 /// \throws DomainError unless all is sound, the peak factor is from 1, and the least feed per

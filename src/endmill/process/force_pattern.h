@@ -17,7 +17,8 @@ namespace endmill {
 ///
 ///     A = sum of |sin u| dz    B = sum of dz    A_T = sum of r |sin u| dz    B_T = sum of r dz
 ///
-/// over what is engaged, r the distance from the axis; with the exact chip its thickness for
+/// (for the sense of the helix see HelicalEdge: when milling down a right-hand cutter under M03
+/// is told by a negative one) over what is engaged, r the distance from the axis; with the exact chip its thickness for
 /// |sin u|. Over a turn their means are m I5, m I6, m I7, m I8.
 /// Which edges cut is found from the borders of the engaged region (HelicalEdge); the sums over
 /// them are closed, but that of r sin u, which is tabulated along the latitude to 1e-13.

@@ -25,6 +25,10 @@ struct MillingCut {
 
 /// Force and torque of a ball-end cutter with helical flutes while it turns.
 ///
+/// Azimuths and helix are those of HelicalEdge: when milling down, the frame is mirrored, a
+/// right-hand cutter under M03 is told by a negative helix, and it turns towards falling
+/// azimuths.
+///
 /// Flutes are counted in cutting order: flute j stands 2 pi j / m behind flute 0. Its chip is
 /// f |sin u| thick, or as the exact chip says, and by runout e thicker by
 /// e [cos(2 pi j / m - a) - cos(2 pi (j - 1) / m - a)], what it reaches beyond the flute before

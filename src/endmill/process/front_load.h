@@ -22,7 +22,7 @@ void require_sound(const BallFront& front);
 CuttingCoefficients front_coefficients(const BallFront& front, ChipModel chip);
 
 /// What all edges bear while a helical mill turns in what `front` says is engaged: the sums
-/// of ForcePattern, by the midpoint rule along each edge, cell by cell. To about a cell's
+/// of ForcePattern, its sense of the helix included, by the midpoint rule along each edge, cell by cell. To about a cell's
 /// width, 1 to 3 % of the largest.
 /// Source: spec of ball-end milling, section 4.
 class FrontPattern {

@@ -33,7 +33,6 @@ HelicalEdge::HelicalEdge(const BallEngagement& engagement, double helix)
       shank_top_{std::max(1.0, engagement.depth_ratio)},
       shank_angle_{shank_angle(engagement)}
 {
-    constexpr double most_windings = 1000;
     require(std::abs(helix) < pi / 2, "HelicalEdge: need a helix below a right angle");
     require(shank_top_ * std::abs(tangent_) <= 2 * pi * most_windings,
             "HelicalEdge: the edge winds too often about the axis");

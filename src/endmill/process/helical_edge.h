@@ -14,8 +14,20 @@ struct EdgeStretch {
     double to;    ///< ditto, above `from`
 };
 
+/// About the axis: their engaged stretches are counted one by one.
+inline constexpr double most_windings = 1000;
+
 /// A helical edge of a ball-end cutter in its engagement: at the height z, in radii from the
 /// tip, its azimuth trails that at the tip by z tan(helix).
+///
+/// **Sense of the helix.** Azimuths grow from the stock's side towards the feed. When milling up
+/// a spindle that turns clockwise seen from above (M03) turns that way, and a positive helix is
+/// that of a right-hand cutter. When milling down the frame is mirrored, the spindle turns
+/// against the azimuth, and an edge of a right-hand cutter leads by z tan(helix) where a
+/// positive helix lets it trail: then a positive helix is that of a left-hand cutter, and a
+/// right-hand cutter is told by the negative one. The paper is silent; the spec of ball-end
+/// milling, section 4, does not mirror the helix, and its numbers follow that. Means over a turn do
+/// not depend on the helix; in a slot its sense changes no peak.
 ///
 /// The edge is in or out of the engaged region between its crossings with the borders. Along
 /// a border the azimuth at the tip for which the edge goes through a point is monotonic but
@@ -23,9 +35,9 @@ struct EdgeStretch {
 /// Source: [ParkMaeng, appendix A]; derived in paper/notes/ball-engagement.md, section 5.
 class HelicalEdge {
 public:
-    /// \param helix rad, within a right angle.
+    /// \param helix rad, within a right angle either way.
     /// \throws DomainError unless `engagement` is sound and the helix is as said; if the edge
-    ///         winds more than 1000 times about the axis below the stock's top.
+    ///         winds more than `most_windings` times about the axis below the stock's top.
     HelicalEdge(const BallEngagement& engagement, double helix);
 
     /// The heights at which the edge cuts when it stands at the azimuth `turn` (rad, any) at

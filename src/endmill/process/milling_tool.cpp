@@ -2,7 +2,6 @@
 #include "endmill/process/milling_tool.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "endmill/core/error.h"
 
@@ -20,8 +19,8 @@ void require_sound(const MillingTool& tool)
 {
     require(is_positive(tool.radius), "MillingTool: need 0 < radius");
     require(tool.flutes >= 1, "MillingTool: need a flute");
-    require(std::abs(tool.helix) < std::numbers::pi / 2,
-            "MillingTool: need a helix within 90 degrees");
+    require(std::abs(tool.helix) <= most_helix,
+            "MillingTool: need a helix within 80 degrees");
     for (const auto& limit : {tool.cutting_force_n, tool.thrust_n, tool.torque_n_m})
         require(!limit || is_positive(*limit), "MillingTool: need 0 < limit");
 }

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <numbers>
 #include <optional>
 
 #include "endmill/cutter/tool.h"
 
 namespace endmill {
 
+/// Steeper flutes are none of an end mill, and their loads over a turn are not promised.
+inline constexpr double most_helix = 80 * std::numbers::pi / 180;  ///< rad, either way
+
 /// A ball-end mill as the cut sees it. A limit that is not given does not bind.
 struct MillingTool {
-    double radius;     ///< r0 of the ball, mm, above 0
-    int flutes;        ///< m, from 1
-    double helix = 0;  ///< of the flutes against the axis, rad, within a right angle
+    double radius;  ///< r0 of the ball, mm, above 0
+    int flutes;     ///< m, from 1
+    /// Of the flutes against the axis, rad, within `most_helix` either way. In the frame of
+    /// BallEngagement edges trail by it, also when that frame is mirrored: see HelicalEdge.
+    double helix = 0;
     std::optional<double> cutting_force_n =
         {};  ///< most across the axis at any time, N, above 0
     std::optional<double> thrust_n = {};    ///< most along the axis, N, above 0

@@ -106,18 +106,43 @@ void require_touch(const ToolPath& path, const Miss& worst, double tolerance)
         " mm); expected at most " + to_text(tolerance) + " mm (--contact-tolerance)"};
 }
 
+// What the path tells of a point must be of this ball.
+void require_ball(const PathPoint& point, const BallOnPart& ball)
+{
+    if (!point.contact)
+        return;
+    const Vec3 centre = centre_at(point.location.tip, ball.radius);
+    const double distance = (point.contact->contact.point - centre).norm();
+    if (!(std::abs(distance - ball.radius) <= ball.tolerance))
+        throw GeometryError{
+            "the contact that the path tells of point " + std::to_string(point.point) +
+            " of pass " + std::to_string(point.pass) + " is " + to_text(distance) +
+            " mm from the centre of ball:" + to_text(2 * ball.radius) + "; expected " +
+            to_text(ball.radius) + " mm within " + to_text(ball.tolerance) +
+            " mm (--contact-tolerance): a path of this cutter, without an allowance"};
+}
+
 }  // namespace
+
+void require_ball(const ToolPath& path, std::span<const CutMove> moves,
+                  const BallOnPart& ball)
+{
+    for (const CutMove& move : moves) {
+        require_ball(path.points[move.point - 1], ball);
+        require_ball(path.points[move.point], ball);
+    }
+}
 
 std::vector<std::optional<MoveContact>> told_contacts(const ToolPath& path,
                                                       std::span<const CutMove> moves)
 {
     std::vector<std::optional<MoveContact>> contacts(moves.size());
     for (std::size_t i = 0; i < moves.size(); ++i) {
-        const auto& from = path.points[moves[i].point - 1].contact;
-        const auto& to = path.points[moves[i].point].contact;
+        const std::optional<Vec3> from = path.normal(moves[i].point - 1);
+        const std::optional<Vec3> to = path.normal(moves[i].point);
         if (!from || !to)
             continue;
-        const Vec3 sum = from->contact.normal + to->contact.normal;
+        const Vec3 sum = *from + *to;
         if (const double length = sum.norm(); length > 0)
             contacts[i] = MoveContact{sum / length};
     }

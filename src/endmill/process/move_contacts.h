@@ -19,8 +19,8 @@ struct MoveContact {
     std::optional<BallFoot> foot = {};  ///< if the part is known
 };
 
-/// What is known of contacts without a part: between those that `path` tells of both ends of
-/// a move, none where it does not.
+/// What is known of contacts without a part: between the normals that `path` tells of both
+/// ends of a move, none where it does not.
 std::vector<std::optional<MoveContact>> told_contacts(const ToolPath& path,
                                                       std::span<const CutMove> moves);
 
@@ -29,6 +29,11 @@ struct BallOnPart {
     double radius;     ///< mm
     double tolerance;  ///< mm
 };
+
+/// \throws GeometryError if a contact that `path` tells of an end of a move is not as far from
+///         the ball's centre as its radius, within the tolerance: names the first.
+void require_ball(const ToolPath& path, std::span<const CutMove> moves,
+                  const BallOnPart& ball);
 
 /// The contacts by projection on a part, searched from what `path` tells, or else from move
 /// to move.

@@ -52,6 +52,7 @@ public:
           moves_{cut_moves(path)},
           passes_{moves_}
     {
+        require_ball(path, moves_, {options.radius, options.contact_tolerance});
         if (options.source == CutSource::Passes)
             contacts_.resize(moves_.size());
         else if (options.part.empty())
@@ -174,6 +175,7 @@ SegmentCuts segment_cuts(const ToolPath& path, const SegmentCutOptions& options)
     const CutFinder finder{path, options};
     const std::vector<CutMove>& moves = finder.moves();
     SegmentCuts cuts;
+    cuts.zero_length = zero_length_cuts(path);
     cuts.cuts.resize(moves.size());
     std::vector<char> by_contact(moves.size());
     parallel_for(moves.size(), [&](std::size_t begin, std::size_t end) {

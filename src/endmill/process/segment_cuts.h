@@ -36,6 +36,7 @@ struct SegmentCuts {
     std::vector<std::size_t> points;  ///< of the path, to which the moves lead
     std::size_t by_contact = 0;       ///< cuts whose geometry comes from a contact
     std::size_t by_passes = 0;        ///< the others
+    std::size_t zero_length = 0;      ///< moves to cut points that go nowhere, left out
 };
 
 /// How a ball-end mill stands in the stock on every cut move of `path`, at its middle. Moves
@@ -49,14 +50,15 @@ struct SegmentCuts {
 /// if the part is given, f_p = d (1 + r0 k) with the distance d of the contacts across the
 /// feed and the normal curvature k of the part across it; else as by the passes.
 /// Contacts are found by projection of the ball's centre if the part is given, or else are
-/// between those that the path tells of both ends of the move. Where there is none, or the
-/// ball would not fit the part, the passes are used by CutSource::Auto.
+/// between those that the path tells of both ends of the move, of which the normals are
+/// enough. Where there is none, or the ball would not fit the part, the passes are used by
+/// CutSource::Auto.
 /// Source: [ParkMaeng, eq. (8) to (14)]; spec of ball-end milling, sections 6 and 12.
 ///
 /// \throws DomainError unless the options are as said.
 /// \throws GeometryError unless the axis is +z everywhere; if a cut point misses the part by
-///         more than the tolerance, with the largest distance and its place; with
-///         CutSource::Contact if a move has no contact.
+///         more than the tolerance, with the largest distance and its place; if a contact
+///         that the path tells is another ball's; with CutSource::Contact if a move has none.
 /// The same with any number of threads. About n log(n) in the moves.
 SegmentCuts segment_cuts(const ToolPath& path, const SegmentCutOptions& options);
 

@@ -2,10 +2,13 @@
 #include "endmill/process/segment_load.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
 
 #include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
 #include "endmill/process/force_pattern.h"
 
 namespace endmill {
@@ -20,6 +23,20 @@ SegmentLoad load_of_sums(const SegmentCut& cut, const EdgeSums& sums,
             .loads = [sums, &rules](double feed) {
                 return cutting_loads(rules.model, sums, feed);
             }};
+}
+
+void require_countable(const SegmentCut& cut, const BallEngagement& engagement,
+                       const MillingTool& tool)
+{
+    const double windings = std::max(1.0, engagement.depth_ratio) *
+                            std::abs(std::tan(tool.helix)) / (2 * std::numbers::pi);
+    if (windings > most_windings)
+        throw GeometryError{
+            "the move to point " + std::to_string(cut.point) + " of pass " +
+            std::to_string(cut.pass) + " is cut " + to_text(cut.depth_mm) +
+            " mm deep, where the flutes wind " + to_text(std::round(windings)) +
+            " times about the axis; expected at most " + to_text(most_windings) +
+            " times (--stock-top), or --peak constant:R"};
 }
 
 }  // namespace
@@ -75,6 +92,7 @@ SegmentLoad turning_load(const SegmentCut& cut, const MillingTool& tool, PeakRul
     const BallEngagement engagement = ball_engagement(cut, rules.model.radius);
     if (is_air(engagement))
         return load_of_sums(cut, {}, rules);
+    require_countable(cut, engagement, tool);
     // Shared, since a std::function has to be copyable.
     const auto pattern = std::make_shared<const ForcePattern>(engagement, chip, tool);
     if (rule == PeakRule::Torque) {

@@ -35,6 +35,8 @@ SegmentLoad factored_load(const SegmentCut& cut, const CuttingCoefficients& coef
 /// What the move asks for if the loads are those of the helical flutes as they turn: with one
 /// factor, R_m, by PeakRule::Torque; load by load, without a factor, by PeakRule::Direct. In
 /// air nothing is asked for.
+/// \throws GeometryError naming the move if the flutes wind more than `most_windings` times
+///         about the axis in the cut.
 /// \param rule Torque or Direct. \pre As `factored_load`; the tool is that of the rules.
 SegmentLoad turning_load(const SegmentCut& cut, const MillingTool& tool, PeakRule rule,
                          ChipModel chip, const FeedRules& rules);

@@ -89,6 +89,8 @@ ToolPath turned(const ToolPath& path, const Eigen::Matrix3d& rotation)
             contact.normal = rotation * contact.normal;
         }
     }
+    for (Vec3& normal : result.normals)
+        normal = rotation * normal;
     return result;
 }
 
