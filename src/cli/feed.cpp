@@ -89,12 +89,12 @@ void add_feed_command(CLI::App& program, Action& action)
         "NAME-feed.ngc. The axis is +z. Exit 1 if no feed satisfies the limits "
         "somewhere:\n"
         "the least is used there, unless --allow-infeasible.\n\n"
-        "Example:\n  endmill plan datasets/surfaces/saddle.json --cutter ball:10 "
+        "Example:\n  endmill plan datasets/surfaces/wavy.json --cutter ball:10 "
         "--order one-way\n    --direction u -o results\n"
         "  endmill feed results/toolpath.csv --material datasets/materials/steel.json\n"
         "    --machine datasets/machines/milling-machine-steel.json\n"
-        "    --tool datasets/tools/ball-10-steel-and-aluminium.json --stock-top 20\n"
-        "    --constant-feed-mm-per-min 40 --noncut-min 1");
+        "    --tool datasets/tools/ball-10-steel-and-aluminium.json --stock-top 6\n"
+        "    --rapid-mm-per-min 5000 --constant-feed-mm-per-min 80 -o results/feed");
     command->callback([options, &action] {
         action = [options] {
             return naming(options->path.file, [&] { return run_feed(*options); });

@@ -1,10 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The program as a whole: help, version, cite."""
+import json
 import unittest
 
 from program import ROOT, ProgramTest, endmill
 
 COMMANDS = ("info", "plan", "eval", "cite")
+
+
+def calls_of_readme(command):
+    """The words of README's first call of a command, from its name on."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8").replace("\\\n", " ")
+    return next(line for line in text.splitlines() if f"cli/endmill {command} " in line).split()[1:]
 
 
 class Program(ProgramTest):
@@ -14,6 +21,23 @@ class Program(ProgramTest):
             self.assertEqual(done.returncode, 0)
             self.assertIn(f"endmill {command}", done.stdout.split("Example:")[1])
             self.assertIn("--json-errors", done.stdout)
+
+    def test_examples_of_milling_do_what_they_promise(self):
+        (self.folder / "datasets").symlink_to(ROOT / "datasets")
+        for command in ("feed", "coefficients", "toollife"):
+            lines = endmill(command, "--help").stdout.split("Example:\n")[1].splitlines()
+            calls = "".join("\n" * line.startswith("  endmill ") + line for line in lines).split("\n")[1:]
+            self.assertGreaterEqual(len(calls), 1)
+            for call in calls:
+                done = endmill(*call.split()[1:], cwd=self.folder)
+                self.assertEqual(done.returncode, 0, (call, done.stderr))
+        facts = json.loads((self.folder / "results/feed/summary.json").read_text())
+        self.assertEqual(facts["infeasible"], 0)
+        self.assertGreater(facts["saving_percent"], 50)
+        self.assertGreater(facts["limits"]["cutting_force"], 0.1)
+        # README shows the same call.
+        options = calls_of_readme("feed")[2:-2]
+        self.assertIn(" ".join(options), " ".join(endmill("feed", "--help").stdout.split()))
 
     def test_version(self):
         self.assertRegex(endmill("--version").stdout, r"^endmill \d+\.\d+\.\d+\n$")
