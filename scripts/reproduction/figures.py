@@ -8,7 +8,7 @@ import numpy as np
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402 (the backend is chosen first)
-from matplotlib.ticker import LogFormatterSciNotation  # noqa: E402
+from matplotlib.ticker import LogFormatter, LogFormatterSciNotation  # noqa: E402
 
 from .fault import Fault  # noqa: E402
 from .tables import Table, number, read_table  # noqa: E402
@@ -16,7 +16,7 @@ from .tables import Table, number, read_table  # noqa: E402
 # A plain name: whatever params.json says, it stays inside the results folder.
 FILE_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,59}\.(svg|csv)")
 PLOT_KEYS = {"csv", "x", "y", "group_by", "filter", "labels", "x_scale", "y_scale",
-             "x_label", "y_label", "title", "kind"}
+             "x_label", "y_label", "title", "kind", "points"}
 KINDS = {"line", "points", "bar", "surface"}
 STYLE = {
     "svg.hashsalt": "endmill",  # ids in the file would otherwise be random
@@ -73,7 +73,7 @@ def draw(plot, folder, path):
         if plot.get("kind") == "bar":
             draw_bars(axes, curves)
         else:
-            draw_curves(axes, curves, plot.get("kind", "line"))
+            draw_curves(axes, curves, plot)
         dress(axes, plot, legend=len(curves) > 1)
         figure.savefig(path, metadata={"Date": None, "Creator": None})
         plt.close(figure)
@@ -153,13 +153,16 @@ def name_ticks(axes, texts):
     axes.grid(False, axis="x")
 
 
-def draw_curves(axes, curves, kind):
+def draw_curves(axes, curves, plot):
+    """Lines, but for all or those groups that are to be points."""
     place = positions(axes, curves)
+    unjoined = {label_of(plot, group, column) for group in plot.get("points", []) for column in plot["y"]}
     for i, (label, xs, ys) in enumerate(curves):
-        few = len(xs) <= 30  # markers on a dense curve would only thicken it
-        marker = MARKERS[i % len(MARKERS)] if kind == "points" or few else ""
+        are_points = plot.get("kind") == "points" or label in unjoined
+        few = len(xs) <= 30 and not unjoined  # markers on a dense curve would only thicken it
+        marker = MARKERS[i % len(MARKERS)] if are_points or few else ""
         axes.plot([place[x] for x in xs], ys, label=label, marker=marker, markersize=5,
-                  linewidth=1.6, linestyle="" if kind == "points" else "-")
+                  linewidth=1.6, linestyle="" if are_points else "-")
 
 
 def draw_bars(axes, curves):
@@ -209,7 +212,12 @@ def dress(axes, plot, legend):
     axes.set_yscale(plot.get("y_scale", "linear"))
     for axis in (axes.xaxis, axes.yaxis):
         if axis.get_scale() == "log":  # a scale of a decade or two shows more than one number
-            axis.set_minor_formatter(LogFormatterSciNotation(minor_thresholds=(2, 0.5)))
+            low, high = axis.get_view_interval()
+            plain = 1e-3 <= low and high <= 1e4 and high < 30 * low  # 0.2, not 2 times a power of ten
+            formatter = LogFormatter if plain else LogFormatterSciNotation
+            axis.set_minor_formatter(formatter(minor_thresholds=(2, 0.5)))
+            if plain:
+                axis.set_major_formatter(formatter())
     axes.set_xlabel(plot.get("x_label", labels.get(plot["x"], plot["x"])))
     axes.set_ylabel(plot.get("y_label", ", ".join(labels.get(y, y) for y in plot["y"])))
     if "title" in plot:

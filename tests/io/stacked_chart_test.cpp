@@ -67,6 +67,20 @@ TEST(StackedChart, OfVeryManyPointsStaysSmallAndKeepsExtremes)
     EXPECT_NE(text.find("-125 "), std::string::npos);
 }
 
+TEST(StackedChart, OfAConstantDoesNotShowItsRounding)
+{
+    const auto text_of = [](double value) {
+        const std::vector<ChartPanel> panels{
+            {"y", {{"line", red, {value, value * (1 + 1e-15), value}}}}};
+        return stacked_chart({"constant", {}, "x"}, std::vector<double>{0, 1, 2}, panels);
+    };
+    for (const char* tick : {">1800<", ">2000<", ">2200<"})
+        EXPECT_THAT(text_of(2000), testing::HasSubstr(tick));
+    EXPECT_THAT(text_of(2000), testing::Not(testing::HasSubstr("2000.0")));
+    EXPECT_THAT(text_of(0), testing::HasSubstr(">-1<"));
+    EXPECT_THAT(text_of(-4), testing::HasSubstr(">-4.5<"));
+}
+
 TEST(StackedChart, OfNothingIsAFrame)
 {
     const std::vector<ChartPanel> panels{{"y", {{"line", red, {}}}}};

@@ -28,6 +28,11 @@ constexpr int abscissa_ticks = 8;
 constexpr int ordinate_ticks = 4;
 constexpr std::size_t longest_text = 150;
 
+// Of their size: values that differ by less are one to the eye and differ by rounding, and
+// stand amid room on both sides.
+constexpr double constant_share = 1e-6;
+constexpr double constant_room = 0.1;
+
 constexpr LineStyle frame_style{"#444444", 1, ""};
 constexpr LineStyle grid_style{"#dddddd", 1, ""};
 constexpr TextStyle small_text{.size_px = 12};
@@ -67,8 +72,13 @@ std::vector<double> ticks_of(const ChartPanel& panel)
                 low = std::min(low, *value);
                 high = std::max(high, *value);
             }
-    return low <= high ? round_ticks(low, high, ordinate_ticks)
-                       : round_ticks(0, 1, ordinate_ticks);
+    if (low > high)
+        return round_ticks(0, 1, ordinate_ticks);
+    const double size = std::max(std::abs(low), std::abs(high));
+    if (high - low > constant_share * size)
+        return round_ticks(low, high, ordinate_ticks);
+    const double room = size > 0 ? constant_room * size : 1;
+    return round_ticks(low - room, high + room, ordinate_ticks);
 }
 
 // What of a curve falls on one column of pixels.
