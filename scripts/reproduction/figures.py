@@ -33,6 +33,13 @@ STYLE = {
 MARKERS = "osD^vP*"
 
 
+class PlainLogFormatter(LogFormatter):
+    """Names the same ticks, as 0.2 and not as 2e-01."""
+
+    def __call__(self, x, pos=None):
+        return f"{x:g}" if super().__call__(x, pos) else ""
+
+
 def figures_of(params):
     """The figures that params.json names, checked: each a plain file name and a caption."""
     figures = params.get("figures", [])
@@ -214,7 +221,7 @@ def dress(axes, plot, legend):
         if axis.get_scale() == "log":  # a scale of a decade or two shows more than one number
             low, high = axis.get_view_interval()
             plain = 1e-3 <= low and high <= 1e4 and high < 30 * low  # 0.2, not 2 times a power of ten
-            formatter = LogFormatter if plain else LogFormatterSciNotation
+            formatter = PlainLogFormatter if plain else LogFormatterSciNotation
             axis.set_minor_formatter(formatter(minor_thresholds=(2, 0.5)))
             if plain:
                 axis.set_major_formatter(formatter())

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Figures are drawn from CSV, with the same bytes on every run."""
+import re
 import unittest
 import xml.etree.ElementTree as xml
 
@@ -54,6 +55,19 @@ class Figures(FakeTree):
         for plot in ({}, {"group_by": "v", "y": ["z", "u"]}):
             with self.assertRaises(Fault):
                 self.drawn(kind="surface", x="u", **({"y": ["z"]} | plot))
+
+    def test_numbers_of_a_short_logarithmic_scale_are_plain(self):
+        self.write("result.csv", "u,z\n0.1,20\n1,70\n")
+        texts = re.findall("<!-- (.*?) -->", self.drawn(x="u", y=["z"], x_scale="log", y_scale="log").decode())
+        for number in ("0.1", "0.2", "1", "30"):
+            self.assertIn(number, texts)
+        self.assertFalse([text for text in texts if "e-" in text or "times" in text], texts)
+
+    def test_a_group_of_points_is_not_joined(self):
+        curve = {"group_by": "radius_mm", "labels": {"5": "printed"}}
+        joined, apart = (self.drawn(**curve, **more).decode() for more in ({}, {"points": ["5"]}))
+        lines = [text.count("stroke-width: 1.6") for text in (joined, apart)]
+        self.assertEqual(lines[0] - lines[1], 2)  # the curve and its sample in the legend
 
     def test_a_curve_for_each_group_with_a_gap_where_a_cell_is_empty(self):
         plot = params(group_by="radius_mm")["figures"][0]["plot"]

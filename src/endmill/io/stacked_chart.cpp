@@ -20,7 +20,7 @@ constexpr double line_height = 20;
 constexpr double panel_height = 150;
 constexpr double panel_gap = 46;
 constexpr double label_offset = 8;
-constexpr double legend_step = 150;
+constexpr double legend_step = 180;
 constexpr double legend_dash = 24;
 constexpr double number_width = 60;
 
