@@ -173,10 +173,11 @@ int main(int argc, char** argv)
                         {}});
         for (const char* part :
              {"read", "geometry", "feeds", "feeds by the table", "motion", "write"})
-            result.add_row({part, wall(part), "s", {}, {}});
+            result.add_row({part, times.of(part).cpu_s, "s", {}, {}});
         const double ms_a_segment = 1000 / static_cast<double>(few_cuts.cuts.size());
         for (const char* peak : {"torque", "direct"})
-            result.add_row({peak, ms_a_segment * wall(peak), "ms a segment", 1, {}});
+            result.add_row(
+                {peak, ms_a_segment * times.of(peak).cpu_s, "ms a segment", 1, {}});
         for (const std::string stock : {"stock", "stock, direct"}) {
             const double one = times.of(stock + ", one").wall_s;
             result.add_row({stock, ms_a_segment * one, "ms a segment", {}, {}});
