@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/feed_files.h"
 
+#include <array>
 #include <filesystem>
+#include <functional>
 
 #include <fmt/format.h>
 
 #include "cli/console.h"
+#include "endmill/core/parallel.h"
 #include "endmill/io/feed_csv.h"
 #include "endmill/io/feed_svg.h"
 #include "endmill/io/printable.h"
@@ -44,19 +47,49 @@ FeedFigure figure_of(const Json& s)
                          s["mode"].get<std::string>(), s["peak"].get<std::string>())}};
 }
 
+// What is written, file by file.
+struct FeedTexts {
+    std::string path;
+    std::string engagement;
+    std::string figure;
+    std::string program;  // of a machine program alone
+};
+
+// Side by side: each is long, and drawing and rewriting go in order.
+FeedTexts texts_of(const FeedResult& result, const Json& summary)
+{
+    const std::vector<SegmentFeed>& rows = result.plan.rows;
+    FeedTexts texts;
+    const std::array<std::function<void()>, 4> works{
+        [&] { texts.figure = feed_svg(result.cuts.cuts, rows, figure_of(summary)); },
+        [&] {
+            if (result.input.format != PathFormat::Csv)
+                texts.program = program_text(result);
+        },
+        [&] {
+            texts.path = tool_path_csv(
+                result.path,
+                limit_words(result.path.points.size(), result.cuts.points, rows));
+        },
+        [&] { texts.engagement = feed_csv(result.cuts.cuts, rows); }};
+    parallel_for(works.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            works[i]();
+    });
+    return texts;
+}
+
 }  // namespace
 
 Json write_feed(const FeedResult& result, OutputFolder& folder)
 {
     const Json summary = feed_summary(result);
-    const std::vector<SegmentFeed>& rows = result.plan.rows;
-    folder.write("toolpath.csv",
-                 tool_path_csv(result.path, limit_words(result.path.points.size(),
-                                                        result.cuts.points, rows)));
-    folder.write("engagement.csv", feed_csv(result.cuts.cuts, rows));
-    folder.write("feed.svg", feed_svg(result.cuts.cuts, rows, figure_of(summary)));
+    const FeedTexts texts = texts_of(result, summary);
+    folder.write("toolpath.csv", texts.path);
+    folder.write("engagement.csv", texts.engagement);
+    folder.write("feed.svg", texts.figure);
     if (result.input.format != PathFormat::Csv)
-        folder.write(program_name(result), program_text(result));
+        folder.write(program_name(result), texts.program);
     folder.write("summary.json", summary.dump(2) + "\n");
     folder.remove_unless_written(program_name(result));
     return summary;

@@ -3,7 +3,10 @@
 //
 //   benchmarks-feed OUTPUT_FOLDER
 //
-// About 60 s; measures time, so nothing else should run. Columns: README.md beside this.
+// About two minutes; measures time, so nothing else should run. Columns: README.md beside this.
+
+#include <array>
+#include <functional>
 
 #include "benchmarks/simulation/low_saddle.h"
 #include "endmill/core/parallel.h"
@@ -51,13 +54,20 @@ SegmentCuts cuts_of(const ToolPath& path)
     return segment_cuts(path, {.radius = radius_mm, .stock_top = stock_top_mm});
 }
 
-// Bytes of what `feed` writes.
+// Bytes of what `feed` writes, its texts side by side as there.
 std::size_t written(const ToolPath& fed, const SegmentCuts& cuts, const FeedPlan& plan)
 {
-    return tool_path_csv(fed, limit_words(fed.points.size(), cuts.points, plan.rows))
-               .size() +
-           feed_csv(cuts.cuts, plan.rows).size() +
-           feed_svg(cuts.cuts, plan.rows, {}).size();
+    const auto limits = limit_words(fed.points.size(), cuts.points, plan.rows);
+    const std::array<std::function<std::string()>, 3> texts{
+        [&] { return feed_svg(cuts.cuts, plan.rows, {}); },
+        [&] { return tool_path_csv(fed, limits); },
+        [&] { return feed_csv(cuts.cuts, plan.rows); }};
+    std::array<std::size_t, 3> bytes{};
+    parallel_for(texts.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            bytes[i] = texts[i]().size();
+    });
+    return bytes[0] + bytes[1] + bytes[2];
 }
 
 // What `endmill feed` does with the text of a path.
@@ -129,6 +139,13 @@ void add_turning(const std::string& name, PeakRule peak, const ToolPath& path)
     });
 }
 
+void add_stock(const std::string& name, PeakRule peak, const ToolPath& path)
+{
+    const SegmentCuts cuts = cuts_of(path);
+    add_benchmark(name + ", one", [=] { return stock_plan(path, cuts, peak, 1); });
+    add_benchmark(name + ", two", [=] { return stock_plan(path, cuts, peak, 2); });
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -148,13 +165,8 @@ int main(int argc, char** argv)
         add_parts(many);
         add_turning("torque", PeakRule::Torque, few);
         add_turning("direct", PeakRule::Direct, few);
-        for (const auto& [name, peak] : {std::pair{"stock", PeakRule::Constant},
-                                         std::pair{"stock, direct", PeakRule::Direct}})
-            for (const int threads : {1, 2})
-                add_benchmark(name + std::string{threads == 1 ? ", one" : ", two"},
-                              [=, &few, &few_cuts] {
-                                  return stock_plan(few, few_cuts, peak, threads);
-                              });
+        add_stock("stock", PeakRule::Constant, few);
+        add_stock("stock, direct", PeakRule::Direct, few);
         const ShortestTimes times = shortest_times();
 
         CsvTable result{{"row", "measured", "unit", "bar_at_most", "bar_at_least"}};
