@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/process/force_pattern.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -265,6 +266,104 @@ TEST(ForcePattern, WithoutHelixIsThatOfOneAzimuth)
         EXPECT_NEAR(pattern.at(turn).edge_torque, 0.5 + pi / 4, 1e-12);
     }
     EXPECT_NEAR(pattern.peak_factor(), pi, 1e-6);
+}
+
+// The sums of a right-hand cutter under M03, in the room: x along the feed, y to its left. The
+// spindle turns clockwise seen from above, from y towards x; a right-hand edge trails as it
+// rises. `side` is 1 with the stock to the left (up milling), -1 to the right (down).
+EdgeSums in_the_room(const BallEngagement& cut, const MillingTool& mill, double side,
+                     double turn)
+{
+    constexpr int steps = 20000;
+    const double top = std::max(1.0, cut.depth_ratio);
+    const double a = cut.pick_feed_ratio * std::cos(cut.mu);
+    const double b = cut.pick_feed_ratio * std::sin(cut.mu);
+    EdgeSums sums;
+    for (int flute = 0; flute < mill.flutes; ++flute)
+        for (int k = 0; k < steps; ++k) {
+            const double height = top * (k + 0.5) / steps;
+            if (height > cut.depth_ratio)
+                break;
+            const double radius = height < 1 ? std::sqrt(height * (2 - height)) : 1;
+            const double angle =
+                turn + 2 * pi * flute / mill.flutes - height * std::tan(mill.helix);
+            const double x = radius * std::sin(angle);
+            const double to_stock = side * radius * std::cos(angle);
+            const double z = std::min(height, 1.0) - 1;
+            const double ahead = x * std::cos(cut.lambda) + z * std::sin(cut.lambda);
+            const double rise = z * std::cos(cut.lambda) - x * std::sin(cut.lambda);
+            const double from_wall = to_stock + a;
+            const bool is_gone = std::abs(from_wall) < 1 &&
+                                 rise > -b - std::sqrt(1 - from_wall * from_wall);
+            if (!(ahead > 0) || is_gone)
+                continue;
+            const double step = top / steps;
+            sums.chip += std::abs(x) / radius * step;
+            sums.edge += step;
+            sums.chip_torque += std::abs(x) * step;
+            sums.edge_torque += radius * step;
+        }
+    return sums;
+}
+
+// Milling down, the model's azimuth runs the other way round the room: theta is pi - theta.
+TEST(ForcePattern, OfARightHandCutterHasTheHelixOfItsSide)
+{
+    for (const BallEngagement& cut :
+         {BallEngagement{0, 0, 0.5, 1}, {-0.4, -0.5, 0.4, 1}, {0.3, 0.2, 0.7, 0.8}}) {
+        const MillingTool right_hand = tool(2);
+        const ForcePattern up{cut, ChipModel::Paper, right_hand};
+        const ForcePattern down{cut, ChipModel::Paper, tool(2, -thirty_degrees)};
+        double largest_up = 0;
+        double largest_down = 0;
+        for (int k = 0; k < 60; ++k) {
+            const double turn = pi * (k + 0.5) / 60;
+            const EdgeSums left = in_the_room(cut, right_hand, 1, turn);
+            const EdgeSums right = in_the_room(cut, right_hand, -1, turn);
+            EXPECT_NEAR(up.at(turn).chip_torque, left.chip_torque, 3e-4);
+            EXPECT_NEAR(up.at(turn).edge, left.edge, 3e-4);
+            EXPECT_NEAR(down.at(pi - turn).chip_torque, right.chip_torque, 3e-4);
+            EXPECT_NEAR(down.at(pi - turn).chip, right.chip, 3e-4);
+            EXPECT_NEAR(down.at(pi - turn).edge_torque, right.edge_torque, 3e-4);
+            largest_up = std::max(largest_up, left.chip_torque);
+            largest_down = std::max(largest_down, right.chip_torque);
+        }
+        const double mean = up.mean().chip_torque;
+        EXPECT_NEAR(up.peak_factor() / (largest_up / mean), 1, 0.05);
+        EXPECT_NEAR(down.peak_factor() / (largest_down / mean), 1, 0.05);
+        EXPECT_GT(std::abs(up.peak_factor() / down.peak_factor() - 1), 0.02);
+    }
+}
+
+// A slot is its own mirror image across the feed.
+TEST(ForcePattern, OfASlotHasOnePeakForBothHands)
+{
+    for (const double lambda : {-0.5, 0.0, 0.4})
+        for (const ChipModel chip : {ChipModel::Paper, ChipModel::Exact}) {
+            const BallEngagement slot{0, lambda, 0, 1.6, PreviousPass::None};
+            const ForcePattern right{slot, chip, tool(2)};
+            const ForcePattern left{slot, chip, tool(2, -thirty_degrees)};
+            EXPECT_NEAR(right.peak_factor() / left.peak_factor(), 1, 2e-6);
+            EXPECT_NEAR(right.at(0.7).chip, left.at(pi - 0.7).chip, 1e-10);
+        }
+}
+
+// The most that is allowed: no peak is below the mean, and it is that of dense samples.
+TEST(ForcePattern, OfTheSteepestFlutesHasItsPeak)
+{
+    for (const double helix : {most_helix, -most_helix})
+        for (const double depth : {1.0, 2.5}) {
+            const ForcePattern pattern{
+                {0.2, -0.1, 0.5, depth}, ChipModel::Paper, tool(2, helix)};
+            double largest = 0;
+            for (int k = 0; k < 20000; ++k)
+                largest = std::max(largest, pattern.at(pi * k / 20000).chip_torque);
+            const double expected = largest / pattern.mean().chip_torque;
+            EXPECT_GE(pattern.peak_factor(), 1);
+            EXPECT_NEAR(pattern.peak_factor() / expected, 1, 2e-5);
+        }
+    EXPECT_THROW((ForcePattern{{0, 0, 0.5, 1}, ChipModel::Paper, tool(2, 1.5)}),
+                 DomainError);
 }
 
 }  // namespace

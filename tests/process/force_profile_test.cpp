@@ -180,5 +180,50 @@ TEST(ForceProfile, RefusesWhatIsNoCut)
     EXPECT_THROW(ForceProfile{bad}, DomainError);
 }
 
+// A right-hand cutter under M03 beside a level groove to its left, in the room: x along the
+// feed, y to its left; the spindle turns from y towards x, edges trail as they rise. In the
+// model's frame, mirrored in y, its helix is negative, its azimuth pi less the room's.
+TEST(ForceProfile, MillingDownWithTheNegativeHelixIsARightHandCutterInTheRoom)
+{
+    const BallEngagement engagement{0, 0, 0.5, 1};
+    const double helix = 0.5;
+    const int flutes = 2;
+    const MillingCut milled = cut(engagement, ChipModel::Paper, flutes, -helix);
+    const ForceProfile profile{milled};
+    constexpr int steps = 40000;
+    for (const double turn : {0.3, 1.1, 1.9, 2.8}) {
+        CuttingForce room{0, 0, 0, 0};
+        for (int flute = 0; flute < flutes; ++flute)
+            for (int k = 0; k < steps; ++k) {
+                const double height = (k + 0.5) / steps;
+                const double radius = std::sqrt(height * (2 - height));
+                const double at =
+                    turn + 2 * pi * flute / flutes - height * std::tan(helix);
+                const double x = radius * std::sin(at);
+                const double to_groove = radius * std::cos(at) - 0.5;
+                const bool is_groove = std::abs(to_groove) < 1 &&
+                                       height - 1 > -std::sqrt(1 - to_groove * to_groove);
+                if (!(x > 0) || is_groove)
+                    continue;
+                const double chip = milled.feed_per_tooth_mm * std::sin(at);
+                const double edge = material.edge_thickness_mm;
+                const double scale =
+                    material.specific_resistance_n_per_mm2 * milled.tool.radius / steps;
+                const double tangential = scale * (chip + edge);
+                const double radial = scale * (material.r1 * chip + material.r2 * edge);
+                room.x_n += tangential * std::cos(at) + radial * std::sin(at);
+                room.y_n += radial * std::cos(at) - tangential * std::sin(at);
+                room.z_n += scale * (material.r3 * chip + material.r4 * edge);
+                room.torque_n_m += tangential * radius * milled.tool.radius / 1000;
+            }
+        const CuttingForce found = profile.at(pi - turn);
+        // Beside the room's, the stock's side and the sense of the torque are mirrored.
+        EXPECT_NEAR(found.x_n, room.x_n, 0.1);
+        EXPECT_NEAR(found.y_n, -room.y_n, 0.1);
+        EXPECT_NEAR(found.z_n, room.z_n, 0.1);
+        EXPECT_NEAR(found.torque_n_m, -room.torque_n_m, 1e-3);
+    }
+}
+
 }  // namespace
 }  // namespace endmill

@@ -4,7 +4,7 @@
 //
 //   ball-end-milling-stock-engagement OUTPUT_FOLDER
 //
-// Deterministic, under 60 s on one core. Columns: README.md beside this.
+// Deterministic, about 60 s on one core. Columns: README.md beside this.
 
 #include "endmill/core/numbers.h"
 #include "endmill/process/front_load.h"
