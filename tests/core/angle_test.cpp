@@ -25,5 +25,18 @@ TEST(Angle, ReadsBackAsItWasMade)
     }
 }
 
+TEST(Angle, ReadsTheDegreesThatAPersonWrote)
+{
+    int longer = 0;
+    for (int tenths = -3600; tenths <= 3600; ++tenths) {
+        const double written = tenths / 10.0;
+        EXPECT_EQ(Angle::degrees(written).written_degrees(), written);
+        longer += Angle::degrees(written).degrees() != written ? 1 : 0;
+    }
+    EXPECT_GT(longer, 0);
+    const Angle third = Angle::radians(1.0 / 3);
+    EXPECT_EQ(third.written_degrees(), third.degrees());
+}
+
 }  // namespace
 }  // namespace endmill

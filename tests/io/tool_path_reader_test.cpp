@@ -194,5 +194,29 @@ TEST(ToolPathReader, ReadsFiles)
                 HasSubstr("E_OPEN"));
 }
 
+TEST(ToolPathReader, KeepsANormalWithoutTheRestOfItsContact)
+{
+    const Program read = parse_tool_path(
+        "tip_x_mm,tip_y_mm,tip_z_mm,normal_x,normal_y,normal_z\n"
+        "0,0,0,,,\n1,0,0,0,0.6,0.8\n2,0,0,,,\n",
+        "f");
+    EXPECT_FALSE(read.path.normal(0));
+    EXPECT_EQ(*read.path.normal(1), (Vec3{0, 0.6, 0.8}));
+    EXPECT_FALSE(read.path.normal(2));
+    EXPECT_FALSE(read.path.points[1].contact);
+    // It is written, and read again, beside whole contacts too.
+    const std::string text = tool_path_csv(read.path);
+    const Program again = parse_tool_path(text, "f");
+    EXPECT_EQ(again.path.normals, read.path.normals);
+    EXPECT_EQ(tool_path_csv(again.path), text);
+}
+
+TEST(ToolPathReader, KnowsTheLineOfARow)
+{
+    const std::string text = "tip_x_mm,tip_y_mm,tip_z_mm\r\n0,0,0\n1,0,0\n2,0,0";
+    EXPECT_EQ(line_of_row(text, 0), 2U);
+    EXPECT_EQ(line_of_row(text, 2), 4U);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -45,5 +45,20 @@ TEST(CutMoves, NeedAnUprightAxis)
     EXPECT_THROW(cut_moves(path), GeometryError);
 }
 
+TEST(CutMoves, ThatGoNowhereAreCounted)
+{
+    ToolPath path;
+    for (const double x : {0.0, 0.0, 5.0, 5.0, 5.0, 9.0})
+        path.points.push_back({0,
+                               static_cast<int>(path.points.size()),
+                               Move::Cut,
+                               {{x, 0, 0}, Vec3::UnitZ()},
+                               {}});
+    path.points.back().move = Move::Rapid;
+    EXPECT_EQ(zero_length_cuts(path), 3U);
+    EXPECT_EQ(cut_moves(path).size(), 1U);
+    EXPECT_EQ(zero_length_cuts({}), 0U);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -113,5 +113,41 @@ TEST(MoveContacts, RefuseAPathThatMissesThePartAndSayWhereMost)
     }
 }
 
+// The contact is where the normal leads from the centre: normals tell as much of it.
+TEST(MoveContacts, ToldByNormalsAloneAreThoseOfWholeContacts)
+{
+    const ToolPath whole = rolled(-0.02, 10);
+    ToolPath bare = whole;
+    for (PathPoint& point : bare.points) {
+        bare.normals.push_back(point.contact->contact.normal);
+        point.contact.reset();
+    }
+    const auto moves = cut_moves(whole);
+    const auto told = told_contacts(whole, moves);
+    const auto by_normals = told_contacts(bare, moves);
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        ASSERT_TRUE(by_normals[i]);
+        EXPECT_EQ(by_normals[i]->normal, told[i]->normal);
+    }
+    bare.normals[3] = Vec3::Zero();
+    EXPECT_FALSE(told_contacts(bare, moves)[2]);
+    EXPECT_TRUE(told_contacts(bare, moves)[4]);
+}
+
+TEST(MoveContacts, RefuseThoseOfAnotherBall)
+{
+    const ToolPath path = rolled(-0.02, 10);
+    const auto moves = cut_moves(path);
+    EXPECT_NO_THROW(require_ball(path, moves, {radius, 1e-9}));
+    try {
+        require_ball(path, moves, {4, 0.05});
+        FAIL();
+    } catch (const GeometryError& error) {
+        EXPECT_NE(std::string{error.what()}.find("ball:8"), std::string::npos);
+        EXPECT_NE(std::string{error.what()}.find("point 0 of pass 0"), std::string::npos);
+    }
+    EXPECT_NO_THROW(require_ball({}, {}, {4, 0.05}));
+}
+
 }  // namespace
 }  // namespace endmill

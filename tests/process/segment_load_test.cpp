@@ -2,6 +2,7 @@
 #include "endmill/process/segment_load.h"
 
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -167,6 +168,24 @@ TEST(SegmentLoad, SumsAreThoseOfAllFlutes)
     EXPECT_EQ(sums.edge, 36);
     EXPECT_EQ(sums.chip_torque, 42);
     EXPECT_EQ(sums.edge_torque, 48);
+}
+
+TEST(TurningLoad, NamesAMoveThatIsCutTooDeepForItsHelix)
+{
+    const SegmentCut cut{.pass = 3,
+                         .point = 7,
+                         .length_mm = 1,
+                         .depth_mm = 5e6,
+                         .previous = PreviousPass::None};
+    const MillingTool tool{5, 2, 0.5};
+    FeedRules rules{};
+    rules.model = {{2000, 0.016, 0.4, 0.4, 0.2, 0.6, 0.37, 28}, 5};
+    try {
+        turning_load(cut, tool, PeakRule::Torque, ChipModel::Paper, rules);
+        FAIL();
+    } catch (const GeometryError& error) {
+        EXPECT_NE(std::string{error.what()}.find("point 7 of pass 3"), std::string::npos);
+    }
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(StockGap, IsNoneWhereTheCutterMeetsTheBlock)
     EXPECT_EQ(gap({-20, 5, 5}, {40, 5, 5}), 0);
     EXPECT_EQ(gap({-20, 5, -90}, {40, 5, -90}), 0);
     EXPECT_EQ(gap({5, 5, 0}, {5, 5, 0}), 0);
-    EXPECT_EQ(stock_gap(move({}, {}), std::vector<std::size_t>{}, ball, cube),
+    EXPECT_EQ(stock_gap(ToolPath{}, std::vector<std::size_t>{}, ball, cube),
               std::numeric_limits<double>::infinity());
 }
 
