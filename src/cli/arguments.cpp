@@ -2,6 +2,7 @@
 #include "cli/arguments.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "endmill/core/numbers.h"
@@ -33,11 +34,24 @@ std::vector<std::string> split(const std::string& text, char separator)
 
 }  // namespace
 
+NumberDomain NumberDomain::between(double low, double high)
+{
+    return {low, "a number between " + to_text(low) + " and " + to_text(high), high};
+}
+
+NumberDomain NumberDomain::from_to(double low, double high)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {std::nextafter(low, -infinity),
+            "a number from " + to_text(low) + " to " + to_text(high),
+            std::nextafter(high, infinity)};
+}
+
 double number_argument(const std::string& option, const std::string& text,
                        const NumberDomain& domain)
 {
     const auto number = number_from_text(text);
-    if (!number || !(*number > domain.above))
+    if (!number || !(*number > domain.above && *number < domain.below))
         refuse(option, text, domain.words);
     return *number;
 }

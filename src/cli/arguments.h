@@ -21,6 +21,7 @@ namespace endmill {
 struct NumberDomain {
     double above = -std::numeric_limits<double>::infinity();  ///< open lower end
     std::string words = "a number";                           ///< for messages
+    double below = std::numeric_limits<double>::infinity();   ///< open upper end
 
     static NumberDomain any() { return {}; }  ///< every finite number
     static NumberDomain positive() { return {0, "a number above 0"}; }  ///< above 0
@@ -28,6 +29,10 @@ struct NumberDomain {
     {
         return {-std::numeric_limits<double>::denorm_min(), "a number from 0"};
     }
+    /// Between `low` and `high`, neither of them.
+    static NumberDomain between(double low, double high);
+    /// From `low` to `high`, both of them.
+    static NumberDomain from_to(double low, double high);
 };
 
 /// The finite number in `domain` that `text` spells.

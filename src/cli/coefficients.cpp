@@ -12,6 +12,7 @@
 #include "cli/surface_facts.h"
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
 #include "endmill/io/force_profile_csv.h"
 #include "endmill/io/material_file.h"
 #include "endmill/io/output_folder.h"
@@ -29,10 +30,10 @@ BallEngagement engagement_of(const CoefficientsOptions& options)
     if (options.previous == PreviousPass::Beside && !options.pick_feed_ratio)
         throw DomainError{
             "--pick-feed-ratio: expected a number from 0, or --previous none or edge"};
-    return {.mu = Angle::degrees(options.mu_deg).radians(),
-            .lambda = Angle::degrees(options.lambda_deg).radians(),
+    return {.mu = Angle::degrees(options.mu_deg.value()).radians(),
+            .lambda = Angle::degrees(options.lambda_deg.value()).radians(),
             .pick_feed_ratio = options.pick_feed_ratio.value_or(0),
-            .depth_ratio = options.depth_ratio,
+            .depth_ratio = options.depth_ratio.value(),
             .previous = options.previous};
 }
 
@@ -48,6 +49,45 @@ bool has_forces(const CoefficientsOptions& options)
 {
     return !options.material.empty() && options.feed_per_tooth_mm &&
            options.diameter_mm && options.flutes;
+}
+
+// An option that changes nothing was meant for something.
+void refuse_idle(const CoefficientsOptions& options)
+{
+    if (options.pick_feed_ratio && options.previous != PreviousPass::Beside)
+        throw DomainError{
+            "--pick-feed-ratio: found with --previous none or edge; expected --previous "
+            "pass, or no pick feed"};
+    const auto refuse = [](const char* option, const char* expected) {
+        throw DomainError{std::string{option} +
+                          ": found without what it needs; expected " + expected};
+    };
+    constexpr const char* forces =
+        "all of --material, --feed-per-tooth, --cutter and --flutes, for the forces";
+    if (options.diameter_mm && !has_forces(options))
+        refuse("--cutter", forces);
+    if (options.feed_per_tooth_mm && !has_forces(options))
+        refuse("--feed-per-tooth", forces);
+    if (!options.material.empty() && !has_forces(options))
+        refuse("--material", forces);
+    if (options.helix_deg && !options.flutes)
+        refuse("--helix-deg", "--flutes");
+    if (options.flutes && !options.helix_deg && !has_forces(options))
+        refuse("--flutes", "--helix-deg, for the peak factor, or what the forces need");
+}
+
+// The frame is mirrored when milling down, the helix is not.
+void remark_helix(const CoefficientsOptions& options)
+{
+    const bool has_turn = options.flutes && options.helix_deg;
+    if (!has_turn || options.milling != Milling::Down || !(*options.helix_deg > 0) ||
+        options.previous == PreviousPass::None)
+        return;
+    warn(options.common,
+         "--helix-deg " + to_text(*options.helix_deg) +
+             ": by the model's convention, milling down, the peak and profile are those "
+             "of a left-hand cutter under M03; a right-hand one is --helix-deg " +
+             to_text(-*options.helix_deg));
 }
 
 void add_coefficients(Json& summary, const CuttingCoefficients& c)
@@ -97,6 +137,7 @@ std::string write_results(const CoefficientsOptions& options, const Json& summar
 
 ExitCode run_coefficients(const CoefficientsOptions& options)
 {
+    refuse_idle(options);
     const BallEngagement engagement = engagement_of(options);
     const ChipModel chip = options.chip.value_or(ChipModel::Paper);
     const MillingTool tool = tool_of(options);
@@ -127,6 +168,7 @@ ExitCode run_coefficients(const CoefficientsOptions& options)
         throw DomainError{
             "--profile: expected --material, --feed-per-tooth, --cutter, --flutes and "
             "--helix-deg"};
+    remark_helix(options);
     const std::string folder = write_results(options, summary, profile);
     std::string text;
     for (const auto& [key, value] : summary.items())

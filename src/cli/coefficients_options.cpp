@@ -18,10 +18,11 @@ constexpr std::array milling_words{Choice<Milling>{"down", Milling::Down},
 void add_geometry(CLI::App& command, CoefficientsOptions& options)
 {
     const NumberDomain any = NumberDomain::any();
-    add_number(command, {"--mu-deg", "DEG", "rise of the pick feed about the feed", any},
+    add_number(command,
+               {"--mu-deg", "DEG", "rise of the pick feed about the feed", slope_domain},
                options.mu_deg)
         ->required();
-    add_number(command, {"--lambda-deg", "DEG", "rise of the feed", any},
+    add_number(command, {"--lambda-deg", "DEG", "rise of the feed", slope_domain},
                options.lambda_deg)
         ->required();
     add_number(command,
@@ -43,10 +44,8 @@ void add_forces(CLI::App& command, CoefficientsOptions& options)
     add_whole_number(command, {"--flutes", "of the cutter", 1, most_flutes},
                      [&options](int flutes) { options.flutes = flutes; })
         ->type_name("N");
-    add_number(
-        command,
-        {"--helix-deg", "DEG", "of the flutes against the axis", NumberDomain::any()},
-        options.helix_deg);
+    add_number(command, {"--helix-deg", "DEG", helix_help, helix_domain},
+               options.helix_deg);
     command
         .add_option("--material", options.material, "material file (endmill-material/1)")
         ->type_name("FILE");
@@ -72,7 +71,8 @@ void add_coefficients_options(CLI::App& command, CoefficientsOptions& options)
     add_geometry(command, options);
     add_chip_option(command, options.chip);
     add_forces(command, options);
-    add_number(command, {"--accuracy", "EPS", "largest error of a coefficient"},
+    add_number(command,
+               {"--accuracy", "EPS", "largest error of a coefficient", accuracy_domain},
                options.accuracy);
     CLI::Option* const profile =
         command.add_flag("--profile", options.has_profile,

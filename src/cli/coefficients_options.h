@@ -12,10 +12,10 @@ namespace endmill {
 /// What `endmill coefficients` is told.
 struct CoefficientsOptions {
     CommonOptions common;
-    double mu_deg = 0;
-    double lambda_deg = 0;
+    std::optional<double> mu_deg;           ///< required
+    std::optional<double> lambda_deg;       ///< required
     std::optional<double> pick_feed_ratio;  ///< needed beside a previous pass
-    double depth_ratio = 0;
+    std::optional<double> depth_ratio;      ///< required
     PreviousPass previous = PreviousPass::Beside;
     std::optional<ChipModel> chip;
     std::optional<int> flutes;

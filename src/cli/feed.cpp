@@ -6,6 +6,7 @@
 #include "cli/console.h"
 #include "cli/feed_cuts.h"
 #include "cli/feed_files.h"
+#include "cli/feed_remarks.h"
 #include "endmill/core/error.h"
 #include "endmill/io/output_folder.h"
 #include "endmill/io/printable.h"
@@ -49,7 +50,13 @@ ExitCode run_feed(const FeedCommandOptions& options)
     for (const std::string& remark : input.program.remarks)
         warn(options.common, options.path.file + ": " + remark);
     const SegmentCuts cuts = feed_cuts(input, options);
-    const FeedPlan plan = cuts_plan(input, cuts, options);
+    const CutsPlan planned = cuts_plan(input, cuts, options);
+    const FeedPlan& plan = planned.feeds;
+    std::vector<std::string> remarks = input.program.remarks;
+    for (const std::string& remark : feed_remarks(input, cuts, planned)) {
+        warn(options.common, options.path.file + ": " + remark);
+        remarks.push_back(remark);
+    }
     const ToolPath path = fed_path(input.program.path, cuts.points, plan.rows,
                                    options.plunge_feed_mm_per_min);
     OutputFolder folder{output_folder(options.path.file, "feed", options.common),
@@ -58,7 +65,7 @@ ExitCode run_feed(const FeedCommandOptions& options)
         folder.protect(file);
     const Json summary =
         write_feed({input, options, cuts, plan, path, times_of(plan, path, cuts, options),
-                    planned_minutes(path, cuts, input, options), folder.path()},
+                    planned_minutes(path, cuts, input, options), folder.path(), remarks},
                    folder);
     folder.publish();
     print_result(

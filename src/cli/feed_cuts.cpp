@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/progress.h"
@@ -11,6 +13,7 @@
 #include "endmill/process/coefficient_table.h"
 #include "endmill/process/front_load.h"
 #include "endmill/simulation/stock_fronts.h"
+#include "endmill/simulation/stock_gap.h"
 #include "endmill/simulation/stock_memory.h"
 
 namespace endmill {
@@ -25,13 +28,40 @@ HeightStock stock_of(const FeedInput& input, const FeedCommandOptions& options)
     return block_stock(input.stock.block, options.resolution);
 }
 
-FeedPlan stock_plan(const FeedInput& input, const SegmentCuts& cuts,
+bool is_engaged(const BallFront& front)
+{
+    const auto is_material = [](double value) { return value > 0; };
+    return std::ranges::any_of(front.engaged, is_material) ||
+           std::ranges::any_of(front.shank, is_material);
+}
+
+std::string stock_text(const FeedInput& input)
+{
+    const auto& [low, high] = input.stock.block;
+    return "the stock, x " + to_text(low.x()) + " to " + to_text(high.x()) + ", y " +
+           to_text(low.y()) + " to " + to_text(high.y()) + ", z " + to_text(low.z()) +
+           " to " + to_text(high.z()) + " mm";
+}
+
+void require_meeting(const FeedInput& input, const SegmentCuts& cuts)
+{
+    const double gap =
+        stock_gap(input.program.path, cuts.points, input.tool.cutter, input.stock.block);
+    if (gap > 0)
+        throw GeometryError{"no cutting move meets " + stock_text(input) +
+                            ": the cutter stays " + to_text(gap) +
+                            " mm away; expected a --stock where the path cuts"};
+}
+
+CutsPlan stock_plan(const FeedInput& input, const SegmentCuts& cuts,
                     const FeedCommandOptions& options)
 {
     HeightStock stock = stock_of(input, options);
     const FeedRules rules = feed_rules(input.job, input.plan);
     FeedPlan plan;
     plan.rows.resize(cuts.cuts.size());
+    std::vector<Milling> milling(cuts.cuts.size(), Milling::Down);
+    bool is_any_engaged = false;
     std::vector<double> lengths;
     for (const SegmentCut& cut : cuts.cuts)
         lengths.push_back(cut.length_mm);
@@ -43,12 +73,18 @@ FeedPlan stock_plan(const FeedInput& input, const SegmentCuts& cuts,
          .points = cuts.points,
          .progress = [&](double share) { progress.show(share); }},
         [&](std::size_t number, const BallFront& front) {
+            is_any_engaged = is_any_engaged || is_engaged(front);
+            milling[number] = front.is_stock_right ? Milling::Down : Milling::Up;
             plan.rows[number] = segment_feed(
                 front_load(lengths[number], front, input.job.tool, input.plan, rules),
                 rules);
         });
+    if (!is_any_engaged)
+        throw GeometryError{"no cutting move finds material in " + stock_text(input) +
+                            ", though the cutter goes through its box; expected a "
+                            "--stock with material where the path cuts"};
     plan.totals = feed_plan_totals(plan.rows, lengths, rules.limits);
-    return plan;
+    return {std::move(plan), std::move(milling)};
 }
 
 }  // namespace
@@ -72,10 +108,12 @@ SegmentCuts feed_cuts(const FeedInput& input, const FeedCommandOptions& options)
         throw GeometryError{"the whole path lies above the stock, whose top is at z = " +
                             to_text(input.stock_top) +
                             " mm; expected a higher --stock-top or --stock"};
+    if (options.stock != "block")
+        require_meeting(input, cuts);
     return cuts;
 }
 
-FeedPlan cuts_plan(const FeedInput& input, const SegmentCuts& cuts,
+CutsPlan cuts_plan(const FeedInput& input, const SegmentCuts& cuts,
                    const FeedCommandOptions& options)
 {
     if (options.engagement == EngagementChoice::Stock)
@@ -84,7 +122,10 @@ FeedPlan cuts_plan(const FeedInput& input, const SegmentCuts& cuts,
     std::optional<CoefficientTable> table;
     if (options.has_table)
         plan.table = &table.emplace(plan.chip);
-    return feed_plan(cuts.cuts, input.job, plan);
+    std::vector<Milling> milling;
+    for (const SegmentCut& cut : cuts.cuts)
+        milling.push_back(cut.milling);
+    return {feed_plan(cuts.cuts, input.job, plan), std::move(milling)};
 }
 
 }  // namespace endmill

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/feed_input.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "cli/console.h"
 #include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
 #include "endmill/io/machine_file.h"
 #include "endmill/io/material_file.h"
 #include "endmill/io/printable.h"
 #include "endmill/io/read_file.h"
 #include "endmill/io/tool_file.h"
+#include "endmill/io/tool_path_reader.h"
 #include "endmill/simulation/verification.h"
 
 namespace endmill {
@@ -78,6 +82,49 @@ FeedPlanOptions plan_options(const FeedCommandOptions& options)
     return plan;
 }
 
+// The path, its own file or summary, and the command line speak of one cutter.
+void require_cutter_of_path(const FeedCommandOptions& options, const Cutter& used,
+                            const std::optional<Cutter>& planned)
+{
+    if (!planned || used == *planned)
+        return;
+    const std::string told = options.path.cutter ? "--cutter " + cutter_word(used)
+                                                 : "--tool " + options.tool.file +
+                                                       " with " + cutter_word(used);
+    throw DomainError{told + ": the path was made for " + cutter_word(*planned) +
+                      ", as it or the summary.json beside it says; expected the same"};
+}
+
+void require_tool(const Tool& tool)
+{
+    if (!tool.cutter.is_ball())
+        throw DomainError{"--cutter: found " + cutter_word(tool.cutter) +
+                          "; expected ball:DIAMETER, the cutter of the model"};
+    if (!tool.flutes)
+        throw DomainError{
+            "--flutes: their number is not known; expected --flutes N, or a tool file "
+            "with flutes"};
+    if (tool.helix && std::abs(tool.helix->radians()) > most_helix)
+        throw DomainError{"--helix-deg, or helix_deg of the tool file: found " +
+                          to_text(tool.helix->written_degrees()) + "; expected " +
+                          helix_domain.words};
+}
+
+void require_range(const FeedInput& input, const FeedCommandOptions& options)
+{
+    const FeedRange range = feed_range(input.job.material, input.plan);
+    if (!range.most_mm || range.least_mm <= *range.most_mm)
+        return;
+    const bool is_least_told = options.min_feed_per_tooth_mm.has_value();
+    throw DomainError{is_least_told
+                          ? "--min-feed-per-tooth: found " + to_text(range.least_mm) +
+                                "; expected at most the largest feed per tooth, " +
+                                to_text(*range.most_mm) + " mm (--max-feed-per-tooth)"
+                          : "--max-feed-per-tooth: found " + to_text(*range.most_mm) +
+                                "; expected at least the least feed per tooth, " +
+                                to_text(range.least_mm) + " mm (--min-feed-per-tooth)"};
+}
+
 void require_answerable(const FeedInput& input, const FeedCommandOptions& options)
 {
     const std::string peak = peak_word(input.plan.peak, input.plan.peak_factor);
@@ -100,7 +147,8 @@ void require_answerable(const FeedInput& input, const FeedCommandOptions& option
 }
 
 // A path whose rows were mixed up is another path.
-void require_order(const Program& program, const std::string& file)
+void require_order(const Program& program, const std::string& file,
+                   const std::string& text)
 {
     const std::vector<PathPoint>& points = program.path.points;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -111,12 +159,24 @@ void require_order(const Program& program, const std::string& file)
         if (!is_rising)
             throw FormatError{
                 "E_CSV",
-                {file, "row " + std::to_string(i + 1),
+                {file, std::to_string(line_of_row(text, i)),
                  "point " + std::to_string(next.point) + " of pass " +
                      std::to_string(next.pass) + " after point " +
                      std::to_string(last.point) + " of pass " + std::to_string(last.pass),
                  "points in the order of the path"}};
     }
+}
+
+// What was left out of a program, such as moves of which no place is known, may be why.
+void require_cut(const Program& program)
+{
+    const auto is_cut = [](const PathPoint& point) { return point.move == Move::Cut; };
+    if (std::ranges::any_of(program.path.points, is_cut))
+        return;
+    std::string found = "no move of the path cuts";
+    for (const std::string& remark : program.remarks)
+        found += "; " + remark;
+    throw GeometryError{found + "; expected a cutting move that goes along"};
 }
 
 void add_stock(FeedInput& input, const FeedCommandOptions& options)
@@ -155,10 +215,13 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
     std::string text = read_file(file, limits);
     const PathReadOptions reading = path_reading(options.path, cutter, options.common);
     Program program = parse_program(text, file, reading);
-    require_order(program, file);
+    require_order(program, file, text);
     if (!tool)
         tool = tool_without_file(options, program, known);
+    require_cutter_of_path(options, tool->cutter, known.cutter);
+    require_cutter_of_path(options, tool->cutter, program.cutter);
     tell(*tool, options.tool);
+    require_tool(*tool);
     const std::string stem = std::filesystem::path{file}.stem().string();
     FeedInput input{.name = printable(known.name.value_or(stem)),
                     .program = std::move(program),
@@ -173,9 +236,11 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
     if (!options.machine.empty())
         input.job.machine = read_machine(options.machine, limits).limits;
     require_answerable(input, options);
+    require_range(input, options);
     if (!options.part.path.empty())
         input.part =
             read_surface_for(options.part.path, "feed --part", options.common).surfaces;
+    require_cut(input.program);
     add_stock(input, options);
     return input;
 }

@@ -34,10 +34,7 @@ void add_tool_options(CLI::App& command, ToolOptions& tool)
     add_whole_number(command, {"--flutes", "of the cutter", 1, most_flutes},
                      [&tool](int flutes) { tool.flutes = flutes; })
         ->type_name("N");
-    add_number(
-        command,
-        {"--helix-deg", "DEG", "of the flutes against the axis", NumberDomain::any()},
-        tool.helix_deg);
+    add_number(command, {"--helix-deg", "DEG", helix_help, helix_domain}, tool.helix_deg);
     add_number(command,
                {"--max-force-n", "N", "most that the tool bears across its axis"},
                tool.max_force_n);
@@ -88,10 +85,12 @@ void add_model_options(CLI::App& command, FeedCommandOptions& options)
             [&options](const std::string& word) { options.peak = peak_argument(word); },
             "largest over mean load: constant:R (paper: 1.8), torque, direct (corrected)")
         ->type_name("RULE");
-    add_number(command, {"--accuracy", "EPS", "of a cutting action coefficient"},
+    add_number(command,
+               {"--accuracy", "EPS", "of a cutting action coefficient", accuracy_domain},
                options.accuracy);
     add_choice<bool>(command, "--coefficients", options.has_table, coefficient_sources,
-                     "computed one by one, or from a table");
+                     "computed one by one, or from a table that is off by up to " +
+                         to_text(table_error));
     add_number(command,
                {"--min-feed-per-tooth", "MM", "default the material's, or 0.005"},
                options.min_feed_per_tooth_mm);

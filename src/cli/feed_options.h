@@ -44,6 +44,18 @@ inline constexpr std::array first_passes{
 inline constexpr std::array coefficient_sources{Choice<bool>{"direct", false},
                                                 Choice<bool>{"table", true}};
 
+/// A right angle is none of a feed or a pick feed.
+inline const NumberDomain slope_domain = NumberDomain::between(-90, 90);
+/// Of --helix-deg: see `most_helix`.
+inline const NumberDomain helix_domain = NumberDomain::from_to(-80, 80);
+/// Of --accuracy, as `cutting_coefficients` takes it.
+inline const NumberDomain accuracy_domain = NumberDomain::from_to(1e-12, 1e-3);
+
+/// What --helix-deg means, as its help says.
+inline constexpr const char* helix_help =
+    "of the flutes against the axis; where the cut is milled down, the model's positive "
+    "helix is that of a left-hand cutter under M03, a right-hand one has the negative";
+
 /// More edges than any mill has; their sums would take long.
 inline constexpr int most_flutes = 100;
 
@@ -52,6 +64,9 @@ struct PeakChoice {
     PeakRule rule = PeakRule::Constant;
     double factor = 1.8;  ///< of PeakRule::Constant
 };
+
+/// Largest error of a coefficient from the table: see CoefficientTable.
+inline constexpr double table_error = 0.025;
 
 /// As on the command line: "constant:1.8", "torque" or "direct".
 std::string peak_word(PeakRule rule, double factor);

@@ -39,7 +39,7 @@ void add_tool(Json& summary, const FeedInput& input)
     summary["cutter"] = cutter_word(input.tool.cutter);
     summary["flutes"] = tool.flutes;
     summary["helix_deg"] =
-        input.tool.helix ? Json(input.tool.helix->degrees()) : Json(nullptr);
+        input.tool.helix ? Json(input.tool.helix->written_degrees()) : Json(nullptr);
     summary["max_force_n"] = number_or_null(tool.cutting_force_n);
     summary["max_thrust_n"] = number_or_null(tool.thrust_n);
     summary["max_tool_torque_n_m"] = number_or_null(tool.torque_n_m);
@@ -57,7 +57,10 @@ void add_choices(Json& summary, const FeedResult& result)
         word_for<EngagementChoice>(options.engagement, engagement_choices);
     summary["first_pass"] = word_for<PreviousPass>(options.first_pass, first_passes);
     summary["coefficients"] = word_for<bool>(options.has_table, coefficient_sources);
+    if (options.has_table)
+        summary["table_error"] = table_error;
     summary["accuracy"] = plan.accuracy;
+    summary["stock"] = printable(options.stock);
     summary["stock_top_mm"] = result.input.stock_top;
     summary["contact_tolerance_mm"] = options.contact_tolerance;
     summary["max_feed_per_tooth_mm"] = number_or_null(rules.range.most_mm);
@@ -71,6 +74,7 @@ void add_choices(Json& summary, const FeedResult& result)
         summary["corner_tolerance_mm"] = options.corner_tolerance;
     if (options.engagement == EngagementChoice::Stock)
         summary["resolution_mm"] = options.resolution;
+    add_reading(summary, options.path);
 }
 
 void add_times(Json& summary, const FeedResult& result)
@@ -107,8 +111,9 @@ void add_plan(Json& summary, const FeedPlanTotals& totals)
 }
 
 // What whoever reads the path next needs: `verify`, `post`.
-void add_known(Json& summary, const FeedInput& input)
+void add_known(Json& summary, const FeedResult& result)
 {
+    const FeedInput& input = result.input;
     const auto add = [&](const char* key, const std::optional<double>& value) {
         if (value)
             summary[key] = *value;
@@ -118,7 +123,7 @@ void add_known(Json& summary, const FeedInput& input)
     add("outer_tolerance_mm", input.known.outer_tolerance_mm);
     add("scallop_mm", input.known.scallop_mm);
     summary["interpolation"] = "linear";
-    summary["remarks"] = input.program.remarks;
+    summary["remarks"] = result.remarks;
 }
 
 std::string shares_text(const Json& shares)
@@ -167,10 +172,11 @@ Json feed_summary(const FeedResult& result)
     summary["segments_by_contact"] = is_by_stock ? 0 : result.cuts.by_contact;
     summary["segments_by_passes"] = is_by_stock ? 0 : result.cuts.by_passes;
     summary["segments_by_stock"] = is_by_stock ? result.cuts.cuts.size() : 0;
+    summary["zero_length_segments"] = result.cuts.zero_length;
     summary["cut_mm"] = result.plan.totals.length_mm;
     add_times(summary, result);
     add_plan(summary, result.plan.totals);
-    add_known(summary, input);
+    add_known(summary, result);
     return summary;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/feed_input.h"
 #include "endmill/process/feed_plan.h"
@@ -22,6 +23,7 @@ struct FeedResult {
     FeedTimes times;
     std::optional<double> planned_min;  ///< of the cuts, as the machine follows
     std::filesystem::path folder;       ///< to which it is written
+    std::vector<std::string> remarks;   ///< of the path, and `feed_remarks`
 };
 
 /// summary.json of `feed`.

@@ -73,6 +73,14 @@ void add_reading_options(CLI::App& command, PathOptions& path)
                      "G-code: leave out blocks that begin with /");
 }
 
+void add_reading(Json& summary, const PathOptions& path)
+{
+    summary["programmed_point"] =
+        word_for<bool>(path.centre_is_programmed, programmed_points);
+    summary["arc_tolerance_mm"] = path.arc_tolerance;
+    summary["block_delete"] = path.block_delete;
+}
+
 PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter>& cutter,
                              const CommonOptions& options)
 {

@@ -25,6 +25,9 @@ void add_path_options(CLI::App& command, PathOptions& path);
 /// The options that say how a program is read.
 void add_reading_options(CLI::App& command, PathOptions& path);
 
+/// Adds what they say to a summary: programmed_point, arc_tolerance_mm, block_delete.
+void add_reading(Json& summary, const PathOptions& path);
+
 /// How the path is read.
 /// \throws DomainError as `read_program_for`.
 PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter>& cutter,

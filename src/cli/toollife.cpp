@@ -75,7 +75,8 @@ void add_toollife_command(CLI::App& program, Action& action)
                options->machine_cost_per_min)
         ->required();
     add_number(*command,
-               {"--alpha", "A", "exponent, between 0 and 1, instead of the fit"},
+               {"--alpha", "A", "exponent, between 0 and 1, instead of the fit",
+                NumberDomain::between(0, 1)},
                options->alpha);
     add_common_options(*command, options->common);
     command->footer(

@@ -93,6 +93,25 @@ class Coefficients(ProgramTest):
         facts = self.summary("coefficients", *engagement(), "-o", "out")
         self.assertEqual(facts, json.loads((self.folder / "out/summary.json").read_text()))
 
+    def test_the_sense_of_the_helix_is_remarked(self):
+        def run(*options):
+            done = endmill("coefficients", *engagement(), "--flutes", 2, *options, "--json", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return json.loads(done.stdout)["peak_factor"], done.stderr
+        down, said = run("--helix-deg", 30)
+        self.assertIn("--helix-deg -30", said)
+        self.assertAlmostEqual(down, 4.35746842, delta=1e-5)  # of the spec, by its convention
+        right_hand, said = run("--helix-deg", -30)
+        self.assertEqual(said, "")
+        self.assertLess(right_hand, 0.9 * down)
+        self.assertEqual(run("--helix-deg", 30, "--milling", "up"), (down, ""))
+        self.assertGreaterEqual(run("--helix-deg", 80, "--milling", "up")[0], 1)
+
+    def test_what_is_required_has_no_default(self):
+        text = endmill("coefficients", "--help").stdout
+        for line in text.splitlines():
+            self.assertFalse("REQUIRED" in line and "default" in line, line)
+
     def refused(self, *options, words=()):
         done = endmill("coefficients", *options, cwd=self.folder)
         self.assert_refused(done, 2, *words)
@@ -100,16 +119,27 @@ class Coefficients(ProgramTest):
 
     def test_refuses_what_is_no_engagement(self):
         self.refused(*engagement(pick=-0.1), words=["--pick-feed-ratio"])
-        self.refused("--mu-deg", 90, "--lambda-deg", 0, "--pick-feed-ratio", 1, "--depth-ratio", 1)
-        self.refused("--mu-deg", 0, "--lambda-deg", -90, "--pick-feed-ratio", 1, "--depth-ratio", 1)
+        self.refused("--mu-deg", 90, "--lambda-deg", 0, "--pick-feed-ratio", 1, "--depth-ratio", 1,
+                     words=["--mu-deg", '"90"', "between -90 and 90"])
+        self.refused("--mu-deg", 0, "--lambda-deg", -90, "--pick-feed-ratio", 1, "--depth-ratio", 1,
+                     words=["--lambda-deg", '"-90"'])
         for bad in ("nan", "inf", "-inf", "x"):
             self.refused(*engagement(depth=bad), words=["--depth-ratio"])
             self.refused("--mu-deg", bad, "--lambda-deg", 0, "--pick-feed-ratio", 1, "--depth-ratio", 1)
         self.refused("--mu-deg", 0, "--lambda-deg", 0, "--depth-ratio", 1, words=["--pick-feed-ratio"])
         self.refused(*engagement(), "--accuracy", 0)
-        self.refused(*engagement(), "--accuracy", 1)
+        for accuracy in (1, .5, 1e-18):
+            self.refused(*engagement(), "--accuracy", accuracy, words=["--accuracy", "from 1e-12 to 0.001"])
         self.refused(*engagement(), "--flutes", 0)
-        self.refused(*engagement(), "--flutes", 2, "--helix-deg", 90)
+        for helix in (90, 80.1, -81):
+            self.refused(*engagement(), "--flutes", 2, "--helix-deg", helix, words=["--helix-deg", str(helix)])
+        self.refused(*engagement(), "--cutter", "ball:10", words=["--cutter", "--material"])
+        self.refused(*engagement(), "--feed-per-tooth", 0.1, words=["--feed-per-tooth", "--material"])
+        self.refused(*engagement(), "--material", STEEL, words=["--material", "--flutes"])
+        self.refused(*engagement(), "--flutes", 2, words=["--flutes", "--helix-deg"])
+        self.refused(*engagement(), "--helix-deg", 20, words=["--helix-deg", "--flutes"])
+        for previous in ("none", "edge"):
+            self.refused(*engagement(), "--previous", previous, words=["--pick-feed-ratio"])
         self.refused(*engagement(), "--cutter", "flat:10", words=["flat"])
         self.refused(*engagement(), "--feed-per-tooth", -1)
         self.refused(*engagement(), "--profile", words=["--profile"])

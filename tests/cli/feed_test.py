@@ -111,10 +111,10 @@ class Feed(ProgramTest):
 
     def test_more_than_two_neighbours_is_noted(self):
         text = raster(2, 5) + "".join(f"9,{i},cut,{x},2.5,0\n" for i, x in enumerate((0, 15, 30)))
-        out, _ = self.fed(self.file(text.replace("9,0,cut", "9,0,plunge"), "raster.csv"), "--tool", TOOL,
-                          "--stock-top", "5")
-        self.assertEqual((out / "engagement.csv").read_text().splitlines()[0], HEADER + ",note")
-        self.assertEqual([r["note"] for r in rows(out / "engagement.csv")][-2:], ["two_neighbours"] * 2)
+        out, facts = self.fed(self.file(text.replace("9,0,cut", "9,0,plunge"), "raster.csv"), "--tool", TOOL,
+                              "--stock-top", "5")
+        self.assertEqual((out / "engagement.csv").read_text().splitlines()[0], HEADER)
+        self.assertTrue([r for r in facts["remarks"] if r.startswith("2 segments have earlier passes on both sides")])
 
     def test_a_program_is_written_again(self):
         program = self.file("%\nG21 G90\nT3 M6\nS1000 M3\nG0 X0 Y0 Z30\nG1 Z0 F50\nX30 F300\nG0 Z30\n"
@@ -247,7 +247,7 @@ class Feed(ProgramTest):
 
     def test_refuses_a_wrong_command_line(self):
         top = ["--stock-top", "5"]
-        self.refused(2, "flutes", options=["--cutter", "ball:10", *top])
+        self.refused(2, "--flutes", options=["--cutter", "ball:10", *top])
         self.refused(2, "--cutter", options=["--flutes", "2", *top])
         self.refused(2, "ball", options=["--cutter", "flat:10", "--flutes", "2", *top])
         self.refused(2, "--cutter", options=["--cutter", "ball:0", "--flutes", "2", *top])
@@ -261,7 +261,16 @@ class Feed(ProgramTest):
         self.refused(2, "--coefficients", options=["--tool", TOOL, "--peak", "direct", "--coefficients", "table",
                                                    *top])
         self.refused(2, "--noncut-min", options=[*TWO_FLUTES, *top, "--noncut-min", "1", "--rapid-mm-per-min", "9"])
-        self.refused(2, "accuracy", options=["--tool", TOOL, *top, "--accuracy", "1"])
+        for accuracy in ("1", "1e-18"):
+            self.refused(2, "--accuracy", accuracy, "1e-12", options=["--tool", TOOL, *top, "--accuracy", accuracy])
+        self.refused(2, "--helix-deg", "90", "80", options=[*TWO_FLUTES, *top, "--helix-deg", "90"])
+        steep = self.file({"format": "endmill-tool/1", "name": "t", "cutter": "ball:10", "flutes": 2,
+                           "helix_deg": -85, "source": "t"}, "t.json")
+        self.refused(2, "--helix-deg", "-85", options=["--tool", steep, *top])
+        self.refused(2, "--min-feed-per-tooth", "0.5", "0.15", options=["--tool", TOOL, *top,
+                                                                        "--min-feed-per-tooth", "0.5"])
+        self.refused(2, "--max-feed-per-tooth", "0.001", options=["--tool", TOOL, *top,
+                                                                  "--max-feed-per-tooth", "0.001"])
         mesh = self.file("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                          "endloop\nendfacet\nendsolid a\n", "part.stl")
         self.refused(2, "mesh", options=["--tool", TOOL, *top, "--part", mesh])
@@ -275,7 +284,7 @@ class Feed(ProgramTest):
                      material=self.file({**SLOT, "specific_resistance_n_per_mm2": 0}, "m.json"))
         self.refused(3, "tip_z_mm", path=self.file("tip_x_mm,tip_y_mm\n0,0\n1,1\n", "p.csv"), options=common)
         swapped = "pass,point,tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0,0,0\n0,2,1,0,0\n0,1,2,0,0\n"
-        self.refused(3, "point 1 of pass 0 after point 2", path=self.file(swapped, "p.csv"), options=common)
+        self.refused(3, "p.csv:4: point 1 of pass 0 after point 2", path=self.file(swapped, "p.csv"), options=common)
         back = "pass,point,tip_x_mm,tip_y_mm,tip_z_mm\n1,0,0,0,0\n0,0,1,0,0\n"
         self.refused(3, "pass 0 after point 0 of pass 1", path=self.file(back, "p.csv"), options=common)
         self.refused(3, "machine", options=[*common, "--machine", self.file({"format": "x"}, "machine.json")])
@@ -287,6 +296,10 @@ class Feed(ProgramTest):
         self.refused(4, "no move", path=still, options=[*common, *top])
         self.refused(4, "above the stock", options=[*common, "--stock-top", "-1"])
         self.refused(4, "contact", options=[*common, *top, "--engagement", "contact"])
+        self.refused(4, "5e+06 mm deep", "--peak constant", "point 2 of pass 0",
+                     options=[*common, "--stock-top", "5000000", "--peak", "direct"])
+        relative = self.file("G21 G91\nS1000 M3\nG1 X5 F100\nX5\nM30\n", "p.ngc")
+        self.refused(4, "no move", path=relative, options=[*common, *top])
         leaning = self.file("tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z\n0,0,0,0,0,1\n1,0,0,0,0.6,0.8\n",
                             "p.csv")
         self.refused(4, "+z", path=leaning, options=[*common, *top])
@@ -300,8 +313,92 @@ class Feed(ProgramTest):
     def test_a_move_that_stays_in_place_is_left_out(self):
         text = "tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n5,0,0\n5,0,0\n9,0,0\n"
         out, facts = self.fed(self.file(text, "p.csv"), "--tool", TOOL, "--stock-top", "5")
-        self.assertEqual(facts["segments"], 2)
+        self.assertEqual((facts["segments"], facts["zero_length_segments"]), (2, 1))
         self.assertEqual(len(rows(out / "toolpath.csv")), 4)
+        self.assertTrue([r for r in facts["remarks"] if r.startswith("1 cutting move goes nowhere")])
+
+    def test_a_stock_that_the_path_never_meets_is_refused(self):
+        for engagement in ("stock", "passes", "auto"):
+            self.refused(4, "stays", "mm away", "1000", options=[
+                "--tool", TOOL, "--engagement", engagement, "--stock", "1000,1000,0,1010,1010,10"])
+        self.refused(4, "965 mm away", options=["--tool", TOOL, "--stock", "1000,-5,-5,1010,5,5"])
+        _, facts = self.fed(self.file(raster(1), "raster.csv"), "--tool", TOOL, "--stock", "-5,-9,-9,40,9,3")
+        self.assertEqual([facts[key] for key in ("stock", "stock_top_mm", "programmed_point", "arc_tolerance_mm",
+                                                 "block_delete")], ["-5,-9,-9,40,9,3", 3, "tip", 0.001, False])
+
+    def test_normals_alone_are_a_contact(self):
+        head = "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm"
+        tilt = math.radians(20)
+        lines = [head + ",normal_x,normal_y,normal_z"]
+        for k in range(3):
+            y, z = 2 * k * math.cos(tilt), 2 * k * math.sin(tilt)
+            for i, x in enumerate((0, 10, 20)):
+                lines.append(f"{k},{i},{'cut' if i else 'plunge'},{x},{y!r},{z!r},0,{-math.sin(tilt)!r},"
+                             f"{math.cos(tilt)!r}")
+        path = self.file("\n".join(lines) + "\n", "normals.csv")
+        for engagement in ("contact", "auto"):
+            out, facts = self.fed(path, "--tool", TOOL, "--stock-top", "8", "--engagement", engagement,
+                                  "--allow-infeasible")
+            self.assertEqual((facts["segments_by_contact"], facts["segments_by_passes"]), (6, 0))
+            for cut in rows(out / "engagement.csv")[2:]:
+                self.assertAlmostEqual(abs(float(cut["mu_deg"])), 20, delta=1e-9)
+                self.assertAlmostEqual(float(cut["pick_feed_mm"]), 2, delta=1e-12)
+        # The path that it writes is as good.
+        written = self.file((out / "toolpath.csv").read_text(), "written.csv")
+        _, facts = self.fed(written, "--tool", TOOL, "--stock-top", "8", "--engagement", "contact",
+                                "--allow-infeasible")
+        self.assertEqual(facts["segments_by_contact"], 6)
+
+    def test_another_cutter_than_the_path_was_made_for_is_refused(self):
+        surface = self.file(plane())
+        done = endmill("plan", surface, "--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "0.5",
+                       "--direction", "u", "-o", "plan", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        path = self.folder / "plan/toolpath.csv"
+        self.refused(2, "ball:8", "ball:10", path=path, options=["--cutter", "ball:8", "--flutes", "2",
+                                                                 "--stock-top", "4"])
+        # Contacts of a ball of 10 on a slope, without a summary.
+        tilt = math.radians(30)
+        y, z = -5 * math.sin(tilt), 5 - 5 * math.cos(tilt)
+        bare = self.file("tip_x_mm,tip_y_mm,tip_z_mm,u,v,contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,"
+                         "normal_z\n" + "".join(f"{x},0,0,0,0,{x},{y!r},{z!r},0,{math.sin(tilt)!r},"
+                                                f"{math.cos(tilt)!r}\n" for x in (0, 9)), "bare.csv")
+        self.refused(4, "from the centre of ball:8", "expected 4 mm", path=bare,
+                     options=["--cutter", "ball:8", "--flutes", "2", "--stock-top", "4"])
+        _, facts = self.fed(bare, *TWO_FLUTES, "--stock-top", "4", "--allow-infeasible")
+        self.assertEqual(facts["cutter"], "ball:10")
+
+    def test_the_sense_of_the_helix_is_remarked_where_it_counts(self):
+        def helix_remarks(y, helix, *options):
+            path = self.file(raster(3, y=y), "raster.csv")
+            _, facts = self.fed(path, *TWO_FLUTES, "--max-force-n", "1200", "--stock-top", "5", "--helix-deg", helix,
+                                *options, "--allow-infeasible")
+            self.assertEqual(facts["helix_deg"], float(helix))
+            return facts["cut_min"], [r for r in facts["remarks"] if "left-hand" in r]
+        for rule in ("torque", "direct"):
+            # The first of three passes is a slot, where the sense changes nothing.
+            down, remarks = helix_remarks(-1, "30", "--peak", rule)
+            self.assertEqual([r[:20] for r in remarks], ["on 6 of 9 segments, "])
+            self.assertIn("--helix-deg -30", remarks[0])
+            other, remarks = helix_remarks(-1, "-30", "--peak", rule)
+            self.assertEqual(remarks, [])
+            self.assertGreater(abs(other / down - 1), 1e-3)
+            # The model sees the same cut on either side, so that the hand is the other one.
+            up, remarks = helix_remarks(1, "30", "--peak", rule)
+            self.assertEqual(remarks, [])
+            self.assertAlmostEqual(up, down, delta=1e-9 * down)
+            self.assertEqual(len(helix_remarks(1, "-30", "--peak", rule)[1]), 1)
+        self.assertEqual(helix_remarks(-1, "30")[1], [])
+        stock = ["--engagement", "stock", "--stock", "-20,-30,-20,50,30,5", "--resolution", "0.5", "--peak", "torque"]
+        self.assertEqual(len(helix_remarks(-1, "30", *stock)[1]), 1)
+        self.assertEqual(len(helix_remarks(-1, "-30", *stock)[1]), 0)
+
+    def test_the_table_tells_its_error(self):
+        path = self.file(raster(2), "raster.csv")
+        _, facts = self.fed(path, "--tool", TOOL, "--stock-top", "5", "--coefficients", "table")
+        self.assertEqual(facts["table_error"], 0.025)
+        self.assertEqual(facts["helix_deg"], 30)
+        self.assertIn("0.025", endmill("feed", "--help").stdout)
 
 
 if __name__ == "__main__":

@@ -79,7 +79,8 @@ class ToolLife(ProgramTest):
             self.assert_refused(endmill("toollife", SPEEDS, *costs), 2, name)
         for alpha in (0, -0.3, "inf"):
             self.assert_refused(endmill("toollife", SPEEDS, *COSTS, "--alpha", alpha), 2, "--alpha")
-        self.assert_refused(endmill("toollife", SPEEDS, *COSTS, "--alpha", 1.5), 2, "alpha < 1")
+        self.assert_refused(endmill("toollife", SPEEDS, *COSTS, "--alpha", 1.5), 2, "--alpha", "1.5",
+                            "between 0 and 1")
         self.assert_refused(endmill("toollife", SPEEDS), 2, "--tool-change-min is required")
         free = ("--tool-change-min", 0, "--tool-cost", 0, "--machine-cost-per-min", 1)
         self.assert_refused(endmill("toollife", SPEEDS, *free), 2, "costs nothing")

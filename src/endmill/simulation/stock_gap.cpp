@@ -55,9 +55,9 @@ double stock_gap(const ToolPath& path, std::span<const std::size_t> points,
         require(point > 0 && point < path.points.size(),
                 "stock_gap: need points of the path after its first");
         const Vec3 up = cutter.radius() * Vec3::UnitZ();
-        least = std::min(least,
-                         least_axis_distance(path.points[point - 1].location.tip + up,
-                                             path.points[point].location.tip + up, block));
+        least = std::min(
+            least, least_axis_distance(path.points[point - 1].location.tip + up,
+                                       path.points[point].location.tip + up, block));
     }
     return std::max(least - cutter.radius(), 0.0);
 }

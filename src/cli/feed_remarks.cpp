@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/feed_remarks.h"
+
+#include <algorithm>
+
+#include "endmill/core/numbers.h"
+#include "endmill/io/printable.h"
+
+namespace endmill {
+namespace {
+
+// On how many moves a right-hand cutter has the other helix. In a slot both have the same peaks.
+std::size_t other_hand_moves(const SegmentCuts& cuts, const CutsPlan& plan, double helix)
+{
+    const Milling other = helix > 0 ? Milling::Down : Milling::Up;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < cuts.cuts.size(); ++i)
+        if (cuts.cuts[i].previous != PreviousPass::None && plan.milling[i] == other)
+            ++count;
+    return count;
+}
+
+std::string helix_remark(std::size_t moves, std::size_t of, double helix_deg)
+{
+    return "on " + std::to_string(moves) + " of " + counted(of, "segment") + ", milled " +
+           (helix_deg > 0 ? "down" : "up") +
+           ", the model's convention makes --helix-deg " + to_text(helix_deg) +
+           " a left-hand cutter under M03; a right-hand one is --helix-deg " +
+           to_text(-helix_deg) + " there";
+}
+
+}  // namespace
+
+std::vector<std::string> feed_remarks(const FeedInput& input, const SegmentCuts& cuts,
+                                      const CutsPlan& plan)
+{
+    std::vector<std::string> remarks;
+    if (cuts.zero_length > 0)
+        remarks.push_back(counted(cuts.zero_length, "cutting move") +
+                          (cuts.zero_length == 1 ? " goes" : " go") + " nowhere and " +
+                          (cuts.zero_length == 1 ? "has" : "have") +
+                          " no feed from the plan");
+    const auto between =
+        std::ranges::count_if(cuts.cuts, &SegmentCut::has_two_neighbours);
+    if (between > 0)
+        remarks.push_back(counted(static_cast<std::size_t>(between), "segment") +
+                          (between == 1 ? " has" : " have") +
+                          " earlier passes on both sides; the nearer one counts");
+    const bool is_turning = input.plan.peak != PeakRule::Constant;
+    const double helix = input.job.tool.helix;
+    const std::size_t moves = other_hand_moves(cuts, plan, helix);
+    if (is_turning && helix != 0 && moves > 0)
+        remarks.push_back(
+            helix_remark(moves, cuts.cuts.size(), input.tool.helix->written_degrees()));
+    return remarks;
+}
+
+}  // namespace endmill
