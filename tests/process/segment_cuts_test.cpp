@@ -113,6 +113,13 @@ TEST(SegmentCuts, ByContactOnACylinderHaveItsSlopeAndTheSamePickFeed)
     }
 }
 
+// Where a ball of 5 mm at `point` touches a part with this normal.
+SurfaceContact touched(const PathPoint& point, const Vec3& normal)
+{
+    const Vec3 centre = point.location.tip + 5 * Vec3::UnitZ();
+    return {0, 0, {centre - 5 * normal, normal}};
+}
+
 // Eq. (10) and (11) on a tilted plane, milled either way, from the normals of the path alone.
 TEST(SegmentCuts, ByToldContactsOnAPlaneAreWhatThePassesSay)
 {
@@ -123,7 +130,7 @@ TEST(SegmentCuts, ByToldContactsOnAPlaneAreWhatThePassesSay)
         ToolPath path = passes({{Vec3::Zero(), 20 * feed}, {pick, pick + 20 * feed}}, 5);
         const SegmentCuts by_path = segment_cuts(path, by_passes());
         for (PathPoint& point : path.points)
-            point.contact = SurfaceContact{0, 0, {Vec3::Zero(), normal}};
+            point.contact = touched(point, normal);
         SegmentCutOptions options = by_passes();
         options.source = CutSource::Auto;
         const SegmentCuts by_normals = segment_cuts(path, options);
@@ -144,7 +151,7 @@ TEST(SegmentCuts, TakeThePassesWhereAnEndHasNoContact)
 {
     ToolPath path = passes({{Vec3{0, 0, 0}, Vec3{20, 0, 0}}}, 5);
     for (std::size_t i = 0; i < 4; ++i)
-        path.points[i].contact = SurfaceContact{0, 0, {Vec3::Zero(), Vec3::UnitZ()}};
+        path.points[i].contact = touched(path.points[i], Vec3::UnitZ());
     SegmentCutOptions options = by_passes();
     options.source = CutSource::Auto;
     const SegmentCuts cuts = segment_cuts(path, options);
