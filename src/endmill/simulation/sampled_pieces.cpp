@@ -90,23 +90,26 @@ void SampledPieces::add(const Cells& cells, const BendBounds& bounds)
         add(high, bounds);
         return;
     }
-    Vec3 low = cells.point(cells.low_u, cells.low_v);
-    Vec3 high = low;
-    for (const auto& [u, v] : {std::pair{cells.high_u, cells.low_v},
-                               {cells.low_u, cells.high_v},
-                               {cells.high_u, cells.high_v}}) {
-        const Vec3 corner = cells.point(u, v);
-        low = low.cwiseMin(corner);
-        high = high.cwiseMax(corner);
+    const std::array<Vec3, 4> corners{
+        cells.point(cells.low_u, cells.low_v), cells.point(cells.high_u, cells.low_v),
+        cells.point(cells.high_u, cells.high_v), cells.point(cells.low_u, cells.high_v)};
+    Box box{corners[0], corners[0]};
+    Slab slab = middle_of(corners);
+    for (const Vec3& corner : corners) {
+        box.low = box.low.cwiseMin(corner);
+        box.high = box.high.cwiseMax(corner);
+        slab = slab.reaching(corner);
     }
     // The surface is no further than this from a triangle of the corners, and the
     // triangles' corners lie on the surface.
     const double bulge = bounds.chord_error(std::ldexp(count_u, -cells.level_u),
                                             std::ldexp(count_v, -cells.level_v));
-    const double around = bulge + rounding_share * std::max(low.cwiseAbs().maxCoeff(),
-                                                            high.cwiseAbs().maxCoeff());
+    const double around =
+        bulge + rounding_share * std::max(box.low.cwiseAbs().maxCoeff(),
+                                          box.high.cwiseAbs().maxCoeff());
     pieces_.push_back(cells);
-    boxes_.front().push_back({low.array() - around, high.array() + around});
+    slabs_.push_back(slab.widened(around));
+    boxes_.front().push_back({box.low.array() - around, box.high.array() + around});
 }
 
 void SampledPieces::add_upper_boxes()
@@ -127,51 +130,34 @@ void SampledPieces::add_upper_boxes()
     }
 }
 
-const TriangleTree& SampledPieces::tree(std::size_t piece) const
+const SampledSheet& SampledPieces::sheet(std::size_t piece) const
 {
     Sample& sample = samples_[piece];
     std::call_once(sample.is_made, [&] {
         const Cells& cells = pieces_[piece];
         std::vector<Vec3> points;
-        std::vector<Triangle> triangles;
-        const int per_row = cells.high_u - cells.low_u + 1;
+        points.reserve(static_cast<std::size_t>(cells.high_u - cells.low_u + 1) *
+                       static_cast<std::size_t>(cells.high_v - cells.low_v + 1));
         for (int v = cells.low_v; v <= cells.high_v; ++v)
-            for (int u = cells.low_u; u <= cells.high_u; ++u) {
-                const auto own = static_cast<std::int32_t>(points.size());
+            for (int u = cells.low_u; u <= cells.high_u; ++u)
                 points.push_back(cells.point(u, v));
-                if (u == cells.high_u || v == cells.high_v)
-                    continue;
-                triangles.push_back({own, own + 1, own + per_row + 1});
-                triangles.push_back({own, own + per_row + 1, own + per_row});
-            }
-        sample.mesh = TriangleMesh{std::move(points), std::move(triangles)};
-        sample.tree.emplace(sample.mesh);
+        sample.sheet.emplace(std::move(points), cells.high_u - cells.low_u,
+                             cells.high_v - cells.low_v);
     });
-    return *sample.tree;
+    return *sample.sheet;
 }
 
-void SampledPieces::look_at(Search& search, std::size_t piece) const
+void SampledPieces::look_at(NearestSearch& search, std::size_t piece) const
 {
-    // One as near in an earlier piece counts, so that it is looked for as well.
-    const double within =
-        search.best ? std::nextafter(search.best->distance, 2 * search.best->distance + 1)
-                    : search.within;
-    std::optional<NearestPoint> found = tree(piece).nearest(search.place, {}, within);
-    if (!found)
-        return;
-    found->triangle = piece;
-    if (!search.best || found->distance < search.best->distance ||
-        (found->distance == search.best->distance && piece < search.best->triangle))
-        search.best = found;
+    if (search.may_improve(slabs_[piece]))
+        sheet(piece).look(search, piece);
 }
 
-void SampledPieces::look_into(Search& search, std::size_t level, std::size_t number) const
+void SampledPieces::look_into(NearestSearch& search, std::size_t level,
+                              std::size_t number) const
 {
-    if (!search.may_improve(boxes_[level][number]))
-        return;
     if (level == 0) {
-        if (!search.best || search.best->triangle != number)
-            look_at(search, number);
+        look_at(search, number);
         return;
     }
     const std::vector<Box>& below = boxes_[level - 1];
@@ -179,21 +165,26 @@ void SampledPieces::look_into(Search& search, std::size_t level, std::size_t num
     std::size_t count = 0;
     for (std::size_t k = number * children;
          k < std::min((number + 1) * children, below.size()); ++k)
-        order[count++] = {below[k].squared_distance(search.place), k};
+        if (const double square = below[k].squared_distance(search.place);
+            square * (1 - NearestSearch::rounding) <= search.least_square)
+            order[count++] = {square, k};
     std::sort(order.begin(), order.begin() + count);
     for (std::size_t k = 0; k < count; ++k)
-        look_into(search, level - 1, order[k].second);
+        if (order[k].first * (1 - NearestSearch::rounding) <= search.least_square)
+            look_into(search, level - 1, order[k].second);
 }
 
 std::optional<NearestPoint> SampledPieces::nearest(const Vec3& place,
                                                    std::optional<std::size_t> hint,
                                                    double within) const
 {
-    Search search{place, within};
+    NearestSearch search{place, within > 0 ? within * within : 0};
     if (hint)
         look_at(search, *hint);
     look_into(search, boxes_.size() - 1, 0);
-    return search.best;
+    if (!search.point)
+        return std::nullopt;
+    return NearestPoint{*search.point, std::sqrt(search.least_square), search.number};
 }
 
 }  // namespace endmill

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "endmill/mesh/triangle_tree.h"
+#include "endmill/simulation/sampled_sheet.h"
 #include "endmill/surface/bend_bounds.h"
 #include "endmill/surface/surface.h"
 
@@ -56,8 +57,7 @@ private:
     };
     struct Sample {
         std::once_flag is_made = {};
-        TriangleMesh mesh = {};
-        std::optional<TriangleTree> tree = {};
+        std::optional<SampledSheet> sheet = {};
     };
     struct Box {
         Vec3 low;
@@ -67,27 +67,16 @@ private:
             return (low - place).cwiseMax(place - high).cwiseMax(0).squaredNorm();
         }
     };
-    struct Search {
-        const Vec3& place;
-        double within;
-        std::optional<NearestPoint> best = {};
-
-        double limit() const { return best ? best->distance : within; }
-        bool may_improve(const Box& box) const
-        {
-            return box.squared_distance(place) <= limit() * limit();
-        }
-    };
-
     void add(const Cells& cells, const BendBounds& bounds);
     void add_upper_boxes();
-    const TriangleTree& tree(std::size_t piece) const;
-    void look_at(Search& search, std::size_t piece) const;
-    void look_into(Search& search, std::size_t level, std::size_t number) const;
+    const SampledSheet& sheet(std::size_t piece) const;
+    void look_at(NearestSearch& search, std::size_t piece) const;
+    void look_into(NearestSearch& search, std::size_t level, std::size_t number) const;
 
     std::vector<Cells> pieces_;
     mutable std::deque<Sample> samples_;  // one a piece
-    // Around the pieces, then around every few of these, and so on to a single one.
+    std::vector<Slab> slabs_;             // around each
+    // Around the pieces too, then around every few of these, and so on to a single one.
     std::vector<std::vector<Box>> boxes_{1};
     double chord_error_ = 0;
 };
