@@ -26,12 +26,16 @@ template <typename Body>
 void for_cells(const PartCharts& charts, const Deviation& deviation, const PartTile& tile,
                const Body& body)
 {
+    require(tile.whole.chart < charts.count(),
+            "Deviation: need the charts that were measured");
+    const auto rays = tile_rays(charts, tile);
     for (int k = 0; k < tile.cells(); ++k) {
         const std::size_t number = tile.first + static_cast<std::size_t>(k);
         if (!(deviation.area[number] > 0))
             continue;
-        const auto [cell, ray] = deviation_cell(charts, tile, k);
-        body(number, cell, ray);
+        const auto& ray = rays[static_cast<std::size_t>(k)];
+        require(ray.has_value(), "Deviation: need the charts that were measured");
+        body(number, tile.cell(k), *ray);
     }
 }
 

@@ -19,6 +19,11 @@ constexpr double negligible_share = 1e-13;
 // Rays of a tile that go ahead of the others.
 constexpr int few_rays = 5;
 
+bool holds(std::span<const std::int32_t> numbers, std::int32_t number)
+{
+    return std::ranges::find(numbers, number) != numbers.end();
+}
+
 }  // namespace
 
 MownRays::MownRays(std::span<const PartRay> rays, std::span<const double> lengths)
@@ -136,34 +141,47 @@ MownRays MownRays::some(std::span<MownRays* const> tiles, int of_each)
     return {rays, lengths};
 }
 
-// By the sweeps that made `count` of the other rays.
-void MownRays::mow_first(const SweepTree& tree, const MownRays& others, int first,
-                         int count)
+// Numbers of the sweeps that made `count` of the rays, each once.
+std::vector<std::int32_t> MownRays::makers(int first, int count) const
 {
+    std::vector<std::int32_t> numbers;
     for (int i = first; i < first + count; ++i)
-        if (const std::int32_t number = others[i].sweep; number >= 0)
-            mow(tree.sweeps()[static_cast<std::size_t>(number)], number);
+        if (const std::int32_t number = (*this)[i].sweep;
+            number >= 0 && !holds(numbers, number))
+            numbers.push_back(number);
+    return numbers;
+}
+
+void MownRays::mow_by(const SweepTree& tree, std::span<const std::int32_t> numbers)
+{
+    for (const std::int32_t number : numbers)
+        mow(tree.sweeps()[static_cast<std::size_t>(number)], number);
 }
 
 void MownRays::mow(const SweepTree& tree)
 {
     if (tree.sweeps().empty())
         return;
+    // A sweep leaves nothing to itself, so that it need not come twice.
+    std::vector<std::int32_t> done;
     if (rows_.count > 2 * few_rays) {
         // What is left of a few rays tells which sweeps matter: with them first, hardly
         // any other has to be looked at.
         MownRays* const own[] = {this};
         MownRays few = some(own, few_rays);
         few.mow(tree);
-        mow_first(tree, few, 0, few_rays);
+        done = few.makers(0, few_rays);
+        mow_by(tree, done);
     }
     tree.visit(
         bundle_.centre,
         [&](const Vec3& nearest) {
             return may_matter(tree, nearest, 0, bundle_.longest);
         },
-        [&](std::size_t number) {
-            mow(tree.sweeps()[number], static_cast<std::int32_t>(number));
+        [&](std::size_t sweep) {
+            if (const auto number = static_cast<std::int32_t>(sweep);
+                !holds(done, number))
+                mow(tree.sweeps()[sweep], number);
         });
 }
 
@@ -177,15 +195,18 @@ void MownRays::mow_together(std::span<MownRays* const> tiles, const SweepTree& t
     MownRays first = some(tiles, few);
     first.mow(tree);
     std::vector<RayBundle> bundles;
+    std::vector<std::vector<std::int32_t>> done;
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        tiles[i]->mow_first(tree, first, static_cast<int>(i) * few, few);
+        done.push_back(first.makers(static_cast<int>(i) * few, few));
+        tiles[i]->mow_by(tree, done.back());
         bundles.push_back(tiles[i]->bundle_);
     }
     // Little is left of all now, so that all that still matters is a short list.
     const SweepRows sweeps{tree, common_bundle(bundles)};
-    for (MownRays* tile : tiles)
-        for (const std::int32_t number : sweeps.near(tile->bundle_))
-            tile->mow(tree.sweeps()[static_cast<std::size_t>(number)], number);
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+        for (const std::int32_t number : sweeps.near(tiles[i]->bundle_))
+            if (!holds(done[i], number))
+                tiles[i]->mow(tree.sweeps()[static_cast<std::size_t>(number)], number);
 }
 
 std::vector<std::int32_t> MownRays::near_sweeps(const SweepTree& tree,

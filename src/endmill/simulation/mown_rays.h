@@ -53,7 +53,8 @@ public:
 private:
     PartRay ray(std::size_t k) const;
     static MownRays some(std::span<MownRays* const> tiles, int of_each);
-    void mow_first(const SweepTree& tree, const MownRays& others, int first, int count);
+    std::vector<std::int32_t> makers(int first, int count) const;
+    void mow_by(const SweepTree& tree, std::span<const std::int32_t> numbers);
     bool may_matter(const SweepTree& tree, const Vec3& nearest, double margin,
                     double length) const;
     bool may_reach(const StraightSweep& sweep, double margin,

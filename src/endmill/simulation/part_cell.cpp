@@ -91,8 +91,11 @@ PartCharts::PartCharts(std::span<const Surface> surfaces, std::span<const double
     require(surfaces.size() == sides.size(), "PartCharts: need a side for each surface");
     for (std::uint32_t k = 0; k < surfaces.size(); ++k)
         for (int j = 0; j < surfaces[k].patches(Parameter::V); ++j)
-            for (int i = 0; i < surfaces[k].patches(Parameter::U); ++i)
-                charts_.push_back({k, i, j});
+            for (int i = 0; i < surfaces[k].patches(Parameter::U); ++i) {
+                const auto u = surfaces[k].breaks(Parameter::U).subspan(i, 2);
+                const auto v = surfaces[k].breaks(Parameter::V).subspan(j, 2);
+                charts_.push_back({k, i, j, {u[0], v[0]}, {u[1] - u[0], v[1] - v[0]}});
+            }
     mark_borders_of_surfaces();
 }
 
@@ -101,7 +104,7 @@ PartCharts::PartCharts(const TriangleMesh& mesh) : mesh_{&mesh}
     for (std::uint32_t k = 0; k < mesh.triangles().size(); ++k) {
         const Vec3 area = area_vector(mesh.corners(k));
         if (area.norm() > 0 && area.z() >= -wall_z * area.norm())
-            charts_.push_back({k, 0, 0});
+            charts_.push_back({k, 0, 0, {0, 0}, {1, 1}});
     }
     mark_borders_of_mesh();
 }
@@ -110,7 +113,7 @@ PartCell PartCharts::whole(std::uint32_t chart) const
 {
     if (mesh_)
         return {chart, 3, {Vector2d{0, 0}, Vector2d{1, 0}, Vector2d{0, 1}}};
-    const auto& [source, i, j] = charts_[chart];
+    const auto& [source, i, j, low, width] = charts_[chart];
     const auto u = surfaces_[source].breaks(Parameter::U).subspan(i, 2);
     const auto v = surfaces_[source].breaks(Parameter::V).subspan(j, 2);
     return {chart,
@@ -119,39 +122,63 @@ PartCell PartCharts::whole(std::uint32_t chart) const
              Vector2d{u[0], v[1]}}};
 }
 
-std::optional<PartRay> PartCharts::ray(std::uint32_t chart, const Vector2d& at) const
+std::optional<PartRay> PartCharts::ray(std::uint32_t number, const Vector2d& at) const
 {
-    const auto& [source, i, j] = charts_[chart];
+    const Chart& chart = charts_[number];
     if (mesh_) {
-        const auto [a, b, c] = mesh_->corners(source);
+        const auto [a, b, c] = mesh_->corners(chart.source);
         const Vec3 normal = (b - a).cross(c - a).normalized();
         return PartRay{a + at.x() * (b - a) + at.y() * (c - a), normal, b - a, c - a};
     }
-    const Surface& surface = surfaces_[source];
-    const auto u = surface.breaks(Parameter::U).subspan(i, 2);
-    const auto v = surface.breaks(Parameter::V).subspan(j, 2);
-    const double width_u = u[1] - u[0];
-    const double width_v = v[1] - v[0];
-    SurfaceTangents tangents = surface.patch(i, j).tangents((at.x() - u[0]) / width_u,
-                                                            (at.y() - v[0]) / width_v);
-    tangents.du /= width_u;
-    tangents.dv /= width_v;
+    const Vector2d within = (at - chart.low).cwiseQuotient(chart.width);
+    return ray(chart, surfaces_[chart.source]
+                          .patch(chart.column, chart.row)
+                          .tangents(within.x(), within.y()));
+}
+
+// \param tangents by the patch's own parameters.
+std::optional<PartRay> PartCharts::ray(const Chart& chart, SurfaceTangents tangents) const
+{
+    tangents.du /= chart.width.x();
+    tangents.dv /= chart.width.y();
     if (is_singular(tangents))
         return std::nullopt;
     const Vec3 normal = tangents.du.cross(tangents.dv).normalized();
-    return PartRay{tangents.point, sides_[source] * normal, tangents.du, tangents.dv};
+    return PartRay{tangents.point, sides_[chart.source] * normal, tangents.du,
+                   tangents.dv};
+}
+
+std::vector<std::optional<PartRay>> PartCharts::rays(std::uint32_t number,
+                                                     std::span<const double> u,
+                                                     std::span<const double> v) const
+{
+    const Chart& chart = charts_[number];
+    std::vector<double> within_u;
+    for (const double at : u)
+        within_u.push_back((at - chart.low.x()) / chart.width.x());
+    std::vector<double> within_v;
+    for (const double at : v)
+        within_v.push_back((at - chart.low.y()) / chart.width.y());
+    std::vector<std::optional<PartRay>> rays;
+    rays.reserve(u.size() * v.size());
+    for (const SurfaceTangents& tangents : surfaces_[chart.source]
+                                               .patch(chart.column, chart.row)
+                                               .tangents(within_u, within_v))
+        rays.push_back(ray(chart, tangents));
+    return rays;
 }
 
 PartCharts::Bend PartCharts::bend(std::uint32_t chart, const Vector2d& at) const
 {
     if (mesh_)
         return {0, 0};
-    const auto& [source, i, j] = charts_[chart];
-    const SurfaceJet jet = surfaces_[source].jet_in_patch(i, j, at.x(), at.y());
+    const Chart& own = charts_[chart];
+    const double side = sides_[own.source];
+    const SurfaceJet jet =
+        surfaces_[own.source].jet_in_patch(own.column, own.row, at.x(), at.y());
     if (is_singular({jet.point, jet.du, jet.dv}))
         return {0, 0};
-    const PrincipalCurvatures k =
-        principal_curvatures(fundamental_forms(jet, sides_[source]));
+    const PrincipalCurvatures k = principal_curvatures(fundamental_forms(jet, side));
     return {std::max(0.0, k.greatest), std::max(std::abs(k.least), std::abs(k.greatest))};
 }
 

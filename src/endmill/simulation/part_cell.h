@@ -11,6 +11,7 @@
 
 #include "endmill/mesh/triangle_mesh.h"
 #include "endmill/surface/part.h"
+#include "endmill/surface/surface_jet.h"
 
 namespace endmill {
 
@@ -63,6 +64,12 @@ public:
     /// \return nothing where the surface has no normal.
     std::optional<PartRay> ray(std::uint32_t chart, const Eigen::Vector2d& at) const;
 
+    /// The same at all (u[i], v[j]) of a chart of a surface, at [j * u.size() + i]: as one
+    /// by one but for rounding, and sooner.
+    std::vector<std::optional<PartRay>> rays(std::uint32_t chart,
+                                             std::span<const double> u,
+                                             std::span<const double> v) const;
+
     /// Largest convex and largest absolute normal curvature there, in 1/mm; 0 on a mesh.
     struct Bend {
         double convex;
@@ -96,8 +103,11 @@ private:
         std::uint32_t source;  // surface or triangle
         std::int32_t column;   // of the patch
         std::int32_t row;
+        Eigen::Vector2d low = {0, 0};  // its least parameters
+        Eigen::Vector2d width = {1, 1};
     };
 
+    std::optional<PartRay> ray(const Chart& chart, SurfaceTangents tangents) const;
     void mark_borders_of_surfaces();
     void mark_borders_of_mesh();
     Sides touched(const PartCell& cell, int corners) const;

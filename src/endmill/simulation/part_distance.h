@@ -66,6 +66,7 @@ private:
     double chord_tolerance_;
     mutable std::once_flag is_prepared_;
     mutable std::optional<SampledPieces> pieces_;  // of surfaces
+    mutable std::optional<SampledPieces> coarse_pieces_;
     mutable double chord_error_ = 0;
     mutable std::once_flag is_whole_made_;
     mutable TriangleMesh sampled_;

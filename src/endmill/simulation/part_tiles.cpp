@@ -162,6 +162,25 @@ PartCell PartTile::cell(int number) const
             {node(column + 1, row), node(column + 1, row + 1), node(column, row + 1)}};
 }
 
+std::vector<std::optional<PartRay>> tile_rays(const PartCharts& charts,
+                                              const PartTile& tile)
+{
+    if (charts.mesh()) {
+        std::vector<std::optional<PartRay>> rays;
+        for (int k = 0; k < tile.cells(); ++k)
+            rays.push_back(charts.ray(tile.whole.chart, tile.cell(k).centre()));
+        return rays;
+    }
+    // Cells of a patch lie along its parameters.
+    std::vector<double> u;
+    for (int i = 0; i < tile.columns; ++i)
+        u.push_back(tile.cell(i).centre().x());
+    std::vector<double> v;
+    for (int j = 0; j < tile.rows; ++j)
+        v.push_back(tile.cell(j * tile.columns).centre().y());
+    return charts.rays(tile.whole.chart, u, v);
+}
+
 std::vector<PartTile> part_tiles(const PartCharts& charts, double pitch,
                                  std::size_t most_cells)
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "endmill/simulation/part_cell.h"
@@ -23,6 +24,11 @@ struct PartTile {
     /// Its cell `number`, from 0.
     PartCell cell(int number) const;
 };
+
+/// The rays at the middles of the tile's cells, in the order of these; nothing where the
+/// surface has no normal.
+std::vector<std::optional<PartRay>> tile_rays(const PartCharts& charts,
+                                              const PartTile& tile);
 
 /// Cuts the charts into tiles whose cells have sides of at most 1.2 `pitch`, about one
 /// pitch in the mean, by the partials at the tile's corners and middle.

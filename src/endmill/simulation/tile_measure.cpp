@@ -143,11 +143,14 @@ void TileMeasure::lay_out_rays()
     std::array<PartRay, most_tile_cells> rays;
     std::array<double, most_tile_cells> lengths;
     std::size_t count = 0;
+    const auto at_middles = tile_rays(measured_.charts, tile_);
+    cells_.reserve(at_middles.size());
+    numbers_.reserve(at_middles.size());
     for (int k = 0; k < tile_.cells(); ++k) {
-        const PartCell cell = tile_.cell(k);
-        const auto ray = measured_.charts.ray(cell.chart, cell.centre());
+        const auto& ray = at_middles[static_cast<std::size_t>(k)];
         if (!ray)
             continue;
+        const PartCell cell = tile_.cell(k);
         rays[count] = *ray;
         const MownRay in_stock = stock(*ray);
         lengths[count] = in_stock.left;

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "endmill/core/error.h"
+#include "endmill/core/widest_registers.h"
 #include "endmill/surface/bernstein_basis.h"
 #include "endmill/surface/cubic_bernstein.h"
 
@@ -77,6 +78,68 @@ SurfaceJet jet_of(const Partials<3>& p)
 {
     return {vector(p, 0, 0), vector(p, 1, 0), vector(p, 0, 1),
             vector(p, 2, 0), vector(p, 1, 1), vector(p, 0, 2)};
+}
+
+// Bernstein polynomials of one degree at several places: polynomial k at place i, and its
+// derivative, at [k * count + i].
+struct BasisRows {
+    std::size_t count;
+    std::vector<double> values;
+    std::vector<double> slopes;
+
+    BasisRows(int degree, std::span<const double> at) : count{at.size()}
+    {
+        const auto polynomials = static_cast<std::size_t>(degree) + 1;
+        values.resize(polynomials * count);
+        slopes.resize(polynomials * count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const BernsteinBasis<2> basis =
+                degree == 3 ? BernsteinBasis<2>{cubic_bernstein<2>(at[i])}
+                            : bernstein_basis<2>(degree, at[i]);
+            for (std::size_t k = 0; k < polynomials; ++k) {
+                values[k * count + i] = basis(static_cast<Eigen::Index>(k), 0);
+                slopes[k * count + i] = basis(static_cast<Eigen::Index>(k), 1);
+            }
+        }
+    }
+};
+
+// What is summed up over the control points of one coordinate.
+struct RowSum {
+    const double* net;       // u fastest
+    const double* values_u;  // of BasisRows
+    const double* slopes_u;
+    const double* values_v;  // of one place
+    const double* slopes_v;
+    std::size_t points_u;
+    std::size_t points_v;
+    std::size_t stride_v;
+    std::size_t count;
+};
+
+// The coordinate at several places along u, then its partials in u and in v there.
+ENDMILL_WIDEST_REGISTERS
+void sum_up(const RowSum row, double* __restrict sums)
+{
+    const std::size_t count = row.count;
+    for (std::size_t i = 0; i < 3 * count; ++i)
+        sums[i] = 0;
+    for (std::size_t a = 0; a < row.points_u; ++a) {
+        double across = 0;
+        double across_dv = 0;
+        for (std::size_t b = 0; b < row.points_v; ++b) {
+            const double point = row.net[b * row.points_u + a];
+            across += point * row.values_v[b * row.stride_v];
+            across_dv += point * row.slopes_v[b * row.stride_v];
+        }
+        const double* __restrict values = row.values_u + a * count;
+        const double* __restrict slopes = row.slopes_u + a * count;
+        for (std::size_t i = 0; i < count; ++i) {
+            sums[i] += across * values[i];
+            sums[count + i] += across * slopes[i];
+            sums[2 * count + i] += across_dv * values[i];
+        }
+    }
 }
 
 using HomogeneousNet = std::vector<Eigen::Vector4d>;
@@ -173,6 +236,41 @@ SurfaceTangents BezierPatch::tangents(double u, double v) const
         return tangents_of(partials_at<2, 3>(nets, {u, v}));
     const auto partials = partials_at<2, 4>(nets, {u, v});
     return projected(tangents_of(partials), partials[3]);
+}
+
+std::vector<SurfaceTangents> BezierPatch::tangents(std::span<const double> u,
+                                                   std::span<const double> v) const
+{
+    std::vector<SurfaceTangents> all;
+    if (u.empty())
+        return all;
+    all.reserve(u.size() * v.size());
+    const BasisRows basis_u{degree_u_, u};
+    const BasisRows basis_v{degree_v_, v};
+    const auto size = static_cast<std::size_t>(points());
+    const std::size_t count = u.size();
+    std::vector<double> sums(4 * 3 * count);
+    for (std::size_t j = 0; j < v.size(); ++j) {
+        for (std::size_t c = 0; c < (is_rational_ ? 4U : 3U); ++c)
+            sum_up({nets_.data() + c * size, basis_u.values.data(), basis_u.slopes.data(),
+                    &basis_v.values[j], &basis_v.slopes[j],
+                    static_cast<std::size_t>(degree_u_) + 1,
+                    static_cast<std::size_t>(degree_v_) + 1, v.size(), count},
+                   &sums[c * 3 * count]);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto sum = [&](std::size_t c, std::size_t kind) {
+                return sums[(c * 3 + kind) * count + i];
+            };
+            const auto vector = [&](std::size_t kind) -> Vec3 {
+                return {sum(0, kind), sum(1, kind), sum(2, kind)};
+            };
+            all.push_back({vector(0), vector(1), vector(2)});
+            if (is_rational_)
+                all.back() = projected(
+                    all.back(), Eigen::Matrix2d{{sum(3, 0), sum(3, 2)}, {sum(3, 1), 0}});
+        }
+    }
+    return all;
 }
 
 SurfaceJet BezierPatch::jet(double u, double v) const
