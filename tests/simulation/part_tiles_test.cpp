@@ -32,6 +32,28 @@ void expect_cover(const Part& part, double pitch, double area)
     EXPECT_NEAR(sum / area, 1, 1e-4);
 }
 
+// A tile's rays are those of its cells.
+TEST(PartTiles, RaysStandAtTheMiddlesOfCells)
+{
+    for (const Part& part : {Part{std::vector<Surface>{test::random_surface(3, {2, 1})}},
+                             Part{test::box_mesh({0, 0, 0}, {2, 2, 2})}}) {
+        const PartCharts charts = part_charts(part);
+        for (const PartTile& tile : part_tiles(charts, 0.2, 1'000'000)) {
+            const auto rays = tile_rays(charts, tile);
+            ASSERT_EQ(rays.size(), static_cast<std::size_t>(tile.cells()));
+            for (int k = 0; k < tile.cells(); ++k) {
+                const PartCell cell = tile.cell(k);
+                const PartRay expected = *charts.ray(cell.chart, cell.centre());
+                const PartRay& found = *rays[static_cast<std::size_t>(k)];
+                EXPECT_LT((found.point - expected.point).norm(), 1e-12);
+                EXPECT_LT((found.normal - expected.normal).norm(), 1e-12);
+                EXPECT_LT((found.du - expected.du).norm(), 1e-11);
+                EXPECT_LT((found.dv - expected.dv).norm(), 1e-11);
+            }
+        }
+    }
+}
+
 TEST(PartTiles, CoverASurfaceWithCellsNoLargerThanAsked)
 {
     for (const double pitch : {20.0, 1.0, 0.13})

@@ -164,6 +164,39 @@ TEST(BezierPatch, TransposedExchangesTheParameters)
     EXPECT_LT((other.duv - jet.duv).norm(), 1e-12);
 }
 
+void expect_grid_as_one_by_one(const BezierPatch& patch)
+{
+    const std::vector<double> u{0, 0.125, 0.6, 1, 1.25};
+    const std::vector<double> v{0.3, 1, -0.25};
+    const std::vector<SurfaceTangents> all = patch.tangents(u, v);
+    ASSERT_EQ(all.size(), u.size() * v.size());
+    for (std::size_t j = 0; j < v.size(); ++j)
+        for (std::size_t i = 0; i < u.size(); ++i) {
+            const SurfaceTangents& found = all[j * u.size() + i];
+            const SurfaceTangents expected = patch.tangents(u[i], v[j]);
+            EXPECT_LT((found.point - expected.point).norm(), 1e-12);
+            EXPECT_LT((found.du - expected.du).norm(), 1e-11);
+            EXPECT_LT((found.dv - expected.dv).norm(), 1e-11);
+        }
+}
+
+TEST(BezierPatch, TangentsOnAGridAreThoseOneByOne)
+{
+    expect_grid_as_one_by_one(random_patch(8));
+    const std::vector<Vec3> net{{0, 0, 0}, {1, 0, 2}, {2, 0, 0},
+                                {0, 1, 1}, {1, 1, 3}, {2, 1, 0}};
+    expect_grid_as_one_by_one(BezierPatch{2, 1, net});
+    expect_grid_as_one_by_one(
+        BezierPatch{2, 1, net, std::vector<double>{1, 0.5, 2, 1, 3, 1}});
+}
+
+TEST(BezierPatch, TangentsOnAnEmptyGridAreNone)
+{
+    const std::vector<double> some{0.5};
+    EXPECT_TRUE(random_patch(1).tangents({}, some).empty());
+    EXPECT_TRUE(random_patch(1).tangents(some, {}).empty());
+}
+
 TEST(BezierPatch, OfOnePointHasNoTangents)
 {
     const BezierPatch pole{std::vector<Vec3>(16, Vec3{1, 2, 3})};

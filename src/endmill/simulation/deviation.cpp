@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,6 +12,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
 #include "endmill/core/parallel.h"
+#include "endmill/simulation/deviation_areas.h"
 #include "endmill/simulation/part_distance.h"
 #include "endmill/simulation/tile_measure.h"
 
@@ -26,43 +26,6 @@ constexpr double distance_share = 0.025;
 constexpr double sharpness = 1e-3;
 // Halves of halves of a patch: a square of them.
 constexpr std::size_t tiles_a_group = 16;
-
-// The value that 99 % of the area does not reach, from a histogram over the leading bits
-// of each value, that is in steps of 1/2048 of it.
-double area_quantile(std::span<const float> values, std::span<const float> areas,
-                     double share)
-{
-    constexpr int dropped_bits = 12;
-    std::vector<double> bins(std::size_t{1} << (32 - 1 - dropped_bits));
-    double total = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const float value =
-            values[i] > 0 ? values[i] : 0.0F;  // not -0: its bits are high
-        bins[std::bit_cast<std::uint32_t>(value) >> dropped_bits] += areas[i];
-        total += areas[i];
-    }
-    double sum = 0;
-    for (std::uint32_t bin = 0; bin < bins.size(); ++bin) {
-        sum += bins[bin];
-        if (bins[bin] > 0 && sum >= share * total)
-            return std::bit_cast<float>(bin << dropped_bits);
-    }
-    return 0;
-}
-
-void add_areas(Deviation& deviation)
-{
-    double rest = 0;
-    for (std::size_t i = 0; i < deviation.left.size(); ++i) {
-        const double left = deviation.left[i];
-        const double area = deviation.area[i];
-        deviation.area_mm2 += area;
-        rest += area * std::max(left, 0.0);
-    }
-    if (deviation.area_mm2 > 0)
-        deviation.mean_scallop_mm = rest / deviation.area_mm2;
-    deviation.p99_scallop_mm = area_quantile(deviation.left, deviation.area, 0.99);
-}
 
 // No gouge is deeper than the lowest tip lies under the part's highest place.
 double deepest_possible(const Extremes& found, const SweepTree& tree)

@@ -93,13 +93,20 @@ struct BasisRows {
         values.resize(polynomials * count);
         slopes.resize(polynomials * count);
         for (std::size_t i = 0; i < count; ++i) {
-            const BernsteinBasis<2> basis =
-                degree == 3 ? BernsteinBasis<2>{cubic_bernstein<2>(at[i])}
-                            : bernstein_basis<2>(degree, at[i]);
-            for (std::size_t k = 0; k < polynomials; ++k) {
-                values[k * count + i] = basis(static_cast<Eigen::Index>(k), 0);
-                slopes[k * count + i] = basis(static_cast<Eigen::Index>(k), 1);
-            }
+            if (degree == 3)
+                take(i, cubic_bernstein<2>(at[i]));
+            else
+                take(i, bernstein_basis<2>(degree, at[i]));
+        }
+    }
+
+private:
+    template <typename Basis>
+    void take(std::size_t place, const Basis& basis)
+    {
+        for (Eigen::Index k = 0; k < basis.rows(); ++k) {
+            values[static_cast<std::size_t>(k) * count + place] = basis(k, 0);
+            slopes[static_cast<std::size_t>(k) * count + place] = basis(k, 1);
         }
     }
 };

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "endmill/simulation/verification.h"
+#include "support/judged_path.h"
+
+namespace endmill {
+
+/// The work of `endmill plan` on the default net, and of `endmill verify` on what it plans:
+/// a ball of 15 mm, tolerances and scallop height of 0.5 mm, along u.
+class DefaultNet {
+public:
+    explicit DefaultNet(const Surface& surface) : part_{std::vector<Surface>{surface}} {}
+
+    /// The path and all that the command measures of it.
+    JudgedPath planned(bool is_verified) const
+    {
+        constexpr double measured_rays = 1e5;  // about, as the command does
+        return judged_path(surface(), {.is_verified = is_verified},
+                           pitch_of(surface(), measured_rays));
+    }
+
+    /// \param pitch of the stock and of the first rays, mm.
+    Verdict verified(const ToolPath& path, double pitch) const
+    {
+        const PlanToJudge plan;
+        const Cutter cutter = Cutter::ball(plan.ball.radius());
+        VerificationTask task{.path = &path, .cutter = cutter, .part = &part_};
+        task.block = default_block(&part_, path, cutter);
+        task.deviation.limits = limits_of(plan);
+        task.resolution = pitch;
+        return verify_path(task).verdict;
+    }
+
+private:
+    const Surface& surface() const
+    {
+        return std::get<std::vector<Surface>>(part_).front();
+    }
+
+    Part part_;
+};
+
+}  // namespace endmill
