@@ -77,7 +77,8 @@ void add_reading(Json& summary, const PathOptions& path)
 {
     summary["programmed_point"] =
         word_for<bool>(path.centre_is_programmed, programmed_points);
-    summary["arc_tolerance_mm"] = path.arc_tolerance;
+    summary["arc_tolerance_mm"] =
+        path.arc_tolerance.value_or(GcodeReadOptions{}.arc_tolerance_mm);
     summary["block_delete"] = path.block_delete;
 }
 
