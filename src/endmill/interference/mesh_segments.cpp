@@ -94,7 +94,6 @@ public:
             std::span<const double> positions)
         : points_{mesh.points()},
           triangles_{mesh.triangles()},
-          frame_{frame},
           positions_{positions},
           below_{planes_below(points_, frame, positions)},
           chunk_size_{std::max(least_chunk, triangles_.size() / most_chunks + 1)},
@@ -181,7 +180,6 @@ private:
 
     std::span<const Vec3> points_;
     std::span<const Triangle> triangles_;
-    const DriveFrame& frame_;
     std::span<const double> positions_;
     std::vector<PlaneCount> below_;
     std::size_t chunk_size_;
