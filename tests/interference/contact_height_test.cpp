@@ -47,7 +47,9 @@ TEST(ContactHeight, DerivativesAreThoseOfTheHeight)
 {
     constexpr double h = 1e-5;  // central differences: error about h^2 and 1e-16 / h
     for (const Cutter& cutter : cutters)
-        for (const auto& [u, v] : {std::pair{1.7, 2.0}, {2.0, -1.5}, {-0.7, 1.0}}) {
+        for (const auto& [at_u, at_v] : {std::pair{1.7, 2.0}, {2.0, -1.5}, {-0.7, 1.0}}) {
+            const double u = at_u;
+            const double v = at_v;
             const auto at = [&](double du, double dv, const Eigen::Vector2d& by) {
                 return *contact_height(bent(u + du, v + dv), cutter, axis + by);
             };
