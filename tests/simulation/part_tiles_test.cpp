@@ -39,12 +39,22 @@ TEST(PartTiles, RaysStandAtTheMiddlesOfCells)
                              Part{test::box_mesh({0, 0, 0}, {2, 2, 2})}}) {
         const PartCharts charts = part_charts(part);
         for (const PartTile& tile : part_tiles(charts, 0.2, 1'000'000)) {
-            const auto rays = tile_rays(charts, tile);
+            const std::vector<PartRay> rays = tile_rays(charts, tile);
+            const std::vector<PartCell> cells = tile_cells(tile);
+            const std::vector<Vec3> points = tile_points(charts, tile);
             ASSERT_EQ(rays.size(), static_cast<std::size_t>(tile.cells()));
+            ASSERT_EQ(cells.size(), rays.size());
+            ASSERT_EQ(points.size(), rays.size());
             for (int k = 0; k < tile.cells(); ++k) {
                 const PartCell cell = tile.cell(k);
                 const PartRay expected = *charts.ray(cell.chart, cell.centre());
-                const PartRay& found = *rays[static_cast<std::size_t>(k)];
+                const PartRay& found = rays[static_cast<std::size_t>(k)];
+                const PartCell& same = cells[static_cast<std::size_t>(k)];
+                for (std::size_t c = 0; c < static_cast<std::size_t>(cell.corners); ++c)
+                    EXPECT_LT((same.at[c] - cell.at[c]).norm(), 1e-15);
+                EXPECT_EQ(same.corners, cell.corners);
+                EXPECT_LT((points[static_cast<std::size_t>(k)] - expected.point).norm(),
+                          1e-12);
                 EXPECT_LT((found.point - expected.point).norm(), 1e-12);
                 EXPECT_LT((found.normal - expected.normal).norm(), 1e-12);
                 EXPECT_LT((found.du - expected.du).norm(), 1e-11);

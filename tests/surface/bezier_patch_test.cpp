@@ -169,12 +169,15 @@ void expect_grid_as_one_by_one(const BezierPatch& patch)
     const std::vector<double> u{0, 0.125, 0.6, 1, 1.25};
     const std::vector<double> v{0.3, 1, -0.25};
     const std::vector<SurfaceTangents> all = patch.tangents(u, v);
+    const std::vector<Vec3> places = patch.places(u, v);
     ASSERT_EQ(all.size(), u.size() * v.size());
+    ASSERT_EQ(places.size(), all.size());
     for (std::size_t j = 0; j < v.size(); ++j)
         for (std::size_t i = 0; i < u.size(); ++i) {
             const SurfaceTangents& found = all[j * u.size() + i];
             const SurfaceTangents expected = patch.tangents(u[i], v[j]);
             EXPECT_LT((found.point - expected.point).norm(), 1e-12);
+            EXPECT_LT((places[j * u.size() + i] - expected.point).norm(), 1e-12);
             EXPECT_LT((found.du - expected.du).norm(), 1e-11);
             EXPECT_LT((found.dv - expected.dv).norm(), 1e-11);
         }
@@ -195,6 +198,8 @@ TEST(BezierPatch, TangentsOnAnEmptyGridAreNone)
     const std::vector<double> some{0.5};
     EXPECT_TRUE(random_patch(1).tangents({}, some).empty());
     EXPECT_TRUE(random_patch(1).tangents(some, {}).empty());
+    EXPECT_TRUE(random_patch(1).places({}, some).empty());
+    EXPECT_TRUE(random_patch(1).places(some, {}).empty());
 }
 
 TEST(BezierPatch, OfOnePointHasNoTangents)

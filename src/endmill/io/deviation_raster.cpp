@@ -21,25 +21,24 @@ using Eigen::Vector2d;
 // there are, and a fixed number, so that the lots are the same for every number of them.
 constexpr std::size_t lots = 32;
 
-// Calls `body(cell number, cell, ray)` for the cells of a tile with an area.
+// Of a square: no cell of a pitch up to this shows in more squares than the one that its
+// middle is in. That holds for sides of up to half a square; a cell's are no longer than 1.2
+// pitches at the tile's corners and middle, and hardly so between them.
+constexpr double small_share = 0.25;
+
+// Calls `body(number of a cell in the deviation, and in the tile)` for the cells of a tile
+// with an area.
 template <typename Body>
-void for_cells(const PartCharts& charts, const Deviation& deviation, const PartTile& tile,
-               const Body& body)
+void for_cells(const Deviation& deviation, const PartTile& tile, const Body& body)
 {
-    require(tile.whole.chart < charts.count(),
-            "Deviation: need the charts that were measured");
-    const auto rays = tile_rays(charts, tile);
     for (int k = 0; k < tile.cells(); ++k) {
         const std::size_t number = tile.first + static_cast<std::size_t>(k);
-        if (!(deviation.area[number] > 0))
-            continue;
-        const auto& ray = rays[static_cast<std::size_t>(k)];
-        require(ray.has_value(), "Deviation: need the charts that were measured");
-        body(number, tile.cell(k), *ray);
+        if (deviation.area[number] > 0)
+            body(number, static_cast<std::size_t>(k));
     }
 }
 
-// Calls `body(lot, tile)` for all tiles, those of a lot in order.
+// Calls `body(lot, number of a tile)` for all tiles, those of a lot in order.
 template <typename Body>
 void for_tiles(const Deviation& deviation, const Body& body)
 {
@@ -47,7 +46,7 @@ void for_tiles(const Deviation& deviation, const Body& body)
     parallel_for(lots, [&](std::size_t begin, std::size_t end) {
         for (std::size_t lot = begin; lot < end; ++lot)
             for (std::size_t t = lot * tiles / lots; t < (lot + 1) * tiles / lots; ++t)
-                body(lot, deviation.tiles[t]);
+                body(lot, t);
     });
 }
 
@@ -61,6 +60,8 @@ AlignedBox2d united(const std::array<AlignedBox2d, lots>& boxes)
 
 AlignedBox2d box_of_corners(const PartCharts& charts, const PartTile& tile)
 {
+    require(tile.whole.chart < charts.count(),
+            "Deviation: need the charts that were measured");
     AlignedBox2d box;
     for (int k = 0; k < tile.whole.corners; ++k)
         if (const auto ray =
@@ -73,21 +74,23 @@ AlignedBox2d box_of_corners(const PartCharts& charts, const PartTile& tile)
 // tile bulges by less than its own size.
 AlignedBox2d box_of(const PartCharts& charts, const Deviation& deviation)
 {
+    std::vector<AlignedBox2d> of_tile(deviation.tiles.size());
     std::array<AlignedBox2d, lots> boxes;
-    for_tiles(deviation, [&](std::size_t lot, const PartTile& tile) {
-        boxes[lot].extend(box_of_corners(charts, tile));
+    for_tiles(deviation, [&](std::size_t lot, std::size_t t) {
+        of_tile[t] = box_of_corners(charts, deviation.tiles[t]);
+        boxes[lot].extend(of_tile[t]);
     });
     const AlignedBox2d corners = united(boxes);
-    for_tiles(deviation, [&](std::size_t lot, const PartTile& tile) {
-        const AlignedBox2d own = box_of_corners(charts, tile);
+    for_tiles(deviation, [&](std::size_t lot, std::size_t t) {
+        const AlignedBox2d& own = of_tile[t];
         const Vector2d bulge = own.isEmpty() ? Vector2d{0, 0} : Vector2d{own.sizes()};
         if (!own.isEmpty() && corners.contains(own.min() - bulge) &&
             corners.contains(own.max() + bulge))
             return;
-        for_cells(charts, deviation, tile,
-                  [&](std::size_t, const PartCell&, const PartRay& ray) {
-                      boxes[lot].extend(ray.point.head<2>());
-                  });
+        const std::vector<Vec3> points = tile_points(charts, deviation.tiles[t]);
+        for_cells(deviation, deviation.tiles[t], [&](std::size_t, std::size_t k) {
+            boxes[lot].extend(points[k].head<2>());
+        });
     });
     return united(boxes);
 }
@@ -144,17 +147,21 @@ public:
     {
     }
 
-    void paint(const PartCell& cell, const PartRay& ray, float left)
+    // All cells of a tile with an area.
+    void paint(const PartCharts& charts, const Deviation& deviation, const PartTile& tile)
     {
-        const Footprint print = footprint(cell, ray);
-        take(print.middle, left);
-        // At half a square from each other the places miss no square within the cell.
-        const double places = std::ceil(2 * print.longest());
-        const int most = 4 * std::max(raster_.columns, raster_.rows);
-        const int steps = places < most ? static_cast<int>(places) : most;
-        for (int j = 0; steps > 1 && j < steps; ++j)
-            for (int i = 0; i < steps; ++i)
-                take(print.at((i + 0.5) / steps, (j + 0.5) / steps), left);
+        if (deviation.pitch_mm > 0 && deviation.pitch_mm <= small_share * raster_.side) {
+            const std::vector<Vec3> points = tile_points(charts, tile);
+            for_cells(deviation, tile, [&](std::size_t number, std::size_t k) {
+                take(in_squares(points[k]), deviation.left[number]);
+            });
+            return;
+        }
+        const std::vector<PartRay> rays = tile_rays(charts, tile);
+        for_cells(deviation, tile, [&](std::size_t number, std::size_t k) {
+            require(has_normal(rays[k]), "Deviation: need the charts that were measured");
+            paint(tile.cell(static_cast<int>(k)), rays[k], deviation.left[number]);
+        });
     }
 
     void paint(const DeviationRaster& other)
@@ -168,13 +175,31 @@ public:
     const DeviationRaster& raster() const { return raster_; }
 
 private:
+    void paint(const PartCell& cell, const PartRay& ray, float left)
+    {
+        const Footprint print = footprint(cell, ray);
+        take(print.middle, left);
+        // At half a square from each other the places miss no square within the cell.
+        const double places = std::ceil(2 * print.longest());
+        const int most = 4 * std::max(raster_.columns, raster_.rows);
+        const int steps = places < most ? static_cast<int>(places) : most;
+        for (int j = 0; steps > 1 && j < steps; ++j)
+            for (int i = 0; i < steps; ++i)
+                take(print.at((i + 0.5) / steps, (j + 0.5) / steps), left);
+    }
+
+    Vector2d in_squares(const Vec3& point) const
+    {
+        return (point.head<2>() - raster_.low) / raster_.side;
+    }
+
     Footprint footprint(const PartCell& cell, const PartRay& ray) const
     {
         const auto seen = [&](const Vector2d& way) -> Vector2d {
             return (way.x() * ray.du + way.y() * ray.dv).head<2>() / raster_.side;
         };
         const auto last = static_cast<std::size_t>(cell.corners - 1);
-        const Vector2d middle = (ray.point.head<2>() - raster_.low) / raster_.side;
+        const Vector2d middle = in_squares(ray.point);
         return {middle, middle + seen(cell.at[0] - cell.centre()),
                 seen(cell.at[1] - cell.at[0]), seen(cell.at[last] - cell.at[0]),
                 cell.corners == 3};
@@ -227,11 +252,8 @@ DeviationRaster deviation_raster(const PartCharts& charts, const Deviation& devi
     require_whole(deviation);
     const DeviationRaster empty = empty_raster(box_of(charts, deviation), squares);
     std::vector<Painter> painters(lots, Painter{empty, limits});
-    for_tiles(deviation, [&](std::size_t lot, const PartTile& tile) {
-        for_cells(charts, deviation, tile,
-                  [&](std::size_t number, const PartCell& cell, const PartRay& ray) {
-                      painters[lot].paint(cell, ray, deviation.left[number]);
-                  });
+    for_tiles(deviation, [&](std::size_t lot, std::size_t t) {
+        painters[lot].paint(charts, deviation, deviation.tiles[t]);
     });
     for (std::size_t lot = 1; lot < lots; ++lot)
         painters.front().paint(painters[lot].raster());

@@ -28,6 +28,16 @@ Vec3 area_vector(const std::array<Vec3, 3>& corners)
     return (corners[1] - corners[0]).cross(corners[2] - corners[0]) / 2;
 }
 
+// Parameters of a chart as those of its patch.
+std::vector<double> within(std::span<const double> at, double low, double width)
+{
+    std::vector<double> shares;
+    shares.reserve(at.size());
+    for (const double parameter : at)
+        shares.push_back((parameter - low) / width);
+    return shares;
+}
+
 }  // namespace
 
 Vector2d PartCell::centre() const
@@ -131,41 +141,47 @@ std::optional<PartRay> PartCharts::ray(std::uint32_t number, const Vector2d& at)
         return PartRay{a + at.x() * (b - a) + at.y() * (c - a), normal, b - a, c - a};
     }
     const Vector2d within = (at - chart.low).cwiseQuotient(chart.width);
-    return ray(chart, surfaces_[chart.source]
-                          .patch(chart.column, chart.row)
-                          .tangents(within.x(), within.y()));
+    const PartRay found = ray(chart, surfaces_[chart.source]
+                                         .patch(chart.column, chart.row)
+                                         .tangents(within.x(), within.y()));
+    return has_normal(found) ? std::optional{found} : std::nullopt;
 }
 
-// \param tangents by the patch's own parameters.
-std::optional<PartRay> PartCharts::ray(const Chart& chart, SurfaceTangents tangents) const
+// \param tangents by the patch's own parameters. \return a normal of zero if there is none.
+PartRay PartCharts::ray(const Chart& chart, const SurfaceTangents& tangents) const
 {
-    tangents.du /= chart.width.x();
-    tangents.dv /= chart.width.y();
-    if (is_singular(tangents))
-        return std::nullopt;
-    const Vec3 normal = tangents.du.cross(tangents.dv).normalized();
-    return PartRay{tangents.point, sides_[chart.source] * normal, tangents.du,
-                   tangents.dv};
+    const Vec3 across = tangents.du.cross(tangents.dv);
+    const double sign = is_singular(tangents, across) ? 0 : sides_[chart.source];
+    PartRay found{tangents.point, Vec3::Zero(), tangents.du / chart.width.x(),
+                  tangents.dv / chart.width.y()};
+    if (sign != 0)
+        found.normal = sign / across.norm() * across;
+    return found;
 }
 
-std::vector<std::optional<PartRay>> PartCharts::rays(std::uint32_t number,
-                                                     std::span<const double> u,
-                                                     std::span<const double> v) const
+std::vector<PartRay> PartCharts::rays(std::uint32_t number, std::span<const double> u,
+                                      std::span<const double> v) const
 {
     const Chart& chart = charts_[number];
-    std::vector<double> within_u;
-    for (const double at : u)
-        within_u.push_back((at - chart.low.x()) / chart.width.x());
-    std::vector<double> within_v;
-    for (const double at : v)
-        within_v.push_back((at - chart.low.y()) / chart.width.y());
-    std::vector<std::optional<PartRay>> rays;
+    const std::vector<double> within_u = within(u, chart.low.x(), chart.width.x());
+    const std::vector<double> within_v = within(v, chart.low.y(), chart.width.y());
+    std::vector<PartRay> rays;
     rays.reserve(u.size() * v.size());
     for (const SurfaceTangents& tangents : surfaces_[chart.source]
                                                .patch(chart.column, chart.row)
                                                .tangents(within_u, within_v))
         rays.push_back(ray(chart, tangents));
     return rays;
+}
+
+std::vector<Vec3> PartCharts::points(std::uint32_t number, std::span<const double> u,
+                                     std::span<const double> v) const
+{
+    const Chart& chart = charts_[number];
+    return surfaces_[chart.source]
+        .patch(chart.column, chart.row)
+        .places(within(u, chart.low.x(), chart.width.x()),
+                within(v, chart.low.y(), chart.width.y()));
 }
 
 PartCharts::Bend PartCharts::bend(std::uint32_t chart, const Vector2d& at) const

@@ -23,6 +23,12 @@ struct PartRay {
     Vec3 dv = Vec3::Zero();      ///< ditto
 };
 
+/// Whether the surface has a normal there: else it is zero.
+inline bool has_normal(const PartRay& ray)
+{
+    return !ray.normal.isZero(0);
+}
+
 /// A piece of a part: three or four corners in the parameters of a chart, which is a
 /// patch of a surface (u, v global) or a triangle of a mesh (shares of its second and
 /// third corner).
@@ -65,10 +71,13 @@ public:
     std::optional<PartRay> ray(std::uint32_t chart, const Eigen::Vector2d& at) const;
 
     /// The same at all (u[i], v[j]) of a chart of a surface, at [j * u.size() + i]: as one
-    /// by one but for rounding, and sooner.
-    std::vector<std::optional<PartRay>> rays(std::uint32_t chart,
-                                             std::span<const double> u,
-                                             std::span<const double> v) const;
+    /// by one but for rounding, and sooner. The normal is zero where the surface has none.
+    std::vector<PartRay> rays(std::uint32_t chart, std::span<const double> u,
+                              std::span<const double> v) const;
+
+    /// Only the points of these.
+    std::vector<Vec3> points(std::uint32_t chart, std::span<const double> u,
+                             std::span<const double> v) const;
 
     /// Largest convex and largest absolute normal curvature there, in 1/mm; 0 on a mesh.
     struct Bend {
@@ -107,7 +116,7 @@ private:
         Eigen::Vector2d width = {1, 1};
     };
 
-    std::optional<PartRay> ray(const Chart& chart, SurfaceTangents tangents) const;
+    PartRay ray(const Chart& chart, const SurfaceTangents& tangents) const;
     void mark_borders_of_surfaces();
     void mark_borders_of_mesh();
     Sides touched(const PartCell& cell, int corners) const;

@@ -2,6 +2,7 @@
 #include "endmill/simulation/part_tiles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "endmill/core/error.h"
@@ -64,6 +65,24 @@ std::array<PartCell, 2> halves(const PartCell& cell, bool across_u)
         low.at[2] = high.at[1] = (at[1] + at[2]) / 2;
     }
     return {low, high};
+}
+
+// Of a tile's columns and rows: cells of a patch lie along its parameters.
+struct Middles {
+    std::vector<double> u;
+    std::vector<double> v;
+};
+
+Middles middles_of(const PartTile& tile)
+{
+    Middles middles;
+    middles.u.reserve(most_across);
+    middles.v.reserve(most_across);
+    for (int i = 0; i < tile.columns; ++i)
+        middles.u.push_back(tile.cell(i).centre().x());
+    for (int j = 0; j < tile.rows; ++j)
+        middles.v.push_back(tile.cell(j * tile.columns).centre().y());
+    return middles;
 }
 
 class Tiling {
@@ -162,23 +181,55 @@ PartCell PartTile::cell(int number) const
             {node(column + 1, row), node(column + 1, row + 1), node(column, row + 1)}};
 }
 
-std::vector<std::optional<PartRay>> tile_rays(const PartCharts& charts,
-                                              const PartTile& tile)
+std::vector<PartCell> tile_cells(const PartTile& tile)
 {
-    if (charts.mesh()) {
-        std::vector<std::optional<PartRay>> rays;
+    std::vector<PartCell> cells;
+    cells.reserve(static_cast<std::size_t>(tile.cells()));
+    if (tile.whole.corners == 3) {
         for (int k = 0; k < tile.cells(); ++k)
-            rays.push_back(charts.ray(tile.whole.chart, tile.cell(k).centre()));
-        return rays;
+            cells.push_back(tile.cell(k));
+        return cells;
     }
-    // Cells of a patch lie along its parameters.
-    std::vector<double> u;
-    for (int i = 0; i < tile.columns; ++i)
-        u.push_back(tile.cell(i).centre().x());
-    std::vector<double> v;
-    for (int j = 0; j < tile.rows; ++j)
-        v.push_back(tile.cell(j * tile.columns).centre().y());
-    return charts.rays(tile.whole.chart, u, v);
+    const auto& at = tile.whole.at;
+    std::array<Vector2d, most_across + 1> along;
+    for (int i = 0; i <= tile.columns; ++i)
+        along[static_cast<std::size_t>(i)] =
+            at[0] + i / double(tile.columns) * (at[1] - at[0]);
+    for (int j = 0; j < tile.rows; ++j) {
+        const Vector2d low = j / double(tile.rows) * (at[3] - at[0]);
+        const Vector2d high = (j + 1) / double(tile.rows) * (at[3] - at[0]);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(tile.columns); ++i)
+            cells.push_back({tile.whole.chart,
+                             4,
+                             {along[i] + low, along[i + 1] + low, along[i + 1] + high,
+                              along[i] + high}});
+    }
+    return cells;
+}
+
+std::vector<PartRay> tile_rays(const PartCharts& charts, const PartTile& tile)
+{
+    if (!charts.mesh()) {
+        const Middles middles = middles_of(tile);
+        return charts.rays(tile.whole.chart, middles.u, middles.v);
+    }
+    std::vector<PartRay> rays;
+    for (int k = 0; k < tile.cells(); ++k)
+        rays.push_back(
+            charts.ray(tile.whole.chart, tile.cell(k).centre()).value_or(PartRay{}));
+    return rays;
+}
+
+std::vector<Vec3> tile_points(const PartCharts& charts, const PartTile& tile)
+{
+    if (!charts.mesh()) {
+        const Middles middles = middles_of(tile);
+        return charts.points(tile.whole.chart, middles.u, middles.v);
+    }
+    std::vector<Vec3> points;
+    for (const PartRay& ray : tile_rays(charts, tile))
+        points.push_back(ray.point);
+    return points;
 }
 
 std::vector<PartTile> part_tiles(const PartCharts& charts, double pitch,

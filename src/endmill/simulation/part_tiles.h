@@ -25,10 +25,15 @@ struct PartTile {
     PartCell cell(int number) const;
 };
 
-/// The rays at the middles of the tile's cells, in the order of these; nothing where the
-/// surface has no normal.
-std::vector<std::optional<PartRay>> tile_rays(const PartCharts& charts,
-                                              const PartTile& tile);
+/// The tile's cells, in order.
+std::vector<PartCell> tile_cells(const PartTile& tile);
+
+/// The rays at the middles of the tile's cells, in the order of these; the normal is zero
+/// where the surface has none.
+std::vector<PartRay> tile_rays(const PartCharts& charts, const PartTile& tile);
+
+/// Only the points of these, sooner.
+std::vector<Vec3> tile_points(const PartCharts& charts, const PartTile& tile);
 
 /// Cuts the charts into tiles whose cells have sides of at most 1.2 `pitch`, about one
 /// pitch in the mean, by the partials at the tile's corners and middle.

@@ -143,18 +143,20 @@ void TileMeasure::lay_out_rays()
     std::array<PartRay, most_tile_cells> rays;
     std::array<double, most_tile_cells> lengths;
     std::size_t count = 0;
-    const auto at_middles = tile_rays(measured_.charts, tile_);
+    const std::vector<PartRay> at_middles = tile_rays(measured_.charts, tile_);
+    const std::vector<PartCell> all = tile_cells(tile_);
     cells_.reserve(at_middles.size());
     numbers_.reserve(at_middles.size());
     for (int k = 0; k < tile_.cells(); ++k) {
-        const auto& ray = at_middles[static_cast<std::size_t>(k)];
-        if (!ray)
+        const PartRay& ray = at_middles[static_cast<std::size_t>(k)];
+        if (!has_normal(ray))
             continue;
-        const PartCell cell = tile_.cell(k);
-        rays[count] = *ray;
-        const MownRay in_stock = stock(*ray);
+        const PartCell& cell = all[static_cast<std::size_t>(k)];
+        rays[count] = ray;
+        const MownRay in_stock = stock(ray);
         lengths[count] = in_stock.left;
-        cells_.push_back({cell, *ray, cell.reach(*ray), in_stock, bend_});
+        cells_.push_back({cell, ray, cell.reach(ray), in_stock, bend_});
+        cells_.back().in_stock = in_stock;
         numbers_.push_back(k);
         ++count;
     }
@@ -182,8 +184,7 @@ double TileMeasure::most_left(const MeasuredCell& cell,
 {
     if (cell.is_outer)
         return 0;
-    const MownRay full = stock(cell.ray);
-    const double in_stock = full.left + cell.reach * (1 + full.slope);
+    const double in_stock = cell.in_stock.left + cell.reach * (1 + cell.in_stock.slope);
     return std::min(in_stock, most_left_by(cell, others));
 }
 

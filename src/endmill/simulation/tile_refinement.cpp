@@ -212,7 +212,8 @@ void TileMeasure::halve(const MeasuredCell& cell, int times,
 MeasuredCell TileMeasure::measured(const PartCell& cell, const PartRay& ray,
                                    std::span<const std::int32_t> sweeps) const
 {
-    MownRay least = stock(ray);
+    const MownRay in_stock = stock(ray);
+    MownRay least = in_stock;
     for (const std::int32_t number : sweeps) {
         const StraightSweep& sweep =
             measured_.tree.sweeps()[static_cast<std::size_t>(number)];
@@ -221,7 +222,13 @@ MeasuredCell TileMeasure::measured(const PartCell& cell, const PartRay& ray,
             least.sweep = number;
         }
     }
-    return {cell, ray, cell.reach(ray), least, bend_, is_outer(ray)};
+    return {.cell = cell,
+            .ray = ray,
+            .reach = cell.reach(ray),
+            .left = least,
+            .bend = bend_,
+            .is_outer = is_outer(ray),
+            .in_stock = in_stock};
 }
 
 }  // namespace endmill

@@ -149,6 +149,23 @@ void sum_up(const RowSum row, double* __restrict sums)
     }
 }
 
+// The coordinate only.
+ENDMILL_WIDEST_REGISTERS
+void sum_up_values(const RowSum row, double* __restrict sums)
+{
+    const std::size_t count = row.count;
+    for (std::size_t i = 0; i < count; ++i)
+        sums[i] = 0;
+    for (std::size_t a = 0; a < row.points_u; ++a) {
+        double across = 0;
+        for (std::size_t b = 0; b < row.points_v; ++b)
+            across += row.net[b * row.points_u + a] * row.values_v[b * row.stride_v];
+        const double* __restrict values = row.values_u + a * count;
+        for (std::size_t i = 0; i < count; ++i)
+            sums[i] += across * values[i];
+    }
+}
+
 using HomogeneousNet = std::vector<Eigen::Vector4d>;
 
 struct Degrees {
@@ -276,6 +293,30 @@ std::vector<SurfaceTangents> BezierPatch::tangents(std::span<const double> u,
                 all.back() = projected(
                     all.back(), Eigen::Matrix2d{{sum(3, 0), sum(3, 2)}, {sum(3, 1), 0}});
         }
+    }
+    return all;
+}
+
+std::vector<Vec3> BezierPatch::places(std::span<const double> u,
+                                      std::span<const double> v) const
+{
+    std::vector<Vec3> all;
+    all.reserve(u.size() * v.size());
+    const BasisRows basis_u{degree_u_, u};
+    const BasisRows basis_v{degree_v_, v};
+    const auto size = static_cast<std::size_t>(points());
+    const std::size_t count = u.size();
+    std::vector<double> sums(4 * count, 1);
+    for (std::size_t j = 0; j < v.size(); ++j) {
+        for (std::size_t c = 0; c < (is_rational_ ? 4U : 3U); ++c)
+            sum_up_values({nets_.data() + c * size, basis_u.values.data(),
+                           basis_u.slopes.data(), &basis_v.values[j], &basis_v.slopes[j],
+                           static_cast<std::size_t>(degree_u_) + 1,
+                           static_cast<std::size_t>(degree_v_) + 1, v.size(), count},
+                          &sums[c * count]);
+        for (std::size_t i = 0; i < count; ++i)
+            all.emplace_back(Vec3{sums[i], sums[count + i], sums[2 * count + i]} /
+                             sums[3 * count + i]);
     }
     return all;
 }

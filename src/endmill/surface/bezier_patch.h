@@ -72,6 +72,9 @@ public:
     std::vector<SurfaceTangents> tangents(std::span<const double> u,
                                           std::span<const double> v) const;
 
+    /// Only the points of these, sooner still.
+    std::vector<Vec3> places(std::span<const double> u, std::span<const double> v) const;
+
     /// Point, first and second partials. Outside the unit square the polynomials go on.
     SurfaceJet jet(double u, double v) const;
 

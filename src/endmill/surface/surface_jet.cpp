@@ -40,7 +40,12 @@ SurfaceJet projected(const SurfaceJet& homogeneous, const Eigen::Matrix3d& weigh
 
 bool is_singular(const SurfaceTangents& tangents)
 {
-    const double area2 = tangents.du.cross(tangents.dv).squaredNorm();
+    return is_singular(tangents, tangents.du.cross(tangents.dv));
+}
+
+bool is_singular(const SurfaceTangents& tangents, const Vec3& across)
+{
+    const double area2 = across.squaredNorm();
     const double sides2 = tangents.du.squaredNorm() * tangents.dv.squaredNorm();
     return !(area2 > parallel_sine * parallel_sine * sides2);
 }

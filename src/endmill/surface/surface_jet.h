@@ -36,6 +36,8 @@ SurfaceJet projected(const SurfaceJet& homogeneous, const Eigen::Matrix3d& weigh
 /// a collapsed edge. The surface has no normal there but as a limit.
 /// Source: |du x dv| < 1e-10 |du| |dv|, the convention of this project.
 bool is_singular(const SurfaceTangents& tangents);
+/// The same where du x dv is known already.
+bool is_singular(const SurfaceTangents& tangents, const Vec3& across);
 
 /// Unit normal du x dv / |du x dv|; its side is the parametrisation's, not the tool's.
 /// \throws GeometryError where `is_singular`.
