@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
 #include "endmill/io/csv.h"
 #include "endmill/io/deviation_cells.h"
 
@@ -15,6 +17,9 @@ namespace endmill {
 namespace {
 
 constexpr std::size_t bins = 200;  // two limits either way, a hundredth of their sum each
+
+// Enough that a histogram of its own is little beside them.
+constexpr std::size_t cells_a_block = 65536;
 
 struct Histogram {
     std::array<double, bins + 1> edges;
@@ -44,7 +49,35 @@ struct Histogram {
         least = std::min(least, left);
         greatest = std::max(greatest, left);
     }
+
+    void add(const Histogram& other)
+    {
+        for (std::size_t k = 0; k < bins; ++k)
+            areas[k] += other.areas[k];
+        least = std::min(least, other.least);
+        greatest = std::max(greatest, other.greatest);
+    }
 };
+
+// A fixed number of cells at a time, so that the sums hang on no number of threads.
+Histogram histogram_of(const Deviation& deviation, const DeviationLimits& limits)
+{
+    const std::size_t cells = deviation.left.size();
+    std::vector<Histogram> blocks((cells + cells_a_block - 1) / cells_a_block,
+                                  Histogram{limits});
+    parallel_for(blocks.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t block = begin; block < end; ++block) {
+            const std::size_t last = std::min(cells, (block + 1) * cells_a_block);
+            for (std::size_t i = block * cells_a_block; i < last; ++i)
+                if (deviation.area[i] > 0)
+                    blocks[block].add(deviation.left[i], deviation.area[i]);
+        }
+    });
+    Histogram whole{limits};
+    for (const Histogram& block : blocks)
+        whole.add(block);
+    return whole;
+}
 
 }  // namespace
 
@@ -55,10 +88,7 @@ std::string deviation_histogram_csv(const Deviation& deviation,
                 std::isfinite(limits.scallop) && limits.scallop > 0,
             "deviation_histogram_csv: need limits that are finite and positive");
     require_whole(deviation);
-    Histogram histogram{limits};
-    for (std::size_t i = 0; i < deviation.left.size(); ++i)
-        if (deviation.area[i] > 0)
-            histogram.add(deviation.left[i], deviation.area[i]);
+    const Histogram histogram = histogram_of(deviation, limits);
 
     CsvTable table{{"from_mm", "to_mm", "area_mm2"}};
     if (!(histogram.least <= histogram.greatest))

@@ -23,34 +23,32 @@ constexpr std::string_view preamble =
     "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
     "header_type=\"UInt64\">\n";
 
-std::vector<std::size_t> cells_with_area(const Deviation& deviation)
+// Cells with an area: of every so many in a row the one with the least and the one with the
+// most left, in the order of the cells, so that there are no more than `most_points`.
+std::vector<std::size_t> thinned(const Deviation& deviation, std::size_t most_points)
 {
-    std::vector<std::size_t> cells;
-    for (std::size_t i = 0; i < deviation.area.size(); ++i)
-        if (deviation.area[i] > 0)
-            cells.push_back(i);
-    return cells;
-}
-
-// Of every so many in a row the one with the least and the one with the most left, in
-// the order of the cells.
-std::vector<std::size_t> thinned(const std::vector<std::size_t>& cells,
-                                 std::size_t most_points, const std::vector<float>& left)
-{
-    if (cells.size() <= most_points)
-        return cells;
+    const auto cells = static_cast<std::size_t>(
+        std::ranges::count_if(deviation.area, [](float area) { return area > 0; }));
     const std::size_t runs = most_points / 2;
-    const std::size_t in_run = (cells.size() + runs - 1) / runs;
+    const std::size_t in_run = cells <= most_points ? 1 : (cells + runs - 1) / runs;
+    const std::vector<float>& left = deviation.left;
     std::vector<std::size_t> kept;
-    for (std::size_t begin = 0; begin < cells.size(); begin += in_run) {
-        const std::size_t end = std::min(begin + in_run, cells.size());
-        const auto [least, most] = std::minmax_element(
-            cells.begin() + static_cast<std::ptrdiff_t>(begin),
-            cells.begin() + static_cast<std::ptrdiff_t>(end),
-            [&](std::size_t a, std::size_t b) { return left[a] < left[b]; });
-        kept.push_back(std::min(*least, *most));
+    kept.reserve(std::min(cells, most_points));
+    std::size_t least = 0;
+    std::size_t most = 0;
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        if (!(deviation.area[i] > 0))
+            continue;
+        const bool is_first = seen % in_run == 0;
+        least = is_first || left[i] < left[least] ? i : least;
+        most = is_first || left[i] >= left[most] ? i : most;
+        ++seen;
+        if (seen % in_run != 0 && seen != cells)
+            continue;
+        kept.push_back(std::min(least, most));
         if (least != most)
-            kept.push_back(std::max(*least, *most));
+            kept.push_back(std::max(least, most));
     }
     return kept;
 }
@@ -102,8 +100,7 @@ std::string deviation_vtp(const PartCharts& charts, const Deviation& deviation,
 {
     require(most_points >= 2, "deviation_vtp: need most_points >= 2");
     require_whole(deviation);
-    const std::vector<std::size_t> cells =
-        thinned(cells_with_area(deviation), most_points, deviation.left);
+    const std::vector<std::size_t> cells = thinned(deviation, most_points);
     const PointArrays points = points_of(charts, deviation, cells);
 
     AppendedArrays arrays;

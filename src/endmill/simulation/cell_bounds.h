@@ -24,6 +24,7 @@ struct MeasuredCell {
     bool is_outer = false;  ///< on an outer wall of the part, whose rest is not judged
     std::optional<double> nearer = {};  ///< what counts instead of `left`, mm
     bool is_measured = true;            ///< else `nearer` is a close bound of what counts
+    double area = 0;                    ///< mm^2
     MownRay in_stock = {};              ///< of its middle's ray, before any move
 
     /// What counts at its middle, in mm.

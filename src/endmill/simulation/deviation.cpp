@@ -254,9 +254,8 @@ private:
                 tile.first + static_cast<std::size_t>(measure.numbers()[k]);
             const double left = cell.value();
             deviation_.left[at] = static_cast<float>(left);
-            deviation_.area[at] = cell.is_outer && left >= 0
-                                      ? 0
-                                      : static_cast<float>(cell.cell.area(cell.ray));
+            deviation_.area[at] =
+                cell.is_outer && left >= 0 ? 0 : static_cast<float>(cell.area);
             sweeps_[at] = cell.left.sweep;
             is_measured_[at] = cell.is_measured ? 1 : 0;
         }

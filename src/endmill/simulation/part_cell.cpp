@@ -73,12 +73,11 @@ std::array<PartCell, 4> PartCell::quarters() const
 
 double PartCell::area(const PartRay& centre_ray) const
 {
-    double twice = 0;  // of the area in the parameters
-    for (int k = 0; k < corners; ++k) {
-        const Vector2d& a = at[static_cast<std::size_t>(k)];
-        const Vector2d& b = at[static_cast<std::size_t>((k + 1) % corners)];
-        twice += a.x() * b.y() - b.x() * a.y();
-    }
+    // The diagonals of a quadrilateral, two sides of a triangle.
+    const bool is_quadrilateral = corners == 4;
+    const Vector2d one = at[2] - at[0];
+    const Vector2d other = is_quadrilateral ? at[3] - at[1] : at[1] - at[0];
+    const double twice = one.x() * other.y() - other.x() * one.y();
     return std::abs(twice) / 2 * centre_ray.du.cross(centre_ray.dv).norm();
 }
 

@@ -114,7 +114,7 @@ Extremes TileMeasure::extremes()
     for (const MeasuredCell& cell : cells_) {
         found.take(cell);
         found.bound(most_left(cell, {}), least_left(cell));
-        found.add_area(cell.value(), cell.cell.area(cell.ray), limits());
+        found.add_area(cell.value(), cell.area, limits());
     }
     return found;
 }
@@ -157,6 +157,7 @@ void TileMeasure::lay_out_rays()
         lengths[count] = in_stock.left;
         cells_.push_back({cell, ray, cell.reach(ray), in_stock, bend_});
         cells_.back().in_stock = in_stock;
+        cells_.back().area = cell.area(ray);
         numbers_.push_back(k);
         ++count;
     }

@@ -117,7 +117,7 @@ void TileMeasure::refine(const MeasuredCell& cell, const Doubt& first_doubt,
     }
     if (is_leaf) {
         found.bound(most, least);
-        found.add_area(cell.value(), cell.cell.area(cell.ray), limits());
+        found.add_area(cell.value(), cell.area, limits());
         return;
     }
     // Whether a sharp edge, or any, passes through the cell the middle does not tell.
@@ -131,7 +131,7 @@ void TileMeasure::refine(const MeasuredCell& cell, const Doubt& first_doubt,
 void TileMeasure::refine_quarters(const MeasuredCell& cell, const Doubt& first_doubt,
                                   const Depth& depth, Extremes& found)
 {
-    const double quarter_area = cell.cell.area(cell.ray) / 4;
+    const double quarter_area = cell.area / 4;
     const double gouged = found.gouge_area;
     const double uncut = found.uncut_area;
     for (const PartCell& quarter : cell.cell.quarters()) {
@@ -228,6 +228,7 @@ MeasuredCell TileMeasure::measured(const PartCell& cell, const PartRay& ray,
             .left = least,
             .bend = bend_,
             .is_outer = is_outer(ray),
+            .area = cell.area(ray),
             .in_stock = in_stock};
 }
 
