@@ -36,16 +36,19 @@ std::vector<std::size_t> thinned(const Deviation& deviation, std::size_t most_po
     kept.reserve(std::min(cells, most_points));
     std::size_t least = 0;
     std::size_t most = 0;
-    std::size_t seen = 0;
+    std::size_t seen = 0;  // of the run
+    std::size_t ahead = cells;
     for (std::size_t i = 0; i < left.size(); ++i) {
         if (!(deviation.area[i] > 0))
             continue;
-        const bool is_first = seen % in_run == 0;
+        const bool is_first = seen == 0;
         least = is_first || left[i] < left[least] ? i : least;
         most = is_first || left[i] >= left[most] ? i : most;
         ++seen;
-        if (seen % in_run != 0 && seen != cells)
+        --ahead;
+        if (seen < in_run && ahead > 0)
             continue;
+        seen = 0;
         kept.push_back(std::min(least, most));
         if (least != most)
             kept.push_back(std::max(least, most));

@@ -73,22 +73,27 @@ std::array<PartCell, 4> PartCell::quarters() const
 
 double PartCell::area(const PartRay& centre_ray) const
 {
-    // The diagonals of a quadrilateral, two sides of a triangle.
-    const bool is_quadrilateral = corners == 4;
-    const Vector2d one = at[2] - at[0];
-    const Vector2d other = is_quadrilateral ? at[3] - at[1] : at[1] - at[0];
-    const double twice = one.x() * other.y() - other.x() * one.y();
+    double twice = 0;  // of the area in the parameters
+    for (int k = 0; k < corners; ++k) {
+        const Vector2d& a = at[static_cast<std::size_t>(k)];
+        const Vector2d& b = at[static_cast<std::size_t>((k + 1) % corners)];
+        twice += a.x() * b.y() - b.x() * a.y();
+    }
     return std::abs(twice) / 2 * centre_ray.du.cross(centre_ray.dv).norm();
 }
 
 double PartCell::reach(const PartRay& centre_ray) const
 {
     const Vector2d middle = centre();
+    const double along_u = centre_ray.du.squaredNorm();
+    const double along_both = 2 * centre_ray.du.dot(centre_ray.dv);
+    const double along_v = centre_ray.dv.squaredNorm();
     double reach2 = 0;
     for (int k = 0; k < corners; ++k) {
         const Vector2d away = at[static_cast<std::size_t>(k)] - middle;
-        reach2 = std::max(
-            reach2, (away.x() * centre_ray.du + away.y() * centre_ray.dv).squaredNorm());
+        reach2 =
+            std::max(reach2, away.x() * (away.x() * along_u + away.y() * along_both) +
+                                 away.y() * away.y() * along_v);
     }
     return std::sqrt(reach2);
 }

@@ -243,6 +243,10 @@ std::vector<PartTile> part_tiles(const PartCharts& charts, double pitch,
             of_chart[i] = tiling.tiles_of(static_cast<std::uint32_t>(i));
     });
     std::vector<PartTile> tiles;
+    std::size_t count = 0;
+    for (const std::vector<PartTile>& some : of_chart)
+        count += some.size();
+    tiles.reserve(count);
     std::size_t cells = 0;
     for (std::vector<PartTile>& some : of_chart) {
         for (PartTile& tile : some) {

@@ -34,18 +34,25 @@ void TileMeasure::count(std::optional<std::size_t>& hint)
 
 void TileMeasure::count_side(double sign, std::optional<std::size_t>& hint)
 {
+    const auto counts = [sign](const MeasuredCell& cell) {
+        return sign * cell.left.left > negligible_length && !(sign > 0 && cell.is_outer);
+    };
+    double longest = 0;
+    for (const MeasuredCell& cell : cells_)
+        if (counts(cell))
+            longest = std::max(longest, sign * cell.left.left);
+    if (!(longest > 0) || is_free(sign, longest))
+        return;
     std::vector<PartWay> ways;
     std::vector<MeasuredCell*> counted;
-    double longest = 0;
+    ways.reserve(cells_.size());
+    counted.reserve(cells_.size());
     for (MeasuredCell& cell : cells_)
-        if (const double length = sign * cell.left.left;
-            length > negligible_length && !(sign > 0 && cell.is_outer)) {
-            ways.push_back({cell.ray.point, sign * cell.ray.normal, length});
+        if (counts(cell)) {
+            ways.push_back(
+                {cell.ray.point, sign * cell.ray.normal, sign * cell.left.left});
             counted.push_back(&cell);
-            longest = std::max(longest, length);
         }
-    if (ways.empty() || is_free(sign, longest))
-        return;
     const std::vector<FreeLength> lengths = free_lengths(ways, measured_.distance, hint);
     for (std::size_t k = 0; k < counted.size(); ++k) {
         counted[k]->nearer = sign * lengths[k].length;
