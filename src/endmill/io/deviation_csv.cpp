@@ -37,10 +37,14 @@ struct Histogram {
 
     std::size_t bin_of(double left) const
     {
-        // Inner edges only: what lies beyond them is in the outermost bins.
-        const auto inner = edges.begin() + 1;
-        return static_cast<std::size_t>(std::upper_bound(inner, edges.end() - 1, left) -
-                                        inner);
+        // All are equally wide, but for rounding; beyond them are the outermost.
+        const double share = (left - edges.front()) / (edges.back() - edges.front());
+        auto bin = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * (bins - 1));
+        while (bin > 0 && left < edges[bin])
+            --bin;
+        while (bin < bins - 1 && left >= edges[bin + 1])
+            ++bin;
+        return bin;
     }
 
     void add(double left, double area)

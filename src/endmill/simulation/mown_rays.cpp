@@ -34,9 +34,10 @@ MownRays::MownRays(std::span<const PartRay> rays, std::span<const double> length
         "MownRays: need 1 to 64 rays and a length for each");
     rows_.count = static_cast<int>(rays.size());
     for (const PartRay& ray : rays) {
-        bundle_.centre += ray.point / double(rows_.count);
-        bundle_.upright += ray.normal / double(rows_.count);
+        bundle_.centre += ray.point;
+        bundle_.upright += ray.normal;
     }
+    bundle_.centre /= rows_.count;
     // Any direction serves; the mean of the normals serves best.
     bundle_.upright = unit_or_up(bundle_.upright);
     for (std::size_t k = 0; k < most_tile_cells; ++k) {
@@ -50,14 +51,17 @@ MownRays::MownRays(std::span<const PartRay> rays, std::span<const double> length
         rows_.cosine[k] = 1;
         rows_.sweep[k] = -1;
     }
+    double beside2 = 0;
+    double tilt2 = 0;
     for (const PartRay& ray : rays) {
         const Vec3 away = ray.point - bundle_.centre;
         const double along = away.dot(bundle_.upright);
         bundle_.above = std::max(bundle_.above, std::abs(along));
-        bundle_.beside =
-            std::max(bundle_.beside, (away - along * bundle_.upright).norm());
-        bundle_.tilt = std::max(bundle_.tilt, (ray.normal - bundle_.upright).norm());
+        beside2 = std::max(beside2, (away - along * bundle_.upright).squaredNorm());
+        tilt2 = std::max(tilt2, (ray.normal - bundle_.upright).squaredNorm());
     }
+    bundle_.beside = std::sqrt(beside2);
+    bundle_.tilt = std::sqrt(tilt2);
     bundle_.longest = longest_left(rows_);
 }
 
