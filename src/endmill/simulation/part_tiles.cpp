@@ -214,6 +214,7 @@ std::vector<PartRay> tile_rays(const PartCharts& charts, const PartTile& tile)
         return charts.rays(tile.whole.chart, middles.u, middles.v);
     }
     std::vector<PartRay> rays;
+    rays.reserve(static_cast<std::size_t>(tile.cells()));
     for (int k = 0; k < tile.cells(); ++k)
         rays.push_back(
             charts.ray(tile.whole.chart, tile.cell(k).centre()).value_or(PartRay{}));
@@ -227,6 +228,7 @@ std::vector<Vec3> tile_points(const PartCharts& charts, const PartTile& tile)
         return charts.points(tile.whole.chart, middles.u, middles.v);
     }
     std::vector<Vec3> points;
+    points.reserve(static_cast<std::size_t>(tile.cells()));
     for (const PartRay& ray : tile_rays(charts, tile))
         points.push_back(ray.point);
     return points;
