@@ -17,9 +17,7 @@ public:
     /// The path and all that the command measures of it.
     JudgedPath planned(bool is_verified) const
     {
-        constexpr double measured_rays = 1e5;  // about, as the command does
-        return judged_path(surface(), {.is_verified = is_verified},
-                           pitch_of(surface(), measured_rays));
+        return judged_path(surface(), {.is_verified = is_verified});
     }
 
     /// \param pitch of the stock and of the first rays, mm.
@@ -27,8 +25,10 @@ public:
     {
         const PlanToJudge plan;
         const Cutter cutter = Cutter::ball(plan.ball.radius());
-        VerificationTask task{.path = &path, .cutter = cutter, .part = &part_};
-        task.block = default_block(&part_, path, cutter);
+        VerificationTask task{.path = &path,
+                              .cutter = cutter,
+                              .part = &part_,
+                              .block = default_block(&part_, path, cutter)};
         task.deviation.limits = limits_of(plan);
         task.resolution = pitch;
         return verify_path(task).verdict;
