@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "endmill/core/error.h"
+#include "endmill/process/bracketed_newton.h"
 #include "endmill/process/cutting_coefficients.h"
 
 namespace endmill {
@@ -75,29 +76,17 @@ double HelicalEdge::turn_rate(const Run& run, double p) const
 double HelicalEdge::crossing(const Run& run, double turn) const
 {
     constexpr double least_step = 1e-14;  // of p, which is at most 1
-    constexpr int most_steps = 50;        // bisection alone would need no more
-    const bool rises = run.turn_to > run.turn_from;
-    double low = run.from;
-    double high = run.to;
-    // By the secant of the ends, then by Newton's steps, halved where they leave the bracket.
-    double p =
-        low + (high - low) * (turn - run.turn_from) / (run.turn_to - run.turn_from);
-    for (int k = 0; k < most_steps; ++k) {
-        const BorderPoint point = region_.moving_point(run.kind, p);
-        const double x = point.at.x();
-        const double y = point.at.y();
-        const double at = azimuth(run, point.at) + (1 + point.at.z()) * tangent_ - turn;
-        (at > 0) == rises ? high = p : low = p;
-        const double rate = point.turn / (x * x + y * y) + tangent_ * point.height;
-        double next = p - at / rate;
-        if (!(next > low && next < high))
-            next = (low + high) / 2;
-        const double change = std::abs(next - p);
-        p = next;
-        if (change < least_step)
-            break;
-    }
-    return p;
+    const double secant = run.from + (run.to - run.from) * (turn - run.turn_from) /
+                                         (run.turn_to - run.turn_from);
+    return bracketed_newton(
+        {run.from, run.to, run.turn_to > run.turn_from, secant}, least_step,
+        [&](double p) -> ValueAndSlope {
+            const BorderPoint point = region_.moving_point(run.kind, p);
+            const double x = point.at.x();
+            const double y = point.at.y();
+            return {azimuth(run, point.at) + (1 + point.at.z()) * tangent_ - turn,
+                    point.turn / (x * x + y * y) + tangent_ * point.height};
+        });
 }
 
 // Parts a border where it goes from one side of the axis to the other across the feed.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "endmill/process/bracketed_newton.h"
 #include "endmill/process/quartic_stations.h"
 
 namespace endmill {
@@ -33,30 +34,20 @@ double half_tangent(const PassPoint& point)
     return point.sine / (1 + point.cosine);
 }
 
-// The root of the condition in a bracket, by Newton's steps, halved where they leave it.
+// The root of the condition in a bracket.
 double solve(const EngagedRegion& region, const PassCondition& condition, double low,
              double high)
 {
     constexpr double least_step = 1e-15;  // of p, which is at most 1: about its rounding
-    constexpr int most_steps = 60;        // more than bisection alone would need
     const bool rises = value(condition, pass_point(region, high)) > 0;
-    double p = (low + high) / 2;
-    for (int k = 0; k < most_steps; ++k) {
-        const PassPoint point = pass_point(region, p);
-        const double at = value(condition, point);
-        (at > 0) == rises ? high = p : low = p;
-        const double slope = (condition.front * point.tau_by_x -
-                              condition.turn * point.sine * point.phi_by_x) *
-                             2 / (1 + p * p);
-        double next = p - at / slope;
-        if (!(next > low && next < high))
-            next = (low + high) / 2;
-        const double change = std::abs(next - p);
-        p = next;
-        if (change < least_step)
-            break;
-    }
-    return p;
+    return bracketed_newton({low, high, rises, (low + high) / 2}, least_step,
+                            [&](double p) -> ValueAndSlope {
+                                const PassPoint point = pass_point(region, p);
+                                return {value(condition, point),
+                                        (condition.front * point.tau_by_x -
+                                         condition.turn * point.sine * point.phi_by_x) *
+                                            2 / (1 + p * p)};
+                            });
 }
 
 }  // namespace

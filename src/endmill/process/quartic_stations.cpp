@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstddef>
 
+#include "endmill/process/bracketed_newton.h"
+
 namespace endmill {
 namespace {
 
 // Of a root in u, which is about 1: a step that changes less ends the search.
 constexpr double least_step = 1e-13;
-// Bisection alone would need no more to come from 2 to the least step.
-constexpr int most_steps = 50;
 
 // A polynomial of degree N - 1, c[0] first.
 template <std::size_t N>
@@ -43,27 +43,15 @@ Polynomial<N - 1> derivative(const Polynomial<N>& c)
     return d;
 }
 
-// The root between `low` and `high`, where the signs of the polynomial differ, by Newton's
-// steps within the bracket; a step that leaves it is replaced by halving it.
+// The root between `low` and `high`, where the signs of the polynomial differ.
 template <std::size_t N>
 double root_between(const Polynomial<N>& c, const Polynomial<N - 1>& d, double low,
                     double high)
 {
-    const bool rises = value(c, high) > 0;
-    double u = (low + high) / 2;
-    for (int k = 0; k < most_steps; ++k) {
-        const double at = value(c, u);
-        (at > 0) == rises ? high = u : low = u;
-        const double step = at / value(d, u);
-        double next = u - step;
-        if (!(next > low && next < high))
-            next = (low + high) / 2;
-        const double change = std::abs(next - u);
-        u = next;
-        if (change < least_step)
-            break;
-    }
-    return u;
+    return bracketed_newton({low, high, value(c, high) > 0, (low + high) / 2}, least_step,
+                            [&](double u) {
+                                return ValueAndSlope{value(c, u), value(d, u)};
+                            });
 }
 
 // Roots of a quadratic, or of what is left of it where leading coefficients vanish.

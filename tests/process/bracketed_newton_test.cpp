@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/bracketed_newton.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace endmill {
+namespace {
+
+constexpr double least_step = 1e-15;
+
+TEST(BracketedNewton, FindsRootsWhetherTheFunctionRisesOrFalls)
+{
+    const auto square = [](double x) { return ValueAndSlope{x * x - 2, 2 * x}; };
+    EXPECT_NEAR(bracketed_newton({1, 2, true, 1.9}, least_step, square),
+                std::numbers::sqrt2, 4e-16);
+    EXPECT_NEAR(bracketed_newton({-2, -1, false, -1.9}, least_step, square),
+                -std::numbers::sqrt2, 4e-16);
+}
+
+// Newton's steps from these places go off to infinity, or ask for a slope that is none.
+TEST(BracketedNewton, HalvesWhereAStepLeavesTheBracket)
+{
+    const auto flat = [](double x) {
+        return ValueAndSlope{std::atan(x - 0.3), 1 / (1 + (x - 0.3) * (x - 0.3))};
+    };
+    EXPECT_NEAR(bracketed_newton({-100, 90, true, 80}, least_step, flat), 0.3, 1e-15);
+    const auto cubic = [](double x) { return ValueAndSlope{x * x * x - 8, 3 * x * x}; };
+    EXPECT_NEAR(bracketed_newton({-1, 3, true, 0}, least_step, cubic), 2, 4e-16);
+}
+
+TEST(BracketedNewton, EndsWhereTheValueIsNeverZero)
+{
+    const auto step = [](double x) { return ValueAndSlope{x < 0.7 ? -1.0 : 1.0, 0}; };
+    EXPECT_NEAR(bracketed_newton({0, 1, true, 0.5}, least_step, step), 0.7, 1e-14);
+}
+
+}  // namespace
+}  // namespace endmill
