@@ -67,13 +67,50 @@ TEST(CsvLines, RefuseQuotesThatDoNotEncloseACellOfOneLine)
     EXPECT_THAT(complaint_about("a\rb\n"), testing::HasSubstr("f:1: a carriage return"));
 }
 
-TEST(CsvLines, NeverPromiseLessLinesThanFollow)
+TEST(CsvLines, TellWhatFollowsTheLine)
 {
-    CsvLines reader{"a\nb\nc", "f"};
-    EXPECT_EQ(reader.most_lines_left(), 3U);
+    const std::string text = "a\nb\r\nc";
+    CsvLines reader{text, "f"};
+    EXPECT_EQ(line_count(reader.rest()), 3U);
     reader.next();
-    EXPECT_EQ(reader.most_lines_left(), 2U);
-    EXPECT_EQ(reader.line(), 1U);
+    EXPECT_EQ(reader.rest(), "b\r\nc");
+    EXPECT_EQ(line_count(reader.rest()), 2U);
+    EXPECT_EQ(line_count("b\n"), 1U);
+    EXPECT_EQ(line_count(""), 0U);
+}
+
+TEST(CsvLines, CountOnFromLinesBefore)
+{
+    CsvLines reader{"\xef\xbb\xbf,x\n\"", "f", 6};
+    reader.next();
+    EXPECT_EQ(reader.line(), 7U);
+    EXPECT_EQ(reader.cells().front(), "\xef\xbb\xbf");  // a mark only begins a file
+    EXPECT_THAT(complaint_of([&] { reader.next(); }), testing::HasSubstr("f:8: "));
+}
+
+TEST(CsvRuns, AreWholeLinesThatMakeUpTheText)
+{
+    for (const bool ends : {false, true}) {
+        std::string text;
+        for (int i = 0; i < 200000; ++i)
+            text += std::to_string(i) + '\n';
+        if (!ends)
+            text.pop_back();
+        std::string joined;
+        std::size_t line = 0;
+        const std::vector<CsvRun> runs = csv_runs(text);
+        for (const CsvRun& run : runs) {
+            EXPECT_EQ(run.first_line, line);
+            EXPECT_EQ(run.text.substr(0, run.text.find('\n')), std::to_string(line));
+            line += line_count(run.text);
+            joined += run.text;
+        }
+        EXPECT_GT(runs.size(), 2U);
+        EXPECT_EQ(joined, text);
+        EXPECT_EQ(line, 200000U);
+    }
+    EXPECT_TRUE(csv_runs("").empty());
+    EXPECT_EQ(csv_runs("a").size(), 1U);
 }
 
 }  // namespace

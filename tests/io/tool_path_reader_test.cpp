@@ -62,6 +62,32 @@ TEST(ToolPathReader, ReadsConditionsAndPatchesToTheBit)
     EXPECT_EQ(tool_path_csv(read.path), text);
 }
 
+// Long enough to be read in several runs of lines at once.
+TEST(ToolPathReader, ReadsALongPathToTheBitAndComplainsOfItsFirstFault)
+{
+    ToolPath path = wavy_path(30, 400);
+    path.normals.assign(path.points.size(), Vec3::Zero());
+    for (std::size_t k = 0; k < path.points.size(); ++k) {
+        path.points[k].contact.reset();
+        if (k % 3 == 0)
+            path.normals[k] = Vec3{0.6, 0, 0.8};
+    }
+    std::string text = tool_path_csv(path);
+    ASSERT_GT(text.size(), 1U << 19);
+    const Program read = parse_tool_path(text, "f");
+    EXPECT_TRUE(test::are_equal(read.path, path));
+    EXPECT_EQ(read.path.normals, path.normals);
+
+    for (const std::size_t row : {std::size_t{11900}, std::size_t{6000}}) {
+        std::size_t at = 0;
+        for (std::size_t line = 0; line <= row; ++line)
+            at = text.find('\n', at) + 1;
+        text[at] = 'x';
+        EXPECT_THAT(complaint_about(text),
+                    HasSubstr("f.csv:" + std::to_string(row + 2) + ": pass is \"x"));
+    }
+}
+
 TEST(ToolPathReader, NeedsTheTipsOnlyAndSaysWhatItTakes)
 {
     const Program read =

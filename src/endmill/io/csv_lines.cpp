@@ -5,13 +5,36 @@
 #include <utility>
 
 namespace endmill {
+namespace {
 
-CsvLines::CsvLines(std::string_view text, std::string file)
+constexpr std::size_t run_bytes = 1U << 18;
+
+}  // namespace
+
+std::size_t line_count(std::string_view text)
+{
+    const auto ends = static_cast<std::size_t>(std::ranges::count(text, '\n'));
+    return ends + (text.empty() || text.ends_with('\n') ? 0 : 1);
+}
+
+std::vector<CsvRun> csv_runs(std::string_view text)
+{
+    std::vector<CsvRun> runs;
+    for (std::size_t line = 0; !text.empty(); line += line_count(runs.back().text)) {
+        const std::size_t end = text.find('\n', std::min(run_bytes, text.size()));
+        runs.push_back({text.substr(0, std::min(end, text.size() - 1) + 1), line});
+        text.remove_prefix(runs.back().text.size());
+    }
+    return runs;
+}
+
+CsvLines::CsvLines(std::string_view text, std::string file, std::size_t lines_before)
     : rest_{text},
-      file_{std::move(file)}
+      file_{std::move(file)},
+      line_{lines_before}
 {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-    if (rest_.starts_with(byte_order_mark))
+    if (lines_before == 0 && rest_.starts_with(byte_order_mark))
         rest_.remove_prefix(byte_order_mark.size());
 }
 
@@ -34,11 +57,6 @@ bool CsvLines::next()
     else
         cut_quoted(line);
     return true;
-}
-
-std::size_t CsvLines::most_lines_left() const
-{
-    return static_cast<std::size_t>(std::ranges::count(rest_, '\n')) + 1;
 }
 
 FormatError CsvLines::complaint(const std::string& code, const std::string& found,

@@ -13,13 +13,27 @@
 
 namespace endmill {
 
+/// Whole lines of a text that follow each other.
+struct CsvRun {
+    std::string_view text;
+    std::size_t first_line;  ///< from 0 in the text
+};
+
+/// `text` as runs of lines that can be read side by side: some 256 KiB each, whatever the
+/// number of threads.
+std::vector<CsvRun> csv_runs(std::string_view text);
+
+/// The number of lines in `text`; the last need not end.
+std::size_t line_count(std::string_view text);
+
 /// Walks over the lines of a CSV text and cuts each into cells, without copying. A line
 /// ends with LF or CRLF; a byte order mark at the beginning is skipped. A cell in quotes
 /// ends in its line, and has no quote inside: numbers and words need neither.
 class CsvLines {
 public:
     /// \param text outlives this. \param file the name for messages.
-    CsvLines(std::string_view text, std::string file);
+    /// \param lines_before of the file, if `text` begins after them: it then has no mark.
+    CsvLines(std::string_view text, std::string file, std::size_t lines_before = 0);
 
     /// Goes to the next line. \return false if there is none.
     /// \throws FormatError E_CSV for a quote that is not closed in its line, or stands
@@ -30,8 +44,8 @@ public:
     const std::vector<std::string_view>& cells() const { return cells_; }
     std::size_t line() const { return line_; }  ///< from 1
 
-    /// How many lines may follow, at most.
-    std::size_t most_lines_left() const;
+    /// What follows the line.
+    std::string_view rest() const { return rest_; }
 
     /// An error at this line. \param code such as "E_CSV".
     FormatError complaint(const std::string& code, const std::string& found,

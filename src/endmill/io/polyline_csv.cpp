@@ -37,7 +37,7 @@ public:
         lines_.next();  // an empty text has no columns
         read_header();
         require_memory(
-            file_, static_cast<double>(lines_.most_lines_left()) * sizeof(SectionPoint),
+            file_, static_cast<double>(line_count(lines_.rest())) * sizeof(SectionPoint),
             limits_);
         while (lines_.next())
             add_row();

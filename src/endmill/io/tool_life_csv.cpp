@@ -33,7 +33,7 @@ public:
         read_header();
         require_memory(
             file,
-            static_cast<double>(lines_.most_lines_left()) * sizeof(CuttingSpeedDatum),
+            static_cast<double>(line_count(lines_.rest())) * sizeof(CuttingSpeedDatum),
             limits);
         std::vector<CuttingSpeedDatum> data;
         while (lines_.next())

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/io/tool_path_reader.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "endmill/core/numbers.h"
+#include "endmill/core/parallel.h"
 #include "endmill/io/csv_lines.h"
 #include "endmill/io/printable.h"
 #include "endmill/io/read_file.h"
@@ -20,82 +23,47 @@ using enum PathColumn;
 
 constexpr std::size_t longest_echo = 40;
 
-// Reads row by row into the path; nothing of a row is kept but its numbers. Cells stay
-// where they are in the text: millions of rows are read without copies.
-class PathCsvReader {
+// What a file says of a row.
+struct PathRow {
+    PathPoint point;
+    CuttingConditions conditions;
+    std::optional<Vec3> normal;  // where the row has no contact
+};
+
+// Reads row by row; cells stay where they are in the text: millions of rows are read
+// without copies.
+class PathRowReader {
 public:
-    PathCsvReader(std::string_view text, const std::string& file,
-                  const ReadLimits& limits)
-        : lines_{text, file},
-          file_{file},
-          limits_{limits}
+    // \param lines_before of the file.
+    PathRowReader(const CsvRun& run, const PathColumns& columns, const std::string& file,
+                  const ReadLimits& limits, std::size_t lines_before)
+        : columns_{columns},
+          limits_{limits},
+          lines_{run.text, file, lines_before + run.first_line}
     {
     }
 
-    Program read_all()
-    {
-        lines_.next();  // an empty text has no columns
-        columns_ = path_columns(lines_);
-        reserve();
-        while (lines_.next())
-            add_row();
-        if (!program_.path.normals.empty())
-            program_.path.normals.resize(program_.path.points.size(), Vec3::Zero());
-        if (program_.path.points.empty())
-            throw lines_.complaint("E_CSV", "no row after the header", "a point");
-        add_remarks();
-        return std::move(program_);
-    }
-
-private:
-    // Room for all rows at once, after a look at whether there is memory for it.
-    void reserve()
-    {
-        ToolPath& path = program_.path;
-        has_conditions_ = columns_.has(Tool) || columns_.has(Feed) || columns_.has(Speed);
-        const std::size_t most = lines_.most_lines_left();
-        const bool has_normals = columns_.has(NormalX) && !columns_.has_contacts();
-        const std::size_t bytes = sizeof(PathPoint) + (has_normals ? sizeof(Vec3) : 0) +
-                                  (has_conditions_ ? sizeof(CuttingConditions) : 0);
-        require_memory(file_, static_cast<double>(most) * static_cast<double>(bytes),
-                       limits_);
-        if (most > std::numeric_limits<int>::max())
-            throw LimitError{file_ + ": more than 2147483647 points"};
-        path.points.reserve(most);
-        path.conditions.reserve(has_conditions_ ? most : 0);
-    }
-
-    // What is known of the contact beside `contact`; kept only for files that tell it.
-    void add_normal()
-    {
-        std::vector<Vec3>& normals = program_.path.normals;
-        const std::vector<PathPoint>& points = program_.path.points;
-        if (!columns_.has(NormalX) || points.back().contact)
-            return;
-        if (const std::optional<Vec3> normal = direction(NormalX)) {
-            normals.resize(points.size(), Vec3::Zero());
-            normals.back() = *normal;
-        }
-    }
+    bool next() { return lines_.next(); }
 
     // Points count through the file where it does not count them itself.
-    void add_row()
+    PathRow row(std::size_t number) const
     {
         if (lines_.cells().size() != columns_.count())
             throw lines_.complaint("E_CSV",
                                    "row has " + counted(lines_.cells().size(), "cell"),
                                    std::to_string(columns_.count()));
-        ToolPath& path = program_.path;
-        path.points.push_back(
-            {whole_number(Pass).value_or(0),
-             whole_number(Point).value_or(static_cast<int>(path.points.size())), move(),
-             location(), contact(), whole_number(Patch).value_or(0)});
-        add_normal();
-        if (has_conditions_)
-            path.conditions.push_back(
-                {positive(Feed), positive(Speed), whole_number(Tool)});
+        PathRow row{{whole_number(Pass).value_or(0),
+                     whole_number(Point).value_or(static_cast<int>(number)), move(),
+                     location(), contact(), whole_number(Patch).value_or(0)},
+                    {},
+                    {}};
+        if (columns_.has(NormalX) && !row.point.contact)
+            row.normal = direction(NormalX);
+        row.conditions = {positive(Feed), positive(Speed), whole_number(Tool)};
+        return row;
     }
 
+private:
     // Empty also if the table has no such column.
     std::string_view cell(PathColumn column) const
     {
@@ -239,6 +207,99 @@ private:
         return SurfaceContact{*u, *v, {*point, *normal}};
     }
 
+    const PathColumns& columns_;
+    const ReadLimits& limits_;
+    CsvLines lines_;
+    mutable std::string_view last_word_ = "cut";
+    mutable Move last_move_ = Move::Cut;
+};
+
+// Reads a file's runs of lines side by side, each row to its place.
+class PathCsvReader {
+public:
+    PathCsvReader(std::string_view text, const std::string& file,
+                  const ReadLimits& limits)
+        : file_{file},
+          limits_{limits},
+          header_{text, file}
+    {
+        header_.next();  // an empty text has no columns
+        columns_ = path_columns(header_);
+        has_conditions_ = columns_.has(Tool) || columns_.has(Feed) || columns_.has(Speed);
+    }
+
+    Program read_all()
+    {
+        make_room();
+        const std::vector<CsvRun> runs = csv_runs(header_.rest());
+        std::vector<std::optional<FormatError>> complaints(runs.size());
+        std::vector<std::vector<Vec3>> normals(runs.size());
+        parallel_for(runs.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                try {
+                    normals[i] = read(runs[i]);
+                } catch (const FormatError& complaint) {
+                    complaints[i] = complaint;
+                }
+            }
+        });
+        for (const std::optional<FormatError>& complaint : complaints)
+            if (complaint)
+                throw FormatError{*complaint};
+        keep_normals(runs, normals);
+        add_remarks();
+        return std::move(program_);
+    }
+
+private:
+    // For all rows at once, after a look at whether there is memory for it.
+    void make_room()
+    {
+        const std::size_t rows = line_count(header_.rest());
+        if (rows == 0)
+            throw header_.complaint("E_CSV", "no row after the header", "a point");
+        const bool has_normals = columns_.has(NormalX) && !columns_.has_contacts();
+        const std::size_t bytes = sizeof(PathPoint) + (has_normals ? sizeof(Vec3) : 0) +
+                                  (has_conditions_ ? sizeof(CuttingConditions) : 0);
+        require_memory(file_, static_cast<double>(rows) * static_cast<double>(bytes),
+                       limits_);
+        if (rows > std::numeric_limits<int>::max())
+            throw LimitError{file_ + ": more than 2147483647 points"};
+        program_.path.points.resize(rows);
+        program_.path.conditions.resize(has_conditions_ ? rows : 0);
+    }
+
+    // The normals of rows without a contact, 0 where none is told; empty if none is at all.
+    std::vector<Vec3> read(const CsvRun& run)
+    {
+        PathRowReader reader{run, columns_, file_, limits_, header_.line()};
+        std::vector<Vec3> normals;
+        for (std::size_t i = run.first_line; reader.next(); ++i) {
+            const PathRow row = reader.row(i);
+            program_.path.points[i] = row.point;
+            if (has_conditions_)
+                program_.path.conditions[i] = row.conditions;
+            if (row.normal) {
+                normals.resize(i - run.first_line + 1, Vec3::Zero());
+                normals.back() = *row.normal;
+            }
+        }
+        return normals;
+    }
+
+    // Kept only for files that tell some.
+    void keep_normals(std::span<const CsvRun> runs,
+                      std::span<const std::vector<Vec3>> normals)
+    {
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+            if (normals[k].empty())
+                continue;
+            program_.path.normals.resize(program_.path.points.size(), Vec3::Zero());
+            std::ranges::copy(normals[k], program_.path.normals.begin() +
+                                              static_cast<long>(runs[k].first_line));
+        }
+    }
+
     // What was taken for granted or left out.
     void add_remarks()
     {
@@ -257,14 +318,12 @@ private:
             remarks.emplace_back("the column limit is left out");
     }
 
-    CsvLines lines_;
     const std::string& file_;
     const ReadLimits& limits_;
+    CsvLines header_;
     PathColumns columns_;
-    bool has_conditions_ = false;
+    bool has_conditions_;
     Program program_;
-    mutable std::string_view last_word_ = "cut";
-    mutable Move last_move_ = Move::Cut;
 };
 
 }  // namespace
