@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -42,6 +43,24 @@ TEST(ParallelFor, SumsToWhatGaussSays)
             sum += k;
     });
     EXPECT_EQ(sum, 10000U * 9999 / 2);
+}
+
+TEST(ParallelFor, ThrowsForTheLowestIndexAtFault)
+{
+    for (const int threads : {1, 2, 8})
+        for (int trial = 0; trial < 50; ++trial) {
+            set_thread_count(threads);
+            try {
+                parallel_for(10000, [](std::size_t begin, std::size_t end) {
+                    for (std::size_t k = begin; k < end; ++k)
+                        if (k % 1000 == 137)
+                            throw std::runtime_error{std::to_string(k)};
+                });
+                FAIL() << "nothing thrown";
+            } catch (const std::runtime_error& error) {
+                EXPECT_STREQ(error.what(), "137");
+            }
+        }
 }
 
 TEST(ParallelFor, GivesTheSameResultsByIndexOnAnyNumberOfThreads)

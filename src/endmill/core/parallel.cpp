@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/core/parallel.h"
 
+#include <atomic>
+#include <exception>
+#include <limits>
 #include <memory>
+#include <mutex>
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
@@ -11,11 +15,52 @@
 
 namespace endmill {
 
+namespace {
+
+// Of what ranges throw the first in order: ranges do not overlap, and each stops at its first
+// fault, so that this does not depend on how they were cut.
+class FirstException {
+public:
+    // Whether what begins there may come before what is kept.
+    bool may_precede(std::size_t begin) const { return begin <= begin_; }
+
+    void keep_current(std::size_t begin)
+    {
+        const std::lock_guard lock{mutex_};
+        if (begin > begin_)
+            return;
+        begin_ = begin;
+        exception_ = std::current_exception();
+    }
+
+    void rethrow() const
+    {
+        if (exception_)
+            std::rethrow_exception(exception_);
+    }
+
+private:
+    std::mutex mutex_;
+    std::atomic<std::size_t> begin_ = std::numeric_limits<std::size_t>::max();
+    std::exception_ptr exception_;
+};
+
+}  // namespace
+
 void parallel_for(std::size_t count,
                   const std::function<void(std::size_t begin, std::size_t end)>& body)
 {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>{0, count},
-                      [&](const auto& range) { body(range.begin(), range.end()); });
+    FirstException first;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>{0, count}, [&](const auto& range) {
+        if (!first.may_precede(range.begin()))
+            return;
+        try {
+            body(range.begin(), range.end());
+        } catch (...) {
+            first.keep_current(range.begin());
+        }
+    });
+    first.rethrow();
 }
 
 void set_thread_count(int count)

@@ -9,7 +9,8 @@ namespace endmill {
 /// Calls `body(begin, end)` on ranges that cover 0 … count once each, on all allowed
 /// threads. Which thread runs a range, and how 0 … count is cut, is not defined: a body
 /// writes its results by index, so that they do not depend on it.
-/// An exception of a body is thrown again here.
+/// Of what bodies throw the exception of the lowest range is thrown again here: if each goes
+/// through its range in order, that of the lowest index at fault.
 void parallel_for(std::size_t count,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
 

@@ -232,20 +232,11 @@ public:
     {
         make_room();
         const std::vector<CsvRun> runs = csv_runs(header_.rest());
-        std::vector<std::optional<FormatError>> complaints(runs.size());
         std::vector<std::vector<Vec3>> normals(runs.size());
         parallel_for(runs.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                try {
-                    normals[i] = read(runs[i]);
-                } catch (const FormatError& complaint) {
-                    complaints[i] = complaint;
-                }
-            }
+            for (std::size_t i = begin; i < end; ++i)
+                normals[i] = read(runs[i]);
         });
-        for (const std::optional<FormatError>& complaint : complaints)
-            if (complaint)
-                throw FormatError{*complaint};
         keep_normals(runs, normals);
         add_remarks();
         return std::move(program_);
