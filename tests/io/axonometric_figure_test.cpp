@@ -143,6 +143,58 @@ TEST(AxonometricFigure, TheAxesStateTheirLength)
                 testing::Contains(testing::Field(&XmlElement::text, "each arm 10 mm")));
 }
 
+// The shaft of an arrow against the curve between the same points; the head's tip is at its end.
+TEST(AxonometricFigure, AnArrowGoesFromPointToPoint)
+{
+    const std::array<Vec3, 2> ends{Vec3{10, 20, 5}, {150, 80, 40}};
+    AxonometricFigure figure{{}, box_corners({200, 120, 50})};
+    figure.add_curve(ends, test_style);
+    figure.add_arrow(ends[0], ends[1], {"#0a0b0c", 1, ""});
+    const std::string svg = figure.text();
+    const auto curve = lines_of(svg, "#010203").at(0);
+    const auto arrow = lines_of(svg, "#0a0b0c");
+    ASSERT_EQ(arrow.size(), 2U);
+    EXPECT_EQ(arrow[0], curve);
+    ASSERT_EQ(arrow[1].size(), 3U);
+    EXPECT_LT((arrow[1][1] - curve[1]).norm(), 0.02);
+    for (const PixelPoint& barb : {arrow[1][0], arrow[1][2]})
+        EXPECT_LT((barb - curve[0]).norm(), (curve[1] - curve[0]).norm());
+}
+
+TEST(AxonometricFigure, AnArrowSeenFromItsEndIsNone)
+{
+    AxonometricFigure figure{
+        {.azimuth = Angle::degrees(-90), .elevation = Angle::degrees(0)},
+        box_corners({200, 120, 50})};
+    figure.add_arrow({10, 0, 10}, {10, 100, 10}, {"#0a0b0c", 1, ""});
+    EXPECT_TRUE(lines_of(figure.text(), "#0a0b0c").empty());
+}
+
+TEST(AxonometricFigure, ALabelStandsWhereItsPointIs)
+{
+    const std::array<Vec3, 2> line{Vec3{10, 20, 5}, {150, 80, 40}};
+    AxonometricFigure figure{{}, box_corners({200, 120, 50})};
+    figure.add_curve(line, test_style);
+    figure.add_label(line[0], {0, 0}, "here & now", "#222222");
+    figure.add_label(line[0], {30, -12}, "beside", "#222222");
+    const std::string svg = figure.text();
+    const PixelPoint point = lines_of(svg, "#010203").at(0).at(0);
+    int seen = 0;
+    for (const XmlElement& element : SmallXml::parse(svg)) {
+        const bool is_beside = element.text == "beside";
+        if (!is_beside && element.text != "here & now")
+            continue;
+        ++seen;
+        const PixelPoint shift = is_beside ? PixelPoint{30, -12} : PixelPoint{0, 0};
+        const PixelPoint at{std::stod(element.attributes.at("x")),
+                            std::stod(element.attributes.at("y"))};
+        EXPECT_NEAR(at.x(), (point + shift).x(), 0.02);
+        EXPECT_NEAR(at.y(), (point + shift).y(), 8);  // the base line is below the middle
+        EXPECT_GT(at.y(), (point + shift).y());
+    }
+    EXPECT_EQ(seen, 2);
+}
+
 TEST(AxonometricFigure, RefusesNothingAndWhatIsNotFinite)
 {
     EXPECT_THROW((AxonometricFigure{{}, {}}), DomainError);

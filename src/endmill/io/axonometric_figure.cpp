@@ -146,6 +146,36 @@ void AxonometricFigure::add_disc(const Vec3& point, double radius_px,
     picture_.add_disc(pixels(point), radius_px, colour);
 }
 
+bool AxonometricFigure::add_pixel_arrow(const PixelPoint& from, const PixelPoint& to,
+                                        const LineStyle& style)
+{
+    constexpr double head_length = 6;  // px
+    constexpr double head_half_width = 3;
+    if ((to - from).norm() < head_length)
+        return false;
+    const PixelPoint along = (to - from).normalized();
+    const PixelPoint across = head_half_width * PixelPoint{-along.y(), along.x()};
+    const PixelPoint neck = to - head_length * along;
+    picture_.add_polyline(std::array{from, to}, style);
+    picture_.add_polyline(std::array<PixelPoint, 3>{neck + across, to, neck - across},
+                          {style.colour, style.width_px, ""});
+    return true;
+}
+
+void AxonometricFigure::add_arrow(const Vec3& from, const Vec3& to,
+                                  const LineStyle& style)
+{
+    add_pixel_arrow(pixels(from), pixels(to), style);
+}
+
+void AxonometricFigure::add_label(const Vec3& point, const PixelPoint& shift_px,
+                                  std::string_view text, std::string_view colour)
+{
+    const PixelPoint base{0, 0.36 * caption_size};  // so that the middle is at the point
+    picture_.add_text(pixels(point) + shift_px + base, text,
+                      {caption_size, colour, false, true});
+}
+
 void AxonometricFigure::add_legend(std::string_view label, const LineStyle& style)
 {
     const PixelPoint begin{margin + legend_offset,
@@ -178,21 +208,15 @@ void AxonometricFigure::add_heading(const FigureOptions& options)
 
 void AxonometricFigure::add_axes(std::span<const std::string_view> names)
 {
-    constexpr double shortest_arm = 4;  // of an axis seen from its end, in px
     const double arm_mm = round_length(axis_arm / layout_.scale);
     const PixelPoint corner{margin + axis_arm + 10, layout_.footer_px + axis_arm + 18};
     for (int c = 0; c < 3; ++c) {
         const Eigen::Vector2d arm =
             layout_.scale * arm_mm * projected(view_, Vec3::Unit(c));
         const PixelPoint tip = corner + PixelPoint{arm.x(), -arm.y()};
-        if (arm.norm() < shortest_arm)
+        if (!add_pixel_arrow(corner, tip, {axis_colour, 1.4, ""}))
             continue;
         const PixelPoint along = (tip - corner).normalized();
-        const PixelPoint across{-along.y(), along.x()};
-        picture_.add_polyline(std::array{corner, tip}, {axis_colour, 1.4, ""});
-        picture_.add_polyline(std::array<PixelPoint, 3>{tip - 6 * along + 3 * across, tip,
-                                                        tip - 6 * along - 3 * across},
-                              {axis_colour, 1.4, ""});
         picture_.add_text(tip + 11 * along + PixelPoint{0, 0.33 * caption_size},
                           names[static_cast<std::size_t>(c)],
                           {caption_size, axis_colour, false, true});

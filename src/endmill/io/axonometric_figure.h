@@ -51,6 +51,15 @@ public:
     /// A small disc at `point`, in mm. \param radius_px in px.
     void add_disc(const Vec3& point, double radius_px, std::string_view colour);
 
+    /// A straight line between two points, in mm, with a head at `to`; one that is seen from
+    /// its end, and so shorter than its head, draws nothing.
+    void add_arrow(const Vec3& from, const Vec3& to, const LineStyle& style);
+
+    /// A line of text with its middle at `point`, in mm, moved by `shift_px` to the right and
+    /// down: a name for what is drawn there. \param colour as LineStyle::colour.
+    void add_label(const Vec3& point, const PixelPoint& shift_px, std::string_view text,
+                   std::string_view colour);
+
     const AxonometricView& view() const { return view_; }  ///< from where it is seen
 
     /// A line of the legend, in the order added.
@@ -73,6 +82,8 @@ private:
     PixelPoint pixels(const Vec3& point) const;
     std::vector<PixelPoint> pixels(std::span<const Vec3> points) const;
     void add_heading(const FigureOptions& options);
+    bool add_pixel_arrow(const PixelPoint& from, const PixelPoint& to,
+                         const LineStyle& style);
     void add_axes(std::span<const std::string_view> names);
 
     AxonometricView view_;
