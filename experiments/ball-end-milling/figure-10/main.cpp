@@ -27,6 +27,8 @@ int main(int argc, char** argv)
         const int count_steps = static_cast<int>(run.number("azimuths_of_counts"));
         std::vector<SegmentCut> stroke = cuts;
         std::erase_if(stroke, [&](const SegmentCut& cut) { return cut.pass != pass; });
+        bool is_faster = true;
+        bool thrust_hardly_falls = true;
         for (const std::string& material : run.texts("materials")) {
             const MillingJob job = reference_job(material);
             const FeedPlan plan = feed_plan(stroke, job, options);
@@ -36,6 +38,8 @@ int main(int argc, char** argv)
                                  const MillingJob& cutter) {
                 const StrokeComparison compared =
                     compared_strokes(constant, varied, cutter, steps);
+                is_faster &= is_faster_with_smaller_peaks(compared);
+                thrust_hardly_falls &= downhill_thrust_hardly_falls(compared);
                 add_named(result, name + ", constant", stroke_cells(compared.constant));
                 add_named(result, name + ", varied", stroke_cells(compared.varied));
                 add_named(result, name + ", claims", claim_cells(compared));
@@ -49,6 +53,9 @@ int main(int argc, char** argv)
             add(material + ", right hand", material + "-right-hand", right_hand_job(job));
             write_along(run, material, "Stroke A, " + material, stroke, plan);
         }
+        add_named(result, "claims in every set",
+                  {{"faster_with_smaller_peaks", word(is_faster)},
+                   {"downhill_thrust_hardly_falls", word(thrust_hardly_falls)}});
         run.write_result(result);
     });
 }
