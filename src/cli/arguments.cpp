@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
 #include "endmill/io/printable.h"
 #include "endmill/io/suggestion.h"
@@ -34,6 +35,12 @@ std::vector<std::string> split(const std::string& text, char separator)
 
 }  // namespace
 
+NumberDomain NumberDomain::of_machine()
+{
+    return {0, "a number above 0, at most " + to_text(most_of_machine),
+            std::nextafter(most_of_machine, std::numeric_limits<double>::infinity())};
+}
+
 NumberDomain NumberDomain::between(double low, double high)
 {
     return {low, "a number between " + to_text(low) + " and " + to_text(high), high};
@@ -54,6 +61,14 @@ double number_argument(const std::string& option, const std::string& text,
     if (!number || !(*number > domain.above && *number < domain.below))
         refuse(option, text, domain.words);
     return *number;
+}
+
+void require_within_extent(const std::string& option, const std::optional<double>& mm,
+                           const ReadLimits& limits)
+{
+    if (mm && !(std::abs(*mm) <= limits.max_extent_mm))
+        throw DomainError{option + ": found " + to_text(*mm) + "; expected at most " +
+                          to_text(limits.max_extent_mm) + " mm (--max-extent)"};
 }
 
 Vec3 vector_argument(const std::string& option, const std::string& text)

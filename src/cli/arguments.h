@@ -14,8 +14,12 @@
 
 #include "endmill/core/vec.h"
 #include "endmill/cutter/cutter.h"
+#include "endmill/io/read_limits.h"
 
 namespace endmill {
+
+/// mm, mm/min, rpm: more than any machine has, and what files are held to as well.
+inline constexpr double most_of_machine = 1e9;
 
 /// The numbers that an option takes.
 struct NumberDomain {
@@ -29,6 +33,8 @@ struct NumberDomain {
     {
         return {-std::numeric_limits<double>::denorm_min(), "a number from 0"};
     }
+    /// Above 0, at most `most_of_machine`.
+    static NumberDomain of_machine();
     /// Between `low` and `high`, neither of them.
     static NumberDomain between(double low, double high);
     /// From `low` to `high`, both of them.
@@ -39,6 +45,11 @@ struct NumberDomain {
 /// \throws CLI::ValidationError naming `option`.
 double number_argument(const std::string& option, const std::string& text,
                        const NumberDomain& domain);
+
+/// Refuses an option's coordinate that no file could have.
+/// \throws DomainError naming `option` if there is one beyond the limit.
+void require_within_extent(const std::string& option, const std::optional<double>& mm,
+                           const ReadLimits& limits);
 
 /// The three comma-separated numbers of `text`. \throws CLI::ValidationError
 Vec3 vector_argument(const std::string& option, const std::string& text);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/plan_files.h"
 #include "cli/plan_text.h"
@@ -68,6 +69,7 @@ void complete(PlanOptions& options, std::span<const Surface> surfaces, double di
 
 ExitCode run_plan(PlanOptions options)
 {
+    require_within_extent("--safe-height", options.safe_height, options.common.limits);
     const SurfaceFile file = read_surface_for(options.part, "plan", options.common);
     const std::span<const Surface> surfaces = file.surfaces;
     PlanContext context{file.name, file.source, continuity(surfaces),

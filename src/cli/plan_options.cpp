@@ -54,7 +54,9 @@ void add_policy_options(CLI::App& command, PlanOptions& options)
                       "whether every other pass is computed from its far end");
     add_choice<CrossCurvature>(command, "--cross-curvature", planning.cross_curvature,
                                cross, "curvature across the feed: exact, or by eq. (8)");
-    add_number(command, {"--cross-step", "MM", "step of eq. (8)"}, planning.cross_step);
+    add_number(command,
+               {"--cross-step", "MM", "step of eq. (8)", NumberDomain::of_machine()},
+               planning.cross_step);
     add_choice<PassOrder>(command, "--order", planning.link.order, order,
                           "in which sense neighbouring passes are cut");
     add_number(
@@ -89,10 +91,12 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
         ->type_name("CUTTER");
     add_number(command,
                {"--chord-tolerance", "MM",
-                "from the surface's line to the chord; default diameter / 30"},
+                "from the surface's line to the chord; default diameter / 30",
+                NumberDomain::of_machine()},
                options.chord_tolerance);
     add_number(command,
-               {"--scallop", "MM", "scallop height; default the chord tolerance"},
+               {"--scallop", "MM", "scallop height; default the chord tolerance",
+                NumberDomain::of_machine()},
                options.scallop_height);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
                               "along which parameter the passes run");
@@ -103,15 +107,18 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_number(command,
                {"--inner-tolerance", "MM",
                 "how deep the ball may enter the part (mode verified); default the chord "
-                "tolerance"},
+                "tolerance",
+                NumberDomain::of_machine()},
                options.inner_tolerance);
     add_number(command,
                {"--outer-tolerance", "MM",
                 "material that may stay along a pass (mode verified); default the chord "
-                "tolerance"},
+                "tolerance",
+                NumberDomain::of_machine()},
                options.outer_tolerance);
     add_number(command,
-               {"--feed", "MM_PER_MIN", "adds the machining time to the summary"},
+               {"--feed", "MM_PER_MIN", "adds the machining time to the summary",
+                NumberDomain::of_machine()},
                options.feed_mm_per_min);
     add_axis_option(command, options.planning.link.axis);
     add_require_option(command, options.g1_is_required);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/post_summary.h"
 #include "cli/surface_facts.h"
@@ -104,6 +105,7 @@ void require_effect(const PostOptions& options)
 ExitCode run_post(const PostOptions& options)
 {
     require_effect(options);
+    require_within_extent("--safe-height", options.safe_height, options.common.limits);
     const PathSummary beside = read_path_summary(options.path.file, options.common.limits)
                                    .value_or(PathSummary{});
     Program program = read_program_for(

@@ -55,10 +55,12 @@ void add_post_options(CLI::App& command, PostOptions& options)
                            "the language to write");
     add_number(command,
                {"--feed", "MM_PER_MIN",
-                "of all moves but rapids; default the path's own, or its summary's"},
+                "of all moves but rapids; default the path's own, or its summary's",
+                NumberDomain::of_machine()},
                options.feed_mm_per_min);
     add_number(command,
-               {"--spindle-rpm", "RPM", "default the path's own, or its summary's"},
+               {"--spindle-rpm", "RPM", "default the path's own, or its summary's",
+                NumberDomain::of_machine()},
                options.spindle_rpm);
     add_reading_options(command, options.path);
     add_program_options(command, options);

@@ -68,11 +68,13 @@ void add_method_options(CLI::App& command, TrimOptions& options)
     add_number(command,
                {"--m1-step", "MM",
                 "between the lines of method 1; default R/500, for curves their height / "
-                "1000"},
+                "1000",
+                NumberDomain::of_machine()},
                options.scan_step);
     add_number(
         command,
-        {"--m1-threshold", "MM", "at which method 1 sees a crossing; default 4 steps"},
+        {"--m1-threshold", "MM", "at which method 1 sees a crossing; default 4 steps",
+         NumberDomain::of_machine()},
         options.scan_threshold);
     add_choice<BranchSearch>(command, "--m3", options.search, searches,
                              "how method 3 goes through two branches; default march");
@@ -90,11 +92,14 @@ void add_plane_options(CLI::App& command, TrimOptions& options)
 {
     add_whole_number(command, {"--planes", "drive planes; default 100", 1, most_planes},
                      [&options](int count) { options.planes = count; });
-    add_number(command, {"--pitch", "MM", "widest step between planes, for --planes"},
+    add_number(command,
+               {"--pitch", "MM", "widest step between planes, for --planes",
+                NumberDomain::of_machine()},
                options.pitch);
     add_number(command,
                {"--scallop", "MM",
-                "scallop height on level ground, for --planes (ball, bull-nose)"},
+                "scallop height on level ground, for --planes (ball, bull-nose)",
+                NumberDomain::of_machine()},
                options.scallop);
     add_number(command, {"--direction-deg", "DEG", "feed, from +x", NumberDomain::any()},
                options.direction_deg);
@@ -109,7 +114,7 @@ void add_plane_options(CLI::App& command, TrimOptions& options)
         "whether border, corners and creases count; default contact");
     add_number(command,
                {"--allowance", "MM", "stock to leave",
-                NumberDomain{-std::numeric_limits<double>::denorm_min(), "0 or above"}},
+                NumberDomain::from_to(0, most_of_machine)},
                options.allowance);
     command.add_flag("--refine", options.refine,
                      "polish what is left on the smooth surface");
@@ -142,7 +147,9 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
         {"--safe-height", "MM", "where the cutter moves freely; default 5 above the part",
          NumberDomain::any()},
         options.safe_height);
-    add_number(command, {"--tolerance", "MM", "deepest gouge"}, options.tolerance);
+    add_number(command,
+               {"--tolerance", "MM", "deepest gouge", NumberDomain::of_machine()},
+               options.tolerance);
     add_whole_number(
         command,
         {"--figure", "number of a plane to be drawn before and after", 0, most_planes},
@@ -163,6 +170,7 @@ void check_trim_options(const TrimOptions& options)
 {
     const bool has_curves = !options.polyline.empty();
     const std::string method = method_name(options);
+    require_within_extent("--safe-height", options.safe_height, options.common.limits);
     require_option(has_curves != !options.part.path.empty(),
                    "expected PART or --polyline, one of them");
     require_option(has_curves || options.cutter, "--cutter is needed, such as ball:20");

@@ -101,7 +101,7 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
             write_engagement(result, sink);
         });
     if (options.write_stock)
-        folder.write("stock.vti", stock_vti(verification.rest));
+        folder.write("stock.vti", stock_vti(verification.rest, history_of_rest(task)));
     if (options.write_mesh)
         folder.write("rest.stl", stl_text(stock_mesh(verification.rest)));
     Json summary =

@@ -151,12 +151,14 @@ std::vector<std::string> files_of(const VerifyInput& input, const VerifyOptions&
 
 VerificationTask verification_task(const VerifyInput& input, const VerifyOptions& options)
 {
-    VerificationTask task{.path = &input.program.path,
-                          .cutter = input.tool.cutter,
-                          .body = tool_body(input.tool),
-                          .part = input.part ? &input.part->part : nullptr,
-                          .block = input.stock.block,
-                          .stock = input.stock.heights ? &*input.stock.heights : nullptr};
+    VerificationTask task{
+        .path = &input.program.path,
+        .cutter = input.tool.cutter,
+        .body = tool_body(input.tool),
+        .part = input.part ? &input.part->part : nullptr,
+        .block = input.stock.block,
+        .stock = input.stock.heights ? &*input.stock.heights : nullptr,
+        .history = input.stock.history ? &*input.stock.history : nullptr};
     task.resolution = options.resolution;
     task.max_memory_gib = options.common.limits.max_memory_gib;
     task.extra_bytes_per_cell = bytes_to_write(options);

@@ -12,16 +12,19 @@ constexpr int most_refine = 20;
 void add_measure_options(CLI::App& command, VerifyOptions& options)
 {
     add_number(command,
-               {"--resolution", "MM", "pitch of the stock and of the first rays"},
+               {"--resolution", "MM", "pitch of the stock and of the first rays",
+                NumberDomain::of_machine()},
                options.resolution);
     add_number(command,
                {"--tolerance", "MM",
-                "deepest gouge; default the path's inner tolerance, or 0.01"},
+                "deepest gouge; default the path's inner tolerance, or 0.01",
+                NumberDomain::of_machine()},
                options.tolerance);
     add_number(command,
                {"--scallop", "MM",
                 "highest rest of material; default the path's scallop and outer "
-                "tolerance, or 0.1"},
+                "tolerance, or 0.1",
+                NumberDomain::of_machine()},
                options.scallop);
     add_whole_number(command,
                      {"--max-refine", "halvings of a cell that is in doubt; default 8", 0,

@@ -58,7 +58,7 @@ HeightStock stock_of_mesh(const VerifyOptions& options)
     return mesh_stock(mesh.mesh, options.resolution);
 }
 
-HeightStock stock_of_file(const VerifyOptions& options)
+KeptStock stock_of_file(const VerifyOptions& options)
 {
     const std::filesystem::path path{options.stock};
     std::error_code ignored;
@@ -68,7 +68,7 @@ HeightStock stock_of_file(const VerifyOptions& options)
                           ": expected block, X0,Y0,Z0,X1,Y1,Z1 in mm, or a file"};
     if (path.extension() == ".vti")
         return read_stock(path, options.common.limits);
-    return naming(options.stock, [&] { return stock_of_mesh(options); });
+    return {naming(options.stock, [&] { return stock_of_mesh(options); })};
 }
 
 }  // namespace
@@ -77,14 +77,14 @@ VerifyStock read_verify_stock(const VerifyOptions& options, const Part* part,
                               const ToolPath& path, const Cutter& cutter)
 {
     if (options.stock == "block")
-        return {default_block(part, path, cutter), {}, {}};
+        return {default_block(part, path, cutter), {}, {}, {}};
     if (const auto block = block_of_numbers(options.stock))
-        return {*block, {}, {}};
-    HeightStock stock = stock_of_file(options);
-    const auto heights = height_range(stock);
-    const Block box =
-        box_of(stock.grid(), heights ? heights->high : stock.grid().bottom_z);
-    return {box, std::move(stock), options.stock};
+        return {*block, {}, {}, {}};
+    KeptStock stock = stock_of_file(options);
+    const StockGrid& grid = stock.heights.grid();
+    const auto range = height_range(stock.heights);
+    const Block box = box_of(grid, range ? range->high : grid.bottom_z);
+    return {box, std::move(stock.heights), std::move(stock.history), options.stock};
 }
 
 }  // namespace endmill

@@ -6,15 +6,16 @@
 
 #include "cli/verify_options.h"
 #include "endmill/path/tool_path.h"
-#include "endmill/simulation/height_stock.h"
+#include "endmill/simulation/stock_history.h"
 
 namespace endmill {
 
 /// What the material is before the path.
 struct VerifyStock {
-    Block block;                         ///< the stock, or the box around another
-    std::optional<HeightStock> heights;  ///< of another than a block
-    std::string file;                    ///< where they come from; empty for a block
+    Block block;                          ///< the stock, or the box around another
+    std::optional<HeightStock> heights;   ///< of another than a block
+    std::optional<StockHistory> history;  ///< how these came to be, if it is known
+    std::string file;                     ///< where they come from; empty for a block
 };
 
 /// What --stock says.

@@ -26,6 +26,7 @@ Json deviation_place(const std::optional<DeviationPlace>& place, const PartChart
                 {"patch", charts.source(place->chart)}};
     json["point_mm"] = vector_json(place->ray.point);
     json["point"] = place->sweep >= 0 ? Json(place->sweep) : Json(nullptr);
+    json["earlier_run"] = place->sweep == by_earlier_run;
     return json;
 }
 
@@ -102,6 +103,20 @@ void add_part_collisions(Json& summary, const Verification& verification)
             summary[key] = nullptr;
 }
 
+// Nothing is left open where the stock's history is known.
+void add_earlier(Json& summary, const Verification& verification)
+{
+    const EarlierGouge& earlier = verification.earlier_gouge;
+    summary["earlier_moves"] =
+        verification.earlier_moves ? Json(*verification.earlier_moves) : Json(nullptr);
+    const bool is_open = earlier.is_of_heights;
+    summary["earlier_gouge_mm"] = is_open ? finite_or_null(earlier.found_mm) : nullptr;
+    summary["earlier_gouge_at"] =
+        earlier.found_at ? vector_json(*earlier.found_at) : Json(nullptr);
+    summary["earlier_gouge_bound_mm"] =
+        is_open ? finite_or_null(earlier.bound_mm) : nullptr;
+}
+
 std::string number_text(const Json& value)
 {
     return value.is_null() ? "unknown" : fmt::format("{:.4g}", value.get<double>());
@@ -120,7 +135,9 @@ std::string place_text(const Json& place)
     const Json& at = place["point_mm"];
     std::string text = fmt::format(" at {:.4g}, {:.4g}, {:.4g}", at[0].get<double>(),
                                    at[1].get<double>(), at[2].get<double>());
-    if (!place["point"].is_null())
+    if (place.value("earlier_run", false))
+        text += " by an earlier run";
+    else if (!place["point"].is_null())
         text += fmt::format(" on the move to point {}", place["point"].get<int>());
     return text;
 }
@@ -165,6 +182,15 @@ std::string contacts_text(const StockContacts& contacts)
         "a cut by a rapid, or by shank or holder, that is narrower than {:.3g} mm seen "
         "from above may be missed\n",
         contacts.width_mm);
+}
+
+// The heights of a stock, and what may lie between them.
+std::string earlier_text(const Json& s)
+{
+    return fmt::format(
+        "the stock was gouged {} mm deep before, at most {} mm more between its "
+        "heights\n",
+        number_text(s["earlier_gouge_mm"]), number_text(s["earlier_gouge_bound_mm"]));
 }
 
 // What has to be known to read the verdict.
@@ -242,8 +268,7 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
         add_no_deviation(summary);
     add_removal(summary, verification.removal, context.program.path);
     summary["contact_width_bound_mm"] = verification.contacts.width_mm;
-    const double earlier = verification.earlier_gouge_bound_mm;
-    summary["earlier_gouge_bound_mm"] = earlier > 0 ? Json(earlier) : Json(nullptr);
+    add_earlier(summary, verification);
     add_part_collisions(summary, verification);
     const StockGrid& grid = verification.rest.grid();
     summary["min_x_mm"] = grid.low_x;
@@ -263,11 +288,8 @@ std::string verify_text(const Json& s, const Verification& verification)
         text += "no part to judge by: --part FILE names one\n";
     else
         text += extremes_text(s) + areas_text(s);
-    if (!s["earlier_gouge_bound_mm"].is_null())
-        text += fmt::format(
-            "where an earlier run gouged a slope this is up to {} mm deeper than it "
-            "shows\n",
-            number_text(s["earlier_gouge_bound_mm"]));
+    if (verification.earlier_gouge.is_of_heights)
+        text += earlier_text(s);
     for (const std::string& rule : broken_rules(verification))
         text += rule + "\n";
     text += contacts_text(verification.contacts);

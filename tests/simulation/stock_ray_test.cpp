@@ -100,31 +100,93 @@ TEST(RayInStock, TakesNoStepForAGouge)
     }
 }
 
-// A slope all of which lies 0.3 below the part, along the normal.
-TEST(RayInStock, ShowsAGougeOnASlopeLessDeepByNoMoreThanItSays)
+// A stock whose heights lie on a plane, `above` mm over the one through the origin along
+// its normal.
+HeightStock stock_on_plane(const Vec3& normal, double above, double pitch)
+{
+    HeightStock stock = block_stock(block, pitch);
+    const StockGrid& grid = stock.grid();
+    for (int row = 0; row < grid.rows; ++row)
+        for (int column = 0; column < grid.columns; ++column)
+            stock.set_height(
+                column, row,
+                (above - normal.x() * grid.x(column) - normal.y() * grid.y(row)) /
+                    normal.z());
+    return stock;
+}
+
+PartRay ray_on_plane(const Vec3& normal, test::Random& random)
+{
+    const double x = random.uniform(-2, 2);
+    const double y = random.uniform(-2, 2);
+    return ray_of({x, y, -(normal.x() * x + normal.y() * y) / normal.z()}, normal);
+}
+
+const Vec3 slopes[] = {{0, 0, 1}, {0.5, 0, 1}, {-1, 0.7, 1}};
+
+// A slope all of which lies 0.3 below the part, along the normal: the highest cell around
+// ends 1.5 pitches away along x and y, and as far does the ray come nearer to it.
+TEST(RayInStock, ShowsAGougeOnASlopeLessDeepByNoMoreThanTheCellsAround)
 {
     const double pitch = 0.1;
-    for (const Vec3& along : {Vec3{0, 0, 1}, Vec3{0.5, 0, 1}, Vec3{-1, 0.7, 1}}) {
+    for (const Vec3& along : slopes) {
         const Vec3 normal = along.normalized();
-        HeightStock stock = block_stock(block, pitch);
-        const StockGrid& grid = stock.grid();
-        for (int row = 0; row < grid.rows; ++row)
-            for (int column = 0; column < grid.columns; ++column)
-                stock.set_height(
-                    column, row,
-                    -(0.3 + normal.x() * grid.x(column) + normal.y() * grid.y(row)) /
-                        normal.z());
+        const HeightStock stock = stock_on_plane(normal, -0.3, pitch);
         test::Random random{5};
         for (int i = 0; i < 200; ++i) {
-            const double x = random.uniform(-2, 2);
-            const double y = random.uniform(-2, 2);
-            const double z = -(normal.x() * x + normal.y() * y) / normal.z();
-            const double shown = -ray_in_stock(stock, ray_of({x, y, z}, normal)).left;
+            const double shown = -ray_in_stock(stock, ray_on_plane(normal, random)).left;
             EXPECT_LE(shown, 0.3 + 1e-12);
             const double slope = normal.head<2>().norm();
-            EXPECT_GE(shown, 0.3 - slope * shallower_by(pitch) - 1e-12);
+            EXPECT_GE(shown, 0.3 - slope * 1.5 * std::sqrt(2.0) * pitch - 1e-12);
         }
     }
+}
+
+// No less than the plane's depth, and no more than what the cells around, and the places
+// within reach, lie lower along the normal.
+TEST(MostMissing, BoundsAGougeOnASlope)
+{
+    const double pitch = 0.1;
+    const double reach = 0.06;
+    for (const Vec3& along : slopes) {
+        const Vec3 normal = along.normalized();
+        const HeightStock stock = stock_on_plane(normal, -0.3, pitch);
+        test::Random random{6};
+        const double lower =
+            normal.head<2>().norm() * (2.5 * std::sqrt(2.0) * pitch + reach);
+        for (int i = 0; i < 200; ++i) {
+            const double most = most_missing(stock, ray_on_plane(normal, random), reach);
+            EXPECT_GE(most, 0.3 - 1e-12);
+            EXPECT_LE(most, 0.3 + lower + 1e-9);
+        }
+    }
+}
+
+TEST(MostMissing, IsNoneUnderAnAllowance)
+{
+    const double pitch = 0.1;
+    for (const Vec3& along : slopes) {
+        const Vec3 normal = along.normalized();
+        const double lower =
+            normal.head<2>().norm() * (2.5 * std::sqrt(2.0) * pitch + 0.06);
+        const HeightStock stock = stock_on_plane(normal, lower + 1e-9, pitch);
+        test::Random random{7};
+        for (int i = 0; i < 200; ++i)
+            EXPECT_EQ(most_missing(stock, ray_on_plane(normal, random), 0.06), 0);
+    }
+}
+
+// A single cell that is gone, near rays that pass beside it.
+TEST(MostMissing, SeesAHoleWithinReach)
+{
+    HeightStock stock = block_stock(block, 0.5);
+    stock.set_height(20, 20, -3);
+    const double x = stock.grid().x(20);
+    // Between its centre and the next it may dip by a quarter of the pitch.
+    EXPECT_EQ(most_missing(stock, ray_of({x, 0.25, 0}, {0, 0, 1}), 0.1), 3 + 0.125);
+    EXPECT_EQ(most_missing(stock, ray_of({x + 0.9, 0.25, 0}, {0, 0, 1}), 0.5), 3 + 0.125);
+    EXPECT_EQ(most_missing(stock, ray_of({x + 3, 0.25, 0}, {0, 0, 1}), 0.1), 0);
+    EXPECT_EQ(most_missing(stock, ray_of({70, 0, 0}, {0, 0, 1}), 0.1), 5);
 }
 
 }  // namespace

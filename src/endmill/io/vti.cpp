@@ -13,6 +13,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
 #include "endmill/io/file_format.h"
+#include "endmill/io/history_arrays.h"
 #include "endmill/io/read_file.h"
 
 namespace endmill {
@@ -28,16 +29,24 @@ constexpr std::string_view extent_key = "WholeExtent=\"0 ";
 constexpr std::string_view origin_key = "Origin=\"";
 constexpr std::string_view spacing_key = "Spacing=\"";
 // Longer than any head that `head_of` writes.
-constexpr std::size_t longest_head = 2000;
+constexpr std::size_t longest_head = 3000;
+// More than any file holds; the bytes of so many can be counted.
+constexpr std::int64_t most_tips = std::int64_t{1} << 40;
 
 std::size_t cells_of(const StockGrid& grid)
 {
     return static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
 }
 
+// Of the arrays of the bottom and the heights, which come first.
+std::size_t bytes_before_history(const StockGrid& grid)
+{
+    return 2 * sizeof(Size) + sizeof(double) + cells_of(grid) * sizeof(double);
+}
+
 // All that stands before the arrays. The bottom is the origin's z too, so that the head
 // tells it.
-std::string head_of(const StockGrid& grid)
+std::string head_of(const StockGrid& grid, const std::optional<HistoryCounts>& history)
 {
     const std::string extent =
         "0 " + std::to_string(grid.columns) + " 0 " + std::to_string(grid.rows) + " 0 0";
@@ -53,8 +62,10 @@ std::string head_of(const StockGrid& grid)
     head +=
         "  <FieldData>\n"
         "   <DataArray type=\"Float64\" Name=\"bottom_z_mm\" NumberOfTuples=\"1\" "
-        "format=\"appended\" offset=\"0\"/>\n"
-        "  </FieldData>\n";
+        "format=\"appended\" offset=\"0\"/>\n";
+    if (history)
+        head += history_elements(*history, bytes_before_history(grid));
+    head += "  </FieldData>\n";
     head += "  <Piece Extent=\"" + extent + "\">\n";
     head +=
         "   <CellData Scalars=\"height_mm\">\n"
@@ -145,14 +156,19 @@ public:
     {
     }
 
-    HeightStock stock() const
+    KeptStock stock() const
     {
         const StockGrid grid = checked_grid();
-        const std::string head = head_of(grid);
+        const auto counts = named_history(content_.substr(0, longest_head));
+        if (counts &&
+            (counts->runs < 1 || counts->tips < counts->runs || counts->tips > most_tips))
+            throw complaint("E_VTI", "", "a history without runs or tips",
+                            "a run, and a tip for each");
+        const std::string head = head_of(grid, counts);
         if (!content_.starts_with(head))
             throw complaint("E_VTI", "", "a head that endmill does not write",
                             "a stock.vti of endmill");
-        check_size(grid, head.size());
+        check_size(grid, head.size(), counts);
         std::size_t at = head.size();
         check(value_at<Size>(content_, at) == sizeof(double) &&
                   value_at<double>(content_, at + sizeof(Size)) == grid.bottom_z,
@@ -161,7 +177,11 @@ public:
         check(value_at<Size>(content_, at) == cells_of(grid) * sizeof(double), at,
               "another number of heights than of cells");
         at += sizeof(Size);
-        return stock_of_heights(grid, heights(grid, at));
+        KeptStock stock{stock_of_heights(grid, heights(grid, at))};
+        if (counts)
+            stock.history = history_of(stock.heights,
+                                       head.size() + bytes_before_history(grid), *counts);
+        return stock;
     }
 
 private:
@@ -176,6 +196,22 @@ private:
         if (!holds)
             throw complaint("E_VTI", "@" + std::to_string(at), found,
                             "what endmill wrote there");
+    }
+
+    // Heights and history must be of one block.
+    StockHistory history_of(const HeightStock& heights, std::size_t at,
+                            const HistoryCounts& counts) const
+    {
+        StockHistory history = parse_history(content_, at, counts, file_, limits_);
+        const StockGrid& grid = heights.grid();
+        const Vec3 size = history.block.high - history.block.low;
+        // So few cells are there that those of the block can be counted.
+        const bool is_same = size.head<2>().maxCoeff() / grid.pitch < 2e9 &&
+                             grid_over(history.block, grid.pitch) == grid;
+        const auto range = height_range(heights);
+        check(is_same && !(range && range->high > history.block.high.z()), at,
+              "a block that the heights are not of");
+        return history;
     }
 
     StockGrid checked_grid() const
@@ -207,12 +243,14 @@ private:
     }
 
     // Counted in doubles: the numbers of cells are not to be trusted yet.
-    void check_size(const StockGrid& grid, std::size_t head) const
+    void check_size(const StockGrid& grid, std::size_t head,
+                    const std::optional<HistoryCounts>& counts) const
     {
+        const double history = counts ? history_bytes(*counts) : 0;
         const double cells = static_cast<double>(grid.columns) * grid.rows;
         const double expected =
             static_cast<double>(head + tail.size() + 2 * sizeof(Size) + sizeof(double)) +
-            cells * sizeof(double);
+            cells * sizeof(double) + history;
         if (static_cast<double>(content_.size()) != expected || !content_.ends_with(tail))
             throw complaint("E_VTI_SIZE", "",
                             "the head says " + std::to_string(grid.columns) + " x " +
@@ -222,10 +260,10 @@ private:
         // The file, the heights in a row, and the stock, whose last tiles are half empty.
         constexpr double most_beyond = HeightStock::tile_side - 1;
         const double tiled = (grid.columns + most_beyond) * (grid.rows + most_beyond);
-        require_memory(
-            file_,
-            static_cast<double>(content_.size()) + (cells + tiled) * sizeof(double),
-            limits_);
+        require_memory(file_,
+                       static_cast<double>(content_.size()) +
+                           (cells + tiled) * sizeof(double) + history,
+                       limits_);
     }
 
     std::vector<double> heights(const StockGrid& grid, std::size_t at) const
@@ -256,13 +294,17 @@ private:
 
 }  // namespace
 
-std::string stock_vti(const HeightStock& stock)
+std::string stock_vti(const HeightStock& stock,
+                      const std::optional<StockHistory>& history)
 {
     const StockGrid& grid = stock.grid();
-    const std::string head = head_of(grid);
+    std::optional<HistoryCounts> counts;
+    if (history)
+        counts = counts_of(*history);
+    const std::string head = head_of(grid, counts);
     std::string file;
-    file.reserve(head.size() + tail.size() + 2 * sizeof(Size) + sizeof(double) +
-                 cells_of(grid) * sizeof(double));
+    file.reserve(head.size() + tail.size() + bytes_before_history(grid) +
+                 (counts ? static_cast<std::size_t>(history_bytes(*counts)) : 0));
     file += head;
     append_bytes(file, Size{sizeof(double)});
     // The head has it as text, which knows no negative zero.
@@ -271,17 +313,19 @@ std::string stock_vti(const HeightStock& stock)
     for (int row = 0; row < grid.rows; ++row)
         for (int column = 0; column < grid.columns; ++column)
             append_bytes(file, stock.height(column, row));
+    if (history)
+        append_history(file, *history);
     file += tail;
     return file;
 }
 
-HeightStock read_stock(const std::filesystem::path& path, const ReadLimits& limits)
+KeptStock read_stock(const std::filesystem::path& path, const ReadLimits& limits)
 {
     return parse_stock(read_file(path, limits), path, limits);
 }
 
-HeightStock parse_stock(std::string_view content, const std::filesystem::path& path,
-                        const ReadLimits& limits)
+KeptStock parse_stock(std::string_view content, const std::filesystem::path& path,
+                      const ReadLimits& limits)
 {
     return StockReader{content, shown_path(path), limits}.stock();
 }

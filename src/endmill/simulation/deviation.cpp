@@ -108,6 +108,9 @@ public:
         of_tile_.resize(deviation_.tiles.size());
         Progress progress{options, 2 * of_tile_.size()};
         measure_all(progress);
+        const auto earlier = static_cast<std::int64_t>(options.earlier_sweeps);
+        deviation_.is_cut_by_path = std::ranges::any_of(
+            sweeps_, [earlier](std::int32_t sweep) { return sweep >= earlier; });
         highest_ = measured_greatest(+1);
         deepest_ = measured_greatest(-1);
         refine(merged(), progress);

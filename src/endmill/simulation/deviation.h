@@ -31,7 +31,9 @@ struct DeviationOptions {
     int max_refine = 8;  ///< halvings of a cell at most, 0 to 20
     /// What of a ray lies in the stock before any move: a finite length. Must be set.
     std::function<MownRay(const PartRay&)> stock = {};
-    std::size_t most_cells = 100'000'000;             ///< beyond it LimitError is thrown
+    std::size_t most_cells = 100'000'000;  ///< beyond it LimitError is thrown
+    /// So many of the sweeps, the first, were made by earlier runs.
+    std::size_t earlier_sweeps = 0;
     std::function<void(double share)> progress = {};  ///< called now and then, if set
 };
 
@@ -60,6 +62,8 @@ struct Deviation {
     std::optional<DeviationPlace> deepest;  ///< none without a gouge
     std::optional<DeviationPlace> highest;  ///< none without a rest
     bool is_cut = false;                    ///< some move reaches the part's rays at all
+    /// Of the first rays one ends at a move that is none of an earlier run.
+    bool is_cut_by_path = false;
 
     /// The first cells and what is left at their middles, in the order of the tiles.
     std::vector<PartTile> tiles;

@@ -84,9 +84,8 @@ PartRay MownRays::ray(std::size_t k) const
 bool MownRays::may_matter(const SweepTree& tree, const Vec3& nearest, double margin,
                           double length) const
 {
-    const Cutter& cutter = tree.sweeps().front().cutter();
-    return !bundle_.is_out_of_reach(half_space(cutter, bundle_.centre, nearest), margin,
-                                    length);
+    return !bundle_.is_out_of_reach(half_space(tree.cover(), bundle_.centre, nearest),
+                                    margin, length);
 }
 
 // Whether the sweep could shorten a ray whose length is `margin` more than what is left,

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace endmill {
 namespace {
@@ -13,6 +12,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // Of a height map nothing is known between its cells; half a right angle is a guess that
 // makes neighbouring rays differ by as much as they are apart.
 constexpr double assumed_slope = 1;
+
+// Of the pitch: what a corner as round as a cell is wide dips between four centres.
+constexpr double most_dip = 0.25;
 
 double tangent_of(double cosine)
 {
@@ -83,6 +85,51 @@ double highest_around(const HeightStock& stock, int column, int row)
              ++i)
             highest = std::max(highest, stock.height(i, j));
     return highest;
+}
+
+// Cells around one, within so many of it, of those that there are.
+struct CellsAround {
+    CellsAround(const StockGrid& grid, int column, int row, int around)
+        : first_column{std::max(column - around, 0)},
+          last_column{std::min(column + around, grid.columns - 1)},
+          first_row{std::max(row - around, 0)},
+          last_row{std::min(row + around, grid.rows - 1)}
+    {
+    }
+
+    int first_column;
+    int last_column;
+    int first_row;
+    int last_row;
+};
+
+double lowest_of(const HeightStock& stock, const CellsAround& cells)
+{
+    double lowest = infinite;
+    for (int row = cells.first_row; row <= cells.last_row; ++row)
+        for (int column = cells.first_column; column <= cells.last_column; ++column)
+            lowest = std::min(lowest, stock.height(column, row));
+    return lowest;
+}
+
+// How far a surface that bends as the heights do may dip below the lowest of them: that of
+// a parabola through three in a row lies an eighth of their second difference below the two
+// lower ones; along x and y.
+double dip_between(const HeightStock& stock, const CellsAround& cells)
+{
+    double along_x = 0;
+    double along_y = 0;
+    for (int row = cells.first_row; row <= cells.last_row; ++row)
+        for (int column = cells.first_column; column <= cells.last_column; ++column) {
+            const double twice = 2 * stock.height(column, row);
+            if (column > cells.first_column && column < cells.last_column)
+                along_x = std::max(along_x, stock.height(column - 1, row) +
+                                                stock.height(column + 1, row) - twice);
+            if (row > cells.first_row && row < cells.last_row)
+                along_y = std::max(along_y, stock.height(column, row - 1) +
+                                                stock.height(column, row + 1) - twice);
+        }
+    return std::min((along_x + along_y) / 8, most_dip * stock.grid().pitch);
 }
 
 bool holds(const StockGrid& grid, int column, int row)
@@ -169,9 +216,40 @@ MownRay ray_in_stock(const HeightStock& stock, const PartRay& ray)
     return {t, assumed_slope, -1};
 }
 
-double shallower_by(double pitch)
+double most_missing(const HeightStock& stock, const PartRay& ray, double reach)
 {
-    return 1.5 * std::numbers::sqrt2 * pitch;
+    const StockGrid& grid = stock.grid();
+    // Of the places so near the highest, which lies over the cells around all the same.
+    const double level = ray.normal.head<2>().norm();
+    const double top = ray.point.z() + reach * level;
+    const int around = 1 + static_cast<int>(std::min(reach / grid.pitch + 1, 1e6));
+    CellWalk x{ray.point.x(), -ray.normal.x(), grid.low_x, grid.pitch};
+    CellWalk y{ray.point.y(), -ray.normal.y(), grid.low_y, grid.pitch};
+    // No lower than that, and asked for closely only where it matters.
+    const auto height = [&](double wanted) {
+        const CellsAround cells{grid, x.cell, y.cell, around};
+        const double lowest = lowest_of(stock, cells);
+        return lowest - most_dip * grid.pitch >= wanted
+                   ? wanted
+                   : std::max(grid.bottom_z, lowest - dip_between(stock, cells));
+    };
+    if (!holds(grid, x.cell, y.cell))
+        return std::max(0.0, -ray_in_stock(stock, ray).left);
+    double t = 0;
+    while (holds(grid, x.cell, y.cell)) {
+        const double z = top - t * ray.normal.z();
+        const double above = z - height(z);
+        const double end = std::min(x.next, y.next);
+        if (above <= 0)
+            return t;
+        if (ray.normal.z() > 0 && t + above / ray.normal.z() <= end)
+            return t + above / ray.normal.z();
+        if (!std::isfinite(end))
+            break;
+        t = std::max(t, end);
+        (x.next <= y.next ? x : y).advance();
+    }
+    return std::max(t, (box_of(grid, grid.bottom_z).high - box_of(grid, top).low).norm());
 }
 
 }  // namespace endmill

@@ -16,13 +16,16 @@ MownRay ray_in_block(const Block& block, const PartRay& ray);
 /// The same in a stock of heights, such as an earlier run leaves. Over its point each height
 /// counts for the whole of its cell: off by what the stock changes within a pitch. Below it
 /// only that is missing which lies above the highest cell around: what the heights of cells
-/// tell for certain. So a gouge shows less deep, by up to `shallower_by`.
+/// tell for certain. So a gouge shows less deep on a slope: `most_missing` bounds it.
 MownRay ray_in_stock(const HeightStock& stock, const PartRay& ray);
 
-/// By how much less deep, in mm, a gouge in a stock of this pitch may show whose floor is even
-/// over the cells around: on no slope by nothing, on any slope by no more than this. The
-/// highest cell around ends 1.5 pitches away along x and y, so that it is higher by 1.5
-/// pitches times the slopes along both, and nearer along the normal by its cosine less.
-double shallower_by(double pitch);
+/// How much of a stock of heights may be missing below the part, in mm along the ray's
+/// normal, anywhere within `reach` mm of the ray's point on a part that is about flat
+/// there: 0 or more. Between the centres of its cells the surface is taken to be nowhere
+/// lower than at the lowest of the centres around, less what it dips between them if it
+/// bends as they do and as a corner at least a pitch wide: that holds but for what is
+/// narrower than a cell. What stands higher than the part by more than a slope changes over the
+/// cells around, such as an allowance, is known so to be there.
+double most_missing(const HeightStock& stock, const PartRay& ray, double reach);
 
 }  // namespace endmill

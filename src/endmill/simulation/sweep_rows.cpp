@@ -93,7 +93,7 @@ SweepRows::SweepRows(const SweepTree& tree, const RayBundle& rays)
 {
     if (tree.sweeps().empty())
         return;
-    const Cutter& cutter = tree.sweeps().front().cutter();
+    const Cutter& cutter = tree.cover();
     flat_radius_ = cutter.flat_radius();
     corner_radius_ = cutter.corner_radius();
     tree.visit(
@@ -115,7 +115,7 @@ void SweepRows::add(const StraightSweep& sweep, std::int32_t number)
     const Vec3 move = sweep.to() - sweep.from();
     rows_.x.push_back(sweep.from().x());
     rows_.y.push_back(sweep.from().y());
-    rows_.z.push_back(sweep.from().z() + corner_radius_);
+    rows_.z.push_back(sweep.from().z() + sweep.cutter().corner_radius());
     rows_.dx.push_back(move.x());
     rows_.dy.push_back(move.y());
     rows_.dz.push_back(move.z());

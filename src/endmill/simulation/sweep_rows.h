@@ -10,7 +10,7 @@
 
 namespace endmill {
 
-/// Sweeps of one cutter side by side, so that the compiler looks at several at a time.
+/// Sweeps side by side, so that the compiler looks at several at a time.
 class SweepRows {
 public:
     /// Those of the tree that may clear something of the rays.
@@ -30,7 +30,7 @@ private:
     };
     Rows rows_;
     std::vector<std::int32_t> numbers_;
-    double flat_radius_ = 0;
+    double flat_radius_ = 0;  // of a cutter that holds all
     double corner_radius_ = 0;
 };
 

@@ -44,10 +44,11 @@ SweepTree::SweepTree(std::span<const StraightSweep> sweeps) : sweeps_{sweeps}
             "SweepTree: need fewer than 2^31 moves");
     if (sweeps.empty())
         return;
-    const double radius = sweeps[0].cutter().radius();
+    find_cover();
     std::vector<Item> items;
     for (std::uint32_t i = 0; i < sweeps.size(); ++i) {
         const StraightSweep& sweep = sweeps[i];
+        const double radius = sweep.cutter().radius();
         const int pieces =
             std::clamp(static_cast<int>(std::ceil(std::min<double>(
                            sweep.length() / (piece_radii * radius), most_pieces))),
@@ -71,6 +72,26 @@ SweepTree::SweepTree(std::span<const StraightSweep> sweeps) : sweeps_{sweeps}
     nodes_.reserve(items.size());
     items_.reserve(items.size());
     build(items);
+}
+
+// Every cutter is its corner rolled around a disc: the widest of both holds all.
+void SweepTree::find_cover()
+{
+    cover_ = sweeps_.front().cutter();
+    double flat = cover_.flat_radius();
+    double corner = cover_.corner_radius();
+    least_corner_radius_ = corner;
+    for (const StraightSweep& sweep : sweeps_) {
+        const Cutter& cutter = sweep.cutter();
+        if (cutter == sweeps_.front().cutter())
+            continue;
+        is_of_one_cutter_ = false;
+        flat = std::max(flat, cutter.flat_radius());
+        corner = std::max(corner, cutter.corner_radius());
+        least_corner_radius_ = std::min(least_corner_radius_, cutter.corner_radius());
+    }
+    if (!is_of_one_cutter_)
+        cover_ = Cutter{flat + corner, corner};
 }
 
 void SweepTree::build(std::span<Item> items)

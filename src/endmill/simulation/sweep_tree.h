@@ -28,6 +28,16 @@ public:
 
     std::span<const StraightSweep> sweeps() const { return sweeps_; }
 
+    /// A cutter that holds each of the sweeps' cutters whose reference point is its own:
+    /// theirs, if it is one and the same.
+    const Cutter& cover() const { return cover_; }
+
+    /// Whether all sweeps are of one cutter.
+    bool is_of_one_cutter() const { return is_of_one_cutter_; }
+
+    /// Of all sweeps' cutters, mm; 0 if one has a sharp edge, or there is none.
+    double least_corner_radius() const { return least_corner_radius_; }
+
     /// Calls `visit(number of a sweep)` for the sweeps whose reference points (one corner
     /// radius above the tips) lie in boxes for which `may_matter(nearest)` holds, `nearest`
     /// being the box's point nearest to `place`, boxes being open above as the cutter is.
@@ -84,8 +94,12 @@ private:
                 std::max(place.z(), node.low.z())};
     }
     void build(std::span<Item> items);
+    void find_cover();
 
     std::span<const StraightSweep> sweeps_;
+    Cutter cover_ = Cutter::ball(1);
+    bool is_of_one_cutter_ = true;
+    double least_corner_radius_ = 0;
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> items_;  // numbers of sweeps
 };

@@ -194,8 +194,8 @@ double TileMeasure::most_left_by(const MeasuredCell& cell,
 {
     if (cell.left.sweep < 0)
         return most_left_by_slope(cell, Cutter::flat(1));
-    const double by_slope = most_left_by_slope(cell, cutter());
-    if (others.empty() && !cutter().is_flat())
+    const double by_slope = most_left_by_slope(cell, cutter_of(cell));
+    if (others.empty() && !cutter_of(cell).is_flat())
         return by_slope;
     const std::int32_t own[] = {cell.left.sweep};
     return std::min(by_slope, most_left_by_corners(cell, measured_.charts, sweeps(),
@@ -204,11 +204,11 @@ double TileMeasure::most_left_by(const MeasuredCell& cell,
 
 // Where the deepest place of a sweep need not be one where its depth is stationary, or its
 // depth at the middle tells nothing of it.
-bool TileMeasure::needs_planes(const MeasuredCell& cell) const
+bool TileMeasure::needs_planes(const MeasuredCell& cell)
 {
     if (sweeps().empty())
         return false;
-    return cutter().is_flat() || cell.reach > planes_share * cutter().corner_radius() ||
+    return corner_radius() == 0 || cell.reach > planes_share * corner_radius() ||
            (touches_side_ && measured_.charts.touches_side(cell.cell));
 }
 
@@ -219,10 +219,29 @@ double TileMeasure::least_left(const MeasuredCell& cell)
                               : smooth_least(cell);
 }
 
-double TileMeasure::smooth_least(const MeasuredCell& cell) const
+double TileMeasure::smooth_least(const MeasuredCell& cell)
 {
-    return sweeps().empty() ? cell.left.left
-                            : cell.left.left - hidden_gouge(cell, cutter());
+    return sweeps().empty()
+               ? cell.left.left
+               : cell.left.left - hidden_gouge(cell, Cutter::ball(corner_radius()));
+}
+
+// The least of the sweeps that may gouge the tile, mm: one with a sharp edge that stays
+// well over the part hides nothing. 0 where none may.
+double TileMeasure::corner_radius()
+{
+    if (!corner_radius_) {
+        corner_radius_ = measured_.tree.least_corner_radius();
+        if (!measured_.tree.is_of_one_cutter() && rays_) {
+            double least = measured_.tree.cover().corner_radius();
+            for (const std::int32_t number : beneath())
+                least = std::min(
+                    least,
+                    sweeps()[static_cast<std::size_t>(number)].cutter().corner_radius());
+            corner_radius_ = beneath().empty() ? 0 : least;
+        }
+    }
+    return *corner_radius_;
 }
 
 }  // namespace endmill

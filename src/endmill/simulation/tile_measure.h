@@ -181,14 +181,18 @@ private:
     MownRay stock(const PartRay& ray) const { return measured_.options.stock(ray); }
     const DeviationLimits& limits() const { return measured_.options.limits; }
     std::span<const StraightSweep> sweeps() const { return measured_.tree.sweeps(); }
-    const Cutter& cutter() const { return sweeps().front().cutter(); }
+    const Cutter& cutter_of(const MeasuredCell& cell) const
+    {
+        return sweeps()[static_cast<std::size_t>(cell.left.sweep)].cutter();
+    }
+    double corner_radius();
     double most_left(const MeasuredCell& cell,
                      std::span<const std::int32_t> others) const;
     double most_left_by(const MeasuredCell& cell,
                         std::span<const std::int32_t> others) const;
-    bool needs_planes(const MeasuredCell& cell) const;
+    bool needs_planes(const MeasuredCell& cell);
     double least_left(const MeasuredCell& cell);
-    double smooth_least(const MeasuredCell& cell) const;
+    double smooth_least(const MeasuredCell& cell);
     bool has_no_foot(const MeasuredCell& cell, double away) const;
     Doubt sharpened(const Doubt& doubt, const Extremes& found) const;
     void refine(const MeasuredCell& cell, const Doubt& first_doubt, const Depth& depth,
@@ -209,6 +213,7 @@ private:
     std::vector<int> numbers_;
     std::optional<MownRays> rays_;
     std::optional<std::vector<std::int32_t>> beneath_;  // found when first asked for
+    std::optional<double> corner_radius_;               // ditto
     // How far all rays are free along the normals and against them, mm.
     std::array<std::optional<double>, 2> free_ = {};
     DeviationLimits known_ = {};

@@ -122,7 +122,8 @@ void TileMeasure::refine(const MeasuredCell& cell, const Doubt& first_doubt,
     }
     // Whether a sharp edge, or any, passes through the cell the middle does not tell.
     const bool is_smooth =
-        cell.left.sweep >= 0 && cell.reach <= local_share * cutter().corner_radius();
+        cell.left.sweep >= 0 &&
+        cell.reach <= local_share * measured_.tree.least_corner_radius();
     refine_quarters(
         cell, first_doubt,
         {depth.level, depth.by_planes, is_smooth ? local : depth.sweeps, beneath}, found);

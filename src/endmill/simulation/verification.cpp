@@ -21,6 +21,8 @@ namespace {
 
 constexpr double below = 1;  // mm of material under the lowest of part and tips
 constexpr double above = 1;  // mm over the part
+// Of the memory of a move of an earlier run: its tip, its sweep, and its place in a tree.
+constexpr double bytes_an_earlier_move = 200;
 constexpr double gib = 1024.0 * 1024 * 1024;
 // A ray's place in the deviation, its share of a tile, and room for what grows.
 constexpr double bytes_a_ray = 16;
@@ -96,7 +98,9 @@ public:
     double both(double resolution) const
     {
         const double pitch = task_.stock ? task_.stock->grid().pitch : resolution;
-        return rays(resolution) +
+        const double moves =
+            task_.history ? static_cast<double>(sweep_count(*task_.history)) : 0;
+        return rays(resolution) + moves * bytes_an_earlier_move +
                required_bytes(task_.block, pitch, task_.extra_bytes_per_cell);
     }
 
@@ -177,30 +181,41 @@ void require_fitting(const VerificationTask& task)
                      " GiB (--max-memory)" + proposal};
 }
 
+MownRay ray_before(const VerificationTask& task, const PartRay& ray)
+{
+    if (task.history)
+        return ray_in_block(task.history->block, ray);
+    return task.stock ? ray_in_stock(*task.stock, ray) : ray_in_block(task.block, ray);
+}
+
+void require_cutting(const VerificationTask& task, const PartCharts& charts,
+                     const JoinedSweeps& all, const Deviation& deviation)
+{
+    if (all.earlier() > 0 ? deviation.is_cut_by_path : deviation.is_cut)
+        return;
+    const SweepTree own{all.own()};
+    if (!passes_over(charts, own, task.block.high.z()))
+        throw GeometryError{"the path cuts nothing over the part: " +
+                            why_nothing_is_cut(part_gap(charts, own))};
+}
+
 std::optional<Deviation> deviation_of(const VerificationTask& task)
 {
     if (!task.part)
         return std::nullopt;
     const PartCharts charts = part_charts(*task.part);
-    const std::vector<StraightSweep> sweeps = path_sweeps(*task.path, task.cutter);
-    const SweepTree tree{sweeps};
+    const JoinedSweeps all{task.history, *task.path, task.cutter};
+    const SweepTree tree{all.all()};
     DeviationOptions options = task.deviation;
     options.pitch = task.resolution;
     options.most_cells = static_cast<std::size_t>(most_rays);
-    options.stock = [&](const PartRay& ray) {
-        return task.stock ? ray_in_stock(*task.stock, ray)
-                          : ray_in_block(task.block, ray);
-    };
+    options.stock = [&](const PartRay& ray) { return ray_before(task, ray); };
+    options.earlier_sweeps = all.earlier();
     Deviation deviation = measure_deviation(charts, tree, options);
-    if (!deviation.is_cut && !passes_over(charts, tree, task.block.high.z()))
-        throw GeometryError{"the path cuts nothing over the part: " +
-                            why_nothing_is_cut(part_gap(charts, tree))};
-    // A path that begins with a rapid has no sweep for its first point.
-    const auto first =
-        static_cast<std::int32_t>(task.path->points.size() - sweeps.size());
+    require_cutting(task, charts, all, deviation);
     for (auto* place : {&deviation.deepest, &deviation.highest})
-        if (*place && (*place)->sweep >= 0)
-            (*place)->sweep += first;
+        if (*place)
+            (*place)->sweep = all.point_of((*place)->sweep);
     return deviation;
 }
 
@@ -221,7 +236,10 @@ Verdict verdict_of(const Verification& found, const DeviationLimits& limits)
         return Verdict::Gouged;
     const Verdict of_rest =
         found.deviation ? verdict(*found.deviation, limits) : Verdict::Clean;
-    const bool is_open = found.part_collisions.bound_mm > closed_contact_bound;
+    const EarlierGouge& earlier = found.earlier_gouge;
+    const bool is_open =
+        found.part_collisions.bound_mm > closed_contact_bound ||
+        earlier.found_mm + earlier.bound_mm > limits.tolerance + verdict_slack;
     return is_open && of_rest != Verdict::Gouged ? Verdict::Undecided : of_rest;
 }
 
@@ -270,6 +288,15 @@ Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutte
     return measure_deviation(charts, SweepTree{sweeps}, options);
 }
 
+std::optional<StockHistory> history_of_rest(const VerificationTask& task)
+{
+    if (task.stock && !task.history)
+        return std::nullopt;
+    StockHistory history = task.history ? *task.history : StockHistory{task.block, {}};
+    history.runs.push_back(run_along(*task.path, task.cutter));
+    return history;
+}
+
 Verification verify_path(const VerificationTask& task)
 {
     require(task.path != nullptr, "verify_path: need a path");
@@ -289,10 +316,15 @@ Verification verify_path(const VerificationTask& task)
                        .removal = std::move(removal),
                        .contacts = contacts,
                        .part_collisions = std::move(in_part),
+                       .earlier_moves = {},
+                       .earlier_gouge = {},
                        .rest = std::move(rest),
                        .verdict = Verdict::Clean};
-    if (task.stock && task.part)
-        found.earlier_gouge_bound_mm = shallower_by(task.stock->grid().pitch);
+    if (task.history)
+        found.earlier_moves = sweep_count(*task.history);
+    if (task.stock && !task.history && found.deviation)
+        found.earlier_gouge =
+            earlier_gouge(part_charts(*task.part), found.deviation->tiles, *task.stock);
     found.verdict = verdict_of(found, task.deviation.limits);
     return found;
 }

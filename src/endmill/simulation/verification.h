@@ -7,10 +7,12 @@
 #include "endmill/cutter/tool.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/simulation/deviation.h"
+#include "endmill/simulation/earlier_gouge.h"
 #include "endmill/simulation/finer_contacts.h"
 #include "endmill/simulation/height_stock.h"
 #include "endmill/simulation/part_collisions.h"
 #include "endmill/simulation/removal.h"
+#include "endmill/simulation/stock_history.h"
 
 namespace endmill {
 
@@ -34,9 +36,10 @@ struct VerificationTask {
     std::vector<ToolCylinder> body = {};  ///< shank and holder
     const Part* part = nullptr;           ///< none: only the removal is reported
     Block block;  ///< the stock, if there is no other, and what it is within
-    const HeightStock* stock = nullptr;  ///< an earlier rest, or a mesh
-    double resolution = 0.1;             ///< pitch of stock and first rays, mm
-    double max_memory_gib = 8;           ///< LimitError beyond it
+    const HeightStock* stock = nullptr;     ///< an earlier rest, or a mesh
+    const StockHistory* history = nullptr;  ///< of `stock`, if it is known
+    double resolution = 0.1;                ///< pitch of stock and first rays, mm
+    double max_memory_gib = 8;              ///< LimitError beyond it
     double extra_bytes_per_cell = 0;  ///< of the stock, that its rest will be turned into
     DeviationOptions deviation = {};  ///< `stock`, `pitch` and `most_cells` are set
 };
@@ -48,14 +51,27 @@ struct Verification {
     Removal removal;  ///< rapid cuts and collisions are those of `contacts`
     StockContacts contacts;
     PartCollisions part_collisions;  ///< none without a part
-    /// mm; on slopes a gouge by an earlier run, in a stock that was given, may be deeper
-    /// than it shows by this, which no bound in `deviation` knows; 0 without such a stock.
-    double earlier_gouge_bound_mm = 0;
+    /// Of the runs that made the stock, judged with the path; none if they are not known.
+    std::optional<std::size_t> earlier_moves = {};
+    EarlierGouge earlier_gouge;  ///< none where the stock's history is known
     HeightStock rest;
     Verdict verdict;
 };
 
-/// Removes the material and measures what is left against the part. A rapid that cuts, and
+/// How the rest that `task` leaves came to be.
+/// \return nothing if that is not known of the stock it begins with.
+std::optional<StockHistory> history_of_rest(const VerificationTask& task);
+
+/// Removes the material and measures what is left against the part.
+///
+/// A stock whose history is known is measured by that: what earlier runs have cleared is
+/// judged with what the path clears, by the same rays and bounds, as if all were one path.
+/// `deviation` does not tell earlier sweeps apart from one another: places that they made
+/// have the number `earlier_sweep`. Of other stocks only heights are known: a gouge
+/// in them counts as far as they tell for certain, and one that they leave possible, beyond
+/// the tolerance, leaves the verdict `Undecided`.
+///
+/// A rapid that cuts, and
 /// a shank or holder in the material or in the part, make the verdict `Gouged`; one that
 /// may be in the part, for all that is known, leaves it `Undecided`.
 /// Source: spec of the removal, section 3.
