@@ -179,6 +179,24 @@ class BadArguments(ProgramTest):
         self.refused(2, "--threads", "0", words=['--threads: found "0"; expected a whole number from 1 to 1024'])
         self.refused(2, "--safe-height", "nan", words=['--safe-height: found "nan"; expected a number'])
 
+    def test_numbers_that_no_machine_has(self):
+        for option in ("--chord-tolerance", "--scallop", "--feed", "--cross-step", "--inner-tolerance"):
+            for number in ("1e300", "1.01e9"):
+                self.refused(2, option, number, words=[f'{option}: found "{number}"; expected a number above 0, at most'])
+        for number in ("1e300", "-1000001"):
+            self.refused(2, "--safe-height", number, words=["--safe-height: found ", "at most 1e+06 mm (--max-extent)"])
+        self.refused(2, "--safe-height", "11", "--max-extent", "10", words=["at most 10 mm (--max-extent)"])
+        path, part = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n1,0,0\n", "p.csv"), self.file(plane())
+        for arguments, words in ((("post", path, "--feed", "1e300"), '--feed: found "1e300"'),
+                                 (("post", path, "--feed", "9", "--spindle-rpm", "1e10"), '--spindle-rpm: found "1e10"'),
+                                 (("post", path, "--feed", "9", "--safe-height", "1e300"), "--safe-height: found "),
+                                 (("trim", part, "--cutter", "ball:9", "--safe-height", "-1e7"), "--safe-height: found "),
+                                 (("trim", part, "--cutter", "ball:9", "--pitch", "1e300"), '--pitch: found "1e300"'),
+                                 (("trim", part, "--cutter", "ball:9", "--allowance", "1e10"), "--allowance: found "),
+                                 (("verify", path, "--cutter", "ball:9", "--resolution", "1e300"), "--resolution: found ")):
+            self.assert_refused(endmill(*arguments, "-o", "out", cwd=self.folder), 2, words)
+            self.assert_nothing_left("p.csv", "surface.json")
+
     def test_words_that_are_not_known(self):
         self.refused(2, "--governing", "minn", words=['--governing: found "minn"', 'did you mean "min"?'])
         self.refused(2, "--mode", "exact", words=['--mode: found "exact"; expected "paper" or "verified"'])

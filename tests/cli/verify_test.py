@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import re
 import resource
 import shutil
 import signal
@@ -56,6 +57,14 @@ class VerifyTest(ProgramTest):
             return list(csv.DictReader(file))
 
 
+def without_history(stock):
+    """The stock.vti of a program that kept heights alone."""
+    end = stock.index(b"\n_") + 2
+    head = re.sub(rb'   <DataArray [^>]*Name="(block_mm|run_cutters_mm|run_tips|tips_mm)"[^>]*/>\n', b"", stock[:end])
+    columns, rows = (int(word) for word in re.search(rb'WholeExtent="0 (\d+) 0 (\d+) ', head).groups())
+    return head + stock[end:end + 24 + 8 * columns * rows] + b"\n </AppendedData>\n</VTKFile>\n"
+
+
 class Verdicts(VerifyTest):
     def judged(self, tips, *options, status=0):
         self.file(plane())
@@ -97,6 +106,52 @@ class Verdicts(VerifyTest):
         done = endmill("verify", "p.csv", "--part", "surface.json", "--cutter", "ball:10", "--resolution", "1", "-o",
                        "said", cwd=self.folder)
         self.assertRegex(done.stdout, r"p: gouged\ndeepest gouge 0\.04\d+ mm at .* on the move to point 2[234] ")
+
+    def rest_of(self, tips, *options, status=0):
+        """stock.vti of a run, whatever its verdict."""
+        facts = self.judged(tips, "--resolution", "0.5", "--write-stock", *options, status=status)
+        shutil.move(self.folder / "out/stock.vti", self.folder / "rest.vti")
+        return facts
+
+    def test_a_gouge_of_an_earlier_run_is_found_and_placed(self):
+        self.rest_of(passes(range(31), dip=10), status=1)
+        facts = self.judged(passes(range(31)), "--stock", "rest.vti", status=1)
+        self.assertEqual((facts["verdict"], facts["earlier_moves"]), ("gouged", 66))
+        self.assertEqual((facts["earlier_gouge_mm"], facts["earlier_gouge_bound_mm"]), (None, None))
+        self.assertLessEqual(facts["max_gouge_mm"], 0.05 + 1e-12)
+        self.assertGreaterEqual(facts["max_gouge_mm"] + facts["gouge_bound_mm"], 0.05 - 1e-12)
+        place = facts["max_gouge_at"]
+        self.assertEqual((place["point"], place["earlier_run"]), (None, True))
+        self.assertTrue(19.5 <= place["point_mm"][0] <= 40.5, place)
+        done = endmill("verify", "p.csv", "--part", "surface.json", "--cutter", "ball:10", "--stock", "rest.vti", "-o",
+                       "said", cwd=self.folder)
+        self.assertRegex(done.stdout, r"p: gouged\ndeepest gouge 0\.0[45]\d* mm at .* by an earlier run ")
+
+    def test_two_halves_are_clean_together(self):
+        first = self.rest_of(passes(range(16)), status=1)
+        self.assertEqual(first["verdict"], "uncut")
+        self.assertIsNone(first["earlier_moves"])
+        facts = self.judged(passes(range(15, 31)), "--stock", "rest.vti", "--resolution", "0.5", "--write-stock")
+        self.assertEqual((facts["verdict"], facts["earlier_moves"]), ("clean", 32))
+        # The rest of the second tells of both.
+        shutil.move(self.folder / "out/stock.vti", self.folder / "rest.vti")
+        facts = self.judged(passes([15]), "--stock", "rest.vti")
+        self.assertEqual((facts["verdict"], facts["earlier_moves"], facts["removed_mm3"]), ("clean", 64, 0))
+
+    def test_heights_alone_bound_a_gouge(self):
+        for dip in (None, 10):
+            self.rest_of(passes(range(31), dip=dip), status=0 if dip is None else 1)
+            old = without_history((self.folder / "rest.vti").read_bytes())
+            (self.folder / "old.vti").write_bytes(old)
+            facts = self.judged(passes(range(31)), "--stock", "old.vti", "--resolution", "0.5", status=1 if dip else 0)
+            self.assertEqual(facts["verdict"], "gouged" if dip else "clean")
+            self.assertIsNone(facts["earlier_moves"])
+            truth = 0.05 if dip else 0
+            self.assertLessEqual(facts["earlier_gouge_mm"], truth + 1e-12)
+            self.assertGreaterEqual(facts["earlier_gouge_mm"] + facts["earlier_gouge_bound_mm"], truth - 1e-12)
+        (self.folder / "old.vti").write_bytes(old[:-40])
+        self.assert_refused(endmill("verify", "p.csv", "--part", "surface.json", "--cutter", "ball:10", "--stock",
+                                    "old.vti", "-o", "none", cwd=self.folder), 3, "old.vti")
 
     def test_a_skipped_pass_is_uncut_there(self):
         facts = self.judged(passes([y for y in range(31) if y != 10]), "--resolution", "0.25", status=1)

@@ -52,6 +52,54 @@ TEST_P(MownRaysOf, AreTheLeastOfEverySweepByItself)
 INSTANTIATE_TEST_SUITE_P(BallFlatBull, MownRaysOf,
                          testing::Values(Cutter::ball(5), Cutter::flat(5), Cutter{5, 2}));
 
+// Also one tree of all cutters, which looks for all as for one that holds them.
+TEST(MownRays, OfSeveralCuttersAreTheLeastOfEverySweepByItself)
+{
+    test::Random random{23};
+    const auto uniform = [&](double size) {
+        return Vec3{random.uniform(-size, size), random.uniform(-size, size),
+                    random.uniform(-size, size)};
+    };
+    const Cutter cutters[] = {Cutter::ball(1), Cutter::flat(6), Cutter{4, 3}};
+    for (int round = 0; round < 60; ++round) {
+        std::vector<StraightSweep> sweeps;
+        for (int i = 0; i < 60; ++i) {
+            const Vec3 from = uniform(12);
+            sweeps.emplace_back(cutters[i % 3], from, from + uniform(2));
+        }
+        const SweepTree tree{sweeps};
+        std::vector<MownRays> tiles;
+        std::vector<std::vector<PartRay>> rays;
+        for (int t = 0; t < 4; ++t) {
+            const Vec3 centre = Vec3{1.0 * t, 0, 0} + uniform(0.5);
+            rays.emplace_back();
+            for (int i = 0; i < 20; ++i)
+                rays.back().push_back({centre + uniform(0.5),
+                                       (Vec3::UnitZ() + uniform(0.3)).normalized(),
+                                       Vec3::Zero(), Vec3::Zero()});
+            tiles.emplace_back(rays.back(), std::vector<double>(20, 15.0));
+        }
+        MownRays alone{rays[0], std::vector<double>(20, 15.0)};
+        alone.mow(tree);
+        std::vector<MownRays*> all;
+        for (MownRays& tile : tiles)
+            all.push_back(&tile);
+        MownRays::mow_together(all, tree);
+        for (std::size_t t = 0; t < tiles.size(); ++t)
+            for (std::size_t k = 0; k < rays[t].size(); ++k) {
+                double least = 15;
+                for (const StraightSweep& sweep : sweeps)
+                    if (const auto left = mown(sweep, rays[t][k]))
+                        least = std::min(least, left->left);
+                const int number = static_cast<int>(k);
+                EXPECT_NEAR(tiles[t][number].left, least, 1e-10);
+                if (t == 0) {
+                    EXPECT_NEAR(alone[number].left, least, 1e-10);
+                }
+            }
+    }
+}
+
 // Every sweep that clears a place of the part near a ray is among them.
 TEST(MownRays, KnowTheSweepsBeneath)
 {

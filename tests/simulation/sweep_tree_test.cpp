@@ -64,5 +64,32 @@ TEST(SweepTree, OfNothingVisitsNothing)
         Vec3::Zero(), [](const Vec3&) { return true; }, [](std::size_t) { FAIL(); });
 }
 
+// The cover's reference point at that of a cutter: its region holds the cutter's.
+TEST(SweepTree, CoversTheCuttersOfAllSweeps)
+{
+    const Cutter cutters[] = {Cutter{5, 1}, Cutter::ball(3), Cutter::flat(2)};
+    std::vector<StraightSweep> sweeps;
+    for (const Cutter& cutter : cutters)
+        sweeps.emplace_back(cutter, Vec3{0, 0, 0}, Vec3{1, 0, 0});
+    const SweepTree tree{sweeps};
+    EXPECT_FALSE(tree.is_of_one_cutter());
+    EXPECT_EQ(tree.least_corner_radius(), 0);
+    const Cutter& cover = tree.cover();
+    for (const Cutter& cutter : cutters)
+        for (double d = 0; d <= cutter.radius(); d += 0.01)
+            EXPECT_LE(cover.profile(d) - cover.corner_radius(),
+                      cutter.profile(d) - cutter.corner_radius() + 1e-12);
+}
+
+TEST(SweepTree, OfOneCutterIsCoveredByIt)
+{
+    const std::vector<StraightSweep> sweeps =
+        path_sweeps(test::tip_path({{0, 0, 0}, {1, 0, 0}}), Cutter{0.3, 0.1});
+    const SweepTree tree{sweeps};
+    EXPECT_TRUE(tree.is_of_one_cutter());
+    EXPECT_EQ(tree.cover(), Cutter(0.3, 0.1));
+    EXPECT_EQ(tree.least_corner_radius(), 0.1);
+}
+
 }  // namespace
 }  // namespace endmill

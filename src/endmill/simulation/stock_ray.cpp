@@ -13,8 +13,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // makes neighbouring rays differ by as much as they are apart.
 constexpr double assumed_slope = 1;
 
-// Of the pitch: what a corner as round as a cell is wide dips between four centres.
-constexpr double most_dip = 0.25;
+// Of the pitch: what a ball whose radius is one dips between four centres, 1 - sqrt(1/2).
+constexpr double most_dip = 0.293;
 
 double tangent_of(double cosine)
 {
