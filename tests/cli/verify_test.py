@@ -144,7 +144,8 @@ class Verdicts(VerifyTest):
             old = without_history((self.folder / "rest.vti").read_bytes())
             (self.folder / "old.vti").write_bytes(old)
             facts = self.judged(passes(range(31)), "--stock", "old.vti", "--resolution", "0.5", status=1 if dip else 0)
-            self.assertEqual(facts["verdict"], "gouged" if dip else "clean")
+            # Half a pitch beside the lowest place of the dip its heights are less than certain.
+            self.assertIn(facts["verdict"], ("gouged", "undecided") if dip else ("clean",))
             self.assertIsNone(facts["earlier_moves"])
             truth = 0.05 if dip else 0
             self.assertLessEqual(facts["earlier_gouge_mm"], truth + 1e-12)

@@ -184,7 +184,8 @@ TEST(MostMissing, SeesAHoleWithinReach)
     const double x = stock.grid().x(20);
     // Between its centre and the next it may dip as a ball of that radius does.
     EXPECT_EQ(most_missing(stock, ray_of({x, 0.25, 0}, {0, 0, 1}), 0.1), 3 + 0.5 * 0.293);
-    EXPECT_EQ(most_missing(stock, ray_of({x + 0.9, 0.25, 0}, {0, 0, 1}), 0.5), 3 + 0.5 * 0.293);
+    EXPECT_EQ(most_missing(stock, ray_of({x + 0.9, 0.25, 0}, {0, 0, 1}), 0.5),
+              3 + 0.5 * 0.293);
     EXPECT_EQ(most_missing(stock, ray_of({x + 3, 0.25, 0}, {0, 0, 1}), 0.1), 0);
     EXPECT_EQ(most_missing(stock, ray_of({70, 0, 0}, {0, 0, 1}), 0.1), 5);
 }
