@@ -52,7 +52,7 @@ TEST_P(MownRaysOf, AreTheLeastOfEverySweepByItself)
 INSTANTIATE_TEST_SUITE_P(BallFlatBull, MownRaysOf,
                          testing::Values(Cutter::ball(5), Cutter::flat(5), Cutter{5, 2}));
 
-// Also one tree of all cutters, which looks for all as for one that holds them.
+// Also of one tree of all cutters.
 TEST(MownRays, OfSeveralCuttersAreTheLeastOfEverySweepByItself)
 {
     test::Random random{23};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/simulation/sweep_tree.h"
 
+#include <optional>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -64,31 +65,42 @@ TEST(SweepTree, OfNothingVisitsNothing)
         Vec3::Zero(), [](const Vec3&) { return true; }, [](std::size_t) { FAIL(); });
 }
 
-// The cover's reference point at that of a cutter: its region holds the cutter's.
-TEST(SweepTree, CoversTheCuttersOfAllSweeps)
+// Each box is of one cutter, which is named with it, and all sweeps are in some.
+TEST(SweepTree, NamesTheCutterOfItsBoxes)
 {
     const Cutter cutters[] = {Cutter{5, 1}, Cutter::ball(3), Cutter::flat(2)};
     std::vector<StraightSweep> sweeps;
-    for (const Cutter& cutter : cutters)
-        sweeps.emplace_back(cutter, Vec3{0, 0, 0}, Vec3{1, 0, 0});
+    for (int i = 0; i < 90; ++i)
+        sweeps.emplace_back(cutters[i % 3], Vec3{1.0 * i, 0, 0}, Vec3{1.0 * i, 5, 0});
     const SweepTree tree{sweeps};
     EXPECT_FALSE(tree.is_of_one_cutter());
     EXPECT_EQ(tree.least_corner_radius(), 0);
-    const Cutter& cover = tree.cover();
-    for (const Cutter& cutter : cutters)
-        for (double d = 0; d <= cutter.radius(); d += 0.01)
-            EXPECT_LE(cover.profile(d) - cover.corner_radius(),
-                      cutter.profile(d) - cutter.corner_radius() + 1e-12);
+    std::set<std::size_t> visited;
+    std::optional<Cutter> named;
+    std::vector<Cutter> order;
+    tree.visit(
+        {0, 0, 0},
+        [&](const Vec3&, const Cutter& cutter) {
+            if (!named || !(*named == cutter))
+                order.push_back(cutter);
+            named = cutter;
+            return true;
+        },
+        [&](std::size_t number) {
+            EXPECT_EQ(sweeps[number].cutter(), *named);
+            visited.insert(number);
+        });
+    EXPECT_EQ(visited.size(), sweeps.size());
+    EXPECT_EQ(order, (std::vector<Cutter>{cutters[2], cutters[1], cutters[0]}));
 }
 
-TEST(SweepTree, OfOneCutterIsCoveredByIt)
+TEST(SweepTree, OfOneCutterSaysSo)
 {
     const std::vector<StraightSweep> sweeps =
         path_sweeps(test::tip_path({{0, 0, 0}, {1, 0, 0}}), Cutter{0.3, 0.1});
-    const SweepTree tree{sweeps};
-    EXPECT_TRUE(tree.is_of_one_cutter());
-    EXPECT_EQ(tree.cover(), Cutter(0.3, 0.1));
-    EXPECT_EQ(tree.least_corner_radius(), 0.1);
+    EXPECT_TRUE(SweepTree{sweeps}.is_of_one_cutter());
+    EXPECT_EQ(SweepTree{sweeps}.least_corner_radius(), 0.1);
+    EXPECT_EQ(SweepTree{{}}.least_corner_radius(), 0);
 }
 
 }  // namespace

@@ -81,11 +81,11 @@ PartRay MownRays::ray(std::size_t k) const
 }
 
 // Whether a cutter with its reference point there or beyond could shorten a ray.
-bool MownRays::may_matter(const SweepTree& tree, const Vec3& nearest, double margin,
+bool MownRays::may_matter(const Cutter& cutter, const Vec3& nearest, double margin,
                           double length) const
 {
-    return !bundle_.is_out_of_reach(half_space(tree.cover(), bundle_.centre, nearest),
-                                    margin, length);
+    return !bundle_.is_out_of_reach(half_space(cutter, bundle_.centre, nearest), margin,
+                                    length);
 }
 
 // Whether the sweep could shorten a ray whose length is `margin` more than what is left,
@@ -178,8 +178,8 @@ void MownRays::mow(const SweepTree& tree)
     }
     tree.visit(
         bundle_.centre,
-        [&](const Vec3& nearest) {
-            return may_matter(tree, nearest, 0, bundle_.longest);
+        [&](const Vec3& nearest, const Cutter& cutter) {
+            return may_matter(cutter, nearest, 0, bundle_.longest);
         },
         [&](std::size_t sweep) {
             if (const auto number = static_cast<std::int32_t>(sweep);
@@ -221,8 +221,8 @@ std::vector<std::int32_t> MownRays::near_sweeps(const SweepTree& tree,
     RayRows::Row short_by;
     tree.visit(
         bundle_.centre,
-        [&](const Vec3& nearest) {
-            return may_matter(tree, nearest, margin, bundle_.longest + margin);
+        [&](const Vec3& nearest, const Cutter& cutter) {
+            return may_matter(cutter, nearest, margin, bundle_.longest + margin);
         },
         [&](std::size_t number) {
             if (may_reach(tree.sweeps()[number], margin, short_by))
@@ -253,7 +253,9 @@ std::vector<std::int32_t> MownRays::sweeps_beneath(const SweepTree& tree, double
     };
     tree.visit(
         bundle_.centre,
-        [&](const Vec3& nearest) { return may_matter(tree, nearest, reach + sag, 0); },
+        [&](const Vec3& nearest, const Cutter& cutter) {
+            return may_matter(cutter, nearest, reach + sag, 0);
+        },
         [&](std::size_t number) {
             if (may_clear(half_space_beyond(tree.sweeps()[number], bundle_.centre)))
                 beneath.push_back(static_cast<std::int32_t>(number));

@@ -55,7 +55,7 @@ private:
     static MownRays some(std::span<MownRays* const> tiles, int of_each);
     std::vector<std::int32_t> makers(int first, int count) const;
     void mow_by(const SweepTree& tree, std::span<const std::int32_t> numbers);
-    bool may_matter(const SweepTree& tree, const Vec3& nearest, double margin,
+    bool may_matter(const Cutter& cutter, const Vec3& nearest, double margin,
                     double length) const;
     bool may_reach(const StraightSweep& sweep, double margin,
                    RayRows::Row& short_by) const;

@@ -33,7 +33,7 @@ double gap_of(const PartCharts& charts, const SweepTree& tree, const PartCell& c
 {
     const auto ray = charts.ray(cell.chart, cell.centre());
     if (ray) {
-        const double around = cell.reach(*ray) + tree.cover().radius();
+        const double around = cell.reach(*ray) + tree.sweeps().front().cutter().radius();
         const double away = distance_from_sweeps(tree, ray->point, least + around);
         if (away - around >= least)
             return least;
@@ -58,7 +58,7 @@ bool is_clear(const HalfSpace& half, const Vec3& middle, double radius)
 // Seen from above, of those that come below `top`.
 Overlap overlap_of(const SweepTree& tree, const Vec3& middle, double reach, double top)
 {
-    const Cutter& cutter = tree.cover();
+    const Cutter& cutter = tree.sweeps().front().cutter();
     const Vec3 at_top{middle.x(), middle.y(), top};
     const Vec3 place = at_top + Vec3{0, 0, cutter.corner_radius()};
     const double around = reach + cutter.radius();

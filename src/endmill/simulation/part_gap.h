@@ -10,6 +10,7 @@ namespace endmill {
 /// the nearest place of a cutter taken for a ball as wide as it, less what the charts
 /// extend around their middles; 0 if they touch. For a message; never more than it is.
 /// Infinite if there is no sweep or no chart.
+/// \pre the sweeps are of one cutter, here and below; not checked.
 double part_gap(const PartCharts& charts, const SweepTree& tree);
 
 /// Whether a cutter passes over the part, as seen from above, below a stock's `top`, in mm:

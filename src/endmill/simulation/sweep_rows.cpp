@@ -17,12 +17,9 @@ struct SweepPointers {
     const double* dz;
     const double* per_squared;
     const double* per_level;
+    const double* flat_radius;
+    const double* corner_radius;
     std::size_t count;
-};
-
-struct Disc {
-    double flat_radius;
-    double corner_radius;
 };
 
 double reciprocal(double value)
@@ -35,7 +32,7 @@ double reciprocal(double value)
 // their middle: as `half_space` has it, and `RayBundle`, all times the way's length. Not
 // below 0 is certain.
 ENDMILL_WIDEST_REGISTERS
-void measure_gaps(const RayBundle rays, const SweepPointers sweeps, const Disc disc,
+void measure_gaps(const RayBundle rays, const SweepPointers sweeps,
                   double* __restrict gaps)
 {
     const double cx = rays.centre.x();
@@ -44,7 +41,6 @@ void measure_gaps(const RayBundle rays, const SweepPointers sweeps, const Disc d
     const double ux = rays.upright.x();
     const double uy = rays.upright.y();
     const double uz = rays.upright.z();
-    const double flat = disc.flat_radius;
     for (std::size_t k = 0; k < sweeps.count; ++k) {
         const double px = cx - sweeps.x[k];
         const double py = cy - sweeps.y[k];
@@ -52,6 +48,7 @@ void measure_gaps(const RayBundle rays, const SweepPointers sweeps, const Disc d
         const double dx = sweeps.dx[k];
         const double dy = sweeps.dy[k];
         const double dz = sweeps.dz[k];
+        const double flat = sweeps.flat_radius[k];
         // The reference point nearest to the middle; beside what stands above them, the
         // nearest in plan.
         const double level = px * dx + py * dy;
@@ -74,7 +71,7 @@ void measure_gaps(const RayBundle rays, const SweepPointers sweeps, const Disc d
         const double size = std::sqrt(beside * beside + wz * wz);
         const double turn = wx * dx + wy * dy + wz * dz;
         const double least = -(wx * px + wy * py + wz * pz) + select(turn < 0, turn, 0) -
-                             flat * beside - disc.corner_radius * size;
+                             flat * beside - sweeps.corner_radius[k] * size;
         const double along = wx * ux + wy * uy + wz * uz;
         const double ax = wx - along * ux;
         const double ay = wy - along * uy;
@@ -93,12 +90,9 @@ SweepRows::SweepRows(const SweepTree& tree, const RayBundle& rays)
 {
     if (tree.sweeps().empty())
         return;
-    const Cutter& cutter = tree.cover();
-    flat_radius_ = cutter.flat_radius();
-    corner_radius_ = cutter.corner_radius();
     tree.visit(
         rays.centre,
-        [&](const Vec3& nearest) {
+        [&](const Vec3& nearest, const Cutter& cutter) {
             return !rays.is_out_of_reach(half_space(cutter, rays.centre, nearest), 0,
                                          rays.longest);
         },
@@ -121,17 +115,20 @@ void SweepRows::add(const StraightSweep& sweep, std::int32_t number)
     rows_.dz.push_back(move.z());
     rows_.per_squared.push_back(reciprocal(move.squaredNorm()));
     rows_.per_level.push_back(reciprocal(move.head<2>().squaredNorm()));
+    rows_.flat_radius.push_back(sweep.cutter().flat_radius());
+    rows_.corner_radius.push_back(sweep.cutter().corner_radius());
     numbers_.push_back(number);
 }
 
 std::vector<std::int32_t> SweepRows::near(const RayBundle& rays) const
 {
     std::vector<double> gaps(numbers_.size());
-    measure_gaps(rays,
-                 {rows_.x.data(), rows_.y.data(), rows_.z.data(), rows_.dx.data(),
-                  rows_.dy.data(), rows_.dz.data(), rows_.per_squared.data(),
-                  rows_.per_level.data(), numbers_.size()},
-                 {flat_radius_, corner_radius_}, gaps.data());
+    measure_gaps(
+        rays,
+        {rows_.x.data(), rows_.y.data(), rows_.z.data(), rows_.dx.data(), rows_.dy.data(),
+         rows_.dz.data(), rows_.per_squared.data(), rows_.per_level.data(),
+         rows_.flat_radius.data(), rows_.corner_radius.data(), numbers_.size()},
+        gaps.data());
     std::vector<std::int32_t> near;
     for (std::size_t k = 0; k < gaps.size(); ++k)
         if (!(gaps[k] >= 0))

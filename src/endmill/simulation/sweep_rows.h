@@ -26,12 +26,11 @@ private:
     // Reference points at the starts, one corner radius above the tips, and moves, in mm;
     // per the squared length of the move, and of what it is seen from above: 0 if that is.
     struct Rows {
-        std::vector<double> x, y, z, dx, dy, dz, per_squared, per_level;
+        std::vector<double> x, y, z, dx, dy, dz, per_squared, per_level, flat_radius,
+            corner_radius;
     };
     Rows rows_;
     std::vector<std::int32_t> numbers_;
-    double flat_radius_ = 0;  // of a cutter that holds all
-    double corner_radius_ = 0;
 };
 
 }  // namespace endmill

@@ -44,54 +44,55 @@ SweepTree::SweepTree(std::span<const StraightSweep> sweeps) : sweeps_{sweeps}
             "SweepTree: need fewer than 2^31 moves");
     if (sweeps.empty())
         return;
-    find_cover();
+    for (std::size_t i = sweeps.size(); i-- > 0;)
+        if (const Cutter& cutter = sweeps[i].cutter(); std::ranges::none_of(
+                roots_, [&](const Root& root) { return root.cutter == cutter; }))
+            roots_.push_back({cutter, 0});
     std::vector<Item> items;
-    for (std::uint32_t i = 0; i < sweeps.size(); ++i) {
-        const StraightSweep& sweep = sweeps[i];
-        const double radius = sweep.cutter().radius();
-        const int pieces =
-            std::clamp(static_cast<int>(std::ceil(std::min<double>(
-                           sweep.length() / (piece_radii * radius), most_pieces))),
-                       1, most_pieces);
-        const Vec3 lift{0, 0, sweep.cutter().corner_radius()};
-        for (int k = 0; k < pieces; ++k) {
-            Box box;
-            for (const int end : {k, k + 1}) {
-                const double share = end / double(pieces);
-                const Vec3 at =
-                    lift + (end == pieces ? sweep.to()
-                                          : Vec3{sweep.from() +
-                                                 share * (sweep.to() - sweep.from())});
-                box.low = box.low.cwiseMin(at);
-                box.high_x = std::max(box.high_x, at.x());
-                box.high_y = std::max(box.high_y, at.y());
-            }
-            items.push_back({box, i});
-        }
+    for (Root& root : roots_) {
+        items.clear();
+        for (std::uint32_t i = 0; i < sweeps.size(); ++i)
+            if (sweeps[i].cutter() == root.cutter)
+                add_items(i, items);
+        nodes_.reserve(nodes_.size() + items.size());
+        items_.reserve(items_.size() + items.size());
+        root.node = static_cast<std::uint32_t>(nodes_.size());
+        build(items);
     }
-    nodes_.reserve(items.size());
-    items_.reserve(items.size());
-    build(items);
 }
 
-// Every cutter is its corner rolled around a disc: the widest of both holds all.
-void SweepTree::find_cover()
+// The boxes of its pieces.
+void SweepTree::add_items(std::uint32_t number, std::vector<Item>& items) const
 {
-    cover_ = sweeps_.front().cutter();
-    double flat = cover_.flat_radius();
-    double corner = cover_.corner_radius();
-    least_corner_radius_ = corner;
-    for (const StraightSweep& sweep : sweeps_) {
-        const Cutter& cutter = sweep.cutter();
-        if (cutter == sweeps_.front().cutter())
-            continue;
-        is_of_one_cutter_ = false;
-        flat = std::max(flat, cutter.flat_radius());
-        corner = std::max(corner, cutter.corner_radius());
-        least_corner_radius_ = std::min(least_corner_radius_, cutter.corner_radius());
+    const StraightSweep& sweep = sweeps_[number];
+    const double radius = sweep.cutter().radius();
+    const int pieces =
+        std::clamp(static_cast<int>(std::ceil(std::min<double>(
+                       sweep.length() / (piece_radii * radius), most_pieces))),
+                   1, most_pieces);
+    const Vec3 lift{0, 0, sweep.cutter().corner_radius()};
+    for (int k = 0; k < pieces; ++k) {
+        Box box;
+        for (const int end : {k, k + 1}) {
+            const double share = end / double(pieces);
+            const Vec3 at =
+                lift + (end == pieces
+                            ? sweep.to()
+                            : Vec3{sweep.from() + share * (sweep.to() - sweep.from())});
+            box.low = box.low.cwiseMin(at);
+            box.high_x = std::max(box.high_x, at.x());
+            box.high_y = std::max(box.high_y, at.y());
+        }
+        items.push_back({box, number});
     }
-    if (!is_of_one_cutter_)
-        cover_ = Cutter{flat + corner, corner};
+}
+
+double SweepTree::least_corner_radius() const
+{
+    double least = roots_.empty() ? 0 : roots_.front().cutter.corner_radius();
+    for (const Root& root : roots_)
+        least = std::min(least, root.cutter.corner_radius());
+    return least;
 }
 
 void SweepTree::build(std::span<Item> items)

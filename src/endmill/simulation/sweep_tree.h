@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "endmill/cutter/straight_sweep.h"
@@ -28,15 +29,11 @@ public:
 
     std::span<const StraightSweep> sweeps() const { return sweeps_; }
 
-    /// A cutter that holds each of the sweeps' cutters whose reference point is its own:
-    /// theirs, if it is one and the same.
-    const Cutter& cover() const { return cover_; }
-
     /// Whether all sweeps are of one cutter.
-    bool is_of_one_cutter() const { return is_of_one_cutter_; }
+    bool is_of_one_cutter() const { return roots_.size() < 2; }
 
     /// Of all sweeps' cutters, mm; 0 if one has a sharp edge, or there is none.
-    double least_corner_radius() const { return least_corner_radius_; }
+    double least_corner_radius() const;
 
     /// Calls `visit(number of a sweep)` for the sweeps whose reference points (one corner
     /// radius above the tips) lie in boxes for which `may_matter(nearest)` holds, `nearest`
@@ -44,13 +41,33 @@ public:
     /// Nearer boxes come first by and large, and `may_matter` is asked late, so that it
     /// may grow stricter on the way. A long move may be visited more than once. The order
     /// depends on the sweeps and the answers only.
+    ///
+    /// \param may_matter may also ask for the cutter of the box's sweeps, as a second argument;
+    /// of several cutters that of the last sweep comes first, one after the other.
     template <typename MayMatter, typename Visit>
     void visit(const Vec3& place, const MayMatter& may_matter, const Visit& visit) const
     {
+        for (const Root& root : roots_)
+            visit_below(
+                root.node, place,
+                [&](const Vec3& nearest) {
+                    if constexpr (std::is_invocable_v<MayMatter, const Vec3&,
+                                                      const Cutter&>)
+                        return may_matter(nearest, root.cutter);
+                    else
+                        return may_matter(nearest);
+                },
+                visit);
+    }
+
+private:
+    template <typename MayMatter, typename Visit>
+    void visit_below(std::uint32_t root, const Vec3& place, const MayMatter& may_matter,
+                     const Visit& visit) const
+    {
         std::array<std::uint32_t, 128> stack;
         std::size_t depth = 0;
-        if (!nodes_.empty())
-            stack[depth++] = 0;
+        stack[depth++] = root;
         while (depth > 0) {
             const std::uint32_t number = stack[--depth];
             const Node& node = nodes_[number];
@@ -71,7 +88,6 @@ public:
         }
     }
 
-private:
     // Around the reference points of pieces of moves, open above, as the cutter is.
     struct Box {
         Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
@@ -81,6 +97,10 @@ private:
     struct Node : Box {
         std::uint32_t first;  // item, or the second child; the first child follows
         std::uint32_t count;  // of items; 0 for an inner node
+    };
+    struct Root {  // of the sweeps of one cutter
+        Cutter cutter;
+        std::uint32_t node;
     };
     struct Item {
         Box box;
@@ -94,12 +114,10 @@ private:
                 std::max(place.z(), node.low.z())};
     }
     void build(std::span<Item> items);
-    void find_cover();
+    void add_items(std::uint32_t sweep, std::vector<Item>& items) const;
 
     std::span<const StraightSweep> sweeps_;
-    Cutter cover_ = Cutter::ball(1);
-    bool is_of_one_cutter_ = true;
-    double least_corner_radius_ = 0;
+    std::vector<Root> roots_;
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> items_;  // numbers of sweeps
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace endmill {
 namespace {
@@ -226,19 +227,19 @@ double TileMeasure::smooth_least(const MeasuredCell& cell)
                : cell.left.left - hidden_gouge(cell, Cutter::ball(corner_radius()));
 }
 
-// The least of the sweeps that may gouge the tile, mm: one with a sharp edge that stays
-// well over the part hides nothing. 0 where none may.
+// The least of the sweeps that may gouge the tile, mm, or of all where none may: one with a
+// sharp edge that stays well over the part hides nothing.
 double TileMeasure::corner_radius()
 {
     if (!corner_radius_) {
         corner_radius_ = measured_.tree.least_corner_radius();
-        if (!measured_.tree.is_of_one_cutter() && rays_) {
-            double least = measured_.tree.cover().corner_radius();
+        if (!measured_.tree.is_of_one_cutter() && rays_ && !beneath().empty()) {
+            double least = std::numeric_limits<double>::infinity();
             for (const std::int32_t number : beneath())
                 least = std::min(
                     least,
                     sweeps()[static_cast<std::size_t>(number)].cutter().corner_radius());
-            corner_radius_ = beneath().empty() ? 0 : least;
+            corner_radius_ = least;
         }
     }
     return *corner_radius_;
