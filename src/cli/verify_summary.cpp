@@ -196,6 +196,11 @@ std::string earlier_text(const Json& s)
 // What has to be known to read the verdict.
 std::string hint_text(const Json& s)
 {
+    if (s["verdict"] == verdict_name(Verdict::Undecided) &&
+        !s["earlier_gouge_mm"].is_null())
+        return "a limit may be broken between the rays, or between the stock's heights: "
+               "a "
+               "finer --resolution tells, and a stock.vti that keeps its moves\n";
     if (s["verdict"] == verdict_name(Verdict::Undecided))
         return "a limit may be broken between the rays: a finer --resolution tells\n";
     if (s["part"].is_null() && s["removed_mm3"] == 0)
