@@ -12,21 +12,29 @@
 
 #include "endmill/core/numbers.h"
 #include "endmill/interference/curve_arrangement.h"
-#include "endmill/io/csv_lines.h"
+#include "endmill/io/named_columns.h"
 #include "endmill/io/printable.h"
 #include "endmill/io/read_file.h"
 
 namespace endmill {
 namespace {
 
-constexpr std::size_t longest_echo = 40;
 constexpr std::array<std::string_view, 3> names{"s_mm", "z_mm", "curve"};
+
+// At the header; an empty text has no columns.
+CsvLines started(std::string_view text, const std::string& file)
+{
+    CsvLines lines{text, file};
+    lines.next();
+    return lines;
+}
 
 class PolylineReader {
 public:
     PolylineReader(std::string_view text, const std::string& file,
                    const ReadLimits& limits)
-        : lines_{text, file},
+        : lines_{started(text, file)},
+          columns_{lines_, names, 2},
           file_{file},
           limits_{limits}
     {
@@ -34,8 +42,6 @@ public:
 
     std::vector<SectionCurve> read_all()
     {
-        lines_.next();  // an empty text has no columns
-        read_header();
         require_memory(
             file_, static_cast<double>(line_count(lines_.rest())) * sizeof(SectionPoint),
             limits_);
@@ -48,35 +54,10 @@ public:
     }
 
 private:
-    void read_header()
-    {
-        for (std::size_t place = 0; place < lines_.cells().size(); ++place) {
-            const std::string_view word = lines_.cells()[place];
-            const auto known = std::ranges::find(names, word);
-            if (known == names.end())
-                throw lines_.complaint(
-                    "E_CSV", "unknown column \"" + printable(word, longest_echo) + '"',
-                    "s_mm, z_mm and optionally curve");
-            auto& column = columns_[static_cast<std::size_t>(known - names.begin())];
-            if (column)
-                throw lines_.complaint("E_CSV", "column " + std::string{word} + " twice",
-                                       "each once");
-            column = place;
-        }
-        for (const std::size_t needed : {0, 1})
-            if (!columns_[needed])
-                throw lines_.complaint("E_CSV", "no column " + std::string{names[needed]},
-                                       "s_mm and z_mm");
-    }
-
     void add_row()
     {
-        const std::size_t expected = columns_[2] ? 3 : 2;
-        if (lines_.cells().size() != expected)
-            throw lines_.complaint("E_CSV",
-                                   "row has " + counted(lines_.cells().size(), "cell"),
-                                   std::to_string(expected));
-        const std::int64_t number = columns_[2] ? curve_number() : 0;
+        columns_.check_row(lines_);
+        const std::int64_t number = columns_.has(2) ? curve_number() : 0;
         if (curves_.empty() || number != number_)
             begin_curve(number);
         const SectionPoint point{length(0), length(1)};
@@ -112,20 +93,20 @@ private:
 
     std::int64_t curve_number() const
     {
-        const std::string_view text = lines_.cells()[*columns_[2]];
+        const std::string_view text = columns_.cell(lines_, 2);
         std::int64_t number = 0;
         const char* const end = text.data() + text.size();
         const auto [stop, error] = std::from_chars(text.data(), end, number);
         if (error != std::errc{} || stop != end || number < 0)
-            refuse(2, "a whole number from 0");
+            throw columns_.complaint(lines_, 2, "a whole number from 0");
         return number;
     }
 
     double length(std::size_t column) const
     {
-        const auto number = number_from_text(lines_.cells()[*columns_[column]]);
+        const auto number = number_from_text(columns_.cell(lines_, column));
         if (!number)
-            refuse(column, "a number");
+            throw columns_.complaint(lines_, column, "a number");
         if (std::abs(*number) > limits_.max_extent_mm)
             throw lines_.complaint(
                 "E_RANGE", std::string{names[column]} + " is " + to_text(*number),
@@ -133,19 +114,10 @@ private:
         return *number;
     }
 
-    [[noreturn]] void refuse(std::size_t column, const std::string& expected) const
-    {
-        const std::string_view text = lines_.cells()[*columns_[column]];
-        const std::string found =
-            text.empty() ? "empty" : '"' + printable(text, longest_echo) + '"';
-        throw lines_.complaint("E_CSV", std::string{names[column]} + " is " + found,
-                               expected);
-    }
-
     CsvLines lines_;
+    NamedColumns columns_;
     const std::string& file_;
     const ReadLimits& limits_;
-    std::array<std::optional<std::size_t>, 3> columns_{};  // as `names`
     std::vector<SectionCurve> curves_;
     std::set<std::int64_t> numbers_;
     std::int64_t number_ = 0;
