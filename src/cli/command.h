@@ -43,7 +43,9 @@ void add_feed_command(CLI::App& program, Action& action);    ///< how fast a pat
 void add_coefficients_command(CLI::App& program,
                               Action& action);  ///< of one engagement
 void add_toollife_command(CLI::App& program,
-                          Action& action);                 ///< economic cutting speed
-void add_cite_command(CLI::App& program, Action& action);  ///< the sources
+                          Action& action);                    ///< economic cutting speed
+void add_machine_command(CLI::App& program, Action& action);  ///< of a machine's axes
+void add_setup_command(CLI::App& program, Action& action);    ///< how a part is to stand
+void add_cite_command(CLI::App& program, Action& action);     ///< the sources
 
 }  // namespace endmill

@@ -39,6 +39,8 @@ ExitCode run(int argc, char** argv, bool json_errors)
     add_feed_command(program, action);
     add_coefficients_command(program, action);
     add_toollife_command(program, action);
+    add_setup_command(program, action);
+    add_machine_command(program, action);
     add_eval_command(program, action);
     add_cite_command(program, action);
     try {

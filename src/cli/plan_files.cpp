@@ -12,6 +12,7 @@
 #include "cli/console.h"
 #include "cli/plan_text.h"
 #include "cli/progress.h"
+#include "cli/surface_facts.h"
 #include "endmill/core/numbers.h"
 #include "endmill/io/path_summary.h"
 #include "endmill/io/printable.h"

@@ -5,7 +5,7 @@ import unittest
 
 from program import ROOT, ProgramTest, endmill
 
-COMMANDS = ("info", "plan", "eval", "cite")
+COMMANDS = ("info", "plan", "machine", "eval", "cite")
 
 
 def calls_of_readme(command):
@@ -24,7 +24,7 @@ class Program(ProgramTest):
 
     def test_examples_of_milling_do_what_they_promise(self):
         (self.folder / "datasets").symlink_to(ROOT / "datasets")
-        for command in ("feed", "coefficients", "toollife"):
+        for command in ("feed", "coefficients", "toollife", "machine"):
             lines = endmill(command, "--help").stdout.split("Example:\n")[1].splitlines()
             calls = "".join("\n" * line.startswith("  endmill ") + line for line in lines).split("\n")[1:]
             self.assertGreaterEqual(len(calls), 1)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/io/machine_file.h"
+#include "endmill/machine/feasible_directions.h"
 #include "fuzz_program.h"
 
 // A machine that is read is sound; or the error is one that the reader promises.
@@ -13,6 +14,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         require_sound(machine.limits);
         for (const AxisTravel& travel : machine.travels)
             program_must(std::isfinite(travel.from) && travel.from <= travel.to);
+        const Machine moving = moving_machine(machine);
+        if (moving.configuration.is_valid()) {
+            const double area =
+                feasible_directions(moving.configuration, moving.rotary).solid_angle();
+            program_must(area >= 0 && area < 12.6);
+        }
         program_must(is_fit_for_a_terminal(machine.name + machine.source));
     } catch (const FormatError& error) {
         program_must(error.file() == "f.json" && is_fit_for_a_terminal(error.what()));

@@ -9,6 +9,8 @@
 #include "endmill/core/numbers.h"
 #include "endmill/io/json_format.h"
 #include "endmill/io/read_file.h"
+#include "endmill/machine/axis_limits.h"
+#include "endmill/machine/configuration.h"
 
 namespace endmill {
 namespace {
@@ -16,7 +18,7 @@ namespace {
 constexpr std::string_view format_name = "endmill-machine/1";
 constexpr std::string_view code = "E_MACHINE";
 constexpr double most_of_all = 1e9;    // rpm, W, N m, mm/min, m/s^2: any machine's
-constexpr double most_turn_deg = 1e6;  // a rotary axis that turns for ever
+constexpr double most_turn_deg = 360;  // what is wider is not limited
 
 // Of the keys in `limits`: the axis and its unit.
 struct AxisKey {
@@ -37,41 +39,32 @@ FormatError machine_complaint(const JsonValue& value, const std::string& expecte
     return value.complaint(value.shown(), expected, std::string{code});
 }
 
-// From workpiece to tool: x, y, z and the bed B once each, a, b, c at most once.
-bool is_configuration(std::string_view word)
-{
-    if (!word.starts_with("W/") || !word.ends_with("/T") || word.size() < 4)
-        return false;
-    const std::string_view axes = word.substr(2, word.size() - 4);
-    const auto count = [&](char letter) { return std::ranges::count(axes, letter); };
-    std::size_t known = 0;
-    for (const char letter : std::string_view{"xyzB"}) {
-        if (count(letter) != 1)
-            return false;
-        ++known;
-    }
-    for (const char letter : std::string_view{"abc"}) {
-        if (count(letter) > 1)
-            return false;
-        known += static_cast<std::size_t>(count(letter));
-    }
-    return known == axes.size();
-}
-
 std::string configuration(const JsonValue& root, const std::string& otherwise)
 {
     const auto value = root.find_member("configuration");
     if (!value)
         return otherwise;
-    const std::string word = value->text();
-    if (!is_configuration(word))
-        throw machine_complaint(*value,
-                                "W/, the axes x, y, z, the bed B and any of a, b, c from "
-                                "workpiece to tool, /T, such as \"W/xyBz/T\"");
+    std::string word = value->text();
+    if (const auto fault = configuration_fault(word))
+        throw value->complaint(
+            value->shown() + ": " + *fault,
+            "W/, the axes x, y, z, the bed B and at most two of a, b, c "
+            "from workpiece to tool, /T, such as \"W/caxyBz/T\"",
+            std::string{code});
     return word;
 }
 
-AxisTravel travel(const JsonValue& value, const AxisKey& key, const ReadLimits& limits)
+// Limits of the rotary axis at that place among those of the machine.
+void require_rotary_range(const JsonValue& value, std::size_t place, double from_deg,
+                          double to_deg)
+{
+    if (const auto expected = expected_rotary_range(place, from_deg, to_deg))
+        throw value.complaint("[" + to_text(from_deg) + ", " + to_text(to_deg) + "]",
+                              *expected, std::string{code});
+}
+
+AxisTravel travel(const JsonValue& value, const AxisKey& key, std::size_t place,
+                  const ReadLimits& limits)
 {
     if (value.size() != 2)
         throw machine_complaint(value, "[min, max]");
@@ -85,7 +78,15 @@ AxisTravel travel(const JsonValue& value, const AxisKey& key, const ReadLimits& 
         throw machine_complaint(last, "at least the min, " + to_text(from));
     if (!key.is_rotary)
         return {key.axis, from, to};
+    require_rotary_range(value, place, from, to);
     return {key.axis, Angle::degrees(from).radians(), Angle::degrees(to).radians()};
+}
+
+// Of the rotary axes the number from the part to the tool; else none.
+std::size_t place_of(const MachineConfiguration& machine, char letter)
+{
+    const auto axis = std::ranges::find(machine.rotary, letter, &RotaryAxis::letter);
+    return static_cast<std::size_t>(axis - machine.rotary.begin());
 }
 
 std::vector<AxisTravel> travels(const JsonValue& root, std::string_view configuration,
@@ -96,6 +97,7 @@ std::vector<AxisTravel> travels(const JsonValue& root, std::string_view configur
     if (!value)
         return all;
     std::vector<std::string_view> keys;
+    keys.reserve(axis_keys.size());
     for (const AxisKey& key : axis_keys)
         keys.push_back(key.key);
     value->allow_only(keys);
@@ -107,7 +109,9 @@ std::vector<AxisTravel> travels(const JsonValue& root, std::string_view configur
             throw found->complaint("limits of an axis that the machine does not have",
                                    "one of " + std::string{configuration},
                                    std::string{code});
-        all.push_back(travel(*found, key, limits));
+        const std::size_t place =
+            place_of(configuration_from_word(configuration), key.axis);
+        all.push_back(travel(*found, key, place, limits));
     }
     return all;
 }
@@ -179,6 +183,27 @@ MachineDescription parse_machine(std::string_view content,
     machine.pivot_mm = find_number(
         root, "pivot_mm", {.above = -most, .most = most, .from = true, .code = code});
     machine.table_offset_mm = table_offset(root, most);
+    return machine;
+}
+
+Machine moving_machine(const MachineDescription& description)
+{
+    Machine machine{.configuration = configuration_from_word(description.configuration),
+                    .pivot = description.pivot_mm.value_or(0),
+                    .table_offset = description.table_offset_mm.value_or(Vec3::Zero())};
+    machine.rotary = widest_limits(machine.configuration);
+    for (const AxisTravel& travel : description.travels) {
+        if (travel.axis >= 'x') {
+            machine.linear[static_cast<std::size_t>(travel.axis - 'x')] = {travel.from,
+                                                                           travel.to};
+            continue;
+        }
+        const std::size_t place = place_of(machine.configuration, travel.axis);
+        if (machine.configuration.is_valid())
+            turns_of(machine.rotary, machine.configuration, place) =
+                mirrored(machine.configuration.rotary[place].side,
+                         RotaryRange{travel.from, travel.to});
+    }
     return machine;
 }
 

@@ -9,11 +9,13 @@
 
 #include "endmill/core/vec.h"
 #include "endmill/io/read_limits.h"
+#include "endmill/machine/kinematics.h"
 #include "endmill/process/milling_machine.h"
 
 namespace endmill {
 
-/// How far an axis of a machine goes.
+/// How far an axis of a machine goes: of a rotary axis its own positions, the right-hand turns of
+/// what it carries.
 struct AxisTravel {
     char axis;    ///< 'x', 'y', 'z', linear; 'a', 'b', 'c', rotary about them
     double from;  ///< mm, or rad
@@ -40,8 +42,8 @@ struct MachineDescription {
 /// `max_feed_mm_per_min`, `acceleration_m_per_s2`.
 /// \throws FormatError as `JsonDocument`, with the JSON pointer, for a key that is unknown;
 ///         E_MACHINE for a word that is no configuration, limits of an axis that the
-///         configuration does not have, of which there are not two, or in falling order,
-///         and a value out of its range; E_FORMAT for another format; and as `read_file`.
+///         configuration does not have, of which there are not two, in falling order, or
+///         that `expected_rotary_range` objects to, and a value out of its range; E_FORMAT for another format; and as `read_file`.
 MachineDescription read_machine(const std::filesystem::path& path,
                                 const ReadLimits& limits = {});
 
@@ -49,5 +51,10 @@ MachineDescription read_machine(const std::filesystem::path& path,
 MachineDescription parse_machine(std::string_view content,
                                  const std::filesystem::path& path,
                                  const ReadLimits& limits = {});
+
+/// The same as far as it moves: without a pivot or a table offset these are 0, axes without
+/// limits are not limited. The rotary limits are of use for a valid configuration only.
+/// \throws DomainError unless the configuration is one.
+Machine moving_machine(const MachineDescription& description);
 
 }  // namespace endmill

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// endmill machine: what a configuration of axes can do.
+
+#include <memory>
+
+#include "cli/console.h"
+#include "cli/machine_argument.h"
+#include "cli/machine_options.h"
+#include "cli/machine_summary.h"
+#include "cli/rotary_limits_option.h"
+#include "endmill/core/error.h"
+#include "endmill/io/output_folder.h"
+
+namespace endmill {
+namespace {
+
+// An option that changes nothing was meant for something.
+void refuse_idle(const MachineOptions& options)
+{
+    const bool has_positions = !options.at.empty() || options.inverse;
+    if (options.point && !has_positions)
+        throw DomainError{"--point: expected --at or --inverse beside it"};
+    if (options.length_mm > 0 && !options.point)
+        throw DomainError{"--length: expected --point, and --at or --inverse, beside it"};
+}
+
+ExitCode run_machine(const MachineOptions& options)
+{
+    refuse_idle(options);
+    auto [machine, file] = machine_argument(options.machine, options.common.limits);
+    const bool is_valid = machine.configuration.is_valid();
+    if (is_valid && !options.limits.empty())
+        machine.rotary =
+            limits_for_machine(options.limits, machine.configuration, machine.rotary);
+    const Json summary = machine_summary(machine, options);
+    if (!options.common.output.empty()) {
+        OutputFolder folder{options.common.output, options.common.force};
+        if (!file.empty())
+            folder.protect(file);
+        folder.write("summary.json", summary.dump(2) + "\n");
+        folder.publish();
+    }
+    std::string text;
+    for (const auto& [key, value] : summary.items())
+        text += key + " = " +
+                (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
+    print_result(options.common, summary, text);
+    return is_valid ? ExitCode::Yes : ExitCode::No;
+}
+
+}  // namespace
+
+void add_machine_command(CLI::App& program, Action& action)
+{
+    CLI::App* command = program.add_subcommand(
+        "machine", "what a machine of 3, 4 or 5 axes can do: tool directions, positions");
+    const auto options = std::make_shared<MachineOptions>();
+    add_machine_options(*command, *options);
+    command->footer(
+        "Limits and results phi, theta are turns of the tool against the part. C,A: phi "
+        "is the\ntilt, theta that of C; A,B: phi is that of the axis nearer to the part. "
+        "Letters are\npositions of axes: right-hand turns of what they carry. Exit 1: no "
+        "machine of so many\naxes, with the reason. Prints; writes DIR/summary.json only "
+        "with --output.\n\n"
+        "Example:\n  endmill machine W/caxyBz/T --limits a=-120:30 --contains 45,100 "
+        "--contains 0,170\n  endmill machine W/cxyBza/T --at c=-40,a=25 --point 50,20,30 "
+        "--length 200");
+    command->callback(
+        [options, &action] { action = [options] { return run_machine(*options); }; });
+}
+
+}  // namespace endmill

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/rotary_limits_option.h"
+
+#include <set>
+#include <vector>
+
+#include "cli/named_texts.h"
+#include "endmill/core/angle.h"
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/io/printable.h"
+#include "endmill/machine/axis_limits.h"
+
+namespace endmill {
+namespace {
+
+constexpr const char* limits_example = "phi=-30:110,theta=-180:180";
+
+// A word that limits may be given for.
+struct LimitName {
+    std::string name;
+    std::size_t axis;  // from the part to the tool
+    MachineSide side;  // the tool's for turns, which need no mirror
+};
+
+std::vector<LimitName> limit_names(const MachineConfiguration& configuration)
+{
+    std::vector<LimitName> names;
+    RotaryLimits any;
+    for (std::size_t k = 0; k < configuration.rotary.size(); ++k) {
+        const bool is_phi = &turns_of(any, configuration, k) == &any.phi;
+        names.push_back({is_phi ? "phi" : "theta", k, MachineSide::Head});
+        const RotaryAxis& axis = configuration.rotary[k];
+        names.push_back({{axis.letter}, k, axis.side});
+    }
+    return names;
+}
+
+[[noreturn]] void refuse_limits(const NamedText& item, const std::string& expected)
+{
+    throw DomainError{"--limits: found \"" + printable(item.name + "=" + item.text) +
+                      "\"; expected " + expected};
+}
+
+const LimitName& named_axis(const NamedText& item, const std::vector<LimitName>& names)
+{
+    std::string known;
+    for (const LimitName& name : names) {
+        if (name.name == item.name)
+            return name;
+        known += (known.empty() ? "" : ", ") + name.name;
+    }
+    refuse_limits(item, names.empty() ? "no limits: there is no rotary axis"
+                                      : "limits of " + known);
+}
+
+RotaryRange range_of(const NamedText& item, const LimitName& axis)
+{
+    const std::vector<std::string> ends = parts_of(item.text, ':');
+    const auto from = number_from_text(ends.front());
+    const auto to = number_from_text(ends.back());
+    if (ends.size() != 2 || !from || !to)
+        refuse_limits(item, "LO:HI in degrees, as in " + std::string{limits_example});
+    if (const auto expected = expected_rotary_range(axis.axis, *from, *to))
+        refuse_limits(item, *expected);
+    return mirrored(axis.side, RotaryRange{Angle::degrees(*from).radians(),
+                                           Angle::degrees(*to).radians()});
+}
+
+RotaryLimits limits_in(const std::string& text, const MachineConfiguration& configuration,
+                       const std::vector<LimitName>& names, RotaryLimits limits)
+{
+    std::set<std::size_t> given;
+    for (const NamedText& item : named_texts("--limits", text, limits_example)) {
+        const LimitName& axis = named_axis(item, names);
+        if (!given.insert(axis.axis).second)
+            refuse_limits(item, "limits of each axis once");
+        turns_of(limits, configuration, axis.axis) = range_of(item, axis);
+    }
+    return limits;
+}
+
+}  // namespace
+
+RotaryLimits limits_for_machine(const std::string& text,
+                                const MachineConfiguration& configuration,
+                                const RotaryLimits& otherwise)
+{
+    return limits_in(text, configuration, limit_names(configuration), otherwise);
+}
+
+RotaryLimits limits_for_family(const std::string& text, RotaryFamily family)
+{
+    const MachineConfiguration any =
+        configuration_from_word(family == RotaryFamily::CA ? "W/Bcaxyz/T" : "W/Babxyz/T");
+    std::vector<LimitName> names = limit_names(any);
+    std::erase_if(names, [](const LimitName& name) { return name.name.size() == 1; });
+    return limits_in(text, any, names, {});
+}
+
+}  // namespace endmill
