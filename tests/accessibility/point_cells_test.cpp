@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/accessibility/point_cells.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "random.h"
+
+namespace endmill {
+namespace {
+
+std::vector<NumberedPoint> random_points(int count, float width)
+{
+    test::Random random{3};
+    std::vector<NumberedPoint> points;
+    for (int k = 0; k < count; ++k)
+        points.push_back(
+            {{static_cast<float>(random.uniform(-1, 1)) * width,
+              static_cast<float>(random.uniform(-1, 1)), static_cast<float>(k)},
+             k});
+    return points;
+}
+
+TEST(PointCells, HoldEachPointOnceWhereItBelongs)
+{
+    for (const float width : {1.0F, 1e-3F, 0.0F}) {
+        const std::vector<NumberedPoint> points = random_points(1003, width);
+        PointCells cells;
+        cells.sort(points);
+        EXPECT_EQ(cells.points(), 1003U);
+        std::vector<int> seen(points.size(), 0);
+        for (int row = 0; row < cells.rows(); ++row)
+            for (int column = cells.column_at(-2); column <= cells.column_at(2);
+                 ++column) {
+                const auto [begin, end] = cells.range(row, column, column);
+                for (std::uint32_t place = begin; place < end; ++place) {
+                    const PointBlock& block = cells.blocks()[place / 8];
+                    const NumberedPoint& point = points[cells.number_at(place)];
+                    ++seen[point.number];
+                    EXPECT_EQ(block.x[place % 8], point.place.x());
+                    EXPECT_EQ(block.y[place % 8], point.place.y());
+                    EXPECT_EQ(block.z[place % 8], point.place.z());
+                    EXPECT_EQ(cells.column_at(point.place.x()), column);
+                    EXPECT_EQ(cells.row_at(point.place.y()), row);
+                }
+            }
+        EXPECT_EQ(std::ranges::count(seen, 1), 1003);
+        EXPECT_EQ(cells.blocks().back().number[7], -1);
+    }
+}
+
+TEST(PointCells, AreAboutAsManyAsPoints)
+{
+    PointCells cells;
+    cells.sort(random_points(10000, 3));
+    const double count = cells.rows() * (cells.column_at(9) + 1.0);
+    EXPECT_GT(count, 4000);
+    EXPECT_LT(count, 12000);
+    cells.sort(random_points(1, 3));
+    EXPECT_EQ(cells.rows(), 1);
+    cells.sort({});
+    EXPECT_EQ(cells.points(), 0U);
+}
+
+TEST(PointCells, AreCountedInStepsThatEndBesideThem)
+{
+    PointCells cells;
+    cells.sort(random_points(10000, 3));
+    EXPECT_EQ(cells.steps_to(-100.0F, 0), -1);
+    EXPECT_EQ(cells.steps_to(100.0F, 0), static_cast<float>(cells.columns()));
+    EXPECT_EQ(cells.steps_to(100.0F, 1), static_cast<float>(cells.rows()));
+    EXPECT_NEAR(cells.steps_to(0.0F, 1), cells.rows() / 2.0, 1);
+    const auto [begin, end] = cells.range(0, 0, -1);
+    EXPECT_EQ(begin, end);
+    const auto [beyond, last] =
+        cells.range(cells.rows() - 1, cells.columns(), cells.columns() - 1);
+    EXPECT_EQ(beyond, last);
+}
+
+}  // namespace
+}  // namespace endmill
