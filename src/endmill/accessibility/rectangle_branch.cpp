@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/accessibility/rectangle_branch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <queue>
+#include <vector>
+
+#include "endmill/accessibility/setup_order.h"
+
+namespace endmill {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// How far above the certain bound the result may lie: far below a cell's width, 0.1 rad.
+constexpr double certified = 1e-7;
+
+// rad: narrower pieces are not split. 1e6 roundings of an angle.
+constexpr double narrowest = 1e-10;
+
+// Keeps s / z finite at z = 0, where it stands for alpha = +-90 degrees.
+constexpr double least_height = 1e-200;
+
+// A direction less than 90 degrees from the tool axis, or just that.
+struct HighPoint {
+    double x;
+    double y;
+    double inverse_z;
+};
+
+// One beyond; not opposite to the tool axis.
+struct LowPoint {
+    double x;
+    double y;
+    double rho;      // distance from the tool axis
+    double depth;    // -z > 0
+    double azimuth;  // rad, from 0 to pi: alpha jumps where R1 has it
+};
+
+// Of R1.
+struct Azimuth {
+    double angle;  // rad
+    double cosine;
+    double sine;
+
+    explicit Azimuth(double value)
+        : angle{value},
+          cosine{std::cos(value)},
+          sine{std::sin(value)}
+    {
+    }
+
+    double along(double x, double y) const { return x * cosine + y * sine; }   // sin beta
+    double across(double x, double y) const { return x * sine - y * cosine; }  // s
+};
+
+// Largest extents on either side, as what they are found from. The larger |alpha| of the low
+// points are those of small |s| / depth.
+struct Extents {
+    double tangent_plus = 0;
+    double tangent_minus = 0;
+    double ratio_plus = infinity;
+    double ratio_minus = infinity;
+    double sine_plus = 0;
+    double sine_minus = 0;
+
+    RotaryRange alpha(bool has_opposite) const
+    {
+        double plus =
+            ratio_plus < infinity ? pi - std::atan(ratio_plus) : std::atan(tangent_plus);
+        double minus = ratio_minus < infinity ? pi - std::atan(ratio_minus)
+                                              : std::atan(tangent_minus);
+        if (has_opposite)  // at 180 degrees on either side
+            (plus >= minus ? plus : minus) = pi;
+        return {0 - minus, plus};
+    }
+
+    RotaryRange beta() const
+    {
+        return {0 - std::asin(std::min(sine_minus, 1.0)),
+                std::asin(std::min(sine_plus, 1.0))};
+    }
+};
+
+// Positions of R1 between which no low point changes its side.
+struct Piece {
+    Azimuth left;
+    Azimuth right;
+    double bound;        // rad^2
+    std::size_t number;  // in the order of creation
+
+    double middle() const { return (left.angle + right.angle) / 2; }
+
+    // The one to be split first is the largest of a std::priority_queue.
+    friend bool operator<(const Piece& a, const Piece& b)
+    {
+        return a.bound != b.bound ? a.bound > b.bound : a.number > b.number;
+    }
+};
+
+class Branching {
+public:
+    Branching(const PolePoints& points, const BranchGoal& goal)
+        : frame_{points.frame},
+          goal_{goal}
+    {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            add(points, i);
+    }
+
+    // R1 at `azimuth`, the low points on the sides on which they are with R1 at `beside`.
+    void evaluate(const Azimuth& azimuth, const Azimuth& beside)
+    {
+        Extents extents;
+        for (const HighPoint& p : high_)
+            add_sides(extents.tangent_plus, extents.tangent_minus,
+                      azimuth.across(p.x, p.y) * p.inverse_z);
+        for (const LowPoint& p : low_) {
+            const double s = azimuth.across(p.x, p.y);
+            if (beside.across(p.x, p.y) > 0)
+                extents.ratio_plus =
+                    std::min(extents.ratio_plus, std::max(s, 0.0) / p.depth);
+            else
+                extents.ratio_minus =
+                    std::min(extents.ratio_minus, std::max(-s, 0.0) / p.depth);
+        }
+        for (const HighPoint& p : high_)
+            add_sides(extents.sine_plus, extents.sine_minus, azimuth.along(p.x, p.y));
+        for (const LowPoint& p : low_)
+            add_sides(extents.sine_plus, extents.sine_minus, azimuth.along(p.x, p.y));
+        offer(azimuth, extents);
+    }
+
+    void search()
+    {
+        std::priority_queue<Piece> pieces;
+        push_roots(pieces);
+        while (!pieces.empty()) {
+            const Piece piece = pieces.top();
+            pieces.pop();
+            if (is_settled(piece.bound))
+                return;
+            if (piece.right.angle - piece.left.angle < narrowest)
+                continue;
+            const Azimuth middle{piece.middle()};
+            evaluate(middle, middle);
+            push(pieces, piece.left, middle);
+            push(pieces, middle, piece.right);
+        }
+    }
+
+    std::optional<RectangleCandidate> best() const { return best_.best(); }
+
+    // Whether nothing above this bound is asked for.
+    bool is_worthless(double bound) const
+    {
+        return bound > equal_area_limit(goal_.worthless);
+    }
+
+    bool has_dropped() const { return has_dropped_; }
+
+private:
+    void add(const PolePoints& points, std::size_t i)
+    {
+        const double x = points.x[i];
+        const double y = points.y[i];
+        const double z = points.z[i];
+        if (z >= 0) {
+            high_.push_back({x, y, 1 / std::max(z, least_height)});
+            return;
+        }
+        const double rho = std::hypot(x, y);
+        if (rho < equal_angles) {
+            has_opposite_ = true;
+            return;
+        }
+        const double azimuth = points.azimuth(i);
+        low_.push_back({x, y, rho, -z, azimuth < 0 ? azimuth + pi : azimuth});
+    }
+
+    static void add_sides(double& plus, double& minus, double value)
+    {
+        plus = std::max(plus, value);
+        minus = std::max(minus, -value);
+    }
+
+    void offer(const Azimuth& azimuth, const Extents& extents)
+    {
+        const RectangleCandidate rectangle{
+            azimuth.cosine * frame_.x + azimuth.sine * frame_.y,
+            extents.alpha(has_opposite_), extents.beta(), RectangleOrigin::Search};
+        if (!goal_.limits || fits_rigidly(rectangle, *goal_.limits))
+            best_.offer(rectangle, {rectangle.area(), rectangle.sum()});
+    }
+
+    bool is_settled(double bound)
+    {
+        if (is_worthless(bound)) {
+            has_dropped_ = true;
+            return true;
+        }
+        const double best = best_.area();
+        return best < infinity &&
+               bound >= best - certified * std::max(best, square_degree);
+    }
+
+    void push_roots(std::priority_queue<Piece>& pieces)
+    {
+        std::vector<double> splits{0};
+        for (const LowPoint& p : low_)
+            splits.push_back(p.azimuth);
+        std::sort(splits.begin(), splits.end());
+        splits.push_back(splits.front() + pi);
+        for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
+            if (splits[i + 1] - splits[i] < narrowest)
+                continue;
+            const Azimuth left{splits[i]};
+            const Azimuth right{splits[i + 1]};
+            const Azimuth middle{(splits[i] + splits[i + 1]) / 2};
+            evaluate(left, middle);
+            evaluate(right, middle);
+            push(pieces, left, right);
+        }
+    }
+
+    void push(std::priority_queue<Piece>& pieces, const Azimuth& left,
+              const Azimuth& right)
+    {
+        Piece piece{left, right, 0, created_++};
+        const Extents least = least_extents(piece);
+        const RectangleCandidate bound{Vec3::Zero(), least.alpha(has_opposite_),
+                                       least.beta(), RectangleOrigin::Search};
+        piece.bound = bound.area();
+        if (!goal_.limits || fits_rigidly(bound, *goal_.limits))
+            pieces.push(piece);
+    }
+
+    Extents least_extents(const Piece& piece) const
+    {
+        const Azimuth& l = piece.left;
+        const Azimuth& r = piece.right;
+        Extents least;
+        for (const HighPoint& p : high_) {
+            add_least(least.tangent_plus, least.tangent_minus,
+                      l.across(p.x, p.y) * p.inverse_z, r.across(p.x, p.y) * p.inverse_z);
+            add_least(least.sine_plus, least.sine_minus, l.along(p.x, p.y),
+                      r.along(p.x, p.y));
+        }
+        const Azimuth middle{piece.middle()};
+        for (const LowPoint& p : low_) {
+            const double left = l.along(p.x, p.y);
+            const double right = r.along(p.x, p.y);
+            add_least(least.sine_plus, least.sine_minus, left, right);
+            // |s| = rho where sin beta = 0.
+            const bool has_peak = (left > 0) != (right > 0);
+            const double ratio = (has_peak ? p.rho
+                                           : std::max(std::abs(l.across(p.x, p.y)),
+                                                      std::abs(r.across(p.x, p.y)))) /
+                                 p.depth;
+            double& side =
+                middle.across(p.x, p.y) > 0 ? least.ratio_plus : least.ratio_minus;
+            side = std::min(side, ratio);
+        }
+        return least;
+    }
+
+    static void add_least(double& plus, double& minus, double left, double right)
+    {
+        plus = std::max(plus, std::min(left, right));
+        minus = std::max(minus, std::min(-left, -right));
+    }
+
+    PoleFrame frame_;
+    BranchGoal goal_;
+    BestCandidate<RectangleCandidate> best_;
+    std::vector<HighPoint> high_;
+    std::vector<LowPoint> low_;
+    bool has_opposite_ = false;
+    bool has_dropped_ = false;
+    std::size_t created_ = 0;
+};
+
+}  // namespace
+
+std::optional<RectangleCandidate> coarse_rectangle(const PolePoints& points,
+                                                   const BranchGoal& goal)
+{
+    constexpr int steps = 36;
+    Branching branching{points, goal};
+    for (int i = 0; i < steps; ++i) {
+        const Azimuth azimuth{i * pi / steps};
+        branching.evaluate(azimuth, azimuth);
+    }
+    return branching.best();
+}
+
+std::optional<RectangleCandidate> branch_rectangle(const PolePoints& points,
+                                                   const BranchGoal& goal)
+{
+    Branching branching{points, goal};
+    branching.search();
+    if (branching.has_dropped())
+        return std::nullopt;
+    return branching.best();
+}
+
+}  // namespace endmill

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Internal to accessibility.
+
+#include <limits>
+#include <optional>
+
+#include "endmill/accessibility/pole_points.h"
+#include "endmill/accessibility/rectangle_candidate.h"
+#include "endmill/machine/rotary_limits.h"
+
+namespace endmill {
+
+/// What a search over R1 is for.
+struct BranchGoal {
+    std::optional<RotaryLimits> limits{};  ///< of alpha and beta, signed, or none
+    double worthless = std::numeric_limits<double>::infinity();  ///< rad^2: larger areas
+};
+
+/// The best of R1 at every fifth degree: a quick upper bound.
+std::optional<RectangleCandidate> coarse_rectangle(const PolePoints& points,
+                                                   const BranchGoal& goal);
+
+/// The rectangle of least area, to 1e-7 of it (or, below a square degree, of that), of all
+/// positions of R1, wherever the directions lie; alpha is the principal value, so that no
+/// rectangle reaches across +-180 degrees. Nothing if none fits, or if all are certainly
+/// worthless. A fit within limits that holds for less than 1e-10 rad of R1 may be missed.
+///
+/// Branch and bound over the azimuth of R1. With R1 at azimuth psi a direction (x, y, z) has
+/// s = x sin psi - y cos psi, tan alpha = s / z and sin beta = x cos psi + y sin psi. Within
+/// half a turn an extent of beta, and for z >= 0 one of alpha, is least at an end; for z < 0,
+/// where s keeps its sign between the direction's azimuths, |alpha| is least where |s| is
+/// largest. The product of the sums of such least extents bounds a piece from below.
+/// \pre the directions have unit length; `points` is not empty.
+std::optional<RectangleCandidate> branch_rectangle(const PolePoints& points,
+                                                   const BranchGoal& goal);
+
+}  // namespace endmill

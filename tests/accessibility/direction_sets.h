@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "endmill/core/vec.h"
+#include "random.h"
+
+// Directions about +Z in degrees, as the examples are written.
+namespace endmill::test {
+
+inline constexpr double degree = std::numbers::pi / 180;
+inline const Vec3 up = Vec3::UnitZ();
+
+/// Azimuth and polar angle in degrees.
+struct AzimuthPolar {
+    double azimuth;
+    double polar;
+};
+
+inline Vec3 direction(const AzimuthPolar& at)
+{
+    const double p = at.polar * degree;
+    return {std::sin(p) * std::cos(at.azimuth * degree),
+            std::sin(p) * std::sin(at.azimuth * degree), std::cos(p)};
+}
+
+inline std::vector<Vec3> directions(const std::vector<AzimuthPolar>& points)
+{
+    std::vector<Vec3> result;
+    for (const AzimuthPolar& at : points)
+        result.push_back(direction(at));
+    return result;
+}
+
+/// R_a(alpha) R_b(beta) z, in degrees: at alpha about +X and beta about +Y.
+inline Vec3 turned_to(double alpha, double beta)
+{
+    const double a = alpha * degree;
+    const double b = beta * degree;
+    return {std::sin(b), -std::sin(a) * std::cos(b), std::cos(a) * std::cos(b)};
+}
+
+/// `count` directions evenly about +Z.
+inline std::vector<Vec3> ring(int count, double polar)
+{
+    std::vector<Vec3> result;
+    for (int i = 0; i < count; ++i)
+        result.push_back(direction({360.0 * i / count, polar}));
+    return result;
+}
+
+/// 3 to 32 directions within 85 degrees of +Z, as the specification draws them.
+inline std::vector<Vec3> random_directions(Random& random)
+{
+    std::vector<Vec3> result;
+    const int count = 3 + static_cast<int>(random.uniform(0, 30));
+    for (int i = 0; i < count; ++i) {
+        const double azimuth = random.uniform(0, 360);
+        result.push_back(direction({azimuth, 85 * std::sqrt(random.uniform(0, 1))}));
+    }
+    return result;
+}
+
+inline double square_degrees(double area)
+{
+    return area / (degree * degree);
+}
+
+}  // namespace endmill::test
