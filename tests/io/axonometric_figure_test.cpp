@@ -195,6 +195,35 @@ TEST(AxonometricFigure, ALabelStandsWhereItsPointIs)
     EXPECT_EQ(seen, 2);
 }
 
+TEST(AxonometricFigure, SaysNoLengthWhereItIsNotAsked)
+{
+    const AxonometricFigure figure{{.has_length = false}, box_corners({200, 120, 50})};
+    EXPECT_EQ(figure.text().find("each arm"), std::string::npos);
+}
+
+TEST(AxonometricFigure, LinesOfTheLegendStandApartAndWithinThePicture)
+{
+    AxonometricFigure figure{{}, box_corners({2, 1, 1})};
+    for (int k = 0; k < 15; ++k)
+        figure.add_legend("entry", test_style);
+    const std::string svg = figure.text();
+    const auto [width, height] = frame_of(svg);
+    std::vector<PixelPoint> places;
+    for (const XmlElement& element : SmallXml::parse(svg))
+        if (element.text == "entry")
+            places.emplace_back(std::stod(element.attributes.at("x")),
+                                std::stod(element.attributes.at("y")));
+    ASSERT_EQ(places.size(), 15U);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        EXPECT_LT(places[i].x(), width - 100);
+        EXPECT_LT(places[i].y(), height);
+        for (std::size_t j = 0; j < i; ++j) {
+            const PixelPoint apart = (places[i] - places[j]).cwiseAbs();
+            EXPECT_TRUE(apart.x() > 150 || apart.y() > 14);
+        }
+    }
+}
+
 TEST(AxonometricFigure, RefusesNothingAndWhatIsNotFinite)
 {
     EXPECT_THROW((AxonometricFigure{{}, {}}), DomainError);

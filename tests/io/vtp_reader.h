@@ -36,11 +36,14 @@ public:
         throw std::runtime_error{"no element " + element};
     }
 
+    /// \param skipped arrays of that name before the one that is wanted.
     template <class Number>
-    std::vector<Number> array(const std::string& name, const std::string& type) const
+    std::vector<Number> array(const std::string& name, const std::string& type,
+                              int skipped = 0) const
     {
         for (const XmlElement& element : elements_) {
-            if (element.name != "DataArray" || element.attributes.at("Name") != name)
+            if (element.name != "DataArray" || element.attributes.at("Name") != name ||
+                skipped-- > 0)
                 continue;
             EXPECT_EQ(element.attributes.at("type"), type);
             const std::size_t offset = std::stoul(element.attributes.at("offset"));

@@ -28,6 +28,8 @@ constexpr double axis_arm = 58;
 constexpr double legend_line = 24;
 constexpr double legend_sample = 38;
 constexpr double legend_offset = 190;
+constexpr double legend_column = 222;
+constexpr int legend_column_lines = 5;  // as many as the footer has room for
 
 constexpr std::size_t longest_title = 100;    // characters: more would be too small
 constexpr std::size_t longest_caption = 150;  // to read
@@ -85,7 +87,7 @@ AxonometricFigure::AxonometricFigure(const FigureOptions& options,
       picture_{layout_.width_px, layout_.height_px, options.title}
 {
     add_heading(options);
-    add_axes(options.axis_names);
+    add_axes(options);
 }
 
 AxonometricFigure::Layout AxonometricFigure::layout_for(const FigureOptions& options,
@@ -178,8 +180,10 @@ void AxonometricFigure::add_label(const Vec3& point, const PixelPoint& shift_px,
 
 void AxonometricFigure::add_legend(std::string_view label, const LineStyle& style)
 {
-    const PixelPoint begin{margin + legend_offset,
-                           layout_.footer_px + legend_line * (legend_lines_ + 1)};
+    const int column = legend_lines_ / legend_column_lines;
+    const int line = legend_lines_ % legend_column_lines;
+    const PixelPoint begin{margin + legend_offset + legend_column * column,
+                           layout_.footer_px + legend_line * (line + 1)};
     const PixelPoint end = begin + PixelPoint{legend_sample, 0};
     picture_.add_polyline(std::array{begin, end}, style);
     picture_.add_text(end + PixelPoint{10, 0.36 * caption_size}, label, {caption_size});
@@ -206,7 +210,7 @@ void AxonometricFigure::add_heading(const FigureOptions& options)
     }
 }
 
-void AxonometricFigure::add_axes(std::span<const std::string_view> names)
+void AxonometricFigure::add_axes(const FigureOptions& options)
 {
     const double arm_mm = round_length(axis_arm / layout_.scale);
     const PixelPoint corner{margin + axis_arm + 10, layout_.footer_px + axis_arm + 18};
@@ -218,12 +222,13 @@ void AxonometricFigure::add_axes(std::span<const std::string_view> names)
             continue;
         const PixelPoint along = (tip - corner).normalized();
         picture_.add_text(tip + 11 * along + PixelPoint{0, 0.33 * caption_size},
-                          names[static_cast<std::size_t>(c)],
+                          options.axis_names[static_cast<std::size_t>(c)],
                           {caption_size, axis_colour, false, true});
     }
-    picture_.add_text({margin, layout_.footer_px + footer_height - 16},
-                      "each arm " + to_text(arm_mm) + " mm",
-                      {0.9 * caption_size, axis_colour});
+    if (options.has_length)
+        picture_.add_text({margin, layout_.footer_px + footer_height - 16},
+                          "each arm " + to_text(arm_mm) + " mm",
+                          {0.9 * caption_size, axis_colour});
 }
 
 }  // namespace endmill

@@ -21,6 +21,7 @@ struct FigureOptions {
     Angle azimuth = Angle::degrees(-60);  ///< where the viewer stands, from +x towards +y
     Angle elevation = Angle::degrees(30);  ///< of the viewer over the xy plane
     std::array<std::string_view, 3> axis_names{"x", "y", "z"};  ///< at their arrows
+    bool has_length = true;  ///< whether the length of the axes is told, in mm
 };
 
 /// Directions of a parallel projection: mm in space to mm in the picture.
@@ -62,7 +63,8 @@ public:
 
     const AxonometricView& view() const { return view_; }  ///< from where it is seen
 
-    /// A line of the legend, in the order added.
+    /// A line of the legend, in the order added; after every five begins a column, of
+    /// which a picture of 900 px has room for three.
     void add_legend(std::string_view label, const LineStyle& style);
 
     /// The whole file, SVG 1.1.
@@ -84,7 +86,7 @@ private:
     void add_heading(const FigureOptions& options);
     bool add_pixel_arrow(const PixelPoint& from, const PixelPoint& to,
                          const LineStyle& style);
-    void add_axes(std::span<const std::string_view> names);
+    void add_axes(const FigureOptions& options);
 
     AxonometricView view_;
     Layout layout_;
