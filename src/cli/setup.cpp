@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// endmill setup: whether a part can be machined in one setup, and which needs the least.
+
+#include <algorithm>
+#include <memory>
+
+#include "cli/console.h"
+#include "cli/setup_files.h"
+#include "cli/setup_points.h"
+#include "cli/setup_summary.h"
+#include "endmill/core/error.h"
+#include "endmill/io/printable.h"
+
+namespace endmill {
+namespace {
+
+// An option that changes nothing was meant for something.
+void refuse_idle_setup(const SetupCommandOptions& options)
+{
+    if (options.part.path.empty() == options.points.empty())
+        throw DomainError{"expected a PART, or --points instead of one"};
+    if (options.mode && options.is_objective_given)
+        throw DomainError{"--objective: found with --mode " +
+                          std::string{setup_mode_word(options.mode)} +
+                          ", which minimises the area; expected --mode set"};
+}
+
+std::vector<SetupAnswer> ranked_answers(const SetupInput& input,
+                                        const SetupVisibility& visibility,
+                                        const SetupCommandOptions& options)
+{
+    std::vector<SetupAnswer> answers;
+    for (const SetupMachine& machine : input.machines)
+        answers.push_back(answer_for(machine, input, visibility, options));
+    std::ranges::stable_sort(answers,
+                             [&](const SetupAnswer& one, const SetupAnswer& other) {
+                                 return ranks_before(one, other, options);
+                             });
+    return answers;
+}
+
+ExitCode run_setup(const SetupCommandOptions& options)
+{
+    refuse_idle_setup(options);
+    if (!options.points.empty())
+        return run_setup_points(options);
+    const SetupInput input = read_setup_input(options);
+    for (const std::string& remark : input.remarks)
+        warn(options.common, options.part.path + ": " + remark);
+    OutputFolder folder{output_folder(options.part.path, "setup", options.common),
+                        options.common.force};
+    for (const std::string& file :
+         {options.part.path, options.tool, options.from_visibility})
+        if (!file.empty())
+            folder.protect(file);
+    const SetupVisibility visibility = visibility_for(input, options);
+    const std::vector<SetupAnswer> answers = ranked_answers(input, visibility, options);
+    const Json summary = setup_summary(input, visibility, answers, options);
+    write_setup_files(input, visibility, answers.front(), options, folder);
+    folder.write("summary.json", summary.dump(2) + "\n");
+    folder.publish();
+    print_result(
+        options.common, summary,
+        setup_text(summary) + "written to " + printable(folder.path().string()) + "\n");
+    return answers.front().is_yes() ? ExitCode::Yes : ExitCode::No;
+}
+
+}  // namespace
+
+void add_setup_command(CLI::App& program, Action& action)
+{
+    CLI::App* command = program.add_subcommand(
+        "setup", "can a part be machined in one setup, and which needs the least turns");
+    const auto options = std::make_shared<SetupCommandOptions>();
+    add_setup_options(*command, *options);
+    command->footer(
+        "Writes visibility.bsm, cones.csv (a row a facet), setup.vtp, setup.svg, "
+        "sphere.svg "
+        "and\nsummary.json to --output (default ./NAME-setup). phi, theta are turns of "
+        "the "
+        "tool\nagainst the part. C,A: phi is the tilt, theta the turn of C; A,B: phi is "
+        "the "
+        "turn of the\naxis nearer to the part. Exit 1: not machinable, with the turns "
+        "that "
+        "would do.\n\n"
+        "Example:\n  endmill setup datasets/meshes/teapot-288.off --machine W/caxyBz/T\n"
+        "  endmill setup datasets/meshes/teapot-288.off --machine all --mode set");
+    command->callback([options, &action] {
+        action = [options] {
+            return naming(options->part.path, [&] { return run_setup(*options); });
+        };
+    });
+}
+
+}  // namespace endmill

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "cli/setup_input.h"
+#include "endmill/accessibility/best_setup.h"
+#include "endmill/accessibility/setup_travel.h"
+#include "endmill/accessibility/setups.h"
+#include "endmill/accessibility/visibility.h"
+#include "endmill/io/visibility_file.h"
+
+namespace endmill {
+
+/// The cones that setups are searched for.
+struct SetupVisibility {
+    StoredVisibility file;           ///< with what it was computed for
+    std::vector<std::size_t> empty;  ///< facets that nothing reaches
+    double seconds = 0;              ///< wall time
+
+    const VisibilityMap& map() const { return file.visibility.map; }  ///< a column a cell
+};
+
+/// What is found for one machine.
+struct SetupAnswer {
+    const SetupMachine* machine;  ///< of the input, which outlives it
+    BestSetup best;
+    double seconds = 0;                                   ///< wall time of the search
+    std::optional<Eigen::Matrix3d> part_to_machine = {};  ///< none without a pose
+    std::optional<SetupCover> setups = {};                ///< with --max-setups above 1
+    std::optional<SetupTravel> travel = {};  ///< none without a feasible pose or machine
+
+    /// The pose that is told: the best within the limits, or the unconstrained one.
+    const std::optional<FittedPose>& told() const
+    {
+        return best.feasible ? best.feasible : best.least;
+    }
+    bool is_travel_limited() const;  ///< by any of X, Y and Z
+    bool is_yes() const;  ///< machinable, and within the travel where that is limited
+};
+
+/// The visibility of the part: of --from-visibility, or computed, with progress.
+/// \throws FormatError, LimitError as `read_visibility`; DomainError if the file is for another
+///         tool.
+SetupVisibility visibility_for(const SetupInput& input,
+                               const SetupCommandOptions& options);
+
+/// The best setup of the part on the machine.
+SetupAnswer answer_for(const SetupMachine& machine, const SetupInput& input,
+                       const SetupVisibility& visibility,
+                       const SetupCommandOptions& options);
+
+/// Which of two answers comes first: machinable ones, then the less floored area, then the
+/// word, then the name.
+bool ranks_before(const SetupAnswer& one, const SetupAnswer& other,
+                  const SetupCommandOptions& options);
+
+/// (w + floor)(h + floor) of a pose, in deg^2.
+double floored_area_deg2(RotaryFamily family, const FittedPose& fit, double floor_deg);
+
+}  // namespace endmill

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/setup_files.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "endmill/accessibility/nearest_cells.h"
+#include "endmill/io/setup_svg.h"
+#include "endmill/io/setup_vtp.h"
+#include "endmill/io/sphere_svg.h"
+#include "endmill/io/visibility_csv.h"
+#include "endmill/io/visibility_file.h"
+
+namespace endmill {
+namespace {
+
+// The cell that stands for the tool axis; in the modes whose poses are cells it is that.
+std::size_t cell_nearest(const Vec3& direction, const SphereGrid& grid)
+{
+    const auto nearest = std::ranges::max_element(
+        grid.centres, {}, [&](const Vec3& centre) { return centre.dot(direction); });
+    return static_cast<std::size_t>(nearest - grid.centres.begin());
+}
+
+FacetAccess facet_access(const SetupInput& input, const SetupVisibility& visibility,
+                         std::size_t pose_cell)
+{
+    const VisibilityMap& map = visibility.map();
+    FacetAccess access{visible_fractions(map, input.grid.solid_angles_sr), {}};
+    for (std::size_t j = 0; j < map.facets(); ++j)
+        access.reached_at_zero.push_back(map.is_accessible(j, pose_cell) ? 1 : 0);
+    return access;
+}
+
+ShownSetup shown_setup(const SetupAnswer& answer)
+{
+    const FittedPose& told = *answer.told();
+    const Machine& machine = answer.machine->machine;
+    ShownSetup setup{*answer.part_to_machine,
+                     {*machine.configuration.family, told.pose.tool_axis,
+                      told.pose.r1_axis, told.pose.r2_axis},
+                     {told.phi, told.theta},
+                     {}};
+    // Of axes that are not limited at all there is nothing to be seen.
+    if (machine.rotary != RotaryLimits{})
+        setup.limits = machine.rotary;
+    return setup;
+}
+
+std::string range_text(const RotaryRange& range)
+{
+    return fmt::format("{:.2f} to {:.2f}", Angle::radians(range.from).degrees(),
+                       Angle::radians(range.to).degrees());
+}
+
+std::vector<std::string> setup_captions(const SetupAnswer& answer,
+                                        const SetupCommandOptions& options)
+{
+    const FittedPose& told = *answer.told();
+    std::vector<std::string> captions{
+        fmt::format("mode {}: phi {}, theta {} degrees", setup_mode_word(options.mode),
+                    range_text(told.phi), range_text(told.theta))};
+    if (!answer.best.feasible)
+        captions.emplace_back(
+            "no pose within the limits was found: this one needs the least");
+    return captions;
+}
+
+std::string sphere_picture(const SetupInput& input, const SetupVisibility& visibility,
+                           const SetupAnswer& answer, const SetupCommandOptions& options)
+{
+    const VisibilityMap& map = visibility.map();
+    SphereFigure figure;
+    figure.title = input.name + " on " + answer.machine->name + ": tool directions";
+    figure.captions = setup_captions(answer, options);
+    figure.setup = shown_setup(answer);
+    // Only these modes take the nearest cells of a pose for all that matters.
+    if (options.mode)
+        for (const std::size_t cell :
+             nearest_cells(map, input.grid.centres, answer.told()->cell))
+            figure.marked.push_back(input.grid.centres[cell]);
+    return sphere_svg(input.grid, map, figure);
+}
+
+void write_pictures(const SetupInput& input, const SetupVisibility& visibility,
+                    const SetupAnswer& answer, const SetupCommandOptions& options,
+                    OutputFolder& folder)
+{
+    const std::size_t cell = cell_nearest(answer.told()->pose.tool_axis, input.grid);
+    const FacetAccess access = facet_access(input, visibility, cell);
+    const ShownSetup setup = shown_setup(answer);
+    folder.write("setup.vtp", setup_vtp(input.mesh, access, setup));
+    folder.write("setup.svg",
+                 setup_svg(input.mesh, access.reached_at_zero, setup,
+                           {.title = input.name + " on " + answer.machine->name,
+                            .captions = setup_captions(answer, options)}));
+    folder.write("sphere.svg", sphere_picture(input, visibility, answer, options));
+}
+
+}  // namespace
+
+void write_setup_files(const SetupInput& input, const SetupVisibility& visibility,
+                       const SetupAnswer& answer, const SetupCommandOptions& options,
+                       OutputFolder& folder)
+{
+    folder.write_pieces("visibility.bsm", [&](const OutputFolder::Sink& sink) {
+        write_visibility(visibility.file, sink);
+    });
+    folder.write("cones.csv",
+                 cones_csv(visibility.file.visibility, input.grid.solid_angles_sr));
+    if (options.write_bsm_csv)
+        folder.write_pieces("visibility.csv", [&](const OutputFolder::Sink& sink) {
+            write_visibility_csv(visibility.map(), sink);
+        });
+    folder.remove_unless_written("visibility.csv");
+    // An earlier run's pictures of another machine would tell of a pose that is none.
+    for (const char* name : {"setup.vtp", "setup.svg", "sphere.svg"})
+        folder.remove_unless_written(name);
+    if (answer.told() && answer.part_to_machine)
+        write_pictures(input, visibility, answer, options, folder);
+}
+
+}  // namespace endmill

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/setup_answer.h"
+#include "endmill/io/output_folder.h"
+
+namespace endmill {
+
+/// Writes visibility.bsm, cones.csv, with --write-bsm-csv visibility.csv, and of a machine with
+/// two rotary axes setup.vtp, setup.svg and sphere.svg.
+void write_setup_files(const SetupInput& input, const SetupVisibility& visibility,
+                       const SetupAnswer& answer, const SetupCommandOptions& options,
+                       OutputFolder& folder);
+
+}  // namespace endmill

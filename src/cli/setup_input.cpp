@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/setup_input.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "cli/console.h"
+#include "cli/machine_argument.h"
+#include "cli/rotary_limits_option.h"
+#include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
+#include "endmill/io/printable.h"
+#include "endmill/io/tool_file.h"
+#include "endmill/mesh/mesh_checks.h"
+#include "endmill/surface/sampling.h"
+#include "endmill/surface/tool_side.h"
+
+namespace endmill {
+namespace {
+
+constexpr const char* all_machines = "datasets/machines";
+
+SetupMachine family_machine(const SetupCommandOptions& options)
+{
+    const bool is_ca = *options.family == RotaryFamily::CA;
+    SetupMachine found{is_ca ? "CA" : "AB", {}, true, {}};
+    found.machine.configuration =
+        configuration_from_word(is_ca ? "W/caBxyz/T" : "W/abBxyz/T");
+    if (!options.limits.empty())
+        found.machine.rotary = limits_for_family(options.limits, *options.family);
+    return found;
+}
+
+SetupMachine one_machine(const std::string& text, const SetupCommandOptions& options)
+{
+    const MachineArgument read = machine_argument(text, options.common.limits);
+    SetupMachine found{read.machine.configuration.word, read.file, false, read.machine};
+    if (!options.limits.empty() && found.machine.configuration.is_valid())
+        found.machine.rotary = limits_for_machine(
+            options.limits, found.machine.configuration, found.machine.rotary);
+    return found;
+}
+
+// In the order of their names.
+std::vector<SetupMachine> machines_of_folder(const std::filesystem::path& folder,
+                                             const SetupCommandOptions& options)
+{
+    if (!options.limits.empty())
+        throw DomainError{"--limits: found with several machines; expected one machine"};
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator{folder})
+        if (entry.path().extension() == ".json")
+            files.push_back(entry.path().string());
+    std::ranges::sort(files);
+    std::vector<SetupMachine> machines;
+    for (const std::string& file : files)
+        machines.push_back(one_machine(file, options));
+    if (machines.empty())
+        throw FormatError{"E_MACHINE",
+                          {printable(folder.string()), "", "no file in it ends in .json",
+                           "machine files (endmill-machine/1)"}};
+    return machines;
+}
+
+void take_mesh(SetupInput& input, TriangleMesh mesh)
+{
+    const MeshReport checks = mesh_report(mesh);
+    if (checks.boundary_edges > 0)
+        input.remarks.push_back(fmt::format(
+            "{} edges belong to one triangle: the part is open, all its triangles block "
+            "from both sides",
+            checks.boundary_edges));
+    if (checks.non_manifold_edges > 0)
+        input.remarks.push_back(fmt::format("{} edges belong to more than two triangles",
+                                            checks.non_manifold_edges));
+    input.mesh = std::move(mesh);
+}
+
+void take_surfaces(SetupInput& input, std::span<const Surface> surfaces,
+                   const SetupCommandOptions& options)
+{
+    const std::vector<double> sides = tool_side_signs(surfaces, Vec3::UnitZ());
+    const double tolerance = options.chord_tolerance ? *options.chord_tolerance
+                                                     : default_chord_tolerance(surfaces);
+    SampledSurface sampled_part = sampled(surfaces, sides, tolerance);
+    input.remarks.push_back(fmt::format(
+        "the surface is taken for {} triangles, at most {:g} mm from it",
+        sampled_part.mesh.triangles().size(), sampled_part.max_chord_error_mm));
+    take_mesh(input, std::move(sampled_part.mesh));
+}
+
+void take_visibility(SetupInput& input, const SetupCommandOptions& options)
+{
+    if (options.from_visibility.empty()) {
+        input.grid = sphere_grid(options.sphere);
+        return;
+    }
+    StoredVisibility known =
+        read_visibility(options.from_visibility, input.mesh, options.common.limits);
+    if (known.tool != body_text(input.tool))
+        throw DomainError{options.from_visibility +
+                          ": found the visibility for another tool; expected that for " +
+                          (options.tool.empty() ? "none" : options.tool)};
+    input.grid = sphere_grid(known.grid);
+    input.known_visibility = std::move(known);
+}
+
+}  // namespace
+
+std::string body_text(const std::optional<Tool>& tool)
+{
+    std::string text;
+    for (const ToolCylinder& cylinder :
+         tool ? tool_body(*tool) : std::vector<ToolCylinder>{})
+        text +=
+            fmt::format("{}{}:{}:{}", text.empty() ? "" : ",", to_text(cylinder.diameter),
+                        to_text(cylinder.from), to_text(cylinder.to));
+    return text;
+}
+
+std::vector<SetupMachine> setup_machines(const SetupCommandOptions& options)
+{
+    if (options.machine.empty() == !options.family)
+        throw DomainError{
+            "expected --machine (a word, a file, a folder or all), or --family CA or AB, "
+            "and not both"};
+    if (options.family)
+        return {family_machine(options)};
+    std::error_code ignored;
+    const std::string place = options.machine == "all" ? all_machines : options.machine;
+    if (std::filesystem::is_directory(place, ignored))
+        return machines_of_folder(place, options);
+    if (options.machine == "all")
+        throw DomainError{std::string{"--machine all: found no folder "} + all_machines +
+                          " here; expected it, or the name of a folder of machine files"};
+    return {one_machine(options.machine, options)};
+}
+
+SetupInput read_setup_input(const SetupCommandOptions& options)
+{
+    SetupInput input;
+    input.machines = setup_machines(options);
+    if (!options.tool.empty())
+        input.tool = read_tool(options.tool, options.common.limits);
+    PartFile file = read_part_for(options.part, options.common);
+    input.name = file.name;
+    input.source = file.source;
+    input.remarks = std::move(file.notes);
+    if (auto* mesh = std::get_if<TriangleMesh>(&file.part)) {
+        if (options.chord_tolerance)
+            throw DomainError{"--chord-tolerance: found with a mesh; expected a surface"};
+        take_mesh(input, std::move(*mesh));
+    } else {
+        take_surfaces(input, std::get<std::vector<Surface>>(file.part), options);
+    }
+    take_visibility(input, options);
+    return input;
+}
+
+}  // namespace endmill

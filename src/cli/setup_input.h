@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/setup_options.h"
+#include "endmill/accessibility/sphere_grid.h"
+#include "endmill/cutter/tool.h"
+#include "endmill/io/visibility_file.h"
+#include "endmill/machine/kinematics.h"
+#include "endmill/mesh/triangle_mesh.h"
+
+namespace endmill {
+
+/// A machine that a part is to be set up on.
+struct SetupMachine {
+    std::string name;        ///< its word, or its file as given, or its family
+    std::string file;        ///< that it was read from; empty: none
+    bool is_family = false;  ///< stands for all machines of its family
+    Machine machine;         ///< its limits those of the command line, where given
+};
+
+/// What a setup is looked for with.
+struct SetupInput {
+    std::string name;    ///< of the part
+    std::string source;  ///< of its numbers
+    TriangleMesh mesh;   ///< in mm
+    std::vector<std::string> remarks;
+    SphereGrid grid;
+    std::optional<StoredVisibility> known_visibility;  ///< of --from-visibility
+    std::vector<SetupMachine> machines;  ///< one, or all of a folder by name
+    std::optional<Tool> tool;  ///< that must be clear of the part, and gives the length
+};
+
+/// What tells the body of a tool from another: its cylinders, in mm; empty without one.
+std::string body_text(const std::optional<Tool>& tool);
+
+/// The machines of --machine or --family.
+/// \throws DomainError unless one of the two is given; FormatError for a file or a folder
+///         without a machine file.
+std::vector<SetupMachine> setup_machines(const SetupCommandOptions& options);
+
+/// Reads all that `endmill setup` is told of. A surface is sampled.
+/// \throws FormatError, LimitError, DomainError as the readers; DomainError for a grid that is
+///         none.
+SetupInput read_setup_input(const SetupCommandOptions& options);
+
+}  // namespace endmill

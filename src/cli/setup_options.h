@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "cli/surface_facts.h"
+#include "endmill/accessibility/best_setup.h"
+#include "endmill/accessibility/visibility.h"
+#include "endmill/core/angle.h"
+#include "endmill/core/vec.h"
+
+namespace endmill {
+
+/// What `endmill setup` is told.
+struct SetupCommandOptions {
+    CommonOptions common;
+    PartOptions part;                       ///< empty with `points`
+    std::optional<double> chord_tolerance;  ///< mm, of the mesh of a surface
+    std::string points;                     ///< CSV of directions instead of a part
+    std::string machine;                    ///< word, file, folder, or "all"
+    std::optional<RotaryFamily> family;     ///< instead of a machine
+    std::string limits;                     ///< as `rotary_limits_help` says; empty: none
+    std::string sphere = "hex:10";
+    std::optional<SetupMode> mode = SetupMode::Paper;  ///< none: set
+    VisibilityKind visibility = VisibilityKind::Global;
+    double incidence_deg = 90;
+    SetupObjective objective = SetupObjective::FlooredArea;
+    bool is_objective_given = false;
+    double floor_deg = 5.9;
+    double gap = 0.05;
+    int max_nodes = 200'000;
+    int max_setups = 1;
+    double arc_tolerance_deg = 2.95;
+    Vec3 clamp{0, 0, 0};          ///< mm, where the part's origin is put
+    std::string tool;             ///< file
+    std::string from_visibility;  ///< file
+    bool write_bsm_csv = false;
+};
+
+/// Adds them to `command`.
+void add_setup_options(CLI::App& command, SetupCommandOptions& options);
+
+/// The word of a mode, as --mode takes it.
+std::string_view setup_mode_word(const std::optional<SetupMode>& mode);
+
+/// The word of an objective, as --objective takes it.
+std::string_view setup_objective_word(SetupObjective objective);
+
+/// The word of a kind of visibility, as --visibility takes it.
+std::string_view visibility_word(VisibilityKind kind);
+
+}  // namespace endmill

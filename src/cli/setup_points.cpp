@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/setup_points.h"
+
+#include <fmt/format.h>
+
+#include "cli/console.h"
+#include "cli/setup_input.h"
+#include "cli/setup_summary.h"
+#include "endmill/accessibility/setup_search.h"
+#include "endmill/core/error.h"
+#include "endmill/io/directions_csv.h"
+#include "endmill/io/output_folder.h"
+
+namespace endmill {
+namespace {
+
+SetupMachine machine_for_points(const SetupCommandOptions& options)
+{
+    if (!options.mode)
+        throw DomainError{
+            "--mode set: found with --points; expected paper, paper-literal or "
+            "corrected: "
+            "directions are no cones"};
+    const std::vector<SetupMachine> machines = setup_machines(options);
+    if (machines.size() > 1 || !machines.front().machine.configuration.family)
+        throw DomainError{
+            "--points: expected one machine with two rotary axes, or --family"};
+    return machines.front();
+}
+
+// What is told of the axis across the tool axis: R1 in A,B, R2 in C,A.
+Json azimuth_deg(const Vec3& axis)
+{
+    return Angle::radians(std::atan2(axis.y(), axis.x())).written_degrees();
+}
+
+Json points_summary(const SetupMachine& machine, const SetupSearch& search,
+                    const SetupCommandOptions& options, std::size_t count)
+{
+    const bool is_ca = machine.machine.configuration.family == RotaryFamily::CA;
+    const std::optional<FittedPose>& told =
+        search.feasible ? search.feasible : search.least;
+    Json summary{{"type", is_ca ? "CA" : "AB"},
+                 {"mode", setup_mode_word(options.mode)},
+                 {"points", count},
+                 {"status", setup_status_word(search.status)},
+                 {"machinable", search.feasible.has_value()}};
+    summary.update(pose_json(told));
+    const char* azimuth_key = is_ca ? "r2_azimuth_deg" : "r1_azimuth_deg";
+    summary["width_deg"] = nullptr;
+    summary["phi_range_deg"] = nullptr;
+    summary["theta_range_deg"] = nullptr;
+    summary[azimuth_key] = nullptr;
+    summary["rigid"] = nullptr;
+    if (told) {
+        const RotaryRange& window = is_ca ? told->theta : told->phi;
+        summary["width_deg"] = Angle::radians(window.to - window.from).written_degrees();
+        summary["phi_range_deg"] = range_json(told->phi);
+        summary["theta_range_deg"] = range_json(told->theta);
+        summary[azimuth_key] =
+            azimuth_deg(is_ca ? told->pose.r2_axis : told->pose.r1_axis);
+        summary["rigid"] = told->is_rigid;
+    }
+    summary["mar"] = search.least ? pose_json(search.least) : Json{};
+    return summary;
+}
+
+}  // namespace
+
+ExitCode run_setup_points(const SetupCommandOptions& options)
+{
+    const SetupMachine machine = machine_for_points(options);
+    const MachineConfiguration& configuration = machine.machine.configuration;
+    const std::vector<Vec3> directions =
+        read_directions(options.points, options.common.limits);
+    const SetupSearch search =
+        pose_fit(Vec3::UnitZ(), directions,
+                 {*configuration.family, *options.mode, machine.machine.rotary,
+                  configuration.rotary[0].letter == 'b'});
+    const Json summary = points_summary(machine, search, options, directions.size());
+    if (!options.common.output.empty()) {
+        OutputFolder folder{options.common.output, options.common.force};
+        folder.protect(options.points);
+        folder.write("summary.json", summary.dump(2) + "\n");
+        folder.publish();
+    }
+    std::string text;
+    for (const auto& [key, value] : summary.items())
+        text += key + " = " + value.dump() + "\n";
+    print_result(options.common, summary, text);
+    return search.feasible ? ExitCode::Yes : ExitCode::No;
+}
+
+}  // namespace endmill

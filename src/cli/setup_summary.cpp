@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/setup_summary.h"
+
+#include <fmt/format.h>
+
+#include "build_facts.h"
+#include "endmill/core/numbers.h"
+#include "endmill/io/printable.h"
+
+namespace endmill {
+namespace {
+
+// deg^2 in a rad^2.
+constexpr double deg2_per_rad2 = (180 / std::numbers::pi) * (180 / std::numbers::pi);
+
+double to_deg(double radians)
+{
+    return Angle::radians(radians).written_degrees();
+}
+
+Json pair_deg(const std::array<double, 2>& radians)
+{
+    return {to_deg(radians[0]), to_deg(radians[1])};
+}
+
+Json rows_json(const Eigen::Matrix3d& matrix)
+{
+    Json rows = Json::array();
+    for (int r = 0; r < 3; ++r)
+        rows.push_back(vector_json(matrix.row(r)));
+    return rows;
+}
+
+std::string setup_type_word(const MachineConfiguration& configuration)
+{
+    if (configuration.family)
+        return *configuration.family == RotaryFamily::CA ? "CA" : "AB";
+    return fmt::format("{}-axis", configuration.axes());
+}
+
+bool is_set(const SetupCommandOptions& options)
+{
+    return !options.mode.has_value();
+}
+
+// The objective that was minimised: the area in the modes that know no other.
+void add_objective(Json& summary, const SetupAnswer& answer,
+                   const SetupCommandOptions& options)
+{
+    const bool is_area =
+        !is_set(options) || options.objective == SetupObjective::FlooredArea;
+    summary["objective"] =
+        is_set(options) ? setup_objective_word(options.objective) : "area";
+    const auto shown = [&](const std::optional<double>& value) {
+        if (!value)
+            return Json{};
+        return Json(is_area ? *value * deg2_per_rad2 : Angle::radians(*value).degrees());
+    };
+    summary[is_area ? "objective_deg2" : "objective_deg"] = shown(answer.best.objective);
+    summary[is_area ? "lower_bound_deg2" : "lower_bound_deg"] =
+        shown(answer.best.lower_bound);
+}
+
+void add_ranges(Json& summary, const SetupAnswer& answer,
+                const SetupCommandOptions& options)
+{
+    const std::optional<FittedPose>& told = answer.told();
+    const std::optional<RotaryFamily>& family =
+        answer.machine->machine.configuration.family;
+    summary["phi_range_deg"] = told ? range_json(told->phi) : Json{};
+    summary["theta_range_deg"] = told ? range_json(told->theta) : Json{};
+    summary["width_deg"] =
+        told && family ? Json(to_deg(pose_ranges(*family, *told).width)) : Json{};
+    summary["floored_area_deg2"] =
+        told && family ? Json(floored_area_deg2(*family, *told, options.floor_deg))
+                       : Json{};
+    summary["rigid"] = told ? Json(told->is_rigid) : Json{};
+}
+
+void add_limits(Json& summary, const RotaryLimits& limits)
+{
+    summary["limits_phi_deg"] = range_json(limits.phi);
+    summary["limits_theta_deg"] = range_json(limits.theta);
+}
+
+void add_travel_keys(Json& summary, const SetupAnswer& answer,
+                     const SetupCommandOptions& options)
+{
+    summary["clamp_mm"] = vector_json(options.clamp);
+    const std::optional<SetupTravel>& travel = answer.travel;
+    summary["travel_mm"] = nullptr;
+    summary["clamp_centred_mm"] = nullptr;
+    summary["travel_ok"] = nullptr;
+    if (!travel)
+        return;
+    summary["travel_mm"] = {{"x", {travel->low.x(), travel->high.x()}},
+                            {"y", {travel->low.y(), travel->high.y()}},
+                            {"z", {travel->low.z(), travel->high.z()}}};
+    summary["clamp_centred_mm"] = vector_json(travel->centred_clamp);
+    if (answer.is_travel_limited())
+        summary["travel_ok"] = travel->is_within;
+}
+
+// With one setup asked for there is no list: the pose itself tells it.
+void add_setups(Json& summary, const SetupAnswer& answer)
+{
+    summary["setups"] = nullptr;
+    summary["uncovered"] = nullptr;
+    summary["setups_lower_bound"] = nullptr;
+    if (!answer.setups)
+        return;
+    Json setups = Json::array();
+    for (const PartialSetup& setup : answer.setups->setups)
+        setups.push_back({{"tool_axis", vector_json(setup.pose.tool_axis)},
+                          {"r1_axis", vector_json(setup.pose.r1_axis)},
+                          {"r2_axis", vector_json(setup.pose.r2_axis)},
+                          {"facets", setup.facets}});
+    summary["setups"] = setups;
+    summary["uncovered"] = answer.setups->uncovered;
+    const bool needs_two = answer.best.is_machinable == false && answer.best.is_proved;
+    summary["setups_lower_bound"] = needs_two ? 2 : 1;
+}
+
+Json machinable_json(const BestSetup& best)
+{
+    return best.is_machinable ? Json(*best.is_machinable) : Json{};
+}
+
+Json ranking(std::span<const SetupAnswer> answers, const SetupCommandOptions& options)
+{
+    Json list = Json::array();
+    for (const SetupAnswer& answer : answers) {
+        const std::optional<RotaryFamily>& family =
+            answer.machine->machine.configuration.family;
+        list.push_back(
+            {{"machine", printable(answer.machine->file.empty() ? answer.machine->name
+                                                                : answer.machine->file)},
+             {"configuration", answer.machine->machine.configuration.word},
+             {"machinable", machinable_json(answer.best)},
+             {"travel_ok", answer.travel && answer.is_travel_limited()
+                               ? Json(answer.travel->is_within)
+                               : Json{}},
+             {"floored_area_deg2",
+              answer.told() && family
+                  ? Json(floored_area_deg2(*family, *answer.told(), options.floor_deg))
+                  : Json{}}});
+    }
+    return list;
+}
+
+Json machine_keys(const SetupMachine& machine)
+{
+    const MachineConfiguration& configuration = machine.machine.configuration;
+    Json keys{{"machine", machine.file.empty() ? Json{} : Json(printable(machine.file))},
+              {"configuration", machine.is_family ? Json{} : Json(configuration.word)},
+              {"type", setup_type_word(configuration)}};
+    keys["reason"] =
+        configuration.is_valid() ? Json{} : Json(why_not_valid(configuration));
+    return keys;
+}
+
+void add_search(Json& summary, const SetupAnswer& answer,
+                const SetupCommandOptions& options)
+{
+    const BestSetup& best = answer.best;
+    summary["machinable"] = machinable_json(best);
+    summary["proved"] = best.is_proved;
+    summary["status"] = setup_status_word(best.status);
+    summary.update(pose_json(answer.told()));
+    add_ranges(summary, answer, options);
+    add_objective(summary, answer, options);
+    summary["part_to_machine"] =
+        answer.part_to_machine ? rows_json(*answer.part_to_machine) : Json{};
+    summary["mar"] = best.least ? pose_json(best.least) : Json{};
+    summary["poses_tried"] = best.poses_tried;
+    summary["poses_skipped"] = best.poses_skipped;
+    summary["unresolved"] = best.unresolved;
+    add_setups(summary, answer);
+    add_travel_keys(summary, answer, options);
+}
+
+}  // namespace
+
+Json range_json(const RotaryRange& range)
+{
+    return {to_deg(range.from), to_deg(range.to)};
+}
+
+std::string setup_status_word(SetupStatus status)
+{
+    switch (status) {
+        case SetupStatus::Ok:
+            return "ok";
+        case SetupStatus::ThreeAxis:
+            return "3-axis";
+        case SetupStatus::FourAxis:
+            return "4-axis";
+        case SetupStatus::NoOpenHemisphere:
+            return "not in an open hemisphere";
+    }
+    return {};
+}
+
+Json pose_json(const std::optional<FittedPose>& fit)
+{
+    if (!fit)
+        return {{"area_deg2", nullptr}, {"phi_deg", nullptr}, {"theta_deg", nullptr},
+                {"tool_axis", nullptr}, {"r1_axis", nullptr}, {"r2_axis", nullptr}};
+    return {{"area_deg2", fit->area * deg2_per_rad2},
+            {"phi_deg", pair_deg(magnitudes(fit->phi))},
+            {"theta_deg", pair_deg(magnitudes(fit->theta))},
+            {"tool_axis", vector_json(fit->pose.tool_axis)},
+            {"r1_axis", vector_json(fit->pose.r1_axis)},
+            {"r2_axis", vector_json(fit->pose.r2_axis)}};
+}
+
+Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,
+                   std::span<const SetupAnswer> answers,
+                   const SetupCommandOptions& options)
+{
+    const SetupAnswer& first = answers.front();
+    Json summary{
+        {"name", input.name}, {"source", input.source}, {"endmill", program_version}};
+    summary.update(machine_keys(*first.machine));
+    summary["mode"] = setup_mode_word(options.mode);
+    summary["visibility"] = visibility_word(visibility.file.kind);
+    summary["incidence_deg"] = visibility.file.incidence.written_degrees();
+    summary["sphere"] = input.grid.name;
+    summary["cells"] = input.grid.centres.size();
+    summary["facets"] = input.mesh.triangles().size();
+    summary["empty_cones"] = visibility.empty;
+    add_limits(summary, first.machine->machine.rotary);
+    add_search(summary, first, options);
+    if (answers.size() > 1)
+        summary["ranking"] = ranking(answers, options);
+    summary["remarks"] = input.remarks;
+    summary["visibility_s"] = visibility.seconds;
+    double seconds = 0;
+    for (const SetupAnswer& answer : answers)
+        seconds += answer.seconds;
+    summary["search_s"] = seconds;
+    return summary;
+}
+
+std::string setup_text(const Json& s)
+{
+    const auto range = [&](const char* key) {
+        return s[key].is_null() ? std::string{"none"}
+                                : fmt::format("{:.4g} to {:.4g}", s[key][0].get<double>(),
+                                              s[key][1].get<double>());
+    };
+    std::string text = fmt::format(
+        "{}: {} on {}, mode {}; {} facets, {} directions\n", s["name"].get<std::string>(),
+        s["machinable"].is_null()     ? "undecided"
+        : s["machinable"].get<bool>() ? "machinable in one setup"
+                                      : "not machinable in one setup",
+        s["configuration"].is_null() ? s["type"].get<std::string>()
+                                     : s["configuration"].get<std::string>(),
+        s["mode"].get<std::string>(), s["facets"].get<std::size_t>(),
+        s["cells"].get<std::size_t>());
+    if (!s["reason"].is_null())
+        text += s["reason"].get<std::string>() + "\n";
+    if (!s["empty_cones"].empty())
+        text +=
+            fmt::format("{} facets are reached from nowhere\n", s["empty_cones"].size());
+    if (!s["area_deg2"].is_null())
+        text += fmt::format("needs phi {}, theta {} degrees (area {:.6g} deg^2)\n",
+                            range("phi_range_deg"), range("theta_range_deg"),
+                            s["area_deg2"].get<double>());
+    if (!s["tool_axis"].is_null())
+        text +=
+            fmt::format("tool axis ({:.4f}, {:.4f}, {:.4f}) in coordinates of the part\n",
+                        s["tool_axis"][0].get<double>(), s["tool_axis"][1].get<double>(),
+                        s["tool_axis"][2].get<double>());
+    return text;
+}
+
+}  // namespace endmill

@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""endmill setup: the spec's directions and teapot, convex parts, machines of every kind, and what it refuses."""
+import json
+import math
+import unittest
+
+from program import ROOT, ProgramTest, endmill
+
+TEAPOT = ROOT / "datasets/meshes/teapot-288.off"
+MACHINES = ROOT / "datasets/machines"
+HEADER = "azimuth_deg,polar_deg\n"
+
+# A unit cube without its bottom: five faces of two triangles.
+CUBE = """OFF
+8 10 0
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+0 0 1
+1 0 1
+1 1 1
+0 1 1
+3 4 5 6
+3 4 6 7
+3 0 1 5
+3 0 5 4
+3 1 2 6
+3 1 6 5
+3 2 3 7
+3 2 7 6
+3 3 0 4
+3 3 4 7
+"""
+
+
+def ring(count, polar):
+    return [(360 * k / count, polar) for k in range(count)]
+
+
+class Setup(ProgramTest):
+    def fit(self, family, directions, *options, status=0):
+        """What --points answers for directions (azimuth, polar angle)."""
+        path = self.file(HEADER + "".join(f"{a!r},{p!r}\n" for a, p in directions), "points.csv")
+        done = endmill("setup", "--points", path, "--family", family, *options, "--json", cwd=self.folder)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return json.loads(done.stdout)
+
+    def found(self, part, *options, status=0):
+        """The summary of a part's setup."""
+        done = endmill("setup", part, *options, "-o", "out", "--force", "--json", cwd=self.folder)
+        self.assertEqual(done.returncode, status, done.stderr)
+        self.assertNotIn("NaN", done.stdout)
+        return json.loads(done.stdout)
+
+    def refused(self, *arguments, status=2, words=()):
+        self.assert_refused(endmill("setup", *arguments, "-o", "out", cwd=self.folder), status, *words)
+
+    def test_sectors_of_directions(self):
+        found = self.fit("CA", [(0, 30), (100, 40), (200, 50)])
+        self.assertAlmostEqual(found["area_deg2"], 8000, delta=1e-8)
+        self.assertAlmostEqual(found["width_deg"], 100, delta=1e-9)
+        self.assertEqual([round(phi, 9) for phi in found["phi_deg"]], [30, 50])
+        self.assertAlmostEqual(self.fit("CA", ring(12, 15))["area_deg2"], 4500, delta=1e-7)
+        self.assertEqual(self.fit("CA", [(77, 25)])["area_deg2"], 0)
+        limited = ("--limits", "phi=0:30")
+        self.assertFalse(self.fit("CA", ring(3, 20), *limited, status=1)["machinable"])
+        wide = self.fit("CA", ring(3, 20), *limited, "--mode", "corrected")
+        self.assertAlmostEqual(wide["area_deg2"], 4800, delta=1e-7)
+
+    def test_the_feasible_pose_is_not_the_least(self):
+        found = self.fit("CA", [(0, 60), (20, 20), (170, 25)], "--limits", "phi=-5:65")
+        self.assertTrue(found["machinable"])
+        self.assertAlmostEqual(found["area_deg2"], 10200, delta=1e-8)
+        self.assertAlmostEqual(found["mar"]["area_deg2"], 2550, delta=1e-8)
+
+    def test_rectangles_of_directions(self):
+        rings = ((4, 10, 200.505460, 200.505460), (5, 20, 1382.215474, 1377.159686), (3, 30, 2365.859632, 2363.094775))
+        for count, polar, paper, corrected in rings:
+            for mode, area in (("paper", paper), ("corrected", corrected)):
+                found = self.fit("AB", ring(count, polar), "--mode", mode)
+                self.assertAlmostEqual(found["area_deg2"] / area, 1, delta=1e-6)
+        low = [(0, 30), (120, 95), (240, 20)]
+        none = self.fit("AB", low, status=1)
+        self.assertEqual((none["status"], none["area_deg2"]), ("not in an open hemisphere", None))
+        self.assertAlmostEqual(self.fit("AB", low, "--mode", "corrected")["area_deg2"] / 4602.510064, 1, delta=1e-6)
+
+    def test_a_rigid_part_is_not_mirrored(self):
+        corners = []
+        for alpha, beta in ((-10, -30), (-10, 15), (40, -30), (40, 15)):
+            a, b = math.radians(alpha), math.radians(beta)
+            x, y, z = math.sin(b), -math.sin(a) * math.cos(b), math.cos(a) * math.cos(b)
+            corners.append((math.degrees(math.atan2(y, x)), math.degrees(math.acos(z))))
+        limits = ("--limits", "phi=-15:45,theta=-20:35")
+        paper = self.fit("AB", corners, *limits)
+        self.assertEqual((paper["machinable"], paper["rigid"]), (True, False))
+        self.assertAlmostEqual(paper["area_deg2"], 2250, delta=1e-6)
+        self.assertFalse(self.fit("AB", corners, *limits, "--mode", "corrected", status=1)["machinable"])
+        other = self.fit("AB", corners, "--limits", "phi=-15:45,theta=-35:20", "--mode", "corrected")
+        self.assertAlmostEqual(other["area_deg2"], 2250, delta=1e-6)
+
+    def test_the_teapot(self):
+        areas = {("CA", "paper"): 18988.30, ("AB", "paper-literal"): 8760.23, ("AB", "paper"): 9161.98,
+                 ("AB", "corrected"): 9151.83}
+        self.found(TEAPOT, "--family", "CA")
+        saved = self.folder / "saved.bsm"
+        saved.write_bytes((self.folder / "out/visibility.bsm").read_bytes())
+        for (family, mode), area in areas.items():
+            found = self.found(TEAPOT, "--family", family, "--mode", mode, "--from-visibility", saved)
+            self.assertTrue(found["machinable"])
+            self.assertEqual((found["facets"], found["cells"], found["empty_cones"]), (288, 1200, []))
+            self.assertAlmostEqual(found["area_deg2"], area, delta=0.005)
+            self.assertGreater(found["tool_axis"][0], 0)  # leans to the spout
+
+    def test_whole_cones_with_a_bound(self):
+        found = self.found(TEAPOT, "--family", "AB", "--mode", "set")
+        self.assertLessEqual(found["lower_bound_deg2"], 931.92)  # a pose of the spec
+        self.assertGreaterEqual(found["objective_deg2"], 929.24)  # its bound
+        self.assertLessEqual(found["objective_deg2"], 1.05 * found["lower_bound_deg2"] * (1 + 1e-12))
+        self.assertAlmostEqual(found["floored_area_deg2"], found["objective_deg2"], delta=1e-9)
+
+    def test_a_cube_on_machines_of_all_kinds(self):
+        cube = self.file(CUBE, "cube.off")
+        cone = ("--incidence-deg", 80)
+        self.assertFalse(self.found(cube, "--machine", "W/xyBz/T", *cone, status=1)["machinable"])
+        four = self.found(cube, "--machine", "W/axyBz/T", *cone)
+        self.assertEqual((four["type"], four["area_deg2"]), ("4-axis", 0))
+        sectors = self.found(cube, "--machine", "W/caxyBz/T", *cone)
+        self.assertLessEqual(sectors["area_deg2"], 1800.1)  # at z; other poses may need less
+        set_search = self.found(cube, "--machine", "W/caxyBz/T", "--incidence-deg", 75, "--mode", "set",
+                                "--gap", 0.005)
+        self.assertAlmostEqual(set_search["objective_deg2"] / 385.806, 1, delta=0.006)
+        none = self.found(cube, "--machine", "W/xyzBbc/T", *cone, status=1)
+        self.assertIn("turns it about itself", none["reason"])
+
+    def test_a_tool_with_a_holder(self):
+        """A holder as wide as the wall is high keeps the tool from the foot of a step, but not from its top."""
+        step = self.file("""OFF
+9 5 0
+0 -1 0
+1 -1 0
+1 2 0
+0 2 0
+0 -1 30
+0 2 30
+-9 -9 30
+-9 9 30
+1 -1 0
+3 0 1 2
+3 0 2 3
+3 0 3 5
+3 0 5 4
+3 4 5 7
+""", "step.off")
+        holder = self.file({"format": "endmill-tool/1", "cutter": "ball:1", "holder": [
+            {"diameter_mm": 40, "from_mm": 10, "to_mm": 90}]}, "tool.json")
+        free = self.found(step, "--family", "CA", "--incidence-deg", 60)
+        self.assertEqual(free["empty_cones"], [])
+        wide = self.found(step, "--family", "CA", "--incidence-deg", 60, "--tool", holder, status=1)
+        self.assertTrue({0, 1} & set(wide["empty_cones"]))
+        self.assertNotIn(4, wide["empty_cones"])
+        saved = self.folder / "saved.bsm"
+        saved.write_bytes((self.folder / "out/visibility.bsm").read_bytes())
+        again = self.found(step, "--family", "CA", "--from-visibility", saved, "--tool", holder, status=1)
+        self.assertEqual(again["empty_cones"], wide["empty_cones"])
+        self.refused(step, "--family", "CA", "--from-visibility", saved, "--force", words=("another tool",))
+        other = self.file(CUBE, "cube.off")
+        self.refused(other, "--family", "CA", "--from-visibility", saved, "--force", status=3, words=("saved.bsm",))
+
+    def test_several_setups(self):
+        found = self.found(TEAPOT, "--machine", "W/xyBz/T", "--max-setups", 6, status=1)
+        self.assertEqual(len(found["setups"]), 4)
+        self.assertEqual((found["uncovered"], found["setups_lower_bound"]), ([], 2))
+        facets = sorted(facet for setup in found["setups"] for facet in setup["facets"])
+        self.assertEqual(facets, list(range(288)))
+        few = self.found(TEAPOT, "--machine", "W/xyBz/T", "--max-setups", 2, status=1)
+        self.assertGreater(len(few["uncovered"]), 0)
+
+    def test_linear_travel(self):
+        cube = self.file(CUBE, "cube.off")
+        def machine(**limits):
+            return self.file({"format": "endmill-machine/1", "configuration": "W/caxyBz/T", "limits": limits}, "m.json")
+        wide = self.found(cube, "--machine", machine(x_mm=[-5, 5], y_mm=[-5, 5], z_mm=[-5, 5]), "--incidence-deg", 80)
+        self.assertTrue(wide["travel_ok"])
+        for axis in "xyz":
+            low, high = wide["travel_mm"][axis]
+            self.assertLessEqual(abs(low), math.sqrt(3))  # a tip on the cube turns about its corner
+            self.assertLessEqual(low, high)
+        far = self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
+                         status=1)
+        self.assertEqual((far["machinable"], far["travel_ok"]), (True, False))
+        clamp = ",".join(str(x) for x in far["clamp_centred_mm"])
+        self.assertTrue(self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp",
+                                   clamp)["travel_ok"])
+
+    def test_all_machines_are_ranked(self):
+        cube = self.file(CUBE, "cube.off")
+        found = self.found(cube, "--machine", MACHINES, "--incidence-deg", 80)
+        ranking = found["ranking"]
+        self.assertEqual(len(ranking), len(list(MACHINES.glob("*.json"))))
+        self.assertEqual(found["configuration"], ranking[0]["configuration"])
+        machinable = [bool(one["machinable"]) and one["travel_ok"] is not False for one in ranking]
+        self.assertEqual(machinable, sorted(machinable, reverse=True))
+
+    def test_a_part_that_nothing_reaches(self):
+        inside = CUBE.replace("8 10 0", "12 12 0").replace("3 4 5 6\n", """.2 .2 .5
+.8 .2 .5
+.8 .8 .5
+.2 .8 .5
+3 8 9 10
+3 8 10 11
+3 4 5 6
+""", 1)
+        closed = inside.replace("12 12 0", "12 14 0") + "3 0 2 1\n3 0 3 2\n"
+        found = self.found(self.file(closed, "box.off"), "--family", "AB", "--incidence-deg", 80, status=1)
+        self.assertEqual(found["machinable"], False)
+        self.assertIn(0, found["empty_cones"])
+        self.assertIn(1, found["empty_cones"])
+
+    def test_bad_input(self):
+        self.refused(TEAPOT, words=("--machine", "--family"))
+        self.refused("--family", "CA", words=("PART",))
+        self.refused(TEAPOT, "--machine", "W/caxyz/T", words=("B",))
+        self.refused(TEAPOT, "--machine", "W/caxyBz", words=("/T",))
+        self.refused(TEAPOT, "--machine", "W/ccxyBz/T", words=("c",))
+        self.refused(TEAPOT, "--family", "CA", "--limits", "phi=30:-30", words=("--limits",))
+        self.refused(TEAPOT, "--family", "CA", "--limits", "theta=-200:200", words=("--limits",))
+        self.refused(TEAPOT, "--family", "CA", "--sphere", "hex:0", words=("hex",))
+        self.refused(TEAPOT, "--family", "CA", "--objective", "tilt", words=("--mode set",))
+        self.refused(self.file("OFF\n0 0 0\n", "empty.off"), "--family", "CA", status=3)
+        self.refused(self.file(CUBE.replace("1 1 1", "1 nan 1"), "nan.off"), "--family", "CA", status=3,
+                     words=("nan.off",))
+        self.refused("--points", self.file(HEADER + "1,200\n", "p.csv"), "--family", "CA", status=3, words=("p.csv:2",))
+
+
+if __name__ == "__main__":
+    unittest.main()
