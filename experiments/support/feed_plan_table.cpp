@@ -121,10 +121,4 @@ NamedCells sensitivity_cells(const std::vector<SegmentCut>& cuts, const FeedPlan
     return joined(joined(cells, peak_cells(plan)), thrust_cells(cuts, plan));
 }
 
-NamedCells joined(NamedCells one, const NamedCells& other)
-{
-    one.insert(one.end(), other.begin(), other.end());
-    return one;
-}
-
 }  // namespace endmill

@@ -31,7 +31,4 @@ NamedCells limit_claims(const std::vector<FeedPlan>& plans);
 NamedCells sensitivity_cells(const std::vector<SegmentCut>& cuts, const FeedPlan& plan,
                              double noncut_min);
 
-/// Both lists.
-NamedCells joined(NamedCells one, const NamedCells& other);
-
 }  // namespace endmill

@@ -25,4 +25,10 @@ void add_named(CsvTable& table, const std::string& row, const NamedCells& cells)
     table.add_row(line);
 }
 
+NamedCells joined(NamedCells one, const NamedCells& other)
+{
+    one.insert(one.end(), other.begin(), other.end());
+    return one;
+}
+
 }  // namespace endmill

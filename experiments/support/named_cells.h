@@ -19,4 +19,7 @@ using NamedCells = std::vector<std::pair<std::string, CsvCell>>;
 /// empty. \throws DomainError if it names one that the table has not.
 void add_named(CsvTable& table, const std::string& row, const NamedCells& cells);
 
+/// All cells of both, one after the other.
+NamedCells joined(NamedCells one, const NamedCells& other);
+
 }  // namespace endmill

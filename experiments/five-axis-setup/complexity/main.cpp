@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Time of visibility and of the searches for a setup against the triangles of the teapot and
+// the directions of the sphere.
+//
+//   five-axis-setup-complexity OUTPUT_FOLDER
+//
+// About a minute; measures time, so nothing else should run. Columns: README.md beside this.
+
+#include <cmath>
+#include <cstdint>
+
+#include "support/dataset_mesh.h"
+#include "support/experiment.h"
+#include "support/teapot_tessellations.h"
+#include "support/timed_setup.h"
+
+using namespace endmill;
+
+namespace {
+
+constexpr double budget_s = 0.05;  // of a measurement
+
+// What the exponent is taken in.
+double size_of(const StudiedPart& part, const std::string& sweep)
+{
+    return static_cast<double>(sweep == "triangles" ? part.visibility.map.facets()
+                                                    : part.visibility.map.cells());
+}
+
+// A row for each part up to a size, from the smallest to the largest.
+void add_sweep(CsvTable& result, const std::string& sweep, const SetupWork& work,
+               const std::vector<StudiedPart>& parts, double most)
+{
+    double last_size = 0;
+    double last_s = 0;
+    for (const StudiedPart& part : parts) {
+        const double size = size_of(part, sweep);
+        if (size > most)
+            break;
+        const double s = work_s(work, part, budget_s);
+        CsvCell exponent;
+        if (last_size > 0)
+            exponent = std::log(s / last_s) / std::log(size / last_size);
+        const auto pairs = static_cast<double>(part.visibility.map.facets() *
+                                               part.visibility.map.cells());
+        const auto count = static_cast<std::int64_t>(size);
+        result.add_row({work.name + ", " + std::to_string(count) + " " + sweep, work.name,
+                        sweep, count, 1e9 * s / pairs, exponent});
+        last_size = size;
+        last_s = s;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    const std::string name = "five-axis-setup/complexity";
+    return run_experiment(argc, argv, name, [](Experiment& run) {
+        const std::string grid = run.text("grid");
+        const double most_for_set = run.number("most_triangles_for_set");
+        const TriangleMesh teapot = dataset_mesh(run.text("mesh"));
+        std::vector<StudiedPart> by_triangles;
+        for (const double squares : run.numbers("squares_a_patch"))
+            by_triangles.push_back(
+                studied_part(teapot_of_squares(static_cast<int>(squares) + 1, true), grid,
+                             Angle::degrees(90)));
+        std::vector<StudiedPart> by_directions;
+        for (const std::string& finer : run.texts("grids"))
+            by_directions.push_back(studied_part(teapot, finer, Angle::degrees(90)));
+
+        CsvTable result{{"row", "work", "sweep", "size", "ns_a_pair", "exponent"}};
+        for (const SetupWork& work : setup_works()) {
+            const double most = work.name == "set AB" ? most_for_set : 1e9;
+            add_sweep(result, "triangles", work, by_triangles, most);
+            add_sweep(result, "directions", work, by_directions, 1e9);
+        }
+        run.write_result(result);
+    });
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figure 1 of Kang & Suh: the visibility cones of two facets of the teapot, and all cones moved to
+// one origin.
+//
+//   five-axis-setup-figure-1 OUTPUT_FOLDER
+//
+// Deterministic, under 1 s. Columns and verdicts: README.md beside this.
+
+#include <cstdint>
+
+#include "endmill/io/sphere_svg.h"
+#include "support/experiment.h"
+#include "support/studied_part.h"
+
+using namespace endmill;
+
+namespace {
+
+// The map of one facet alone.
+VisibilityMap map_of(const VisibilityMap& all, std::size_t facet)
+{
+    VisibilityMap one{1, all.cells()};
+    for (std::size_t i = 0; i < all.cells(); ++i)
+        one.column(i)[0] = all.is_accessible(facet, i) ? 1 : 0;
+    return one;
+}
+
+std::int64_t entries(const VisibilityMap& map)
+{
+    std::int64_t count = 0;
+    for (std::size_t j = 0; j < map.facets(); ++j)
+        for (std::size_t i = 0; i < map.cells(); ++i)
+            count += map.is_accessible(j, i) ? 1 : 0;
+    return count;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return run_experiment(argc, argv, "five-axis-setup/figure-1", [](Experiment& run) {
+        const StudiedPart part =
+            studied_part(run.text("mesh"), run.text("grid"),
+                         Angle::degrees(run.number("incidence_deg")));
+        const VisibilityMap& map = part.visibility.map;
+        const auto fractions = visible_fractions(map, part.grid.solid_angles_sr);
+        CsvTable table{{"row", "cells", "visible_fraction"}};
+        for (const double number : run.numbers("facets")) {
+            const auto facet = static_cast<std::size_t>(number);
+            const std::string row = "facet-" + std::to_string(facet);
+            const VisibilityMap cone = map_of(map, facet);
+            table.add_row({row, entries(cone), fractions.at(facet)});
+            run.write(row + ".svg", sphere_svg(part.grid, cone, {.title = row}));
+        }
+        table.add_row({"all facets", entries(map), {}});
+        run.write("map.svg", sphere_svg(part.grid, map, {.title = "All facets"}));
+        run.write_result(table);
+    });
+}

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How much work the groups and nearest cells of Kang & Suh save on the teapot, what its cones
+// hold, and what other tessellations of it have.
+//
+//   five-axis-setup-savings OUTPUT_FOLDER
+//
+// Deterministic, under 1 s. Columns and verdicts: README.md beside this.
+
+#include <cmath>
+
+#include "support/dataset_mesh.h"
+#include "support/experiment.h"
+#include "support/named_cells.h"
+#include "support/setup_savings.h"
+#include "support/teapot_tessellations.h"
+
+using namespace endmill;
+
+namespace {
+
+std::string tessellation(int squares, bool has_bottom)
+{
+    const std::string along = std::to_string(squares);
+    return along + " by " + along + " squares, " +
+           (has_bottom ? "whole" : "without bottom");
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return run_experiment(argc, argv, "five-axis-setup/savings", [](Experiment& run) {
+        CsvTable result{{"row", "facets", "empty_cones", "accessible_entries",
+                         "group_1_percent", "group_2_mean", "nearest_cells_mean",
+                         "left_by_best_direction", "ca_paper_area_deg2"}};
+        const TriangleMesh teapot = dataset_mesh(run.text("mesh"));
+        const std::string grid = run.text("grid");
+        const double start = run.number("offset_start");
+        for (const double incidence : run.numbers("incidences_deg")) {
+            const auto add = [&](const std::string& row, const StudiedPart& part) {
+                add_named(result, row + ", " + std::to_string(std::lround(incidence)),
+                          joined(cone_cells(part), saving_cells(part)));
+            };
+            add("global", studied_part(teapot, grid, Angle::degrees(incidence)));
+            add("global, offset start",
+                offset_start_part(teapot, grid, Angle::degrees(incidence), start));
+            add("local", studied_part(teapot, grid, Angle::degrees(incidence),
+                                      VisibilityKind::Local));
+        }
+        for (const double along : run.numbers("squares_a_patch"))
+            for (const bool has_bottom : {true, false}) {
+                const int squares = static_cast<int>(along);
+                const TriangleMesh mesh = teapot_of_squares(squares + 1, has_bottom);
+                add_named(result, tessellation(squares, has_bottom),
+                          cone_cells(studied_part(mesh, grid, Angle::degrees(90))));
+            }
+        run.write_result(result);
+    });
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "endmill/accessibility/rectangle_candidate.h"
+#include "endmill/accessibility/sector_fit.h"
+#include "support/direction_chart.h"
+
+namespace endmill {
+
+/// Directions that a machine is to reach from a tool axis at zero.
+struct DirectionSet {
+    Vec3 tool_axis;                ///< unit
+    std::vector<Vec3> directions;  ///< unit
+};
+
+/// The set of azimuths and polar angles written "0:30 100:40", or turns about x and y written
+/// "50/30 -20/15", in degrees; the tool axis is +z.
+/// \throws DomainError for anything else.
+DirectionSet direction_set(const std::string& text);
+
+/// Figures 7, 8, 13 (a): the directions by azimuth and polar angle, and a double sector.
+std::string sector_chart(const std::string& title, const DirectionSet& set,
+                         const SectorCandidate& sector);
+
+/// Figures 10, 13 (b): the directions in the gnomonic projection as far as 80 degrees from the
+/// tool axis, and a rectangle.
+std::string rectangle_chart(const std::string& title, const DirectionSet& set,
+                            const RectangleCandidate& rectangle);
+
+/// Figures 9, 14: the hull of the directions and the tool axis in a projection, gnomonic or
+/// orthographic.
+std::string hull_chart(const std::string& title, const DirectionSet& set,
+                       ChartProjection projection);
+
+}  // namespace endmill

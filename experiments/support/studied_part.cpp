@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/studied_part.h"
+
+#include <utility>
+
+#include "endmill/accessibility/nearest_cells.h"
+#include "endmill/accessibility/setup_travel.h"
+#include "endmill/core/error.h"
+#include "support/dataset_mesh.h"
+
+namespace endmill {
+
+StudiedPart studied_part(TriangleMesh mesh, const std::string& grid, Angle incidence,
+                         VisibilityKind kind)
+{
+    StudiedPart part{std::move(mesh), sphere_grid(grid), {}};
+    VisibilityOptions options;
+    options.incidence = incidence;
+    options.kind = kind;
+    part.visibility = part_visibility(part.mesh, part.grid.centres, options);
+    return part;
+}
+
+StudiedPart studied_part(const std::string& file, const std::string& grid,
+                         Angle incidence)
+{
+    return studied_part(dataset_mesh(file), grid, incidence);
+}
+
+BestSetup unlimited_setup(const StudiedPart& part, RotaryFamily family,
+                          const std::string& mode)
+{
+    SetupRequest request;
+    request.family = family;
+    request.mode = setup_mode(mode);
+    require(request.mode || mode == "set", "unlimited_setup: need the word of a mode");
+    return best_setup(part.grid, part.visibility.map, request);
+}
+
+ShownSetup posed(RotaryFamily family, const FittedPose& fit)
+{
+    const char* word = family == RotaryFamily::CA ? "W/caBxyz/T" : "W/abBxyz/T";
+    return {part_to_machine(fit.pose, configuration_from_word(word)),
+            {family, fit.pose.tool_axis, fit.pose.r1_axis, fit.pose.r2_axis},
+            {fit.phi, fit.theta},
+            {}};
+}
+
+std::vector<Vec3> nearest_directions(const StudiedPart& part, const FittedPose& fit)
+{
+    std::vector<Vec3> directions;
+    for (const std::size_t cell :
+         nearest_cells(part.visibility.map, part.grid.centres, fit.cell))
+        directions.push_back(part.grid.centres[cell]);
+    return directions;
+}
+
+std::string family_name(RotaryFamily family)
+{
+    return family == RotaryFamily::CA ? "C,A" : "A,B";
+}
+
+}  // namespace endmill

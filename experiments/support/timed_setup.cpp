@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/timed_setup.h"
+
+#include <optional>
+
+#include "endmill/accessibility/best_setup.h"
+#include "endmill/accessibility/setup_search.h"
+#include "endmill/core/parallel.h"
+#include "support/cpu_time.h"
+
+namespace endmill {
+namespace {
+
+void see(const StudiedPart& part)
+{
+    part_visibility(part.mesh, part.grid.centres);
+}
+
+std::function<void(const StudiedPart&)> search(RotaryFamily family, SetupMode mode)
+{
+    return [=](const StudiedPart& part) {
+        setup_search(part.visibility.map, part.grid.centres, {family, mode});
+    };
+}
+
+void search_whole_cones(const StudiedPart& part)
+{
+    best_setup(part.grid, part.visibility.map,
+               {.family = RotaryFamily::AB, .mode = std::nullopt});
+}
+
+}  // namespace
+
+std::vector<SetupWork> setup_works()
+{
+    return {{"visibility", see},
+            {"paper CA", search(RotaryFamily::CA, SetupMode::Paper)},
+            {"paper AB", search(RotaryFamily::AB, SetupMode::Paper)},
+            {"corrected AB", search(RotaryFamily::AB, SetupMode::Corrected)},
+            {"set AB", search_whole_cones}};
+}
+
+double work_s(const SetupWork& work, const StudiedPart& part, double budget_s)
+{
+    set_thread_count(1);
+    return shortest_cpu_s(budget_s, [&] { work.run(part); });
+}
+
+}  // namespace endmill
