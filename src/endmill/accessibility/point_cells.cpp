@@ -8,10 +8,10 @@ namespace endmill {
 namespace {
 
 // More points a cell mean fewer rows to look at for a triangle, and more points in vain.
-constexpr double points_per_cell = 1;
+constexpr double points_per_cell = 0.7;
 // Height of a cell by its width: what a triangle may cover lies in fewer rows, which hold
 // more of it one after the other.
-constexpr double aspect = 4;
+constexpr double aspect = 8;
 // A long row of points would ask for cells without end.
 constexpr double most_cells_along = 1 << 15;
 
