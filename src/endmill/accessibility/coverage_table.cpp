@@ -48,8 +48,9 @@ void CoverageTable::fill_bins(const AxisView& view)
     for (std::size_t side = 0; side < 2; ++side) {
         for (std::size_t level = 1; level < level_bins; ++level) {
             std::uint64_t* const here = bins_.data() + (side * level_bins + level) * row;
+            const std::uint64_t* const below = here - row;
             for (std::size_t k = 0; k < row; ++k)
-                here[k] &= here[k - row];
+                here[k] &= below[k];
         }
     }
 }
