@@ -30,7 +30,7 @@ struct NumberedPoint {
     std::int32_t number;
 };
 
-/// Points sorted into about as many square cells of x and y as there are points. What it
+/// Points sorted into about as many cells of x and y as there are points. What it
 /// keeps is used again for the next points.
 class PointCells {
 public:

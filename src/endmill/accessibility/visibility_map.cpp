@@ -2,23 +2,29 @@
 #include "endmill/accessibility/visibility_map.h"
 
 #include <new>
-#include <stdexcept>
 
 #include "endmill/core/error.h"
 
 namespace endmill {
+namespace {
+
+// 2^45 bytes, more memory than there is: refused before anybody is asked for it.
+constexpr std::size_t most_words = std::size_t{1} << 42;
+
+}  // namespace
 
 VisibilityMap::VisibilityMap(std::size_t facets, std::size_t cells)
     : facets_{facets},
       cells_{cells},
-      words_{(facets + 63) / 64}
+      words_{facets / 64 + (facets % 64 != 0 ? 1 : 0)}
 {
+    const LimitError no_memory{"visibility map: no memory for its bits"};
+    if (words_ > 0 && cells_ > most_words / words_)
+        throw LimitError{no_memory};
     try {
         bits_.resize(words_ * cells_);
     } catch (const std::bad_alloc&) {
-        throw LimitError{"visibility map: no memory for its bits"};
-    } catch (const std::length_error&) {
-        throw LimitError{"visibility map: no memory for its bits"};
+        throw LimitError{no_memory};
     }
 }
 
