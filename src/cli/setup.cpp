@@ -17,6 +17,15 @@ namespace {
 // An option that changes nothing was meant for something.
 void refuse_idle_setup(const SetupCommandOptions& options)
 {
+    const bool has_idle_for_points =
+        !options.tool.empty() || !options.from_visibility.empty() ||
+        options.chord_tolerance || options.max_setups > 1 || options.write_bsm_csv ||
+        options.clamp != Vec3::Zero();
+    if (!options.points.empty() && has_idle_for_points)
+        throw DomainError{
+            "--points: found with --tool, --from-visibility, --chord-tolerance, "
+            "--max-setups, --write-bsm-csv or --clamp; expected none of them: there is no "
+            "part"};
     if (options.part.path.empty() == options.points.empty())
         throw DomainError{"expected a PART, or --points instead of one"};
     if (options.mode && options.is_objective_given)
@@ -50,7 +59,7 @@ ExitCode run_setup(const SetupCommandOptions& options)
     OutputFolder folder{output_folder(options.part.path, "setup", options.common),
                         options.common.force};
     for (const std::string& file :
-         {options.part.path, options.tool, options.from_visibility})
+         {options.part.path, options.tool})
         if (!file.empty())
             folder.protect(file);
     const SetupVisibility visibility = visibility_for(input, options);

@@ -88,6 +88,25 @@ BestSetup four_axis_setup(const SetupMachine& machine, const SetupInput& input,
     return best;
 }
 
+// Some facet is reached from nowhere, so that no setup will do: what is told is the least that
+// the others need.
+BestSetup of_the_other_facets(BestSetup best, const std::optional<RotaryFamily>& family,
+                              const SetupCommandOptions& options)
+{
+    best.is_machinable = false;
+    best.is_proved = true;
+    best.feasible = std::nullopt;
+    best.lower_bound = std::nullopt;
+    best.objective = std::nullopt;
+    if (best.least && options.mode)
+        best.objective = best.least->area;
+    if (best.least && !options.mode && family)
+        best.objective = PoseMeasure{*family, options.objective,
+                                     Angle::degrees(options.floor_deg).radians()}(
+            pose_ranges(*family, *best.least));
+    return best;
+}
+
 // All that a machine of three axes can do is decided by trying every direction.
 BestSetup three_axis_setup(const SetupInput& input, const SetupVisibility& visibility)
 {
@@ -157,6 +176,8 @@ void add_travel(SetupAnswer& answer, const SetupInput& input,
     if (const auto reached = reached_points(input, visibility, frame, machine.rotary))
         answer.travel = setup_travel(machine, *answer.part_to_machine, *reached,
                                      options.clamp, input.tool ? input.tool->length : 0);
+    else
+        answer.is_out_of_reach = true;
 }
 
 SetupReach reach_of(const SetupMachine& machine, const SetupCommandOptions& options)
@@ -176,24 +197,22 @@ int machinable_rank(const SetupAnswer& answer)
 
 double ranked_area(const SetupAnswer& answer, const SetupCommandOptions& options)
 {
-    const std::optional<RotaryFamily>& family =
-        answer.machine->machine.configuration.family;
-    if (!family || !answer.told())
-        return std::numeric_limits<double>::infinity();
-    return floored_area_deg2(*family, *answer.told(), options.floor_deg);
+    return answer.floored_area_deg2(options.floor_deg)
+        .value_or(std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
 
-bool SetupAnswer::is_travel_limited() const
+std::optional<bool> SetupAnswer::is_travel_ok() const
 {
-    return machine->machine.linear != LinearLimits{};
+    if (machine->machine.linear == LinearLimits{} || (!travel && !is_out_of_reach))
+        return std::nullopt;
+    return travel && travel->is_within;
 }
 
 bool SetupAnswer::is_yes() const
 {
-    const bool is_out_of_travel = is_travel_limited() && travel && !travel->is_within;
-    return best.is_machinable == true && !is_out_of_travel;
+    return best.is_machinable == true && is_travel_ok() != false;
 }
 
 SetupVisibility visibility_for(const SetupInput& input,
@@ -224,11 +243,8 @@ SetupAnswer answer_for(const SetupMachine& machine, const SetupInput& input,
     const MachineConfiguration& configuration = machine.machine.configuration;
     SetupAnswer answer{.machine = &machine,
                        .best = setup_on(machine, input, visibility, options)};
-    if (!visibility.empty.empty()) {
-        answer.best.is_machinable = false;
-        answer.best.is_proved = true;
-        answer.best.feasible = std::nullopt;
-    }
+    if (!visibility.empty.empty())
+        answer.best = of_the_other_facets(answer.best, configuration.family, options);
     if (answer.told() && configuration.family)
         add_travel(answer, input, visibility, options);
     if (options.max_setups > 1 && configuration.is_valid())
@@ -239,9 +255,14 @@ SetupAnswer answer_for(const SetupMachine& machine, const SetupInput& input,
     return answer;
 }
 
-double floored_area_deg2(RotaryFamily family, const FittedPose& fit, double floor_deg)
+std::optional<double> SetupAnswer::floored_area_deg2(double floor_deg) const
 {
-    const PoseRanges ranges = pose_ranges(family, fit);
+    if (!told())
+        return std::nullopt;
+    // The one rotary axis of four is phi, as R1 of A,B.
+    const RotaryFamily family =
+        machine->machine.configuration.family.value_or(RotaryFamily::AB);
+    const PoseRanges ranges = pose_ranges(family, *told());
     return (Angle::radians(ranges.width).degrees() + floor_deg) *
            (Angle::radians(ranges.height()).degrees() + floor_deg);
 }

@@ -37,7 +37,15 @@ struct SetupAnswer {
     {
         return best.feasible ? best.feasible : best.least;
     }
-    bool is_travel_limited() const;  ///< by any of X, Y and Z
+    bool is_out_of_reach = false;  ///< a facet has no cell within the limits at that pose
+
+    /// Whether the linear axes go far enough; nothing where they are not limited, or there is
+    /// no pose.
+    std::optional<bool> is_travel_ok() const;
+
+    /// (w + floor)(h + floor) of the pose that is told, with h = 0 of four axes and w = 0 of
+    /// three; nothing without a pose.
+    std::optional<double> floored_area_deg2(double floor_deg) const;
     bool is_yes() const;  ///< machinable, and within the travel where that is limited
 };
 
@@ -56,8 +64,5 @@ SetupAnswer answer_for(const SetupMachine& machine, const SetupInput& input,
 /// word, then the name.
 bool ranks_before(const SetupAnswer& one, const SetupAnswer& other,
                   const SetupCommandOptions& options);
-
-/// (w + floor)(h + floor) of a pose, in deg^2.
-double floored_area_deg2(RotaryFamily family, const FittedPose& fit, double floor_deg);
 
 }  // namespace endmill

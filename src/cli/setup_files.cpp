@@ -2,6 +2,8 @@
 #include "cli/setup_files.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -104,9 +106,16 @@ void write_setup_files(const SetupInput& input, const SetupVisibility& visibilit
                        const SetupAnswer& answer, const SetupCommandOptions& options,
                        OutputFolder& folder)
 {
-    folder.write_pieces("visibility.bsm", [&](const OutputFolder::Sink& sink) {
-        write_visibility(visibility.file, sink);
-    });
+    // What was read is as it would be written.
+    std::error_code ignored;
+    const bool is_there =
+        !options.from_visibility.empty() &&
+        std::filesystem::equivalent(options.from_visibility,
+                                    folder.path() / "visibility.bsm", ignored);
+    if (!is_there)
+        folder.write_pieces("visibility.bsm", [&](const OutputFolder::Sink& sink) {
+            write_visibility(visibility.file, sink);
+        });
     folder.write("cones.csv",
                  cones_csv(visibility.file.visibility, input.grid.solid_angles_sr));
     if (options.write_bsm_csv)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numbers>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -112,6 +113,22 @@ void take_visibility(SetupInput& input, const SetupCommandOptions& options)
 
 }  // namespace
 
+// R2 of A,B beyond a quarter turn: poses there would be those of the other side.
+void remark_cut_limits(SetupInput& input)
+{
+    constexpr double quarter = std::numbers::pi / 2;
+    for (const SetupMachine& machine : input.machines) {
+        const RotaryRange& theta = machine.machine.rotary.theta;
+        const bool is_given = theta != RotaryRange{};
+        if (machine.machine.configuration.family == RotaryFamily::AB && is_given &&
+            (theta.from < -quarter || theta.to > quarter))
+            input.remarks.push_back(
+                machine.name +
+                ": of the turns of R2 those beyond 90 degrees are not "
+                "used");
+    }
+}
+
 std::string body_text(const std::optional<Tool>& tool)
 {
     std::string text;
@@ -150,7 +167,7 @@ SetupInput read_setup_input(const SetupCommandOptions& options)
     PartFile file = read_part_for(options.part, options.common);
     input.name = file.name;
     input.source = file.source;
-    input.remarks = std::move(file.notes);
+    input.notes = std::move(file.notes);
     if (auto* mesh = std::get_if<TriangleMesh>(&file.part)) {
         if (options.chord_tolerance)
             throw DomainError{"--chord-tolerance: found with a mesh; expected a surface"};
@@ -159,6 +176,7 @@ SetupInput read_setup_input(const SetupCommandOptions& options)
         take_surfaces(input, std::get<std::vector<Surface>>(file.part), options);
     }
     take_visibility(input, options);
+    remark_cut_limits(input);
     return input;
 }
 

@@ -24,10 +24,11 @@ struct SetupMachine {
 
 /// What a setup is looked for with.
 struct SetupInput {
-    std::string name;    ///< of the part
-    std::string source;  ///< of its numbers
-    TriangleMesh mesh;   ///< in mm
-    std::vector<std::string> remarks;
+    std::string name;                  ///< of the part
+    std::string source;                ///< of its numbers
+    TriangleMesh mesh;                 ///< in mm
+    std::vector<std::string> notes;    ///< of its reader, who has warned of them
+    std::vector<std::string> remarks;  ///< beside them
     SphereGrid grid;
     std::optional<StoredVisibility> known_visibility;  ///< of --from-visibility
     std::vector<SetupMachine> machines;  ///< one, or all of a folder by name

@@ -2,6 +2,7 @@
 #include "cli/setup_options.h"
 
 #include <array>
+#include <limits>
 
 #include "cli/arguments.h"
 #include "cli/rotary_limits_option.h"
@@ -84,7 +85,7 @@ void add_setup_visibility(CLI::App& command, SetupCommandOptions& options)
         add_number(command,
                    {"--incidence-deg", "DEG",
                     "largest angle between tool and normal, itself excluded; default 90",
-                    NumberDomain::from_to(1e-3, 90)},
+                    NumberDomain::from_to(std::numeric_limits<double>::min(), 90)},
                    options.incidence_deg);
     command
         .add_option("--tool", options.tool,
@@ -125,7 +126,8 @@ void add_setup_search(CLI::App& command, SetupCommandOptions& options)
         [&options](const std::string&) { options.is_objective_given = true; });
     add_number(
         command,
-        {"--floor-deg", "DEG", "added to both ranges in the floored area; default 5.9"},
+        {"--floor-deg", "DEG", "added to both ranges in the floored area; default 5.9",
+         NumberDomain::from_to(1e-6, 360)},
         options.floor_deg);
     add_number(command,
                {"--gap", "SHARE",
@@ -143,7 +145,7 @@ void add_setup_search(CLI::App& command, SetupCommandOptions& options)
     add_number(command,
                {"--arc-tolerance-deg", "DEG",
                 "a cell counts so near to the arc of a 4-axis machine; default 2.95",
-                NumberDomain::from_zero()},
+                NumberDomain::from_to(0, 45)},
                options.arc_tolerance_deg);
 }
 

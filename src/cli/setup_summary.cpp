@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/setup_summary.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "build_facts.h"
@@ -15,7 +17,13 @@ constexpr double deg2_per_rad2 = (180 / std::numbers::pi) * (180 / std::numbers:
 
 double to_deg(double radians)
 {
-    return Angle::radians(radians).written_degrees();
+    return Angle::radians(radians).written_degrees() + 0.0;  // never -0
+}
+
+template <typename Value>
+Json optional_json(const std::optional<Value>& value)
+{
+    return value ? Json(*value) : Json{};
 }
 
 Json pair_deg(const std::array<double, 2>& radians)
@@ -72,8 +80,7 @@ void add_ranges(Json& summary, const SetupAnswer& answer,
     summary["width_deg"] =
         told && family ? Json(to_deg(pose_ranges(*family, *told).width)) : Json{};
     summary["floored_area_deg2"] =
-        told && family ? Json(floored_area_deg2(*family, *told, options.floor_deg))
-                       : Json{};
+        optional_json(answer.floored_area_deg2(options.floor_deg));
     summary["rigid"] = told ? Json(told->is_rigid) : Json{};
 }
 
@@ -90,19 +97,17 @@ void add_travel_keys(Json& summary, const SetupAnswer& answer,
     const std::optional<SetupTravel>& travel = answer.travel;
     summary["travel_mm"] = nullptr;
     summary["clamp_centred_mm"] = nullptr;
-    summary["travel_ok"] = nullptr;
+    summary["travel_ok"] = optional_json(answer.is_travel_ok());
     if (!travel)
         return;
     summary["travel_mm"] = {{"x", {travel->low.x(), travel->high.x()}},
                             {"y", {travel->low.y(), travel->high.y()}},
                             {"z", {travel->low.z(), travel->high.z()}}};
     summary["clamp_centred_mm"] = vector_json(travel->centred_clamp);
-    if (answer.is_travel_limited())
-        summary["travel_ok"] = travel->is_within;
 }
 
 // With one setup asked for there is no list: the pose itself tells it.
-void add_setups(Json& summary, const SetupAnswer& answer)
+void add_setups(Json& summary, const SetupAnswer& answer, bool has_empty_cones)
 {
     summary["setups"] = nullptr;
     summary["uncovered"] = nullptr;
@@ -118,7 +123,8 @@ void add_setups(Json& summary, const SetupAnswer& answer)
     summary["setups"] = setups;
     summary["uncovered"] = answer.setups->uncovered;
     const bool needs_two = answer.best.is_machinable == false && answer.best.is_proved;
-    summary["setups_lower_bound"] = needs_two ? 2 : 1;
+    if (!has_empty_cones)  // else no number of setups will do
+        summary["setups_lower_bound"] = needs_two ? 2 : 1;
 }
 
 Json machinable_json(const BestSetup& best)
@@ -130,20 +136,14 @@ Json ranking(std::span<const SetupAnswer> answers, const SetupCommandOptions& op
 {
     Json list = Json::array();
     for (const SetupAnswer& answer : answers) {
-        const std::optional<RotaryFamily>& family =
-            answer.machine->machine.configuration.family;
         list.push_back(
             {{"machine", printable(answer.machine->file.empty() ? answer.machine->name
                                                                 : answer.machine->file)},
              {"configuration", answer.machine->machine.configuration.word},
              {"machinable", machinable_json(answer.best)},
-             {"travel_ok", answer.travel && answer.is_travel_limited()
-                               ? Json(answer.travel->is_within)
-                               : Json{}},
+             {"travel_ok", optional_json(answer.is_travel_ok())},
              {"floored_area_deg2",
-              answer.told() && family
-                  ? Json(floored_area_deg2(*family, *answer.told(), options.floor_deg))
-                  : Json{}}});
+              optional_json(answer.floored_area_deg2(options.floor_deg))}});
     }
     return list;
 }
@@ -175,8 +175,18 @@ void add_search(Json& summary, const SetupAnswer& answer,
     summary["poses_tried"] = best.poses_tried;
     summary["poses_skipped"] = best.poses_skipped;
     summary["unresolved"] = best.unresolved;
-    add_setups(summary, answer);
+    add_setups(summary, answer, !summary["empty_cones"].empty());
     add_travel_keys(summary, answer, options);
+}
+
+// The first of them; the summary has all.
+std::string unreached_text(const Json& facets)
+{
+    constexpr std::size_t most_told = 10;
+    std::string text = fmt::format("{} facets are reached from nowhere:", facets.size());
+    for (std::size_t k = 0; k < std::min(most_told, facets.size()); ++k)
+        text += fmt::format(" {}", facets[k].get<std::size_t>());
+    return text + (facets.size() > most_told ? " ...\n" : "\n");
 }
 
 }  // namespace
@@ -227,13 +237,22 @@ Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,
     summary["incidence_deg"] = visibility.file.incidence.written_degrees();
     summary["sphere"] = input.grid.name;
     summary["cells"] = input.grid.centres.size();
+    summary["floor_deg"] = options.floor_deg;
+    summary["gap"] = is_set(options) ? Json(options.gap) : Json{};
+    summary["max_nodes"] = is_set(options) ? Json(options.max_nodes) : Json{};
+    summary["max_setups"] = options.max_setups;
+    summary["arc_tolerance_deg"] = options.arc_tolerance_deg;
+    summary["tool"] = options.tool.empty() ? Json{} : Json(printable(options.tool));
+    summary["tool_length_mm"] = input.tool ? Json(input.tool->length) : Json{};
     summary["facets"] = input.mesh.triangles().size();
     summary["empty_cones"] = visibility.empty;
     add_limits(summary, first.machine->machine.rotary);
     add_search(summary, first, options);
     if (answers.size() > 1)
         summary["ranking"] = ranking(answers, options);
-    summary["remarks"] = input.remarks;
+    summary["remarks"] = input.notes;
+    for (const std::string& remark : input.remarks)
+        summary["remarks"].push_back(remark);
     summary["visibility_s"] = visibility.seconds;
     double seconds = 0;
     for (const SetupAnswer& answer : answers)
@@ -261,10 +280,10 @@ std::string setup_text(const Json& s)
     if (!s["reason"].is_null())
         text += s["reason"].get<std::string>() + "\n";
     if (!s["empty_cones"].empty())
-        text +=
-            fmt::format("{} facets are reached from nowhere\n", s["empty_cones"].size());
+        text += unreached_text(s["empty_cones"]);
     if (!s["area_deg2"].is_null())
-        text += fmt::format("needs phi {}, theta {} degrees (area {:.6g} deg^2)\n",
+        text += fmt::format("{} phi {}, theta {} degrees (area {:.6g} deg^2)\n",
+                            s["empty_cones"].empty() ? "needs" : "the others need",
                             range("phi_range_deg"), range("theta_range_deg"),
                             s["area_deg2"].get<double>());
     if (!s["tool_axis"].is_null())

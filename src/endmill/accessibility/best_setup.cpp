@@ -22,7 +22,10 @@ SetupSearch at_cells(const SphereGrid& grid, const VisibilityMap& map,
 BestSetup found_at_cells(SetupSearch search)
 {
     BestSetup best;
-    best.is_machinable = search.feasible.has_value();
+    const bool is_known =
+        search.feasible || search.least;  // else no pose could be judged
+    if (is_known)
+        best.is_machinable = search.feasible.has_value();
     best.is_proved = search.feasible.has_value();
     best.status = search.status;
     best.poses_tried = search.poses_tried;
