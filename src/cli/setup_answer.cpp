@@ -163,6 +163,19 @@ std::optional<ReachedPoints> reached_points(const SetupInput& input,
     return reached;
 }
 
+// The limits within which cells are reached; those of four axes by their tolerance, those of
+// three all along one direction.
+RotaryLimits reach_limits(const Machine& machine, const SetupCommandOptions& options)
+{
+    RotaryLimits limits = machine.rotary;
+    if (!machine.configuration.family) {
+        const double tolerance = Angle::degrees(options.arc_tolerance_deg).radians();
+        const double aside = machine.configuration.rotary.empty() ? 0 : tolerance;
+        limits.theta = {-aside, aside};
+    }
+    return limits;
+}
+
 void add_travel(SetupAnswer& answer, const SetupInput& input,
                 const SetupVisibility& visibility, const SetupCommandOptions& options)
 {
@@ -171,9 +184,10 @@ void add_travel(SetupAnswer& answer, const SetupInput& input,
     answer.part_to_machine = part_to_machine(pose, machine.configuration);
     if (answer.machine->is_family || !answer.best.feasible)
         return;
-    const RotaryFrame frame{*machine.configuration.family, pose.tool_axis, pose.r1_axis,
-                            pose.r2_axis};
-    if (const auto reached = reached_points(input, visibility, frame, machine.rotary))
+    const RotaryFrame frame{machine.configuration.family.value_or(RotaryFamily::AB),
+                            pose.tool_axis, pose.r1_axis, pose.r2_axis};
+    if (const auto reached =
+            reached_points(input, visibility, frame, reach_limits(machine, options)))
         answer.travel = setup_travel(machine, *answer.part_to_machine, *reached,
                                      options.clamp, input.tool ? input.tool->length : 0);
     else
@@ -245,7 +259,7 @@ SetupAnswer answer_for(const SetupMachine& machine, const SetupInput& input,
                        .best = setup_on(machine, input, visibility, options)};
     if (!visibility.empty.empty())
         answer.best = of_the_other_facets(answer.best, configuration.family, options);
-    if (answer.told() && configuration.family)
+    if (answer.told())
         add_travel(answer, input, visibility, options);
     if (options.max_setups > 1 && configuration.is_valid())
         answer.setups = greedy_setups(visibility.map(), input.grid.centres,

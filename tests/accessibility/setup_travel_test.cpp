@@ -30,13 +30,14 @@ SetupPose pose_of(const RotaryFrame& home, const Eigen::Matrix3d& turn)
 TEST(SetupTravel, APoseIsOneTurnOfThePart)
 {
     test::Random random{1};
-    for (const char* word : {"W/caBxyz/T", "W/xyzBcb/T", "W/aBbxyz/T", "W/baBxyz/T"}) {
+    for (const char* word : {"W/caBxyz/T", "W/xyzBcb/T", "W/aBbxyz/T", "W/baBxyz/T",
+                             "W/axyBz/T", "W/xyBzb/T", "W/xyBz/T"}) {
         const MachineConfiguration machine = configuration_from_word(word);
         const Eigen::Matrix3d turn = random_turn(random);
         const SetupPose pose = pose_of(machine_frame(machine), turn);
         EXPECT_LT((part_to_machine(pose, machine) - turn).norm(), 1e-14) << word;
     }
-    EXPECT_THROW(part_to_machine({}, configuration_from_word("W/axyBz/T")), DomainError);
+    EXPECT_THROW(part_to_machine({}, configuration_from_word("W/acxyBz/T")), DomainError);
 }
 
 TEST(SetupTravel, EachFacetHasItsCellOfLeastTurns)

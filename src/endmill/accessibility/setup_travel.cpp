@@ -80,15 +80,18 @@ Vec3 middle(const LinearLimits& limits)
 Eigen::Matrix3d part_to_machine(const SetupPose& pose,
                                 const MachineConfiguration& configuration)
 {
-    require(configuration.is_valid() && configuration.rotary.size() == 2,
-            "part_to_machine: need a machine with two rotary axes");
-    const char second = configuration.rotary[1].letter;
-    // The axis that is told is X or Y; the other one follows from it and Z.
-    const bool is_x = second == 'a';
+    require(configuration.is_valid(), "part_to_machine: need a valid configuration");
+    // The rotary axis that lies across the tool axis is X or Y; the other follows from Z. In
+    // C,A that is the second one, in A,B either, and without one r1 is X.
+    const auto& rotary = configuration.rotary;
+    const bool is_ca = configuration.family == RotaryFamily::CA;
+    const char letter = rotary.empty() ? 'a' : rotary[is_ca ? 1 : 0].letter;
+    const Vec3& across = is_ca ? pose.r2_axis : pose.r1_axis;
+    const bool is_x = letter == 'a';
     Eigen::Matrix3d rows;
-    rows.row(is_x ? 0 : 1) = pose.r2_axis;
+    rows.row(is_x ? 0 : 1) = across;
     rows.row(is_x ? 1 : 0) =
-        is_x ? pose.tool_axis.cross(pose.r2_axis) : pose.r2_axis.cross(pose.tool_axis);
+        is_x ? pose.tool_axis.cross(across) : across.cross(pose.tool_axis);
     rows.row(2) = pose.tool_axis;
     return rows;
 }

@@ -16,7 +16,7 @@ namespace endmill {
 
 /// The rotation that sets a part up: rows are the machine's X, Y and Z in coordinates of the
 /// part, so that x_machine = M x_part. Source: [KangSuh, section 2], the pose written out.
-/// \throws DomainError unless the configuration has two rotary axes and is valid.
+/// \throws DomainError unless the configuration is valid.
 Eigen::Matrix3d part_to_machine(const SetupPose& pose,
                                 const MachineConfiguration& configuration);
 
