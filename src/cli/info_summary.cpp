@@ -130,7 +130,7 @@ Json mesh_summary(const PartFile& file, const PartOptions& options)
                                              ? Json(*report.first_non_manifold_edge)
                                              : Json(nullptr);
     summary["inconsistent_edges"] = report.inconsistent_edges;
-    summary["degenerate"] = file.degenerate_triangles;
+    summary["degenerate"] = file.degenerate_triangles.size();
     summary["welded"] = file.welded_points;
     summary["duplicates"] = report.duplicate_triangles;
     summary["volume_mm3"] = report.volume ? Json(*report.volume) : Json(nullptr);

@@ -9,6 +9,7 @@
 #include "cli/machine_summary.h"
 #include "cli/rotary_limits_option.h"
 #include "endmill/core/error.h"
+#include "endmill/core/numbers.h"
 #include "endmill/io/output_folder.h"
 
 namespace endmill {
@@ -27,6 +28,12 @@ void refuse_idle(const MachineOptions& options)
 ExitCode run_machine(const MachineOptions& options)
 {
     refuse_idle(options);
+    const double most_mm = options.common.limits.max_extent_mm;
+    const bool is_far =
+        options.point && options.point->lpNorm<Eigen::Infinity>() > most_mm;
+    if (is_far || options.length_mm > most_mm)
+        throw DomainError{"--point, --length: found more than " + to_text(most_mm) +
+                          " mm; expected no more (--max-extent)"};
     auto [machine, file] = machine_argument(options.machine, options.common.limits);
     const bool is_valid = machine.configuration.is_valid();
     if (is_valid && !options.limits.empty())

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <set>
 
 #include "cli/named_texts.h"
@@ -93,12 +94,16 @@ RotaryPositions positions_in(const std::string& text,
         };
         const auto axis = std::ranges::find_if(configuration.rotary, is_it);
         const auto degrees = number_from_text(item.text);
+        constexpr double most_deg =
+            1e6;  // as in machine files: an axis that turns for ever
         const bool is_position = axis != configuration.rotary.end() && degrees &&
+                                 std::abs(*degrees) <= most_deg &&
                                  given.insert(item.name).second;
         if (!is_position)
             throw DomainError{"--at: found \"" + printable(item.name + "=" + item.text) +
                               "\"; expected each rotary axis of " + configuration.word +
-                              " at most once, with degrees, as in " + at_example};
+                              " at most once, with degrees up to a million, as in " +
+                              at_example};
         positions[static_cast<std::size_t>(axis - configuration.rotary.begin())] =
             Angle::degrees(*degrees).radians();
     }

@@ -24,8 +24,11 @@ void refuse_idle_setup(const SetupCommandOptions& options)
     if (!options.points.empty() && has_idle_for_points)
         throw DomainError{
             "--points: found with --tool, --from-visibility, --chord-tolerance, "
-            "--max-setups, --write-bsm-csv or --clamp; expected none of them: there is no "
+            "--max-setups, --write-bsm-csv or --clamp; expected none of them: there is "
+            "no "
             "part"};
+    if (options.clamp.lpNorm<Eigen::Infinity>() > options.common.limits.max_extent_mm)
+        throw DomainError{"--clamp: found a place beyond --max-extent"};
     if (options.part.path.empty() == options.points.empty())
         throw DomainError{"expected a PART, or --points instead of one"};
     if (options.mode && options.is_objective_given)
@@ -58,8 +61,7 @@ ExitCode run_setup(const SetupCommandOptions& options)
         warn(options.common, options.part.path + ": " + remark);
     OutputFolder folder{output_folder(options.part.path, "setup", options.common),
                         options.common.force};
-    for (const std::string& file :
-         {options.part.path, options.tool})
+    for (const std::string& file : {options.part.path, options.tool})
         if (!file.empty())
             folder.protect(file);
     const SetupVisibility visibility = visibility_for(input, options);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <numbers>
+#include <span>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -68,7 +69,26 @@ std::vector<SetupMachine> machines_of_folder(const std::filesystem::path& folder
     return machines;
 }
 
-void take_mesh(SetupInput& input, TriangleMesh mesh)
+// Triangles without an area that the reader left out, back in their places, so that facets
+// have the numbers of the file. They have no cone and block nothing.
+TriangleMesh with_degenerate(const TriangleMesh& mesh,
+                             std::span<const std::size_t> degenerate)
+{
+    std::vector<Triangle> triangles;
+    const std::size_t count = mesh.triangles().size() + degenerate.size();
+    triangles.reserve(count);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool is_degenerate = next < degenerate.size() && degenerate[next] == i;
+        triangles.push_back(is_degenerate ? Triangle{0, 0, 0}
+                                          : mesh.triangles()[i - next]);
+        next += is_degenerate ? 1 : 0;
+    }
+    return {{mesh.points().begin(), mesh.points().end()}, std::move(triangles)};
+}
+
+void take_mesh(SetupInput& input, TriangleMesh mesh,
+               std::span<const std::size_t> degenerate = {})
 {
     const MeshReport checks = mesh_report(mesh);
     if (checks.boundary_edges > 0)
@@ -79,7 +99,11 @@ void take_mesh(SetupInput& input, TriangleMesh mesh)
     if (checks.non_manifold_edges > 0)
         input.remarks.push_back(fmt::format("{} edges belong to more than two triangles",
                                             checks.non_manifold_edges));
-    input.mesh = std::move(mesh);
+    if (checks.duplicate_triangles > 0)
+        input.remarks.push_back(fmt::format(
+            "{} triangles have the corners of one before them: they block each other",
+            checks.duplicate_triangles));
+    input.mesh = degenerate.empty() ? std::move(mesh) : with_degenerate(mesh, degenerate);
 }
 
 void take_surfaces(SetupInput& input, std::span<const Surface> surfaces,
@@ -171,7 +195,7 @@ SetupInput read_setup_input(const SetupCommandOptions& options)
     if (auto* mesh = std::get_if<TriangleMesh>(&file.part)) {
         if (options.chord_tolerance)
             throw DomainError{"--chord-tolerance: found with a mesh; expected a surface"};
-        take_mesh(input, std::move(*mesh));
+        take_mesh(input, std::move(*mesh), file.degenerate_triangles);
     } else {
         take_surfaces(input, std::get<std::vector<Surface>>(file.part), options);
     }

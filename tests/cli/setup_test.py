@@ -217,6 +217,17 @@ class Setup(ProgramTest):
         self.assertIn(0, found["empty_cones"])
         self.assertIn(1, found["empty_cones"])
 
+    def test_facets_keep_their_numbers(self):
+        """A face without an area counts, but has no cone."""
+        degenerate = CUBE.replace("8 10 0", "9 11 0").replace("3 4 5 6\n", ".5 0 0\n3 0 8 1\n3 4 5 6\n", 1)
+        found = self.found(self.file(degenerate, "cube.off"), "--family", "AB", "--incidence-deg", 80)
+        same = self.found(self.file(CUBE, "cube.off"), "--family", "AB", "--incidence-deg", 80)
+        self.assertEqual((found["facets"], same["facets"]), (11, 10))
+        self.assertEqual((found["empty_cones"], found["area_deg2"]), ([], same["area_deg2"]))
+        self.found(self.file(degenerate, "cube.off"), "--family", "AB", "--incidence-deg", 80)
+        rows = (self.folder / "out/cones.csv").read_text().splitlines()
+        self.assertEqual((len(rows), rows[1]), (12, "0,"))
+
     def test_bad_input(self):
         self.refused(TEAPOT, words=("--machine", "--family"))
         self.refused("--family", "CA", words=("PART",))

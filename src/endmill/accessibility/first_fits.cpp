@@ -267,6 +267,12 @@ std::optional<AxisFit> first_fit(const ConeFitting& fitting, std::span<const Vec
     if (const auto axis = three_axis(fitting))
         axes.push_back(*axis);
     std::vector<AxisFit> fits = fits_about(fitting, axes, infinity);
+    // As they are: what is improved from rough fits may end a hair above its start.
+    std::optional<AxisFit> best;
+    AxisFitter exact{fitting};
+    for (const Vec3& axis : axes)
+        if (const auto fit = exact.best(axis, {best ? best->objective : infinity, 0}))
+            best = fit;
     auto least = [&] {
         if (fits.empty())
             return infinity;
@@ -297,7 +303,9 @@ std::optional<AxisFit> first_fit(const ConeFitting& fitting, std::span<const Vec
             spread.push_back(centre(node));
     add(spread, 4 * degree);
     fits = improved(std::move(fits), fits_improved / 2, fitting, {coarse_step});
-    return fits.empty() ? std::nullopt : std::optional{fits.front()};
+    if (!fits.empty() && (!best || is_better(fits.front(), *best)))
+        best = fits.front();
+    return best;
 }
 
 }  // namespace endmill

@@ -152,17 +152,23 @@ Vec3 turned(const Vec3& point, UpAxis up)
 }
 
 // The triangles that have an area.
-std::vector<Triangle> sound_triangles(const TriangleMesh& mesh)
-{
+struct SortedTriangles {
     std::vector<Triangle> sound;
-    sound.reserve(mesh.triangles().size());
-    for (const Triangle& triangle : mesh.triangles()) {
-        const auto& [a, b, c] = triangle;
-        const auto points = mesh.points();
-        if (!are_collinear(points[a], points[b], points[c]))
-            sound.push_back(triangle);
+    std::vector<std::size_t> degenerate;  // by their numbers
+};
+
+SortedTriangles sorted_triangles(const TriangleMesh& mesh)
+{
+    SortedTriangles sorted;
+    sorted.sound.reserve(mesh.triangles().size());
+    for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+        const auto [a, b, c] = mesh.corners(i);
+        if (are_collinear(a, b, c))
+            sorted.degenerate.push_back(i);
+        else
+            sorted.sound.push_back(mesh.triangles()[i]);
     }
-    return sound;
+    return sorted;
 }
 
 // The points that triangles name, turned upright; the triangles name them by their new
@@ -225,8 +231,8 @@ MeshFile parse_mesh(std::string content, const std::filesystem::path& path,
                                                : read_indexed(content, source, extension);
 
     const TriangleMesh& all = welded.mesh;
-    std::vector<Triangle> triangles = sound_triangles(all);
-    const std::size_t degenerate = all.triangles().size() - triangles.size();
+    auto [triangles, without_area] = sorted_triangles(all);
+    const std::size_t degenerate = without_area.size();
     if (triangles.empty())
         throw FormatError{
             "E_DEGENERATE",
@@ -245,7 +251,7 @@ MeshFile parse_mesh(std::string content, const std::filesystem::path& path,
     return {printable(path.stem().string()),
             {std::move(points), std::move(triangles)},
             welded.welded_points,
-            degenerate,
+            std::move(without_area),
             std::move(notes)};
 }
 

@@ -39,8 +39,9 @@ struct MeshFile {
     TriangleMesh mesh;  ///< in mm; no two points are equal, each is used, each triangle
                         ///< has an area. Nothing else is said of its topology.
     std::size_t welded_points;  ///< corners (STL) or points that were others' equal
-    std::size_t degenerate_triangles;  ///< left out, since their corners lie on a line
-    std::vector<std::string> notes;    ///< each change of these and others, in a sentence
+    /// Numbers, rising from 0, of those left out, since their corners lie on a line.
+    std::vector<std::size_t> degenerate_triangles;
+    std::vector<std::string> notes;  ///< each change of these and others, in a sentence
 };
 
 /// Reads an STL, OBJ, PLY or OFF file by its extension, in capitals or not. Points keep

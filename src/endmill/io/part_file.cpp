@@ -24,7 +24,7 @@ PartFile surface_part(const std::string& content, const std::filesystem::path& p
         throw DomainError{shown_path(path) +
                           ": --units and --up are for meshes; a surface file says its "
                           "unit itself"};
-    return {std::move(file.name), std::move(file.source), std::move(file.surfaces), 0, 0,
+    return {std::move(file.name), std::move(file.source), std::move(file.surfaces), {}, 0,
             std::move(file.notes)};
 }
 
@@ -84,7 +84,7 @@ PartFile mesh_part(std::string content, const std::filesystem::path& path,
         put_right(file);
     }
     return {std::move(file.name), {},
-            std::move(file.mesh), file.degenerate_triangles,
+            std::move(file.mesh), std::move(file.degenerate_triangles),
             file.welded_points,   std::move(file.notes)};
 }
 

@@ -16,9 +16,10 @@ struct PartFile {
     std::string name;    ///< the file's, or else its path without folder and extension
     std::string source;  ///< where the numbers come from; empty if the file is silent
     Part part;           ///< in mm
-    std::size_t degenerate_triangles;  ///< of a mesh, left out when it was read
-    std::size_t welded_points;         ///< of a mesh, that were others' equal
-    std::vector<std::string> notes;    ///< what a reader should know
+    /// Of a mesh: numbers, rising from 0, of those left out when it was read.
+    std::vector<std::size_t> degenerate_triangles;
+    std::size_t welded_points;       ///< of a mesh, that were others' equal
+    std::vector<std::string> notes;  ///< what a reader should know
 };
 
 /// Reads a surface file, told by its content or the extension .json, in capitals or not;
