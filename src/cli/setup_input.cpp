@@ -188,6 +188,11 @@ SetupInput read_setup_input(const SetupCommandOptions& options)
     input.machines = setup_machines(options);
     if (!options.tool.empty())
         input.tool = read_tool(options.tool, options.common.limits);
+    constexpr std::size_t longest_body = 1000;  // that a visibility file names
+    if (body_text(input.tool).size() > longest_body)
+        throw DomainError{options.tool +
+                          ": found too many cylinders in shank and holder; expected as "
+                          "many as 1000 characters tell"};
     PartFile file = read_part_for(options.part, options.common);
     input.name = file.name;
     input.source = file.source;

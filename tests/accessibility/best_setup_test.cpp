@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/accessibility/best_setup.h"
 
+#include <cstdlib>
+
 #include <gtest/gtest.h>
 
 #include "endmill/accessibility/setup_search.h"
@@ -26,30 +28,42 @@ VisibilityMap random_cones(const SphereGrid& grid, test::Random& random,
     return map;
 }
 
+// Of the random parts; ENDMILL_SET_SEARCHES says how many more, up to 1000.
+const int set_searches = [] {
+    const char* const told = std::getenv("ENDMILL_SET_SEARCHES");
+    return told == nullptr ? 10 : std::atoi(told);
+}();
+
 SetupRequest request_of(RotaryFamily family, std::optional<SetupMode> mode)
 {
     return {.family = family, .mode = mode};
 }
 
+// Random parts of at most 20 facets, the first few by all modes, the rest by those at cells:
+// the search over whole cones takes longer.
 TEST(BestSetup, LaterModesNeedNoMoreAndTheBoundIsNoLarger)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     test::Random random{5};
-    for (int trial = 0; trial < 6; ++trial) {
-        const VisibilityMap map = random_cones(grid, random, 12);
+    for (int part = 0; part < 1000; ++part) {
+        const auto facets = static_cast<std::size_t>(random.uniform(1, 20.99));
+        const VisibilityMap map = random_cones(grid, random, facets);
         for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
             const BestSetup paper =
                 best_setup(grid, map, request_of(family, SetupMode::Paper));
             const BestSetup corrected =
                 best_setup(grid, map, request_of(family, SetupMode::Corrected));
-            const BestSetup set = best_setup(grid, map, request_of(family, std::nullopt));
-            ASSERT_TRUE(corrected.feasible && set.feasible);
+            ASSERT_TRUE(corrected.feasible);
             if (paper.feasible) {
                 EXPECT_LE(corrected.feasible->area, paper.feasible->area * (1 + 1e-7));
             }
+            if (part >= set_searches)
+                continue;
+            const BestSetup set = best_setup(grid, map, request_of(family, std::nullopt));
+            ASSERT_TRUE(set.feasible);
             const PoseMeasure measure{.family = family};
             EXPECT_LE(*set.objective,
-                      measure(pose_ranges(family, *corrected.feasible)) * (1 + 1e-9));
+                      measure(pose_ranges(family, *corrected.feasible)) * (1 + 1e-12));
             EXPECT_NEAR(*set.objective, measure(pose_ranges(family, *set.feasible)),
                         1e-9);
             EXPECT_LE(*set.lower_bound, *set.objective);

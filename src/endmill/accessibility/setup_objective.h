@@ -46,8 +46,7 @@ struct PoseMeasure {
     double useful_height(double target, double width) const;
 };
 
-/// rad: a range may pass a limit by so much, as the tests of membership allow. Source: spec of
-/// `machine`: angles are compared non-strictly within it.
+/// rad: a range may pass a limit by so much, as `FeasibleDirections` allows.
 constexpr double limit_tolerance = 1e-9;
 
 /// How far the ranges of a pose may go.
