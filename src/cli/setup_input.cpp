@@ -60,6 +60,7 @@ std::vector<SetupMachine> machines_of_folder(const std::filesystem::path& folder
             files.push_back(entry.path().string());
     std::ranges::sort(files);
     std::vector<SetupMachine> machines;
+    machines.reserve(files.size());
     for (const std::string& file : files)
         machines.push_back(one_machine(file, options));
     if (machines.empty())

@@ -112,6 +112,7 @@ void add_setup_search(CLI::App& command, SetupCommandOptions& options)
             "--mode",
             [&options](const std::string& word) {
                 std::vector<std::string_view> words;
+                words.reserve(setup_modes.size());
                 for (const ModeChoice& choice : setup_modes)
                     words.push_back(choice.word);
                 options.mode = setup_modes[choice_argument("--mode", word, words)].value;

@@ -261,18 +261,32 @@ std::vector<Vec3> short_arcs(const ConeFitting& fitting)
     return normals;
 }
 
+namespace {
+
+// The best about these axes as they are: what is improved from rough fits may end a hair above
+// where it began.
+std::optional<AxisFit> exact_fit(const ConeFitting& fitting, std::span<const Vec3> axes)
+{
+    AxisFitter fitter{fitting};
+    std::optional<AxisFit> best;
+    double below = infinity;
+    for (const Vec3& axis : axes)
+        if (const auto fit = fitter.best(axis, {below})) {
+            best = fit;
+            below = fit->objective;
+        }
+    return best;
+}
+
+}  // namespace
+
 std::optional<AxisFit> first_fit(const ConeFitting& fitting, std::span<const Vec3> starts)
 {
     std::vector<Vec3> axes{starts.begin(), starts.end()};
     if (const auto axis = three_axis(fitting))
         axes.push_back(*axis);
     std::vector<AxisFit> fits = fits_about(fitting, axes, infinity);
-    // As they are: what is improved from rough fits may end a hair above its start.
-    std::optional<AxisFit> best;
-    AxisFitter exact{fitting};
-    for (const Vec3& axis : axes)
-        if (const auto fit = exact.best(axis, {best ? best->objective : infinity, 0}))
-            best = fit;
+    std::optional<AxisFit> best = exact_fit(fitting, axes);
     auto least = [&] {
         if (fits.empty())
             return infinity;
