@@ -5,7 +5,7 @@ from math import cos, sin, sqrt
 
 WAVY_PROFILES = 400
 CONVEX_PROFILES = 500
-CONVEX_POINTS = (41, 101, 401)
+CONVEX_POINTS = (41, 101, 401, 1601)
 
 
 class Uniform:

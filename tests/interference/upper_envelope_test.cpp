@@ -152,7 +152,7 @@ void expect_as_listed(const std::string& family,
 TEST(UpperEnvelope, IsAsListedForAllRandomProfiles)
 {
     expect_as_listed("wavy", wavy_profiles(), 401);
-    for (const int points : {41, 101, 401})
+    for (const int points : {41, 101, 401, 1601})
         expect_as_listed("convex-" + std::to_string(points), convex_profiles(points),
                          points);
 }
