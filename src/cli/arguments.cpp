@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/named_texts.h"
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
 #include "endmill/io/printable.h"
@@ -20,17 +21,6 @@ constexpr std::size_t shown_characters = 40;
 {
     throw CLI::ValidationError(option, "found \"" + printable(found, shown_characters) +
                                            "\"; expected " + expected);
-}
-
-std::vector<std::string> split(const std::string& text, char separator)
-{
-    std::vector<std::string> parts{""};
-    for (const char c : text)
-        if (c == separator)
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    return parts;
 }
 
 }  // namespace
@@ -73,7 +63,7 @@ void require_within_extent(const std::string& option, const std::optional<double
 
 Vec3 vector_argument(const std::string& option, const std::string& text)
 {
-    const std::vector<std::string> parts = split(text, ',');
+    const std::vector<std::string> parts = parts_of(text, ',');
     Vec3 vector;
     if (parts.size() != 3)
         refuse(option, text, "three numbers X,Y,Z");
@@ -134,7 +124,7 @@ std::size_t choice_argument(const std::string& option, const std::string& word,
 
 double ball_diameter_argument(const std::string& option, const std::string& text)
 {
-    const std::vector<std::string> parts = split(text, ':');
+    const std::vector<std::string> parts = parts_of(text, ':');
     if (parts[0] == "flat" || parts[0] == "bull")
         refuse(option, text, "ball:DIAMETER, the only cutter of this command");
     if (parts[0] != "ball" || parts.size() != 2)

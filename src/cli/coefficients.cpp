@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "build_facts.h"
+#include "cli/answer.h"
 #include "cli/coefficients_options.h"
 #include "cli/console.h"
 #include "cli/surface_facts.h"
@@ -170,9 +171,7 @@ ExitCode run_coefficients(const CoefficientsOptions& options)
             "--helix-deg"};
     remark_helix(options);
     const std::string folder = write_results(options, summary, profile);
-    std::string text;
-    for (const auto& [key, value] : summary.items())
-        text += key + " = " + value.dump() + "\n";
+    const std::string text = answer_lines(summary);
     print_result(options.common, summary,
                  folder.empty() ? text : text + "written to " + printable(folder) + "\n");
     return ExitCode::Yes;

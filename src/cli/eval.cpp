@@ -3,10 +3,10 @@
 
 #include <memory>
 
+#include "cli/answer.h"
 #include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/eval_formulas.h"
-#include "endmill/io/output_folder.h"
 
 namespace endmill {
 namespace {
@@ -16,24 +16,9 @@ struct EvalOptions {
     Numbers numbers;
 };
 
-std::string text(const Json& value)
-{
-    std::string lines;
-    for (const auto& [key, item] : value.items())
-        lines += key + " = " +
-                 (item.is_string() ? item.get<std::string>() : item.dump()) + "\n";
-    return lines;
-}
-
 ExitCode run_formula(const Formula& formula, const EvalOptions& options)
 {
-    const Json value = formula.value(options.numbers);
-    if (!options.common.output.empty()) {
-        OutputFolder folder{options.common.output, options.common.force};
-        folder.write("summary.json", value.dump(2) + "\n");
-        folder.publish();
-    }
-    print_result(options.common, value, text(value));
+    give_answer(options.common, {}, formula.value(options.numbers));
     return ExitCode::Yes;
 }
 

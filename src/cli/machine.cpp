@@ -3,14 +3,13 @@
 
 #include <memory>
 
-#include "cli/console.h"
+#include "cli/answer.h"
 #include "cli/machine_argument.h"
 #include "cli/machine_options.h"
 #include "cli/machine_summary.h"
 #include "cli/rotary_limits_option.h"
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
-#include "endmill/io/output_folder.h"
 
 namespace endmill {
 namespace {
@@ -40,18 +39,7 @@ ExitCode run_machine(const MachineOptions& options)
         machine.rotary =
             limits_for_machine(options.limits, machine.configuration, machine.rotary);
     const Json summary = machine_summary(machine, options);
-    if (!options.common.output.empty()) {
-        OutputFolder folder{options.common.output, options.common.force};
-        if (!file.empty())
-            folder.protect(file);
-        folder.write("summary.json", summary.dump(2) + "\n");
-        folder.publish();
-    }
-    std::string text;
-    for (const auto& [key, value] : summary.items())
-        text += key + " = " +
-                (value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
-    print_result(options.common, summary, text);
+    give_answer(options.common, file, summary);
     return is_valid ? ExitCode::Yes : ExitCode::No;
 }
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/setup_points.h"
 
-#include <fmt/format.h>
+#include <cmath>
 
-#include "cli/console.h"
+#include "cli/answer.h"
 #include "cli/setup_input.h"
 #include "cli/setup_summary.h"
 #include "endmill/accessibility/setup_search.h"
 #include "endmill/core/error.h"
 #include "endmill/io/directions_csv.h"
-#include "endmill/io/output_folder.h"
 
 namespace endmill {
 namespace {
@@ -78,16 +77,7 @@ ExitCode run_setup_points(const SetupCommandOptions& options)
                  {*configuration.family, *options.mode, machine.machine.rotary,
                   configuration.rotary[0].letter == 'b'});
     const Json summary = points_summary(machine, search, options, directions.size());
-    if (!options.common.output.empty()) {
-        OutputFolder folder{options.common.output, options.common.force};
-        folder.protect(options.points);
-        folder.write("summary.json", summary.dump(2) + "\n");
-        folder.publish();
-    }
-    std::string text;
-    for (const auto& [key, value] : summary.items())
-        text += key + " = " + value.dump() + "\n";
-    print_result(options.common, summary, text);
+    give_answer(options.common, options.points, summary);
     return search.feasible ? ExitCode::Yes : ExitCode::No;
 }
 

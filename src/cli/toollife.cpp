@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "cli/answer.h"
 #include "cli/arguments.h"
 #include "cli/console.h"
-#include "endmill/io/output_folder.h"
 #include "endmill/io/tool_life_csv.h"
 #include "endmill/process/tool_life.h"
 
@@ -40,16 +40,7 @@ Json tool_life_summary(const ToolLifeOptions& options)
 ExitCode run_tool_life(const ToolLifeOptions& options)
 {
     const Json summary = tool_life_summary(options);
-    if (!options.common.output.empty()) {
-        OutputFolder folder{options.common.output, options.common.force};
-        folder.protect(options.file);
-        folder.write("summary.json", summary.dump(2) + "\n");
-        folder.publish();
-    }
-    std::string text;
-    for (const auto& [key, value] : summary.items())
-        text += key + " = " + value.dump() + "\n";
-    print_result(options.common, summary, text);
+    give_answer(options.common, options.file, summary);
     return ExitCode::Yes;
 }
 

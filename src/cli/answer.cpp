@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/answer.h"
+
+#include "cli/console.h"
+#include "endmill/io/output_folder.h"
+
+namespace endmill {
+
+std::string answer_lines(const Json& answer)
+{
+    std::string lines;
+    for (const auto& [key, item] : answer.items())
+        lines += key + " = " +
+                 (item.is_string() ? item.get<std::string>() : item.dump()) + "\n";
+    return lines;
+}
+
+void give_answer(const CommonOptions& options, const std::string& input,
+                 const Json& answer)
+{
+    if (!options.output.empty()) {
+        OutputFolder folder{options.output, options.force};
+        if (!input.empty())
+            folder.protect(input);
+        folder.write("summary.json", answer.dump(2) + "\n");
+        folder.publish();
+    }
+    print_result(options, answer, answer_lines(answer));
+}
+
+}  // namespace endmill
