@@ -5,7 +5,10 @@
 #include <numbers>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "endmill/core/vec.h"
+#include "endmill/machine/rotary_limits.h"
 #include "random.h"
 
 // Directions about +Z in degrees, as the examples are written.
@@ -67,6 +70,18 @@ inline std::vector<Vec3> random_directions(Random& random)
 inline double square_degrees(double area)
 {
     return area / (degree * degree);
+}
+
+/// A range in degrees.
+inline RotaryRange degrees(double from, double to)
+{
+    return {from * degree, to * degree};
+}
+
+inline void expect_range(const RotaryRange& range, double from_deg, double to_deg)
+{
+    EXPECT_NEAR(range.from, from_deg * degree, 1e-9);
+    EXPECT_NEAR(range.to, to_deg * degree, 1e-9);
 }
 
 }  // namespace endmill::test

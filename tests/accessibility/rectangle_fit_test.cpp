@@ -14,8 +14,10 @@ namespace endmill {
 namespace {
 
 using test::degree;
+using test::degrees;
 using test::direction;
 using test::directions;
+using test::expect_range;
 using test::square_degrees;
 using test::turned_to;
 using test::up;
@@ -26,17 +28,6 @@ constexpr std::array all_modes{SetupMode::PaperLiteral, SetupMode::Paper,
 SetupOptions options(SetupMode mode, const RotaryLimits& limits = {})
 {
     return {RotaryFamily::AB, mode, limits};
-}
-
-RotaryRange degrees(double from, double to)
-{
-    return {from * degree, to * degree};
-}
-
-void expect_range(const RotaryRange& range, double from, double to)
-{
-    EXPECT_NEAR(range.from, from * degree, 1e-9);
-    EXPECT_NEAR(range.to, to * degree, 1e-9);
 }
 
 double least_area(const std::vector<Vec3>& points, SetupMode mode)

@@ -15,25 +15,16 @@ namespace endmill {
 namespace {
 
 using test::degree;
+using test::degrees;
 using test::direction;
 using test::directions;
+using test::expect_range;
 using test::square_degrees;
 using test::up;
 
 SetupOptions options(SetupMode mode, const RotaryLimits& limits = {})
 {
     return {RotaryFamily::CA, mode, limits};
-}
-
-RotaryRange degrees(double from, double to)
-{
-    return {from * degree, to * degree};
-}
-
-void expect_range(const RotaryRange& range, double from, double to)
-{
-    EXPECT_NEAR(range.from, from * degree, 1e-9);
-    EXPECT_NEAR(range.to, to * degree, 1e-9);
 }
 
 double width_of(const FittedPose& fit)

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "finished_plane.h"
 #include "test_meshes.h"
 #include "test_surfaces.h"
 #include "tip_path.h"
@@ -15,30 +16,10 @@
 namespace endmill {
 namespace {
 
-// Passes over 0 ... 20 by 0 ... 12 at z = 0, the ball R 5 of most tests.
-ToolPath finishing_path(double pitch)
-{
-    std::vector<Vec3> tips;
-    for (int i = 0; i * pitch <= 12 + 1e-9; ++i) {
-        tips.emplace_back(i % 2 ? 20 : 0, i * pitch, 0);
-        tips.emplace_back(i % 2 ? 0 : 20, i * pitch, 0);
-    }
-    return test::tip_path(tips);
-}
+using test::finishing_path;
+using test::task_of;
 
-VerificationTask task_of(const ToolPath& path, const Part* part)
-{
-    const Cutter ball = Cutter::ball(5);
-    VerificationTask task{.path = &path,
-                          .cutter = ball,
-                          .part = part,
-                          .block = default_block(part, path, ball)};
-    task.resolution = 0.25;
-    task.deviation.limits = {0.01, 0.11};
-    return task;
-}
-
-const Part plane = std::vector<Surface>{test::plane(20, 12)};
+const Part& plane = test::finished_plane;
 
 TEST(DefaultBlock, IsThePartWidenedByTheRadius)
 {
