@@ -15,13 +15,14 @@ std::string answer_lines(const Json& answer)
     return lines;
 }
 
-void give_answer(const CommonOptions& options, const std::string& input,
+void give_answer(const CommonOptions& options, const std::vector<std::string>& inputs,
                  const Json& answer)
 {
     if (!options.output.empty()) {
         OutputFolder folder{options.output, options.force};
-        if (!input.empty())
-            folder.protect(input);
+        for (const std::string& input : inputs)
+            if (!input.empty())
+                folder.protect(input);
         folder.write("summary.json", answer.dump(2) + "\n");
         folder.publish();
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/command.h"
 
@@ -12,9 +13,9 @@ std::string answer_lines(const Json& answer);
 
 /// What a command does that only answers: prints it as asked, and writes it to summary.json
 /// with --output.
-/// \param input file that must not be replaced; empty: none.
+/// \param inputs files that must not be replaced; an empty name is none.
 /// \throws DomainError, OutputError as `OutputFolder`.
-void give_answer(const CommonOptions& options, const std::string& input,
+void give_answer(const CommonOptions& options, const std::vector<std::string>& inputs,
                  const Json& answer);
 
 }  // namespace endmill

@@ -35,11 +35,11 @@ ExitCode run_machine(const MachineOptions& options)
                           " mm; expected no more (--max-extent)"};
     auto [machine, file] = machine_argument(options.machine, options.common.limits);
     const bool is_valid = machine.configuration.is_valid();
-    if (is_valid && !options.limits.empty())
+    if (!options.limits.empty())
         machine.rotary =
             limits_for_machine(options.limits, machine.configuration, machine.rotary);
     const Json summary = machine_summary(machine, options);
-    give_answer(options.common, file, summary);
+    give_answer(options.common, {file}, summary);
     return is_valid ? ExitCode::Yes : ExitCode::No;
 }
 

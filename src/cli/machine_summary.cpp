@@ -154,6 +154,9 @@ void add_solutions(Json& summary, const Machine& machine, const MachineOptions& 
 Json machine_summary(const Machine& machine, const MachineOptions& options)
 {
     Json summary = configuration_summary(machine.configuration);
+    if (!options.at.empty())
+        positions_in(options.at,
+                     machine.configuration);  // wrong for what is no machine too
     add_directions(summary, machine, options.contains);
     if (!machine.configuration.is_valid())
         return summary;

@@ -17,7 +17,8 @@ inline constexpr const char* rotary_limits_help =
 /// of the bed. What is not named stays as `otherwise` has it.
 /// \throws DomainError for a name that the machine has not, twice the same axis, what is no
 ///         LO:HI, and what `expected_rotary_range` objects to.
-/// \pre the configuration is valid.
+/// Of a word that is no machine they are checked all the same; phi is then the axis nearer to
+/// the part.
 RotaryLimits limits_for_machine(const std::string& text,
                                 const MachineConfiguration& configuration,
                                 const RotaryLimits& otherwise);

@@ -6,6 +6,7 @@
 
 #include "cli/console.h"
 #include "cli/setup_files.h"
+#include "cli/setup_idle.h"
 #include "cli/setup_points.h"
 #include "cli/setup_summary.h"
 #include "endmill/core/error.h"
@@ -14,27 +15,13 @@
 namespace endmill {
 namespace {
 
-// An option that changes nothing was meant for something.
-void refuse_idle_setup(const SetupCommandOptions& options)
+void check_setup_options(const SetupCommandOptions& options)
 {
-    const bool has_idle_for_points =
-        !options.tool.empty() || !options.from_visibility.empty() ||
-        options.chord_tolerance || options.max_setups > 1 || options.write_bsm_csv ||
-        options.clamp != Vec3::Zero();
-    if (!options.points.empty() && has_idle_for_points)
-        throw DomainError{
-            "--points: found with --tool, --from-visibility, --chord-tolerance, "
-            "--max-setups, --write-bsm-csv or --clamp; expected none of them: there is "
-            "no "
-            "part"};
-    if (options.clamp.lpNorm<Eigen::Infinity>() > options.common.limits.max_extent_mm)
-        throw DomainError{"--clamp: found a place beyond --max-extent"};
     if (options.part.path.empty() == options.points.empty())
         throw DomainError{"expected a PART, or --points instead of one"};
-    if (options.mode && options.is_objective_given)
-        throw DomainError{"--objective: found with --mode " +
-                          std::string{setup_mode_word(options.mode)} +
-                          ", which minimises the area; expected --mode set"};
+    if (options.clamp.lpNorm<Eigen::Infinity>() > options.common.limits.max_extent_mm)
+        throw DomainError{"--clamp: found a place beyond --max-extent"};
+    refuse_idle_setup_options(options);
 }
 
 std::vector<SetupAnswer> ranked_answers(const SetupInput& input,
@@ -53,7 +40,7 @@ std::vector<SetupAnswer> ranked_answers(const SetupInput& input,
 
 ExitCode run_setup(const SetupCommandOptions& options)
 {
-    refuse_idle_setup(options);
+    check_setup_options(options);
     if (!options.points.empty())
         return run_setup_points(options);
     const SetupInput input = read_setup_input(options);
@@ -64,6 +51,9 @@ ExitCode run_setup(const SetupCommandOptions& options)
     for (const std::string& file : {options.part.path, options.tool})
         if (!file.empty())
             folder.protect(file);
+    for (const SetupMachine& machine : input.machines)
+        if (!machine.file.empty())
+            folder.protect(machine.file);
     const SetupVisibility visibility = visibility_for(input, options);
     const std::vector<SetupAnswer> answers = ranked_answers(input, visibility, options);
     const Json summary = setup_summary(input, visibility, answers, options);
@@ -96,7 +86,10 @@ void add_setup_command(CLI::App& program, Action& action)
         "would do.\n\n"
         "Example:\n  endmill setup datasets/meshes/teapot-288.off --machine W/caxyBz/T\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine all --mode set");
-    command->callback([options, &action] {
+    command->callback([options, command, &action] {
+        for (const CLI::Option* option : command->get_options())
+            if (option->count() > 0)
+                options->given.insert(option->get_name());
         action = [options] {
             return naming(options->part.path, [&] { return run_setup(*options); });
         };

@@ -12,8 +12,10 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
+#include "cli/data_folder.h"
 #include "cli/machine_argument.h"
 #include "cli/rotary_limits_option.h"
+#include "cli/setup_idle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
 #include "endmill/io/printable.h"
@@ -24,8 +26,6 @@
 
 namespace endmill {
 namespace {
-
-constexpr const char* all_machines = "datasets/machines";
 
 SetupMachine family_machine(const SetupCommandOptions& options)
 {
@@ -42,7 +42,7 @@ SetupMachine one_machine(const std::string& text, const SetupCommandOptions& opt
 {
     const MachineArgument read = machine_argument(text, options.common.limits);
     SetupMachine found{read.machine.configuration.word, read.file, false, read.machine};
-    if (!options.limits.empty() && found.machine.configuration.is_valid())
+    if (!options.limits.empty())
         found.machine.rotary = limits_for_machine(
             options.limits, found.machine.configuration, found.machine.rotary);
     return found;
@@ -55,9 +55,15 @@ std::vector<SetupMachine> machines_of_folder(const std::filesystem::path& folder
     if (!options.limits.empty())
         throw DomainError{"--limits: found with several machines; expected one machine"};
     std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator{folder})
-        if (entry.path().extension() == ".json")
-            files.push_back(entry.path().string());
+    std::error_code failed;
+    for (std::filesystem::directory_iterator entry{folder, failed}, end;
+         !failed && entry != end; entry.increment(failed))
+        if (entry->path().extension() == ".json")
+            files.push_back(entry->path().string());
+    if (failed)
+        throw FormatError{
+            "E_OPEN",
+            {printable(folder.string()), "", "cannot open: " + failed.message(), ""}};
     std::ranges::sort(files);
     std::vector<SetupMachine> machines;
     machines.reserve(files.size());
@@ -173,13 +179,11 @@ std::vector<SetupMachine> setup_machines(const SetupCommandOptions& options)
             "and not both"};
     if (options.family)
         return {family_machine(options)};
-    std::error_code ignored;
-    const std::string place = options.machine == "all" ? all_machines : options.machine;
-    if (std::filesystem::is_directory(place, ignored))
-        return machines_of_folder(place, options);
     if (options.machine == "all")
-        throw DomainError{std::string{"--machine all: found no folder "} + all_machines +
-                          " here; expected it, or the name of a folder of machine files"};
+        return machines_of_folder(data_folder("--machine all", "machines"), options);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(options.machine, ignored))
+        return machines_of_folder(options.machine, options);
     return {one_machine(options.machine, options)};
 }
 
@@ -187,6 +191,7 @@ SetupInput read_setup_input(const SetupCommandOptions& options)
 {
     SetupInput input;
     input.machines = setup_machines(options);
+    refuse_options_idle_on(input.machines, options);
     if (!options.tool.empty())
         input.tool = read_tool(options.tool, options.common.limits);
     constexpr std::size_t longest_body = 1000;  // that a visibility file names

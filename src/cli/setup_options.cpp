@@ -53,7 +53,7 @@ void add_setup_machine(CLI::App& command, SetupCommandOptions& options)
         .add_option("--machine", options.machine,
                     "axes from workpiece to tool with B the bed, such as W/caxyBz/T; a "
                     "file (endmill-machine/1); a folder of such files, of which each is "
-                    "tried; or all, for datasets/machines")
+                    "tried; or all, for those that come with endmill")
         ->type_name("MACHINE");
     add_choice<RotaryFamily>(command, "--family", options.family, rotary_families,
                              "instead of a machine: any of this family, R1 = A in AB");
@@ -120,11 +120,9 @@ void add_setup_search(CLI::App& command, SetupCommandOptions& options)
             "as the paper, its misprints corrected; as printed; exact for the nearest "
             "cells; over whole cones, with a certified bound")
         ->type_name("paper|paper-literal|corrected|set");
-    CLI::Option* objective = add_choice<SetupObjective>(
+    add_choice<SetupObjective>(
         command, "--objective", options.objective, setup_objectives,
         "what --mode set has least of; the other modes minimise the area");
-    objective->each(
-        [&options](const std::string&) { options.is_objective_given = true; });
     add_number(
         command,
         {"--floor-deg", "DEG", "added to both ranges in the floored area; default 5.9",
@@ -145,7 +143,7 @@ void add_setup_search(CLI::App& command, SetupCommandOptions& options)
         ->type_name("N");
     add_number(command,
                {"--arc-tolerance-deg", "DEG",
-                "a cell counts so near to the arc of a 4-axis machine; default 2.95",
+                "of 4-axis machines: a cell counts so near to the arc; default 2.95",
                 NumberDomain::from_to(0, 45)},
                options.arc_tolerance_deg);
 }

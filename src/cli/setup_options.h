@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "cli/surface_facts.h"
@@ -27,7 +28,6 @@ struct SetupCommandOptions {
     VisibilityKind visibility = VisibilityKind::Global;
     double incidence_deg = 90;
     SetupObjective objective = SetupObjective::FlooredArea;
-    bool is_objective_given = false;
     double floor_deg = 5.9;
     double gap = 0.05;
     int max_nodes = 200'000;
@@ -37,6 +37,7 @@ struct SetupCommandOptions {
     std::string tool;             ///< file
     std::string from_visibility;  ///< file
     bool write_bsm_csv = false;
+    std::set<std::string> given;  ///< names of the options that were given, as "--gap"
 };
 
 /// Adds them to `command`.

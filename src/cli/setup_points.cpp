@@ -21,7 +21,9 @@ SetupMachine machine_for_points(const SetupCommandOptions& options)
             "corrected: "
             "directions are no cones"};
     const std::vector<SetupMachine> machines = setup_machines(options);
-    if (machines.size() > 1 || !machines.front().machine.configuration.family)
+    const MachineConfiguration& configuration = machines.front().machine.configuration;
+    const bool is_other_machine = configuration.is_valid() && !configuration.family;
+    if (machines.size() > 1 || is_other_machine)
         throw DomainError{
             "--points: expected one machine with two rotary axes, or --family"};
     return machines.front();
@@ -39,11 +41,12 @@ Json points_summary(const SetupMachine& machine, const SetupSearch& search,
     const bool is_ca = machine.machine.configuration.family == RotaryFamily::CA;
     const std::optional<FittedPose>& told =
         search.feasible ? search.feasible : search.least;
-    Json summary{{"type", is_ca ? "CA" : "AB"},
-                 {"mode", setup_mode_word(options.mode)},
-                 {"points", count},
-                 {"status", setup_status_word(search.status)},
-                 {"machinable", search.feasible.has_value()}};
+    Json summary = machine_json(machine);
+    summary.update(Json{{"mode", setup_mode_word(options.mode)},
+                        {"points", count},
+                        {"status", setup_status_word(search.status)},
+                        {"machinable", search.feasible.has_value()}});
+    summary.update(limits_json(machine.machine.rotary));
     summary.update(pose_json(told));
     const char* azimuth_key = is_ca ? "r2_azimuth_deg" : "r1_azimuth_deg";
     summary["width_deg"] = nullptr;
@@ -72,12 +75,13 @@ ExitCode run_setup_points(const SetupCommandOptions& options)
     const MachineConfiguration& configuration = machine.machine.configuration;
     const std::vector<Vec3> directions =
         read_directions(options.points, options.common.limits);
-    const SetupSearch search =
-        pose_fit(Vec3::UnitZ(), directions,
-                 {*configuration.family, *options.mode, machine.machine.rotary,
-                  configuration.rotary[0].letter == 'b'});
+    SetupSearch search;  // nothing fits a word that is no machine
+    if (configuration.family)
+        search = pose_fit(Vec3::UnitZ(), directions,
+                          {*configuration.family, *options.mode, machine.machine.rotary,
+                           configuration.rotary[0].letter == 'b'});
     const Json summary = points_summary(machine, search, options, directions.size());
-    give_answer(options.common, options.points, summary);
+    give_answer(options.common, {options.points, machine.file}, summary);
     return search.feasible ? ExitCode::Yes : ExitCode::No;
 }
 

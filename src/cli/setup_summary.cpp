@@ -84,12 +84,6 @@ void add_ranges(Json& summary, const SetupAnswer& answer,
     summary["rigid"] = told ? Json(told->is_rigid) : Json{};
 }
 
-void add_limits(Json& summary, const RotaryLimits& limits)
-{
-    summary["limits_phi_deg"] = range_json(limits.phi);
-    summary["limits_theta_deg"] = range_json(limits.theta);
-}
-
 void add_travel_keys(Json& summary, const SetupAnswer& answer,
                      const SetupCommandOptions& options)
 {
@@ -148,17 +142,6 @@ Json ranking(std::span<const SetupAnswer> answers, const SetupCommandOptions& op
     return list;
 }
 
-Json machine_keys(const SetupMachine& machine)
-{
-    const MachineConfiguration& configuration = machine.machine.configuration;
-    Json keys{{"machine", machine.file.empty() ? Json{} : Json(printable(machine.file))},
-              {"configuration", machine.is_family ? Json{} : Json(configuration.word)},
-              {"type", setup_type_word(configuration)}};
-    keys["reason"] =
-        configuration.is_valid() ? Json{} : Json(why_not_valid(configuration));
-    return keys;
-}
-
 void add_search(Json& summary, const SetupAnswer& answer,
                 const SetupCommandOptions& options)
 {
@@ -190,6 +173,23 @@ std::string unreached_text(const Json& facets)
 }
 
 }  // namespace
+
+Json machine_json(const SetupMachine& machine)
+{
+    const MachineConfiguration& configuration = machine.machine.configuration;
+    Json keys{{"machine", machine.file.empty() ? Json{} : Json(printable(machine.file))},
+              {"configuration", machine.is_family ? Json{} : Json(configuration.word)},
+              {"type", setup_type_word(configuration)}};
+    keys["reason"] =
+        configuration.is_valid() ? Json{} : Json(why_not_valid(configuration));
+    return keys;
+}
+
+Json limits_json(const RotaryLimits& limits)
+{
+    return {{"limits_phi_deg", range_json(limits.phi)},
+            {"limits_theta_deg", range_json(limits.theta)}};
+}
 
 Json range_json(const RotaryRange& range)
 {
@@ -231,7 +231,7 @@ Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,
     const SetupAnswer& first = answers.front();
     Json summary{
         {"name", input.name}, {"source", input.source}, {"endmill", program_version}};
-    summary.update(machine_keys(*first.machine));
+    summary.update(machine_json(*first.machine));
     summary["mode"] = setup_mode_word(options.mode);
     summary["visibility"] = visibility_word(visibility.file.kind);
     summary["incidence_deg"] = visibility.file.incidence.written_degrees();
@@ -246,7 +246,7 @@ Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,
     summary["tool_length_mm"] = input.tool ? Json(input.tool->length) : Json{};
     summary["facets"] = input.mesh.triangles().size();
     summary["empty_cones"] = visibility.empty;
-    add_limits(summary, first.machine->machine.rotary);
+    summary.update(limits_json(first.machine->machine.rotary));
     add_search(summary, first, options);
     if (answers.size() > 1)
         summary["ranking"] = ranking(answers, options);

@@ -21,6 +21,12 @@ std::string setup_text(const Json& summary);
 /// `r2_axis`; null without one.
 Json pose_json(const std::optional<FittedPose>& fit);
 
+/// Of a machine: `machine` (its file), `configuration`, `type` and `reason`, why it is none.
+Json machine_json(const SetupMachine& machine);
+
+/// Of what a pose is compared with: `limits_phi_deg`, `limits_theta_deg`.
+Json limits_json(const RotaryLimits& limits);
+
 /// [min, max] in degrees.
 Json range_json(const RotaryRange& range);
 

@@ -40,7 +40,7 @@ Json tool_life_summary(const ToolLifeOptions& options)
 ExitCode run_tool_life(const ToolLifeOptions& options)
 {
     const Json summary = tool_life_summary(options);
-    give_answer(options.common, options.file, summary);
+    give_answer(options.common, {options.file}, summary);
     return ExitCode::Yes;
 }
 

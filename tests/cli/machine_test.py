@@ -170,6 +170,10 @@ class Machine(ProgramTest):
             self.refused(self.machine_file(configuration="W/caxyBz/T", limits=limits), status=3,
                          words=[f"/limits/{key}", said])
 
+    def test_a_word_that_is_no_machine_does_not_hide_other_faults(self):
+        for option in (("--limits", "a=1:2"), ("--limits", "b=-1:1"), ("--limits", "a"), ("--at", "b=1"), ("--at", "a")):
+            self.refused("W/acxyBz/T", *option, words=[option[0]])
+
     def test_directions_and_positions_that_are_none(self):
         for option in ("--contains", "--inverse"):
             for text in ("1", "1,2,3", "x,1", "0,181", "0,-1", "nan,1"):

@@ -2,9 +2,11 @@
 """endmill setup: the spec's directions and teapot, convex parts, machines of every kind, and what it refuses."""
 import json
 import math
+import shutil
+import subprocess
 import unittest
 
-from program import ROOT, ProgramTest, endmill
+from program import ENDMILL, ROOT, ProgramTest, endmill
 
 TEAPOT = ROOT / "datasets/meshes/teapot-288.off"
 MACHINES = ROOT / "datasets/machines"
@@ -202,6 +204,27 @@ class Setup(ProgramTest):
         machinable = [bool(one["machinable"]) and one["travel_ok"] is not False for one in ranking]
         self.assertEqual(machinable, sorted(machinable, reverse=True))
 
+    def test_the_machines_that_come_with_the_program(self):
+        """From any folder: of the tree where it was built, else where it is installed, else of the current folder."""
+        cube = self.file(CUBE, "cube.off")
+        self.assertEqual(len(self.found(cube, "--machine", "all")["ranking"]), len(list(MACHINES.glob("*.json"))))
+        program = self.folder / "bin/endmill"
+        program.parent.mkdir()
+        shutil.copy(ENDMILL, program)
+
+        def moved(*arguments):
+            return subprocess.run([program, "setup", cube, "--machine", "all", "-o", "out", "--force", *arguments],
+                                  capture_output=True, text=True, check=False, cwd=self.folder)
+
+        installed = self.folder / "share/endmill/machines"
+        here = self.folder / "datasets/machines"
+        self.assert_refused(moved(), 2, "--machine all", str(installed), "datasets/machines")
+        for folder, word in ((here, "W/xyBz/T"), (installed, "W/axyBz/T")):
+            folder.mkdir(parents=True)
+            (folder / "m.json").write_text(json.dumps({"format": "endmill-machine/1", "configuration": word}))
+            done = moved("--json", "--quiet")
+            self.assertEqual(json.loads(done.stdout)["configuration"], word, done.stderr)
+
     def test_a_part_that_nothing_reaches(self):
         inside = CUBE.replace("8 10 0", "12 12 0").replace("3 4 5 6\n", """.2 .2 .5
 .8 .2 .5
@@ -227,6 +250,48 @@ class Setup(ProgramTest):
         self.found(self.file(degenerate, "cube.off"), "--family", "AB", "--incidence-deg", 80)
         rows = (self.folder / "out/cones.csv").read_text().splitlines()
         self.assertEqual((len(rows), rows[1]), (12, "0,"))
+
+    def test_the_limits_are_told(self):
+        keys = ("limits_phi_deg", "limits_theta_deg")
+        machine_file = self.file({"format": "endmill-machine/1", "configuration": "W/cxyBza/T",
+                                  "limits": {"a_deg": [-9, 9], "c_deg": [-180, 180]}}, "m.json")
+        machine = ("--machine", machine_file, "--limits", "phi=-5:95")
+        points = self.file(HEADER + "0,60\n", "points.csv")
+        done = endmill("setup", "--points", points, *machine, "--json", cwd=self.folder)
+        fitted = json.loads(done.stdout)
+        self.assertEqual([fitted[key] for key in keys], [[-5, 95], [-180, 180]])
+        whole = self.found(self.file(CUBE, "cube.off"), *machine, "--incidence-deg", 80)
+        self.assertEqual([whole[key] for key in keys], [fitted[key] for key in keys])
+        self.assertEqual((whole["machine"], whole["type"]), (fitted["machine"], fitted["type"]))
+
+    def test_options_that_would_change_nothing(self):
+        five, four, three = (("--machine", f"W/{axes}/T") for axes in ("caxyBz", "axyBz", "xyBz"))
+        search = (("--gap", 0.1), ("--max-nodes", 9), ("--objective", "tilt"))
+        for option in search:
+            self.refused(TEAPOT, *five, *option, words=(option[0], "--mode paper", "expected --mode set"))
+            self.refused(TEAPOT, *four, "--mode", "set", *option, words=(option[0], "two rotary axes"))
+        for machine in (five, three, ("--family", "AB")):
+            self.refused(TEAPOT, *machine, "--arc-tolerance-deg", 2, words=("--arc-tolerance-deg", "one rotary axis"))
+        self.refused(TEAPOT, "--family", "AB", "--clamp", "0,0,0", words=("--clamp", "--machine"))
+        points = self.file(HEADER + "0,60\n", "points.csv")
+        for option in (*search, ("--sphere", "hex:4"), ("--visibility", "local"), ("--incidence-deg", 80),
+                       ("--floor-deg", 1), ("--max-setups", 1), ("--write-bsm-csv",), ("--clamp", "0,0,0"),
+                       ("--arc-tolerance-deg", 2), ("--tool", "t.json"), ("--from-visibility", "v.bsm"),
+                       ("--chord-tolerance", 1), ("--units", "inch"), ("--up", "x")):
+            self.refused("--points", points, "--family", "CA", *option, words=(option[0],))
+        cube = self.file(CUBE, "cube.off")
+        self.found(cube, *four, "--arc-tolerance-deg", 2, "--incidence-deg", 80)
+        self.found(cube, "--machine", MACHINES, "--arc-tolerance-deg", 2)
+
+    def test_a_word_that_is_no_machine_does_not_hide_other_faults(self):
+        word = ("--machine", "W/acxyBz/T")
+        points = self.file(HEADER + "0,60\n", "points.csv")
+        for part in ((TEAPOT,), ("--points", points)):
+            for option in (("--limits", "a=1:2"), ("--limits", "b=-1:1"), ("--gap", 0.1), ("--limits", "phi")):
+                self.refused(*part, *word, *option, words=(option[0],))
+        done = endmill("setup", "--points", points, *word, "--json", cwd=self.folder)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("turns it about itself", json.loads(done.stdout)["reason"])
 
     def test_bad_input(self):
         self.refused(TEAPOT, words=("--machine", "--family"))

@@ -58,7 +58,7 @@ class InstalledTest(unittest.TestCase):
 
 
 class WhatIsInstalled(InstalledTest):
-    def test_is_the_program_the_libraries_and_the_licence_but_no_data(self):
+    def test_is_the_program_the_libraries_the_licence_and_the_machines(self):
         files = {str(path.relative_to(self.prefix)) for path in self.prefix.rglob("*")
                  if path.is_file() and path.suffix != ".h"}
         package = {path for path in files if "/cmake/endmill/" in path}
@@ -68,8 +68,9 @@ class WhatIsInstalled(InstalledTest):
         self.assertEqual({Path(path).name for path in package},
                          {"endmillConfig.cmake", "endmillConfigVersion.cmake",
                           "endmillTargets.cmake", "endmillTargets-release.cmake"})
+        machines = {f"share/endmill/machines/{path.name}" for path in (ROOT / "datasets/machines").iterdir()}
         self.assertEqual(files - package - libraries,
-                         {"bin/endmill", "share/doc/endmill/LICENSE"})
+                         {"bin/endmill", "share/doc/endmill/LICENSE"} | machines)
 
     def test_headers_are_all_but_the_internal_ones(self):
         public = [path for path in (ROOT / "src").glob("endmill/*/*.h")

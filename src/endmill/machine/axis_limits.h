@@ -52,8 +52,8 @@ std::optional<std::string> expected_rotary_range(std::size_t axis, double from_d
                                                  double to_deg);
 
 /// The one of the limits that tells of the rotary axis: of theta for the first of C,A and the
-/// second of A,B.
-/// \param axis its number from the part to the tool. \pre the configuration is valid and has it.
+/// second of others.
+/// \param axis its number from the part to the tool. \pre the configuration has it.
 RotaryRange& turns_of(RotaryLimits& limits, const MachineConfiguration& configuration,
                       std::size_t axis);
 
