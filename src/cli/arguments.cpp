@@ -25,10 +25,10 @@ constexpr std::size_t shown_characters = 40;
 
 }  // namespace
 
-NumberDomain NumberDomain::of_machine()
+NumberDomain NumberDomain::above_zero_to(double high)
 {
-    return {0, "a number above 0, at most " + to_text(most_of_machine),
-            std::nextafter(most_of_machine, std::numeric_limits<double>::infinity())};
+    return {0, "a number above 0, at most " + to_text(high),
+            std::nextafter(high, std::numeric_limits<double>::infinity())};
 }
 
 NumberDomain NumberDomain::between(double low, double high)

@@ -33,8 +33,10 @@ struct NumberDomain {
     {
         return {-std::numeric_limits<double>::denorm_min(), "a number from 0"};
     }
+    /// Above 0, at most `high`.
+    static NumberDomain above_zero_to(double high);
     /// Above 0, at most `most_of_machine`.
-    static NumberDomain of_machine();
+    static NumberDomain of_machine() { return above_zero_to(most_of_machine); }
     /// Between `low` and `high`, neither of them.
     static NumberDomain between(double low, double high);
     /// From `low` to `high`, both of them.

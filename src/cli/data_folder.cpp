@@ -37,8 +37,8 @@ std::optional<fs::path> folder_above(fs::path above, const fs::path& wanted)
 fs::path data_folder(const std::string& option, const std::string& kind)
 {
     const fs::path program = program_folder();
-    const fs::path installed = (program / installed_data / kind).lexically_normal();
-    const fs::path wanted = fs::path{"datasets"} / kind;
+    fs::path installed = (program / installed_data / kind).lexically_normal();
+    fs::path wanted = fs::path{"datasets"} / kind;
     std::error_code ignored;
     if (!program.empty() && fs::is_directory(installed, ignored))
         return installed;

@@ -58,6 +58,10 @@ ExitCode run(int argc, char** argv, bool json_errors)
                      json_errors);
         return ExitCode::Usage;
     }
+    if (const auto message = empty_text_message(program)) {
+        report_error("E_PARAM", *message, ExitCode::Usage, json_errors);
+        return ExitCode::Usage;
+    }
     return action();
 }
 

@@ -76,14 +76,14 @@ void add_setup_command(CLI::App& program, Action& action)
     add_setup_options(*command, *options);
     command->footer(
         "Writes visibility.bsm, cones.csv (a row a facet), setup.vtp, setup.svg, "
-        "sphere.svg "
-        "and\nsummary.json to --output (default ./NAME-setup). phi, theta are turns of "
-        "the "
-        "tool\nagainst the part. C,A: phi is the tilt, theta the turn of C; A,B: phi is "
-        "the "
-        "turn of the\naxis nearer to the part. Exit 1: not machinable, with the turns "
-        "that "
-        "would do.\n\n"
+        "sphere.svg and\nsummary.json to --output (default ./NAME-setup); with --points "
+        "prints, and writes only\nDIR/summary.json with --output. phi, theta are turns "
+        "of "
+        "the tool against the part. C,A: phi\nis the tilt, theta the turn of C; A,B: phi "
+        "is "
+        "the turn of the axis nearer to the part.\nExit 1: not machinable, with the "
+        "turns "
+        "that would do, or undecided.\n\n"
         "Example:\n  endmill setup datasets/meshes/teapot-288.off --machine W/caxyBz/T\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine all --mode set");
     command->callback([options, command, &action] {

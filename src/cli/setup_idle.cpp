@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 #include "endmill/core/error.h"
 
 namespace endmill {
@@ -23,8 +25,8 @@ void refuse_setup_options(const SetupCommandOptions& options,
 {
     for (const char* name : names)
         if (options.given.contains(name))
-            throw DomainError{std::string{name} + ": found with " + beside +
-                              "; expected " + expected};
+            throw DomainError{
+                fmt::format("{}: found with {}; expected {}", name, beside, expected)};
 }
 
 }  // namespace

@@ -126,9 +126,26 @@ void take_surfaces(SetupInput& input, std::span<const Surface> surfaces,
     take_mesh(input, std::move(sampled_part.mesh));
 }
 
+// Before anything of that size is made.
+void require_map_memory(const SetupInput& input, const SetupCommandOptions& options)
+{
+    const std::size_t cells = sphere_grid_cells(options.sphere);
+    const std::size_t facets = input.mesh.triangles().size();
+    // A bit a facet; a triangle, half a corner, a centre and a solid angle.
+    const double bytes_per_cell = static_cast<double>(facets) / 8 + sizeof(Triangle) +
+                                  1.5 * sizeof(Vec3) + sizeof(double);
+    const double gib = static_cast<double>(cells) * bytes_per_cell / 0x1p30;
+    if (gib > options.common.limits.max_memory_gib)
+        throw LimitError{fmt::format(
+            "the visibility of {} facets from {} directions needs about {:.2g} GiB; the "
+            "limit is {:g} GiB (--max-memory); a coarser --sphere needs less",
+            facets, cells, gib, options.common.limits.max_memory_gib)};
+}
+
 void take_visibility(SetupInput& input, const SetupCommandOptions& options)
 {
     if (options.from_visibility.empty()) {
+        require_map_memory(input, options);
         input.grid = sphere_grid(options.sphere);
         return;
     }

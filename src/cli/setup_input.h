@@ -45,7 +45,7 @@ std::vector<SetupMachine> setup_machines(const SetupCommandOptions& options);
 
 /// Reads all that `endmill setup` is told of. A surface is sampled.
 /// \throws FormatError, LimitError, DomainError as the readers; DomainError for a grid that is
-///         none.
+///         none; LimitError if the visibility does not fit --max-memory.
 SetupInput read_setup_input(const SetupCommandOptions& options);
 
 }  // namespace endmill

@@ -2,7 +2,6 @@
 #include "cli/setup_options.h"
 
 #include <array>
-#include <limits>
 
 #include "cli/arguments.h"
 #include "cli/rotary_limits_option.h"
@@ -84,8 +83,8 @@ void add_setup_visibility(CLI::App& command, SetupCommandOptions& options)
     CLI::Option* incidence =
         add_number(command,
                    {"--incidence-deg", "DEG",
-                    "largest angle between tool and normal, itself excluded; default 90",
-                    NumberDomain::from_to(std::numeric_limits<double>::min(), 90)},
+                    "largest angle between tool and normal, itself excluded",
+                    NumberDomain::above_zero_to(90)},
                    options.incidence_deg);
     command
         .add_option("--tool", options.tool,
@@ -123,14 +122,12 @@ void add_setup_search(CLI::App& command, SetupCommandOptions& options)
     add_choice<SetupObjective>(
         command, "--objective", options.objective, setup_objectives,
         "what --mode set has least of; the other modes minimise the area");
-    add_number(
-        command,
-        {"--floor-deg", "DEG", "added to both ranges in the floored area; default 5.9",
-         NumberDomain::from_to(1e-6, 360)},
-        options.floor_deg);
     add_number(command,
-               {"--gap", "SHARE",
-                "of --mode set: stop so near to the certified bound; default 0.05"},
+               {"--floor-deg", "DEG", "added to both ranges in the floored area",
+                NumberDomain::from_to(1e-6, 360)},
+               options.floor_deg);
+    add_number(command,
+               {"--gap", "SHARE", "of --mode set: stop so near to the certified bound"},
                options.gap);
     add_whole_number(command,
                      {"--max-nodes", "of --mode set: stop after so many; default 200000",
@@ -143,7 +140,7 @@ void add_setup_search(CLI::App& command, SetupCommandOptions& options)
         ->type_name("N");
     add_number(command,
                {"--arc-tolerance-deg", "DEG",
-                "of 4-axis machines: a cell counts so near to the arc; default 2.95",
+                "of 4-axis machines: a cell counts so near to the arc",
                 NumberDomain::from_to(0, 45)},
                options.arc_tolerance_deg);
 }

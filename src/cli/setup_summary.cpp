@@ -2,6 +2,7 @@
 #include "cli/setup_summary.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -162,6 +163,13 @@ void add_search(Json& summary, const SetupAnswer& answer,
     add_travel_keys(summary, answer, options);
 }
 
+// What is 0 but for rounding is said to be 0.
+std::string degrees_text(double degrees)
+{
+    constexpr double rounding_deg = 1e-9;
+    return fmt::format("{:.4g}", std::abs(degrees) < rounding_deg ? 0 : degrees);
+}
+
 // The first of them; the summary has all.
 std::string unreached_text(const Json& facets)
 {
@@ -265,8 +273,8 @@ std::string setup_text(const Json& s)
 {
     const auto range = [&](const char* key) {
         return s[key].is_null() ? std::string{"none"}
-                                : fmt::format("{:.4g} to {:.4g}", s[key][0].get<double>(),
-                                              s[key][1].get<double>());
+                                : fmt::format("{} to {}", degrees_text(s[key][0]),
+                                              degrees_text(s[key][1]));
     };
     std::string text = fmt::format(
         "{}: {} on {}, mode {}; {} facets, {} directions\n", s["name"].get<std::string>(),

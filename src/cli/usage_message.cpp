@@ -73,6 +73,17 @@ bool names_unknown_command(const CLI::App& program)
            !unknown.front().starts_with('-');
 }
 
+std::optional<std::string> empty_text_message(const CLI::App& program)
+{
+    const CLI::App& chosen = chosen_command(program);
+    for (const CLI::App* command = &chosen; command; command = command->get_parent())
+        for (const CLI::Option* option : command->get_options())
+            if (std::ranges::find(option->results(), "") != option->results().end())
+                return option->get_name() + ": found \"\"; expected a text; see " +
+                       full_name(chosen) + " --help";
+    return std::nullopt;
+}
+
 std::string usage_message(const CLI::App& program, const CLI::ParseError& error)
 {
     const CLI::App& command = chosen_command(program);

@@ -145,9 +145,11 @@ class Machine(ProgramTest):
         for word, said in (("W/caxyz/T", "B, the bed, is missing"), ("W/ccxyBz/T", "two equal rotary axes c"),
                            ("W/caxyBz", "/T is missing"), ("caxyBz/T", "W/ is missing"), ("W/cqxyBz/T", '"q"'),
                            ("W/CxyBz/T", "lower case"), ("W/cabxyBz/T", "three rotary axes"), ("W/caxyyBz/T", "two letters y"),
-                           ("W/caxBz/T", "y is missing"), ("", "W/ is missing")):
+                           ("W/caxBz/T", "y is missing")):
             self.refused(word, words=[said])
             self.refused(self.machine_file(configuration=word), status=3, words=["/configuration", said])
+        self.refused("", words=['MACHINE: found ""'])
+        self.refused(self.machine_file(configuration=""), status=3, words=["/configuration", "W/ is missing"])
         self.refused("none.json", status=3, words=["none.json"])
         self.refused()
         self.assertEqual(self.answer(self.machine_file(configuration="W/acxyBz/T"), status=1)["rank"], 1)
@@ -169,6 +171,17 @@ class Machine(ProgramTest):
             key = next(iter(limits))
             self.refused(self.machine_file(configuration="W/caxyBz/T", limits=limits), status=3,
                          words=[f"/limits/{key}", said])
+
+    def test_files_with_values_of_another_kind(self):
+        for key, value, place in (("configuration", 3, "configuration"), ("limits", [], "limits"),
+                                  ("limits", {"a_deg": 1}, "limits/a_deg"), ("limits", {"a_deg": ["x", 1]}, "limits/a_deg/0"),
+                                  ("limits", {"a_deg": [9, -9]}, "limits/a_deg/1"), ("pivot_mm", "3", "pivot_mm"),
+                                  ("limits", {"x_mm": [True, 5]}, "limits/x_mm/0"), ("spindle", 3, "spindle"),
+                                  ("table_offset_mm", [1, 2], "table_offset_mm"), ("extra", 1, "extra")):
+            given = {"configuration": "W/caxyBz/T", key: value}
+            self.refused(self.machine_file(**given), status=3, words=[f"m.json:/{place}: "])
+        self.refused(self.file("{", "m.json"), status=3, words=["m.json:1:2"])
+        self.refused(self.folder, status=3, words=["directory"])
 
     def test_a_word_that_is_no_machine_does_not_hide_other_faults(self):
         for option in (("--limits", "a=1:2"), ("--limits", "b=-1:1"), ("--limits", "a"), ("--at", "b=1"), ("--at", "a")):

@@ -5,7 +5,8 @@ import unittest
 
 from program import ROOT, ProgramTest, endmill
 
-COMMANDS = ("info", "plan", "machine", "eval", "cite")
+COMMANDS = ("info", "sample", "plan", "trim", "verify", "post", "feed", "coefficients", "toollife", "setup", "machine",
+            "eval", "cite")
 
 
 def calls_of_readme(command):
@@ -21,6 +22,25 @@ class Program(ProgramTest):
             self.assertEqual(done.returncode, 0)
             self.assertIn(f"endmill {command}", done.stdout.split("Example:")[1])
             self.assertIn("--json-errors", done.stdout)
+
+    def test_every_command_is_told_of(self):
+        known = endmill("--help").stdout.split("Subcommands:\n")[1].split("\n\n")[0]
+        self.assertEqual(tuple(line.split()[0] for line in known.splitlines() if line[2] != " "), COMMANDS)
+        change = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8").split("The program `endmill` with")[1].split("\n- ")[0]
+        table = (ROOT / "README.md").read_text(encoding="utf-8")
+        for command in COMMANDS:
+            self.assertIn(f"`{command}`", change)
+            self.assertIn(f"\n| `{command}` |", table)
+
+    def test_an_empty_text_is_no_option_left_out(self):
+        points = self.file("azimuth_deg,polar_deg\n0,10\n", "p.csv")
+        for call in (("machine", "W/caxyBz/T", "--limits", ""), ("machine", "W/caxyBz/T", "--at", ""),
+                     ("machine", "W/caxyBz/T", "-o", ""), ("setup", "x.off", "--family", "CA", "--from-visibility", ""),
+                     ("setup", "--points", points, "--family", "CA", "--limits", ""), ("plan", "x.json", "--output", ""),
+                     ("eval", "path-interval", "--radius", "5", "--curvature", "0", "--scallop", "1", "-o", "")):
+            option = "--output" if call[-2] == "-o" else call[-2]
+            self.assert_refused(endmill(*call, cwd=self.folder), 2, f'{option}: found ""')
+        self.assert_nothing_left("p.csv")
 
     def test_examples_of_milling_do_what_they_promise(self):
         (self.folder / "datasets").symlink_to(ROOT / "datasets")

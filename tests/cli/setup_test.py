@@ -307,6 +307,71 @@ class Setup(ProgramTest):
         self.refused(self.file(CUBE.replace("1 1 1", "1 nan 1"), "nan.off"), "--family", "CA", status=3,
                      words=("nan.off",))
         self.refused("--points", self.file(HEADER + "1,200\n", "p.csv"), "--family", "CA", status=3, words=("p.csv:2",))
+        self.refused(TEAPOT, "--family", "CA", "--incidence-deg", 0, words=("--incidence-deg", "above 0, at most 90"))
+        self.refused(TEAPOT, "--family", "CA", "--sphere", "hex:200", "--max-memory", 0.02, status=6,
+                     words=("288 facets", "480000 directions", "--max-memory", "--sphere"))
+        folder = self.folder / "machines"
+        folder.mkdir()
+        self.refused(TEAPOT, "--machine", folder, status=3, words=("machines",))
+        (folder / "m.json").mkdir()
+        self.refused(TEAPOT, "--machine", folder, status=3, words=("m.json", "directory"))
+        self.assert_nothing_left("empty.off", "nan.off", "p.csv", "machines")
+
+    def test_directions_that_are_none(self):
+        path = self.folder / "p.csv"
+        for text, place, said in (("", "", "empty"), (HEADER, ":1", "no row"), ("a,b\n1,2\n", ":1", '"a"'),
+                                  ("azimuth_deg\n1\n", ":1", "no column polar_deg"), (HEADER + "0,1\n1\n", ":3", "1 cell"),
+                                  (HEADER + "nan,1\n", ":2", "azimuth_deg"), (HEADER + "0,\n", ":2", "polar_deg"),
+                                  (HEADER + "0,1e400\n", ":2", "polar_deg")):
+            path.write_text(text)
+            self.refused("--points", path, "--family", "AB", status=3, words=(f"p.csv{place}: ", said))
+        self.refused("--points", self.folder, "--family", "AB", status=3, words=("directory",))
+        path.write_text(HEADER + "0,1\n" * 1000)
+        self.refused("--points", path, "--family", "AB", "--max-memory", 1e-6, status=6, words=("p.csv",))
+
+    def test_damaged_visibility(self):
+        cube = self.file(CUBE, "cube.off")
+        self.found(cube, "--family", "CA", "--sphere", "hex:2", "--incidence-deg", 80)
+        whole = (self.folder / "out/visibility.bsm").read_bytes()
+        shutil.rmtree(self.folder / "out")
+        flipped = bytearray(whole)
+        flipped[len(whole) // 2] ^= 1
+        other_part = bytearray(whole)
+        other_part[40] ^= 1  # where design.md has the checksum of the part
+        for content, said in ((b"", "empty"), (whole[:40], "header"), (whole[:-8], f"expected {len(whole)}"),
+                              (whole + bytes(8), f"expected {len(whole)}"), (b"x" + whole[1:], "EMILLBSM"),
+                              (bytes(flipped), "checksum"), (bytes(other_part), "checksum")):
+            saved = self.file(content, "saved.bsm")
+            self.refused(cube, "--family", "CA", "--from-visibility", saved, status=3, words=("saved.bsm", said))
+        self.refused(cube, "--family", "CA", "--from-visibility", self.folder, status=3, words=("directory",))
+        self.assert_nothing_left("cube.off", "saved.bsm")
+
+    def test_meshes_that_are_odd_are_told_of(self):
+        """Open, with an edge of three triangles, and with a triangle twice: allowed."""
+        odd = CUBE.replace("8 10 0", "8 12 0") + "3 4 5 1\n3 3 4 7\n"
+        done = endmill("setup", self.file(odd, "odd.off"), "--family", "AB", "--sphere", "hex:2", "-o", "out", "--json",
+                       cwd=self.folder)
+        remarks = " ".join(json.loads(done.stdout)["remarks"])
+        for said in ("the part is open", "more than two triangles", "corners of one before them"):
+            self.assertIn(said, remarks)
+            self.assertIn(said, done.stderr)
+
+    def test_results_that_cannot_be_written(self):
+        cube = self.file(CUBE, "cube.off")
+        call = (cube, "--family", "CA", "--sphere", "hex:2", "--incidence-deg", 80)
+        for out, status in ((cube, 2), (self.folder, 2), (cube / "out", 5), ("/proc/out", 5)):
+            self.assert_refused(endmill("setup", *call, "-o", out, cwd=self.folder), status)
+        machine = self.file({"format": "endmill-machine/1", "configuration": "W/caxyBz/T"}, "summary.json")
+        self.assert_refused(endmill("setup", cube, "--machine", machine, "-o", ".", "--force", cwd=self.folder), 2,
+                            "input file")
+        self.assert_nothing_left("cube.off", "summary.json")
+        (self.folder / "out/summary.json").mkdir(parents=True)
+        self.assert_refused(endmill("setup", *call, "-o", "out", "--force", cwd=self.folder), 5, "summary.json")
+        self.assertEqual([path.name for path in (self.folder / "out").iterdir()], ["summary.json"])
+        with open("/dev/full", "w", encoding="ascii") as full:
+            done = subprocess.run([ENDMILL, "setup", *map(str, call), "-o", "told", "--json"], stdout=full,
+                                  stderr=subprocess.PIPE, text=True, check=False, cwd=self.folder)
+        self.assertEqual(done.returncode, 5, done.stderr)
 
 
 if __name__ == "__main__":

@@ -448,7 +448,7 @@ class BadInput(VerifyTest):
             for number in ("0", "-1", "nan", "inf", "1,5"):
                 self.refuse(2, f'{option}: found "{number}"; expected a number above 0',
                             options=("--cutter", "ball:10", option, number))
-        for stock in ("1,2,3", "0,0,0,1,1,nan", "0,0,0,0,1,1", ""):
+        for stock in ("1,2,3", "0,0,0,1,1,nan", "0,0,0,0,1,1", ","):
             self.refuse(2, f"--stock {stock}: expected ", "X0,Y0,Z0,X1,Y1,Z1",
                         options=("--cutter", "ball:10", "--stock", stock))
         self.refuse(2, "--max-refine", options=("--cutter", "ball:10", "--max-refine", "21"))
