@@ -121,6 +121,26 @@ TEST(BestSetup, ProvesThatNothingReachesOppositeFacets)
     EXPECT_FALSE(at_cells.is_proved);
 }
 
+TEST(BestSetup, WithNothingToReachAxesStandAsThoseOfAMachine)
+{
+    const SphereGrid grid = sphere_grid("hex:2");
+    const VisibilityMap none{3, grid.centres.size()};
+    for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB})
+        for (const bool is_b_first : {false, true}) {
+            SetupRequest request = request_of(family, std::nullopt);
+            request.is_b_first = is_b_first && family == RotaryFamily::AB;
+            const BestSetup found = best_setup(grid, none, request);
+            ASSERT_TRUE(found.feasible);
+            const SetupPose& pose = found.feasible->pose;
+            const bool is_ca = family == RotaryFamily::CA;
+            EXPECT_EQ(pose.r1_axis.dot(pose.tool_axis), is_ca ? 1 : 0);
+            // R1, R2 are X, Y of the machine, or Y, X where B is first; in C,A the tool axis, X.
+            const Vec3 r2 = pose.tool_axis.cross(pose.r1_axis);
+            EXPECT_EQ(pose.r2_axis.dot(pose.tool_axis), 0);
+            EXPECT_EQ(r2.dot(pose.r2_axis), is_ca ? 0 : request.is_b_first ? -1 : 1);
+        }
+}
+
 TEST(BestSetup, MagnitudesAndRangesAreThoseOfThePaper)
 {
     FittedPose fit{.pose = {}, .phi = {-0.2, 0.5}, .theta = {-0.4, 0.1}, .area = 0};

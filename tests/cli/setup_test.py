@@ -240,6 +240,15 @@ class Setup(ProgramTest):
         self.assertIn(0, found["empty_cones"])
         self.assertIn(1, found["empty_cones"])
 
+    def test_a_part_of_which_nothing_is_reached(self):
+        """In every mode the facets are told, of both families and of words that begin with b."""
+        cube = self.file(CUBE, "cube.off")
+        for word in ("caxyBz", "abxyBz", "baxyBz", "axyBz", "xyBz"):
+            for mode in ("paper", "corrected", "set"):
+                found = self.found(cube, "--machine", f"W/{word}/T", "--mode", mode, "--sphere", "hex:2",
+                                   "--incidence-deg", 1, status=1)
+                self.assertEqual((found["machinable"], found["empty_cones"]), (False, list(range(10))))
+
     def test_facets_keep_their_numbers(self):
         """A face without an area counts, but has no cone."""
         degenerate = CUBE.replace("8 10 0", "9 11 0").replace("3 4 5 6\n", ".5 0 0\n3 0 8 1\n3 4 5 6\n", 1)

@@ -233,14 +233,14 @@ private:
 };
 
 /// Nothing to reach: any pose will do.
-SetSearchResult nothing_to_reach()
+SetSearchResult nothing_to_reach(RotaryFamily family)
 {
     SetSearchResult result;
     result.machinability = Machinability::Machinable;
-    result.pose = FittedPose{.pose = {Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitX()},
-                             .phi = {0, 0},
-                             .theta = {0, 0},
-                             .area = 0};
+    const bool is_ca = family == RotaryFamily::CA;
+    const SetupPose upright{Vec3::UnitZ(), is_ca ? Vec3::UnitZ() : Vec3::UnitX(),
+                            is_ca ? Vec3::UnitX() : Vec3::UnitY()};
+    result.pose = FittedPose{.pose = upright, .phi = {0, 0}, .theta = {0, 0}, .area = 0};
     return result;
 }
 
@@ -255,7 +255,7 @@ SetSearchResult set_search(const SphereGrid& grid, const VisibilityMap& map,
     require(options.gap > 0, "set_search: need gap > 0");
     const ConeSet cones{map};
     if (cones.facets().empty())
-        return nothing_to_reach();
+        return nothing_to_reach(options.family);
     std::vector<Vec3> centres;
     for (const std::size_t cell : cones.cells())
         centres.push_back(grid.centres[cell]);
