@@ -124,7 +124,8 @@ bool is_as_listed(const UpperEnvelope& envelope, const nlohmann::json& listed)
             crossings.emplace_back(joint[0], joint[1]);
     std::size_t k = 0;
     for (const EnvelopePiece& piece : envelope.pieces) {
-        if (piece.from >= 0)
+        // The first piece may be what lies left of all segments.
+        if (piece.from >= 0 || piece.segment == no_segment)
             continue;
         const EnvelopeCrossing& found = envelope.crossings.at(~piece.from);
         if (k == crossings.size() ||
