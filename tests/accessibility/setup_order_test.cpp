@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/accessibility/setup_order.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "direction_sets.h"
+#include "random.h"
 
 namespace endmill {
 namespace {
@@ -45,6 +50,52 @@ TEST(SetupOrder, LeavesOutWhatIsBeyondItsBound)
     EXPECT_EQ(best.best(), std::nullopt);
     best.offer('b', {1 + 1e-10, 1});
     EXPECT_EQ(best.best(), 'b');
+}
+
+// Five poses with areas that equal their neighbours' but not the least. Whatever the order of
+// the poses, each with the least area picked so far for its bound, as threads would have it:
+// the best is that of a search without bounds.
+TEST(SetupOrder, IsTheSameForBoundsFromPosesInAnyOrder)
+{
+    struct Offer {
+        int name;
+        SetupScore score;
+    };
+    test::Random random{11};
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::vector<std::vector<Offer>> poses(5);
+        for (int k = 0; k < 15; ++k)
+            poses[static_cast<std::size_t>(k) / 3].push_back(
+                {k,
+                 {1 + 4e-10 * std::floor(random.uniform(0, 8)), random.uniform(1, 4)}});
+        const auto pick = [](const std::vector<Offer>& offers, double bound) {
+            BestCandidate<Offer> best{bound};
+            for (const Offer& offer : offers)
+                best.offer(offer, offer.score);
+            return best.best();
+        };
+        const auto best_of_all = [&](const std::vector<std::size_t>& order,
+                                     bool is_bounded) {
+            double bound = std::numeric_limits<double>::infinity();
+            std::vector<std::optional<Offer>> picked(poses.size());
+            for (const std::size_t pose : order) {
+                picked[pose] = pick(poses[pose], bound);
+                if (is_bounded && picked[pose])
+                    bound = std::min(bound, picked[pose]->score.area);
+            }
+            std::vector<Offer> offers;
+            for (const std::optional<Offer>& offer : picked)
+                if (offer)
+                    offers.push_back(*offer);
+            return pick(offers, std::numeric_limits<double>::infinity())->name;
+        };
+        std::vector<std::size_t> order{0, 1, 2, 3, 4};
+        const int expected = best_of_all(order, false);
+        for (int i = 0; i < 10; ++i) {
+            std::swap(order[static_cast<std::size_t>(random.uniform(0, 5))], order[0]);
+            EXPECT_EQ(best_of_all(order, true), expected);
+        }
+    }
 }
 
 TEST(SetupOrder, ComparesSmallNumbersByDegrees)

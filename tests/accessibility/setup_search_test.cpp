@@ -11,6 +11,7 @@
 #include "endmill/accessibility/nearest_cells.h"
 #include "endmill/accessibility/rectangle_fit.h"
 #include "endmill/accessibility/sector_fit.h"
+#include "endmill/accessibility/setup_order.h"
 #include "endmill/accessibility/sphere_grid.h"
 #include "endmill/accessibility/visibility.h"
 #include "endmill/core/error.h"
@@ -19,6 +20,8 @@
 
 namespace endmill {
 namespace {
+
+constexpr double pi = std::numbers::pi;
 
 using test::degree;
 using test::direction;
@@ -117,6 +120,71 @@ INSTANTIATE_TEST_SUITE_P(OfTheTable, TeapotOnAGrid,
                                                    9292.94, 11487.51, 10527.65, 9674.03},
                                          TeapotRow{"ico:3", 19770.26, 19770.26, 9526.26,
                                                    25157.47, 9952.07, 8533.93}));
+
+// Each pose by itself, one after the other and without bounds.
+SetupSearch pose_by_pose(const Part& part, const SetupOptions& options)
+{
+    BestCandidate<FittedPose> least;
+    BestCandidate<FittedPose> feasible;
+    for (std::size_t pose = 0; pose < part.centres.size(); ++pose) {
+        std::vector<Vec3> nearest;
+        for (const std::size_t cell : nearest_cells(part.map, part.centres, pose))
+            nearest.push_back(part.centres[cell]);
+        SetupSearch found = pose_fit(part.centres[pose], nearest, options);
+        for (auto* fit : {&found.least, &found.feasible})
+            if (*fit)
+                (*fit)->cell = pose;
+        if (found.least)
+            least.offer(*found.least, score_of(*found.least));
+        if (found.feasible)
+            feasible.offer(*found.feasible, score_of(*found.feasible));
+    }
+    SetupSearch result;
+    result.least = least.best();
+    result.feasible = feasible.best();
+    return result;
+}
+
+void expect_same_pose(const std::optional<FittedPose>& found,
+                      const std::optional<FittedPose>& expected)
+{
+    ASSERT_EQ(found.has_value(), expected.has_value());
+    if (found) {
+        EXPECT_EQ(found->cell, expected->cell);
+        EXPECT_EQ(found->area, expected->area);
+        EXPECT_EQ(found->pose.r1_axis, expected->pose.r1_axis);
+        EXPECT_EQ(found->pose.r2_axis, expected->pose.r2_axis);
+    }
+}
+
+// Parts as symmetric as the grid, whose best poses are equal but for rounding.
+TEST(SetupSearch, IsThatOfPosesFittedOneByOneOnAnyNumberOfThreads)
+{
+    std::vector<Vec3> normals = test::ring(6, 70);
+    normals.push_back(up);
+    const std::vector<Vec3> low = test::ring(3, 110);
+    std::vector<Vec3> all_round = test::ring(6, 40);
+    all_round.insert(all_round.end(), low.begin(), low.end());
+    for (const auto& facets : {normals, all_round}) {
+        const Part part = part_of_caps("hex:4", facets, 30);
+        for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
+            for (const double reach : {pi, 1.2, 0.6}) {
+                const SetupOptions options{
+                    family, SetupMode::Corrected, {{-reach, reach}, {-reach, pi}}};
+                const SetupSearch expected = pose_by_pose(part, options);
+                for (const int threads : {1, 3, 8, 8, 8}) {
+                    set_thread_count(threads);
+                    const SetupSearch found =
+                        setup_search(part.map, part.centres, options);
+                    expect_same_pose(found.least, expected.least);
+                    if (!found.feasible || found.feasible->cell != found.least->cell)
+                        expect_same_pose(found.feasible, expected.feasible);
+                }
+            }
+        }
+    }
+    set_thread_count(4);
+}
 
 TEST(SetupSearch, HasTheRangesOfTheSpecificationOnTheTeapot)
 {

@@ -16,9 +16,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// How far above the certain bound the result may lie: far below a cell's width, 0.1 rad.
-constexpr double certified = 1e-7;
-
 // rad: narrower pieces are not split. 1e6 roundings of an angle.
 constexpr double narrowest = 1e-10;
 
@@ -135,6 +132,16 @@ public:
         offer(azimuth, extents);
     }
 
+    // R1 at every fifth degree.
+    void evaluate_coarsely()
+    {
+        constexpr int steps = 36;
+        for (int i = 0; i < steps; ++i) {
+            const Azimuth azimuth{i * pi / steps};
+            evaluate(azimuth, azimuth);
+        }
+    }
+
     void search()
     {
         std::priority_queue<Piece> pieces;
@@ -155,10 +162,11 @@ public:
 
     std::optional<RectangleCandidate> best() const { return best_.best(); }
 
-    // Whether nothing above this bound is asked for.
+    // Whether nothing above this bound is asked for: nor a hair below, since bounds have
+    // roundings, and what equals the worth is asked for.
     bool is_worthless(double bound) const
     {
-        return bound > equal_area_limit(goal_.worthless);
+        return bound > equal_area_limit(equal_area_limit(goal_.worthless));
     }
 
     bool has_dropped() const { return has_dropped_; }
@@ -199,13 +207,12 @@ private:
 
     bool is_settled(double bound)
     {
-        if (is_worthless(bound)) {
-            has_dropped_ = true;
-            return true;
-        }
         const double best = best_.area();
-        return best < infinity &&
-               bound >= best - certified * std::max(best, square_degree);
+        if (best < infinity &&
+            bound >= best - branch_accuracy * std::max(best, square_degree))
+            return true;
+        has_dropped_ = is_worthless(bound);
+        return has_dropped_;
     }
 
     void push_roots(std::priority_queue<Piece>& pieces)
@@ -289,12 +296,8 @@ private:
 std::optional<RectangleCandidate> coarse_rectangle(const PolePoints& points,
                                                    const BranchGoal& goal)
 {
-    constexpr int steps = 36;
     Branching branching{points, goal};
-    for (int i = 0; i < steps; ++i) {
-        const Azimuth azimuth{i * pi / steps};
-        branching.evaluate(azimuth, azimuth);
-    }
+    branching.evaluate_coarsely();
     return branching.best();
 }
 
@@ -302,6 +305,8 @@ std::optional<RectangleCandidate> branch_rectangle(const PolePoints& points,
                                                    const BranchGoal& goal)
 {
     Branching branching{points, goal};
+    if (goal.limits)  // what fits for so little of R1 that no piece would show it
+        branching.evaluate_coarsely();
     branching.search();
     if (branching.has_dropped())
         return std::nullopt;

@@ -11,6 +11,10 @@
 
 namespace endmill {
 
+/// How far above the certain bound a search over R1 may end, relative, or below a square degree
+/// in parts of that: far below a cell's width, 0.1 rad.
+inline constexpr double branch_accuracy = 1e-7;
+
 /// What a search over R1 is for.
 struct BranchGoal {
     std::optional<RotaryLimits> limits{};  ///< of alpha and beta, signed, or none
@@ -24,7 +28,9 @@ std::optional<RectangleCandidate> coarse_rectangle(const PolePoints& points,
 /// The rectangle of least area, to 1e-7 of it (or, below a square degree, of that), of all
 /// positions of R1, wherever the directions lie; alpha is the principal value, so that no
 /// rectangle reaches across +-180 degrees. Nothing if none fits, or if all are certainly
-/// worthless. A fit within limits that holds for less than 1e-10 rad of R1 may be missed.
+/// worthless. A fit within limits that holds for less than 1e-10 rad of R1 may be missed, but
+/// not one that `coarse_rectangle` finds. The same for any worth that its area equals or is
+/// below.
 ///
 /// Branch and bound over the azimuth of R1. With R1 at azimuth psi a direction (x, y, z) has
 /// s = x sin psi - y cos psi, tan alpha = s / z and sin beta = x cos psi + y sin psi. Within

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/accessibility/rectangle_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -32,6 +33,8 @@ struct Question {
         if (is_b_first)
             limits.theta = turned(limits.theta);
     }
+
+    bool is_limited() const { return limits != RotaryLimits{}; }
 
     // [KangSuh, eq. (20)]
     bool fits_unsigned(const RectangleCandidate& rectangle) const
@@ -103,32 +106,36 @@ BestRectangles best_at_edges(const PolePoints& points, std::span<const Vec3> dir
                              const AreaBounds& bounds)
 {
     const RectangleImages images{points, directions, mode};
-    BestRectangles best = best_of(images.at_edges(), question, bounds);
-    const bool is_least_feasible = best.least && question.is_feasible(*best.least);
-    if (question.rules.has_both_hulls && !is_least_feasible) {
-        std::vector<RectangleCandidate> candidates = images.at_limits(question.limits);
-        if (best.feasible)
-            candidates.insert(candidates.begin(), *best.feasible);
+    std::vector<RectangleCandidate> candidates = images.at_edges();
+    BestRectangles best = best_of(candidates, question, bounds);
+    if (question.rules.has_both_hulls && question.is_limited()) {
+        const auto limiting = images.at_limits(question.limits);
+        candidates.insert(candidates.end(), limiting.begin(), limiting.end());
         best.feasible = best_of(candidates, question, bounds).feasible;
     }
     return best;
 }
 
+// Within limits it is searched for apart from the other, even where that one fits: whether the
+// other is found depends on its own bound.
 BestRectangles best_by_branching(const PolePoints& points, const Question& question,
                                  const AreaBounds& bounds)
 {
     BestRectangles best;
     best.least = branch_rectangle(points, {std::nullopt, bounds.least});
-    if (best.least && question.is_feasible(*best.least))
-        best.feasible = best.least;
-    else if (question.limits != RotaryLimits{})
-        best.feasible = branch_rectangle(points, {question.limits, bounds.feasible});
+    best.feasible = question.is_limited()
+                        ? branch_rectangle(points, {question.limits, bounds.feasible})
+                        : best.least;
     return best;
 }
 
-double area_or_infinity(const std::optional<RectangleCandidate>& rectangle)
+// No search that may find the rectangle ends above.
+double search_limit(const std::optional<RectangleCandidate>& rectangle)
 {
-    return rectangle ? rectangle->area() : infinity;
+    if (!rectangle)
+        return infinity;
+    const double area = rectangle->area();
+    return area + 2 * branch_accuracy * std::max(area, square_degree);
 }
 
 }  // namespace
@@ -184,8 +191,10 @@ AreaBounds rectangle_bounds(const Vec3& tool_axis, std::span<const Vec3> directi
     const PolePoints points{tool_axis, directions};
     if (!question.rules.takes_low_directions || !has_low_direction(points))
         return {};
-    return {area_or_infinity(coarse_rectangle(points, {})),
-            area_or_infinity(coarse_rectangle(points, {question.limits}))};
+    const double least = search_limit(coarse_rectangle(points, {}));
+    if (!question.is_limited())
+        return {least, least};
+    return {least, search_limit(coarse_rectangle(points, {question.limits}))};
 }
 
 }  // namespace endmill

@@ -31,8 +31,8 @@ std::vector<RectangleCandidate> rectangle_candidates(const Vec3& tool_axis,
 /// The pose takes the larger end of R1's range as the positive one, or the smaller if only that
 /// fits; of equal ones that with the larger end of R2's.
 /// Source: [KangSuh, section 6, eq. (15)–(21)].
-/// \param tool_axis unit. \param directions unit. \param bounds spare work; a fit of a larger
-///        area may be missing.
+/// \param tool_axis unit. \param directions unit. \param bounds spare work: a fit is missing
+///        only if its area is larger, and any that is not is the one without bounds.
 /// \return status `NoOpenHemisphere`, one pose skipped and no fit in the paper's modes if a
 ///         direction has a cosine below 1e-6 with the tool axis.
 /// \throws DomainError as `check_setup_options`, or if the family is not A,B.

@@ -29,14 +29,19 @@ double equal_sum_limit(double sum);
 /// The area and the sum of the ranges.
 SetupScore score_of(const FittedPose& fit);
 
-/// The best of the candidates offered: of those of least area those of least sum, and of these
-/// the first. It is the same if candidates of areas certainly larger are not offered.
+/// The best of the candidates offered: of those whose area equals the least of all those of
+/// least sum, and of these the first. Only the least area decides which are equal, so that
+/// equalities do not chain. It is the same if candidates of areas certainly larger are not
+/// offered.
+///
+/// A bound spares work and changes nothing that matters: wherever the least area offered equals
+/// the bound or is below, the best is the one without a bound.
 template <class Candidate>
 class BestCandidate {
 public:
-    /// \param bound rad^2: a larger area is of no interest.
+    /// \param bound rad^2: unless the least area equals it or is below, none is of interest.
     explicit BestCandidate(double bound = std::numeric_limits<double>::infinity())
-        : bound_{bound}
+        : bound_{equal_area_limit(bound)}
     {
     }
 
@@ -59,10 +64,10 @@ public:
         kept_.push_back({candidate, score});
     }
 
-    /// The least area offered, rad^2; infinite if there is none within the bound.
+    /// The least area offered, rad^2; infinite if none is of interest.
     double area() const { return area_; }
 
-    /// The best one, if any lies within the bound.
+    /// The best one, if any is of interest.
     std::optional<Candidate> best() const
     {
         double sum = std::numeric_limits<double>::infinity();
@@ -81,7 +86,7 @@ private:
         SetupScore score;
     };
 
-    double bound_;
+    double bound_;  // the largest least area of interest
     double area_ = std::numeric_limits<double>::infinity();
     std::vector<Kept> kept_;  // of areas that count as equal to the least
 };

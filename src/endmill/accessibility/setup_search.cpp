@@ -35,8 +35,9 @@ SetupSearch fit(const Vec3& tool_axis, std::span<const Vec3> directions,
                : rectangle_fit(tool_axis, directions, options, bounds);
 }
 
-// A minimum that threads lower together. What they leave out by it comes after the final
-// one, whatever their order.
+// A minimum that threads lower together, never below the area of the pose that is best in the
+// end. Fits are the same for any bound that their area equals or is below, so that all poses
+// that can be best are fitted as without bounds, whatever the threads' order.
 class SharedMinimum {
 public:
     double value() const { return value_.load(std::memory_order_relaxed); }
@@ -87,6 +88,11 @@ public:
             std::count(is_skipped_.begin(), is_skipped_.end(), true));
         result.least = best_of(least_);
         result.feasible = best_of(feasible_);
+        // A pose's two fits may be searched for apart, each to its accuracy.
+        if (result.least && setup_rules(options_.mode).has_signed_limits &&
+            is_within(result.least->phi, options_.limits.phi) &&
+            is_within(result.least->theta, options_.limits.theta))
+            result.feasible = result.least;
         if (const std::optional<FittedPose>& shown =
                 result.feasible ? result.feasible : result.least)
             result.status = status_of(*shown);
