@@ -9,7 +9,8 @@
 #include "endmill/accessibility/visibility.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
-#include "random.h"
+#include "plain_reach.h"
+#include "random_maps.h"
 #include "teapot.h"
 
 namespace endmill {
@@ -94,6 +95,96 @@ TEST(Setups, AreTheSameOnAnyNumberOfThreads)
         EXPECT_EQ(all.setups[i].facets, one.setups[i].facets);
         EXPECT_EQ(all.setups[i].pose.r2_axis, one.setups[i].pose.r2_axis);
     }
+}
+
+// The rule as it is written: every candidate counted anew for every setup.
+SetupCover plain_greedy(const VisibilityMap& map, std::span<const Vec3> centres,
+                        const SetupReach& reach, std::size_t most)
+{
+    std::set<std::size_t> rest;
+    for (std::size_t facet = 0; facet < map.facets(); ++facet)
+        for (std::size_t cell = 0; cell < map.cells(); ++cell)
+            if (map.is_accessible(facet, cell))
+                rest.insert(facet);
+    SetupCover cover;
+    while (!rest.empty() && cover.setups.size() < most) {
+        PartialSetup best;
+        for (std::size_t pole = 0; pole < map.cells(); ++pole) {
+            for (std::size_t turn = 0; turn < turns_about_tool_axis; ++turn) {
+                const RotaryFrame frame = frame_at(reach, centres[pole], turn);
+                std::vector<bool> takes(map.cells());
+                for (std::size_t cell = 0; cell < map.cells(); ++cell)
+                    takes[cell] =
+                        cell == pole ||
+                        (reach.axes > 3 && test::takes(reach, frame, centres[cell]));
+                std::vector<std::size_t> reached;
+                for (const std::size_t facet : rest)
+                    for (std::size_t cell = 0; cell < map.cells(); ++cell)
+                        if (takes[cell] && map.is_accessible(facet, cell)) {
+                            reached.push_back(facet);
+                            break;
+                        }
+                if (reached.size() > best.facets.size())
+                    best = {{frame.tool_axis, frame.r1_axis, frame.r2_axis}, reached};
+            }
+        }
+        for (const std::size_t facet : best.facets)
+            rest.erase(facet);
+        cover.setups.push_back(best);
+    }
+    cover.uncovered.assign(rest.begin(), rest.end());
+    return cover;
+}
+
+void expect_equal(const SetupCover& found, const SetupCover& expected)
+{
+    EXPECT_EQ(found.uncovered, expected.uncovered);
+    ASSERT_EQ(found.setups.size(), expected.setups.size());
+    for (std::size_t i = 0; i < found.setups.size(); ++i) {
+        EXPECT_EQ(found.setups[i].facets, expected.setups[i].facets);
+        EXPECT_EQ(found.setups[i].pose.tool_axis, expected.setups[i].pose.tool_axis);
+        EXPECT_EQ(found.setups[i].pose.r2_axis, expected.setups[i].pose.r2_axis);
+    }
+}
+
+TEST(Setups, AreThoseOfThePlainRule)
+{
+    test::Random random{21};
+    const SphereGrid grid = sphere_grid("hex:1");
+    for (const SetupReach& reach : test::reaches()) {
+        // No cell opposite to another, where the turn of C is a matter of rounding.
+        const std::vector<Vec3> centres(grid.centres.begin(), grid.centres.begin() + 6);
+        const auto facets = static_cast<std::size_t>(random.uniform(1, 80));
+        const VisibilityMap map = test::random_caps(facets, centres, random);
+        const auto most = static_cast<std::size_t>(random.uniform(1, 6));
+        expect_equal(greedy_setups(map, centres, reach, most),
+                     plain_greedy(map, centres, reach, most));
+    }
+    const SphereGrid finer = sphere_grid("hex:2");
+    const VisibilityMap map = test::random_caps(150, finer.centres, random);
+    for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
+        const SetupReach reach{.family = family, .limits = {{-0.3, 0.5}, {-0.4, 0.2}}};
+        expect_equal(greedy_setups(map, finer.centres, reach, 9),
+                     plain_greedy(map, finer.centres, reach, 9));
+    }
+}
+
+TEST(Setups, TellHowFarTheyAre)
+{
+    const SphereGrid grid = sphere_grid("hex:4");
+    const VisibilityMap map = teapot_map(grid, 80);
+    std::size_t setup = 0;
+    std::size_t tried = 0;
+    const auto note = [&](const SetupsProgress& now) {
+        EXPECT_TRUE(now.setup == setup ? now.tried > tried : now.setup == setup + 1);
+        EXPECT_LE(now.tried, now.axes);
+        setup = now.setup;
+        tried = now.tried;
+    };
+    const SetupCover cover = greedy_setups(map, grid.centres, {.axes = 3}, 20, note);
+    EXPECT_EQ(setup, cover.setups.size());
+    const auto stop = [](const SetupsProgress&) { throw LimitError{"enough"}; };
+    EXPECT_THROW(greedy_setups(map, grid.centres, {.axes = 3}, 20, stop), LimitError);
 }
 
 TEST(Setups, LeaveOutWhatNothingReaches)

@@ -2,168 +2,204 @@
 #include "endmill/accessibility/setups.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
+#include <array>
+#include <atomic>
 #include <cstdint>
+#include <numeric>
 
-#include <Eigen/Geometry>
-
-#include "endmill/accessibility/pole_points.h"
+#include "endmill/accessibility/distinct_cones.h"
+#include "endmill/accessibility/turn_cover.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
-#include "endmill/machine/axis_limits.h"
-#include "endmill/machine/rotary_angles.h"
 
 namespace endmill {
 namespace {
 
-using Bits = std::vector<std::uint64_t>;
-
-constexpr int turns_about_tool_axis = 72;  // of 5 degrees
+// Tool axes that are tried between two looks at the best: fixed, so that which are tried does
+// not depend on the number of threads; so many that a tile of cones serves some of them.
+constexpr std::size_t axes_per_round = 32;
 
 // A candidate and how many facets of the rest it reaches.
 struct Reached {
     std::size_t facets = 0;
     std::size_t cell = 0;
-    int turn = 0;
+    std::size_t turn = 0;
 };
 
-RotaryFrame frame_at(const SetupReach& reach, const PoleFrame& pole, int turn)
+bool is_better(const Reached& one, const Reached& other)
 {
-    const double azimuth = 2 * std::numbers::pi * turn / turns_about_tool_axis;
-    const Vec3 across = pole.equator(azimuth);
-    if (reach.axes == 5 && reach.family == RotaryFamily::CA)
-        return {RotaryFamily::CA, pole.pole, pole.pole, across};
-    const Vec3 r2 = pole.pole.cross(across);
-    return {RotaryFamily::AB, pole.pole, across, reach.is_b_first ? Vec3{-r2} : r2};
+    return one.facets != other.facets ? one.facets > other.facets : one.cell < other.cell;
 }
 
-// Whether the direction is one that the machine's tool takes.
-bool is_feasible(const SetupReach& reach, const RotaryFrame& frame, const Vec3& direction)
-{
-    const RotaryLimits& limits = reach.limits;
-    if (reach.axes == 4) {
-        const double off =
-            std::asin(std::min(std::abs(direction.dot(frame.r1_axis)), 1.0));
-        return off <= reach.arc_tolerance.radians() + turn_tolerance &&
-               turn_within(limits.phi, rotary_angles(frame, direction).phi);
-    }
-    const RotaryAngles angles = rotary_angles(frame, direction);
-    const auto holds = [&](const RotaryAngles& turns) {
-        return turn_within(limits.phi, turns.phi) &&
-               turn_within(limits.theta, turns.theta);
-    };
-    return holds(angles) || (frame.family == RotaryFamily::CA &&
-                             holds(other_rotary_angles(frame.family, angles)));
-}
+// A tool axis and what it could reach at most.
+struct Hope {
+    std::size_t cell;
+    std::size_t facets;
+};
 
 class GreedyChoice {
 public:
     GreedyChoice(const VisibilityMap& map, std::span<const Vec3> centres,
-                 const SetupReach& reach)
-        : map_{map},
+                 const SetupReach& reach,
+                 const std::function<void(const SetupsProgress&)>& progress)
+        : cones_{map},
           centres_{centres},
           reach_{reach},
-          turns_{reach.axes == 3 ? 1 : turns_about_tool_axis},
-          rest_(map.words(), 0)
+          progress_{progress},
+          rest_(cones_.size()),
+          hopes_(map.cells())
     {
-        for (std::size_t i = 0; i < map.cells(); ++i)
-            for (std::size_t w = 0; w < map.words(); ++w)
-                rest_[w] |= map.column(i)[w];
+        std::iota(rest_.begin(), rest_.end(), std::size_t{0});
+        // Those of most facets first: the others have sizes of few bits.
+        std::ranges::stable_sort(rest_, [this](std::size_t a, std::size_t b) {
+            return cones_.facets(a) > cones_.facets(b);
+        });
+        for (std::size_t cell = 0; cell < hopes_.size(); ++cell)
+            hopes_[cell] = {cell, facets_left()};
     }
 
-    bool is_done() const
-    {
-        return std::ranges::all_of(rest_, [](std::uint64_t word) { return word == 0; });
-    }
+    bool is_done() const { return rest_.empty(); }
 
     PartialSetup next()
     {
         const Reached best = best_candidate();
-        const RotaryFrame frame = frame_of(best);
-        const Bits reached = reached_by(best.cell, frame);
+        const RotaryFrame frame = frame_at(reach_, centres_[best.cell], best.turn);
         PartialSetup setup{{frame.tool_axis, frame.r1_axis, frame.r2_axis}, {}};
-        setup.facets = facets_of(reached);
-        for (std::size_t w = 0; w < rest_.size(); ++w)
-            rest_[w] &= ~reached[w];
+        setup.facets = facets_of(take_reached(best));
+        ++chosen_;
         return setup;
     }
 
-    std::vector<std::size_t> rest() const { return facets_of(rest_); }
+    std::vector<std::size_t> rest() const
+    {
+        std::vector<char> is_left(cones_.size(), 0);
+        for (const std::size_t cone : rest_)
+            is_left[cone] = 1;
+        return facets_of(is_left);
+    }
 
 private:
-    static std::vector<std::size_t> facets_of(const Bits& bits)
+    using Turns = std::vector<std::vector<FeasibleTurns>>;  // of some tool axes
+
+    std::size_t facets_left() const
     {
-        std::vector<std::size_t> facets;
-        for (std::size_t w = 0; w < bits.size(); ++w)
-            for (std::uint64_t left = bits[w]; left != 0; left &= left - 1)
-                facets.push_back(64 * w +
-                                 static_cast<std::size_t>(std::countr_zero(left)));
+        std::size_t facets = 0;
+        for (const std::size_t cone : rest_)
+            facets += cones_.facets(cone);
         return facets;
     }
 
-    RotaryFrame frame_of(const Reached& candidate) const
+    std::vector<std::size_t> facets_of(const std::vector<char>& has_cone) const
     {
-        return frame_at(reach_, PoleFrame{centres_[candidate.cell]}, candidate.turn);
+        std::vector<std::size_t> facets;
+        for (std::size_t facet = 0; facet < cones_.cone_of().size(); ++facet) {
+            const std::size_t cone = cones_.cone_of()[facet];
+            if (cone != DistinctCones::none && has_cone[cone] != 0)
+                facets.push_back(facet);
+        }
+        return facets;
     }
 
-    // Of the rest.
-    Bits reached_by(std::size_t cell, const RotaryFrame& frame) const
+    // The axes of most hope first. What one reached of an earlier rest it cannot exceed: axes
+    // are tried while they may still be better than the best.
+    Reached best_candidate()
     {
-        Bits reached(map_.words(), 0);
-        const auto add = [&](std::size_t i) {
-            for (std::size_t w = 0; w < reached.size(); ++w)
-                reached[w] |= map_.column(i)[w] & rest_[w];
-        };
-        add(cell);
-        for (std::size_t i = 0; reach_.axes > 3 && i < map_.cells(); ++i)
-            if (is_feasible(reach_, frame, centres_[i]))
-                add(i);
-        return reached;
-    }
-
-    Reached best_at(std::size_t cell) const
-    {
-        const PoleFrame pole{centres_[cell]};
-        Reached best{0, cell, 0};
-        for (int turn = 0; turn < turns_; ++turn) {
-            std::size_t facets = 0;
-            for (const std::uint64_t word :
-                 reached_by(cell, frame_at(reach_, pole, turn)))
-                facets += static_cast<std::size_t>(std::popcount(word));
-            if (facets > best.facets)
-                best = {facets, cell, turn};
+        std::ranges::sort(hopes_, [](const Hope& a, const Hope& b) {
+            return a.facets != b.facets ? a.facets > b.facets : a.cell < b.cell;
+        });
+        const ConeTiles tiles{cones_, rest_};
+        Reached best{0, centres_.size(), 0};
+        std::size_t tried = 0;
+        while (tried < hopes_.size() &&
+               is_better({hopes_[tried].facets, hopes_[tried].cell}, best)) {
+            const auto some = std::span{hopes_}.subspan(
+                tried, std::min(axes_per_round, hopes_.size() - tried));
+            for (const Reached& reached : best_turns(tiles, some))
+                if (is_better(reached, best))
+                    best = reached;
+            tried += some.size();
+            if (progress_)
+                progress_({chosen_ + 1, tried, hopes_.size()});
         }
         return best;
     }
 
-    Reached best_candidate() const
+    // The best turn about each of these axes, which is what to hope for from then on.
+    std::vector<Reached> best_turns(const ConeTiles& tiles, std::span<Hope> axes) const
     {
-        std::vector<Reached> found(map_.cells());
-        parallel_for(found.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t cell = begin; cell < end; ++cell)
-                found[cell] = best_at(cell);
+        const Turns turns = feasible(axes);
+        std::vector<std::atomic<std::size_t>> counts(axes.size() * turns_about_tool_axis);
+        parallel_for(tiles.size() * axes.size(), [&](std::size_t begin, std::size_t end) {
+            TurnCoverScratch scratch;
+            for (std::size_t i = begin; i < end; ++i) {
+                std::array<std::size_t, turns_about_tool_axis> found{};
+                const std::size_t axis = i % axes.size();
+                tiles.add_reached(i / axes.size(), turns[axis], found, scratch);
+                for (std::size_t turn = 0; turn < found.size(); ++turn)
+                    counts[axis * found.size() + turn] += found[turn];
+            }
         });
-        return *std::ranges::max_element(found, {}, &Reached::facets);
+        std::vector<Reached> best(axes.size());
+        for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+            best[axis].cell = axes[axis].cell;
+            for (std::size_t turn = 0; turn < turns_about_tool_axis; ++turn) {
+                const std::size_t facets = counts[axis * turns_about_tool_axis + turn];
+                if (facets > best[axis].facets)
+                    best[axis] = {facets, axes[axis].cell, turn};
+            }
+            axes[axis].facets = best[axis].facets;
+        }
+        return best;
     }
 
-    const VisibilityMap& map_;
+    Turns feasible(std::span<const Hope> axes) const
+    {
+        Turns turns(axes.size());
+        parallel_for(axes.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                turns[i] = feasible_turns(reach_, centres_, axes[i].cell);
+        });
+        return turns;
+    }
+
+    // Takes from the rest what the candidate reaches. \return for each cone whether it does.
+    std::vector<char> take_reached(const Reached& candidate)
+    {
+        std::vector<std::uint64_t> cells(cones_.row_words(), 0);
+        for (const FeasibleTurns& run : feasible_turns(reach_, centres_, candidate.cell))
+            if (run.hold(candidate.turn))
+                cells[run.cell / 64] |= std::uint64_t{1} << (run.cell % 64);
+        std::vector<char> is_reached(cones_.size(), 0);
+        for (const std::size_t cone : rest_) {
+            std::uint64_t shared = 0;
+            for (std::size_t k = 0; k < cells.size(); ++k)
+                shared |= cells[k] & cones_.row(cone)[k];
+            is_reached[cone] = shared != 0 ? 1 : 0;
+        }
+        std::erase_if(rest_, [&](std::size_t cone) { return is_reached[cone] != 0; });
+        return is_reached;
+    }
+
+    DistinctCones cones_;
     std::span<const Vec3> centres_;
     const SetupReach& reach_;
-    int turns_;
-    Bits rest_;
+    const std::function<void(const SetupsProgress&)>& progress_;
+    std::vector<std::size_t> rest_;  // cones not reached so far
+    std::vector<Hope> hopes_;        // of all cells
+    std::size_t chosen_ = 0;
 };
 
 }  // namespace
 
 SetupCover greedy_setups(const VisibilityMap& map, std::span<const Vec3> centres,
-                         const SetupReach& reach, std::size_t most)
+                         const SetupReach& reach, std::size_t most,
+                         const std::function<void(const SetupsProgress&)>& progress)
 {
     require(centres.size() == map.cells(), "greedy_setups: need a centre for each cell");
     require(3 <= reach.axes && reach.axes <= 5, "greedy_setups: need 3, 4 or 5 axes");
     require(most >= 1, "greedy_setups: need 1 <= most");
     SetupCover cover;
-    GreedyChoice choice{map, centres, reach};
+    GreedyChoice choice{map, centres, reach, progress};
     while (!choice.is_done() && cover.setups.size() < most)
         cover.setups.push_back(choice.next());
     cover.uncovered = choice.rest();
