@@ -38,15 +38,19 @@ double least_box(NodeKind kind, RotaryFamily family)
     return kind == NodeKind::Axis && family == RotaryFamily::CA ? 3 : 1;
 }
 
-/// The numbers of one cell of each pair of opposite ones. A pair is told by its nearest
-/// opposites, which a rounding cannot change.
+/// Of unit vectors: centres of cells are opposite if their sum is shorter. Those of a pair sum
+/// up to a few roundings of 1e-16, those of neighbours to a cell's width, above 1e-2.
+constexpr double opposite_sum = 1e-6;
+
+/// The numbers of one cell of each pair of opposite ones.
 std::vector<std::size_t> half_of(const SphereGrid& grid)
 {
     std::vector<std::size_t> half;
     for (std::size_t k = 0; k < grid.cells.size(); ++k) {
         const bool has_opposite =
             std::any_of(half.begin(), half.end(), [&](std::size_t other) {
-                return (grid.centres[k] + grid.centres[other]).norm() < 1e-6;
+                return (grid.centres[k] + grid.centres[other]).norm() <
+                       opposite_sum;
             });
         if (!has_opposite)
             half.push_back(k);

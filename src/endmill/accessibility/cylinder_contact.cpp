@@ -70,6 +70,10 @@ bool surrounds_axis(const Polygon& polygon, const Vec3& axis)
     return polygon.size() > 2 && (turns_left || turns_right);
 }
 
+// Relative to the largest coordinate: more than all roundings of 1.1e-16 in `may_meet` and in
+// `meets`, some hundred at most, together.
+constexpr double all_roundings = 1e-13;
+
 }  // namespace
 
 bool meets(const SolidCylinder& cylinder, const std::array<Vec3, 3>& corners)
@@ -93,8 +97,7 @@ bool may_meet(const SolidCylinder& cylinder, const Vec3& low, const Vec3& high)
 {
     const Vec3 half = (high - low) / 2;
     const Vec3 offset = low + half - cylinder.start;
-    // More than all roundings here and in `meets`.
-    const double doubt = 1e-13 * (offset.cwiseAbs().maxCoeff() + half.maxCoeff() +
+    const double doubt = all_roundings * (offset.cwiseAbs().maxCoeff() + half.maxCoeff() +
                                   cylinder.start.cwiseAbs().maxCoeff());
     const double height = offset.dot(cylinder.axis);
     const double reach = half.dot(cylinder.axis.cwiseAbs()) + doubt;

@@ -15,6 +15,9 @@ namespace endmill {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+
+// Of a direction with the tool axis: gnomonic images nearer to 90 degrees would be a million
+// times as far out as those of other directions, and their hull all roundings.
 constexpr double lowest_cosine = 1e-6;
 
 RotaryRange with_opposite(const RotaryRange& alpha)

@@ -37,7 +37,7 @@ constexpr double negligible = 1e-9;
 constexpr double first_step = 0.5;
 
 /// The best fit is improved once more at the end, with more care than pays for many.
-constexpr Descent last_descent{2 * degree, 1e-7, 36};
+constexpr Descent last_descent{.from = 2 * degree, .directions = 36};
 
 /// Cells are tried as axes by nodes of this radius, rad, and below: about half of a cell.
 constexpr double cell_sized = 3 * degree;
