@@ -6,6 +6,8 @@
 
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 namespace endmill {
 
 ProgressLine::ProgressLine(std::string work, const CommonOptions& options)
@@ -22,12 +24,17 @@ ProgressLine::~ProgressLine()
 
 void ProgressLine::show(double share)
 {
+    show(fmt::format("{:.0f} %", 100 * share));
+}
+
+void ProgressLine::show(const std::string& text)
+{
     const auto now = Clock::now();
     if (!is_wanted_ || now < next_)
         return;
     next_ = now + std::chrono::milliseconds{200};
     is_shown_ = true;
-    std::fprintf(stderr, "\r\033[K%s: %.0f %%", work_.c_str(), 100 * share);
+    std::fprintf(stderr, "\r\033[K%s: %s", work_.c_str(), text.c_str());
     std::fflush(stderr);
 }
 

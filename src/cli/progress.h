@@ -21,6 +21,9 @@ public:
     /// \param share done so far, 0 to 1.
     void show(double share);
 
+    /// \param text how far the work is, where nobody knows how much is left.
+    void show(const std::string& text);
+
 private:
     using Clock = std::chrono::steady_clock;
 

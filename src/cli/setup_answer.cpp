@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include "cli/progress.h"
@@ -63,6 +64,39 @@ SetupRequest request_for(const SetupMachine& machine, const SetupCommandOptions&
             .floor = Angle::degrees(options.floor_deg).radians(),
             .gap = options.gap,
             .max_nodes = static_cast<std::size_t>(options.max_nodes)};
+}
+
+// How far the search over whole cones is, in the unit of what it minimises.
+std::string set_progress_text(const SetSearchProgress& now, SetupObjective objective)
+{
+    const bool is_area = objective == SetupObjective::FlooredArea;
+    const auto shown = [&](double value) {
+        const double in_deg = Angle::radians(value).degrees();
+        return is_area ? Angle::radians(in_deg).degrees() : in_deg;
+    };
+    std::string text = fmt::format("{} nodes, bound {:.6g} {}", now.nodes,
+                                   shown(now.lower_bound), is_area ? "deg^2" : "deg");
+    if (now.objective)
+        text += fmt::format(", best {:.6g}", shown(*now.objective));
+    if (now.objective && now.lower_bound > 0)
+        text +=
+            fmt::format(", gap {:.1f} %", 100 * (*now.objective / now.lower_bound - 1));
+    return text;
+}
+
+BestSetup five_axis_setup(const SetupMachine& machine, const SetupInput& input,
+                          const VisibilityMap& map, const SetupCommandOptions& options)
+{
+    ProgressLine progress{"searching for a setup", options.common};
+    const double looks = 2 * static_cast<double>(map.cells());
+    SetupRequest request = request_for(machine, options);
+    request.cell_progress = [&](std::size_t done) {
+        progress.show(static_cast<double>(done) / looks);
+    };
+    request.set_progress = [&](const SetSearchProgress& now) {
+        progress.show(set_progress_text(now, options.objective));
+    };
+    return best_setup(input.grid, map, request);
 }
 
 // Rotary axes of a machine of four axes that are tried: 2.7 degrees from the next, as half a
@@ -136,7 +170,7 @@ BestSetup setup_on(const SetupMachine& machine, const SetupInput& input,
     if (!configuration.is_valid())
         return without_setup();
     if (configuration.family)
-        return best_setup(input.grid, visibility.map(), request_for(machine, options));
+        return five_axis_setup(machine, input, visibility.map(), options);
     if (configuration.rotary.empty())
         return three_axis_setup(input, visibility);
     return four_axis_setup(machine, input, visibility.map(), options);
@@ -203,6 +237,18 @@ SetupReach reach_of(const SetupMachine& machine, const SetupCommandOptions& opti
             Angle::degrees(options.arc_tolerance_deg)};
 }
 
+SetupCover several_setups(const SetupMachine& machine, const SetupInput& input,
+                          const VisibilityMap& map, const SetupCommandOptions& options)
+{
+    ProgressLine progress{"choosing setups", options.common};
+    return greedy_setups(map, input.grid.centres, reach_of(machine, options),
+                         static_cast<std::size_t>(options.max_setups),
+                         [&](const SetupsProgress& now) {
+                             progress.show(fmt::format("setup {}, {} of {} tool axes",
+                                                       now.setup, now.tried, now.axes));
+                         });
+}
+
 // Machinable first, then undecided, then not.
 int machinable_rank(const SetupAnswer& answer)
 {
@@ -262,9 +308,7 @@ SetupAnswer answer_for(const SetupMachine& machine, const SetupInput& input,
     if (answer.told())
         add_travel(answer, input, visibility, options);
     if (options.max_setups > 1 && configuration.is_valid())
-        answer.setups = greedy_setups(visibility.map(), input.grid.centres,
-                                      reach_of(machine, options),
-                                      static_cast<std::size_t>(options.max_setups));
+        answer.setups = several_setups(machine, input, visibility.map(), options);
     answer.seconds = seconds_since(start);
     return answer;
 }

@@ -320,6 +320,31 @@ TEST(SetSearch, GivesTheSameForAnyNumberOfThreads)
     set_thread_count(int(std::max(std::thread::hardware_concurrency(), 1U)));
 }
 
+TEST(SetSearch, TellsOfABestThatFallsAndOfNodesAndOfTheBoundAtTheEnd)
+{
+    const SphereGrid grid = sphere_grid("hex:4");
+    std::mt19937 random{5};
+    const VisibilityMap map = random_map(grid, 15, random);
+    std::vector<SetSearchProgress> told;
+    SetSearchOptions options;
+    const auto silent = set_search(grid, map, options);
+    options.progress = [&](const SetSearchProgress& now) { told.push_back(now); };
+    const auto result = set_search(grid, map, options);
+    EXPECT_EQ(result.objective, silent.objective);
+    EXPECT_EQ(result.lower_bound, silent.lower_bound);
+    ASSERT_FALSE(told.empty());
+    for (std::size_t k = 1; k < told.size(); ++k) {
+        EXPECT_GT(told[k].nodes, told[k - 1].nodes);
+        EXPECT_LE(*told[k].objective, *told[k - 1].objective);
+    }
+    for (const SetSearchProgress& now : told)
+        EXPECT_LE(now.lower_bound, *now.objective);
+    EXPECT_EQ(told.back().nodes, result.nodes);
+    EXPECT_EQ(told.back().lower_bound, result.lower_bound);
+    options.progress = [](const SetSearchProgress&) { throw LimitError{"enough"}; };
+    EXPECT_THROW(set_search(grid, map, options), LimitError);
+}
+
 TEST(SetSearch, NeedsNoRangeWhereOneDirectionReachesAll)
 {
     const SphereGrid grid = sphere_grid("hex:4");

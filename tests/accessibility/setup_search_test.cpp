@@ -400,5 +400,18 @@ TEST(SetupSearch, NeedsACentreOfUnitLengthForEachCell)
     EXPECT_THROW(pose_fit(2 * up, {}, {}), DomainError);
 }
 
+TEST(SetupSearch, TellsOfTwoLooksAtEachPose)
+{
+    const Part& part = teapot("hex:4");
+    SetupOptions options{RotaryFamily::AB, SetupMode::Corrected};
+    std::size_t told = 0;
+    options.progress = [&](std::size_t done) { EXPECT_EQ(done, ++told); };
+    const SetupSearch found = setup_search(part.map, part.centres, options);
+    EXPECT_EQ(told, 2 * part.centres.size());
+    options.progress = {};
+    EXPECT_EQ(setup_search(part.map, part.centres, options).least->area,
+              found.least->area);
+}
+
 }  // namespace
 }  // namespace endmill

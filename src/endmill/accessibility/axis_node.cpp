@@ -49,8 +49,7 @@ std::vector<std::size_t> half_of(const SphereGrid& grid)
     for (std::size_t k = 0; k < grid.cells.size(); ++k) {
         const bool has_opposite =
             std::any_of(half.begin(), half.end(), [&](std::size_t other) {
-                return (grid.centres[k] + grid.centres[other]).norm() <
-                       opposite_sum;
+                return (grid.centres[k] + grid.centres[other]).norm() < opposite_sum;
             });
         if (!has_opposite)
             half.push_back(k);

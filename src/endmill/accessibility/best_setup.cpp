@@ -16,7 +16,8 @@ SetupSearch at_cells(const SphereGrid& grid, const VisibilityMap& map,
                      const SetupRequest& request, SetupMode mode)
 {
     return setup_search(map, grid.centres,
-                        {request.family, mode, request.limits, request.is_b_first});
+                        {request.family, mode, request.limits, request.is_b_first,
+                         request.cell_progress});
 }
 
 BestSetup found_at_cells(SetupSearch search)
@@ -68,9 +69,9 @@ BestSetup over_cones(const SphereGrid& grid, const VisibilityMap& map,
 {
     const bool is_reversed = request.family == RotaryFamily::AB && request.is_b_first;
     const std::vector<SetupPose> starts = starting_poses(grid, map, request);
-    SetSearchOptions options{request.family, request.objective, request.floor,
-                             request.gap,    request.max_nodes, {},
-                             starts};
+    SetSearchOptions options{request.family, request.objective,   request.floor,
+                             request.gap,    request.max_nodes,   {},
+                             starts,         request.set_progress};
     const SetSearchResult any = set_search(grid, map, options);
     const bool is_limited = request.limits != RotaryLimits{};
     if (is_limited)

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -28,6 +29,10 @@ struct SetupRequest {
     double floor = 5.9 * std::numbers::pi / 180;  ///< rad, of the floored area: above 0
     double gap = 0.05;                ///< of the search over whole cones: above 0
     std::size_t max_nodes = 200'000;  ///< the same
+    /// Of the search at cells, as in SetupOptions: two looks at each.
+    std::function<void(std::size_t looks)> cell_progress = {};
+    /// Of the search over whole cones, as in SetSearchOptions.
+    std::function<void(const SetSearchProgress&)> set_progress = {};
 };
 
 /// The best setup, and what is known of it.

@@ -98,7 +98,7 @@ bool may_meet(const SolidCylinder& cylinder, const Vec3& low, const Vec3& high)
     const Vec3 half = (high - low) / 2;
     const Vec3 offset = low + half - cylinder.start;
     const double doubt = all_roundings * (offset.cwiseAbs().maxCoeff() + half.maxCoeff() +
-                                  cylinder.start.cwiseAbs().maxCoeff());
+                                          cylinder.start.cwiseAbs().maxCoeff());
     const double height = offset.dot(cylinder.axis);
     const double reach = half.dot(cylinder.axis.cwiseAbs()) + doubt;
     if (height + reach < cylinder.from || height - reach > cylinder.to)

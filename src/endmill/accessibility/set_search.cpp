@@ -108,11 +108,33 @@ private:
         std::vector<AxisNode> fresh = root_nodes(fitting_);
         while (!fresh.empty()) {
             has_small_arc = bound(std::move(fresh)) || has_small_arc;
+            report();
             if (has_small_arc && may_retry && 2 * result_.nodes < options_.max_nodes)
                 return false;
             fresh = next_round();
         }
         return true;
+    }
+
+    void report() const
+    {
+        if (!options_.progress)
+            return;
+        SetSearchProgress now{result_.nodes, std::nullopt, lower_bound(target())};
+        if (best_)
+            now.objective = best_->objective;
+        options_.progress(now);
+    }
+
+    // Of all poses, if of those that were dropped it is `dropped`.
+    double lower_bound(double dropped) const
+    {
+        double bound = dropped;
+        if (!queue_.empty())
+            bound = std::min(bound, queue_.front().node.bound);
+        for (const double unresolved : unresolved_)
+            bound = std::min(bound, unresolved);
+        return bound;
     }
 
     void improve(const std::optional<AxisFit>& fit)
@@ -203,15 +225,9 @@ private:
 
     SetSearchResult result(double proved)
     {
-        double bound = proved;
-        for (const Waiting& waiting : queue_)
-            bound = std::min(bound, waiting.node.bound);
-        for (const double unresolved : unresolved_) {
-            bound = std::min(bound, unresolved);
-            if (unresolved < proved)
-                ++result_.unresolved;
-        }
-        result_.lower_bound = bound;
+        result_.unresolved = static_cast<std::size_t>(
+            std::ranges::count_if(unresolved_, [=](double b) { return b < proved; }));
+        result_.lower_bound = lower_bound(proved);
         if (best_) {
             result_.machinability = Machinability::Machinable;
             result_.ranges = best_->ranges;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -14,6 +15,13 @@
 
 namespace endmill {
 
+/// How far a search has come.
+struct SetSearchProgress {
+    std::size_t nodes;                ///< bounded
+    std::optional<double> objective;  ///< of the best pose so far, as in SetSearchResult
+    double lower_bound;               ///< no pose has less; the same
+};
+
 /// What to search for, and how long.
 struct SetSearchOptions {
     RotaryFamily family = RotaryFamily::CA;
@@ -23,6 +31,8 @@ struct SetSearchOptions {
     std::size_t max_nodes = 200'000;    ///< triangles of axes to bound, then stop
     RotaryLimits limits;                ///< turns of the tool, words with R2 = C x R1
     std::span<const SetupPose> starts;  ///< poses whose axes are tried first
+    /// Called now and then by the calling thread. What it throws ends the work.
+    std::function<void(const SetSearchProgress&)> progress = {};
 };
 
 /// Whether one setup does.

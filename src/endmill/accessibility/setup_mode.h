@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -41,6 +43,10 @@ struct SetupOptions {
 
     /// A,B: the first rotary axis is B, so that r2 = r1 x C; else r2 = C x r1.
     bool is_b_first = false;
+
+    /// Called after each of the two looks at a pose, the quick and the exact one, with the
+    /// number of those done, by one thread at a time, whichever. What it throws ends the work.
+    std::function<void(std::size_t done)> progress = {};
 };
 
 /// Areas, in rad^2, above which a fit is of no interest.

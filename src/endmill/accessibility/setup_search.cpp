@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "endmill/accessibility/direction_count.h"
 #include "endmill/accessibility/nearest_cells.h"
 #include "endmill/accessibility/rectangle_fit.h"
 #include "endmill/accessibility/sector_fit.h"
@@ -70,6 +71,7 @@ public:
         : map_{map},
           centres_{centres},
           options_{options},
+          looks_{options.progress},
           directions_(centres.size()),
           least_(centres.size()),
           feasible_(centres.size()),
@@ -105,9 +107,11 @@ private:
     template <class Body>
     void for_each_pose(const Body& body)
     {
-        parallel_for(centres_.size(), [&body](std::size_t begin, std::size_t end) {
-            for (std::size_t pose = begin; pose < end; ++pose)
+        parallel_for(centres_.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t pose = begin; pose < end; ++pose) {
                 body(pose);
+                looks_.one_more();
+            }
         });
     }
 
@@ -145,7 +149,8 @@ private:
 
     const VisibilityMap& map_;
     std::span<const Vec3> centres_;
-    SetupOptions options_;
+    const SetupOptions& options_;
+    DirectionCount looks_;
     std::vector<std::vector<Vec3>> directions_;
     std::vector<std::optional<FittedPose>> least_;
     std::vector<std::optional<FittedPose>> feasible_;
