@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "endmill/accessibility/distinct_cones.h"
 #include "endmill/accessibility/setup_order.h"
 #include "endmill/accessibility/setup_search.h"
 
@@ -117,9 +118,11 @@ std::array<double, 2> magnitudes(const RotaryRange& range)
 BestSetup best_setup(const SphereGrid& grid, const VisibilityMap& map,
                      const SetupRequest& request)
 {
+    // Facets that are seen alike ask for the same directions: of flat regions one is left.
+    const VisibilityMap cones = DistinctCones{map}.map();
     if (!request.mode)
-        return over_cones(grid, map, request);
-    return found_at_cells(at_cells(grid, map, request, *request.mode));
+        return over_cones(grid, cones, request);
+    return found_at_cells(at_cells(grid, cones, request, *request.mode));
 }
 
 }  // namespace endmill
