@@ -11,6 +11,7 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/accessibility/least_cones.h"
 #include "endmill/accessibility/pole_points.h"
 #include "endmill/accessibility/setup_mode.h"
 #include "endmill/accessibility/setup_order.h"
@@ -59,14 +60,26 @@ void for_each_bit(std::span<const std::uint64_t> words, const Take& take)
     }
 }
 
-std::vector<std::uint64_t> reached_facets(const VisibilityMap& map)
+// A map of the cones that decide: what meets these meets all that are not empty.
+VisibilityMap deciding_cones(const VisibilityMap& map)
+{
+    const DistinctCones cones{map};
+    return cones.map(least_cones(cones));
+}
+
+// Whether each facet has a cell among these: else no window will do, however wide.
+bool reach_all(const VisibilityMap& map, const std::vector<NearCell>& near)
 {
     std::vector<std::uint64_t> reached(map.words(), 0);
-    for (std::size_t cell = 0; cell < map.cells(); ++cell) {
+    for (const NearCell& cell : near) {
+        const auto column = map.column(cell.cell);
         for (std::size_t i = 0; i < reached.size(); ++i)
-            reached[i] |= map.column(cell)[i];
+            reached[i] |= column[i];
     }
-    return reached;
+    std::size_t facets = 0;
+    for (const std::uint64_t word : reached)
+        facets += static_cast<std::size_t>(std::popcount(word));
+    return facets == map.facets();
 }
 
 struct Window {
@@ -74,15 +87,14 @@ struct Window {
     double width;
 };
 
-// The least window that meets, for each of `wanted`, an interval of one of its cells.
+// The least window that meets, for each facet, an interval of one of its cells.
 // A window that ends at the begin of an interval must begin, for each facet, before the end
 // of one of those begun so far: the one that ends last. Two rounds see all.
 std::optional<Window> least_window(const VisibilityMap& map,
-                                   const std::vector<NearCell>& near,
-                                   std::span<const std::uint64_t> wanted)
+                                   const std::vector<NearCell>& near)
 {
-    std::vector<std::size_t> facets;
-    for_each_bit(wanted, [&facets](std::size_t facet) { facets.push_back(facet); });
+    if (!reach_all(map, near))
+        return std::nullopt;
     std::vector<double> ends(map.facets(), -infinity);
     Window least{0, infinity};
     for (const double round : {0.0, 2 * pi}) {
@@ -91,8 +103,8 @@ std::optional<Window> least_window(const VisibilityMap& map,
                 ends[facet] = std::max(ends[facet], cell.to + round);
             });
             double begin = cell.from + round;
-            for (const std::size_t facet : facets)
-                begin = std::min(begin, ends[facet]);
+            for (const double end : ends)
+                begin = std::min(begin, end);
             const double width = cell.from + round - begin;
             if (width < least.width - equal_angles)
                 least = {begin, width};
@@ -112,12 +124,11 @@ void check_arc(const VisibilityMap& map, std::span<const Vec3> centres, Angle to
 
 std::optional<DirectionArc> arc_about(const VisibilityMap& map,
                                       std::span<const Vec3> centres, const Vec3& axis,
-                                      double tolerance,
-                                      std::span<const std::uint64_t> wanted)
+                                      double tolerance)
 {
     const PolePoints points{axis, centres};
     const auto near = cells_near(points, std::max(tolerance, equal_angles));
-    const std::optional<Window> window = least_window(map, near, wanted);
+    const std::optional<Window> window = least_window(map, near);
     if (!window)
         return std::nullopt;
     return DirectionArc{axis, points.frame.equator(window->begin),
@@ -145,7 +156,7 @@ std::optional<DirectionArc> shortest_arc(const VisibilityMap& map,
                                          Angle tolerance)
 {
     check_arc(map, centres, tolerance);
-    return arc_about(map, centres, axis, tolerance.radians(), reached_facets(map));
+    return arc_about(deciding_cones(map), centres, axis, tolerance.radians());
 }
 
 SetupSearch arc_search(const VisibilityMap& map, std::span<const Vec3> centres,
@@ -154,11 +165,11 @@ SetupSearch arc_search(const VisibilityMap& map, std::span<const Vec3> centres,
 {
     check_arc(map, centres, tolerance);
     check_setup_options({.limits = {limits, {}}});
-    const std::vector<std::uint64_t> wanted = reached_facets(map);
+    const VisibilityMap cones = deciding_cones(map);
     std::vector<std::optional<DirectionArc>> arcs(axes.size());
     parallel_for(axes.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            arcs[i] = arc_about(map, centres, axes[i], tolerance.radians(), wanted);
+            arcs[i] = arc_about(cones, centres, axes[i], tolerance.radians());
     });
     SetupSearch result;
     result.poses_tried = axes.size();

@@ -19,7 +19,7 @@ namespace endmill {
 /// columns is 0.
 class ConeSet {
 public:
-    /// Of equal cones the first stays. About cones^2 words * cells / 64 operations.
+    /// Of equal cones the first stays. See `least_cones` for the time it takes.
     explicit ConeSet(const VisibilityMap& map);
 
     /// Facets whose cones are kept, ascending.

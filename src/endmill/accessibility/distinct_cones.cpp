@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 
 #include "endmill/accessibility/bit_transpose.h"
 #include "endmill/core/parallel.h"
@@ -97,16 +98,24 @@ DistinctCones::DistinctCones(const VisibilityMap& map)
 
 VisibilityMap DistinctCones::map() const
 {
-    VisibilityMap result{size(), cells_};
+    std::vector<std::size_t> all(size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return map(all);
+}
+
+VisibilityMap DistinctCones::map(std::span<const std::size_t> cones) const
+{
+    VisibilityMap result{cones.size(), cells_};
     parallel_for(result.words(), [&](std::size_t begin, std::size_t end) {
         BitBlock block;
         for (std::size_t across = 0; across < row_words_; ++across) {
             const std::size_t cells = std::min<std::size_t>(64, cells_ - 64 * across);
             for (std::size_t word = begin; word < end; ++word) {
                 block.fill(0);
-                const std::size_t cones = std::min<std::size_t>(64, size() - 64 * word);
-                for (std::size_t k = 0; k < cones; ++k)
-                    block[k] = rows_[(64 * word + k) * row_words_ + across];
+                const std::size_t count =
+                    std::min<std::size_t>(64, cones.size() - 64 * word);
+                for (std::size_t k = 0; k < count; ++k)
+                    block[k] = row(cones[64 * word + k])[across];
                 transpose(block);
                 for (std::size_t i = 0; i < cells; ++i)
                     result.column(64 * across + i)[word] = block[i];

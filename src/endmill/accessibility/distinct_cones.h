@@ -42,6 +42,9 @@ public:
     /// The map of a part with one facet for each cone.
     VisibilityMap map() const;
 
+    /// The same of some cones. \pre all of `cones` are below size().
+    VisibilityMap map(std::span<const std::size_t> cones) const;
+
 private:
     std::size_t cells_;
     std::size_t row_words_;
