@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "endmill/accessibility/distinct_cones.h"
+#include "endmill/accessibility/many_cones_search.h"
 #include "endmill/accessibility/setup_order.h"
 #include "endmill/accessibility/setup_search.h"
 
@@ -73,11 +74,11 @@ BestSetup over_cones(const SphereGrid& grid, const VisibilityMap& map,
     SetSearchOptions options{request.family, request.objective,   request.floor,
                              request.gap,    request.max_nodes,   {},
                              starts,         request.set_progress};
-    const SetSearchResult any = set_search(grid, map, options);
+    const SetSearchResult any = many_cones_search(grid, map, options);
     const bool is_limited = request.limits != RotaryLimits{};
     if (is_limited)
         options.limits = is_reversed ? with_r2_reversed(request.limits) : request.limits;
-    SetSearchResult found = is_limited ? set_search(grid, map, options) : any;
+    SetSearchResult found = is_limited ? many_cones_search(grid, map, options) : any;
 
     BestSetup best;
     if (found.machinability != Machinability::Undecided)
