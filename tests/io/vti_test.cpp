@@ -14,43 +14,18 @@
 #include "endmill/io/output_folder.h"
 #include "random.h"
 #include "small_xml.h"
+#include "stock_files.h"
 #include "temporary_folder.h"
 
 namespace endmill {
 namespace {
 
+using test::array_at;
+using test::number_at;
+using test::rough_stock;
+using test::with_number_at;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-HeightStock rough_stock()
-{
-    HeightStock stock = block_stock({{-1.1, 0.3, -2.7}, {2.35, 4.8, 1}}, 0.3);
-    test::Random random{1};
-    for (int row = 0; row < stock.grid().rows; ++row)
-        for (int column = 0; column < stock.grid().columns; ++column)
-            stock.set_height(column, row, random.uniform(-3, 9));
-    return stock;
-}
-
-// Where in the file the array behind `offset` begins, after its size.
-std::size_t array_at(const std::string& file, std::size_t offset)
-{
-    const std::string opening = "<AppendedData encoding=\"raw\">\n_";
-    return file.find(opening) + opening.size() + offset + sizeof(std::uint64_t);
-}
-
-double number_at(const std::string& file, std::size_t at)
-{
-    double value = 0;
-    std::memcpy(&value, file.data() + at, sizeof value);
-    return value;
-}
-
-std::string with_number_at(std::string file, std::size_t at, double value)
-{
-    std::memcpy(file.data() + at, &value, sizeof value);
-    return file;
-}
 
 std::string complaint(const std::string& file, const ReadLimits& limits = {})
 {

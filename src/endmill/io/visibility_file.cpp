@@ -15,6 +15,7 @@
 #include "endmill/core/numbers.h"
 #include "endmill/io/printable.h"
 #include "endmill/io/read_file.h"
+#include "endmill/io/word_checksum.h"
 
 namespace endmill {
 namespace {
@@ -26,7 +27,7 @@ constexpr std::string_view magic = "EMILLBSM";
 constexpr std::uint32_t version = 1;
 constexpr std::size_t longest_grid = 64;
 constexpr std::size_t longest_tool = 1000;
-constexpr std::size_t word_bytes = sizeof(std::uint64_t);
+constexpr std::size_t word_bytes = WordChecksum::word_bytes;
 
 // As it stands in the file; every member is where its size wants it.
 struct Header {
@@ -56,36 +57,6 @@ constexpr std::size_t dropped_at = 56;
 constexpr std::size_t zero_at = 60;
 constexpr std::size_t names_at = sizeof(Header);
 
-// Each step can be undone, so that no change of a single word is lost on the way.
-class Checksum {
-public:
-    void add(std::uint64_t word)
-    {
-        sum_ = (sum_ ^ word) * 0x9e3779b97f4a7c15U;  // odd: 2^64 by the golden ratio
-        sum_ ^= sum_ >> 29U;
-    }
-
-    // \pre a multiple of 8 bytes.
-    void add(std::string_view bytes)
-    {
-        for (std::size_t at = 0; at < bytes.size(); at += word_bytes) {
-            std::uint64_t word = 0;
-            std::memcpy(&word, bytes.data() + at, word_bytes);
-            add(word);
-        }
-    }
-
-    std::uint64_t sum() const { return sum_; }
-
-private:
-    std::uint64_t sum_ = 0x243f6a8885a308d3U;  // of pi: nothing has a checksum, too
-};
-
-std::size_t padded(std::size_t bytes)
-{
-    return (bytes + word_bytes - 1) / word_bytes * word_bytes;
-}
-
 // Bits of the last word of a column that stand for facets.
 std::uint64_t last_word_mask(std::size_t facets)
 {
@@ -105,7 +76,7 @@ public:
     void write(std::string_view bytes)
     {
         std::string piece{bytes};
-        piece.resize(padded(bytes.size()), '\0');
+        piece.resize(whole_words(bytes.size()), '\0');
         sum_.add(piece);
         sink_(piece);
     }
@@ -118,7 +89,7 @@ public:
 
 private:
     const OutputFolder::Sink& sink_;
-    Checksum sum_;
+    WordChecksum sum_;
 };
 
 class Reader {
@@ -185,12 +156,12 @@ private:
 
     std::size_t name_bytes() const
     {
-        return padded(std::size_t{header_.grid_bytes} + header_.tool_bytes);
+        return whole_words(std::size_t{header_.grid_bytes} + header_.tool_bytes);
     }
 
     std::size_t dropped_bytes() const
     {
-        return padded(std::size_t{header_.dropped} * sizeof(std::uint32_t));
+        return whole_words(std::size_t{header_.dropped} * sizeof(std::uint32_t));
     }
 
     // \pre check_sizes has passed.
@@ -297,7 +268,7 @@ private:
 
 std::uint64_t part_checksum(const TriangleMesh& part)
 {
-    Checksum sum;
+    WordChecksum sum;
     sum.add(part.points().size());
     for (const Vec3& point : part.points())
         for (const double coordinate : point)
@@ -311,8 +282,7 @@ std::uint64_t part_checksum(const TriangleMesh& part)
 
 std::uint64_t visibility_checksum(std::string_view bytes)
 {
-    require(bytes.size() % word_bytes == 0, "visibility_checksum: need whole words");
-    Checksum sum;
+    WordChecksum sum;
     sum.add(bytes);
     return sum.sum();
 }
