@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/accessibility/setup_reach.h"
 
+#include <span>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "endmill/accessibility/sphere_grid.h"
@@ -9,31 +12,34 @@
 namespace endmill {
 namespace {
 
+// Against the angles of each cell, one turn after the other.
+void expect_those_that_fit(const SetupReach& reach, std::span<const Vec3> centres,
+                           std::size_t pole)
+{
+    const auto runs = feasible_turns(reach, centres, pole);
+    for (std::size_t turn = 0; turn < turns_about_tool_axis; ++turn) {
+        const RotaryFrame frame = frame_at(reach, centres[pole], turn);
+        std::vector<int> held(centres.size(), 0);
+        for (const FeasibleTurns& run : runs)
+            held[run.cell] += run.hold(turn) ? 1 : 0;
+        for (std::size_t cell = 0; cell < held.size(); ++cell) {
+            // Opposite to the tool axis rounding chooses the turn of C.
+            if (centres[cell].dot(centres[pole]) < -1 + 1e-12)
+                continue;
+            const bool expected =
+                cell == pole ||
+                (reach.axes > 3 && test::takes(reach, frame, centres[cell]));
+            ASSERT_EQ(held[cell], expected ? 1 : 0) << pole << ' ' << cell;
+        }
+    }
+}
+
 TEST(SetupReach, HasTheTurnsFromWhichTheAnglesFitTheLimits)
 {
     const SphereGrid grid = sphere_grid("hex:2");
-    for (const SetupReach& reach : test::reaches()) {
-        for (std::size_t pole = 0; pole < grid.centres.size(); pole += 7) {
-            const auto runs = feasible_turns(reach, grid.centres, pole);
-            for (std::size_t turn = 0; turn < turns_about_tool_axis; ++turn) {
-                const RotaryFrame frame = frame_at(reach, grid.centres[pole], turn);
-                std::vector<int> held(grid.centres.size(), 0);
-                for (const FeasibleTurns& run : runs)
-                    held[run.cell] += run.hold(turn) ? 1 : 0;
-                for (std::size_t cell = 0; cell < held.size(); ++cell) {
-                    // Opposite to the tool axis rounding chooses the turn of C.
-                    const bool is_opposite =
-                        grid.centres[cell].dot(grid.centres[pole]) < -1 + 1e-12;
-                    const bool expected =
-                        cell == pole ||
-                        (reach.axes > 3 && test::takes(reach, frame, grid.centres[cell]));
-                    if (!is_opposite) {
-                        ASSERT_EQ(held[cell], expected ? 1 : 0) << pole << ' ' << cell;
-                    }
-                }
-            }
-        }
-    }
+    for (const SetupReach& reach : test::reaches())
+        for (std::size_t pole = 0; pole < grid.centres.size(); pole += 7)
+            expect_those_that_fit(reach, grid.centres, pole);
 }
 
 // Cells at whole multiples of the step from a pole in the equator of others.

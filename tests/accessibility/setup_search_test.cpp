@@ -157,6 +157,18 @@ void expect_same_pose(const std::optional<FittedPose>& found,
     }
 }
 
+void expect_that_of_single_poses(const Part& part, const SetupOptions& options)
+{
+    const SetupSearch expected = pose_by_pose(part, options);
+    for (const int threads : {1, 3, 8, 8, 8}) {
+        set_thread_count(threads);
+        const SetupSearch found = setup_search(part.map, part.centres, options);
+        expect_same_pose(found.least, expected.least);
+        if (!found.feasible || found.feasible->cell != found.least->cell)
+            expect_same_pose(found.feasible, expected.feasible);
+    }
+}
+
 // Parts as symmetric as the grid, whose best poses are equal but for rounding.
 TEST(SetupSearch, IsThatOfPosesFittedOneByOneOnAnyNumberOfThreads)
 {
@@ -167,21 +179,11 @@ TEST(SetupSearch, IsThatOfPosesFittedOneByOneOnAnyNumberOfThreads)
     all_round.insert(all_round.end(), low.begin(), low.end());
     for (const auto& facets : {normals, all_round}) {
         const Part part = part_of_caps("hex:4", facets, 30);
-        for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
-            for (const double reach : {pi, 1.2, 0.6}) {
-                const SetupOptions options{
-                    family, SetupMode::Corrected, {{-reach, reach}, {-reach, pi}}};
-                const SetupSearch expected = pose_by_pose(part, options);
-                for (const int threads : {1, 3, 8, 8, 8}) {
-                    set_thread_count(threads);
-                    const SetupSearch found =
-                        setup_search(part.map, part.centres, options);
-                    expect_same_pose(found.least, expected.least);
-                    if (!found.feasible || found.feasible->cell != found.least->cell)
-                        expect_same_pose(found.feasible, expected.feasible);
-                }
-            }
-        }
+        for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB})
+            for (const double reach : {pi, 1.2, 0.6})
+                expect_that_of_single_poses(
+                    part,
+                    {family, SetupMode::Corrected, {{-reach, reach}, {-reach, pi}}});
     }
     set_thread_count(4);
 }
@@ -377,6 +379,7 @@ TEST(SetupSearch, IsNeverWorseCorrected)
     test::Random random{61};
     for (int i = 0; i < 60; ++i) {
         std::vector<Vec3> normals;
+        normals.reserve(20);
         for (int k = 0; k < 2 + i % 19; ++k)
             normals.push_back(
                 direction({random.uniform(0, 360), random.uniform(0, 120)}));

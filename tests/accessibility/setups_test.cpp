@@ -97,37 +97,49 @@ TEST(Setups, AreTheSameOnAnyNumberOfThreads)
     }
 }
 
+std::set<std::size_t> with_a_cone(const VisibilityMap& map)
+{
+    std::set<std::size_t> facets;
+    for (std::size_t facet = 0; facet < map.facets(); ++facet)
+        for (std::size_t cell = 0; cell < map.cells(); ++cell)
+            if (map.is_accessible(facet, cell))
+                facets.insert(facet);
+    return facets;
+}
+
+// Of the rest.
+std::vector<std::size_t> reached_by(const RotaryFrame& frame, const VisibilityMap& map,
+                                    std::span<const Vec3> centres,
+                                    const SetupReach& reach,
+                                    const std::set<std::size_t>& rest)
+{
+    std::set<std::size_t> reached;
+    for (std::size_t cell = 0; cell < map.cells(); ++cell) {
+        const bool is_taken =
+            centres[cell] == frame.tool_axis ||
+            (reach.axes > 3 && test::takes(reach, frame, centres[cell]));
+        for (const std::size_t facet : rest)
+            if (is_taken && map.is_accessible(facet, cell))
+                reached.insert(facet);
+    }
+    return {reached.begin(), reached.end()};
+}
+
 // The rule as it is written: every candidate counted anew for every setup.
 SetupCover plain_greedy(const VisibilityMap& map, std::span<const Vec3> centres,
                         const SetupReach& reach, std::size_t most)
 {
-    std::set<std::size_t> rest;
-    for (std::size_t facet = 0; facet < map.facets(); ++facet)
-        for (std::size_t cell = 0; cell < map.cells(); ++cell)
-            if (map.is_accessible(facet, cell))
-                rest.insert(facet);
+    std::set<std::size_t> rest = with_a_cone(map);
     SetupCover cover;
     while (!rest.empty() && cover.setups.size() < most) {
         PartialSetup best;
-        for (std::size_t pole = 0; pole < map.cells(); ++pole) {
+        for (std::size_t pole = 0; pole < map.cells(); ++pole)
             for (std::size_t turn = 0; turn < turns_about_tool_axis; ++turn) {
                 const RotaryFrame frame = frame_at(reach, centres[pole], turn);
-                std::vector<bool> takes(map.cells());
-                for (std::size_t cell = 0; cell < map.cells(); ++cell)
-                    takes[cell] =
-                        cell == pole ||
-                        (reach.axes > 3 && test::takes(reach, frame, centres[cell]));
-                std::vector<std::size_t> reached;
-                for (const std::size_t facet : rest)
-                    for (std::size_t cell = 0; cell < map.cells(); ++cell)
-                        if (takes[cell] && map.is_accessible(facet, cell)) {
-                            reached.push_back(facet);
-                            break;
-                        }
+                const auto reached = reached_by(frame, map, centres, reach, rest);
                 if (reached.size() > best.facets.size())
                     best = {{frame.tool_axis, frame.r1_axis, frame.r2_axis}, reached};
             }
-        }
         for (const std::size_t facet : best.facets)
             rest.erase(facet);
         cover.setups.push_back(best);
