@@ -47,16 +47,16 @@ TEST(EightShadows, FallOnWhatTheyCoverAndLieAbove)
     cells.sort(points);
     EightShadows shadows;
     std::vector<std::array<Eigen::Vector3f, 3>> triangles;
-    for (; shadows.count < 7; ++shadows.count) {
+    for (int lane = 0; lane < wide_lanes; ++lane) {
         triangles.push_back(
             {random_place(random), random_place(random), random_place(random)});
-        shadows.facet[shadows.count] = shadows.count;
+        shadows.facet[lane] = lane;
         for (int k = 0; k < 3; ++k)
             for (int axis = 0; axis < 3; ++axis)
-                shadows.corner[k][axis][shadows.count] = triangles.back()[k][axis];
+                shadows.corner[k][axis][lane] = triangles.back()[k][axis];
     }
-    prepare_shadows(shadows, cells, accuracy);
-    Darkness darkness{std::vector<std::uint8_t>(points.size(), 0), {}};
+    prepare_shadows(shadows, accuracy);
+    Darkness darkness{std::vector<std::uint8_t>(cells.blocks().size(), 0), {}};
     darken(shadows, cells, darkness);
     int dark = 0;
     for (std::size_t place = 0; place < points.size(); ++place) {
@@ -65,9 +65,9 @@ TEST(EightShadows, FallOnWhatTheyCoverAndLieAbove)
         for (const auto& triangle : triangles)
             most = std::max(most, insideness(triangle, point.place));
         if (std::abs(most) > 1e-4) {
-            EXPECT_EQ(darkness.is_dark[place], most > 0 ? 1 : 0);
+            EXPECT_EQ(darkness.is_dark(place), most > 0);
         }
-        dark += darkness.is_dark[place];
+        dark += darkness.is_dark(place) ? 1 : 0;
     }
     EXPECT_GT(dark, 50);
     EXPECT_LT(darkness.doubts.size(), 5U);
@@ -80,15 +80,14 @@ TEST(EightShadows, LeaveDoubtOnSidesAndOfUprightFacets)
     PointCells cells;
     cells.sort(points);
     EightShadows shadows;
-    shadows.count = 3;
-    shadows.facet = {3, 4, 7};
+    shadows.facet = {3, 4, 7, 7, 7, 7, 7, 7};
     shadows.corner[0] = {{{-0.2F, -0.2F, -0.2F}, {}, {}}};
     shadows.corner[1] = {{{0.2F, 0.2F, 0.2F}, {}, {}}};
     shadows.corner[2] = {{{0.1F, 0.1F, 0.1F}, {0, 0.3F, 0.3F}, {0.4F, 0, 0}}};
-    prepare_shadows(shadows, cells, accuracy);
+    prepare_shadows(shadows, accuracy);
     Darkness darkness{{0}, {}};
     darken(shadows, cells, darkness);
-    EXPECT_EQ(darkness.is_dark[0], 0);
+    EXPECT_FALSE(darkness.is_dark(0));
     ASSERT_EQ(darkness.doubts.size(), 2U);  // and no facet darkens its own point
     EXPECT_EQ(darkness.doubts[0].facet, 3);
     EXPECT_EQ(darkness.doubts[1].facet, 4);

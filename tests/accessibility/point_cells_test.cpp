@@ -2,6 +2,7 @@
 #include "endmill/accessibility/point_cells.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -63,19 +64,29 @@ TEST(PointCells, AreAboutAsManyAsPoints)
     EXPECT_EQ(cells.points(), 0U);
 }
 
-TEST(PointCells, AreCountedInStepsThatEndBesideThem)
+TEST(PointCells, AreTheNearestBesideThem)
 {
     PointCells cells;
     cells.sort(random_points(10000, 3));
-    EXPECT_EQ(cells.steps_to(-100.0F, 0), -1);
-    EXPECT_EQ(cells.steps_to(100.0F, 0), static_cast<float>(cells.columns()));
-    EXPECT_EQ(cells.steps_to(100.0F, 1), static_cast<float>(cells.rows()));
-    EXPECT_NEAR(cells.steps_to(0.0F, 1), cells.rows() / 2.0, 1);
-    const auto [begin, end] = cells.range(0, 0, -1);
-    EXPECT_EQ(begin, end);
-    const auto [beyond, last] =
-        cells.range(cells.rows() - 1, cells.columns(), cells.columns() - 1);
-    EXPECT_EQ(beyond, last);
+    EXPECT_EQ(cells.column_at(-100.0F), 0);
+    EXPECT_EQ(cells.column_at(1e30F), cells.columns() - 1);
+    EXPECT_EQ(cells.row_at(-1e30F), 0);
+    EXPECT_EQ(cells.row_at(100.0F), cells.rows() - 1);
+    EXPECT_NEAR(cells.row_at(0.0F), cells.rows() / 2.0, 1);
+}
+
+TEST(PointCells, LeaveNothingInPlacesWithoutAPoint)
+{
+    PointCells cells;
+    for (const int count : {16, 11}) {
+        cells.sort(random_points(count, 3));
+        ASSERT_EQ(cells.blocks().size(), 2U);
+        for (int lane = 0; lane < PointBlock::size; ++lane) {
+            const bool is_there = 8 + lane < count;
+            EXPECT_EQ(cells.blocks()[1].number[lane] >= 0, is_there);
+            EXPECT_EQ(std::isfinite(cells.blocks()[1].x[lane]), is_there);
+        }
+    }
 }
 
 }  // namespace

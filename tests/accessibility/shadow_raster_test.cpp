@@ -39,7 +39,8 @@ bool is_blocked(const TriangleMesh& part, const PartFacets& facets, std::size_t 
 void expect_same_shadows(const TriangleMesh& part, const std::vector<Vec3>& directions)
 {
     const PartFacets facets = part_facets(part);
-    ShadowRaster raster{part, facets};
+    const FacetGroups groups = facet_groups(part, facets);
+    ShadowRaster raster{part, groups};
     int disagreements = 0;
     for (const Vec3& direction : directions) {
         std::vector<std::uint64_t> column = all_of(part, facets);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/accessibility/eight_shadows.h"
 
+#include <algorithm>
 #include <bit>
+#include <cstddef>
+#include <cstring>
+#include <span>
 
 #include "endmill/core/widest_registers.h"
 
@@ -44,91 +48,125 @@ static_assert(lanes == PointBlock::size);
     return WideFloats{h} * sides * (2 * reach + depth_reach) * (4 + 12 * depth_reach);
 }
 
-// One of eight shadows, the same in all lanes.
-struct Shadow {
-    std::array<WideFloats, 3> origin;
-    std::array<std::array<WideFloats, 2>, 3> side;
-    WideFloats second_offset;
-    std::array<WideFloats, 3> depth;
-    WideFloats low_dz;
-    WideFloats high_dz;
-    std::int32_t facet;
-    bool is_edge_on;
+[[gnu::always_inline]] inline WideFloats wide(const EightFloats& values)
+{
+    return WideFloats{values.data()};
+}
 
-    [[gnu::always_inline]] Shadow(const EightShadows& of, int k)
-        : second_offset{of.second_offset[k]},
-          low_dz{of.low_dz[k]},
-          high_dz{of.high_dz[k]},
-          facet{of.facet[k]},
-          is_edge_on{!(of.facing[k] > 0)}
-    {
-        for (int j = 0; j < 3; ++j) {
-            origin[j] = of.corner[0][j][k];
-            side[j] = {of.side[j][0][k], of.side[j][1][k]};
-            depth[j] = of.depth[j][k];
-        }
-    }
-};
-
-// Which points may be in a shadow, and which certainly are.
-struct FoundPoints {
+// In which of eight shadows a point may be, and in which it certainly is.
+struct FoundShadows {
     WideBits may_be;
     WideBits surely;
 };
 
-[[gnu::always_inline]] inline FoundPoints points_in(const Shadow& shadow,
-                                                    const PointBlock& points)
+[[gnu::always_inline]] inline FoundShadows shadows_on(const EightShadows& shadows,
+                                                      const PointBlock& points,
+                                                      std::uint32_t lane)
 {
-    const WideFloats dx = WideFloats{points.x.data()} - shadow.origin[0];
-    const WideFloats dy = WideFloats{points.y.data()} - shadow.origin[1];
+    const WideFloats dx = WideFloats{points.x[lane]} - wide(shadows.corner[0][0]);
+    const WideFloats dy = WideFloats{points.y[lane]} - wide(shadows.corner[0][1]);
     const WideFloats dz =
-        smaller(larger(WideFloats{points.z.data()} - shadow.origin[2], shadow.low_dz),
-                shadow.high_dz);
-    const WideFloats first = shadow.side[0][0] * dx + shadow.side[0][1] * dy;
-    const WideFloats second =
-        shadow.side[1][0] * dx + shadow.side[1][1] * dy + shadow.second_offset;
-    const WideFloats third = shadow.side[2][0] * dx + shadow.side[2][1] * dy;
-    const WideFloats below =
-        shadow.depth[0] * dx + shadow.depth[1] * dy + shadow.depth[2] * dz;
+        smaller(larger(WideFloats{points.z[lane]} - wide(shadows.corner[0][2]),
+                       wide(shadows.low_dz)),
+                wide(shadows.high_dz));
+    const WideFloats first =
+        wide(shadows.side[0][0]) * dx + wide(shadows.side[0][1]) * dy;
+    const WideFloats second = wide(shadows.side[1][0]) * dx +
+                              wide(shadows.side[1][1]) * dy + wide(shadows.second_offset);
+    const WideFloats third =
+        wide(shadows.side[2][0]) * dx + wide(shadows.side[2][1]) * dy;
+    const WideFloats below = wide(shadows.depth[0]) * dx + wide(shadows.depth[1]) * dy +
+                             wide(shadows.depth[2]) * dz;
     const WideFloats least = smaller(smaller(first, second), third);
-    const WideBits is_other{points.number.data(), shadow.facet};
-    if (shadow.is_edge_on) {  // the signs of the edge functions are in doubt
-        const WideFloats most = larger(larger(first, second), third);
-        return {((WideFloats{1} >= most) | (least >= -1)) & is_other, WideFloats{} > 0};
-    }
     const WideFloats inside = smaller(least, below);
-    return {(inside >= -1) & is_other, inside > 1};
+    const WideBits is_other{shadows.facet.data(), points.number[lane]};
+    if (!shadows.has_edge_on) [[likely]]
+        return {(inside >= -1) & is_other, (inside > 1) & is_other};
+    // Of a facet on edge, the signs of the edge functions are in doubt.
+    const WideFloats most = larger(larger(first, second), third);
+    const WideFloats facing = wide(shadows.facing);
+    const WideBits is_facing = facing > 0;
+    const WideBits on_edge =
+        (WideFloats{} >= facing) & ((WideFloats{1} >= most) | (least >= -1));
+    return {(((inside >= -1) & is_facing) | on_edge) & is_other,
+            (inside > 1) & is_facing & is_other};
 }
 
-// The points in the places begin … end, which are some.
-[[gnu::always_inline]] inline void darken_range(const Shadow& shadow,
-                                                const PointBlock* blocks,
-                                                std::uint32_t begin, std::uint32_t end,
-                                                Darkness& darkness)
+// Of which points of a block the shadows may fall on one.
+[[gnu::always_inline]] inline unsigned lanes_within(const EightShadows& shadows,
+                                                    const PointBlock& points)
 {
-    const std::uint32_t last = (end - 1) / lanes;
-    for (std::uint32_t block = begin / lanes; block <= last; ++block) {
-        const FoundPoints found = points_in(shadow, blocks[block]);
-        if (!found.may_be.any())
-            continue;
-        const unsigned surely = found.surely.bits();
-        for (unsigned rest = found.may_be.bits(); rest != 0; rest &= rest - 1) {
-            const std::uint32_t place =
-                block * lanes + static_cast<std::uint32_t>(std::countr_zero(rest));
-            if (place < begin || place >= end)  // the bounds of errors do not reach there
-                continue;
-            if ((surely >> (place % lanes) & 1U) != 0)
-                darkness.is_dark[place] = 1;
-            else
-                darkness.doubts.push_back({place, shadow.facet});
-        }
+    const WideFloats x{points.x.data()};
+    const WideFloats y{points.y.data()};
+    const WideFloats z{points.z.data()};
+    return ((x >= shadows.low[0]) & (WideFloats{shadows.high[0]} >= x) &
+            (y >= shadows.low[1]) & (WideFloats{shadows.high[1]} >= y) &
+            (WideFloats{shadows.highest} >= z))
+        .bits();
+}
+
+// Of each set of lanes those that are in it, in order, and then whichever.
+constexpr auto lanes_of_sets = [] {
+    std::array<std::array<std::uint32_t, lanes>, 1U << lanes> sets{};
+    for (unsigned set = 0; set < sets.size(); ++set)
+        for (unsigned lane = 0, count = 0; lane < lanes; ++lane)
+            if ((set >> lane & 1U) != 0)
+                sets[set][count++] = lane;
+    return sets;
+}();
+
+// Places of points that are to be looked at. What is found in a block is written without a
+// branch for each lane: which are in it cannot be foretold.
+class PlaceQueue {
+public:
+    [[gnu::always_inline]] void add(std::uint32_t block, unsigned set)
+    {
+        Places places;
+        std::memcpy(&places, lanes_of_sets[set].data(), sizeof places);
+        places += block * lanes;
+        std::memcpy(places_.data() + count_, &places, sizeof places);
+        count_ += static_cast<std::size_t>(std::popcount(set));
     }
+
+    bool has_room() const { return count_ + lanes <= places_.size(); }  // for a block
+    std::span<const std::uint32_t> places() const { return {places_.data(), count_}; }
+    void clear() { count_ = 0; }
+
+private:
+    using Places = std::uint32_t __attribute__((vector_size(lanes * sizeof(float))));
+
+    std::array<std::uint32_t, 64> places_;  // more than most groups of facets meet
+    std::size_t count_ = 0;
+};
+
+[[gnu::always_inline]] inline void look_at(std::span<const std::uint32_t> places,
+                                           const EightShadows& shadows,
+                                           const PointBlock* blocks, Darkness& darkness)
+{
+    for (const std::uint32_t place : places) {
+        const FoundShadows found =
+            shadows_on(shadows, blocks[place / lanes], place % lanes);
+        const bool is_dark = found.surely.any();
+        darkness.dark_lanes[place / lanes] |=
+            static_cast<std::uint8_t>(unsigned{is_dark} << place % lanes);
+        if (is_dark || !found.may_be.any())
+            continue;
+        for (unsigned rest = found.may_be.bits(); rest != 0; rest &= rest - 1)
+            darkness.doubts.push_back({place, shadows.facet[std::countr_zero(rest)]});
+    }
+}
+
+[[gnu::always_inline]] inline float least_of(const WideFloats& values)
+{
+    EightFloats each;
+    values.store(each);
+    return *std::ranges::min_element(each);
 }
 
 }  // namespace
 
 ENDMILL_WIDEST_REGISTERS
-void prepare_shadows(EightShadows& shadows, const PointCells& cells, float accuracy)
+void prepare_shadows(EightShadows& shadows, float accuracy)
 {
     const float h = accuracy;
     std::array<std::array<WideFloats, 3>, 3> at;
@@ -141,16 +179,14 @@ void prepare_shadows(EightShadows& shadows, const PointCells& cells, float accur
         low[axis] = smaller(at[0][axis], smaller(at[1][axis], at[2][axis]));
         high[axis] = larger(at[0][axis], larger(at[1][axis], at[2][axis]));
     }
-    // Empty beside the cells. Centroids that are covered within the errors lie in the box, widened by theirs.
+    // Centroids that are covered within the errors lie in the box, widened by theirs.
     for (int axis = 0; axis < 2; ++axis) {
-        larger(cells.steps_to(WideFloats{low[axis] - 16 * h}, axis), 0)
-            .store_whole(shadows.cells[axis]);
-        smaller(cells.steps_to(WideFloats{high[axis] + 16 * h}, axis),
-                static_cast<float>((axis == 0 ? cells.columns() : cells.rows()) - 1))
-            .store_whole(shadows.cells[axis + 2]);
+        shadows.low[axis] = least_of(low[axis]) - 16 * h;
+        shadows.high[axis] = -least_of(-high[axis]) + 16 * h;
     }
+    shadows.highest = -least_of(-high[2]) + 16 * h;
     const WideFloats reach =
-        larger(high[0] - low[0], high[1] - low[1]) + 2 * cells.larger_side() + 64 * h;
+        larger(shadows.high[0] - shadows.low[0], shadows.high[1] - shadows.low[1]);
     WideFloats{low[2] - at[0][2] - reach}.store(shadows.low_dz);
     WideFloats{high[2] - at[0][2] + reach}.store(shadows.high_dz);
     const WideFloats depth_reach = high[2] - low[2] + reach;
@@ -165,7 +201,9 @@ void prepare_shadows(EightShadows& shadows, const PointCells& cells, float accur
     const WideFloats sides = size_of(e[0][0]) + size_of(e[0][1]) + size_of(e[0][2]) +
                              size_of(e[1][0]) + size_of(e[1][1]) + size_of(e[1][2]);
     const WideFloats sign = sign_of(nz);
-    WideFloats{size_of(nz) - normal_error(h, sides)}.store(shadows.facing);
+    const WideFloats facing = size_of(nz) - normal_error(h, sides);
+    facing.store(shadows.facing);
+    shadows.has_edge_on = (WideFloats{} >= facing).any();
     const WideFloats below = -sign / depth_error(h, sides, reach, depth_reach);
     WideFloats{nx * below}.store(shadows.depth[0]);
     WideFloats{ny * below}.store(shadows.depth[1]);
@@ -185,22 +223,23 @@ ENDMILL_WIDEST_REGISTERS
 void darken(const EightShadows& shadows, const PointCells& cells, Darkness& darkness)
 {
     const PointBlock* blocks = cells.blocks().data();
-    for (int k = 0; k < shadows.count; ++k) {
-        const int first = shadows.cells[0][k];
-        const int last = shadows.cells[2][k];
-        const int high = shadows.cells[3][k];
-        int row = shadows.cells[1][k];
-        while (row <= high && cells.is_empty(row, first, last))
-            ++row;
-        if (row > high)
-            continue;
-        const Shadow shadow{shadows, k};
-        for (; row <= high; ++row) {
-            const auto [begin, end] = cells.range(row, first, last);
-            if (begin != end)
-                darken_range(shadow, blocks, begin, end, darkness);
+    const int first = cells.column_at(shadows.low[0]);
+    const int last = cells.column_at(shadows.high[0]);
+    const int high = cells.row_at(shadows.high[1]);
+    PlaceQueue queue;
+    for (int row = cells.row_at(shadows.low[1]); row <= high; ++row) {
+        const auto [begin, end] = cells.range(row, first, last);
+        // Other cells' points in the first block and the last are asked the same.
+        for (std::uint32_t block = begin / lanes; block * lanes < end; ++block) {
+            queue.add(block,
+                      lanes_within(shadows, blocks[block]) & ~darkness.dark_lanes[block]);
+            if (!queue.has_room()) [[unlikely]] {
+                look_at(queue.places(), shadows, blocks, darkness);
+                queue.clear();
+            }
         }
     }
+    look_at(queue.places(), shadows, blocks, darkness);
 }
 
 }  // namespace endmill

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace endmill {
 namespace {
@@ -34,7 +35,6 @@ void PointCells::choose_cells(std::span<const NumberedPoint> points)
     const Eigen::Array2d sides =
         (middle * Eigen::Array2d{1 / std::sqrt(aspect), std::sqrt(aspect)})
             .max(std::max(least, 1e-30));
-    larger_side_ = static_cast<float>(sides.maxCoeff());
     cells_per_length_ = sides.inverse().cast<float>();
     columns_ = static_cast<int>(extent.x() / sides.x()) + 1;
     rows_ = static_cast<int>(extent.y() / sides.y()) + 1;
@@ -62,6 +62,7 @@ void PointCells::sort(std::span<const NumberedPoint> points)
         begin = sum += begin;  // the end of the cell, and the beginning once it is filled
     blocks_.resize((points.size() + PointBlock::size - 1) / PointBlock::size);
     blocks_.back().number.fill(-1);
+    blocks_.back().x.fill(std::numeric_limits<float>::infinity());
     for (std::size_t k = points.size(); k-- > 0;) {
         const std::uint32_t place = --begin_[cell_of_[k]];
         PointBlock& block = blocks_[place / PointBlock::size];

@@ -24,25 +24,15 @@ constexpr float rounding = std::numeric_limits<float>::epsilon() / 2;
     return place.cast<float>();
 }
 
-void add_facet(EightShadows& shadows, std::int32_t facet,
-               const std::array<const Eigen::Vector4f*, 3>& corners)
-{
-    shadows.facet[shadows.count] = facet;
-    for (int k = 0; k < 3; ++k)
-        for (int axis = 0; axis < 3; ++axis)
-            shadows.corner[k][axis][shadows.count] = (*corners[k])[axis];
-    ++shadows.count;
-}
-
 }  // namespace
 
-ShadowRaster::ShadowRaster(const TriangleMesh& part, const PartFacets& facets)
+ShadowRaster::ShadowRaster(const TriangleMesh& part, const FacetGroups& groups)
     : part_{&part},
-      facets_{&facets},
+      groups_{&groups},
       centre_{Vec3::Zero()},
       scale_{1},
       accuracy_{rounding},
-      corners_(part.points().size(), Eigen::Vector4f::Zero())
+      corners_(groups.points.size(), Eigen::Vector4f::Zero())
 {
     Eigen::AlignedBox3d box;
     for (const Vec3& point : part.points())
@@ -73,7 +63,7 @@ void ShadowRaster::look_along(const Vec3& direction)
     rows_.row(0) = scale_ * across;
     rows_.row(1) = scale_ * direction.cross(across);
     rows_.row(2) = scale_ * direction;
-    const std::span points = part_->points();
+    const std::vector<Vec3>& points = groups_->points;
     for (std::size_t k = 0; k < points.size(); ++k)
         corners_[k].head<3>() = seen(rows_, points[k] - centre_);
 }
@@ -81,14 +71,15 @@ void ShadowRaster::look_along(const Vec3& direction)
 void ShadowRaster::gather(std::span<const std::uint64_t> column)
 {
     points_.clear();
-    for (std::size_t word = 0; word < column.size(); ++word)
-        for (std::uint64_t rest = column[word]; rest != 0; rest &= rest - 1) {
-            const std::size_t facet = 64 * word + std::countr_zero(rest);
-            points_.push_back({seen(rows_, facets_->centroids[facet] - centre_),
-                               static_cast<std::int32_t>(facet)});
+    std::size_t k = 0;
+    for (const FacetGroup& group : groups_->groups)
+        for (int lane = 0; lane < group.count; ++lane, ++k) {
+            const std::int32_t facet = group.facet[lane];
+            if ((column[facet / 64] >> (facet % 64) & 1) != 0)
+                points_.push_back({seen(rows_, groups_->centroids[k] - centre_), facet});
         }
     cells_.sort(points_);
-    darkness_.is_dark.assign(cells_.points(), 0);
+    darkness_.dark_lanes.assign(cells_.blocks().size(), 0);
 }
 
 void ShadowRaster::clear_blocked(const Vec3& direction, std::span<std::uint64_t> column)
@@ -98,42 +89,38 @@ void ShadowRaster::clear_blocked(const Vec3& direction, std::span<std::uint64_t>
     if (cells_.points() == 0)
         return;
     EightShadows shadows;
-    const auto work = [&] {
-        prepare_shadows(shadows, cells_, static_cast<float>(accuracy_));
+    for (const FacetGroup& group : groups_->groups) {
+        shadows.facet = group.facet;
+        for (int k = 0; k < 3; ++k)
+            for (int lane = 0; lane < wide_lanes; ++lane) {
+                const Eigen::Vector4f& corner = corners_[group.corner[k][lane]];
+                for (int axis = 0; axis < 3; ++axis)
+                    shadows.corner[k][axis][lane] = corner[axis];
+            }
+        prepare_shadows(shadows, static_cast<float>(accuracy_));
         darken(shadows, cells_, darkness_);
         decide(direction);
-        shadows.count = 0;
-    };
-    const std::span triangles = part_->triangles();
-    for (std::size_t facet = 0; facet < triangles.size(); ++facet) {
-        if (!facets_->has_area(facet))
-            continue;
-        const auto& [a, b, c] = triangles[facet];
-        add_facet(shadows, static_cast<std::int32_t>(facet),
-                  {&corners_[a], &corners_[b], &corners_[c]});
-        if (shadows.count == wide_lanes)
-            work();
     }
-    work();
     clear_dark(column);
 }
 
 void ShadowRaster::decide(const Vec3& direction)
 {
     for (const ShadowDoubt& doubt : darkness_.doubts) {
-        std::uint8_t& is_dark = darkness_.is_dark[doubt.place];
-        if (is_dark == 0 && blocks_ray(part_->corners(cells_.number_at(doubt.place)),
-                                       direction, part_->corners(doubt.facet)))
-            is_dark = 1;
+        std::uint8_t& dark_lanes = darkness_.dark_lanes[doubt.place / wide_lanes];
+        if (!darkness_.is_dark(doubt.place) &&
+            blocks_ray(part_->corners(cells_.number_at(doubt.place)), direction,
+                       part_->corners(doubt.facet)))
+            dark_lanes |= static_cast<std::uint8_t>(1U << doubt.place % wide_lanes);
     }
     darkness_.doubts.clear();
 }
 
 void ShadowRaster::clear_dark(std::span<std::uint64_t> column) const
 {
-    for (std::size_t place = 0; place < darkness_.is_dark.size(); ++place) {
+    for (std::size_t place = 0; place < cells_.points(); ++place) {
         const auto facet = static_cast<std::size_t>(cells_.number_at(place));
-        column[facet / 64] &= ~(std::uint64_t{darkness_.is_dark[place]} << (facet % 64));
+        column[facet / 64] &= ~(std::uint64_t{darkness_.is_dark(place)} << (facet % 64));
     }
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "endmill/accessibility/eight_shadows.h"
-#include "endmill/accessibility/part_facets.h"
+#include "endmill/accessibility/facet_groups.h"
 #include "endmill/accessibility/point_cells.h"
 #include "endmill/core/vec.h"
 #include "endmill/mesh/triangle_mesh.h"
@@ -15,16 +15,16 @@
 namespace endmill {
 
 /// Finds for one direction after the other which facets lie in the shadow of others: seen
-/// along the direction, the centroids in question are sorted into cells, and each facet
-/// darkens those that it covers and lies above. In single precision with bounds on every
+/// along the direction, the centroids in question are sorted into cells, and groups of facets
+/// darken those that they cover and lie above. In single precision with bounds on every
 /// error; what is within them is decided by `blocks_ray`.
 ///
 /// Keeps room for its work, so that a thread has one of its own: 60 bytes a facet. Part and
-/// facets must outlive it.
+/// groups must outlive it.
 class ShadowRaster {
 public:
-    /// Sees the part `part` with its facets.
-    ShadowRaster(const TriangleMesh& part, const PartFacets& facets);
+    /// Sees the part `part`, of which `groups` are the facets.
+    ShadowRaster(const TriangleMesh& part, const FacetGroups& groups);
 
     /// Clears the bits of those facets of which the ray from the centroid along `direction`
     /// meets another facet, as `blocks_ray` has it. \pre `direction` is unit to 1e-9.
@@ -37,7 +37,7 @@ private:
     void clear_dark(std::span<std::uint64_t> column) const;
 
     const TriangleMesh* part_;
-    const PartFacets* facets_;
+    const FacetGroups* groups_;
     Vec3 centre_;      // mm
     double scale_;     // seen coordinates a mm: within 1 of the centre
     double accuracy_;  // of seen coordinates

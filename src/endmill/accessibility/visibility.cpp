@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/accessibility/direction_count.h"
+#include "endmill/accessibility/facet_groups.h"
 #include "endmill/accessibility/part_facets.h"
 #include "endmill/accessibility/shadow_raster.h"
 #include "endmill/core/error.h"
@@ -50,9 +51,9 @@ void mark_facing(const PartFacets& facets, const Vec3& direction, double least,
 // Rasters that no thread uses at the moment.
 class SpareRasters {
 public:
-    SpareRasters(const TriangleMesh& part, const PartFacets& facets)
+    SpareRasters(const TriangleMesh& part, const FacetGroups& groups)
         : part_{part},
-          facets_{facets}
+          groups_{groups}
     {
     }
 
@@ -60,7 +61,7 @@ public:
     {
         const std::lock_guard lock{mutex_};
         if (spare_.empty())
-            return std::make_unique<ShadowRaster>(part_, facets_);
+            return std::make_unique<ShadowRaster>(part_, groups_);
         std::unique_ptr<ShadowRaster> raster = std::move(spare_.back());
         spare_.pop_back();
         return raster;
@@ -74,7 +75,7 @@ public:
 
 private:
     const TriangleMesh& part_;
-    const PartFacets& facets_;
+    const FacetGroups& groups_;
     std::mutex mutex_;
     std::vector<std::unique_ptr<ShadowRaster>> spare_;
 };
@@ -90,7 +91,8 @@ PartVisibility part_visibility(const TriangleMesh& part, std::span<const Vec3> d
     PartVisibility visibility{{part.triangles().size(), directions.size()},
                               facets.dropped};
     DirectionCount done{options.progress};
-    SpareRasters rasters{part, facets};
+    const FacetGroups groups = facet_groups(part, facets);
+    SpareRasters rasters{part, groups};
     parallel_for(directions.size(), [&](std::size_t begin, std::size_t end) {
         std::unique_ptr<ShadowRaster> raster = rasters.take();
         for (std::size_t cell = begin; cell < end; ++cell) {
