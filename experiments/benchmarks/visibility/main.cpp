@@ -3,7 +3,7 @@
 //
 //   benchmarks-visibility OUTPUT_FOLDER
 //
-// About 3 minutes; measures time, so nothing else should run. Columns: README.md beside this.
+// About 5 minutes; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include <random>
 

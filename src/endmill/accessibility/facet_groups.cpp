@@ -2,11 +2,17 @@
 #include "endmill/accessibility/facet_groups.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 
+#include "endmill/core/parallel.h"
+
 namespace endmill {
 namespace {
+
+// Fewer are not worth a thread.
+constexpr std::size_t facets_of_a_thread = 1 << 14;
 
 // Orders facets so that those of a group follow each other: halved, at a whole number of groups, along the longest
 // side of the box around their centroids.
@@ -31,8 +37,16 @@ void order_by_place(std::span<std::int32_t> facets, const std::vector<Vec3>& cen
                          const double of_b = centroids[b][axis];
                          return of_a < of_b || (of_a == of_b && a < b);
                      });
-    order_by_place(facets.first(half), centroids);
-    order_by_place(facets.subspan(half), centroids);
+    const std::array halves{facets.first(half), facets.subspan(half)};
+    if (facets.size() < facets_of_a_thread) {
+        for (const auto& each : halves)
+            order_by_place(each, centroids);
+        return;
+    }
+    parallel_for(2, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            order_by_place(halves[k], centroids);
+    });
 }
 
 }  // namespace
