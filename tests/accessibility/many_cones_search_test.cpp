@@ -38,6 +38,21 @@ TEST(ManyConesSearch, AgreesWithTheSearchThatAsksForAllAtOnce)
         }
 }
 
+// Of a gap so wide that whatever is found would do.
+TEST(ManyConesSearch, IsNeverWorseThanWhatItStartsFrom)
+{
+    test::Random random{34};
+    const SphereGrid grid = sphere_grid("hex:4");
+    const VisibilityMap map = test::random_caps(120, grid.centres, random);
+    SetSearchOptions options;
+    const SetSearchResult best = set_search(grid, map, options);
+    options.gap = 1000;
+    const std::vector<SetupPose> starts{best.pose->pose};
+    options.starts = starts;
+    EXPECT_LE(many_cones_search(grid, map, options, 8).objective,
+              best.objective * (1 + 1e-12));
+}
+
 TEST(ManyConesSearch, ProvesThatNoPoseWillDoFromSomeCones)
 {
     test::Random random{32};

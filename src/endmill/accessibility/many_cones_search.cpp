@@ -46,6 +46,9 @@ public:
         Numbers places(least_.size());
         for (std::size_t k = 0; k < places.size(); ++k)
             places[k] = k;
+        // What is found is never worse than the starts.
+        for (const SetupPose& start : options_.starts)
+            extend(axis_of(start));
         Numbers added = spread(places, cones_a_round);
         while (!added.empty()) {
             for (const std::size_t place : added)
@@ -62,7 +65,7 @@ public:
                 found.lower_bound = result_.lower_bound;
                 return found;
             }
-            extend(axis_of(*found.pose));
+            extend(axis_of(found.pose->pose));
             if (is_near_enough() || result_.nodes >= options_.max_nodes)
                 break;
             added = spread(missed, cones_a_round);
@@ -71,10 +74,9 @@ public:
     }
 
 private:
-    Vec3 axis_of(const FittedPose& fit) const
+    Vec3 axis_of(const SetupPose& pose) const
     {
-        return options_.family == RotaryFamily::CA ? fit.pose.tool_axis
-                                                   : fit.pose.r1_axis;
+        return options_.family == RotaryFamily::CA ? pose.tool_axis : pose.r1_axis;
     }
 
     SetSearchResult search_asked()
