@@ -46,6 +46,36 @@ TEST(RectangleBranch, CrossesTheJumpsOfLowDirections)
     EXPECT_NEAR(rectangle_about(up, found->r1_axis, points).area(), found->area(), 1e-9);
 }
 
+// A direction at right angles to the tool axis, or a hair off, needs no turn of R1 along it: no
+// other position of R1, however near, has so small a rectangle. That direction's alpha counts
+// as 0, as in rectangle_about, to 1e-9 rad.
+TEST(RectangleBranch, PutsR1AlongADirectionAtRightAnglesToTheToolAxis)
+{
+    for (const double polar : {90.0, 90 - 1e-8, 90 + 1e-8, 90 - 1e-5}) {
+        for (const double azimuth : {0.0, 15.0, 123.4, 310.0}) {
+            const std::vector<Vec3> points =
+                test::directions({{azimuth, polar},
+                                  {azimuth + 276.584, 72.372},
+                                  {azimuth + 245.595, 75.133},
+                                  {azimuth + 173.873, 26.202}});
+            const double along =
+                rectangle_about(up, test::direction({azimuth, 90}), points).area();
+            double searched = 1e9;
+            for (double turn = 0.005; turn < 180; turn += 0.01)
+                searched = std::min(
+                    searched,
+                    rectangle_about(up, test::direction({azimuth + turn, 90}), points)
+                        .area());
+            ASSERT_LT(along, 0.87 * searched);
+            const auto found = branch_rectangle(PolePoints{up, points}, {});
+            ASSERT_TRUE(found);
+            EXPECT_NEAR(found->area(), along, 1.1e-7 * along);
+            EXPECT_NEAR(std::abs(found->r1_axis.dot(test::direction({azimuth, 90}))), 1,
+                        1e-12);
+        }
+    }
+}
+
 TEST(RectangleBranch, StopsAtWhatIsWorthlessOrDoesNotFit)
 {
     const std::vector<Vec3> points = test::directions({{90, 120}, {270, 120}, {0, 30}});

@@ -22,20 +22,36 @@ constexpr double narrowest = 1e-10;
 // Keeps s / z finite at z = 0, where it stands for alpha = +-90 degrees.
 constexpr double least_height = 1e-200;
 
+// Of z: the alpha of lower directions passes so quickly through 0, where R1 has their azimuth,
+// that pieces of R1 as narrow as can be leave more than what is certified.
+constexpr double steep_height = 1e-3;
+
 // A direction less than 90 degrees from the tool axis, or just that.
 struct HighPoint {
     double x;
     double y;
     double inverse_z;
+
+    // Whether R1, off by `across` to the side, lies along it, so that it needs no alpha.
+    bool is_along_r1(double across) const
+    {
+        return inverse_z * equal_angles >= 1 &&
+               std::hypot(across, 1 / inverse_z) <= equal_angles;
+    }
 };
 
 // One beyond; not opposite to the tool axis.
 struct LowPoint {
     double x;
     double y;
-    double rho;      // distance from the tool axis
-    double depth;    // -z > 0
-    double azimuth;  // rad, from 0 to pi: alpha jumps where R1 has it
+    double rho;    // distance from the tool axis
+    double depth;  // -z > 0
+
+    // As for a HighPoint.
+    bool is_along_r1(double across) const
+    {
+        return depth <= equal_angles && std::hypot(across, depth) <= equal_angles;
+    }
 };
 
 // Of R1.
@@ -113,11 +129,15 @@ public:
     void evaluate(const Azimuth& azimuth, const Azimuth& beside)
     {
         Extents extents;
-        for (const HighPoint& p : high_)
-            add_sides(extents.tangent_plus, extents.tangent_minus,
-                      azimuth.across(p.x, p.y) * p.inverse_z);
+        for (const HighPoint& p : high_) {
+            const double s = azimuth.across(p.x, p.y);
+            if (!p.is_along_r1(s))
+                add_sides(extents.tangent_plus, extents.tangent_minus, s * p.inverse_z);
+        }
         for (const LowPoint& p : low_) {
             const double s = azimuth.across(p.x, p.y);
+            if (p.is_along_r1(s))
+                continue;
             if (beside.across(p.x, p.y) > 0)
                 extents.ratio_plus =
                     std::min(extents.ratio_plus, std::max(s, 0.0) / p.depth);
@@ -177,8 +197,12 @@ private:
         const double x = points.x[i];
         const double y = points.y[i];
         const double z = points.z[i];
+        const double azimuth = points.azimuth(i);
+        const double half_turn = azimuth < 0 ? azimuth + pi : azimuth;
         if (z >= 0) {
             high_.push_back({x, y, 1 / std::max(z, least_height)});
+            if (z < steep_height)
+                splits_.push_back(half_turn);
             return;
         }
         const double rho = std::hypot(x, y);
@@ -186,8 +210,8 @@ private:
             has_opposite_ = true;
             return;
         }
-        const double azimuth = points.azimuth(i);
-        low_.push_back({x, y, rho, -z, azimuth < 0 ? azimuth + pi : azimuth});
+        low_.push_back({x, y, rho, -z});
+        splits_.push_back(half_turn);
     }
 
     static void add_sides(double& plus, double& minus, double value)
@@ -217,9 +241,8 @@ private:
 
     void push_roots(std::priority_queue<Piece>& pieces)
     {
-        std::vector<double> splits{0};
-        for (const LowPoint& p : low_)
-            splits.push_back(p.azimuth);
+        std::vector<double> splits = splits_;
+        splits.push_back(0);
         std::sort(splits.begin(), splits.end());
         splits.push_back(splits.front() + pi);
         for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
@@ -286,6 +309,7 @@ private:
     BestCandidate<RectangleCandidate> best_;
     std::vector<HighPoint> high_;
     std::vector<LowPoint> low_;
+    std::vector<double> splits_;  // rad, from 0 to pi: alpha jumps or passes 0 there
     bool has_opposite_ = false;
     bool has_dropped_ = false;
     std::size_t created_ = 0;

@@ -28,9 +28,9 @@ std::optional<RectangleCandidate> coarse_rectangle(const PolePoints& points,
 /// The rectangle of least area, to 1e-7 of it (or, below a square degree, of that), of all
 /// positions of R1, wherever the directions lie; alpha is the principal value, so that no
 /// rectangle reaches across +-180 degrees. Nothing if none fits, or if all are certainly
-/// worthless. A fit within limits that holds for less than 1e-10 rad of R1 may be missed, but
-/// not one that `coarse_rectangle` finds. The same for any worth that its area equals or is
-/// below.
+/// worthless. A direction within 1e-9 rad of R1, or of its opposite, has alpha 0. A fit within
+/// limits that holds for less than 1e-10 rad of R1 may be missed, but not one that
+/// `coarse_rectangle` finds. The same for any worth that its area equals or is below.
 ///
 /// Branch and bound over the azimuth of R1. With R1 at azimuth psi a direction (x, y, z) has
 /// s = x sin psi - y cos psi, tan alpha = s / z and sin beta = x cos psi + y sin psi. Within
