@@ -347,6 +347,79 @@ TEST(SetupSearch, HasTheRingOfACubeAtItsPole)
                                  .least->area));
 }
 
+// Bottoms of two long V-grooves along `along`, tilted by +-tilt degrees about it from `above`,
+// of half angle `half` degrees: wedges of directions.
+Part two_grooves(const std::vector<Vec3>& centres, const Vec3& along, const Vec3& above,
+                 double tilt, double half)
+{
+    Part part{centres, VisibilityMap{2, centres.size()}};
+    for (std::size_t cell = 0; cell < centres.size(); ++cell) {
+        const double turn =
+            std::atan2(centres[cell].dot(along.cross(above)), centres[cell].dot(above)) /
+            degree;
+        for (std::size_t groove = 0; groove < 2; ++groove) {
+            if (std::abs(turn - (groove == 0 ? tilt : -tilt)) < half)
+                part.map.column(cell)[0] |= std::uint64_t{1} << groove;
+        }
+    }
+    return part;
+}
+
+// Whatever the mode and the family, the tool turns about one axis, along `axis`, by `turn`.
+void expect_one_turn(const Part& part, double turn, const Vec3& axis)
+{
+    for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
+        for (const SetupMode mode :
+             {SetupMode::PaperLiteral, SetupMode::Paper, SetupMode::Corrected}) {
+            const SetupSearch found = search(part, family, mode);
+            ASSERT_TRUE(found.feasible);
+            const FittedPose& fitted = *found.feasible;
+            EXPECT_EQ(found.status, SetupStatus::FourAxis);
+            EXPECT_NEAR(fitted.phi.to - fitted.phi.from, turn, 1e-9);
+            EXPECT_NEAR(fitted.theta.to - fitted.theta.from, 0, 1e-9);
+            const Vec3& turned_about =
+                family == RotaryFamily::CA ? fitted.pose.r2_axis : fitted.pose.r1_axis;
+            EXPECT_NEAR(std::abs(turned_about.dot(axis)), 1, 1e-9);
+        }
+    }
+}
+
+// With a direction at every degree, and half of one, across the grooves, and no other: the
+// tool turns by 2 (tilt - half), and by the half degrees at both ends.
+TEST(SetupSearch, TurnsFromGrooveToGrooveAboutTheirDirection)
+{
+    const Vec3 along = Vec3{1, 9, 3}.normalized();
+    const Vec3 above = along.unitOrthogonal();
+    std::vector<Vec3> centres;
+    for (int k = 0; k < 360; ++k)
+        centres.push_back(Eigen::AngleAxisd{(k + 0.5) * degree, along} * above);
+    for (const auto& [tilt, half] : {std::pair{40, 15}, {30, 25}, {70, 10}})
+        expect_one_turn(two_grooves(centres, along, above, tilt, half),
+                        (2 * (tilt - half) + 1) * degree, along);
+}
+
+// On a grid the nearest two directions, one of each groove, lie off that plane: with the
+// tool along the one, the other is the only direction to turn to.
+TEST(SetupSearch, TurnsFromGrooveToGrooveByTheLeastAngleOfTwoCells)
+{
+    const Vec3 along = Vec3{1, 9, 3}.normalized();
+    const std::vector<Vec3> centres = sphere_grid("hex:10").centres;
+    const Part part = two_grooves(centres, along, along.unitOrthogonal(), 40, 15);
+    double least = 10;
+    Vec3 axis;
+    for (std::size_t a = 0; a < centres.size(); ++a) {
+        for (std::size_t b = 0; b < centres.size(); ++b) {
+            const double angle = 2 * std::asin((centres[a] - centres[b]).norm() / 2);
+            if (part.map.is_accessible(0, a) && part.map.is_accessible(1, b) &&
+                angle < least) {
+                least = angle;
+                axis = centres[a].cross(centres[b]).normalized();
+            }
+        }
+    }
+    expect_one_turn(part, least, axis);
+}
+
 TEST(SetupSearch, NeedsNoTurnForAPlanarPatch)
 {
     const Part plate = part_of_caps("hex:4", {up, up}, 60);
