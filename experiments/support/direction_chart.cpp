@@ -20,7 +20,8 @@ constexpr double radius_px = 250;
 constexpr double middle_y_px = 340;
 constexpr double legend_y_px = 650;
 constexpr double legend_line_px = 22;
-constexpr double legend_room_px = 130;
+constexpr double legend_sample_px = 34;
+constexpr double legend_room_px = 76;  // for three lines
 constexpr double legend_x_px = 60;
 constexpr double text_px = 13;
 constexpr double mark_px = 3.2;
@@ -98,15 +99,28 @@ void DirectionChart::add_marks(std::span<const Vec3> directions, std::string_vie
     for (const Vec3& direction : directions)
         if (is_shown(direction))
             picture_.add_disc(place(direction), mark_px, colour);
-    add_legend(label, {colour, 2 * mark_px, ""});
+    picture_.add_disc(next_legend() + PixelPoint{legend_sample_px / 2, 0}, mark_px,
+                      colour);
+    name_legend(label);
 }
 
 void DirectionChart::add_legend(std::string_view label, const LineStyle& style)
 {
-    const PixelPoint from{legend_x_px, legend_y_px + legend_line_px * legend_lines_};
-    const PixelPoint to = from + PixelPoint{34, 0};
-    picture_.add_polyline(std::array{from, to}, style);
-    picture_.add_text(to + PixelPoint{10, 0.36 * text_px}, label, {text_px});
+    const PixelPoint from = next_legend();
+    picture_.add_polyline(
+        std::array<PixelPoint, 2>{from, from + PixelPoint{legend_sample_px, 0}}, style);
+    name_legend(label);
+}
+
+PixelPoint DirectionChart::next_legend() const
+{
+    return {legend_x_px, legend_y_px + legend_line_px * legend_lines_};
+}
+
+void DirectionChart::name_legend(std::string_view label)
+{
+    picture_.add_text(next_legend() + PixelPoint{legend_sample_px + 10, 0.36 * text_px},
+                      label, {text_px});
     ++legend_lines_;
 }
 

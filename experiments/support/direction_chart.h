@@ -50,6 +50,8 @@ private:
     double radius_at(double polar) const;
     PixelPoint place(const Vec3& direction) const;
     bool is_shown(const Vec3& direction) const;
+    PixelPoint next_legend() const;  // where its sample begins
+    void name_legend(std::string_view label);
     void add_rings();
     void add_azimuths();
 

@@ -1,87 +1,274 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/direction_sphere.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "endmill/io/axonometric_figure.h"
 
 namespace endmill {
 namespace {
 
-constexpr double radius_mm = 50;
-constexpr double step = 0.01;  // rad: half a millimetre
+constexpr double pi = std::numbers::pi;
+constexpr double step = 0.01;        // rad, of borders
+constexpr double patch = pi / 45;    // rad, of the pieces that fill the set
+constexpr double seam_px = 0.6;      // hides the gaps that smoothing leaves between them
+constexpr double axis_reach = 1.25;  // in radii of the sphere, as everything here
+constexpr double label_reach = 1.36;
+constexpr double label_gap_px = 20;
 constexpr std::string_view thin_dashes = "3 4";
+constexpr std::string_view ground = "#f6f7f8";
+constexpr std::string_view inside = "#cfe3f2";
 constexpr LineStyle outline{"#999999", 1, {}};
+constexpr LineStyle circle_line{"#777777", 1.2, {}};
 constexpr LineStyle edge{"#0072B2", 2.5, {}};
-constexpr LineStyle edge_behind{"#0072B2", 1.2, thin_dashes};
-constexpr LineStyle first_axis{"#D55E00", 1.5, {}};
-constexpr LineStyle second_axis{"#009E73", 1.5, {}};
+constexpr LineStyle first_axis{"#b8006b", 2, {}};
+constexpr LineStyle second_axis{"#00785a", 2, {}};
 constexpr LineStyle tool_line{"#000000", 2, {}};
 
-// The great circle about `axis`.
-std::vector<Vec3> circle(const Vec3& axis)
+LineStyle behind(const LineStyle& style)
 {
-    const Vec3 across = axis.unitOrthogonal();
-    const Vec3 other = axis.cross(across);
-    std::vector<Vec3> points;
+    return {style.colour, std::min(style.width_px, 1.2), thin_dashes};
+}
+
+DirectionCurve great_circle(const Vec3& normal)
+{
+    const Vec3 across = normal.unitOrthogonal();
+    const Vec3 other = normal.cross(across);
+    DirectionCurve points;
     for (int k = 0; k <= 360; ++k) {
-        const double angle = 2 * std::numbers::pi * k / 360;
-        points.push_back(radius_mm *
-                         (std::cos(angle) * across + std::sin(angle) * other));
+        const double angle = 2 * pi * k / 360;
+        points.emplace_back(std::cos(angle) * across + std::sin(angle) * other);
     }
     return points;
 }
 
-// The pieces of `curve` before and behind the sphere's outline.
-void add_border(AxonometricFigure& figure, const DirectionCurve& curve)
-{
-    const Vec3& toward = figure.view().toward;
-    std::vector<Vec3> piece;
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-        piece.push_back(radius_mm * curve[i]);
-        const bool is_front = curve[i].dot(toward) >= 0;
-        const bool is_last = i + 1 == curve.size();
-        if (is_last || (curve[i + 1].dot(toward) >= 0) != is_front) {
-            figure.add_curve(piece, is_front ? edge : edge_behind);
-            piece = {piece.back()};
+// Of R1 and R2, one that turns.
+struct TurningAxis {
+    const char* name;
+    Vec3 axis;
+    LineStyle style;
+};
+
+class DirectionSphere {
+public:
+    DirectionSphere(const FeasibleDirections& set, const std::string& title)
+        : set_{set},
+          frame_{set.frame()},
+          limits_{set.limits()},
+          is_ca_{frame_.family == RotaryFamily::CA},
+          figure_{{.title = title, .width_px = 640, .has_length = false}, extent()}
+    {
+        const RotaryRange& first = is_ca_ ? limits_.theta : limits_.phi;
+        const RotaryRange& second = is_ca_ ? limits_.phi : limits_.theta;
+        if (first.from != first.to)
+            axes_.push_back({"R1", frame_.r1_axis, first_axis});
+        if (second.from != second.to)
+            axes_.push_back({"R2", frame_.r2_axis, second_axis});
+    }
+
+    std::string text(const std::string& legend)
+    {
+        for (const TurningAxis& axis : axes_)
+            figure_.add_curve(
+                std::array<Vec3, 2>{-axis_reach * axis.axis, axis_reach * axis.axis},
+                axis.style);
+        figure_.add_polygon(great_circle(figure_.view().toward), ground, outline);
+        fill();
+        figure_.add_curve(great_circle(figure_.view().toward), outline);
+        add_circles();
+        for (const DirectionCurve& curve : set_.border(step))
+            add_line(curve, edge);
+        for (const TurningAxis& axis : axes_)
+            add_ends(axis);
+        add_pole();
+        if (axes_.size() == 2)
+            add_names();
+        add_legend(legend);
+        return figure_.text();
+    }
+
+private:
+    static std::vector<Vec3> extent()
+    {
+        const AxonometricView view{FigureOptions{}.azimuth, FigureOptions{}.elevation};
+        return {-label_reach * view.right, label_reach * view.right, -1.1 * view.up,
+                label_reach * view.up};
+    }
+
+    bool is_front(const Vec3& direction) const
+    {
+        return direction.dot(figure_.view().toward) >= 0;
+    }
+
+    // The pieces of a curve before and behind the outline.
+    void add_line(const DirectionCurve& curve, const LineStyle& style)
+    {
+        DirectionCurve piece;
+        for (std::size_t i = 0; i < curve.size(); ++i) {
+            piece.push_back(curve[i]);
+            const bool is_last = i + 1 == curve.size();
+            if (is_last || is_front(curve[i + 1]) != is_front(curve[i])) {
+                figure_.add_curve(piece, is_front(curve[i]) ? style : behind(style));
+                piece = {piece.back()};
+            }
         }
     }
-    if (curve.size() == 1)
-        figure.add_disc(radius_mm * curve[0], 5, edge.colour);
-}
+
+    // The inside, where it is in front: what passes the outline is put onto it.
+    void fill()
+    {
+        const auto count = [](const RotaryRange& range) {
+            return static_cast<int>(std::ceil((range.to - range.from) / patch));
+        };
+        const int across = count(limits_.phi);
+        const int along = count(limits_.theta);
+        for (int i = 0; i < across; ++i)
+            for (int k = 0; k < along; ++k) {
+                std::vector<Vec3> corners;
+                for (const auto& [di, dk] :
+                     {std::pair{0, 0}, std::pair{1, 0}, std::pair{1, 1}, std::pair{0, 1}})
+                    corners.push_back(
+                        at(double(i + di) / across, double(k + dk) / along));
+                if (std::ranges::none_of(corners,
+                                         [&](const Vec3& v) { return is_front(v); }))
+                    continue;
+                for (Vec3& v : corners)
+                    if (!is_front(v))
+                        v = (v - v.dot(figure_.view().toward) * figure_.view().toward)
+                                .normalized();
+                figure_.add_polygon(corners, inside, {inside, seam_px, ""});
+            }
+    }
+
+    // The direction at these shares of phi's and theta's ranges.
+    Vec3 at(double phi, double theta) const
+    {
+        const auto share = [](const RotaryRange& range, double of) {
+            return range.from + of * (range.to - range.from);
+        };
+        return turned_tool_axis(frame_,
+                                {share(limits_.phi, phi), share(limits_.theta, theta)});
+    }
+
+    // The basis circle: what the tool passes by the tilt (C,A), or by R1 (A,B), alone. A,B: the
+    // great circles of E1 and E2 as well.
+    void add_circles()
+    {
+        if (axes_.empty())
+            return;
+        add_line(great_circle(is_ca_ ? frame_.r2_axis : frame_.r1_axis), circle_line);
+        if (!has_meridians())
+            return;
+        for (const double phi : {limits_.phi.from, limits_.phi.to}) {
+            const Vec3 middle = turned_tool_axis(frame_, {phi, 0});
+            add_line(great_circle(middle.cross(frame_.r1_axis)), circle_line);
+        }
+    }
+
+    // Whether E1 and E2 are edges of the set.
+    bool has_meridians() const
+    {
+        return !is_ca_ && axes_.size() == 2 && !goes_round(limits_.phi);
+    }
+
+    static bool goes_round(const RotaryRange& range)
+    {
+        return range.to - range.from >= 2 * pi - 1e-9;
+    }
+
+    void add_ends(const TurningAxis& axis)
+    {
+        for (const double side : {-1.0, 1.0}) {
+            const Vec3 end = side * axis.axis;
+            if (!is_front(end))
+                continue;
+            figure_.add_curve(std::array<Vec3, 2>{end, axis_reach * end}, axis.style);
+            figure_.add_disc(end, 4, axis.style.colour);
+        }
+        const bool is_turned = !is_front(axis.axis);
+        const Vec3 end = is_turned ? Vec3{-axis.axis} : axis.axis;
+        if ((axis.axis - frame_.tool_axis).norm() > 1e-9)
+            figure_.add_label(label_reach * end, {0, 0},
+                              (is_turned ? "−" : "") + std::string{axis.name},
+                              axis.style.colour);
+    }
+
+    void add_pole()
+    {
+        const Vec3& pole = frame_.tool_axis;
+        figure_.add_curve(std::array<Vec3, 2>{pole, axis_reach * pole}, tool_line);
+        figure_.add_disc(pole, 4, tool_line.colour);
+        figure_.add_label(pole, {-12, -10}, "P", tool_line.colour);
+        const bool is_first = is_ca_ && !axes_.empty();
+        figure_.add_label(label_reach * pole, {0, 0}, is_first ? "tool, R1" : "tool",
+                          tool_line.colour);
+    }
+
+    // A name beside a direction, away from the middle of the set.
+    void add_name(const Vec3& direction, const Vec3& middle, std::string_view name)
+    {
+        if (!is_front(direction))
+            return;
+        const Vec3 away = direction - middle;
+        const PixelPoint out{away.dot(figure_.view().right),
+                             -away.dot(figure_.view().up)};
+        figure_.add_label(direction, label_gap_px * out.normalized(), name, edge.colour);
+    }
+
+    // Those of figure 5, where both ranges end.
+    void add_names()
+    {
+        if (is_ca_ && !goes_round(limits_.theta)) {
+            const double far = limits_.phi.to >= -limits_.phi.from ? 1 : 0;
+            add_name(at(far, 1), at(far / 2, 0.5), "CR1");
+            add_name(at(far, 0), at(far / 2, 0.5), "CR2");
+        }
+        if (is_ca_)
+            return;
+        const Vec3 middle = at(0.5, 0.5);
+        if (!goes_round(limits_.phi)) {
+            add_name(at(1, 0.5), middle, "E1");
+            add_name(at(0, 0.5), middle, "E2");
+        }
+        if (!goes_round(limits_.theta)) {
+            add_name(at(0.5, 1), middle, "E3");
+            add_name(at(0.5, 0), middle, "E4");
+        }
+    }
+
+    void add_legend(const std::string& legend)
+    {
+        if (axes_.empty())
+            figure_.add_legend("the only direction, P", {tool_line.colour, 8, ""});
+        else
+            figure_.add_legend(legend, edge);
+        for (const TurningAxis& axis : axes_)
+            figure_.add_legend(axis.name, axis.style);
+        if (!axes_.empty())
+            figure_.add_legend(
+                has_meridians() ? "basis circle, EG1, EG2" : "basis circle", circle_line);
+    }
+
+    FeasibleDirections set_;
+    RotaryFrame frame_;
+    RotaryLimits limits_;
+    bool is_ca_;
+    AxonometricFigure figure_;
+    std::vector<TurningAxis> axes_;
+};
 
 }  // namespace
 
 std::string direction_sphere_svg(const FeasibleDirections& set, const std::string& title,
                                  const std::string& legend)
 {
-    const std::vector<Vec3> extent{{-60, -60, -50}, {60, 60, 65}};
-    AxonometricFigure figure{{.title = title, .width_px = 600}, extent};
-    figure.add_curve(circle(figure.view().toward), outline);
-    const RotaryFrame& frame = set.frame();
-    const bool is_ca = frame.family == RotaryFamily::CA;
-    const RotaryLimits& limits = set.limits();
-    figure.add_legend(legend, edge);
-    // An axis that does not turn is none.
-    const auto add_axis = [&](const char* name, const Vec3& axis,
-                              const RotaryRange& range, const LineStyle& style) {
-        if (range.from == range.to)
-            return;
-        const double reach = 1.2 * radius_mm;
-        figure.add_curve(std::vector<Vec3>{-reach * axis, reach * axis}, style);
-        figure.add_legend(name, style);
-    };
-    add_axis("R1", frame.r1_axis, is_ca ? limits.theta : limits.phi, first_axis);
-    add_axis("R2", frame.r2_axis, is_ca ? limits.phi : limits.theta, second_axis);
-    figure.add_curve(std::vector<Vec3>{Vec3::Zero(), 1.25 * radius_mm * frame.tool_axis},
-                     tool_line);
-    for (const DirectionCurve& curve : set.border(step))
-        add_border(figure, curve);
-    figure.add_disc(radius_mm * frame.tool_axis, 3.5, tool_line.colour);
-    figure.add_legend("tool axis at zero, P", tool_line);
-    return figure.text();
+    return DirectionSphere{set, title}.text(legend);
 }
 
 }  // namespace endmill

@@ -2,13 +2,35 @@
 #include "support/setup_pictures.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "endmill/core/numbers.h"
 #include "endmill/io/setup_svg.h"
 #include "endmill/io/sphere_svg.h"
 
 namespace endmill {
+namespace {
 
-void write_setup_pictures(Experiment& run, const std::string& name,
+std::string tenths(double angle)
+{
+    return to_text(std::round(10 * Angle::radians(angle).degrees()) / 10) + "°";
+}
+
+std::string shown(const std::string& axis, const RotaryRange& range)
+{
+    return axis + " from " + tenths(range.from) + " to " + tenths(range.to);
+}
+
+}  // namespace
+
+std::string range_caption(RotaryFamily family, const FittedPose& fit)
+{
+    const bool is_ca = family == RotaryFamily::CA;
+    return shown(is_ca ? "tilt" : "R1", fit.phi) + ", " +
+           shown(is_ca ? "C" : "R2", fit.theta);
+}
+
+void write_setup_pictures(Experiment& run, const SetupPictureNames& names,
                           const StudiedPart& part, const ShownSetup& setup,
                           const std::vector<Vec3>& marked)
 {
@@ -19,11 +41,14 @@ void write_setup_pictures(Experiment& run, const std::string& name,
     std::vector<std::uint8_t> reached;
     for (std::size_t j = 0; j < part.mesh.triangles().size(); ++j)
         reached.push_back(part.visibility.map.is_accessible(j, cell) ? 1 : 0);
-    run.write(name + "-setup.svg", setup_svg(part.mesh, reached, setup, {.title = name}));
-    SphereFigure sphere{.title = name};
+    run.write(names.file + "-setup.svg",
+              setup_svg(part.mesh, reached, setup,
+                        {.title = names.title, .captions = names.captions}));
+    SphereFigure sphere{.title = names.title, .captions = names.captions};
     sphere.setup = setup;
     sphere.marked = marked;
-    run.write(name + "-sphere.svg", sphere_svg(part.grid, part.visibility.map, sphere));
+    run.write(names.file + "-sphere.svg",
+              sphere_svg(part.grid, part.visibility.map, sphere));
 }
 
 }  // namespace endmill

@@ -205,7 +205,10 @@ TEST(AxonometricFigure, LinesOfTheLegendStandApartAndWithinThePicture)
 {
     AxonometricFigure figure{{}, box_corners({2, 1, 1})};
     for (int k = 0; k < 15; ++k)
-        figure.add_legend("entry", test_style);
+        if (k % 2 == 0)
+            figure.add_legend("entry", test_style);
+        else
+            figure.add_disc_legend("entry", 3, test_style.colour);
     const std::string svg = figure.text();
     const auto [width, height] = frame_of(svg);
     std::vector<PixelPoint> places;
@@ -222,6 +225,23 @@ TEST(AxonometricFigure, LinesOfTheLegendStandApartAndWithinThePicture)
             EXPECT_TRUE(apart.x() > 150 || apart.y() > 14);
         }
     }
+}
+
+// Discs stand where lines have the middle of their sample.
+TEST(AxonometricFigure, DiscsOfTheLegendStandBesideTheirNames)
+{
+    AxonometricFigure figure{{}, box_corners({2, 1, 1})};
+    figure.add_disc_legend("places", 3, test_style.colour);
+    figure.add_legend("lines", test_style);
+    const std::string svg = figure.text();
+    PixelPoint disc{0, 0};
+    for (const XmlElement& element : SmallXml::parse(svg))
+        if (element.name == "circle")
+            disc = {std::stod(element.attributes.at("cx")),
+                    std::stod(element.attributes.at("cy"))};
+    const auto sample = lines_of(svg, std::string{test_style.colour}).at(0);
+    EXPECT_NEAR(disc.x(), (sample[0].x() + sample[1].x()) / 2, 0.02);
+    EXPECT_GT(sample[0].y() - disc.y(), 14);
 }
 
 TEST(AxonometricFigure, RefusesNothingAndWhatIsNotFinite)

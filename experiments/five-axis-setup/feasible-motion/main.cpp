@@ -48,6 +48,7 @@ int main(int argc, char** argv)
         const auto from_theta = run.numbers("theta_from_deg");
         const auto to_theta = run.numbers("theta_to_deg");
         const auto files = run.texts("files");
+        const auto titles = run.texts("titles");
         CsvTable result{{"row", "solid_angle_sr", "edges"}};
         CsvTable edges{{"row", "edge", "x", "y", "z"}};
         for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -58,7 +59,8 @@ int main(int argc, char** argv)
             const auto count = static_cast<std::int64_t>(set.border(border_step).size());
             result.add_row({rows[k], set.solid_angle(), count});
             add_edges(edges, rows[k], set);
-            run.write(files.at(k), direction_sphere_svg(set, rows[k], "edge of the set"));
+            run.write(files.at(k),
+                      direction_sphere_svg(set, titles.at(k), "edge of the set"));
         }
         run.write_result(result);
         run.write("edges.csv", edges.text());

@@ -50,7 +50,8 @@ int main(int argc, char** argv)
             const std::string row = "facet-" + std::to_string(facet);
             const VisibilityMap cone = map_of(map, facet);
             table.add_row({row, entries(cone), fractions.at(facet)});
-            run.write(row + ".svg", sphere_svg(part.grid, cone, {.title = row}));
+            const std::string title = "Facet " + std::to_string(facet);
+            run.write(row + ".svg", sphere_svg(part.grid, cone, {.title = title}));
         }
         table.add_row({"all facets", entries(map), {}});
         run.write("map.svg", sphere_svg(part.grid, map, {.title = "All facets"}));

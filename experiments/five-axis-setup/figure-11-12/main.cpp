@@ -16,8 +16,9 @@ namespace {
 CsvTable empty_table()
 {
     return CsvTable{{"row", "area_deg2", "floored_area_deg2", "lower_bound_deg2",
-                     "phi_from_deg", "phi_to_deg", "theta_from_deg", "theta_to_deg",
-                     "tool_x", "tool_y", "tool_z", "leans_to_spout"}};
+                     "phi_s_deg", "phi_l_deg", "theta_s_deg", "theta_l_deg", "width_deg",
+                     "tilt_deg", "azimuth_deg", "axis_x", "axis_y", "axis_z",
+                     "leans_to_x"}};
 }
 
 void add_setup(CsvTable& table, const std::string& row, RotaryFamily family,
@@ -25,27 +26,25 @@ void add_setup(CsvTable& table, const std::string& row, RotaryFamily family,
 {
     const FittedPose& fit = *best.least;
     const PoseMeasure floored{family, SetupObjective::FlooredArea};
-    const Vec3& tool = fit.pose.tool_axis;
-    const auto degrees = [](double radians) { return Angle::radians(radians).degrees(); };
-    CsvCell bound;
+    NamedCells cells{
+        {"floored_area_deg2", square_degrees(floored(pose_ranges(family, fit)))}};
     if (best.lower_bound)
-        bound = square_degrees(*best.lower_bound);
-    table.add_row({row, square_degrees(fit.area),
-                   square_degrees(floored(pose_ranges(family, fit))), bound,
-                   degrees(fit.phi.from), degrees(fit.phi.to), degrees(fit.theta.from),
-                   degrees(fit.theta.to), tool.x(), tool.y(), tool.z(),
-                   tool.x() > 0 ? "yes" : "no"});
+        cells.emplace_back("lower_bound_deg2", square_degrees(*best.lower_bound));
+    cells = joined(cells, range_cells(family, fit));
+    add_named(table, row, joined(cells, axis_cells(fit.pose.tool_axis)));
 }
 
 void draw(Experiment& run, const StudiedPart& part, RotaryFamily family,
           const std::string& mode, const FittedPose& fit)
 {
-    std::string file = family == RotaryFamily::CA ? "ca-" : "ab-";
-    file += mode;
+    const bool is_ca = family == RotaryFamily::CA;
+    const SetupPictureNames names{.file = (is_ca ? "ca-" : "ab-") + mode,
+                                  .title = family_name(family) + ", mode " + mode,
+                                  .captions = {range_caption(family, fit)}};
     std::vector<Vec3> nearest;
     if (mode != "set")  // which does not take these for all that matters
         nearest = nearest_directions(part, fit);
-    write_setup_pictures(run, file, part, posed(family, fit), nearest);
+    write_setup_pictures(run, names, part, posed(family, fit), nearest);
 }
 
 }  // namespace

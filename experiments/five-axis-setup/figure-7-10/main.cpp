@@ -19,7 +19,7 @@ using namespace endmill;
 namespace {
 
 void add_sectors(Experiment& run, CsvTable& table, const std::string& row,
-                 const DirectionSet& set)
+                 const std::string& title, const DirectionSet& set)
 {
     const auto paper = sector_candidates(set.tool_axis, set.directions, SetupMode::Paper);
     const auto all =
@@ -31,11 +31,11 @@ void add_sectors(Experiment& run, CsvTable& table, const std::string& row,
                    square_degrees(least_area(paper).area()),
                    square_degrees(least_area(all).area()),
                    {}});
-    run.write(row + "-sectors.svg", sector_chart(row, set, least_area(paper)));
+    run.write(row + "-sectors.svg", sector_chart(title, set, least_area(paper)));
 }
 
 void add_rectangles(Experiment& run, CsvTable& table, const std::string& row,
-                    const DirectionSet& set)
+                    const std::string& title, const DirectionSet& set)
 {
     const auto paper =
         rectangle_candidates(set.tool_axis, set.directions, SetupMode::Paper);
@@ -47,8 +47,8 @@ void add_rectangles(Experiment& run, CsvTable& table, const std::string& row,
         {row, "A,B", static_cast<std::int64_t>(paper.size()),
          static_cast<std::int64_t>(all.size()), square_degrees(least_area(paper).area()),
          square_degrees(least_area(all).area()), static_cast<std::int64_t>(hull.size())});
-    run.write(row + "-rectangle.svg", rectangle_chart(row, set, least_area(all)));
-    run.write(row + "-hull.svg", hull_chart(row, set, ChartProjection::Gnomonic));
+    run.write(row + "-rectangle.svg", rectangle_chart(title, set, least_area(all)));
+    run.write(row + "-hull.svg", hull_chart(title, set, ChartProjection::Gnomonic));
 }
 
 }  // namespace
@@ -61,11 +61,13 @@ int main(int argc, char** argv)
         const auto rows = run.texts("rows");
         const auto families = run.texts("families");
         const auto sets = run.texts("directions_deg");
+        const auto titles = run.texts("titles");
         for (std::size_t k = 0; k < rows.size(); ++k)
             if (families.at(k) == "C,A")
-                add_sectors(run, table, rows[k], direction_set(sets.at(k)));
+                add_sectors(run, table, rows[k], titles.at(k), direction_set(sets.at(k)));
             else
-                add_rectangles(run, table, rows[k], direction_set(sets.at(k)));
+                add_rectangles(run, table, rows[k], titles.at(k),
+                               direction_set(sets.at(k)));
         run.write_result(table);
     });
 }

@@ -180,13 +180,32 @@ void AxonometricFigure::add_label(const Vec3& point, const PixelPoint& shift_px,
 
 void AxonometricFigure::add_legend(std::string_view label, const LineStyle& style)
 {
+    const PixelPoint begin = next_legend();
+    picture_.add_polyline(
+        std::array<PixelPoint, 2>{begin, begin + PixelPoint{legend_sample, 0}}, style);
+    name_legend(label);
+}
+
+void AxonometricFigure::add_disc_legend(std::string_view label, double radius_px,
+                                        std::string_view colour)
+{
+    picture_.add_disc(next_legend() + PixelPoint{legend_sample / 2, 0}, radius_px,
+                      colour);
+    name_legend(label);
+}
+
+PixelPoint AxonometricFigure::next_legend() const
+{
     const int column = legend_lines_ / legend_column_lines;
     const int line = legend_lines_ % legend_column_lines;
-    const PixelPoint begin{margin + legend_offset + legend_column * column,
-                           layout_.footer_px + legend_line * (line + 1)};
-    const PixelPoint end = begin + PixelPoint{legend_sample, 0};
-    picture_.add_polyline(std::array{begin, end}, style);
-    picture_.add_text(end + PixelPoint{10, 0.36 * caption_size}, label, {caption_size});
+    return {margin + legend_offset + legend_column * column,
+            layout_.footer_px + legend_line * (line + 1)};
+}
+
+void AxonometricFigure::name_legend(std::string_view label)
+{
+    picture_.add_text(next_legend() + PixelPoint{legend_sample + 10, 0.36 * caption_size},
+                      label, {caption_size});
     ++legend_lines_;
 }
 

@@ -67,6 +67,10 @@ public:
     /// which a picture of 900 px has room for three.
     void add_legend(std::string_view label, const LineStyle& style);
 
+    /// The same for discs.
+    void add_disc_legend(std::string_view label, double radius_px,
+                         std::string_view colour);
+
     /// The whole file, SVG 1.1.
     std::string text() const { return picture_.text(); }
 
@@ -87,6 +91,8 @@ private:
     bool add_pixel_arrow(const PixelPoint& from, const PixelPoint& to,
                          const LineStyle& style);
     void add_axes(const FigureOptions& options);
+    PixelPoint next_legend() const;  // where its sample begins
+    void name_legend(std::string_view label);
 
     AxonometricView view_;
     Layout layout_;

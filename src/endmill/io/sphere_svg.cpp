@@ -264,7 +264,7 @@ private:
             add_border_legend(picture_, figure_->setup->limits.has_value());
         }
         if (!figure_->marked.empty())
-            picture_.add_legend("nearest cells, MD", {mark_colour, swatch_px / 2, ""});
+            picture_.add_disc_legend("nearest cells, MD", mark_px, mark_colour);
         if (grid_->cells.size() <= most_filled_cells)
             add_classes();
         else
