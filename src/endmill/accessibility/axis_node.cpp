@@ -26,6 +26,7 @@ constexpr const char* root_grid = "ico:2";
 
 /// How far apart along its mid circle two directions of a lune of half width t can be, less
 /// the difference of their latitudes, halved: max of atan2(tan b, cos t) - b. rad.
+/// paper/notes/whole-cones.md, (a).
 double lune_slack(double t)
 {
     const double tangent = std::tan(t / 2);

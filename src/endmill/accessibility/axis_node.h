@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Internal to accessibility: the nodes of the branch and bound over poses.
+// Internal to accessibility: the nodes of the branch and bound over poses. Why their bounds
+// hold: paper/notes/whole-cones.md.
 
 #include <array>
 #include <cstddef>

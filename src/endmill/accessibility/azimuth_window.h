@@ -32,7 +32,7 @@ struct SweptRange {
 };
 
 /// Finds least windows by one circular sweep over the cells of a view. Keeps its memory between
-/// calls; one a thread.
+/// calls; one a thread. Derived in paper/notes/whole-cones.md.
 class WindowSweep {
 public:
     explicit WindowSweep(const ConeSet& cones) : cones_{&cones} {}

@@ -16,8 +16,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// rad: narrower pieces are not split. 1e6 roundings of an angle.
-constexpr double narrowest = 1e-10;
+// rad: narrower pieces are not split. 1e4 roundings of an angle; and what a rectangle of any
+// length can gain by so little is below `branch_accuracy` of a square degree.
+constexpr double narrowest = 1e-12;
 
 // Keeps s / z finite at z = 0, where it stands for alpha = +-90 degrees.
 constexpr double least_height = 1e-200;

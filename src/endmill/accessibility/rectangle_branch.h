@@ -29,14 +29,15 @@ std::optional<RectangleCandidate> coarse_rectangle(const PolePoints& points,
 /// positions of R1, wherever the directions lie; alpha is the principal value, so that no
 /// rectangle reaches across +-180 degrees. Nothing if none fits, or if all are certainly
 /// worthless. A direction within 1e-9 rad of R1, or of its opposite, has alpha 0. A fit within
-/// limits that holds for less than 1e-10 rad of R1 may be missed, but not one that
+/// limits that holds for less than 1e-12 rad of R1 may be missed, but not one that
 /// `coarse_rectangle` finds. The same for any worth that its area equals or is below.
 ///
 /// Branch and bound over the azimuth of R1. With R1 at azimuth psi a direction (x, y, z) has
 /// s = x sin psi - y cos psi, tan alpha = s / z and sin beta = x cos psi + y sin psi. Within
 /// half a turn an extent of beta, and for z >= 0 one of alpha, is least at an end; for z < 0,
 /// where s keeps its sign between the direction's azimuths, |alpha| is least where |s| is
-/// largest. The product of the sums of such least extents bounds a piece from below.
+/// largest. The product of the sums of such least extents bounds a piece from below. Derived in
+/// paper/notes/rectangle-about-an-axis.md.
 /// \pre the directions have unit length; `points` is not empty.
 std::optional<RectangleCandidate> branch_rectangle(const PolePoints& points,
                                                    const BranchGoal& goal);

@@ -24,7 +24,8 @@ std::optional<RectangleCandidate> great_circle_arc(const PolePoints& points);
 /// The planar images by which the rectangles about a tool axis are measured: with R1 at
 /// azimuth psi, d = (cos psi, sin psi) and e = (sin psi, -cos psi), a direction of gnomonic
 /// image g and orthographic image o has tan alpha = g . e and sin beta = o . d.
-/// Source: [KangSuh, eq. (17), (18)], in closed form.
+/// Source: [KangSuh, eq. (17), (18)], in closed form; why edges and limits are enough:
+/// paper/notes/rectangle-about-an-axis.md.
 class RectangleImages {
 public:
     /// \pre no direction is low.

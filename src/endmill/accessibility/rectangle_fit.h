@@ -22,11 +22,10 @@ std::vector<RectangleCandidate> rectangle_candidates(const Vec3& tool_axis,
 
 /// The rectangles of least area that hold the tool axis and `directions`, of all and of those
 /// within limits. The mode decides which are tried, see `setup_rules`; `Corrected` is exact for
-/// the given directions and tool axis: between neighbouring edges of the two hulls each extent
-/// u = atan(r cos psi) or asin(r cos psi) of the azimuth psi of R1 is concave and not negative,
-/// hence the product F of their sums log-concave and least at an end, or where an extent meets
-/// a limit; with directions 90 degrees or more from the tool axis, where that fails, to 1e-7
-/// of F by branch and bound.
+/// the given directions and tool axis: between neighbouring edges of the two hulls the area is
+/// a log-concave function of R1's azimuth, and so least at an end, or where an extent meets a
+/// limit (derived in paper/notes/rectangle-about-an-axis.md); with directions 90 degrees or
+/// more from the tool axis, where that fails, to 1e-7 of F by branch and bound.
 ///
 /// The pose takes the larger end of R1's range as the positive one, or the smaller if only that
 /// fits; of equal ones that with the larger end of R2's.

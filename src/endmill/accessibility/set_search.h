@@ -58,7 +58,7 @@ struct SetSearchResult {
 /// cone being the centres of its accessible cells. The window of the first axis may lie
 /// anywhere about it. Empty cones do not count: report them. Without any other cone every pose
 /// does, and all ranges are 0. The same for any number of threads. A range may pass its limit
-/// by 1e-9 rad.
+/// by 1e-9 rad. The bound is derived in paper/notes/whole-cones.md.
 /// \throws DomainError unless map and grid have the same cells, floor_rad > 0 and gap > 0.
 SetSearchResult set_search(const SphereGrid& grid, const VisibilityMap& map,
                            const SetSearchOptions& options);
