@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The search over whole cones where its answer is known: convex parts are reached along the
+// shortest great arc between two cells that together see every face.
+//
+//   five-axis-setup-convex-parts OUTPUT_FOLDER
+//
+// Deterministic, under a minute. Columns and verdicts: README.md beside this.
+
+#include <cmath>
+
+#include "endmill/accessibility/set_search.h"
+#include "support/convex_parts.h"
+#include "support/experiment.h"
+#include "support/setup_cells.h"
+
+using namespace endmill;
+
+namespace {
+
+double degrees(double angle)
+{
+    return Angle::radians(angle).degrees();
+}
+
+// To rounding.
+bool is_within(double value, double most)
+{
+    return value <= most * (1 + 1e-12);
+}
+
+NamedCells search_cells(const VisibilityMap& map, const SphereGrid& grid,
+                        const std::string& family, double gap)
+{
+    SetSearchOptions options;
+    options.family = family_of_word(family);
+    options.gap = gap;
+    const SetSearchResult found = set_search(grid, map, options);
+    const double arc = shortest_arc_of_two(map, grid);
+    const double least = options.floor_rad * (options.floor_rad + arc);
+    return {{"grid_arc_deg", degrees(arc)},
+            {"floored_area_deg2", square_degrees(least)},
+            {"set", square_degrees(found.objective)},
+            {"above_relative", found.objective / least - 1},
+            {"lower_bound", square_degrees(found.lower_bound)},
+            {"is_proved", word(is_within(found.lower_bound, least) &&
+                               is_within(least, (1 + gap) * found.lower_bound))},
+            {"width_deg", degrees(found.ranges.width)},
+            {"height_deg", degrees(found.ranges.height())}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return run_experiment(
+        argc, argv, "five-axis-setup/convex-parts", [](Experiment& run) {
+            CsvTable result{{"row", "sphere_arc_deg", "grid_arc_deg", "floored_area_deg2",
+                             "set", "above_relative", "lower_bound", "is_proved",
+                             "width_deg", "height_deg"}};
+            const auto parts = run.texts("parts");
+            const auto incidences = run.numbers("incidences_deg");
+            const auto families = run.texts("families");
+            const double gap = run.number("gap");
+            for (const std::string& name : run.texts("grids")) {
+                const SphereGrid grid = sphere_grid(name);
+                for (std::size_t k = 0; k < parts.size(); ++k) {
+                    const ConvexPart part =
+                        convex_part(parts[k], Angle::degrees(incidences.at(k)));
+                    const VisibilityMap map = cap_map(part, grid);
+                    const NamedCells sphere{
+                        {"sphere_arc_deg", part.shortest_arc.degrees()}};
+                    for (const std::string& family : families) {
+                        std::string row = name;
+                        row.append(", ").append(parts[k]).append(", ").append(family);
+                        add_named(result, row,
+                                  joined(sphere, search_cells(map, grid, family, gap)));
+                    }
+                }
+            }
+            run.write_result(result);
+        });
+}
