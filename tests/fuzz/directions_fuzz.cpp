@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "endmill/accessibility/setup_search.h"
+#include "endmill/core/angle.h"
+#include "endmill/io/directions_csv.h"
+#include "fuzz_program.h"
+
+namespace endmill {
+namespace {
+
+/// What a machine with limits is tried with, in rad.
+constexpr RotaryLimits some_limits{{-0.5, 1.9}, {-0.7, 0.6}};
+
+/// Few enough that the slowest fit takes some ms.
+constexpr std::size_t most_fitted = 40;
+
+void check_range(const RotaryRange& range)
+{
+    constexpr double rounding = 1e-12;
+    program_must(range.from <= 0 && range.to >= 0);
+    program_must(range.to - range.from <= 2 * std::numbers::pi + rounding);
+}
+
+void check_fit(const FittedPose& fit)
+{
+    program_must(std::isfinite(fit.area) && fit.area >= 0);
+    check_range(fit.phi);
+    check_range(fit.theta);
+    for (const Vec3& axis : {fit.pose.tool_axis, fit.pose.r1_axis, fit.pose.r2_axis})
+        program_must(std::abs(axis.norm() - 1) < 1e-9);
+}
+
+// As `endmill setup --points` does it.
+void fit_all(const std::vector<Vec3>& directions)
+{
+    for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB})
+        for (const RotaryLimits& limits : {RotaryLimits{}, some_limits}) {
+            double least = std::numeric_limits<double>::infinity();
+            for (const SetupMode mode :
+                 {SetupMode::PaperLiteral, SetupMode::Paper, SetupMode::Corrected}) {
+                const SetupSearch search =
+                    pose_fit(Vec3::UnitZ(), directions, {family, mode, limits});
+                program_must(!search.feasible || search.least);
+                program_must(search.least || mode != SetupMode::Corrected);
+                if (search.least)
+                    check_fit(*search.least);
+                if (search.feasible)
+                    check_fit(*search.feasible);
+                if (mode == SetupMode::Paper && search.least)
+                    least = search.least->area;
+                if (mode == SetupMode::Corrected)
+                    program_must(search.least->area <= least * (1 + 1e-7) + 1e-12);
+            }
+        }
+}
+
+}  // namespace
+}  // namespace endmill
+
+// Directions that are read have unit length, and every mode fits them: none in corrected more
+// than in paper.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
+{
+    using namespace endmill;
+    const std::string_view text{reinterpret_cast<const char*>(bytes), size};
+    try {
+        std::vector<Vec3> directions = parse_directions(text, "f.csv");
+        for (const Vec3& direction : directions)
+            program_must(std::abs(direction.norm() - 1) < 1e-9);
+        directions.resize(std::min(directions.size(), most_fitted));
+        fit_all(directions);
+    } catch (const FormatError& error) {
+        program_must(error.file() == "f.csv" && is_fit_for_a_terminal(error.what()));
+    } catch (const LimitError&) {
+    }
+    return 0;
+}
