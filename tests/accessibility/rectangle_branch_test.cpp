@@ -5,6 +5,7 @@
 
 #include "direction_sets.h"
 #include "endmill/accessibility/rectangle_fit.h"
+#include "endmill/machine/feasible_directions.h"
 
 namespace endmill {
 namespace {
@@ -73,6 +74,40 @@ TEST(RectangleBranch, PutsR1AlongADirectionAtRightAnglesToTheToolAxis)
             EXPECT_NEAR(std::abs(found->r1_axis.dot(test::direction({azimuth, 90}))), 1,
                         1e-12);
         }
+    }
+}
+
+// Directions on a lattice, many of them at right angles to the tool axis, opposite to it, or one
+// above the other: of all positions of R1, by quarters of a degree and along each direction,
+// none is better, and the machine reaches all directions within what was found.
+TEST(RectangleBranch, FindsWhatNoPositionOfR1Betters)
+{
+    test::Random random{83};
+    for (int i = 0; i < 400; ++i) {
+        std::vector<test::AzimuthPolar> places{{0, 105}};
+        const int count = 1 + i % 7;
+        for (int k = 0; k < count; ++k)
+            places.push_back({30 * std::floor(random.uniform(0, 12)),
+                              15 * std::floor(random.uniform(1, i % 2 == 0 ? 7 : 13))});
+        const std::vector<Vec3> points = test::directions(places);
+        std::vector<double> azimuths;
+        for (int k = 0; k < 720; ++k)
+            azimuths.push_back(0.25 * k);
+        for (const test::AzimuthPolar& place : places)
+            azimuths.push_back(place.azimuth);
+        double searched = 1e9;
+        for (const double azimuth : azimuths)
+            searched = std::min(
+                searched,
+                rectangle_about(up, test::direction({azimuth, 90}), points).area());
+        const auto found = branch_rectangle(PolePoints{up, points}, {});
+        ASSERT_TRUE(found);
+        EXPECT_LE(found->area(), searched * (1 + 1.1e-7) + 1e-10) << i;
+        const FeasibleDirections reached{
+            {RotaryFamily::AB, up, found->r1_axis, up.cross(found->r1_axis)},
+            {found->alpha, found->beta}};
+        for (const Vec3& direction : points)
+            EXPECT_TRUE(reached.contains(direction)) << i;
     }
 }
 
