@@ -111,6 +111,25 @@ TEST(RectangleBranch, FindsWhatNoPositionOfR1Betters)
     }
 }
 
+// The opposite of the tool axis costs less on the side that has more; but there neither this
+// rectangle nor the one turned by 180 degrees, with beta to the other side, is within limits.
+TEST(RectangleBranch, PutsTheOppositeOfTheToolAxisWhereTheLimitsHaveRoom)
+{
+    const std::vector<Vec3> points{test::turned_to(10, 20), test::turned_to(-5, 1), -up};
+    BranchGoal goal;
+    goal.limits = RotaryLimits{{-180 * test::degree, 12 * test::degree},
+                               {-2 * test::degree, 22 * test::degree}};
+    const auto found = branch_rectangle(PolePoints{up, points}, goal);
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(fits_rigidly(*found, *goal.limits));
+    EXPECT_LE(test::square_degrees(found->area()), 190 * 20 * (1 + 1.1e-7));
+    const FeasibleDirections reached{
+        {RotaryFamily::AB, up, found->r1_axis, up.cross(found->r1_axis)},
+        {found->alpha, found->beta}};
+    for (const Vec3& direction : points)
+        EXPECT_TRUE(reached.contains(direction));
+}
+
 TEST(RectangleBranch, StopsAtWhatIsWorthlessOrDoesNotFit)
 {
     const std::vector<Vec3> points = test::directions({{90, 120}, {270, 120}, {0, 30}});

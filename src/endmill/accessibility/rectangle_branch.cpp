@@ -2,12 +2,12 @@
 #include "endmill/accessibility/rectangle_branch.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <queue>
 #include <vector>
 
+#include "endmill/accessibility/rectangle_bound.h"
 #include "endmill/accessibility/setup_order.h"
 
 namespace endmill {
@@ -20,90 +20,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // length can gain by so little is below `branch_accuracy` of a square degree.
 constexpr double narrowest = 1e-12;
 
-// Keeps s / z finite at z = 0, where it stands for alpha = +-90 degrees.
-constexpr double least_height = 1e-200;
-
-// Of z: the alpha of lower directions passes so quickly through 0, where R1 has their azimuth,
-// that pieces of R1 as narrow as can be leave more than what is certified.
-constexpr double steep_height = 1e-3;
-
-// A direction less than 90 degrees from the tool axis, or just that.
-struct HighPoint {
-    double x;
-    double y;
-    double inverse_z;
-
-    // Whether R1, off by `across` to the side, lies along it, so that it needs no alpha.
-    bool is_along_r1(double across) const
-    {
-        return inverse_z * equal_angles >= 1 &&
-               std::hypot(across, 1 / inverse_z) <= equal_angles;
-    }
-};
-
-// One beyond; not opposite to the tool axis.
-struct LowPoint {
-    double x;
-    double y;
-    double rho;    // distance from the tool axis
-    double depth;  // -z > 0
-
-    // As for a HighPoint.
-    bool is_along_r1(double across) const
-    {
-        return depth <= equal_angles && std::hypot(across, depth) <= equal_angles;
-    }
-};
-
-// Of R1.
-struct Azimuth {
-    double angle;  // rad
-    double cosine;
-    double sine;
-
-    explicit Azimuth(double value)
-        : angle{value},
-          cosine{std::cos(value)},
-          sine{std::sin(value)}
-    {
-    }
-
-    double along(double x, double y) const { return x * cosine + y * sine; }   // sin beta
-    double across(double x, double y) const { return x * sine - y * cosine; }  // s
-};
-
-// Largest extents on either side, as what they are found from. The larger |alpha| of the low
-// points are those of small |s| / depth.
-struct Extents {
-    double tangent_plus = 0;
-    double tangent_minus = 0;
-    double ratio_plus = infinity;
-    double ratio_minus = infinity;
-    double sine_plus = 0;
-    double sine_minus = 0;
-
-    RotaryRange alpha(bool has_opposite) const
-    {
-        double plus =
-            ratio_plus < infinity ? pi - std::atan(ratio_plus) : std::atan(tangent_plus);
-        double minus = ratio_minus < infinity ? pi - std::atan(ratio_minus)
-                                              : std::atan(tangent_minus);
-        if (has_opposite)  // at 180 degrees on either side
-            (plus >= minus ? plus : minus) = pi;
-        return {0 - minus, plus};
-    }
-
-    RotaryRange beta() const
-    {
-        return {0 - std::asin(std::min(sine_minus, 1.0)),
-                std::asin(std::min(sine_plus, 1.0))};
-    }
-};
-
-// Positions of R1 between which no low point changes its side.
+// Positions of R1 between which no direction changes its side.
 struct Piece {
-    Azimuth left;
-    Azimuth right;
+    R1Azimuth left;
+    R1Azimuth right;
     double bound;        // rad^2
     std::size_t number;  // in the order of creation
 
@@ -120,37 +40,21 @@ class Branching {
 public:
     Branching(const PolePoints& points, const BranchGoal& goal)
         : frame_{points.frame},
+          needs_{points},
           goal_{goal}
     {
-        for (std::size_t i = 0; i < points.size(); ++i)
-            add(points, i);
     }
 
-    // R1 at `azimuth`, the low points on the sides on which they are with R1 at `beside`.
-    void evaluate(const Azimuth& azimuth, const Azimuth& beside)
+    // R1 at `azimuth`, directions on the sides on which they are with R1 at `beside`.
+    void evaluate(const R1Azimuth& azimuth, const R1Azimuth& beside)
     {
-        Extents extents;
-        for (const HighPoint& p : high_) {
-            const double s = azimuth.across(p.x, p.y);
-            if (!p.is_along_r1(s))
-                add_sides(extents.tangent_plus, extents.tangent_minus, s * p.inverse_z);
+        const Vec3 r1_axis = azimuth.cosine * frame_.x + azimuth.sine * frame_.y;
+        for (const RectangleExtents& extents :
+             with_opposite(needs_.at(azimuth, beside))) {
+            const RectangleCandidate rectangle = candidate(r1_axis, extents);
+            if (fits(rectangle))
+                best_.offer(rectangle, {rectangle.area(), rectangle.sum()});
         }
-        for (const LowPoint& p : low_) {
-            const double s = azimuth.across(p.x, p.y);
-            if (p.is_along_r1(s))
-                continue;
-            if (beside.across(p.x, p.y) > 0)
-                extents.ratio_plus =
-                    std::min(extents.ratio_plus, std::max(s, 0.0) / p.depth);
-            else
-                extents.ratio_minus =
-                    std::min(extents.ratio_minus, std::max(-s, 0.0) / p.depth);
-        }
-        for (const HighPoint& p : high_)
-            add_sides(extents.sine_plus, extents.sine_minus, azimuth.along(p.x, p.y));
-        for (const LowPoint& p : low_)
-            add_sides(extents.sine_plus, extents.sine_minus, azimuth.along(p.x, p.y));
-        offer(azimuth, extents);
     }
 
     // R1 at every fifth degree.
@@ -158,7 +62,7 @@ public:
     {
         constexpr int steps = 36;
         for (int i = 0; i < steps; ++i) {
-            const Azimuth azimuth{i * pi / steps};
+            const R1Azimuth azimuth{i * pi / steps};
             evaluate(azimuth, azimuth);
         }
     }
@@ -174,7 +78,7 @@ public:
                 return;
             if (piece.right.angle - piece.left.angle < narrowest)
                 continue;
-            const Azimuth middle{piece.middle()};
+            const R1Azimuth middle{piece.middle()};
             evaluate(middle, middle);
             push(pieces, piece.left, middle);
             push(pieces, middle, piece.right);
@@ -193,41 +97,24 @@ public:
     bool has_dropped() const { return has_dropped_; }
 
 private:
-    void add(const PolePoints& points, std::size_t i)
+    static RectangleCandidate candidate(const Vec3& r1_axis,
+                                        const RectangleExtents& extents)
     {
-        const double x = points.x[i];
-        const double y = points.y[i];
-        const double z = points.z[i];
-        const double azimuth = points.azimuth(i);
-        const double half_turn = azimuth < 0 ? azimuth + pi : azimuth;
-        if (z >= 0) {
-            high_.push_back({x, y, 1 / std::max(z, least_height)});
-            if (z < steep_height)
-                splits_.push_back(half_turn);
-            return;
-        }
-        const double rho = std::hypot(x, y);
-        if (rho < equal_angles) {
-            has_opposite_ = true;
-            return;
-        }
-        low_.push_back({x, y, rho, -z});
-        splits_.push_back(half_turn);
+        return {r1_axis, extents.alpha, extents.beta, RectangleOrigin::Search};
     }
 
-    static void add_sides(double& plus, double& minus, double value)
+    // The same, or if a direction is opposite to the tool axis with it on either side.
+    std::vector<RectangleExtents> with_opposite(const RectangleExtents& extents) const
     {
-        plus = std::max(plus, value);
-        minus = std::max(minus, -value);
+        if (!needs_.has_opposite())
+            return {extents};
+        return {{{extents.alpha.from, pi}, extents.beta},
+                {{-pi, extents.alpha.to}, extents.beta}};
     }
 
-    void offer(const Azimuth& azimuth, const Extents& extents)
+    bool fits(const RectangleCandidate& rectangle) const
     {
-        const RectangleCandidate rectangle{
-            azimuth.cosine * frame_.x + azimuth.sine * frame_.y,
-            extents.alpha(has_opposite_), extents.beta(), RectangleOrigin::Search};
-        if (!goal_.limits || fits_rigidly(rectangle, *goal_.limits))
-            best_.offer(rectangle, {rectangle.area(), rectangle.sum()});
+        return !goal_.limits || fits_rigidly(rectangle, *goal_.limits);
     }
 
     bool is_settled(double bound)
@@ -242,76 +129,39 @@ private:
 
     void push_roots(std::priority_queue<Piece>& pieces)
     {
-        std::vector<double> splits = splits_;
+        std::vector<double> splits = needs_.splits();
         splits.push_back(0);
         std::sort(splits.begin(), splits.end());
         splits.push_back(splits.front() + pi);
         for (std::size_t i = 0; i + 1 < splits.size(); ++i) {
             if (splits[i + 1] - splits[i] < narrowest)
                 continue;
-            const Azimuth left{splits[i]};
-            const Azimuth right{splits[i + 1]};
-            const Azimuth middle{(splits[i] + splits[i + 1]) / 2};
+            const R1Azimuth left{splits[i]};
+            const R1Azimuth right{splits[i + 1]};
+            const R1Azimuth middle{(splits[i] + splits[i + 1]) / 2};
             evaluate(left, middle);
             evaluate(right, middle);
             push(pieces, left, right);
         }
     }
 
-    void push(std::priority_queue<Piece>& pieces, const Azimuth& left,
-              const Azimuth& right)
+    void push(std::priority_queue<Piece>& pieces, const R1Azimuth& left,
+              const R1Azimuth& right)
     {
-        Piece piece{left, right, 0, created_++};
-        const Extents least = least_extents(piece);
-        const RectangleCandidate bound{Vec3::Zero(), least.alpha(has_opposite_),
-                                       least.beta(), RectangleOrigin::Search};
-        piece.bound = bound.area();
-        if (!goal_.limits || fits_rigidly(bound, *goal_.limits))
-            pieces.push(piece);
-    }
-
-    Extents least_extents(const Piece& piece) const
-    {
-        const Azimuth& l = piece.left;
-        const Azimuth& r = piece.right;
-        Extents least;
-        for (const HighPoint& p : high_) {
-            add_least(least.tangent_plus, least.tangent_minus,
-                      l.across(p.x, p.y) * p.inverse_z, r.across(p.x, p.y) * p.inverse_z);
-            add_least(least.sine_plus, least.sine_minus, l.along(p.x, p.y),
-                      r.along(p.x, p.y));
-        }
-        const Azimuth middle{piece.middle()};
-        for (const LowPoint& p : low_) {
-            const double left = l.along(p.x, p.y);
-            const double right = r.along(p.x, p.y);
-            add_least(least.sine_plus, least.sine_minus, left, right);
-            // |s| = rho where sin beta = 0.
-            const bool has_peak = (left > 0) != (right > 0);
-            const double ratio = (has_peak ? p.rho
-                                           : std::max(std::abs(l.across(p.x, p.y)),
-                                                      std::abs(r.across(p.x, p.y)))) /
-                                 p.depth;
-            double& side =
-                middle.across(p.x, p.y) > 0 ? least.ratio_plus : least.ratio_minus;
-            side = std::min(side, ratio);
-        }
-        return least;
-    }
-
-    static void add_least(double& plus, double& minus, double left, double right)
-    {
-        plus = std::max(plus, std::min(left, right));
-        minus = std::max(minus, std::min(-left, -right));
+        const RectangleBound bound = needs_.over(left, right);
+        const std::vector<RectangleExtents> sides = with_opposite(bound.extents);
+        double area = infinity;
+        for (std::size_t side = 0; side < sides.size(); ++side)
+            if (fits(candidate(Vec3::Zero(), sides[side])))
+                area = std::min(area, bound.areas.at(side));
+        if (area < infinity)
+            pieces.push({left, right, area, created_++});
     }
 
     PoleFrame frame_;
+    RectangleNeeds needs_;
     BranchGoal goal_;
     BestCandidate<RectangleCandidate> best_;
-    std::vector<HighPoint> high_;
-    std::vector<LowPoint> low_;
-    std::vector<double> splits_;  // rad, from 0 to pi: alpha jumps or passes 0 there
-    bool has_opposite_ = false;
     bool has_dropped_ = false;
     std::size_t created_ = 0;
 };

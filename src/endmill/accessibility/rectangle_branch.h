@@ -36,7 +36,8 @@ std::optional<RectangleCandidate> coarse_rectangle(const PolePoints& points,
 /// s = x sin psi - y cos psi, tan alpha = s / z and sin beta = x cos psi + y sin psi. Within
 /// half a turn an extent of beta, and for z >= 0 one of alpha, is least at an end; for z < 0,
 /// where s keeps its sign between the direction's azimuths, |alpha| is least where |s| is
-/// largest. The product of the sums of such least extents bounds a piece from below. Derived in
+/// largest. The product of the sums of such least extents bounds a piece from below, and so does
+/// one of a few directions that lacks the square of the piece's width only. Derived in
 /// paper/notes/rectangle-about-an-axis.md.
 /// \pre the directions have unit length; `points` is not empty.
 std::optional<RectangleCandidate> branch_rectangle(const PolePoints& points,
