@@ -41,6 +41,7 @@ TEST(EightShadows, FallOnWhatTheyCoverAndLieAbove)
 {
     test::Random random{8};
     std::vector<NumberedPoint> points;
+    points.reserve(500);
     for (std::int32_t k = 0; k < 500; ++k)
         points.push_back({random_place(random), 100 + k});
     PointCells cells;

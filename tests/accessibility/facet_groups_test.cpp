@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "random.h"
 #include "teapot.h"

@@ -15,6 +15,7 @@ std::vector<NumberedPoint> random_points(int count, float width)
 {
     test::Random random{3};
     std::vector<NumberedPoint> points;
+    points.reserve(count);
     for (int k = 0; k < count; ++k)
         points.push_back(
             {{static_cast<float>(random.uniform(-1, 1)) * width,
