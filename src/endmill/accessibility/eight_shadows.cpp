@@ -17,14 +17,19 @@ static_assert(lanes == PointBlock::size);
 
 // What follows bounds the errors where coordinates, at most 1 in size, are off by h, at least
 // half a rounding. Differences are off by 2 h and a rounding. |.| sums the sizes of components;
-// R is the largest difference of x or y of a centroid in question from a corner, Z that of z.
+// R is the largest difference of x or y of a centroid in question from a corner, at least 32 h;
+// Z that of z, at least R.
 //
 // An edge function, d x e + c with the offset c of the corner: 2 h |e| + 4 h R from the
-// factors, as much from c, and 5 roundings of |e| R in each.
+// factors, as much from c, and 5 roundings of |e| R in each: in all 4 h |e| + 8 h R + 20 h |e| R.
 // The normal's components: 2 h S, where S = |e| + |f| of the sides e and f that it is made of,
-// and 5 roundings of |e| |f|, at most S^2 / 4.
+// 5 roundings of |e| |f|, at most S^2 / 4, and 8 h^2: at most h S (3 + 3 S), since S exceeds 12 h
+// where this leaves no doubt of the sign of z.
 // The depth n . d: 2 h S (2 R + Z) from n; 2 h |n| from d, where |n| <= S^2 / 4 and S <= 2 (2 R
-// + Z); 10 roundings of S^2 / 4 Z in all.
+// + Z); 10 roundings of S^2 / 4 Z in all, and 12 h^2 S: at most h S (2 R + Z) (3 + 10 Z).
+//
+// dz may be taken within bounds R beyond the facet's z: where a point is inside the outline, the
+// plane lies between its corners, and dz at a bound is on the same side of it.
 [[gnu::always_inline]] inline WideFloats size_of(const WideFloats& a)
 {
     return larger(a, -a);
@@ -179,7 +184,7 @@ void prepare_shadows(EightShadows& shadows, float accuracy)
         low[axis] = smaller(at[0][axis], smaller(at[1][axis], at[2][axis]));
         high[axis] = larger(at[0][axis], larger(at[1][axis], at[2][axis]));
     }
-    // Centroids that are covered within the errors lie in the box, widened by theirs.
+    // Centroids that are covered lie in the box but for 2 h and roundings; 16 h leaves room.
     for (int axis = 0; axis < 2; ++axis) {
         shadows.low[axis] = least_of(low[axis]) - 16 * h;
         shadows.high[axis] = -least_of(-high[axis]) + 16 * h;

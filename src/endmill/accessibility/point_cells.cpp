@@ -15,6 +15,8 @@ constexpr double points_per_cell = 0.7;
 constexpr double aspect = 8;
 // A long row of points would ask for cells without end.
 constexpr double most_cells_along = 1 << 15;
+// Of a cell whose points all have one x or y; its inverse is a float.
+constexpr double least_side = 1e-30;
 
 }  // namespace
 
@@ -34,7 +36,7 @@ void PointCells::choose_cells(std::span<const NumberedPoint> points)
     const double least = extent.maxCoeff() / std::min(cells, most_cells_along);
     const Eigen::Array2d sides =
         (middle * Eigen::Array2d{1 / std::sqrt(aspect), std::sqrt(aspect)})
-            .max(std::max(least, 1e-30));
+            .max(std::max(least, least_side));
     cells_per_length_ = sides.inverse().cast<float>();
     columns_ = static_cast<int>(extent.x() / sides.x()) + 1;
     rows_ = static_cast<int>(extent.y() / sides.y()) + 1;

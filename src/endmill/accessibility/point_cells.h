@@ -46,8 +46,8 @@ public:
     int column_at(float x) const { return cell_at(x, 0, columns_); }
     int row_at(float y) const { return cell_at(y, 1, rows_); }  ///< see column_at
 
-    /// Of the points in the cells of `row`, columns `first` to `last`: that they are those in
-    /// the places begin … end in the blocks. \pre row and columns exist.
+    /// The places of the points in some cells of a row, columns `first` to `last`: the first one,
+    /// and that behind the last. \pre row and columns exist.
     std::pair<std::uint32_t, std::uint32_t> range(int row, int first, int last) const
     {
         const std::size_t cell = static_cast<std::size_t>(row) * columns_;

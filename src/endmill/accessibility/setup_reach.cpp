@@ -21,7 +21,8 @@ double azimuth_of(std::size_t turn)
     return 2 * pi * static_cast<double>(turn) / static_cast<double>(turns);
 }
 
-// The angles from 0 to `end`, and on from -`begin` to the whole turn, among those from 0 to pi.
+// Among the angles from 0 to pi those up to `end`, and those that are a turn on from what is
+// not below `begin`.
 class HalfRange {
 public:
     // \pre begin <= 0 <= end, rad

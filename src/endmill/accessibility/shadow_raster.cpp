@@ -15,6 +15,9 @@ namespace {
 // Half a unit in the last place of 1 in single precision.
 constexpr float rounding = std::numeric_limits<float>::epsilon() / 2;
 
+// Squared sine between a direction and the x axis: below it, y is taken across.
+constexpr double nearly_along = 0.1;
+
 // A shift and the scaled rows of a rotation, in doubles.
 [[gnu::always_inline]] inline Eigen::Vector3f seen(const Eigen::Matrix3d& rows,
                                                    const Vec3& offset)
@@ -56,13 +59,14 @@ void ShadowRaster::look_along(const Vec3& direction)
 {
     // Parts have sides along x and y: seen along rows and columns of cells, there are fewer
     // cells between them.
-    Vec3 across = Vec3::UnitX() - direction.x() * direction;
-    if (across.squaredNorm() < 0.1)
-        across = Vec3::UnitY() - direction.y() * direction;
+    const Vec3 along = direction.normalized();
+    Vec3 across = Vec3::UnitX() - along.x() * along;
+    if (across.squaredNorm() < nearly_along)
+        across = Vec3::UnitY() - along.y() * along;
     across.normalize();
     rows_.row(0) = scale_ * across;
-    rows_.row(1) = scale_ * direction.cross(across);
-    rows_.row(2) = scale_ * direction;
+    rows_.row(1) = scale_ * along.cross(across);
+    rows_.row(2) = scale_ * along;
     const std::vector<Vec3>& points = groups_->points;
     for (std::size_t k = 0; k < points.size(); ++k)
         corners_[k].head<3>() = seen(rows_, points[k] - centre_);

@@ -19,8 +19,8 @@ namespace endmill {
 /// darken those that they cover and lie above. In single precision with bounds on every
 /// error; what is within them is decided by `blocks_ray`.
 ///
-/// Keeps room for its work, so that a thread has one of its own: 60 bytes a facet. Part and
-/// groups must outlive it.
+/// Keeps room for its work, so that a thread has one of its own: 45 bytes a facet in question,
+/// 16 a point. Part and groups must outlive it.
 class ShadowRaster {
 public:
     /// Sees the part `part`, of which `groups` are the facets.

@@ -17,7 +17,7 @@ namespace endmill {
 ///
 /// Decided for the cylinders as they are, flat ends included, not by a cone about the
 /// direction; right but for touches within 1e-14 of the largest coordinate. The cutter is not
-/// looked at. On all threads; the answer does not depend on their number. 60 bytes a facet.
+/// looked at. On all threads; the answer does not depend on their number. up to 90 bytes a facet.
 /// \param visibility of `part` along `directions`.
 /// \param body such as `tool_body` gives.
 /// \param progress as in VisibilityOptions.
