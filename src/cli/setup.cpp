@@ -75,15 +75,13 @@ void add_setup_command(CLI::App& program, Action& action)
     const auto options = std::make_shared<SetupCommandOptions>();
     add_setup_options(*command, *options);
     command->footer(
-        "Writes visibility.bsm, cones.csv (a row a facet), setup.vtp, setup.svg, "
-        "sphere.svg and\nsummary.json to --output (default ./NAME-setup); with --points "
-        "prints, and writes only\nDIR/summary.json with --output. phi, theta are turns "
-        "of "
-        "the tool against the part. C,A: phi\nis the tilt, theta the turn of C; A,B: phi "
-        "is "
-        "the turn of the axis nearer to the part.\nExit 1: not machinable, with the "
-        "turns "
-        "that would do, or undecided.\n\n"
+        "Writes visibility.bsm, cones.csv (a row a facet), setup.vtp, setup.svg,\n"
+        "sphere.svg and summary.json to --output (default ./NAME-setup); with\n"
+        "--points prints, and writes only DIR/summary.json with --output.\n"
+        "phi, theta are turns of the tool against the part. C,A: phi is the tilt,\n"
+        "theta the turn of C; A,B: phi is the turn of the axis nearer to the part.\n"
+        "Exit 1: not machinable, with the turns that would do, undecided, or beyond\n"
+        "the linear axes.\n\n"
         "Example:\n  endmill setup datasets/meshes/teapot-288.off --machine W/caxyBz/T\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine all --mode set");
     command->callback([options, command, &action] {

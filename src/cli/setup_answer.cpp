@@ -66,6 +66,20 @@ SetupRequest request_for(const SetupMachine& machine, const SetupCommandOptions&
             .max_nodes = static_cast<std::size_t>(options.max_nodes)};
 }
 
+// What the mode minimises, of a pose: rad^2, or rad.
+double objective_of(const FittedPose& pose, const SetupMachine& machine,
+                    const SetupCommandOptions& options)
+{
+    if (options.mode)
+        return pose.area;
+    // The one rotary axis of four is phi, as R1 of A,B.
+    const RotaryFamily family =
+        machine.machine.configuration.family.value_or(RotaryFamily::AB);
+    return PoseMeasure{
+        family, options.objective,
+        Angle::degrees(options.floor_deg).radians()}(pose_ranges(family, pose));
+}
+
 // How far the search over whole cones is, in the unit of what it minimises.
 std::string set_progress_text(const SetSearchProgress& now, SetupObjective objective)
 {
@@ -118,13 +132,13 @@ BestSetup four_axis_setup(const SetupMachine& machine, const SetupInput& input,
     best.poses_tried = search.poses_tried;
     best.poses_skipped = search.poses_skipped;
     if (search.least)
-        best.objective = 0;
+        best.objective = objective_of(*search.least, machine, options);
     return best;
 }
 
 // Some facet is reached from nowhere, so that no setup will do: what is told is the least that
 // the others need.
-BestSetup of_the_other_facets(BestSetup best, const std::optional<RotaryFamily>& family,
+BestSetup of_the_other_facets(BestSetup best, const SetupMachine& machine,
                               const SetupCommandOptions& options)
 {
     best.is_machinable = false;
@@ -132,17 +146,15 @@ BestSetup of_the_other_facets(BestSetup best, const std::optional<RotaryFamily>&
     best.feasible = std::nullopt;
     best.lower_bound = std::nullopt;
     best.objective = std::nullopt;
-    if (best.least && options.mode)
-        best.objective = best.least->area;
-    if (best.least && !options.mode && family)
-        best.objective = PoseMeasure{*family, options.objective,
-                                     Angle::degrees(options.floor_deg).radians()}(
-            pose_ranges(*family, *best.least));
+    if (best.least)
+        best.objective = objective_of(*best.least, machine, options);
     return best;
 }
 
 // All that a machine of three axes can do is decided by trying every direction.
-BestSetup three_axis_setup(const SetupInput& input, const SetupVisibility& visibility)
+BestSetup three_axis_setup(const SetupMachine& machine, const SetupInput& input,
+                           const SetupVisibility& visibility,
+                           const SetupCommandOptions& options)
 {
     const VisibilityMap& map = visibility.map();
     const DirectionReach widest = widest_direction(map);
@@ -159,7 +171,7 @@ BestSetup three_axis_setup(const SetupInput& input, const SetupVisibility& visib
     best.feasible =
         FittedPose{{axis, across, axis.cross(across)}, {0, 0}, {0, 0}, 0, widest.cell};
     best.least = best.feasible;
-    best.objective = 0;
+    best.objective = objective_of(*best.least, machine, options);
     return best;
 }
 
@@ -172,7 +184,7 @@ BestSetup setup_on(const SetupMachine& machine, const SetupInput& input,
     if (configuration.family)
         return five_axis_setup(machine, input, visibility.map(), options);
     if (configuration.rotary.empty())
-        return three_axis_setup(input, visibility);
+        return three_axis_setup(machine, input, visibility, options);
     return four_axis_setup(machine, input, visibility.map(), options);
 }
 
@@ -249,10 +261,12 @@ SetupCover several_setups(const SetupMachine& machine, const SetupInput& input,
                          });
 }
 
-// Machinable first, then undecided, then not.
+// Machinable first, then undecided, then not. Travel does not count: it is another wherever
+// the part is clamped.
 int machinable_rank(const SetupAnswer& answer)
 {
-    return answer.is_yes() ? 0 : answer.best.is_machinable == false ? 2 : 1;
+    const std::optional<bool> is_machinable = answer.best.is_machinable;
+    return is_machinable == true ? 0 : is_machinable == false ? 2 : 1;
 }
 
 double ranked_area(const SetupAnswer& answer, const SetupCommandOptions& options)
@@ -304,7 +318,7 @@ SetupAnswer answer_for(const SetupMachine& machine, const SetupInput& input,
     SetupAnswer answer{.machine = &machine,
                        .best = setup_on(machine, input, visibility, options)};
     if (!visibility.empty.empty())
-        answer.best = of_the_other_facets(answer.best, configuration.family, options);
+        answer.best = of_the_other_facets(answer.best, machine, options);
     if (answer.told())
         add_travel(answer, input, visibility, options);
     if (options.max_setups > 1 && configuration.is_valid())

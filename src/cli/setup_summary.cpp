@@ -102,8 +102,10 @@ void add_travel_keys(Json& summary, const SetupAnswer& answer,
 }
 
 // With one setup asked for there is no list: the pose itself tells it.
-void add_setups(Json& summary, const SetupAnswer& answer, bool has_empty_cones)
+void add_setups(Json& summary, const SetupAnswer& answer,
+                const SetupCommandOptions& options)
 {
+    const bool has_empty_cones = !summary["empty_cones"].empty();
     summary["setups"] = nullptr;
     summary["uncovered"] = nullptr;
     summary["setups_lower_bound"] = nullptr;
@@ -117,7 +119,8 @@ void add_setups(Json& summary, const SetupAnswer& answer, bool has_empty_cones)
                           {"facets", setup.facets}});
     summary["setups"] = setups;
     summary["uncovered"] = answer.setups->uncovered;
-    const bool needs_two = answer.best.is_machinable == false && answer.best.is_proved;
+    const bool needs_two =
+        is_set(options) && answer.best.is_machinable == false && answer.best.is_proved;
     if (!has_empty_cones)  // else no number of setups will do
         summary["setups_lower_bound"] = needs_two ? 2 : 1;
 }
@@ -149,7 +152,10 @@ void add_search(Json& summary, const SetupAnswer& answer,
     const BestSetup& best = answer.best;
     summary["machinable"] = machinable_json(best);
     summary["proved"] = best.is_proved;
-    summary["status"] = setup_status_word(best.status);
+    // Words for what a pose is like need one.
+    const bool has_status =
+        answer.told().has_value() || best.status == SetupStatus::NoOpenHemisphere;
+    summary["status"] = has_status ? Json(setup_status_word(best.status)) : Json{};
     summary.update(pose_json(answer.told()));
     add_ranges(summary, answer, options);
     add_objective(summary, answer, options);
@@ -159,7 +165,7 @@ void add_search(Json& summary, const SetupAnswer& answer,
     summary["poses_tried"] = best.poses_tried;
     summary["poses_skipped"] = best.poses_skipped;
     summary["unresolved"] = best.unresolved;
-    add_setups(summary, answer, !summary["empty_cones"].empty());
+    add_setups(summary, answer, options);
     add_travel_keys(summary, answer, options);
 }
 
@@ -178,6 +184,38 @@ std::string unreached_text(const Json& facets)
     for (std::size_t k = 0; k < std::min(most_told, facets.size()); ++k)
         text += fmt::format(" {}", facets[k].get<std::size_t>());
     return text + (facets.size() > most_told ? " ...\n" : "\n");
+}
+
+// Whether the linear axes go where the facets ask for the tool, and what may mend it.
+std::string travel_text(const Json& s)
+{
+    if (s["travel_ok"].is_null())
+        return {};
+    if (s["travel_ok"].get<bool>())
+        return "the linear axes reach all facets\n";
+    if (s["travel_mm"].is_null())
+        return "at this pose a facet has no direction within the limits\n";
+    std::string text = "beyond the linear axes, which would have to go";
+    for (const char* axis : {"x", "y", "z"})
+        text += fmt::format(" {} {:.6g} to {:.6g}", axis,
+                            s["travel_mm"][axis][0].get<double>(),
+                            s["travel_mm"][axis][1].get<double>());
+    const Json& clamp = s["clamp_centred_mm"];
+    return text +
+           fmt::format(" mm; nearest to their middle with --clamp {:.6g},{:.6g},{:.6g}\n",
+                       clamp[0].get<double>(), clamp[1].get<double>(),
+                       clamp[2].get<double>());
+}
+
+// What the mode falls short of, and which one does not.
+std::string better_mode_text(const Json& s)
+{
+    const std::string mode = s["mode"].get<std::string>();
+    if (mode == "set" || (s["type"] != "CA" && s["type"] != "AB"))
+        return {};
+    return (mode == "corrected" ? "mode corrected tries the centres of cells alone"
+                                : "as the paper has it; --mode corrected fits exactly") +
+           std::string{"; --mode set searches all poses for whole cones\n"};
 }
 
 }  // namespace
@@ -299,7 +337,7 @@ std::string setup_text(const Json& s)
             fmt::format("tool axis ({:.4f}, {:.4f}, {:.4f}) in coordinates of the part\n",
                         s["tool_axis"][0].get<double>(), s["tool_axis"][1].get<double>(),
                         s["tool_axis"][2].get<double>());
-    return text;
+    return text + travel_text(s) + better_mode_text(s);
 }
 
 }  // namespace endmill

@@ -124,9 +124,12 @@ class Setup(ProgramTest):
     def test_a_cube_on_machines_of_all_kinds(self):
         cube = self.file(CUBE, "cube.off")
         cone = ("--incidence-deg", 80)
-        self.assertFalse(self.found(cube, "--machine", "W/xyBz/T", *cone, status=1)["machinable"])
+        three = self.found(cube, "--machine", "W/xyBz/T", *cone, status=1)
+        self.assertEqual((three["machinable"], three["status"]), (False, None))  # no pose that it could be said of
         four = self.found(cube, "--machine", "W/axyBz/T", *cone)
-        self.assertEqual((four["type"], four["area_deg2"]), ("4-axis", 0))
+        self.assertEqual((four["type"], four["area_deg2"], four["objective_deg2"]), ("4-axis", 0, 0))
+        four = self.found(cube, "--machine", "W/axyBz/T", *cone, "--mode", "set")
+        self.assertAlmostEqual(four["objective_deg2"], four["floored_area_deg2"], delta=1e-9)
         sectors = self.found(cube, "--machine", "W/caxyBz/T", *cone)
         self.assertLessEqual(sectors["area_deg2"], 1800.1)  # at z; other poses may need less
         set_search = self.found(cube, "--machine", "W/caxyBz/T", "--incidence-deg", 75, "--mode", "set",
@@ -172,9 +175,11 @@ class Setup(ProgramTest):
     def test_several_setups(self):
         found = self.found(TEAPOT, "--machine", "W/xyBz/T", "--max-setups", 6, status=1)
         self.assertEqual(len(found["setups"]), 4)
-        self.assertEqual((found["uncovered"], found["setups_lower_bound"]), ([], 2))
+        self.assertEqual((found["uncovered"], found["setups_lower_bound"]), ([], 1))
         facets = sorted(facet for setup in found["setups"] for facet in setup["facets"])
         self.assertEqual(facets, list(range(288)))
+        proved = self.found(TEAPOT, "--machine", "W/xyBz/T", "--max-setups", 6, "--mode", "set", status=1)
+        self.assertEqual(proved["setups_lower_bound"], 2)
         few = self.found(TEAPOT, "--machine", "W/xyBz/T", "--max-setups", 2, status=1)
         self.assertGreater(len(few["uncovered"]), 0)
 
@@ -191,6 +196,10 @@ class Setup(ProgramTest):
         far = self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
                          status=1)
         self.assertEqual((far["machinable"], far["travel_ok"]), (True, False))
+        told = endmill("setup", cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
+                       "-o", "told", cwd=self.folder).stdout
+        self.assertIn("beyond the linear axes", told)
+        self.assertIn("--mode set", told)
         clamp = ",".join(str(x) for x in far["clamp_centred_mm"])
         self.assertTrue(self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp",
                                    clamp)["travel_ok"])
@@ -201,8 +210,9 @@ class Setup(ProgramTest):
         ranking = found["ranking"]
         self.assertEqual(len(ranking), len(list(MACHINES.glob("*.json"))))
         self.assertEqual(found["configuration"], ranking[0]["configuration"])
-        machinable = [bool(one["machinable"]) and one["travel_ok"] is not False for one in ranking]
-        self.assertEqual(machinable, sorted(machinable, reverse=True))
+        order = [(not one["machinable"], one["floored_area_deg2"] if one["floored_area_deg2"] is not None else math.inf,
+                  one["configuration"]) for one in ranking]
+        self.assertEqual(order, sorted(order))
 
     def test_the_machines_that_come_with_the_program(self):
         """From any folder: of the tree where it was built, else where it is installed, else of the current folder."""
