@@ -110,5 +110,24 @@ TEST(BlocksRay, HoldsForAnySize)
     }
 }
 
+// Powers of two change no digit, and the largest of these no answer, though products of the
+// corners leave the range of a double.
+TEST(BlocksRay, IsNotMisledWhereProductsOverflow)
+{
+    test::Random random{3};
+    const auto next = [&] { return random.uniform(-1, 1); };
+    for (int trial = 0; trial < 5000; ++trial) {
+        Corners from = corners_of(next);
+        Corners facet = corners_of(next);
+        const Vec3 direction{next(), next(), next()};
+        const bool expected = blocks_ray(from, direction, facet);
+        for (int k = 0; k < 3; ++k) {
+            from[k] *= 0x1p511;
+            facet[k] *= 0x1p511;
+        }
+        EXPECT_EQ(blocks_ray(from, direction, facet), expected);
+    }
+}
+
 }  // namespace
 }  // namespace endmill

@@ -41,6 +41,8 @@ std::optional<int> sure_sign(const RoundedVector& x, const RoundedVector& y,
     const double determinant = x.value.dot(y.value.cross(z.value));
     const double doubt = 8 * (x.error * Y * Z + X * y.error * Z + X * Y * z.error) +
                          40 * rounding * X * Y * Z + std::numeric_limits<double>::min();
+    if (!std::isfinite(determinant))  // beyond doubles, even a sum's sign is lost
+        return {};
     if (determinant > doubt)
         return 1;
     if (determinant < -doubt)
