@@ -7,32 +7,25 @@ function(endmill_precompile target)
                             <functional> <optional> <span> <string> <vector> ${ARGN})
 endfunction()
 
-# endmill_internal_headers(RESULT header...): those with a line `// Internal to ...`.
-function(endmill_internal_headers result)
-  set(internal)
-  foreach(header IN LISTS ARGN)
-    file(STRINGS ${header} marker REGEX "^// Internal to " LIMIT_COUNT 1)
-    if(marker)
-      list(APPEND internal ${header})
-    endif()
-  endforeach()
-  set(${result} ${internal} PARENT_SCOPE)
-endfunction()
-
-# endmill_module(NAME [USES module...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...])
+# endmill_module(NAME [USES module...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...]
+#                [OPTIONS option...] [TEST_LIBRARIES target...])
 #
 # Declares src/endmill/NAME as the library endmill::NAME and tests/NAME as its test
 # program. USES is the module's complete list of arrows to other modules;
 # scripts/check_layers.py fails when an #include follows an arrow not named here. LIBRARIES
-# and PRIVATE_LIBRARIES come from packages that endmill_dependency finds. The library is
-# installed with its headers, but those with a line `// Internal to ...`.
+# and PRIVATE_LIBRARIES come from packages that endmill_dependency finds. OPTIONS are compiler
+# options of the module's sources, TEST_LIBRARIES what only its tests link to.
+#
+# The headers in src/endmill/NAME and the umbrella src/endmill/NAME.h are installed. The
+# folder src/endmill/NAME/detail holds everything else and is not installed.
 function(endmill_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;LIBRARIES;PRIVATE_LIBRARIES")
-  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/endmill/${name}/*.h)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/endmill/${name}/*.cpp)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;LIBRARIES;PRIVATE_LIBRARIES;OPTIONS;TEST_LIBRARIES")
+  set(folder ${PROJECT_SOURCE_DIR}/src/endmill/${name})
+  file(GLOB headers CONFIGURE_DEPENDS ${folder}/*.h)
+  file(GLOB internal CONFIGURE_DEPENDS ${folder}/detail/*.h)
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/detail/*.cpp)
   file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
-  endmill_internal_headers(internal ${headers})
-  list(REMOVE_ITEM headers ${internal})
+  list(APPEND headers ${folder}.h)
   list(TRANSFORM arg_USES PREPEND endmill::)
 
   add_library(endmill_${name} ${sources})
@@ -42,8 +35,8 @@ function(endmill_module name)
   target_sources(endmill_${name} PRIVATE FILE_SET internal TYPE HEADERS
                  BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${internal})
   target_compile_features(endmill_${name} PUBLIC cxx_std_20)
-  # A fused a b - c d keeps the rounding of one product: its sign would hang on the machine.
-  target_compile_options(endmill_${name} PRIVATE -ffp-contract=off)
+  # A fused a b - c d keeps the rounding of one product, so its sign would depend on the machine.
+  target_compile_options(endmill_${name} PRIVATE -ffp-contract=off ${arg_OPTIONS})
   target_link_libraries(endmill_${name} PUBLIC ${arg_USES} ${arg_LIBRARIES}
                         PRIVATE ${arg_PRIVATE_LIBRARIES} $<BUILD_INTERFACE:endmill_warnings>)
   set_target_properties(endmill_${name} PROPERTIES EXPORT_NAME ${name}
@@ -56,7 +49,8 @@ function(endmill_module name)
   if(ENDMILL_BUILD_TESTS AND tests)
     add_executable(endmill_${name}_test ${tests})
     target_link_libraries(endmill_${name}_test PRIVATE endmill::${name} endmill_test_support
-                          endmill_warnings GTest::gtest_main)
+                          endmill_warnings GTest::gtest_main
+                          ${arg_TEST_LIBRARIES})
     target_compile_options(endmill_${name}_test PRIVATE $<$<CONFIG:Release>:-O1>
                            $<$<CONFIG:Asan>:-O0>)
     endmill_precompile(endmill_${name}_test <gtest/gtest.h>)

@@ -3,10 +3,15 @@
 """Fails if the house is not as it is declared.
 
 * An #include follows an arrow that src/CMakeLists.txt does not declare, or is relative.
-* A module other than job uses io: whoever computes does not read files.
+* A module other than job, figures and files uses files: whoever computes does not read files.
 * A folder under src/endmill is no declared module, or a declared module has no folder.
+* A module folder holds other folders than detail/.
+* A module shows more than 14 public headers, or all modules together more than 130.
+* The umbrella header of a module does not include exactly the module's public headers.
+* Units (a header with its source) include each other in a circle.
 * A header in src shows a library that is kept inside .cpp files.
-* A header for users includes one that is internal to a module, and so is not installed.
+* A public header includes one of a detail/ folder, which is not installed.
+* The program or an example includes a header of a detail/ folder.
 * A header has no test file of its name.
 * A source, script or CMake file has no SPDX line, or one that says something is still to do.
 """
@@ -16,11 +21,12 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 MODULE = re.compile(r"endmill_module\(([^)]*)\)")
-KEYWORDS = {"USES", "LIBRARIES", "PRIVATE_LIBRARIES"}
+KEYWORDS = {"USES", "LIBRARIES", "PRIVATE_LIBRARIES", "OPTIONS", "TEST_LIBRARIES"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 KEPT_INSIDE = re.compile(r"^(CGAL|OpenMesh|boost|embree\d*|tbb|oneapi)/")
-INTERNAL = re.compile(r"^// Internal to ", re.M)
-MAY_USE_IO = {"job"}  # and src/cli, which is no module
+MAY_USE_FILES = {"figures", "job"}  # and src/cli, which is no module
+MOST_HEADERS_OF_A_MODULE = 14
+MOST_HEADERS = 130  # of all modules, umbrella headers included
 SPDX = "SPDX-License-Identifier:"
 UNFINISHED = re.compile(r"\b(TO{1}DO|FIX{1}ME)\b")  # {1}: so that this line passes itself
 CHECKED_SUFFIXES = {".h", ".cpp", ".py", ".sh", ".cmake"}
@@ -39,8 +45,8 @@ def declared_arrows(text, bad):
                 uses.add(token)
         for later in sorted(uses - arrows.keys()):
             bad.append(f"src/CMakeLists.txt: {name} uses {later}, which is not declared above it")
-        if "io" in uses and name not in MAY_USE_IO:
-            bad.append(f"src/CMakeLists.txt: {name} uses io; only job and cli may")
+        if "files" in uses and name not in MAY_USE_FILES:
+            bad.append(f"src/CMakeLists.txt: {name} uses files; only figures, job and cli may")
         arrows[name] = uses
     return arrows
 
@@ -51,46 +57,121 @@ def check_folders(root, arrows, bad):
         bad.append(f"src/endmill/{module}: not declared in src/CMakeLists.txt")
     for module in sorted(arrows.keys() - folders):
         bad.append(f"src/CMakeLists.txt: {module} has no folder src/endmill/{module}")
+    for folder in sorted(f for f in (root / "src/endmill").glob("*/**") if f.is_dir()):
+        inside = folder.relative_to(root / "src/endmill").parts[1:]
+        if inside not in ((), ("detail",)):
+            bad.append(f"{folder.relative_to(root)}: a module has no folder but detail/")
+
+
+def sources(root, *folders):
+    """(path below the root, text, its includes) of the C++ files in some folders."""
+    for folder in folders:
+        for file in sorted((root / folder).rglob("*")):
+            if file.suffix in (".h", ".cpp"):
+                text = file.read_text(encoding="utf-8")
+                yield file.relative_to(root), text, INCLUDE.findall(text)
 
 
 def check_includes(root, arrows, bad):
-    for file in sorted((root / "src/endmill").rglob("*.[hc]*")):
-        module = file.relative_to(root / "src/endmill").parts[0]
+    for file, _, includes in sources(root, "src/endmill"):
+        if len(file.parts) < 4:
+            continue  # an umbrella header
+        module = file.parts[2]
         may_use = arrows.get(module, set()) | {module}
-        for included in INCLUDE.findall(file.read_text(encoding="utf-8")):
+        for included in includes:
             top, *rest = included.split("/")
-            if top == "endmill" and rest[0] not in may_use:
-                bad.append(f"{file.relative_to(root)}: {module} -> {rest[0]}")
+            if top == "endmill" and (len(rest) < 2 or rest[0] not in may_use):
+                bad.append(f"{file}: {module} -> {rest[0]}")
             if top in ("..", "cli"):
-                bad.append(f"{file.relative_to(root)}: includes {included}")
+                bad.append(f"{file}: includes {included}")
 
 
 def check_headers(root, bad):
-    for header in sorted((root / "src").rglob("*.h")):
-        for included in INCLUDE.findall(header.read_text(encoding="utf-8")):
+    for file, _, includes in sources(root, "src"):
+        for included in includes if file.suffix == ".h" else ():
             if KEPT_INSIDE.match(included):
-                bad.append(f"{header.relative_to(root)}: {included} belongs in a .cpp file")
+                bad.append(f"{file}: {included} belongs in a .cpp file")
 
 
-def check_internal_headers(root, bad):
-    texts = {str(header.relative_to(root / "src")): header.read_text(encoding="utf-8")
-             for header in sorted((root / "src/endmill").glob("*/*.h"))}
-    internal = {name for name, text in texts.items() if INTERNAL.search(text)}
-    for name in sorted(texts.keys() - internal):
-        for included in sorted(internal.intersection(INCLUDE.findall(texts[name]))):
-            bad.append(f"src/{name}: is for users and includes {included}, which is internal")
+def check_detail(root, bad):
+    """Headers of detail/ folders are for the library's sources, its tests and experiments."""
+    for file, _, includes in sources(root, "src", "docs/examples"):
+        is_public = file.parts[:2] == ("src", "endmill") and file.suffix == ".h" \
+            and "detail" not in file.parts
+        is_outside = file.parts[:2] != ("src", "endmill")
+        for included in includes:
+            if "/detail/" in included and (is_public or is_outside):
+                bad.append(f"{file}: includes {included}, which is not installed")
+
+
+def check_public_headers(root, bad):
+    modules = sorted(f for f in (root / "src/endmill").iterdir() if f.is_dir())
+    shown = {module.name: sorted(h.name for h in module.glob("*.h")) for module in modules}
+    for name, headers in shown.items():
+        if len(headers) > MOST_HEADERS_OF_A_MODULE:
+            bad.append(f"src/endmill/{name}: shows {len(headers)} headers,"
+                       f" at most {MOST_HEADERS_OF_A_MODULE}")
+        umbrella = root / f"src/endmill/{name}.h"
+        included = INCLUDE.findall(umbrella.read_text(encoding="utf-8")) \
+            if umbrella.exists() else []
+        if included != [f"endmill/{name}/{header}" for header in headers]:
+            bad.append(f"src/endmill/{name}.h: does not include exactly the headers of {name},"
+                       " in order of their names")
+    count = sum(map(len, shown.values())) + len(shown)
+    if count > MOST_HEADERS:
+        bad.append(f"src/endmill: {count} public headers, at most {MOST_HEADERS}")
+
+
+def circles(graph):
+    """The strongly connected parts of a graph that have more than one node (Tarjan)."""
+    index, low, stack, found = {}, {}, [], []
+
+    def visit(node):
+        index[node] = low[node] = len(index)
+        stack.append(node)
+        for other in sorted(graph[node]):
+            if other not in index:
+                visit(other)
+                low[node] = min(low[node], low[other])
+            elif other in stack:
+                low[node] = min(low[node], index[other])
+        if low[node] == index[node]:
+            part = stack[stack.index(node):]
+            del stack[stack.index(node):]
+            if len(part) > 1:
+                found.append(sorted(part))
+
+    for node in sorted(graph):
+        if node not in index:
+            visit(node)
+    return found
+
+
+def check_units(root, bad):
+    graph, files = {}, list(sources(root, "src"))
+    for file, _, _ in files:
+        graph.setdefault(str(file.with_suffix("").relative_to("src")), set())
+    for file, _, includes in files:
+        unit = str(file.with_suffix("").relative_to("src"))
+        used = {included.removesuffix(".h") for included in includes}
+        graph[unit] |= (used & graph.keys()) - {unit}
+    for circle in circles(graph):
+        bad.append("src: units include each other in a circle: " + " ".join(circle))
 
 
 def check_tests(root, bad):
-    for header in sorted((root / "src/endmill").glob("*/*.h")):
-        test = Path("tests", header.parent.name, header.stem + "_test.cpp")
-        if not (root / test).exists():
-            bad.append(f"{header.relative_to(root)}: has no {test}")
+    for file, _, _ in sources(root, "src/endmill"):
+        if file.suffix != ".h" or len(file.parts) < 4:
+            continue
+        folder = root / "tests" / file.parts[2]
+        if not any(folder.glob(f"{file.stem}_test.cpp")) and \
+                not any(folder.glob(f"{file.stem}_*_test.cpp")):
+            bad.append(f"{file}: has no tests/{file.parts[2]}/{file.stem}_test.cpp")
 
 
 def checked_files(root):
     """Sources, scripts and CMake files."""
-    for folder in ("src", "experiments", "tests", "scripts", "cmake"):
+    for folder in ("src", "experiments", "tests", "scripts", "cmake", "docs"):
         for file in sorted((root / folder).rglob("*")):
             if file.suffix in CHECKED_SUFFIXES or file.name == "CMakeLists.txt":
                 yield file
@@ -113,7 +194,9 @@ def main(root):
     check_folders(root, arrows, bad)
     check_includes(root, arrows, bad)
     check_headers(root, bad)
-    check_internal_headers(root, bad)
+    check_detail(root, bad)
+    check_public_headers(root, bad)
+    check_units(root, bad)
     check_tests(root, bad)
     check_texts(root, bad)
     print("\n".join(bad) or f"{len(arrows)} modules, all as declared")

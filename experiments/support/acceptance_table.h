@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "endmill/io/csv.h"
+#include "endmill/files/csv.h"
 #include "support/acceptance.h"
 
 namespace endmill {

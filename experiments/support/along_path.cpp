@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "endmill/core/angle.h"
-#include "endmill/io/feed_csv.h"
-#include "endmill/io/feed_svg.h"
+#include "endmill/figures/feed_svg.h"
+#include "endmill/files/result_csv.h"
 
 namespace endmill {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "endmill/io/axonometric_figure.h"
+#include "endmill/figures/axonometric_figure.h"
 #include "endmill/process/cutting_force.h"
 
 namespace endmill {

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <sstream>
 
-#include "endmill/accessibility/pole_points.h"
-#include "endmill/accessibility/spherical_hull.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "endmill/machine/feasible_directions.h"
+#include "endmill/setup/detail/pole_points.h"
+#include "endmill/setup/spherical_hull.h"
 
 namespace endmill {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "endmill/accessibility/rectangle_candidate.h"
-#include "endmill/accessibility/sector_fit.h"
+#include "endmill/setup/detail/rectangle_candidate.h"
+#include "endmill/setup/detail/sector_fit.h"
 #include "support/direction_chart.h"
 
 namespace endmill {

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "endmill/accessibility/pole_points.h"
-#include "endmill/accessibility/spherical_hull.h"
+#include "endmill/setup/detail/pole_points.h"
+#include "endmill/setup/spherical_hull.h"
 #include "support/setup_cells.h"
 
 namespace endmill {

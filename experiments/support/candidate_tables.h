@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "endmill/io/csv.h"
+#include "endmill/files/csv.h"
 #include "support/candidate_charts.h"
 
 namespace endmill {

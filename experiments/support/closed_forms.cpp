@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "endmill/core/numbers.h"
-#include "endmill/simulation/verification.h"
+#include "endmill/core/text.h"
+#include "endmill/verification/verification.h"
 #include "support/closed_form_parts.h"
 
 namespace endmill {

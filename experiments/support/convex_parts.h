@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "endmill/accessibility/sphere_grid.h"
-#include "endmill/accessibility/visibility_map.h"
 #include "endmill/core/angle.h"
+#include "endmill/visibility/sphere_grid.h"
+#include "endmill/visibility/visibility.h"
 
 namespace endmill {
 

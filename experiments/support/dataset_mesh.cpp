@@ -6,7 +6,7 @@
 
 #include <Eigen/LU>
 
-#include "endmill/io/mesh_file.h"
+#include "endmill/files/mesh_file.h"
 
 namespace endmill {
 

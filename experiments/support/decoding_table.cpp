@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "endmill/io/csv.h"
+#include "endmill/files/csv.h"
 #include "support/integer_decoding.h"
 
 namespace endmill {

@@ -7,7 +7,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/core/vec.h"
-#include "endmill/io/svg.h"
+#include "endmill/figures/axonometric_figure.h"
 
 namespace endmill {
 

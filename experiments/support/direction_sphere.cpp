@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "endmill/io/axonometric_figure.h"
+#include "endmill/figures/axonometric_figure.h"
 
 namespace endmill {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "support/experiment.h"
 
 namespace endmill {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "endmill/io/csv.h"
+#include "endmill/files/csv.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/iso_parametric.h"
 

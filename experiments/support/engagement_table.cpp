@@ -9,7 +9,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
-#include "endmill/process/engaged_region.h"
+#include "endmill/process/ball_engagement.h"
 #include "support/ball_drawing.h"
 
 namespace endmill {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "endmill/core/vec.h"
-#include "endmill/io/csv.h"
+#include "endmill/files/csv.h"
 #include "endmill/process/ball_engagement.h"
 #include "support/named_cells.h"
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "endmill/core/error.h"
-#include "endmill/io/read_file.h"
-#include "endmill/io/strict_json.h"
-#include "endmill/io/surface_file.h"
+#include "endmill/files/detail/strict_json.h"
+#include "endmill/files/read_file.h"
+#include "endmill/files/surface_file.h"
 
 namespace endmill {
 namespace {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "endmill/io/csv.h"
-#include "endmill/io/output_folder.h"
+#include "endmill/files/csv.h"
+#include "endmill/files/output_folder.h"
 #include "endmill/surface/surface.h"
 
 namespace endmill {

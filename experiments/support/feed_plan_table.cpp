@@ -7,7 +7,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/core/vec.h"
-#include "endmill/process/feed_times.h"
+#include "endmill/process/fed_path.h"
 #include "support/milling_jobs.h"
 
 namespace endmill {

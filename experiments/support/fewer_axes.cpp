@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "endmill/accessibility/arc_search.h"
+#include "endmill/setup/arc_search.h"
 
 namespace endmill {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "endmill/process/force_profile.h"
 #include "support/named_cells.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "endmill/io/csv.h"
+#include "endmill/files/csv.h"
 #include "support/ball_drawing.h"
 
 namespace endmill {

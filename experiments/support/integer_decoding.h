@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "endmill/surface/parameter.h"
+#include "endmill/surface/surface_jet.h"
 #include "support/economy_tables.h"
 
 namespace endmill {

@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "endmill/planning/iso_parametric.h"
-#include "endmill/planning/plan_defaults.h"
 #include "endmill/planning/verified_plan.h"
-#include "endmill/simulation/verification.h"
-#include "endmill/surface/area.h"
+#include "endmill/surface/extent.h"
+#include "endmill/verification/verification.h"
 
 namespace endmill {
 namespace {

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <string_view>
 
+#include "endmill/deviation/deviation.h"
 #include "endmill/planning/chord_error.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/motion_error.h"
-#include "endmill/simulation/deviation.h"
 
 namespace endmill {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "endmill/core/numbers.h"
-#include "endmill/planning/plan_defaults.h"
+#include "endmill/core/text.h"
+#include "endmill/planning/iso_parametric.h"
 
 namespace endmill {
 namespace {

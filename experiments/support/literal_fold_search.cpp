@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "endmill/interference/distance_trimming.h"
-#include "endmill/interference/section_runs.h"
+#include "endmill/trimming/detail/distance_trimming.h"
+#include "endmill/trimming/detail/section_runs.h"
 
 namespace endmill {
 namespace {

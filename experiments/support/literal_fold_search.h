@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "endmill/interference/branches.h"
-#include "endmill/interference/slicer.h"
+#include "endmill/offset/slicer.h"
+#include "endmill/trimming/detail/branches.h"
 
 namespace endmill {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/milling_jobs.h"
 
-#include "endmill/io/machine_file.h"
-#include "endmill/io/material_file.h"
-#include "endmill/io/tool_file.h"
+#include "endmill/files/machine_file.h"
+#include "endmill/files/material_file.h"
+#include "endmill/files/tool_file.h"
 
 namespace endmill {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "endmill/accessibility/best_setup.h"
-#include "endmill/accessibility/setup_search.h"
 #include "endmill/core/angle.h"
+#include "endmill/setup/best_setup.h"
+#include "endmill/setup/pose_search.h"
 #include "support/setup_cells.h"
 
 namespace endmill {

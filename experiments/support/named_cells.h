@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "endmill/io/csv.h"
+#include "endmill/files/csv.h"
 
 namespace endmill {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "endmill/interference/offset_mesh.h"
+#include "endmill/offset/offset_mesh.h"
 
 namespace endmill {
 

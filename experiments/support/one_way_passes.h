@@ -5,7 +5,7 @@
 
 #include "endmill/core/vec.h"
 #include "endmill/path/tool_path.h"
-#include "endmill/process/segment_cut.h"
+#include "endmill/process/feed_plan.h"
 #include "support/explicit_surface.h"
 
 namespace endmill {

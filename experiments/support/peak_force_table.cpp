@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "endmill/process/front_load.h"
 #include "endmill/process/segment_load.h"
 #include "support/milling_jobs.h"
 #include "support/stroke_comparison.h"

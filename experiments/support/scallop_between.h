@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "endmill/planning/cross_section.h"
+#include "endmill/planning/detail/cross_section.h"
 #include "endmill/planning/iso_parametric.h"
 
 namespace endmill {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "endmill/accessibility/best_setup.h"
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
+#include "endmill/setup/best_setup.h"
 #include "support/studied_part.h"
 
 namespace endmill {

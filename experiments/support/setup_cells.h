@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "endmill/accessibility/setup_mode.h"
-#include "endmill/accessibility/setup_objective.h"
-#include "endmill/accessibility/setup_pose.h"
+#include "endmill/setup/setup_mode.h"
+#include "endmill/setup/setup_objective.h"
+#include "endmill/setup/setup_pose.h"
 #include "support/named_cells.h"
 
 namespace endmill {

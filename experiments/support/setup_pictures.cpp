@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "endmill/core/numbers.h"
-#include "endmill/io/setup_svg.h"
-#include "endmill/io/sphere_svg.h"
+#include "endmill/core/text.h"
+#include "endmill/figures/setup_figures.h"
 
 namespace endmill {
 namespace {

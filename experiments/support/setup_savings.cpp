@@ -8,11 +8,11 @@
 
 #include <Eigen/Geometry>
 
-#include "endmill/accessibility/arc_search.h"
-#include "endmill/accessibility/nearest_cells.h"
-#include "endmill/accessibility/setup_search.h"
 #include "endmill/core/angle.h"
 #include "endmill/mesh/triangle_tree.h"
+#include "endmill/setup/arc_search.h"
+#include "endmill/setup/pose_search.h"
+#include "endmill/visibility/nearest_cells.h"
 #include "support/setup_cells.h"
 
 namespace endmill {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "endmill/accessibility/rectangle_candidate.h"
-#include "endmill/accessibility/setup_search.h"
+#include "endmill/setup/detail/rectangle_candidate.h"
+#include "endmill/setup/pose_search.h"
 #include "support/setup_cells.h"
 
 namespace endmill {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "endmill/accessibility/setup_pose.h"
+#include "endmill/setup/setup_pose.h"
 #include "support/named_cells.h"
 #include "support/studied_part.h"
 

@@ -6,10 +6,9 @@
 #include <numbers>
 
 #include "endmill/core/parallel.h"
-#include "endmill/process/force_pattern.h"
-#include "endmill/process/front_load.h"
+#include "endmill/process/detail/force_pattern.h"
 #include "endmill/process/segment_load.h"
-#include "endmill/simulation/stock_fronts.h"
+#include "endmill/stock/stock_fronts.h"
 
 namespace endmill {
 namespace {

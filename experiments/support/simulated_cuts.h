@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "endmill/cutter/ball_front.h"
+#include "endmill/cutter/engagement.h"
 #include "endmill/process/feed_plan.h"
 #include "support/one_way_passes.h"
 #include "support/stroke_forces.h"

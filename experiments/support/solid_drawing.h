@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "endmill/io/axonometric_figure.h"
+#include "endmill/figures/axonometric_figure.h"
 
 namespace endmill {
 

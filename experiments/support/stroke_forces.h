@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "endmill/process/cutting_force.h"
-#include "endmill/process/feed_options.h"
-#include "endmill/process/segment_cut.h"
+#include "endmill/process/feed_plan.h"
 #include "support/named_cells.h"
 
 namespace endmill {

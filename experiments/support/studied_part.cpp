@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "endmill/accessibility/nearest_cells.h"
-#include "endmill/accessibility/setup_travel.h"
 #include "endmill/core/error.h"
+#include "endmill/setup/setup_travel.h"
+#include "endmill/visibility/nearest_cells.h"
 #include "support/dataset_mesh.h"
 
 namespace endmill {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "endmill/accessibility/best_setup.h"
-#include "endmill/accessibility/visibility.h"
 #include "endmill/core/angle.h"
-#include "endmill/io/shown_setup.h"
+#include "endmill/figures/setup_figures.h"
+#include "endmill/setup/best_setup.h"
+#include "endmill/visibility/visibility.h"
 
 namespace endmill {
 

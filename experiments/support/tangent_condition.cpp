@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

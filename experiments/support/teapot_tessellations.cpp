@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "endmill/io/surface_file.h"
+#include "endmill/files/surface_file.h"
 #include "endmill/surface/sampling.h"
 #include "endmill/surface/tool_side.h"
 

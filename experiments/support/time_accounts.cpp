@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "endmill/process/feed_times.h"
+#include "endmill/process/fed_path.h"
 
 namespace endmill {
 namespace {

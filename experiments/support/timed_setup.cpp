@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "endmill/accessibility/best_setup.h"
-#include "endmill/accessibility/setup_search.h"
 #include "endmill/core/parallel.h"
+#include "endmill/setup/best_setup.h"
+#include "endmill/setup/pose_search.h"
 #include "support/cpu_time.h"
 
 namespace endmill {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "endmill/interference/slicer.h"
-#include "endmill/interference/trimming.h"
+#include "endmill/offset/slicer.h"
+#include "endmill/trimming/trimming.h"
 
 namespace endmill {
 

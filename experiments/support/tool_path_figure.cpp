@@ -5,9 +5,9 @@
 #include <cstdint>
 
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/tool_path_csv.h"
-#include "endmill/io/tool_path_svg.h"
+#include "endmill/core/text.h"
+#include "endmill/figures/tool_path_svg.h"
+#include "endmill/files/path_file.h"
 #include "support/economy_tables.h"
 
 namespace endmill {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "endmill/core/parallel.h"
-#include "endmill/process/force_pattern.h"
+#include "endmill/process/detail/force_pattern.h"
 #include "endmill/process/segment_load.h"
 
 namespace endmill {

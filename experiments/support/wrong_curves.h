@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "endmill/interference/section_curve.h"
-#include "endmill/interference/trimming.h"
-#include "endmill/interference/trimming_quality.h"
+#include "endmill/offset/section_curve.h"
+#include "endmill/trimming/trimming.h"
+#include "endmill/trimming/trimming_quality.h"
 
 namespace endmill {
 

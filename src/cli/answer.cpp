@@ -2,7 +2,7 @@
 #include "cli/answer.h"
 
 #include "cli/console.h"
-#include "endmill/io/output_folder.h"
+#include "endmill/files/output_folder.h"
 
 namespace endmill {
 

@@ -7,9 +7,7 @@
 
 #include "cli/named_texts.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/printable.h"
-#include "endmill/io/suggestion.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

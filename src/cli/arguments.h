@@ -14,7 +14,7 @@
 
 #include "endmill/core/vec.h"
 #include "endmill/cutter/cutter.h"
-#include "endmill/io/read_limits.h"
+#include "endmill/files/read_file.h"
 
 namespace endmill {
 

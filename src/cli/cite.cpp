@@ -9,7 +9,7 @@
 
 #include "build_facts.h"
 #include "cli/console.h"
-#include "endmill/io/output_folder.h"
+#include "endmill/files/output_folder.h"
 
 namespace endmill {
 namespace {

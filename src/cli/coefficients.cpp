@@ -13,12 +13,11 @@
 #include "cli/surface_facts.h"
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/force_profile_csv.h"
-#include "endmill/io/material_file.h"
-#include "endmill/io/output_folder.h"
-#include "endmill/io/printable.h"
-#include "endmill/process/force_pattern.h"
+#include "endmill/core/text.h"
+#include "endmill/files/material_file.h"
+#include "endmill/files/output_folder.h"
+#include "endmill/files/result_csv.h"
+#include "endmill/process/detail/force_pattern.h"
 #include "endmill/process/force_profile.h"
 
 namespace endmill {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_code.h"
-#include "endmill/io/read_limits.h"
+#include "endmill/files/read_file.h"
 
 namespace endmill {
 

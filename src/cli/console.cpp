@@ -8,7 +8,7 @@
 #include <new>
 
 #include "endmill/core/error.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "build_facts.h"
 #include "endmill/core/error.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

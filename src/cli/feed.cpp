@@ -8,10 +8,9 @@
 #include "cli/feed_files.h"
 #include "cli/feed_remarks.h"
 #include "endmill/core/error.h"
-#include "endmill/io/output_folder.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
+#include "endmill/files/output_folder.h"
 #include "endmill/process/fed_path.h"
-#include "endmill/process/planned_feed.h"
 
 namespace endmill {
 namespace {

@@ -9,12 +9,12 @@
 
 #include "cli/progress.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/process/coefficient_table.h"
-#include "endmill/process/front_load.h"
-#include "endmill/simulation/stock_fronts.h"
-#include "endmill/simulation/stock_gap.h"
-#include "endmill/simulation/stock_memory.h"
+#include "endmill/core/text.h"
+#include "endmill/process/cutting_coefficients.h"
+#include "endmill/process/segment_load.h"
+#include "endmill/stock/stock_fronts.h"
+#include "endmill/stock/stock_gap.h"
+#include "endmill/stock/stock_memory.h"
 
 namespace endmill {
 namespace {

@@ -8,14 +8,13 @@
 
 #include "cli/console.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/machine_file.h"
-#include "endmill/io/material_file.h"
-#include "endmill/io/printable.h"
-#include "endmill/io/read_file.h"
-#include "endmill/io/tool_file.h"
-#include "endmill/io/tool_path_reader.h"
-#include "endmill/simulation/verification.h"
+#include "endmill/core/text.h"
+#include "endmill/files/detail/tool_path_reader.h"
+#include "endmill/files/machine_file.h"
+#include "endmill/files/material_file.h"
+#include "endmill/files/read_file.h"
+#include "endmill/files/tool_file.h"
+#include "endmill/verification/verification.h"
 
 namespace endmill {
 namespace {

@@ -7,8 +7,7 @@
 #include "cli/feed_options.h"
 #include "cli/verify_stock.h"
 #include "endmill/cutter/tool.h"
-#include "endmill/io/path_file.h"
-#include "endmill/io/path_summary.h"
+#include "endmill/files/path_file.h"
 #include "endmill/post/program.h"
 
 namespace endmill {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

@@ -8,7 +8,7 @@
 #include "cli/arguments.h"
 #include "cli/path_options.h"
 #include "cli/surface_facts.h"
-#include "endmill/process/feed_options.h"
+#include "endmill/process/feed_plan.h"
 #include "endmill/process/segment_cuts.h"
 
 namespace endmill {

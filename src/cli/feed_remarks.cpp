@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "endmill/core/numbers.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

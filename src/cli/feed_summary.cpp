@@ -5,8 +5,7 @@
 
 #include "build_facts.h"
 #include "cli/surface_facts.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

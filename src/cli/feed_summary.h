@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/feed_input.h"
+#include "endmill/process/fed_path.h"
 #include "endmill/process/feed_plan.h"
-#include "endmill/process/feed_times.h"
 #include "endmill/process/segment_cuts.h"
 
 namespace endmill {

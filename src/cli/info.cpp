@@ -9,8 +9,8 @@
 #include "cli/mesh_remarks.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/error.h"
-#include "endmill/io/output_folder.h"
-#include "endmill/surface/patch_borders.h"
+#include "endmill/files/output_folder.h"
+#include "endmill/surface/continuity.h"
 
 namespace endmill {
 namespace {

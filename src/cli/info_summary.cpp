@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 
 #include "endmill/mesh/mesh_checks.h"
-#include "endmill/surface/area.h"
 #include "endmill/surface/extent.h"
 #include "endmill/surface/tool_side.h"
 

@@ -5,7 +5,7 @@
 
 #include "cli/command.h"
 #include "cli/surface_facts.h"
-#include "endmill/io/part_file.h"
+#include "endmill/files/part_file.h"
 #include "endmill/surface/continuity.h"
 
 namespace endmill {

@@ -7,7 +7,7 @@
 
 #include <unistd.h>
 
-#include "endmill/io/output_folder.h"
+#include "endmill/files/output_folder.h"
 
 namespace endmill {
 namespace {

@@ -9,7 +9,7 @@
 #include "cli/machine_summary.h"
 #include "cli/rotary_limits_option.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

@@ -5,8 +5,8 @@
 #include <system_error>
 
 #include "endmill/core/error.h"
-#include "endmill/io/machine_file.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
+#include "endmill/files/machine_file.h"
 
 namespace endmill {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "endmill/io/read_limits.h"
+#include "endmill/files/read_file.h"
 #include "endmill/machine/kinematics.h"
 
 namespace endmill {

@@ -7,8 +7,7 @@
 #include "cli/named_texts.h"
 #include "cli/rotary_limits_option.h"
 #include "endmill/core/angle.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

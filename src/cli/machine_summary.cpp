@@ -9,8 +9,7 @@
 #include "cli/named_texts.h"
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
 #include "endmill/machine/feasible_directions.h"
 
 namespace endmill {

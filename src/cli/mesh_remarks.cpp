@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/mesh/mesh_repair.h"
 

@@ -2,7 +2,7 @@
 #include "cli/named_texts.h"
 
 #include "endmill/core/error.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 

@@ -5,8 +5,8 @@
 
 #include "cli/arguments.h"
 #include "endmill/core/error.h"
-#include "endmill/io/printable.h"
-#include "endmill/io/read_file.h"
+#include "endmill/core/text.h"
+#include "endmill/files/read_file.h"
 
 namespace endmill {
 namespace {

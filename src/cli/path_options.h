@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 #include "endmill/cutter/cutter.h"
-#include "endmill/io/path_file.h"
+#include "endmill/files/path_file.h"
 
 namespace endmill {
 

@@ -13,12 +13,11 @@
 #include "cli/plan_text.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/output_folder.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
+#include "endmill/files/output_folder.h"
+#include "endmill/planning/iso_parametric.h"
 #include "endmill/planning/path_memory.h"
-#include "endmill/planning/plan_defaults.h"
-#include "endmill/surface/patch_borders.h"
+#include "endmill/surface/continuity.h"
 #include "endmill/surface/tool_side.h"
 
 namespace endmill {

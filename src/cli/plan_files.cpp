@@ -13,16 +13,14 @@
 #include "cli/plan_text.h"
 #include "cli/progress.h"
 #include "cli/surface_facts.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/path_summary.h"
-#include "endmill/io/printable.h"
-#include "endmill/io/tool_path_csv.h"
-#include "endmill/io/vtp.h"
+#include "endmill/core/text.h"
+#include "endmill/files/path_file.h"
+#include "endmill/files/vtk.h"
 #include "endmill/planning/path_memory.h"
 #include "endmill/post/gcode_writer.h"
-#include "endmill/simulation/upright.h"
-#include "endmill/simulation/verification.h"
-#include "endmill/surface/area.h"
+#include "endmill/surface/extent.h"
+#include "endmill/verification/upright.h"
+#include "endmill/verification/verification.h"
 
 namespace endmill {
 namespace {

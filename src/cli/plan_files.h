@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/plan_summary.h"
-#include "endmill/io/output_folder.h"
+#include "endmill/files/output_folder.h"
 
 namespace endmill {
 

@@ -6,7 +6,7 @@
 #include "build_facts.h"
 #include "cli/console.h"
 #include "cli/surface_facts.h"
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 

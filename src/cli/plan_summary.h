@@ -5,10 +5,10 @@
 #include <string>
 
 #include "cli/plan_options.h"
+#include "endmill/deviation/deviation.h"
 #include "endmill/planning/chord_error.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/motion_error.h"
-#include "endmill/simulation/deviation.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/largest_cutter.h"
 

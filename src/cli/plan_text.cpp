@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 

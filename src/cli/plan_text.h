@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/plan_summary.h"
-#include "endmill/io/tool_path_svg.h"
+#include "endmill/figures/tool_path_svg.h"
 
 namespace endmill {
 

@@ -11,11 +11,10 @@
 #include "cli/post_summary.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/output_folder.h"
-#include "endmill/io/path_file.h"
-#include "endmill/io/printable.h"
-#include "endmill/post/apt_writer.h"
+#include "endmill/core/text.h"
+#include "endmill/files/output_folder.h"
+#include "endmill/files/path_file.h"
+#include "endmill/post/apt.h"
 #include "endmill/post/gcode_writer.h"
 
 namespace endmill {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "build_facts.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

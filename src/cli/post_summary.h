@@ -4,9 +4,8 @@
 #include <string>
 
 #include "cli/post_options.h"
-#include "endmill/io/path_summary.h"
+#include "endmill/files/path_file.h"
 #include "endmill/post/program.h"
-#include "endmill/post/written_program.h"
 
 namespace endmill {
 

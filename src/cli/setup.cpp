@@ -10,7 +10,7 @@
 #include "cli/setup_points.h"
 #include "cli/setup_summary.h"
 #include "endmill/core/error.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

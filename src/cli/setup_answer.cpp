@@ -10,9 +10,9 @@
 #include <Eigen/Geometry>
 
 #include "cli/progress.h"
-#include "endmill/accessibility/arc_search.h"
-#include "endmill/accessibility/tool_visibility.h"
 #include "endmill/machine/axis_limits.h"
+#include "endmill/setup/arc_search.h"
+#include "endmill/visibility/visibility.h"
 
 namespace endmill {
 namespace {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "cli/setup_input.h"
-#include "endmill/accessibility/best_setup.h"
-#include "endmill/accessibility/setup_travel.h"
-#include "endmill/accessibility/setups.h"
-#include "endmill/accessibility/visibility.h"
-#include "endmill/io/visibility_file.h"
+#include "endmill/files/visibility_file.h"
+#include "endmill/setup/best_setup.h"
+#include "endmill/setup/setup_travel.h"
+#include "endmill/setup/several_setups.h"
+#include "endmill/visibility/visibility.h"
 
 namespace endmill {
 

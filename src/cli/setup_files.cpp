@@ -7,12 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "endmill/accessibility/nearest_cells.h"
-#include "endmill/io/setup_svg.h"
-#include "endmill/io/setup_vtp.h"
-#include "endmill/io/sphere_svg.h"
-#include "endmill/io/visibility_csv.h"
-#include "endmill/io/visibility_file.h"
+#include "endmill/figures/setup_figures.h"
+#include "endmill/files/result_csv.h"
+#include "endmill/files/visibility_file.h"
+#include "endmill/visibility/nearest_cells.h"
 
 namespace endmill {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/setup_answer.h"
-#include "endmill/io/output_folder.h"
+#include "endmill/files/output_folder.h"
 
 namespace endmill {
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "cli/setup_options.h"
-#include "endmill/accessibility/sphere_grid.h"
 #include "endmill/cutter/tool.h"
-#include "endmill/io/visibility_file.h"
+#include "endmill/files/visibility_file.h"
 #include "endmill/machine/kinematics.h"
 #include "endmill/mesh/triangle_mesh.h"
+#include "endmill/visibility/sphere_grid.h"
 
 namespace endmill {
 

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "cli/surface_facts.h"
-#include "endmill/accessibility/best_setup.h"
-#include "endmill/accessibility/visibility.h"
 #include "endmill/core/angle.h"
 #include "endmill/core/vec.h"
+#include "endmill/setup/best_setup.h"
+#include "endmill/visibility/visibility.h"
 
 namespace endmill {
 

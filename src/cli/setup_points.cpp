@@ -6,9 +6,9 @@
 #include "cli/answer.h"
 #include "cli/setup_input.h"
 #include "cli/setup_summary.h"
-#include "endmill/accessibility/setup_search.h"
 #include "endmill/core/error.h"
-#include "endmill/io/directions_csv.h"
+#include "endmill/files/input_csv.h"
+#include "endmill/setup/pose_search.h"
 
 namespace endmill {
 namespace {

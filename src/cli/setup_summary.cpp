@@ -7,8 +7,7 @@
 #include <fmt/format.h>
 
 #include "build_facts.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

@@ -10,7 +10,7 @@
 #include "cli/arguments.h"
 #include "cli/console.h"
 #include "endmill/core/error.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 

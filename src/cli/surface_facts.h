@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cli/command.h"
-#include "endmill/io/part_file.h"
-#include "endmill/io/surface_file.h"
+#include "endmill/files/part_file.h"
+#include "endmill/files/surface_file.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/largest_cutter.h"
 

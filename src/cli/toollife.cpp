@@ -7,7 +7,7 @@
 #include "cli/answer.h"
 #include "cli/arguments.h"
 #include "cli/console.h"
-#include "endmill/io/tool_life_csv.h"
+#include "endmill/files/input_csv.h"
 #include "endmill/process/tool_life.h"
 
 namespace endmill {

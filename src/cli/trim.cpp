@@ -6,9 +6,8 @@
 #include "cli/console.h"
 #include "cli/trim_files.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/interference/trimmed_planes.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
+#include "endmill/trimming/trimmed_planes.h"
 
 namespace endmill {
 namespace {

@@ -12,14 +12,14 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
-#include "endmill/interference/clearance.h"
-#include "endmill/interference/refined_planes.h"
-#include "endmill/interference/trimmed_planes.h"
-#include "endmill/interference/trimming_quality.h"
-#include "endmill/io/section_csv.h"
-#include "endmill/io/section_svg.h"
-#include "endmill/io/tool_path_csv.h"
+#include "endmill/drop_cutter/clearance.h"
+#include "endmill/figures/section_svg.h"
+#include "endmill/files/path_file.h"
+#include "endmill/files/result_csv.h"
 #include "endmill/planning/section_linking.h"
+#include "endmill/trimming/refined_planes.h"
+#include "endmill/trimming/trimmed_planes.h"
+#include "endmill/trimming/trimming_quality.h"
 
 namespace endmill {
 namespace {

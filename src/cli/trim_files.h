@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/trim_summary.h"
-#include "endmill/io/output_folder.h"
+#include "endmill/files/output_folder.h"
 
 namespace endmill {
 

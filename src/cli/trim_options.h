@@ -7,9 +7,9 @@
 #include "cli/command.h"
 #include "cli/surface_facts.h"
 #include "endmill/cutter/cutter.h"
-#include "endmill/interference/offset_mesh.h"
-#include "endmill/interference/trimming.h"
+#include "endmill/offset/offset_mesh.h"
 #include "endmill/planning/linking.h"
+#include "endmill/trimming/trimming.h"
 
 namespace endmill {
 

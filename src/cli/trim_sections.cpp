@@ -8,15 +8,14 @@
 #include "cli/console.h"
 #include "cli/mesh_remarks.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/cutter/reference_point.h"
-#include "endmill/interference/mesh_sections.h"
-#include "endmill/interference/trimming_memory.h"
-#include "endmill/io/polyline_csv.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
+#include "endmill/cutter/cutter.h"
+#include "endmill/drop_cutter/mesh_sections.h"
+#include "endmill/files/input_csv.h"
 #include "endmill/planning/path_interval.h"
 #include "endmill/surface/extent.h"
 #include "endmill/surface/tool_side.h"
+#include "endmill/trimming/trimming_memory.h"
 
 namespace endmill {
 namespace {

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "cli/trim_options.h"
-#include "endmill/interference/cut_out.h"
-#include "endmill/interference/drop_cutter.h"
-#include "endmill/interference/offset_mesh.h"
-#include "endmill/interference/slicer.h"
+#include "endmill/drop_cutter/drop_cutter.h"
 #include "endmill/mesh/triangle_mesh.h"
+#include "endmill/offset/offset_mesh.h"
+#include "endmill/offset/slicer.h"
 #include "endmill/surface/part.h"
+#include "endmill/trimming/cut_out.h"
 
 namespace endmill {
 

@@ -7,9 +7,9 @@
 
 #include "build_facts.h"
 #include "cli/console.h"
-#include "endmill/core/numbers.h"
-#include "endmill/interference/trimming.h"
-#include "endmill/path/path_lengths.h"
+#include "endmill/core/text.h"
+#include "endmill/path/tool_path.h"
+#include "endmill/trimming/trimming.h"
 
 namespace endmill {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "cli/trim_options.h"
 #include "cli/trim_sections.h"
-#include "endmill/interference/cut_out.h"
 #include "endmill/path/tool_path.h"
+#include "endmill/trimming/cut_out.h"
 
 namespace endmill {
 

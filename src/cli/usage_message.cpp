@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "endmill/io/suggestion.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

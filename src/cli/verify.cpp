@@ -8,8 +8,8 @@
 #include "cli/verify_files.h"
 #include "cli/verify_input.h"
 #include "endmill/core/error.h"
-#include "endmill/io/output_folder.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
+#include "endmill/files/output_folder.h"
 
 namespace endmill {
 namespace {

@@ -3,15 +3,13 @@
 
 #include <fmt/format.h>
 
-#include "endmill/io/deviation_csv.h"
-#include "endmill/io/deviation_svg.h"
-#include "endmill/io/deviation_vtp.h"
-#include "endmill/io/printable.h"
-#include "endmill/io/removal_csv.h"
-#include "endmill/io/stl.h"
-#include "endmill/io/vti.h"
-#include "endmill/simulation/mesh_stock.h"
-#include "endmill/simulation/stock_engagement.h"
+#include "endmill/core/text.h"
+#include "endmill/figures/deviation_svg.h"
+#include "endmill/files/detail/stl.h"
+#include "endmill/files/result_csv.h"
+#include "endmill/files/vtk.h"
+#include "endmill/stock/mesh_stock.h"
+#include "endmill/stock/stock_engagement.h"
 
 namespace endmill {
 namespace {

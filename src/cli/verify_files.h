@@ -3,7 +3,7 @@
 
 #include "cli/verify_input.h"
 #include "cli/verify_summary.h"
-#include "endmill/io/output_folder.h"
+#include "endmill/files/output_folder.h"
 
 namespace endmill {
 

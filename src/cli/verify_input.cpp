@@ -7,13 +7,12 @@
 
 #include "cli/console.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/path_summary.h"
-#include "endmill/io/printable.h"
-#include "endmill/io/read_file.h"
-#include "endmill/io/tool_file.h"
-#include "endmill/simulation/mesh_stock.h"
-#include "endmill/simulation/upright.h"
+#include "endmill/core/text.h"
+#include "endmill/files/path_file.h"
+#include "endmill/files/read_file.h"
+#include "endmill/files/tool_file.h"
+#include "endmill/stock/mesh_stock.h"
+#include "endmill/verification/upright.h"
 
 namespace endmill {
 namespace {

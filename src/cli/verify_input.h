@@ -9,7 +9,7 @@
 #include "cli/verify_stock.h"
 #include "endmill/cutter/tool.h"
 #include "endmill/post/program.h"
-#include "endmill/simulation/verification.h"
+#include "endmill/verification/verification.h"
 
 namespace endmill {
 

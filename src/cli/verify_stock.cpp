@@ -7,13 +7,12 @@
 
 #include "cli/console.h"
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/mesh_file.h"
-#include "endmill/io/printable.h"
-#include "endmill/io/vti.h"
-#include "endmill/simulation/mesh_stock.h"
-#include "endmill/simulation/stock_memory.h"
-#include "endmill/simulation/verification.h"
+#include "endmill/core/text.h"
+#include "endmill/files/mesh_file.h"
+#include "endmill/files/vtk.h"
+#include "endmill/stock/mesh_stock.h"
+#include "endmill/stock/stock_memory.h"
+#include "endmill/verification/verification.h"
 
 namespace endmill {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "cli/verify_options.h"
 #include "endmill/path/tool_path.h"
-#include "endmill/simulation/stock_history.h"
+#include "endmill/stock/stock_history.h"
 
 namespace endmill {
 

@@ -7,8 +7,7 @@
 
 #include "build_facts.h"
 #include "cli/console.h"
-#include "endmill/core/numbers.h"
-#include "endmill/io/printable.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "cli/verify_options.h"
 #include "endmill/post/program.h"
-#include "endmill/simulation/verification.h"
+#include "endmill/verification/verification.h"
 
 namespace endmill {
 

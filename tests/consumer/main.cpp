@@ -4,7 +4,7 @@
 #include <exception>
 #include <iostream>
 
-#include "endmill/io/surface_file.h"
+#include "endmill/files/surface_file.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/iso_parametric.h"
 

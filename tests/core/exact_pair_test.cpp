@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/core/exact_pair.h"
+#include "endmill/core/detail/exact_pair.h"
 
 #include <random>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/core/large_pages.h"
+#include "endmill/core/detail/large_pages.h"
 
 #include <array>
 #include <numeric>

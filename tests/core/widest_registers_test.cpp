@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/core/widest_registers.h"
+#include "endmill/core/detail/widest_registers.h"
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/cutter/corner_approach.h"
+#include "endmill/cutter/detail/corner_approach.h"
 
 #include <cmath>
 #include <limits>

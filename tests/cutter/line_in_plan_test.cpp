@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/cutter/line_in_plan.h"
+#include "endmill/cutter/detail/line_in_plan.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

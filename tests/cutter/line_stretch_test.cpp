@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/cutter/line_stretch.h"
+#include "endmill/cutter/detail/line_stretch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/cutter/sweep_entry.h"
+#include "endmill/cutter/detail/sweep_entry.h"
 
 #include <cmath>
 

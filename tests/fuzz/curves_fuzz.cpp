@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "endmill/interference/cut_out.h"
-#include "endmill/interference/trimming.h"
-#include "endmill/io/polyline_csv.h"
+#include "endmill/files/input_csv.h"
+#include "endmill/trimming/cut_out.h"
+#include "endmill/trimming/trimming.h"
 #include "fuzz_program.h"
 
 namespace endmill {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "endmill/accessibility/setup_search.h"
 #include "endmill/core/angle.h"
-#include "endmill/io/directions_csv.h"
+#include "endmill/files/input_csv.h"
+#include "endmill/setup/pose_search.h"
 #include "fuzz_program.h"
 
 namespace endmill {

@@ -7,9 +7,8 @@
 #include <string>
 
 #include "endmill/core/error.h"
-#include "endmill/io/mesh_file.h"
-#include "endmill/io/mesh_text.h"
-#include "endmill/mesh/collinear.h"
+#include "endmill/files/mesh_file.h"
+#include "endmill/mesh/detail/collinear.h"
 
 namespace endmill {
 

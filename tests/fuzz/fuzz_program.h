@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "endmill/core/error.h"
-#include "endmill/post/gcode_read_options.h"
+#include "endmill/post/gcode_reader.h"
 #include "endmill/post/program.h"
 
 namespace endmill {

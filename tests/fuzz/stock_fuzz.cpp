@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include "endmill/io/vti.h"
+#include "endmill/files/vtk.h"
 #include "fuzz_program.h"
 
 // A stock that is read is sound and written as the very bytes that were read, or the error

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "endmill/core/error.h"
-#include "endmill/io/surface_file.h"
+#include "endmill/files/surface_file.h"
 
 // A surface comes back the same after it is written, or the error is one that the reader
 // promises.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/io/tool_file.h"
+#include "endmill/files/tool_file.h"
 #include "fuzz_program.h"
 
 // A tool that is read is sound, and a word spells its cutter; or the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/io/tool_life_csv.h"
+#include "endmill/files/input_csv.h"
 #include "fuzz_program.h"
 
 // From speeds that are read a line is fitted whose numbers are sound, or the data do not fall

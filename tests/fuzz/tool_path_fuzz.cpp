@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/io/tool_path_csv.h"
-#include "endmill/io/tool_path_reader.h"
+#include "endmill/files/detail/tool_path_reader.h"
+#include "endmill/files/path_file.h"
 #include "fuzz_program.h"
 
 // A path that is read can be written, and is then read as the same path.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstring>
 
-#include "endmill/io/visibility_file.h"
+#include "endmill/files/visibility_file.h"
 #include "fuzz_program.h"
 
 // A map that is read is written as the same bytes; or the error is one that the reader

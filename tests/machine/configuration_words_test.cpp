@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/machine/configuration_words.h"
+#include "endmill/machine/configuration.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,6 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/vec.h"
-#include "endmill/machine/configuration.h"
 
 namespace endmill {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/machine/direction_cells.h"
+#include "endmill/machine/detail/direction_cells.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
-#include "endmill/machine/configuration_words.h"
+#include "endmill/machine/configuration.h"
 #include "random.h"
 
 namespace endmill {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/mesh/edge_uses.h"
+#include "endmill/mesh/detail/edge_uses.h"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/mesh/mesh_topology.h"
+#include "endmill/mesh/detail/mesh_topology.h"
 
 #include <algorithm>
 #include <set>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/border_depth.h"
+#include "endmill/planning/detail/border_depth.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
-#include "endmill/interference/gouge_test.h"
+#include "endmill/gouge/gouge_test.h"
 #include "normal_depth.h"
 #include "test_surfaces.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/clear_moves.h"
+#include "endmill/planning/detail/clear_moves.h"
 
 #include <cmath>
 

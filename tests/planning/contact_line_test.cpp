@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/contact_line.h"
+#include "endmill/planning/detail/contact_line.h"
 
 #include <numbers>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/cover_front.h"
+#include "endmill/planning/detail/cover_front.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/cross_section.h"
+#include "endmill/planning/detail/cross_section.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/iso_cuts.h"
+#include "endmill/planning/detail/iso_cuts.h"
 
 #include <algorithm>
 #include <vector>

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "endmill/planning/cross_section.h"
+#include "endmill/planning/detail/cross_section.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/iso_parametric.h"
 #include "endmill/planning/path_interval.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "endmill/planning/contact_line.h"
+#include "endmill/planning/detail/contact_line.h"
 #include "endmill/planning/iso_parametric.h"
 #include "revolved_surfaces.h"
 #include "swept_deviation.h"

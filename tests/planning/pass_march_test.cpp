@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/pass_march.h"
+#include "endmill/planning/detail/pass_march.h"
 
 #include <cmath>
 #include <string>

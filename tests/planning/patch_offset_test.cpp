@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/patch_offset.h"
+#include "endmill/planning/detail/patch_offset.h"
 
 #include <cmath>
 #include <numbers>

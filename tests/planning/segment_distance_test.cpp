@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/segment_distance.h"
+#include "endmill/planning/detail/segment_distance.h"
 
 #include <gtest/gtest.h>
 

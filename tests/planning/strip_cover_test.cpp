@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/strip_cover.h"
+#include "endmill/planning/detail/strip_cover.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "endmill/planning/contact_line.h"
+#include "endmill/planning/detail/contact_line.h"
 #include "revolved_surfaces.h"
 #include "test_surfaces.h"
 

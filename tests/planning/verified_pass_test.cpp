@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/verified_pass.h"
+#include "endmill/planning/detail/verified_pass.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/verified_strips.h"
+#include "endmill/planning/detail/verified_strips.h"
 
 #include <cmath>
 #include <numbers>

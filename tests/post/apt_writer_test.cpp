@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/apt_writer.h"
+#include "endmill/post/apt.h"
 
 #include <limits>
 
@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
-#include "endmill/post/apt_reader.h"
 #include "random_path.h"
 
 namespace endmill {

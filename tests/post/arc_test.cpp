@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/arc.h"
+#include "endmill/post/detail/arc.h"
 
 #include <cmath>
 #include <numbers>

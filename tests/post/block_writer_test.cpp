@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/block_writer.h"
+#include "endmill/post/detail/block_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/canonical_line.h"
+#include "endmill/post/detail/canonical_line.h"
 
 #include <string>
 #include <vector>

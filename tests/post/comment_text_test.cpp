@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/comment_text.h"
+#include "endmill/post/detail/comment_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/feed_move.h"
+#include "endmill/post/detail/feed_move.h"
 
 #include <gtest/gtest.h>
 

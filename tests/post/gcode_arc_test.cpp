@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/gcode_arc.h"
+#include "endmill/post/detail/gcode_arc.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/gcode_block.h"
+#include "endmill/post/detail/gcode_block.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/gcode_line.h"
+#include "endmill/post/detail/gcode_line.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "endmill/post/apt_reader.h"
-#include "endmill/post/apt_writer.h"
+#include "endmill/post/apt.h"
 #include "endmill/post/gcode_reader.h"
 #include "endmill/post/gcode_writer.h"
 #include "random_path.h"

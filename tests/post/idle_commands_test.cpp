@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/idle_commands.h"
+#include "endmill/post/detail/idle_commands.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/move_conditions.h"
+#include "endmill/post/detail/move_conditions.h"
 
 #include <limits>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/plain_number.h"
+#include "endmill/post/detail/plain_number.h"
 
 #include <bit>
 #include <cmath>

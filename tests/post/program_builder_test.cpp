@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/program_builder.h"
+#include "endmill/post/detail/program_builder.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/text_lines.h"
+#include "endmill/post/detail/text_lines.h"
 
 #include <limits>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/unit_axis.h"
+#include "endmill/post/detail/unit_axis.h"
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/bracketed_newton.h"
+#include "endmill/process/detail/bracketed_newton.h"
 
 #include <cmath>
 #include <numbers>

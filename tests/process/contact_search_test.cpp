@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/contact_search.h"
+#include "endmill/process/detail/contact_search.h"
 
 #include <cmath>
 #include <random>

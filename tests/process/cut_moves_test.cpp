@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/cut_moves.h"
+#include "endmill/process/detail/cut_moves.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "random.h"
 #include "sliced_coefficients.h"
 

@@ -12,7 +12,7 @@
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
-#include "endmill/process/coefficient_table.h"
+#include "endmill/process/cutting_coefficients.h"
 #include "endmill/process/segment_load.h"
 #include "milling_examples.h"
 #include "random.h"

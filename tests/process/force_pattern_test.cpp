@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/force_pattern.h"
+#include "endmill/process/detail/force_pattern.h"
 
 #include <algorithm>
 #include <cmath>

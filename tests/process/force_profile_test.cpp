@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
-#include "endmill/process/force_pattern.h"
+#include "endmill/process/detail/force_pattern.h"
 #include "random.h"
 
 namespace endmill {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "endmill/process/cutting_material.h"
-#include "endmill/process/milling_machine.h"
-#include "endmill/process/milling_tool.h"
+#include "endmill/process/milling_data.h"
 
 // Materials, tools and machines that several tests of the process module share.
 namespace endmill::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/move_contacts.h"
+#include "endmill/process/detail/move_contacts.h"
 
 #include <cmath>
 #include <string>

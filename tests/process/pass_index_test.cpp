@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/pass_index.h"
+#include "endmill/process/detail/pass_index.h"
 
 #include <cmath>
 #include <numbers>

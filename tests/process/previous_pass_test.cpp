@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/previous_pass.h"
+#include "endmill/process/detail/previous_pass.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/quartic_stations.h"
+#include "endmill/process/detail/quartic_stations.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/vec.h"
-#include "endmill/process/segment_cut.h"
+#include "endmill/process/feed_plan.h"
 
 // The path REF of the spec of ball-end milling, section 7, made from the formula of the test
 // surface alone: none of the planners, no surface of the library.

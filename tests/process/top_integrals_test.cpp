@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/top_integrals.h"
+#include "endmill/process/detail/top_integrals.h"
 
 #include <cmath>
 #include <numbers>

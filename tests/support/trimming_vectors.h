@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "endmill/interference/section_curve.h"
+#include "endmill/offset/section_curve.h"
 
 // The small curves of datasets/offset-curves/vectors.json with their exact answers.
 namespace endmill::test {

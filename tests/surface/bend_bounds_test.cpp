@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/bend_bounds.h"
+#include "endmill/surface/detail/bend_bounds.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/bernstein_basis.h"
+#include "endmill/surface/detail/bernstein_basis.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "endmill/surface/cubic_bernstein.h"
+#include "endmill/surface/detail/cubic_bernstein.h"
 
 namespace endmill {
 namespace {

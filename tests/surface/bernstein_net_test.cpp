@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/bernstein_net.h"
+#include "endmill/surface/detail/bernstein_net.h"
 
 #include <cmath>
 

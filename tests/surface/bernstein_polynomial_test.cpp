@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/bernstein_polynomial.h"
+#include "endmill/surface/detail/bernstein_polynomial.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "endmill/surface/bernstein_basis.h"
+#include "endmill/surface/detail/bernstein_basis.h"
 #include "random.h"
 
 namespace endmill {

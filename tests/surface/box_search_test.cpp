@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/box_search.h"
+#include "endmill/surface/detail/box_search.h"
 
 #include <cmath>
 

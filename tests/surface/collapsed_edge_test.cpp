@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/collapsed_edge.h"
+#include "endmill/surface/detail/collapsed_edge.h"
 
 #include <gtest/gtest.h>
 

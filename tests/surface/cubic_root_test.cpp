@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/cubic_root.h"
+#include "endmill/surface/detail/cubic_root.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/iso_line.h"
+#include "endmill/surface/detail/iso_line.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
-#include "endmill/surface/area.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/curvature.h"
+#include "endmill/surface/extent.h"
 #include "endmill/surface/largest_cutter.h"
 #include "endmill/surface/tool_side.h"
 #include "revolved_surfaces.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/patch_rows.h"
+#include "endmill/surface/detail/patch_rows.h"
 
 #include <vector>
 

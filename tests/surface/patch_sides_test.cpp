@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/patch_sides.h"
+#include "endmill/surface/detail/patch_sides.h"
 
 #include <gtest/gtest.h>
 

@@ -9,11 +9,10 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
-#include "endmill/surface/area.h"
-#include "endmill/surface/bernstein_net.h"
-#include "endmill/surface/collapsed_edge.h"
+#include "endmill/surface/detail/bernstein_net.h"
+#include "endmill/surface/detail/collapsed_edge.h"
+#include "endmill/surface/detail/iso_line.h"
 #include "endmill/surface/extent.h"
-#include "endmill/surface/iso_line.h"
 #include "endmill/surface/tool_side.h"
 #include "revolved_surfaces.h"
 

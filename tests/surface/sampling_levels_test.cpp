@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/sampling_levels.h"
+#include "endmill/surface/detail/sampling_levels.h"
 
 #include <cmath>
 

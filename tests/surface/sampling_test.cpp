@@ -11,7 +11,7 @@
 #include "endmill/core/error.h"
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/mesh/triangle_tree.h"
-#include "endmill/surface/area.h"
+#include "endmill/surface/extent.h"
 #include "endmill/surface/height_grid.h"
 #include "endmill/surface/tool_side.h"
 #include "revolved_surfaces.h"

@@ -7,7 +7,7 @@
 // Deterministic, under 1 s. Columns and verdicts: README.md beside this.
 
 #include "endmill/core/angle.h"
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "endmill/process/cutting_coefficients.h"
 #include "support/experiment.h"
 

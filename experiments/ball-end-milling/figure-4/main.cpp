@@ -8,8 +8,8 @@
 
 #include <cmath>
 
-#include "endmill/core/numbers.h"
-#include "endmill/io/tool_life_csv.h"
+#include "endmill/core/text.h"
+#include "endmill/files/input_csv.h"
 #include "endmill/process/tool_life.h"
 #include "support/experiment.h"
 #include "support/named_cells.h"

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <tuple>
 
-#include "endmill/core/numbers.h"
-#include "endmill/io/surface_svg.h"
-#include "endmill/io/tool_path_svg.h"
+#include "endmill/core/text.h"
+#include "endmill/figures/surface_svg.h"
+#include "endmill/figures/tool_path_svg.h"
 #include "support/experiment.h"
 #include "support/milling_jobs.h"
 #include "support/passes_table.h"

@@ -7,7 +7,7 @@
 // About 10 s; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include "endmill/core/parallel.h"
-#include "endmill/process/coefficient_table.h"
+#include "endmill/process/cutting_coefficients.h"
 #include "endmill/process/segment_cuts.h"
 #include "support/cpu_time.h"
 #include "support/experiment.h"

@@ -6,7 +6,7 @@
 //
 // Deterministic, under 30 s. Columns: README.md beside this.
 
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "support/experiment.h"
 #include "support/feed_plan_table.h"
 #include "support/milling_jobs.h"

@@ -6,8 +6,7 @@
 //
 // Deterministic, about 60 s on one core. Columns: README.md beside this.
 
-#include "endmill/core/numbers.h"
-#include "endmill/process/front_load.h"
+#include "endmill/core/text.h"
 #include "endmill/process/segment_load.h"
 #include "support/experiment.h"
 #include "support/milling_jobs.h"

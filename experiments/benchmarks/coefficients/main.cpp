@@ -12,8 +12,8 @@
 
 #include "benchmarks/coefficients/random_engagements.h"
 #include "endmill/core/error.h"
-#include "endmill/process/coefficient_table.h"
-#include "endmill/process/force_pattern.h"
+#include "endmill/process/cutting_coefficients.h"
+#include "endmill/process/detail/force_pattern.h"
 #include "support/cpu_time.h"
 #include "support/experiment.h"
 

@@ -7,7 +7,7 @@
 
 #include "benchmarks/drop-cutter/parts.h"
 #include "endmill/core/parallel.h"
-#include "endmill/interference/drop_cutter.h"
+#include "endmill/drop_cutter/drop_cutter.h"
 #include "support/experiment.h"
 #include "support/peak_memory.h"
 #include "support/shortest_times.h"

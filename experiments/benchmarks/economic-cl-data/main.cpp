@@ -7,8 +7,8 @@
 
 #include <filesystem>
 
-#include "endmill/core/numbers.h"
-#include "endmill/io/tool_path_csv.h"
+#include "endmill/core/text.h"
+#include "endmill/files/path_file.h"
 #include "support/economy_tables.h"
 #include "support/experiment.h"
 #include "support/peak_memory.h"

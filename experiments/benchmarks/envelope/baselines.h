@@ -10,7 +10,7 @@
 #include <CGAL/envelope_2.h>
 #include <polyclipping/clipper.hpp>
 
-#include "endmill/interference/section_curve.h"
+#include "endmill/offset/section_curve.h"
 
 // What others offer for the upper envelope of a section.
 namespace endmill {

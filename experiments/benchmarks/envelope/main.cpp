@@ -9,7 +9,7 @@
 
 #include "benchmarks/envelope/baselines.h"
 #include "benchmarks/envelope/raw_chain.h"
-#include "endmill/interference/envelope_trimming.h"
+#include "endmill/trimming/detail/envelope_trimming.h"
 #include "support/cpu_time.h"
 #include "support/experiment.h"
 

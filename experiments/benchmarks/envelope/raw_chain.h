@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "endmill/interference/section_curve.h"
+#include "endmill/offset/section_curve.h"
 
 namespace endmill {
 

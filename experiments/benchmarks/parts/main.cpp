@@ -7,8 +7,8 @@
 
 #include <filesystem>
 
-#include "endmill/io/mesh_text.h"
-#include "endmill/io/part_file.h"
+#include "endmill/files/mesh_file.h"
+#include "endmill/files/part_file.h"
 #include "endmill/surface/nurbs.h"
 #include "endmill/surface/sampling.h"
 #include "endmill/surface/tool_side.h"

@@ -7,10 +7,9 @@
 
 #include <cmath>
 
-#include "endmill/io/tool_path_csv.h"
-#include "endmill/io/tool_path_reader.h"
-#include "endmill/post/apt_reader.h"
-#include "endmill/post/apt_writer.h"
+#include "endmill/files/detail/tool_path_reader.h"
+#include "endmill/files/path_file.h"
+#include "endmill/post/apt.h"
 #include "endmill/post/gcode_reader.h"
 #include "endmill/post/gcode_writer.h"
 #include "support/experiment.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "endmill/accessibility/best_setup.h"
 #include "endmill/core/angle.h"
+#include "endmill/setup/best_setup.h"
 #include "support/setup_cells.h"
 
 namespace endmill {

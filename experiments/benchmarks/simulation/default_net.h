@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "endmill/simulation/verification.h"
+#include "endmill/verification/verification.h"
 #include "support/judged_path.h"
 
 namespace endmill {

@@ -6,7 +6,7 @@
 
 #include "endmill/cutter/cutter.h"
 #include "endmill/path/tool_path.h"
-#include "endmill/simulation/height_stock.h"
+#include "endmill/stock/height_stock.h"
 #include "endmill/surface/surface.h"
 
 namespace endmill {

@@ -10,7 +10,7 @@
 
 #include "benchmarks/simulation/default_net.h"
 #include "benchmarks/simulation/low_saddle.h"
-#include "endmill/simulation/verification.h"
+#include "endmill/verification/verification.h"
 #include "support/experiment.h"
 #include "support/peak_memory.h"
 #include "support/shortest_times.h"

@@ -8,7 +8,7 @@
 #include "benchmarks/slicing/cgal_slices.h"
 #include "benchmarks/slicing/saddle_mesh.h"
 #include "endmill/core/parallel.h"
-#include "endmill/interference/offset_mesh.h"
+#include "endmill/offset/offset_mesh.h"
 #include "support/experiment.h"
 #include "support/shortest_times.h"
 

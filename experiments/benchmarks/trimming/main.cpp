@@ -7,9 +7,9 @@
 // About 60 s; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include "benchmarks/trimming/whole_trim.h"
-#include "endmill/core/numbers.h"
 #include "endmill/core/parallel.h"
-#include "endmill/interference/distance_trimming.h"
+#include "endmill/core/text.h"
+#include "endmill/trimming/detail/distance_trimming.h"
 #include "support/cpu_time.h"
 #include "support/experiment.h"
 #include "support/literal_fold_search.h"

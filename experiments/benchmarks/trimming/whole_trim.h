@@ -5,13 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "endmill/interference/cut_out.h"
-#include "endmill/interference/offset_mesh.h"
-#include "endmill/interference/trimmed_planes.h"
-#include "endmill/interference/trimming.h"
+#include "endmill/offset/offset_mesh.h"
 #include "endmill/planning/section_linking.h"
 #include "endmill/surface/extent.h"
 #include "endmill/surface/tool_side.h"
+#include "endmill/trimming/cut_out.h"
+#include "endmill/trimming/trimmed_planes.h"
+#include "endmill/trimming/trimming.h"
 
 namespace endmill {
 

@@ -6,7 +6,7 @@
 //
 // Deterministic, under 0.1 s. Columns: README.md beside this.
 
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "endmill/planning/path_interval.h"
 #include "support/experiment.h"
 

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "endmill/planning/path_interval.h"
 #include "support/experiment.h"
 #include "support/printed_interval.h"

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "endmill/accessibility/set_search.h"
+#include "endmill/setup/whole_cone_search.h"
 #include "support/convex_parts.h"
 #include "support/experiment.h"
 #include "support/setup_cells.h"

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "endmill/io/sphere_svg.h"
+#include "endmill/figures/setup_figures.h"
 #include "support/experiment.h"
 #include "support/studied_part.h"
 

@@ -8,7 +8,7 @@
 
 #include <span>
 
-#include "endmill/accessibility/rectangle_fit.h"
+#include "endmill/setup/detail/rectangle_fit.h"
 #include "support/candidate_charts.h"
 #include "support/candidate_tables.h"
 #include "support/experiment.h"

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "endmill/accessibility/sphere_grid.h"
+#include "endmill/visibility/sphere_grid.h"
 #include "support/experiment.h"
 #include "support/grid_cover.h"
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "endmill/core/angle.h"
-#include "endmill/machine/configuration_words.h"
+#include "endmill/machine/configuration.h"
 #include "endmill/machine/feasible_directions.h"
 #include "support/experiment.h"
 #include "support/named_cells.h"

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "support/experiment.h"
 #include "support/trimming_families.h"
 

@@ -10,8 +10,8 @@
 
 #include <Eigen/Geometry>
 
-#include "endmill/core/numbers.h"
-#include "endmill/io/axonometric_figure.h"
+#include "endmill/core/text.h"
+#include "endmill/figures/axonometric_figure.h"
 #include "endmill/surface/curvature.h"
 #include "support/experiment.h"
 #include "support/offset_sections.h"

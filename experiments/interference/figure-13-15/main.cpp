@@ -10,9 +10,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "endmill/core/numbers.h"
-#include "endmill/interference/cut_out.h"
-#include "endmill/io/section_svg.h"
+#include "endmill/core/text.h"
+#include "endmill/figures/section_svg.h"
+#include "endmill/trimming/cut_out.h"
 #include "support/experiment.h"
 #include "support/offset_sections.h"
 

@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "endmill/core/numbers.h"
-#include "endmill/interference/clearance.h"
-#include "endmill/interference/trimmed_planes.h"
-#include "endmill/io/section_svg.h"
+#include "endmill/core/text.h"
+#include "endmill/drop_cutter/clearance.h"
+#include "endmill/figures/section_svg.h"
+#include "endmill/trimming/trimmed_planes.h"
 #include "support/experiment.h"
 #include "support/offset_sections.h"
 

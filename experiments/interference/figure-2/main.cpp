@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "endmill/core/angle.h"
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "endmill/cutter/cutter.h"
 #include "support/experiment.h"
 

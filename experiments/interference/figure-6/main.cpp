@@ -10,12 +10,12 @@
 #include <cstdint>
 
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/interference/cut_out.h"
-#include "endmill/interference/envelope_trimming.h"
-#include "endmill/interference/profile_families.h"
-#include "endmill/interference/trimming_quality.h"
-#include "endmill/io/section_svg.h"
+#include "endmill/core/text.h"
+#include "endmill/figures/section_svg.h"
+#include "endmill/trimming/cut_out.h"
+#include "endmill/trimming/detail/envelope_trimming.h"
+#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/trimming_quality.h"
 #include "support/experiment.h"
 
 using namespace endmill;

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "support/experiment.h"
 #include "support/offset_sections.h"
 

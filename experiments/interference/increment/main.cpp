@@ -8,10 +8,10 @@
 
 #include <cstdint>
 
-#include "endmill/core/numbers.h"
-#include "endmill/interference/distance_trimming.h"
-#include "endmill/interference/line_trimming.h"
-#include "endmill/interference/sequence_trimming.h"
+#include "endmill/core/text.h"
+#include "endmill/trimming/detail/distance_trimming.h"
+#include "endmill/trimming/detail/line_trimming.h"
+#include "endmill/trimming/detail/sequence_trimming.h"
 #include "support/cpu_time.h"
 #include "support/experiment.h"
 #include "support/literal_fold_search.h"

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "endmill/core/numbers.h"
 #include "endmill/core/parallel.h"
+#include "endmill/core/text.h"
 #include "support/cpu_time.h"
 #include "support/experiment.h"
 #include "support/offset_sections.h"

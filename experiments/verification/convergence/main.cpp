@@ -5,7 +5,7 @@
 //
 // Deterministic, under 5 s on two cores. Columns: README.md beside this.
 
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "support/closed_forms.h"
 #include "support/experiment.h"
 

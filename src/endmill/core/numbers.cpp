@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 
 #include <array>
 #include <cassert>

@@ -8,7 +8,7 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "endmill/core/exact_pair.h"
+#include "endmill/core/detail/exact_pair.h"
 
 namespace endmill {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/cutter/ball_cutter.h"
+#include "endmill/cutter/cutter.h"
 
 #include <cmath>
 
 #include "endmill/core/error.h"
-#include "endmill/cutter/reference_point.h"
 
 namespace endmill {
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

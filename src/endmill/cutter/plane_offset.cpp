@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "endmill/cutter/reference_point.h"
+#include "endmill/cutter/cutter.h"
 
 namespace endmill {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/cutter/reference_point.h"
+#include "endmill/cutter/cutter.h"
 
 #include "endmill/core/error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/machine/configuration_words.h"
+#include "endmill/machine/configuration.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "endmill/core/error.h"
-#include "endmill/machine/configuration.h"
 
 namespace endmill {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/machine/axis_limits.h"
-#include "endmill/machine/direction_cells.h"
+#include "endmill/machine/detail/direction_cells.h"
 
 namespace endmill {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "endmill/cutter/ball_cutter.h"
+#include "endmill/cutter/cutter.h"
 #include "endmill/machine/axis_limits.h"
 #include "endmill/machine/rotary_angles.h"
 

@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "endmill/mesh/collinear.h"
-#include "endmill/mesh/disjoint_sets.h"
+#include "endmill/core/detail/disjoint_sets.h"
+#include "endmill/mesh/detail/collinear.h"
 
 namespace endmill {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "endmill/mesh/edge_uses.h"
+#include "endmill/mesh/detail/edge_uses.h"
 #include "endmill/mesh/triangle_mesh.h"
 
 namespace endmill {

@@ -16,8 +16,8 @@
 
 #include <Eigen/Geometry>
 
-#include "endmill/mesh/collinear.h"
-#include "endmill/mesh/edge_uses.h"
+#include "endmill/mesh/detail/collinear.h"
+#include "endmill/mesh/detail/edge_uses.h"
 
 namespace endmill {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "endmill/core/error.h"
-#include "endmill/mesh/nearest_on_triangle.h"
+#include "endmill/mesh/detail/nearest_on_triangle.h"
 
 namespace endmill {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "endmill/core/detail/disjoint_sets.h"
 #include "endmill/core/error.h"
-#include "endmill/mesh/disjoint_sets.h"
 
 namespace endmill {
 namespace {

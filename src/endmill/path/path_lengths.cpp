@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/path/path_lengths.h"
+#include "endmill/path/tool_path.h"
 
 namespace endmill {
 

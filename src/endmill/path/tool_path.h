@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "endmill/cutter/ball_cutter.h"
+#include "endmill/cutter/cutter.h"
 
 namespace endmill {
 
@@ -71,5 +71,14 @@ struct ToolPath {
         return normals[i];
     }
 };
+
+/// How far the tip of a cutter goes, in mm.
+struct PathLengths {
+    double at_feed_mm = 0;  ///< cuts and links
+    double lifted_mm = 0;   ///< rapids, retracts and plunges
+};
+
+/// The lengths of the straight moves of `path`; nothing leads to its first point.
+PathLengths path_lengths(const ToolPath& path);
 
 }  // namespace endmill

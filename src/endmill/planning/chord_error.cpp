@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "endmill/planning/iso_cuts.h"
+#include "endmill/planning/detail/iso_cuts.h"
 
 namespace endmill {
 namespace {

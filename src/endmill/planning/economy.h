@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "endmill/path/tool_path.h"
-#include "endmill/surface/parameter.h"
+#include "endmill/surface/surface_jet.h"
 
 namespace endmill {
 

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "endmill/core/error.h"
-#include "endmill/planning/cross_section.h"
-#include "endmill/planning/pass_march.h"
+#include "endmill/planning/detail/cross_section.h"
+#include "endmill/planning/detail/pass_march.h"
 #include "endmill/planning/path_interval.h"
 #include "endmill/planning/step_length.h"
-#include "endmill/surface/iso_line.h"
+#include "endmill/surface/detail/iso_line.h"
 #include "endmill/surface/tool_side.h"
 
 namespace endmill {

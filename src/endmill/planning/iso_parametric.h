@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "endmill/cutter/cutter.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/planning/linking.h"
+#include "endmill/surface/largest_cutter.h"
 #include "endmill/surface/surface.h"
 
 namespace endmill {
@@ -111,5 +114,23 @@ IsoParametricPlan plan_iso_parametric(std::span<const Surface> surfaces,
 /// patch.
 double estimated_points(const Surface& surface, const BallCutter& cutter,
                         const IsoParametricOptions& options);
+
+/// Diameters in mm of the balls to choose from, the largest first.
+inline constexpr std::array<double, 8> stock_diameters{20, 15, 10, 6, 4, 3, 2, 1};
+
+/// Whether `ball` is smaller than the largest that fits, of which there may be none.
+bool fits(const BallCutter& ball, const std::optional<CutterLimit>& limit);
+
+/// Diameter in mm of the largest ball of `stock_diameters` that fits.
+/// \return nothing if none does.
+std::optional<double> default_diameter(const std::optional<CutterLimit>& limit);
+
+/// Chord tolerance and scallop height in mm for `ball`: a thirtieth of its diameter, as
+/// 0.5 mm with a ball of 15 mm in [KimChoi, fig. 12].
+double default_tolerance(const BallCutter& ball);
+
+/// Height in mm along `axis`, a unit vector, at which the cutter moves freely: 5 mm above
+/// the highest point of the surfaces, to within 1e-9 of their diagonals.
+double default_safe_height(std::span<const Surface> surfaces, const Vec3& axis);
 
 }  // namespace endmill

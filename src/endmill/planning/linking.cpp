@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

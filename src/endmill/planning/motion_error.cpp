@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "endmill/planning/iso_cuts.h"
-#include "endmill/planning/segment_distance.h"
+#include "endmill/planning/detail/iso_cuts.h"
+#include "endmill/planning/detail/segment_distance.h"
 
 namespace endmill {
 namespace {

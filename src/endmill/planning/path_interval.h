@@ -2,7 +2,7 @@
 #pragma once
 
 #include "endmill/core/angle.h"
-#include "endmill/cutter/ball_cutter.h"
+#include "endmill/cutter/cutter.h"
 #include "endmill/planning/step_length.h"
 
 namespace endmill {

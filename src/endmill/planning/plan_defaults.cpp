@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/plan_defaults.h"
+#include "endmill/planning/iso_parametric.h"
 
 #include "endmill/surface/extent.h"
 

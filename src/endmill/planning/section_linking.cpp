@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

@@ -4,10 +4,10 @@
 #include <span>
 
 #include "endmill/cutter/cutter.h"
-#include "endmill/interference/drive_planes.h"
-#include "endmill/interference/trimming.h"
+#include "endmill/offset/drive_planes.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/planning/linking.h"
+#include "endmill/trimming/trimming.h"
 
 namespace endmill {
 

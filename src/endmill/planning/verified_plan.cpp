@@ -9,9 +9,9 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/planning/detail/segment_distance.h"
+#include "endmill/planning/detail/verified_strips.h"
 #include "endmill/planning/path_interval.h"
-#include "endmill/planning/segment_distance.h"
-#include "endmill/planning/verified_strips.h"
 #include "endmill/surface/tool_side.h"
 
 namespace endmill {

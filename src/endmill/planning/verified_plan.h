@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "endmill/planning/detail/verified_pass.h"
 #include "endmill/planning/linking.h"
-#include "endmill/planning/verified_pass.h"
 
 namespace endmill {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/apt_reader.h"
+#include "endmill/post/apt.h"
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "endmill/core/numbers.h"
-#include "endmill/post/feed_move.h"
-#include "endmill/post/plain_number.h"
-#include "endmill/post/text_lines.h"
-#include "endmill/post/unit_axis.h"
+#include "endmill/core/text.h"
+#include "endmill/post/detail/feed_move.h"
+#include "endmill/post/detail/plain_number.h"
+#include "endmill/post/detail/text_lines.h"
+#include "endmill/post/detail/unit_axis.h"
 
 namespace endmill {
 namespace {

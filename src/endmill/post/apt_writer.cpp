@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/apt_writer.h"
+#include "endmill/post/apt.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "endmill/core/error.h"
-#include "endmill/post/comment_text.h"
-#include "endmill/post/move_conditions.h"
-#include "endmill/post/plain_number.h"
+#include "endmill/post/detail/comment_text.h"
+#include "endmill/post/detail/move_conditions.h"
+#include "endmill/post/detail/plain_number.h"
 
 namespace endmill {
 namespace {

@@ -9,13 +9,13 @@
 #include <optional>
 #include <utility>
 
-#include "endmill/post/arc.h"
-#include "endmill/post/canonical_line.h"
-#include "endmill/post/gcode_arc.h"
-#include "endmill/post/idle_commands.h"
-#include "endmill/post/plain_number.h"
-#include "endmill/post/program_builder.h"
-#include "endmill/post/text_lines.h"
+#include "endmill/post/detail/arc.h"
+#include "endmill/post/detail/canonical_line.h"
+#include "endmill/post/detail/gcode_arc.h"
+#include "endmill/post/detail/idle_commands.h"
+#include "endmill/post/detail/plain_number.h"
+#include "endmill/post/detail/program_builder.h"
+#include "endmill/post/detail/text_lines.h"
 
 namespace endmill {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "endmill/post/gcode_read_options.h"
+#include "endmill/post/gcode_reader.h"
 #include "endmill/post/program.h"
 
 namespace endmill {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "endmill/core/error.h"
-#include "endmill/post/gcode_line.h"
+#include "endmill/post/detail/gcode_line.h"
+#include "endmill/post/detail/plain_number.h"
+#include "endmill/post/detail/text_lines.h"
 #include "endmill/post/gcode_reader.h"
-#include "endmill/post/plain_number.h"
-#include "endmill/post/text_lines.h"
 
 namespace endmill {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "endmill/path/tool_path.h"
-#include "endmill/post/gcode_read_options.h"
+#include "endmill/post/gcode_reader.h"
 
 namespace endmill {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/gcode_read_options.h"
+#include "endmill/post/gcode_reader.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,12 +8,12 @@
 #include <optional>
 #include <utility>
 
-#include "endmill/core/numbers.h"
-#include "endmill/post/gcode_arc.h"
-#include "endmill/post/gcode_block.h"
-#include "endmill/post/gcode_modes.h"
-#include "endmill/post/program_builder.h"
-#include "endmill/post/text_lines.h"
+#include "endmill/core/text.h"
+#include "endmill/post/detail/gcode_arc.h"
+#include "endmill/post/detail/gcode_block.h"
+#include "endmill/post/detail/gcode_modes.h"
+#include "endmill/post/detail/program_builder.h"
+#include "endmill/post/detail/text_lines.h"
 
 namespace endmill {
 namespace {

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/post/block_writer.h"
-#include "endmill/post/comment_text.h"
-#include "endmill/post/move_conditions.h"
-#include "endmill/post/plain_number.h"
+#include "endmill/core/text.h"
+#include "endmill/post/detail/block_writer.h"
+#include "endmill/post/detail/comment_text.h"
+#include "endmill/post/detail/move_conditions.h"
+#include "endmill/post/detail/plain_number.h"
 
 namespace endmill {
 namespace {

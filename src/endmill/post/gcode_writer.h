@@ -6,7 +6,7 @@
 
 #include "endmill/cutter/cutter.h"
 #include "endmill/path/tool_path.h"
-#include "endmill/post/written_program.h"
+#include "endmill/post/program.h"
 
 namespace endmill {
 

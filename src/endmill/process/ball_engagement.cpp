@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "endmill/core/error.h"
-#include "endmill/process/engaged_region.h"
 
 namespace endmill {
 

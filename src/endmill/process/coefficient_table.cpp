@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/coefficient_table.h"
+#include "endmill/process/cutting_coefficients.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "endmill/core/detail/widest_registers.h"
 #include "endmill/core/error.h"
-#include "endmill/core/widest_registers.h"
 
 namespace endmill {
 namespace {

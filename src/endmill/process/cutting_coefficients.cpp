@@ -7,7 +7,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
-#include "endmill/process/top_integrals.h"
+#include "endmill/process/detail/top_integrals.h"
 
 namespace endmill {
 namespace {

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "endmill/process/cutting_coefficients.h"
-#include "endmill/process/cutting_material.h"
-#include "endmill/process/milling_tool.h"
+#include "endmill/process/milling_data.h"
 
 namespace endmill {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/cutting_load.h"
+#include "endmill/process/feed_limits.h"
 
 #include <cmath>
 #include <numbers>

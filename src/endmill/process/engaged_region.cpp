@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/engaged_region.h"
+#include "endmill/process/ball_engagement.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "endmill/process/previous_pass.h"
+#include "endmill/process/detail/previous_pass.h"
 
 namespace endmill {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/feed_options.h"
+#include "endmill/process/feed_plan.h"
 
 #include <algorithm>
 #include <cmath>

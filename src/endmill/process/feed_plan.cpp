@@ -5,7 +5,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
-#include "endmill/process/coefficient_table.h"
+#include "endmill/process/cutting_coefficients.h"
 #include "endmill/process/segment_load.h"
 
 namespace endmill {

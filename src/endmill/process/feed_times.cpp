@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/feed_times.h"
+#include "endmill/process/fed_path.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/front_load.h"
+#include "endmill/process/segment_load.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,6 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/vec.h"
-#include "endmill/process/segment_load.h"
 
 namespace endmill {
 namespace {

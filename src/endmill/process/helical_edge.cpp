@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/helical_edge.h"
+#include "endmill/process/force_profile.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "endmill/core/error.h"
-#include "endmill/process/bracketed_newton.h"
 #include "endmill/process/cutting_coefficients.h"
+#include "endmill/process/detail/bracketed_newton.h"
 
 namespace endmill {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/milling_tool.h"
+#include "endmill/process/milling_data.h"
 
 #include <cmath>
 

@@ -7,9 +7,9 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
-#include "endmill/process/cut_moves.h"
-#include "endmill/process/move_contacts.h"
-#include "endmill/process/pass_index.h"
+#include "endmill/process/detail/cut_moves.h"
+#include "endmill/process/detail/move_contacts.h"
+#include "endmill/process/detail/pass_index.h"
 
 namespace endmill {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "endmill/path/tool_path.h"
-#include "endmill/process/segment_cut.h"
+#include "endmill/process/feed_plan.h"
 #include "endmill/surface/surface.h"
 
 namespace endmill {

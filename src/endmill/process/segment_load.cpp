@@ -8,8 +8,8 @@
 #include <string>
 
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/process/force_pattern.h"
+#include "endmill/core/text.h"
+#include "endmill/process/detail/force_pattern.h"
 
 namespace endmill {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/area.h"
+#include "endmill/surface/extent.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "endmill/core/detail/widest_registers.h"
 #include "endmill/core/error.h"
-#include "endmill/core/widest_registers.h"
-#include "endmill/surface/bernstein_basis.h"
-#include "endmill/surface/cubic_bernstein.h"
+#include "endmill/surface/detail/bernstein_basis.h"
+#include "endmill/surface/detail/cubic_bernstein.h"
 
 namespace endmill {
 namespace {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "endmill/core/vec.h"
-#include "endmill/surface/parameter.h"
 #include "endmill/surface/surface_jet.h"
 
 namespace endmill {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "endmill/core/error.h"
-#include "endmill/surface/bernstein_net.h"
+#include "endmill/surface/detail/bernstein_net.h"
 
 namespace endmill {
 namespace {

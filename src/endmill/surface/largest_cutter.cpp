@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "endmill/core/parallel.h"
-#include "endmill/surface/box_search.h"
-#include "endmill/surface/collapsed_edge.h"
+#include "endmill/mesh/detail/point_tree.h"
 #include "endmill/surface/curvature.h"
-#include "endmill/surface/point_tree.h"
+#include "endmill/surface/detail/box_search.h"
+#include "endmill/surface/detail/collapsed_edge.h"
 
 namespace endmill {
 namespace {

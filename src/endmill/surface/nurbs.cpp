@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "endmill/core/error.h"
-#include "endmill/surface/bernstein_basis.h"
+#include "endmill/surface/detail/bernstein_basis.h"
 
 namespace endmill {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/parameter.h"
+#include "endmill/surface/surface_jet.h"
 
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/patch_borders.h"
+#include "endmill/surface/continuity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
-#include "endmill/surface/patch_sides.h"
+#include "endmill/surface/detail/patch_sides.h"
 
 namespace endmill {
 namespace {

@@ -10,12 +10,12 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
+#include "endmill/core/text.h"
 #include "endmill/mesh/weld.h"
-#include "endmill/surface/collapsed_edge.h"
+#include "endmill/surface/detail/collapsed_edge.h"
+#include "endmill/surface/detail/patch_sides.h"
+#include "endmill/surface/detail/sampling_levels.h"
 #include "endmill/surface/extent.h"
-#include "endmill/surface/patch_sides.h"
-#include "endmill/surface/sampling_levels.h"
 
 namespace endmill {
 namespace {

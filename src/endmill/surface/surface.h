@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "endmill/surface/bezier_patch.h"
-#include "endmill/surface/parameter.h"
 #include "endmill/surface/surface_jet.h"
 
 namespace endmill {

@@ -2,10 +2,31 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "endmill/core/vec.h"
 
 namespace endmill {
+
+/// One of the two parameters of a surface.
+enum class Parameter { U, V };
+
+/// A place on a surface by its global parameters.
+struct SurfacePoint {
+    double u;
+    double v;
+};
+
+/// "u = 1.5, v = 0 (30, 0, 12 mm)": the place and its point, for a message.
+std::string place_text(const SurfacePoint& at, const Vec3& point);
+
+/// A closed interval of a parameter, or of a length in mm.
+struct Interval {
+    double low;
+    double high;
+
+    double length() const { return high - low; }  ///< in the interval's own unit
+};
 
 /// A point of a parametric surface with its first partial derivatives.
 struct SurfaceTangents {

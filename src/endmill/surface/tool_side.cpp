@@ -9,9 +9,9 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "endmill/core/error.h"
-#include "endmill/core/numbers.h"
-#include "endmill/surface/bernstein_net.h"
-#include "endmill/surface/collapsed_edge.h"
+#include "endmill/core/text.h"
+#include "endmill/surface/detail/bernstein_net.h"
+#include "endmill/surface/detail/collapsed_edge.h"
 
 namespace endmill {
 namespace {

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/cutter/detail/sweep_entry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "endmill/cutter/detail/corner_entry.h"
+#include "endmill/cutter/detail/line_in_plan.h"
+
+namespace endmill {
+namespace {
+
+using Eigen::Vector2d;
+
+// Rise of a move, as a share of its length, below which it is level: its heights are then
+// off by no more than that.
+constexpr double level_rise = 1e-13;
+
+// The upright cylinder that stands at `along` on the move, from the height `bottom` up.
+Stretch upright_cylinder(const LineInPlan& plan, double radius, double along,
+                         double bottom)
+{
+    return shared(within_circle(plan.start - Vector2d{along, 0}, plan.rate, radius),
+                  where_positive(plan.start_z - bottom, plan.rate_z));
+}
+
+// What stands above the upright rectangle under the move, as wide as the cutter and
+// `above` the tips.
+Stretch upright_slab(const LineInPlan& plan, double radius, double above)
+{
+    if (plan.length == 0)
+        return Stretch::none();
+    const double slope = plan.rise / plan.length;
+    Stretch slab = where_positive(plan.start_z - above - slope * plan.start.x(),
+                                  plan.rate_z - slope * plan.rate.x());
+    for (const double side : {-1.0, 1.0})
+        slab = shared(
+            slab, where_positive(radius + side * plan.start.y(), side * plan.rate.y()));
+    slab = shared(slab, where_positive(plan.start.x(), plan.rate.x()));
+    return shared(slab, where_positive(plan.length - plan.start.x(), -plan.rate.x()));
+}
+
+// The ball swept along the segment between its centres.
+std::optional<SweepEntry> capsule_entry(const StraightSweep& sweep, const Line& line)
+{
+    const double R = sweep.cutter().radius();
+    const Vec3 lift{0, 0, R};
+    const Vec3 d = sweep.to() - sweep.from();
+    const Vec3 o = line.origin - sweep.from() - lift;
+    const double dd = d.squaredNorm();
+    const double dn = d.dot(line.direction);
+    const double d_o = d.dot(o);
+    const double on = o.dot(line.direction);
+    const double a = dd - dn * dn;
+    double share = dn >= 0 ? 0 : 1;  // of the segment: whose ball a line along it meets
+    if (a > 0) {
+        const double b = dd * on - d_o * dn;
+        const double c = dd * (o.squaredNorm() - R * R) - d_o * d_o;
+        const double h = b * b - a * c;
+        if (!(h >= 0))
+            return std::nullopt;
+        const double t = (-b - std::sqrt(h)) / a;
+        share = (d_o + t * dn) / dd;
+        if (0 <= share && share <= 1)
+            return SweepEntry{t, (o + t * line.direction - share * d) / R};
+    }
+    const Vec3 from_centre = share > 0.5 ? Vec3{o - d} : o;
+    const double b = from_centre.dot(line.direction);
+    const double h = R * R - (from_centre - b * line.direction).squaredNorm();
+    if (!(h >= 0))
+        return std::nullopt;
+    const double t = -b - std::sqrt(h);
+    return SweepEntry{t, (from_centre + t * line.direction) / R};
+}
+
+// The least entry into an upright part that begins before `found`.
+std::optional<SweepEntry> sooner(const LineInPlan& plan, const Stretch& upright,
+                                 std::optional<SweepEntry> found)
+{
+    if (upright.is_empty() || (found && found->t <= upright.low))
+        return found;
+    return SweepEntry{upright.low, std::isfinite(upright.low)
+                                       ? outline_normal(plan, upright.low)
+                                       : Vec3{-Vec3::UnitZ()}};
+}
+
+// Whether the line up to `before` stays below the centres of the ball.
+bool stays_below_centres(const StraightSweep& sweep, const Line& line, double before)
+{
+    const double lowest =
+        std::min(sweep.from().z(), sweep.to().z()) + sweep.cutter().radius();
+    return line.direction.z() >= 0 &&
+           line.origin.z() + before * line.direction.z() < lowest;
+}
+
+std::optional<SweepEntry> ball_entry(const StraightSweep& sweep, const Line& line,
+                                     double before)
+{
+    std::optional<SweepEntry> entry = capsule_entry(sweep, line);
+    // On the lower half of the capsule's boundary one is on that of the region; and what
+    // is upright begins at the centres.
+    if ((entry && entry->normal.z() <= 0) || stays_below_centres(sweep, line, before))
+        return entry;
+    const LineInPlan plan = line_in_plan(sweep, line);
+    const double R = sweep.cutter().radius();
+    entry = sooner(plan, upright_cylinder(plan, R, 0, R), entry);
+    entry = sooner(plan, upright_cylinder(plan, R, plan.length, plan.rise + R), entry);
+    return sooner(plan, upright_slab(plan, R, R), entry);
+}
+
+std::optional<SweepEntry> flat_entry(const StraightSweep& sweep, const Line& line)
+{
+    const LineInPlan plan = line_in_plan(sweep, line);
+    const double R = sweep.cutter().radius();
+    const Stretch at_ends[] = {upright_cylinder(plan, R, 0, 0),
+                               upright_cylinder(plan, R, plan.length, plan.rise)};
+    Stretch whole = spanned(at_ends[0], at_ends[1]);
+    whole = spanned(whole, upright_slab(plan, R, 0));
+    const bool is_level = std::abs(plan.rise) <= level_rise * plan.length;
+    Vec3 normal = -Vec3::UnitZ();
+    if (!is_level && plan.length > 0) {
+        // Between the two ends the rim sweeps an oblique cylinder.
+        const double per_rise = plan.length / plan.rise;
+        const Vector2d start = plan.start - Vector2d{per_rise * plan.start_z, 0};
+        const Vector2d rate = plan.rate - Vector2d{per_rise * plan.rate_z, 0};
+        const double sign = plan.rise > 0 ? 1 : -1;
+        Stretch oblique = within_circle(start, rate, R);
+        oblique =
+            shared(oblique, where_positive(sign * plan.start_z, sign * plan.rate_z));
+        oblique = shared(oblique, where_positive(sign * (plan.rise - plan.start_z),
+                                                 -sign * plan.rate_z));
+        if (!oblique.is_empty() && (whole.is_empty() || oblique.low < whole.low)) {
+            const Vector2d out = start + oblique.low * rate;
+            normal =
+                out_of_plan(plan, out.x(), out.y(), -per_rise * out.x()).normalized();
+            return SweepEntry{oblique.low, normal};
+        }
+    }
+    if (whole.is_empty())
+        return std::nullopt;
+    const double t = whole.low;
+    if (!std::isfinite(t))
+        return SweepEntry{t, normal};
+    // Through the bottom or through the side, whichever the line comes to last.
+    const Stretch outline = within_outline(plan, R);
+    const double rounding = 1e-12 * (R + plan.length);  // of t, mm
+    return SweepEntry{t, outline.low >= t - rounding ? outline_normal(plan, t) : normal};
+}
+
+}  // namespace
+
+std::optional<SweepEntry> sweep_entry(const StraightSweep& sweep, const Line& line,
+                                      double before)
+{
+    if (!sweep.cutter().is_ball() && !sweep.cutter().is_flat())
+        return corner_entry(sweep, line, before);
+    const auto entry = sweep.cutter().is_ball() ? ball_entry(sweep, line, before)
+                                                : flat_entry(sweep, line);
+    return entry && entry->t < before ? entry : std::nullopt;
+}
+
+}  // namespace endmill

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "endmill/cutter/straight_sweep.h"
+#include "endmill/deviation/detail/ray_rows.h"
+
+namespace endmill {
+
+/// Shortens rays by what a ball clears on a move: what `mown` does with each, but for
+/// rounding, several at a time.
+/// \param short_by below 0 for the rays that the move may shorten.
+void shorten_by_ball(RayRows& rows, const StraightSweep& sweep, std::int32_t number,
+                     const RayRows::Row& short_by);
+
+}  // namespace endmill

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/deviation/detail/cell_bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "endmill/deviation/detail/half_space.h"
+
+namespace endmill {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// Sweeps that are looked at in pairs: those that leave least at a cell's middle.
+constexpr std::size_t most_paired = 6;
+// Of the way to the middle: a corner where a cutter ends just there would be cleared or
+// not as rounding has it.
+constexpr double drawn_in = 1e-9;
+// mm: what a cutter that just touches may clear by rounding.
+constexpr double touching = 1e-9;
+// Steeper ones are taken to be no owner of a neighbouring place.
+constexpr double steepest_owner = 4;
+
+// What one sweep leaves at a cell's corners; nothing at those that the cell has not.
+struct CornerValues {
+    std::array<double, 4> at{-infinite, -infinite, -infinite, -infinite};
+
+    double most() const { return *std::ranges::max_element(at); }
+};
+
+using CornerRays = std::array<PartRay, 4>;
+
+// The least over all means of `a` and `b` of the mean's greatest corner: a convex function
+// of the share, linear between shares at which two corners are equal.
+double least_of_means(const CornerValues& a, const CornerValues& b, int corners)
+{
+    double least = std::min(a.most(), b.most());
+    for (int i = 0; i < corners; ++i)
+        for (int j = i + 1; j < corners; ++j) {
+            const auto p = static_cast<std::size_t>(i);
+            const auto q = static_cast<std::size_t>(j);
+            const double across = (a.at[p] - a.at[q]) - (b.at[p] - b.at[q]);
+            const double share = (b.at[q] - b.at[p]) / across;
+            if (!(share > 0 && share < 1))
+                continue;
+            double greatest = -infinite;
+            for (int k = 0; k < corners; ++k) {
+                const auto c = static_cast<std::size_t>(k);
+                greatest = std::max(greatest, share * a.at[c] + (1 - share) * b.at[c]);
+            }
+            least = std::min(least, greatest);
+        }
+    return least;
+}
+
+std::optional<CornerRays> corner_rays(const PartCell& cell, const PartCharts& charts)
+{
+    CornerRays rays;
+    const Eigen::Vector2d middle = cell.centre();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(cell.corners); ++k) {
+        const auto ray =
+            charts.ray(cell.chart, cell.at[k] + drawn_in * (middle - cell.at[k]));
+        if (!ray)
+            return std::nullopt;
+        rays[k] = *ray;
+    }
+    return rays;
+}
+
+// Nothing if the sweep leaves `before` or more at a corner.
+std::optional<CornerValues> corner_values(const StraightSweep& sweep,
+                                          const CornerRays& rays, int corners,
+                                          double before)
+{
+    CornerValues values;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(corners); ++k) {
+        const auto left = mown(sweep, rays[k], before);
+        if (!left)
+            return std::nullopt;
+        values.at[k] = left->left;
+    }
+    return values;
+}
+
+// The least that a region within the half space leaves anywhere on the cell, below 0;
+// infinite if it stays off.
+double least_by(const MeasuredCell& cell, const HalfSpace& half)
+{
+    const double bend = cell.reach * cell.bend.any;  // what the normal turns on the cell
+    double spread = 0;  // of the cell, along the plane's normal
+    for (std::size_t k = 0; k < static_cast<std::size_t>(cell.cell.corners); ++k) {
+        const Eigen::Vector2d away = cell.cell.at[k] - cell.cell.centre();
+        spread = std::max(
+            spread, half.normal.dot(away.x() * cell.ray.du + away.y() * cell.ray.dv));
+    }
+    const double depth =
+        half.normal.dot(cell.ray.point) + spread + cell.reach * bend / 2 - half.least;
+    if (depth <= touching)
+        return infinite;
+    const double rate = half.normal.dot(cell.ray.normal) - bend;
+    return rate > 0 ? -depth / rate : -infinite;
+}
+
+// By the plane across the way from the cell's middle; as that way may lie in the part
+// where a sweep touches it near the middle, across the way from below; and from as far below
+// as these leave open, for there, beside an edge too, is where the sweep ends.
+double least_by_planes(const MeasuredCell& cell, const StraightSweep& sweep)
+{
+    const Vec3& middle = cell.ray.point;
+    const double least = least_by(cell, half_space_beyond(sweep, middle));
+    if (least == infinite)
+        return least;
+    const Vec3 below = middle - sweep.cutter().radius() * cell.ray.normal;
+    const double known = std::max(least, least_by(cell, half_space_beyond(sweep, below)));
+    if (!std::isfinite(known))
+        return known;
+    const Vec3 end = middle + known * cell.ray.normal;
+    return std::max(known, least_by(cell, half_space_beyond(sweep, end)));
+}
+
+}  // namespace
+
+double hidden_gouge(const MeasuredCell& cell, const Cutter& cutter)
+{
+    const double d = cell.reach;
+    const double k = 1 / cutter.corner_radius() + cell.bend.convex;
+    const double share = std::min(1.0, d * k);
+    return d * share / (1 + std::sqrt((1 - share) * (1 + share)));
+}
+
+double least_left_by_planes(const MeasuredCell& cell, std::span<const StraightSweep> all,
+                            std::span<const std::int32_t> sweeps)
+{
+    double least = std::min(cell.left.left, 0.0);
+    for (const std::int32_t number : sweeps)
+        least =
+            std::min(least, least_by_planes(cell, all[static_cast<std::size_t>(number)]));
+    return least;
+}
+
+std::vector<std::int32_t> sweeps_on_cell(const MeasuredCell& cell,
+                                         std::span<const StraightSweep> all,
+                                         std::span<const std::int32_t> sweeps)
+{
+    std::vector<std::int32_t> found;
+    for (const std::int32_t number : sweeps)
+        if (least_by_planes(cell, all[static_cast<std::size_t>(number)]) < infinite)
+            found.push_back(number);
+    return found;
+}
+
+double most_left_by_slope(const MeasuredCell& cell, const Cutter& cutter)
+{
+    const double d = cell.reach;
+    const double s = cell.left.slope;
+    const bool is_cut = cell.left.sweep >= 0;
+    if (is_cut && cutter.is_flat())
+        return infinite;
+    const double corner = is_cut ? 1 / cutter.corner_radius() : 0;
+    const auto bend_at = [&](double slope) {
+        const double stretch = 1 + slope * slope;
+        return corner * stretch * std::sqrt(stretch) + cell.bend.any * stretch;
+    };
+    // A circle bends the more the steeper it is: as at the cell's far end.
+    const double steepest = s + d * bend_at(s);
+    return cell.left.left + d * s + d * d / 2 * bend_at(steepest);
+}
+
+double owner_margin(const MeasuredCell& cell)
+{
+    return cell.reach * 2 * (1 + std::min(cell.left.slope, steepest_owner));
+}
+
+std::vector<std::int32_t> local_sweeps(const MeasuredCell& cell,
+                                       std::span<const StraightSweep> all,
+                                       std::span<const std::int32_t> sweeps)
+{
+    std::vector<std::pair<double, std::int32_t>> candidates;
+    const double before = cell.left.left + owner_margin(cell);
+    for (const std::int32_t sweep : sweeps)
+        if (const auto left =
+                mown(all[static_cast<std::size_t>(sweep)], cell.ray, before))
+            candidates.emplace_back(left->left, sweep);
+    std::ranges::sort(candidates);
+    std::vector<std::int32_t> lowest;
+    for (const auto& [left, sweep] : candidates)
+        lowest.push_back(sweep);
+    return lowest;
+}
+
+double most_left_by_corners(const MeasuredCell& cell, const PartCharts& charts,
+                            std::span<const StraightSweep> all,
+                            std::span<const std::int32_t> sweeps)
+{
+    const auto rays = corner_rays(cell.cell, charts);
+    if (!rays)
+        return infinite;
+    double least = infinite;
+    std::vector<CornerValues> values;
+    const double before = cell.left.left + owner_margin(cell);
+    for (const std::int32_t sweep : sweeps.first(std::min(most_paired, sweeps.size()))) {
+        const auto value = corner_values(all[static_cast<std::size_t>(sweep)], *rays,
+                                         cell.cell.corners, before);
+        if (!value)
+            continue;
+        least = std::min(least, value->most());
+        for (const CornerValues& other : values)
+            least = std::min(least, least_of_means(*value, other, cell.cell.corners));
+        values.push_back(*value);
+    }
+    return least + cell.reach * cell.reach * cell.bend.any;
+}
+
+}  // namespace endmill

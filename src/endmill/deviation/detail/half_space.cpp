@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/deviation/detail/half_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace endmill {
+namespace {
+
+// mm that a half space may lie nearer than need be, before another is tried.
+constexpr double small_loss = 1e-9;
+
+// Against `normal`, whose z is not negative, from reference points at `at` and above.
+HalfSpace supported(const Cutter& cutter, const Vec3& normal, const Vec3& at)
+{
+    return {normal, normal.dot(at) - cutter.flat_radius() * normal.head<2>().norm() -
+                        cutter.corner_radius()};
+}
+
+// How far `place` lies beyond its border.
+double gap(const HalfSpace& half, const Vec3& place)
+{
+    return half.least - half.normal.dot(place);
+}
+
+}  // namespace
+
+HalfSpace half_space(const Cutter& cutter, const Vec3& place, const Vec3& nearest)
+{
+    Vec3 way = nearest - place;
+    const double distance = way.head<2>().norm();
+    if (distance > 0)
+        way.head<2>() *= std::max(0.0, 1 - cutter.flat_radius() / distance);
+    way.z() = std::max(way.z(), 0.0);  // the region is open above
+    const double length = way.norm();
+    if (length > 0)
+        return supported(cutter, way / length, nearest);
+    // The place lies on what the corner is rolled around, or in it: through the bottom or
+    // through the side, whichever leads out sooner.
+    const HalfSpace below = supported(cutter, Vec3::UnitZ(), nearest);
+    if (!(distance > 0))
+        return below;
+    Vec3 inwards = nearest - place;
+    inwards.z() = 0;
+    const HalfSpace beside = supported(cutter, inwards / distance, nearest);
+    return gap(below, place) >= gap(beside, place) ? below : beside;
+}
+
+Vec3 nearest_reference(const StraightSweep& sweep, const Vec3& place)
+{
+    const Vec3 from = sweep.from() + Vec3{0, 0, sweep.cutter().corner_radius()};
+    const Vec3 move = sweep.to() - sweep.from();
+    const double length2 = move.squaredNorm();
+    const double share =
+        length2 > 0 ? std::clamp(move.dot(place - from) / length2, 0.0, 1.0) : 0;
+    const Vec3 nearest = from + share * move;
+    const double level2 = move.head<2>().squaredNorm();
+    if (nearest.z() >= place.z() || !(level2 > 0))
+        return nearest;
+    // Beside what stands above the points: nearest in plan.
+    const double in_plan = move.head<2>().dot((place - from).head<2>()) / level2;
+    return from + std::clamp(in_plan, 0.0, 1.0) * move;
+}
+
+HalfSpace half_space_beyond(const StraightSweep& sweep, const Vec3& place)
+{
+    const Vec3 nearest = nearest_reference(sweep, place);
+    HalfSpace found = half_space(sweep.cutter(), place, nearest);
+    // Square to the way is not square to the move above a flat bottom, nor above an end.
+    const Vec3 lift{0, 0, sweep.cutter().corner_radius()};
+    const double lost =
+        found.normal.dot(nearest - lift) -
+        std::min(found.normal.dot(sweep.from()), found.normal.dot(sweep.to()));
+    found.least -= lost;
+    if (lost <= small_loss)
+        return found;
+    const Vec3 move = sweep.to() - sweep.from();
+    const Vec3 square = found.normal - found.normal.dot(move) / move.squaredNorm() * move;
+    const double size = square.norm();
+    if (!(square.z() >= 0 && size > 0))
+        return found;
+    const HalfSpace along = supported(sweep.cutter(), square / size, nearest);
+    return gap(along, place) > gap(found, place) ? along : found;
+}
+
+}  // namespace endmill

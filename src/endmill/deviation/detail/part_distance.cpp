@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/deviation/detail/part_distance.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "endmill/surface/sampling.h"
+
+namespace endmill {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double longest = 1e9;      // mm
+constexpr int most_shrinkings = 60;  // far more than it takes but where nothing is free
+constexpr double rounding = 1e-9;    // of a ball's radius
+// Of the chord tolerance: with so many fewer triangles most balls are known to be clear.
+constexpr double coarse_share = 10;
+
+}  // namespace
+
+PartDistance::PartDistance(const PartCharts& charts, double chord_tolerance)
+    : charts_{charts},
+      chord_tolerance_{chord_tolerance}
+{
+}
+
+void PartDistance::prepare() const
+{
+    std::call_once(is_prepared_, [this] {
+        if (charts_.mesh())
+            return;
+        pieces_.emplace(charts_.surfaces(), chord_tolerance_);
+        chord_error_ = pieces_->chord_error();
+        coarse_pieces_.emplace(charts_.surfaces(), coarse_share * chord_tolerance_);
+    });
+}
+
+// The part's triangles. Those of surfaces meet without gaps, as the pieces' do not.
+const TriangleTree& PartDistance::whole() const
+{
+    std::call_once(is_whole_made_, [this] {
+        if (charts_.mesh()) {
+            whole_.emplace(*charts_.mesh());
+            return;
+        }
+        sampled_ = sampled(charts_.surfaces(), charts_.sides(), chord_tolerance_).mesh;
+        whole_.emplace(sampled_);
+    });
+    return *whole_;
+}
+
+std::optional<NearestPoint> PartDistance::nearest(const Vec3& place,
+                                                  std::optional<std::size_t>& hint,
+                                                  double within) const
+{
+    prepare();
+    const std::optional<NearestPoint> found = pieces_
+                                                  ? pieces_->nearest(place, hint, within)
+                                                  : whole().nearest(place, hint, within);
+    if (found)
+        hint = found->triangle;
+    return found;
+}
+
+double PartDistance::operator()(const Vec3& place, std::optional<std::size_t>& hint) const
+{
+    const double found = nearest(place, hint, infinite)->distance;
+    return found + chord_error_;
+}
+
+bool PartDistance::is_clear(const Vec3& centre, double radius) const
+{
+    prepare();  // the chord error is asked for
+    if (coarse_pieces_ &&
+        !coarse_pieces_->nearest(centre, {}, radius + coarse_pieces_->chord_error()))
+        return true;
+    std::optional<std::size_t> no_hint;
+    return !nearest(centre, no_hint, radius - chord_error_);
+}
+
+FreeBall PartDistance::free_ball(const PartWay& way,
+                                 std::optional<std::size_t>& hint) const
+{
+    prepare();
+    FreeBall ball{std::min(way.length, longest), std::nullopt};
+    for (int i = 0; i < most_shrinkings; ++i) {
+        const Vec3 centre = way.foot + ball.length * way.direction;
+        const auto other =
+            nearest(centre, hint, ball.length * (1 - rounding) - chord_error_);
+        if (!other) {
+            if (ball.other)
+                ball.length = std::max(0.0, ball.length - uncertainty());
+            return ball;
+        }
+        // The ball that touches the foot and goes through the other place.
+        const Vec3 away = other->point - way.foot;
+        const double over = away.dot(way.direction);
+        const double through = over > 0 ? away.squaredNorm() / (2 * over) : 0;
+        ball = {std::min(through, (ball.length + other->distance) / 2), other->point};
+    }
+    return {0, ball.other};
+}
+
+double PartDistance::uncertainty() const
+{
+    prepare();
+    return 2 * chord_error_;
+}
+
+bool PartDistance::is_over_or_under(const Vec3& place) const
+{
+    return whole().any_hit({place, Vec3::UnitZ()}) ||
+           whole().any_hit({place, -Vec3::UnitZ()});
+}
+
+}  // namespace endmill

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/deviation/detail/part_gap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "endmill/deviation/detail/half_space.h"
+
+namespace endmill {
+namespace {
+
+// Halvings of a chart's sides: its pieces are then small against it.
+constexpr int most_halvings = 6;
+// The same to find the narrowest overlap of cutter and part.
+constexpr int most_halvings_of_overlap = 12;
+
+// How far the reference points of the cutter, and all above them, are from `place`.
+double distance_from_sweeps(const SweepTree& tree, const Vec3& place, double least)
+{
+    tree.visit(
+        place, [&](const Vec3& nearest) { return (nearest - place).norm() < least; },
+        [&](std::size_t number) {
+            Vec3 away = nearest_reference(tree.sweeps()[number], place) - place;
+            away.z() = std::max(away.z(), 0.0);
+            least = std::min(least, away.norm());
+        });
+    return least;
+}
+
+double gap_of(const PartCharts& charts, const SweepTree& tree, const PartCell& cell,
+              int halvings, double least)
+{
+    const auto ray = charts.ray(cell.chart, cell.centre());
+    if (ray) {
+        const double around = cell.reach(*ray) + tree.sweeps().front().cutter().radius();
+        const double away = distance_from_sweeps(tree, ray->point, least + around);
+        if (away - around >= least)
+            return least;
+        if (halvings == 0)
+            return std::max(0.0, away - around);
+    }
+    if (halvings > 0)
+        for (const PartCell& quarter : cell.quarters())
+            least = gap_of(charts, tree, quarter, halvings - 1, least);
+    return least;
+}
+
+// How a cutter passes a piece of the part.
+enum class Overlap { None, Possible, Certain };
+
+// Whether the half space holds nothing of the level disc of this radius.
+bool is_clear(const HalfSpace& half, const Vec3& middle, double radius)
+{
+    return half.least - half.normal.dot(middle) >= radius * half.normal.head<2>().norm();
+}
+
+// Seen from above, of those that come below `top`.
+Overlap overlap_of(const SweepTree& tree, const Vec3& middle, double reach, double top)
+{
+    const Cutter& cutter = tree.sweeps().front().cutter();
+    const Vec3 at_top{middle.x(), middle.y(), top};
+    const Vec3 place = at_top + Vec3{0, 0, cutter.corner_radius()};
+    const double around = reach + cutter.radius();
+    Overlap overlap = Overlap::None;
+    tree.visit(
+        place,
+        [&](const Vec3& nearest) {
+            return overlap != Overlap::Certain && nearest.z() <= place.z() &&
+                   (nearest - place).head<2>().norm() <= around;
+        },
+        [&](std::size_t number) {
+            const StraightSweep& sweep = tree.sweeps()[number];
+            if (sweep.height(place.x(), place.y()) < top)
+                overlap = Overlap::Certain;
+            else if (!is_clear(half_space_beyond(sweep, at_top), at_top, reach))
+                overlap = Overlap::Possible;
+        });
+    return overlap;
+}
+
+bool passes_over(const PartCharts& charts, const SweepTree& tree, const PartCell& cell,
+                 int halvings, double top)
+{
+    if (const auto ray = charts.ray(cell.chart, cell.centre())) {
+        const Overlap overlap = overlap_of(tree, ray->point, cell.reach(*ray), top);
+        if (overlap != Overlap::Possible)
+            return overlap == Overlap::Certain;
+    }
+    if (halvings == 0)
+        return false;
+    for (const PartCell& quarter : cell.quarters())
+        if (passes_over(charts, tree, quarter, halvings - 1, top))
+            return true;
+    return false;
+}
+
+}  // namespace
+
+bool passes_over(const PartCharts& charts, const SweepTree& tree, double top)
+{
+    if (tree.sweeps().empty())
+        return false;
+    for (std::uint32_t chart = 0; chart < charts.count(); ++chart)
+        if (passes_over(charts, tree, charts.whole(chart), most_halvings_of_overlap, top))
+            return true;
+    return false;
+}
+
+double part_gap(const PartCharts& charts, const SweepTree& tree)
+{
+    double least = std::numeric_limits<double>::infinity();
+    if (tree.sweeps().empty())
+        return least;
+    for (std::uint32_t chart = 0; chart < charts.count(); ++chart)
+        least = gap_of(charts, tree, charts.whole(chart), most_halvings, least);
+    return least;
+}
+
+}  // namespace endmill

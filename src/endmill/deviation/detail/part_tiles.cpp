@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/deviation/detail/part_tiles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+#include "endmill/core/text.h"
+
+namespace endmill {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int most_across = 8;  // cells of a tile along a side
+// Of a cell: it may be so much longer than the pitch, where one more would make all of them
+// much shorter.
+constexpr double spared_share = 0.2;
+// Halvings of a chart: beyond them a side is too long for any memory.
+constexpr int most_halvings = 40;
+
+struct Sides {
+    double along_u;  // mm
+    double along_v;
+};
+
+// Greatest length of the cell's sides, by the partials at its corners and middle.
+Sides sides_of(const PartCharts& charts, const PartCell& cell)
+{
+    Sides sides{0, 0};
+    const Vector2d first = cell.at[1] - cell.at[0];
+    const Vector2d last =
+        cell.at[static_cast<std::size_t>(cell.corners - 1)] - cell.at[0];
+    const auto take = [&](const Vector2d& at) {
+        if (const auto ray = charts.ray(cell.chart, at)) {
+            sides.along_u = std::max(sides.along_u,
+                                     (first.x() * ray->du + first.y() * ray->dv).norm());
+            const Vec3 up = last.x() * ray->du + last.y() * ray->dv;
+            sides.along_v = std::max(sides.along_v, up.norm());
+            if (cell.corners == 3)
+                sides.along_v =
+                    std::max(sides.along_v,
+                             (up - first.x() * ray->du - first.y() * ray->dv).norm());
+        }
+    };
+    for (int k = 0; k < cell.corners; ++k)
+        take(cell.at[static_cast<std::size_t>(k)]);
+    take(cell.centre());
+    return sides;
+}
+
+// Halves a quadrilateral across the sides from corner 0 to 1, or those from 1 to 2.
+std::array<PartCell, 2> halves(const PartCell& cell, bool across_u)
+{
+    PartCell low = cell;
+    PartCell high = cell;
+    const auto& at = cell.at;
+    if (across_u) {
+        low.at[1] = high.at[0] = (at[0] + at[1]) / 2;
+        low.at[2] = high.at[3] = (at[3] + at[2]) / 2;
+    } else {
+        low.at[3] = high.at[0] = (at[0] + at[3]) / 2;
+        low.at[2] = high.at[1] = (at[1] + at[2]) / 2;
+    }
+    return {low, high};
+}
+
+// Of a tile's columns and rows: cells of a patch lie along its parameters.
+struct Middles {
+    std::vector<double> u;
+    std::vector<double> v;
+};
+
+Middles middles_of(const PartTile& tile)
+{
+    Middles middles;
+    middles.u.reserve(most_across);
+    middles.v.reserve(most_across);
+    for (int i = 0; i < tile.columns; ++i)
+        middles.u.push_back(tile.cell(i).centre().x());
+    for (int j = 0; j < tile.rows; ++j)
+        middles.v.push_back(tile.cell(j * tile.columns).centre().y());
+    return middles;
+}
+
+class Tiling {
+public:
+    Tiling(const PartCharts& charts, double pitch, std::size_t most_cells)
+        : charts_{charts},
+          pitch_{pitch},
+          most_cells_{most_cells}
+    {
+    }
+
+    std::vector<PartTile> tiles_of(std::uint32_t chart)
+    {
+        tiles_.clear();
+        cells_ = 0;
+        add(charts_.whole(chart), 0);
+        return std::move(tiles_);
+    }
+
+private:
+    void add(const PartCell& cell, int halvings)
+    {
+        const Sides sides = sides_of(charts_, cell);
+        const double longest = std::max(sides.along_u, sides.along_v);
+        if (longest <= most_across * pitch_ || halvings >= most_halvings) {
+            keep(cell, sides);
+        } else if (cell.corners == 3) {
+            for (const PartCell& quarter : cell.quarters())
+                add(quarter, halvings + 1);
+        } else {
+            for (const PartCell& half : halves(cell, sides.along_u >= sides.along_v))
+                add(half, halvings + 1);
+        }
+    }
+
+    void keep(const PartCell& cell, const Sides& sides)
+    {
+        const auto across = [&](double side) {
+            return std::clamp(static_cast<int>(std::ceil(side / pitch_ - spared_share)),
+                              1, most_across);
+        };
+        int columns = across(sides.along_u);
+        int rows = across(sides.along_v);
+        if (cell.corners == 3)
+            columns = rows = std::max(columns, rows);
+        tiles_.push_back({cell, columns, rows, 0});
+        cells_ += static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+        if (cells_ > most_cells_)
+            throw LimitError{"a pitch of " + to_text(pitch_) +
+                             " mm cuts the part into "
+                             "more than " +
+                             counted(most_cells_, "cell")};
+    }
+
+    const PartCharts& charts_;
+    double pitch_;
+    std::size_t most_cells_;
+    std::size_t cells_ = 0;
+    std::vector<PartTile> tiles_;
+};
+
+}  // namespace
+
+PartCell PartTile::cell(int number) const
+{
+    const auto& at = whole.at;
+    const int i = number % columns;
+    const int j = number / columns;
+    if (whole.corners == 4) {
+        const auto node = [&](int column, int row) -> Vector2d {
+            return at[0] + column / double(columns) * (at[1] - at[0]) +
+                   row / double(rows) * (at[3] - at[0]);
+        };
+        return {whole.chart,
+                4,
+                {node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)}};
+    }
+    // Row j of a triangle, counted from its side 0-1, has 2 (columns - j) - 1 cells.
+    int row = 0;
+    int left = number;
+    while (left >= 2 * (columns - row) - 1) {
+        left -= 2 * (columns - row) - 1;
+        ++row;
+    }
+    const int column = left / 2;
+    const auto node = [&](int along, int up) -> Vector2d {
+        return at[0] + along / double(columns) * (at[1] - at[0]) +
+               up / double(columns) * (at[2] - at[0]);
+    };
+    if (left % 2 == 0)
+        return {whole.chart,
+                3,
+                {node(column, row), node(column + 1, row), node(column, row + 1)}};
+    return {whole.chart,
+            3,
+            {node(column + 1, row), node(column + 1, row + 1), node(column, row + 1)}};
+}
+
+std::vector<PartCell> tile_cells(const PartTile& tile)
+{
+    std::vector<PartCell> cells;
+    cells.reserve(static_cast<std::size_t>(tile.cells()));
+    if (tile.whole.corners == 3) {
+        for (int k = 0; k < tile.cells(); ++k)
+            cells.push_back(tile.cell(k));
+        return cells;
+    }
+    const auto& at = tile.whole.at;
+    std::array<Vector2d, most_across + 1> along;
+    for (int i = 0; i <= tile.columns; ++i)
+        along[static_cast<std::size_t>(i)] =
+            at[0] + i / double(tile.columns) * (at[1] - at[0]);
+    for (int j = 0; j < tile.rows; ++j) {
+        const Vector2d low = j / double(tile.rows) * (at[3] - at[0]);
+        const Vector2d high = (j + 1) / double(tile.rows) * (at[3] - at[0]);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(tile.columns); ++i)
+            cells.push_back({tile.whole.chart,
+                             4,
+                             {along[i] + low, along[i + 1] + low, along[i + 1] + high,
+                              along[i] + high}});
+    }
+    return cells;
+}
+
+std::vector<PartRay> tile_rays(const PartCharts& charts, const PartTile& tile)
+{
+    if (!charts.mesh()) {
+        const Middles middles = middles_of(tile);
+        return charts.rays(tile.whole.chart, middles.u, middles.v);
+    }
+    std::vector<PartRay> rays;
+    rays.reserve(static_cast<std::size_t>(tile.cells()));
+    for (int k = 0; k < tile.cells(); ++k)
+        rays.push_back(
+            charts.ray(tile.whole.chart, tile.cell(k).centre()).value_or(PartRay{}));
+    return rays;
+}
+
+std::vector<Vec3> tile_points(const PartCharts& charts, const PartTile& tile)
+{
+    if (!charts.mesh()) {
+        const Middles middles = middles_of(tile);
+        return charts.points(tile.whole.chart, middles.u, middles.v);
+    }
+    std::vector<Vec3> points;
+    points.reserve(static_cast<std::size_t>(tile.cells()));
+    for (const PartRay& ray : tile_rays(charts, tile))
+        points.push_back(ray.point);
+    return points;
+}
+
+std::vector<PartTile> part_tiles(const PartCharts& charts, double pitch,
+                                 std::size_t most_cells)
+{
+    require(std::isfinite(pitch) && pitch > 0, "part_tiles: need 0 < pitch");
+    std::vector<std::vector<PartTile>> of_chart(charts.count());
+    parallel_for(charts.count(), [&](std::size_t begin, std::size_t end) {
+        Tiling tiling{charts, pitch, most_cells};
+        for (std::size_t i = begin; i < end; ++i)
+            of_chart[i] = tiling.tiles_of(static_cast<std::uint32_t>(i));
+    });
+    std::vector<PartTile> tiles;
+    std::size_t count = 0;
+    for (const std::vector<PartTile>& some : of_chart)
+        count += some.size();
+    tiles.reserve(count);
+    std::size_t cells = 0;
+    for (std::vector<PartTile>& some : of_chart) {
+        for (PartTile& tile : some) {
+            tile.first = cells;
+            cells += static_cast<std::size_t>(tile.cells());
+            tiles.push_back(tile);
+        }
+        some = {};
+    }
+    if (cells > most_cells)
+        throw LimitError{"a pitch of " + to_text(pitch) + " mm cuts the part into " +
+                         counted(cells, "cell") + "; expected at most " +
+                         std::to_string(most_cells)};
+    return tiles;
+}
+
+std::size_t cell_count(const std::vector<PartTile>& tiles)
+{
+    return tiles.empty()
+               ? 0
+               : tiles.back().first + static_cast<std::size_t>(tiles.back().cells());
+}
+
+}  // namespace endmill

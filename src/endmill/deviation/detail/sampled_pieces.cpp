@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/deviation/detail/sampled_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/surface/detail/sampling_levels.h"
+#include "endmill/surface/sampling.h"
+
+namespace endmill {
+namespace {
+
+// Cells along a side of a piece: so many triangles take about as long to make as some
+// hundred questions.
+constexpr int most_cells = 16;
+// Of the largest coordinate: more than rounding makes of a point between others.
+constexpr double rounding_share = 1e-14;
+// Boxes in one above them.
+constexpr std::size_t children = 4;
+
+// Greatest over the whole patch.
+BendBounds patch_bounds(const BezierPatch& patch)
+{
+    BendBounds greatest{0, 0, 0};
+    for (const BendBounds& bounds : bend_bounds(patch)) {
+        greatest.uu = std::max(greatest.uu, bounds.uu);
+        greatest.uv = std::max(greatest.uv, bounds.uv);
+        greatest.vv = std::max(greatest.vv, bounds.vv);
+    }
+    return greatest;
+}
+
+}  // namespace
+
+SampledPieces::SampledPieces(std::span<const Surface> surfaces, double chord_tolerance)
+{
+    double triangles = 0;
+    for (const Surface& surface : surfaces) {
+        const SamplingLevels levels{surface, chord_tolerance};
+        chord_error_ = std::max(chord_error_, levels.chord_error_mm());
+        triangles += levels.triangles();
+        if (triangles > static_cast<double>(most_sampled_triangles))
+            throw LimitError{"the part would have about " + to_text(triangles) +
+                             " triangles or more at a distance of " +
+                             to_text(chord_tolerance) + " mm; expected at most " +
+                             std::to_string(most_sampled_triangles) +
+                             ": larger limits or a coarser resolution make fewer"};
+        for (int j = 0; j < surface.patches(Parameter::V); ++j)
+            for (int i = 0; i < surface.patches(Parameter::U); ++i) {
+                const auto [level_u, level_v] = levels.patch(i, j);
+                add({&surface, i, j, level_u, level_v},
+                    patch_bounds(surface.patch(i, j)));
+            }
+    }
+    samples_.resize(pieces_.size());
+    add_upper_boxes();
+}
+
+Vec3 SampledPieces::Cells::point(int u, int v) const
+{
+    const auto parameter = [](std::span<const double> breaks, int patch, int part,
+                              int level) {
+        return std::lerp(breaks[patch], breaks[patch + 1], std::ldexp(part, -level));
+    };
+    return surface
+        ->jet_in_patch(column, row,
+                       parameter(surface->breaks(Parameter::U), column, u, level_u),
+                       parameter(surface->breaks(Parameter::V), row, v, level_v))
+        .point;
+}
+
+// In pieces, halves next to each other.
+void SampledPieces::add(const Cells& cells, const BendBounds& bounds)
+{
+    const int count_u = cells.high_u - cells.low_u;
+    const int count_v = cells.high_v - cells.low_v;
+    if (std::max(count_u, count_v) > most_cells) {
+        Cells low = cells;
+        Cells high = cells;
+        if (count_u >= count_v)
+            low.high_u = high.low_u = cells.low_u + count_u / 2;
+        else
+            low.high_v = high.low_v = cells.low_v + count_v / 2;
+        add(low, bounds);
+        add(high, bounds);
+        return;
+    }
+    const std::array<Vec3, 4> corners{
+        cells.point(cells.low_u, cells.low_v), cells.point(cells.high_u, cells.low_v),
+        cells.point(cells.high_u, cells.high_v), cells.point(cells.low_u, cells.high_v)};
+    Box box{corners[0], corners[0]};
+    Slab slab = middle_of(corners);
+    for (const Vec3& corner : corners) {
+        box.low = box.low.cwiseMin(corner);
+        box.high = box.high.cwiseMax(corner);
+        slab = slab.reaching(corner);
+    }
+    // The surface is no further than this from a triangle of the corners, and the
+    // triangles' corners lie on the surface.
+    const double bulge = bounds.chord_error(std::ldexp(count_u, -cells.level_u),
+                                            std::ldexp(count_v, -cells.level_v));
+    const double around =
+        bulge + rounding_share * std::max(box.low.cwiseAbs().maxCoeff(),
+                                          box.high.cwiseAbs().maxCoeff());
+    pieces_.push_back(cells);
+    slabs_.push_back(slab.widened(around));
+    boxes_.front().push_back({box.low.array() - around, box.high.array() + around});
+}
+
+void SampledPieces::add_upper_boxes()
+{
+    while (boxes_.back().size() > 1) {
+        const std::vector<Box>& below = boxes_.back();
+        std::vector<Box> above;
+        for (std::size_t first = 0; first < below.size(); first += children) {
+            Box box = below[first];
+            for (std::size_t k = first; k < std::min(first + children, below.size());
+                 ++k) {
+                box.low = box.low.cwiseMin(below[k].low);
+                box.high = box.high.cwiseMax(below[k].high);
+            }
+            above.push_back(box);
+        }
+        boxes_.push_back(std::move(above));
+    }
+}
+
+const SampledSheet& SampledPieces::sheet(std::size_t piece) const
+{
+    Sample& sample = samples_[piece];
+    std::call_once(sample.is_made, [&] {
+        const Cells& cells = pieces_[piece];
+        std::vector<Vec3> points;
+        points.reserve(static_cast<std::size_t>(cells.high_u - cells.low_u + 1) *
+                       static_cast<std::size_t>(cells.high_v - cells.low_v + 1));
+        for (int v = cells.low_v; v <= cells.high_v; ++v)
+            for (int u = cells.low_u; u <= cells.high_u; ++u)
+                points.push_back(cells.point(u, v));
+        sample.sheet.emplace(std::move(points), cells.high_u - cells.low_u,
+                             cells.high_v - cells.low_v);
+    });
+    return *sample.sheet;
+}
+
+void SampledPieces::look_at(NearestSearch& search, std::size_t piece) const
+{
+    if (search.may_improve(slabs_[piece]))
+        sheet(piece).look(search, piece);
+}
+
+void SampledPieces::look_into(NearestSearch& search, std::size_t level,
+                              std::size_t number) const
+{
+    if (level == 0) {
+        look_at(search, number);
+        return;
+    }
+    const std::vector<Box>& below = boxes_[level - 1];
+    std::array<std::pair<double, std::size_t>, children> order;
+    std::size_t count = 0;
+    for (std::size_t k = number * children;
+         k < std::min((number + 1) * children, below.size()); ++k)
+        if (const double square = below[k].squared_distance(search.place);
+            square * (1 - NearestSearch::rounding) <= search.least_square)
+            order[count++] = {square, k};
+    std::sort(order.begin(), order.begin() + count);
+    for (std::size_t k = 0; k < count; ++k)
+        if (order[k].first * (1 - NearestSearch::rounding) <= search.least_square)
+            look_into(search, level - 1, order[k].second);
+}
+
+std::optional<NearestPoint> SampledPieces::nearest(const Vec3& place,
+                                                   std::optional<std::size_t> hint,
+                                                   double within) const
+{
+    NearestSearch search{place, within > 0 ? within * within : 0};
+    if (hint)
+        look_at(search, *hint);
+    look_into(search, boxes_.size() - 1, 0);
+    if (!search.point)
+        return std::nullopt;
+    return NearestPoint{*search.point, std::sqrt(search.least_square), search.number};
+}
+
+}  // namespace endmill

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/deviation/detail/sampled_sheet.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/mesh/detail/nearest_on_triangle.h"
+
+namespace endmill {
+namespace {
+
+// Of the largest coordinate.
+constexpr double margin_share = 1e-12;
+
+bool is_power_of_two(int count)
+{
+    return count > 0 && std::has_single_bit(static_cast<unsigned>(count));
+}
+
+}  // namespace
+
+SampledSheet::SampledSheet(std::vector<Vec3> points, int columns, int rows)
+    : points_{std::move(points)},
+      columns_{columns},
+      rows_{rows}
+{
+    require(is_power_of_two(columns) && is_power_of_two(rows),
+            "SampledSheet: need powers of two of cells");
+    require(points_.size() == static_cast<std::size_t>(columns + 1) *
+                                  static_cast<std::size_t>(rows + 1),
+            "SampledSheet: need a point for each corner");
+    for (const Vec3& at : points_)
+        margin_ = std::max(margin_, margin_share * at.lpNorm<Eigen::Infinity>());
+    const Range whole{0, 0, columns, rows};
+    slabs_.reserve(2 * static_cast<std::size_t>(whole.cells()) - 1);
+    add(whole);
+}
+
+const Vec3& SampledSheet::point(int u, int v) const
+{
+    return points_[static_cast<std::size_t>(v * (columns_ + 1) + u)];
+}
+
+std::array<SampledSheet::Range, 2> SampledSheet::Range::halves() const
+{
+    Range low = *this;
+    Range high = *this;
+    if (high_u - low_u >= high_v - low_v)
+        low.high_u = high.low_u = (low_u + high_u) / 2;
+    else
+        low.high_v = high.low_v = (low_v + high_v) / 2;
+    return {low, high};
+}
+
+Slab SampledSheet::around(const Range& range) const
+{
+    const std::array<Vec3, 4> corners{
+        point(range.low_u, range.low_v), point(range.high_u, range.low_v),
+        point(range.high_u, range.high_v), point(range.low_u, range.high_v)};
+    Slab slab = middle_of(corners);
+    double lowest = 0;
+    double highest = 0;
+    double furthest = 0;  // squared
+    for (int v = range.low_v; v <= range.high_v; ++v)
+        for (int u = range.low_u; u <= range.high_u; ++u) {
+            const Vec3 away = point(u, v) - slab.centre;
+            const double over = away.dot(slab.normal);
+            lowest = std::min(lowest, over);
+            highest = std::max(highest, over);
+            furthest = std::max(furthest, away.squaredNorm());
+        }
+    slab.centre += (lowest + highest) / 2 * slab.normal;
+    slab.half_thickness = (highest - lowest) / 2;
+    slab.radius = std::sqrt(furthest);  // along the plane they are no further
+    return slab.widened(margin_);
+}
+
+void SampledSheet::add(const Range& range)
+{
+    slabs_.push_back(around(range));
+    if (range.cells() > 1)
+        for (const Range& half : range.halves())
+            add(half);
+}
+
+void SampledSheet::look(NearestSearch& search, std::size_t number) const
+{
+    if (search.may_improve(slabs_.front()))
+        look_into(search, number, {0, 0, columns_, rows_}, 0);
+}
+
+// The nearer half first, so that the other may be out of question.
+void SampledSheet::look_into(NearestSearch& search, std::size_t number,
+                             const Range& range, std::size_t node) const
+{
+    if (range.cells() == 1) {
+        look_at_cell(search, number, range);
+        return;
+    }
+    const std::array<Range, 2> halves = range.halves();
+    const std::array<std::size_t, 2> nodes{
+        node + 1, node + static_cast<std::size_t>(range.cells())};
+    const std::array<double, 2> squares{
+        slabs_[nodes[0]].squared_distance(search.place) * (1 - NearestSearch::rounding),
+        slabs_[nodes[1]].squared_distance(search.place) * (1 - NearestSearch::rounding)};
+    const std::size_t first = squares[0] <= squares[1] ? 0 : 1;
+    for (const std::size_t half : {first, 1 - first})
+        if (squares[half] <= search.least_square)
+            look_into(search, number, halves[half], nodes[half]);
+}
+
+void SampledSheet::look_at_cell(NearestSearch& search, std::size_t number,
+                                const Range& cell) const
+{
+    const auto triangle =
+        2 * static_cast<std::size_t>(cell.low_v * columns_ + cell.low_u);
+    const Vec3& a = point(cell.low_u, cell.low_v);
+    const Vec3& b = point(cell.high_u, cell.low_v);
+    const Vec3& c = point(cell.high_u, cell.high_v);
+    const Vec3& d = point(cell.low_u, cell.high_v);
+    search.take(nearest_on_triangle(search.place, {a, b, c}), number, triangle);
+    search.take(nearest_on_triangle(search.place, {a, c, d}), number, triangle + 1);
+}
+
+}  // namespace endmill

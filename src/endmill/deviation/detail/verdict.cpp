@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verdict of deviation.h.
+#include "endmill/deviation/deviation.h"
+
+namespace endmill {
+
+std::string_view verdict_name(Verdict verdict)
+{
+    switch (verdict) {
+        case Verdict::Clean:
+            return "clean";
+        case Verdict::Gouged:
+            return "gouged";
+        case Verdict::Uncut:
+            return "uncut";
+        case Verdict::Undecided:
+            return "undecided";
+    }
+    return {};
+}
+
+Verdict verdict(const Deviation& deviation, const DeviationLimits& limits)
+{
+    const double tolerance = limits.tolerance + verdict_slack;
+    const double scallop = limits.scallop + verdict_slack;
+    if (deviation.max_gouge_mm > tolerance)
+        return Verdict::Gouged;
+    // A gouge comes first: while there may be one, more rays could yet find it.
+    if (deviation.max_gouge_mm + deviation.gouge_bound_mm > tolerance)
+        return Verdict::Undecided;
+    if (deviation.max_scallop_mm > scallop)
+        return Verdict::Uncut;
+    const bool is_low = deviation.max_scallop_mm + deviation.scallop_bound_mm <= scallop;
+    return is_low ? Verdict::Clean : Verdict::Undecided;
+}
+
+}  // namespace endmill

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/drop_cutter/clearance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+#include "endmill/drop_cutter/detail/drop_tree.h"
+#include "endmill/gouge/detail/surface_gap.h"
+
+namespace endmill {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double pieces_per_radius = 2;
+// Places that share what they found; fixed, so that threads change nothing.
+constexpr std::size_t places_in_a_chunk = 64;
+constexpr std::array<std::size_t, 3> steps{256, 16, 1};
+
+void check(std::span<const Vec3> references, double resolution)
+{
+    require(resolution > 0, "least_gap: need 0 < resolution");
+    for (const Vec3& reference : references)
+        require(reference.allFinite(), "least_gap: a place is not finite");
+}
+
+// The least of what `search(number, enough)` finds below `enough` for the places `begin`,
+// `begin + step`, ... below `end`.
+template <typename Search>
+std::optional<LeastGap> least_of_some(const std::array<std::size_t, 3>& begin_end_step,
+                                      double enough, Search& search)
+{
+    const auto [begin, end, step] = begin_end_step;
+    std::optional<LeastGap> least;
+    for (std::size_t k = begin; k < end; k += step)
+        if (const auto found = search(k, enough); found && found->gap < enough) {
+            least = LeastGap{found->gap, k, found->point};
+            enough = found->gap;
+        }
+    return least;
+}
+
+// The least of what `search(number, enough)` finds below `enough` for each place. Few places
+// first, then more between them: who knows a small gap leaves out what is farther away.
+template <typename MakeSearch>
+std::optional<LeastGap> least_of_all(std::size_t count, const MakeSearch& make_search)
+{
+    std::optional<LeastGap> least;
+    for (const std::size_t step : steps) {
+        const std::size_t stretch = step * places_in_a_chunk;
+        const std::size_t chunks = (count + stretch - 1) / stretch;
+        const double enough = least ? least->gap : infinite;
+        std::vector<std::optional<LeastGap>> least_of_chunk(chunks);
+        parallel_for(chunks, [&](std::size_t begin, std::size_t end) {
+            auto search = make_search();
+            for (std::size_t chunk = begin; chunk < end; ++chunk)
+                least_of_chunk[chunk] = least_of_some(
+                    {chunk * stretch, std::min((chunk + 1) * stretch, count), step},
+                    enough, search);
+        });
+        for (const auto& found : least_of_chunk)
+            if (found && (!least || found->gap < least->gap))
+                least = found;
+    }
+    return least;
+}
+
+// Asks a tree of planes over triangles for the least gap; bounds are negative there, as the
+// tree looks for the greatest.
+class MeshGapQuery {
+public:
+    MeshGapQuery(const DropTree& tree, const Vec3& reference, double resolution,
+                 double enough)
+        : tree_{tree},
+          core_{tree.cutter(), reference - tree.origin()},
+          resolution_{resolution},
+          found_{enough, {}}
+    {
+    }
+
+    float limit() const { return static_cast<float>(resolution_ - found_.gap); }
+
+    // All of a node lies within its box and not above its plane, so that no point of it is
+    // nearer to a supporting plane that looks down than the corners of the plane's piece.
+    FloatLanes bounds(const DropTree::Nodes& nodes, const FloatLanes& /*tops*/) const
+    {
+        FloatLanes depths;
+        for (Eigen::Index k = 0; k < float_lanes; ++k) {
+            const DropTree::Plane plane = tree_.plane(nodes, k);
+            if (plane.is_empty) {
+                depths[k] = -std::numeric_limits<float>::infinity();
+                continue;
+            }
+            const auto [normal, distance] = core_.nearest_plane_below(plane.middle);
+            const Eigen::Vector2d along = normal.head<2>() + normal.z() * plane.slope;
+            const double bound =
+                distance - along.cwiseAbs().dot(plane.half_size) - core_.corner_radius();
+            depths[k] = static_cast<float>(-bound + resolution_ / 4 +
+                                           rounding_share * std::abs(bound));
+        }
+        return depths;
+    }
+
+    void look_at(std::size_t triangle)
+    {
+        auto corners = tree_.mesh().corners(triangle);
+        for (Vec3& corner : corners)
+            corner -= tree_.origin();
+        const TriangleGap gap =
+            triangle_gap(core_, corners, resolution_ / 4, found_.gap - resolution_ / 2);
+        if (gap.gap < found_.gap) {
+            found_ = gap;
+            is_found_ = true;
+        }
+    }
+
+    std::optional<SurfaceGap> found() const
+    {
+        if (!is_found_)
+            return std::nullopt;
+        return SurfaceGap{found_.gap, found_.point + tree_.origin()};
+    }
+
+private:
+    static constexpr double rounding_share = 1e-6;  // floats', and to spare
+
+    const DropTree& tree_;
+    CutterCore core_;
+    double resolution_;
+    TriangleGap found_;
+    bool is_found_ = false;
+};
+
+}  // namespace
+
+std::optional<LeastGap> least_gap(std::span<const Surface> surfaces, const Cutter& cutter,
+                                  std::span<const Vec3> references, double resolution)
+{
+    check(references, resolution);
+    const PieceTree tree{surfaces, cutter.radius() / pieces_per_radius};
+    return least_of_all(references.size(), [&] {
+        return [&, finer = FinerPieces{}](std::size_t k, double enough) mutable {
+            return surface_gap(tree, CutterCore{cutter, references[k]}, resolution,
+                               enough, finer);
+        };
+    });
+}
+
+std::optional<LeastGap> least_gap(const DropCutter& drop_cutter,
+                                  std::span<const Vec3> references, double resolution)
+{
+    check(references, resolution);
+    const DropTree& tree = drop_cutter.tree();
+    return least_of_all(references.size(), [&] {
+        return [&](std::size_t k, double enough) {
+            MeshGapQuery query{tree, references[k], resolution, enough};
+            tree.search(query);
+            return query.found();
+        };
+    });
+}
+
+}  // namespace endmill

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/figures/deviation_svg.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/figures/axonometric_figure.h"
+#include "endmill/figures/detail/deviation_raster.h"
+
+namespace endmill {
+namespace {
+
+constexpr double margin_px = 24;
+constexpr double title_px = 20;
+constexpr double caption_px = 13;
+constexpr double line_px = 20;            // from one caption to the next
+constexpr double legend_px = 130;         // room for the scale to the right of the map
+constexpr int swatch_px = 22;             // height of a colour on the scale
+constexpr std::size_t shown_title = 100;  // characters
+constexpr std::size_t shown_caption = 150;
+constexpr LineStyle frame_style{"#9aa2ab", 1, ""};
+constexpr LineStyle mark_style{"#000000", 1.5, ""};
+constexpr double mark_radius_px = 7;
+constexpr int mark_corners = 24;
+constexpr double label_shift_px = 11;
+constexpr int label_room_px = 130;  // beside a part that is a narrow strip from above
+// Less is rounding: shown as 0.
+constexpr double least_shown = 1e-6;  // mm
+
+// Above edge k of `class_edges` begins colour k + 1.
+constexpr std::array<std::string_view, 12> colours{
+    "#5c0a5c", "#c2259f", "#2456b0", "#6f9fdc", "#bcd6f2", "#ececec",
+    "#c9e6b4", "#86c76b", "#f6e04b", "#f29a2e", "#c0241c", "#6b0d0d"};
+constexpr std::size_t neutral = 5;
+
+std::array<double, colours.size() - 1> class_edges(const DeviationLimits& limits)
+{
+    const double gouge = limits.tolerance + verdict_slack;
+    const double rest = limits.scallop + verdict_slack;
+    return {-2 * gouge, -gouge,     -0.6 * gouge, -0.3 * gouge, -0.1 * gouge, 0.1 * rest,
+            0.3 * rest, 0.6 * rest, 0.8 * rest,   rest,         2 * rest};
+}
+
+// What is just a limit is within it.
+std::size_t class_of(double left, const DeviationLimits& limits)
+{
+    const auto edges = class_edges(limits);
+    const auto above = left < 0 ? std::ranges::upper_bound(edges, left)
+                                : std::ranges::lower_bound(edges, left);
+    return static_cast<std::size_t>(above - edges.begin());
+}
+
+// Three digits.
+std::string shown(double mm)
+{
+    if (std::abs(mm) < least_shown)
+        return "0";
+    std::array<char, 32> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), mm,
+                                   std::chars_format::general, 3);
+    return {digits.data(), end.ptr};
+}
+
+std::vector<std::string> caption_lines(const Deviation& deviation,
+                                       const DeviationFigure& figure)
+{
+    const DeviationLimits& limits = figure.limits;
+    std::vector<std::string> lines{std::string{verdict_name(verdict(deviation, limits))} +
+                                   ": deepest gouge " + shown(deviation.max_gouge_mm) +
+                                   " mm (tolerance " + shown(limits.tolerance) +
+                                   "), highest rest " + shown(deviation.max_scallop_mm) +
+                                   " mm (limit " + shown(limits.scallop) + ")"};
+    for (const std::string& caption : figure.captions)
+        lines.push_back(printable(caption, shown_caption));
+    return lines;
+}
+
+// Where things are. Squares are whole px, so that their sides are sharp.
+struct Layout {
+    double width;   // of the picture
+    double height;  // ditto
+    int left;       // of the map
+    int top;        // ditto
+    int square;     // px a square
+    int map_width;
+    int map_height;
+    int scale_left;
+
+    Layout(const DeviationFigure& figure, const DeviationRaster& raster,
+           std::size_t captions)
+        : width{figure.width_px}
+    {
+        const double room = width - 2 * margin_px - legend_px;
+        square =
+            std::max(1, static_cast<int>(room / std::max(raster.columns, raster.rows)));
+        left = static_cast<int>(margin_px);
+        top = static_cast<int>(margin_px + title_px +
+                               line_px * static_cast<double>(captions) + margin_px / 2);
+        map_width = square * raster.columns;
+        map_height = square * raster.rows;
+        const int scale = swatch_px * static_cast<int>(colours.size() + 1);
+        height =
+            top + std::max(map_height + static_cast<int>(2 * line_px), scale) + margin_px;
+        scale_left = left + std::max(map_width, label_room_px) + left;
+        width = std::max(width, scale_left + legend_px);
+    }
+};
+
+class DeviationMap {
+public:
+    DeviationMap(const Deviation& deviation, const DeviationFigure& figure,
+                 const DeviationRaster& raster)
+        : deviation_{deviation},
+          figure_{figure},
+          raster_{raster},
+          captions_{caption_lines(deviation, figure)},
+          layout_{figure, raster, captions_.size()},
+          picture_{layout_.width, layout_.height, figure.title}
+    {
+    }
+
+    std::string text()
+    {
+        add_heading();
+        add_squares();
+        add_frame();
+        add_scale();
+        add_marks();
+        return picture_.text();
+    }
+
+private:
+    void add_heading()
+    {
+        double y = margin_px + title_px / 2;
+        picture_.add_text({margin_px, y}, printable(figure_.title, shown_title),
+                          {title_px, "#222222", true, false});
+        for (const std::string& line : captions_)
+            picture_.add_text({margin_px, y += line_px}, line,
+                              {caption_px, "#222222", false, false});
+    }
+
+    // Neighbours of one colour in a row become one box.
+    void add_squares()
+    {
+        std::array<std::vector<PixelBox>, colours.size()> boxes;
+        for (int row = 0; row < raster_.rows; ++row) {
+            const int y = layout_.top + layout_.square * (raster_.rows - 1 - row);
+            for (int column = 0; column < raster_.columns;) {
+                const auto kind = class_at(column, row);
+                int end = column + 1;
+                while (end < raster_.columns && class_at(end, row) == kind)
+                    ++end;
+                if (kind)
+                    boxes[*kind].push_back({layout_.left + layout_.square * column, y,
+                                            layout_.square * (end - column),
+                                            layout_.square});
+                column = end;
+            }
+        }
+        for (std::size_t k = 0; k < colours.size(); ++k)
+            picture_.add_boxes(boxes[k], colours[k]);
+    }
+
+    std::optional<std::size_t> class_at(int column, int row) const
+    {
+        const float left = raster_.at(column, row);
+        if (left == DeviationRaster::nothing)
+            return std::nullopt;
+        return class_of(left, figure_.limits);
+    }
+
+    void add_frame()
+    {
+        const double x = layout_.left;
+        const double y = layout_.top;
+        const double right = x + layout_.map_width;
+        const double bottom = y + layout_.map_height;
+        const std::array<PixelPoint, 4> frame{PixelPoint{x, y}, PixelPoint{right, y},
+                                              PixelPoint{right, bottom},
+                                              PixelPoint{x, bottom}};
+        picture_.add_polygon(frame, "none", frame_style);
+        const auto range = [&](double low, int count) {
+            return shown(low) + " to " + shown(low + count * raster_.side) + " mm";
+        };
+        picture_.add_text({x, bottom + line_px},
+                          "x " + range(raster_.low.x(), raster_.columns) +
+                              " to the right, y " + range(raster_.low.y(), raster_.rows) +
+                              " upwards, seen along -z",
+                          {caption_px, "#555555", false, false});
+        picture_.add_text({x, bottom + 2 * line_px},
+                          "each square, " + shown(raster_.side) +
+                              " mm wide, shows its worst place as a share of its limit",
+                          {caption_px, "#555555", false, false});
+    }
+
+    // Rests above, gouges below, as on the part.
+    void add_scale()
+    {
+        const int x = layout_.scale_left;
+        picture_.add_text({x + 0.0, layout_.top + caption_px}, "material left, mm",
+                          {caption_px, "#222222", true, false});
+        const auto edges = class_edges(figure_.limits);
+        for (std::size_t k = 0; k < colours.size(); ++k) {
+            const int y = layout_.top + swatch_px * static_cast<int>(colours.size() - k);
+            const PixelBox swatch{x, y, swatch_px, swatch_px};
+            picture_.add_boxes(std::span{&swatch, 1}, colours[k]);
+            if (k < edges.size())
+                picture_.add_text({x + swatch_px + 6.0, y + caption_px / 3},
+                                  shown(edges[k]), {caption_px, "#222222", false, false});
+        }
+    }
+
+    // The label of the upper one is raised and that of the lower one lowered, so that they
+    // do not meet.
+    void add_marks()
+    {
+        const auto& rest = deviation_.highest;
+        const auto& gouge = deviation_.deepest;
+        const bool is_gouge_above =
+            rest && gouge && gouge->ray.point.y() > rest->ray.point.y();
+        if (rest)
+            add_mark(*rest, "rest ", is_gouge_above ? label_shift_px : -label_shift_px);
+        if (gouge)
+            add_mark(*gouge, "gouge ", is_gouge_above ? -label_shift_px : label_shift_px);
+    }
+
+    void add_mark(const DeviationPlace& place, std::string_view name, double shift_px)
+    {
+        if (class_of(place.left, figure_.limits) == neutral)
+            return;
+        const PixelPoint at = pixels(place.ray.point);
+        std::array<PixelPoint, mark_corners> ring;
+        for (int k = 0; k < mark_corners; ++k) {
+            const double angle = 2 * std::numbers::pi * k / mark_corners;
+            ring[static_cast<std::size_t>(k)] =
+                at + mark_radius_px * PixelPoint{std::cos(angle), std::sin(angle)};
+        }
+        picture_.add_polygon(ring, "none", mark_style);
+        add_label(at + PixelPoint{0, shift_px},
+                  std::string{name} + shown(std::abs(place.left)));
+    }
+
+    // On white, beside the mark, on the side where there is room.
+    void add_label(const PixelPoint& at, const std::string& label)
+    {
+        constexpr double letter_px = 0.62 * caption_px;
+        const double width = letter_px * static_cast<double>(label.size());
+        const double gap = mark_radius_px + 3;
+        const bool is_left = at.x() > layout_.left + layout_.map_width / 2.0 &&
+                             at.x() > layout_.left + gap + width;
+        const double x = is_left ? at.x() - gap - width - 6 : at.x() + gap;
+        const double y = at.y() - caption_px / 2 - 3;
+        const double right = x + width + 6;
+        const double bottom = y + caption_px + 6;
+        const std::array<PixelPoint, 4> plate{PixelPoint{x, y}, PixelPoint{right, y},
+                                              PixelPoint{right, bottom},
+                                              PixelPoint{x, bottom}};
+        picture_.add_polygon(plate, "#ffffff", frame_style);
+        picture_.add_text({(x + right) / 2, bottom - 6}, label,
+                          {caption_px, "#222222", false, true});
+    }
+
+    PixelPoint pixels(const Vec3& point) const
+    {
+        const double px_per_mm = layout_.square / raster_.side;
+        const double x = px_per_mm * (point.x() - raster_.low.x());
+        const double y = px_per_mm * (point.y() - raster_.low.y());
+        return {layout_.left + std::clamp(x, 0.0, layout_.map_width + 0.0),
+                layout_.top + layout_.map_height -
+                    std::clamp(y, 0.0, layout_.map_height + 0.0)};
+    }
+
+    const Deviation& deviation_;
+    const DeviationFigure& figure_;
+    const DeviationRaster& raster_;
+    std::vector<std::string> captions_;
+    Layout layout_;
+    SvgPicture picture_;
+};
+
+}  // namespace
+
+std::string_view deviation_colour(double left, const DeviationLimits& limits)
+{
+    return colours[class_of(left, limits)];
+}
+
+std::string deviation_svg(const PartCharts& charts, const Deviation& deviation,
+                          const DeviationFigure& figure)
+{
+    require(400 <= figure.width_px && figure.width_px <= 4000,
+            "deviation_svg: need 400 <= width_px <= 4000");
+    require(1 <= figure.squares && figure.squares <= 1000,
+            "deviation_svg: need 1 <= squares <= 1000");
+    const DeviationRaster raster =
+        deviation_raster(charts, deviation, figure.limits, figure.squares);
+    return DeviationMap{deviation, figure, raster}.text();
+}
+
+}  // namespace endmill

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/figures/setup_figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "endmill/core/error.h"
+#include "endmill/figures/detail/drawn_mesh.h"
+#include "endmill/figures/detail/setup_styles.h"
+
+namespace endmill {
+namespace {
+
+constexpr double axis_reach = 1.2;    // in radii of the sphere around the part
+constexpr double label_share = 1.07;  // of that, where its name stands
+constexpr int axis_pieces = 80;       // so that a facet hides what is behind it
+constexpr double swatch_px = 11;
+constexpr double seam_px = 0.7;  // hides the gaps that smoothing leaves between facets
+
+// From dark to light: a facet seen edge on, and one that faces the viewer.
+using Shades = std::array<std::string_view, 5>;
+constexpr Shades reached_shades{"#33607f", "#457b9f", "#5b96bd", "#7bb3d6", "#a3cfea"};
+constexpr Shades turned_shades{"#8a6a14", "#ac8722", "#cba338", "#e3be5b", "#f3d98c"};
+constexpr Shades back_shades{"#6e6e6e", "#868686", "#9c9c9c", "#b2b2b2", "#c6c6c6"};
+
+// A facet in the order in which facets are drawn.
+struct ShadedFacet {
+    double depth;  // mm, towards the viewer
+    std::array<Vec3, 3> corners;
+    std::string_view colour;
+};
+
+std::string_view shade(const Shades& shades, double cosine)
+{
+    constexpr auto count = static_cast<double>(std::tuple_size_v<Shades>);
+    const auto step = static_cast<std::size_t>(std::abs(cosine) * count);
+    return shades.at(std::min(step, shades.size() - 1));
+}
+
+class SetupPicture {
+public:
+    SetupPicture(const TriangleMesh& mesh, const ShownSetup& setup,
+                 const SetupFigure& figure)
+        : points_{posed_points(mesh, setup)},
+          sphere_{sphere_around(points_)},
+          drawn_{drawn_mesh(points_, mesh.triangles(), figure.most_facets)},
+          axes_{machine_directions(setup)},
+          picture_{options_for(figure, mesh.triangles().size()), extent()},
+          toward_{picture_.view().toward}
+    {
+    }
+
+    std::string text(std::span<const std::uint8_t> reached_at_zero)
+    {
+        for (std::size_t k = 0; k < drawn_.triangles.size(); ++k)
+            add_facet(drawn_.triangles[k], reached_at_zero[drawn_.facets[k]] != 0);
+        std::ranges::stable_sort(facets_, {}, &ShadedFacet::depth);
+        for (const ShadedFacet& facet : facets_)
+            picture_.add_polygon(facet.corners, facet.colour,
+                                 {facet.colour, seam_px, ""});
+        for (const SetupAxis& axis : setup_axes(axes_))
+            add_axis(axis);
+        add_setup_legend(picture_, axes_);
+        picture_.add_legend("reached at zero", {reached_shades[3], swatch_px, ""});
+        picture_.add_legend("reached by turning", {turned_shades[3], swatch_px, ""});
+        return picture_.text();
+    }
+
+private:
+    FigureOptions options_for(const SetupFigure& figure, std::size_t facets) const
+    {
+        FigureOptions options{.title = figure.title,
+                              .captions = figure.captions,
+                              .width_px = figure.width_px,
+                              .azimuth = figure.azimuth,
+                              .elevation = figure.elevation,
+                              .axis_names = {"X", "Y", "Z"}};
+        if (drawn_.triangles.size() < facets)
+            options.captions.push_back(
+                "drawn coarser: " + std::to_string(drawn_.triangles.size()) + " of " +
+                std::to_string(facets) + " facets");
+        return options;
+    }
+
+    std::vector<Vec3> extent() const
+    {
+        std::vector<Vec3> points = points_;
+        for (const SetupAxis& axis : setup_axes(axes_)) {
+            points.push_back(on_axis(axis, label_share));
+            if (!axis.is_half_line)
+                points.push_back(on_axis(axis, -1));
+        }
+        return points;
+    }
+
+    // \param share of the axis's length from the middle of the part.
+    Vec3 on_axis(const SetupAxis& axis, double share) const
+    {
+        return sphere_.centre + share * axis_reach * sphere_.radius * axis.axis;
+    }
+
+    void add_facet(const Triangle& triangle, bool is_reached)
+    {
+        const std::array<Vec3, 3> corners{points_[triangle[0]], points_[triangle[1]],
+                                          points_[triangle[2]]};
+        const Vec3 normal =
+            (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+        const double cosine = normal.dot(toward_);
+        const Shades& front = is_reached ? reached_shades : turned_shades;
+        const Shades& shades = cosine < 0 ? back_shades : front;
+        const double depth = (corners[0] + corners[1] + corners[2]).dot(toward_) / 3;
+        facets_.push_back({depth, corners, shade(shades, cosine)});
+    }
+
+    // Its runs of pieces that no facet hides, and its name.
+    void add_axis(const SetupAxis& axis)
+    {
+        const auto end_of = [&](int k) {
+            return on_axis(axis, static_cast<double>(k) / axis_pieces);
+        };
+        std::vector<Vec3> run;
+        for (int k = axis.is_half_line ? 0 : -axis_pieces; k < axis_pieces; ++k) {
+            if (is_hidden((end_of(k) + end_of(k + 1)) / 2)) {
+                run.clear();
+                continue;
+            }
+            if (run.empty())
+                run.push_back(end_of(k));
+            run.push_back(end_of(k + 1));
+            const bool is_last = k + 1 == axis_pieces;
+            if (is_last || is_hidden((end_of(k + 1) + end_of(k + 2)) / 2))
+                picture_.add_curve(run, setup_style(axis.object));
+        }
+        picture_.add_label(on_axis(axis, label_share), {0, 0}, axis.name,
+                           setup_style(axis.object).colour);
+    }
+
+    // Whether a facet is between the point and the viewer.
+    bool is_hidden(const Vec3& point) const
+    {
+        return std::ranges::any_of(facets_, [&](const ShadedFacet& facet) {
+            const auto& [a, b, c] = facet.corners;
+            const Vec3 from = a - point;
+            const Vec3 normal = (b - a).cross(c - a);
+            const double rise = normal.dot(toward_);
+            if (rise == 0 || normal.dot(from) / rise <= 0)
+                return false;
+            const auto side = [&](const Vec3& begin, const Vec3& end) {
+                return (begin - point).cross(end - point).dot(toward_);
+            };
+            const double ab = side(a, b);
+            const double bc = side(b, c);
+            const double ca = side(c, a);
+            return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+        });
+    }
+
+    std::vector<Vec3> points_;
+    PartSphere sphere_;
+    DrawnMesh drawn_;
+    RotaryFrame axes_;
+    AxonometricFigure picture_;
+    Vec3 toward_;
+    std::vector<ShadedFacet> facets_;
+};
+
+}  // namespace
+
+std::string setup_svg(const TriangleMesh& mesh,
+                      std::span<const std::uint8_t> reached_at_zero,
+                      const ShownSetup& setup, const SetupFigure& figure)
+{
+    require(!mesh.triangles().empty(), "setup_svg: need a facet");
+    require(reached_at_zero.size() == mesh.triangles().size(),
+            "setup_svg: need what is known of each facet");
+    return SetupPicture{mesh, setup, figure}.text(reached_at_zero);
+}
+
+}  // namespace endmill

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/detail/joined_rows.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "endmill/core/parallel.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::size_t rows_per_chunk = 2048;
+constexpr std::size_t chunks_per_batch = 64;  // bounds the text that is held twice
+constexpr std::size_t rows_per_batch = rows_per_chunk * chunks_per_batch;
+
+}  // namespace
+
+std::string joined_rows(
+    std::string header, std::size_t rows,
+    const std::function<std::string(std::size_t first, std::size_t count)>& rows_of)
+{
+    std::string text = std::move(header);
+    std::vector<std::string> chunks(chunks_per_batch);
+    for (std::size_t first = 0; first < rows; first += rows_per_batch) {
+        const std::size_t batch = std::min(rows_per_batch, rows - first);
+        const std::size_t count = (batch + rows_per_chunk - 1) / rows_per_chunk;
+        parallel_for(count, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const std::size_t at = i * rows_per_chunk;
+                chunks[i] = rows_of(first + at, std::min(rows_per_chunk, batch - at));
+            }
+        });
+        for (std::size_t i = 0; i < count; ++i)
+            text += chunks[i];
+        if (first == 0)  // the rest will be about as long a row, give or take an eighth
+            text.reserve(text.size() / batch * rows / 8 * 9);
+    }
+    return text;
+}
+
+}  // namespace endmill

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/detail/obj.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "endmill/core/text.h"
+
+namespace endmill {
+namespace {
+
+using Words = std::span<const std::string_view>;
+
+// What says nothing of the shape, or of lines and points only.
+constexpr std::array<std::string_view, 18> ignored_statements{
+    "vn",     "vt",       "g",      "o",      "s",          "usemtl",
+    "mtllib", "l",        "p",      "mg",     "bevel",      "c_interp",
+    "lod",    "d_interp", "maplib", "usemap", "shadow_obj", "trace_obj"};
+
+constexpr std::array<std::string_view, 23> free_form_statements{
+    "vp",   "cstype", "deg",  "bmat", "step",  "curv",  "curv2", "surf",
+    "parm", "trim",   "hole", "scrv", "sp",    "end",   "con",   "bsp",
+    "bzp",  "cdc",    "cdp",  "res",  "ctech", "stech", "csh"};
+
+bool is_one_of(Words words, std::string_view word)
+{
+    return std::ranges::find(words, word) != words.end();
+}
+
+// The whole number at the beginning of `text`, which it is cut off from.
+bool take_number(std::string_view& text, std::int64_t& number)
+{
+    const auto [end, error] =
+        std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{})
+        return false;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return true;
+}
+
+// Whether `text` is what follows v in a corner: nothing, /vt, //vn or /vt/vn.
+bool is_texture_and_normal(std::string_view text)
+{
+    std::int64_t ignored = 0;
+    if (text.empty())
+        return true;
+    if (!text.starts_with('/'))
+        return false;
+    text.remove_prefix(1);
+    const bool has_texture = take_number(text, ignored);
+    if (text.empty())
+        return has_texture;
+    if (!text.starts_with('/'))
+        return false;
+    text.remove_prefix(1);
+    return take_number(text, ignored) && text.empty();
+}
+
+class ObjReader {
+public:
+    explicit ObjReader(const MeshSource& source)
+        : source_{source},
+          scanner_{scanner(source)},
+          mesh_{sized_builder(source)}
+    {
+    }
+
+    RawMesh read()
+    {
+        while (scanner_.next_line())
+            read_statement(scanner_.word());
+        return mesh_.take();
+    }
+
+private:
+    static TextScanner scanner(const MeshSource& source)
+    {
+        return {source.content, {source.file, "E_OBJ_SYNTAX", '#'}};
+    }
+
+    // OBJ has no counts: they are taken beforehand, so that memory is asked for once.
+    static RawMeshBuilder sized_builder(const MeshSource& source)
+    {
+        std::size_t points = 0;
+        std::size_t faces = 0;
+        TextScanner lines = scanner(source);
+        while (lines.next_line()) {
+            const std::string_view word = lines.word();
+            points += word == "v" ? 1 : 0;
+            faces += word == "f" ? 1 : 0;
+        }
+        return {source, points, faces};
+    }
+
+    void read_statement(std::string_view word)
+    {
+        if (word == "v")
+            read_point();
+        else if (word == "f")
+            read_face();
+        else if (is_one_of(free_form_statements, word))
+            throw scanner_.complaint("free-form statement \"" + std::string{word} + '"',
+                                     "a mesh of points (v) and faces (f)");
+        else if (!is_one_of(ignored_statements, word))
+            throw scanner_.complaint_about(word, "an OBJ statement, such as v or f");
+    }
+
+    void read_point()
+    {
+        mesh_.add_point(scan_point_mm(scanner_, source_));
+        while (!scanner_.at_line_end())
+            scanner_.number();
+    }
+
+    void read_face()
+    {
+        corners_.clear();
+        while (!scanner_.at_line_end())
+            corners_.push_back(corner(scanner_.word()));
+        mesh_.add_face(corners_, FilePlace::line(scanner_.line()));
+    }
+
+    // The number, from 0, of the point that `word` names.
+    std::int32_t corner(std::string_view word) const
+    {
+        std::string_view rest = word;
+        std::int64_t number = 0;
+        if (!take_number(rest, number) || !is_texture_and_normal(rest))
+            throw scanner_.complaint_about(word, "a corner: v, v/vt, v//vn or v/vt/vn");
+        const auto points = static_cast<std::int64_t>(mesh_.points());
+        if (1 <= number && number <= points)
+            return static_cast<std::int32_t>(number - 1);
+        if (-points <= number && number <= -1)
+            return static_cast<std::int32_t>(points + number);
+        const std::string most = std::to_string(points);
+        throw complaint(source_, "E_INDEX", FilePlace::line(scanner_.line()),
+                        "index " + std::to_string(number),
+                        points == 0 ? "points (v) above the faces"
+                                    : "1 to " + most + ", or -1 to -" + most +
+                                          ", for the points above");
+    }
+
+    const MeshSource& source_;
+    TextScanner scanner_;
+    RawMeshBuilder mesh_;
+    std::vector<std::int32_t> corners_;
+};
+
+}  // namespace
+
+RawMesh parse_obj(const MeshSource& source)
+{
+    return ObjReader{source}.read();
+}
+
+std::string obj_text(const TriangleMesh& mesh)
+{
+    std::string text = "# mesh in mm, written by endmill\n";
+    for (const Vec3& point : mesh.points()) {
+        text += 'v';
+        for (int c = 0; c < 3; ++c) {
+            text += ' ';
+            append_text(text, point[c]);
+        }
+        text += '\n';
+    }
+    for (const Triangle& triangle : mesh.triangles()) {
+        text += 'f';
+        for (const std::int32_t corner : triangle)
+            text += ' ' + std::to_string(std::int64_t{corner} + 1);
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace endmill

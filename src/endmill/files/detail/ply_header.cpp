@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/detail/ply_header.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace endmill {
+namespace {
+
+constexpr std::size_t most_properties = 1000;  // of all elements; bounds the memory
+
+struct TypeName {
+    std::string_view name;
+    PlyType type;
+};
+
+constexpr std::array type_names{
+    TypeName{"char", PlyType::Int8},      TypeName{"int8", PlyType::Int8},
+    TypeName{"uchar", PlyType::Uint8},    TypeName{"uint8", PlyType::Uint8},
+    TypeName{"short", PlyType::Int16},    TypeName{"int16", PlyType::Int16},
+    TypeName{"ushort", PlyType::Uint16},  TypeName{"uint16", PlyType::Uint16},
+    TypeName{"int", PlyType::Int32},      TypeName{"int32", PlyType::Int32},
+    TypeName{"uint", PlyType::Uint32},    TypeName{"uint32", PlyType::Uint32},
+    TypeName{"float", PlyType::Float32},  TypeName{"float32", PlyType::Float32},
+    TypeName{"double", PlyType::Float64}, TypeName{"float64", PlyType::Float64}};
+
+// What an item takes at least: numbers of its width, or a digit and white space each.
+std::uint64_t least_item_bytes(const PlyElement& element, PlyEncoding encoding)
+{
+    std::uint64_t bytes = 0;
+    for (const PlyProperty& property : element.properties)
+        bytes += encoding == PlyEncoding::Ascii
+                     ? 2
+                     : size_of(property.count_type.value_or(property.type));
+    return bytes;
+}
+
+class HeaderReader {
+public:
+    explicit HeaderReader(const MeshSource& source)
+        : source_{source},
+          scanner_{source.content, {source.file, "E_PLY_SYNTAX"}}
+    {
+    }
+
+    PlyHeader read()
+    {
+        expect_word("ply", next_statement());
+        scanner_.expect_line_end();
+        expect_word("format", next_statement());
+        read_format();
+        while (read_statement(next_statement()))
+            ;
+        header_.bytes = scanner_.bytes_up_to_line_end();
+        header_.lines = scanner_.line();
+        require_properties();
+        require_room();
+        return std::move(header_);
+    }
+
+private:
+    // The first word of the next line that is no comment.
+    std::string_view next_statement()
+    {
+        while (scanner_.next_line()) {
+            const std::string_view word = scanner_.word();
+            if (word != "comment" && word != "obj_info")
+                return word;
+        }
+        return {};
+    }
+
+    void expect_word(const std::string& expected, std::string_view word)
+    {
+        if (word != expected)
+            throw scanner_.complaint_about(word, '"' + expected + '"');
+    }
+
+    void read_format()
+    {
+        const std::string_view word = scanner_.word();
+        if (word == "ascii")
+            header_.encoding = PlyEncoding::Ascii;
+        else if (word == "binary_little_endian")
+            header_.encoding = PlyEncoding::LittleEndian;
+        else if (word == "binary_big_endian")
+            header_.encoding = PlyEncoding::BigEndian;
+        else
+            throw scanner_.complaint_about(
+                word, "\"ascii\", \"binary_little_endian\" or \"binary_big_endian\"");
+        expect_word("1.0", scanner_.word());
+        scanner_.expect_line_end();
+    }
+
+    // \return whether the header goes on.
+    bool read_statement(std::string_view word)
+    {
+        if (word == "element")
+            read_element();
+        else if (word == "property")
+            read_property();
+        else if (word != "end_header")
+            throw scanner_.complaint_about(word,
+                                           "\"element\", \"property\" or \"end_header\"");
+        scanner_.expect_line_end();
+        return word != "end_header";
+    }
+
+    void read_element()
+    {
+        count_property();
+        PlyElement element{scanner_.word(), 0, {}, scanner_.line()};
+        if (element.name.empty())
+            throw scanner_.complaint_about({}, "the name of an element");
+        if (std::ranges::find(header_.elements, element.name, &PlyElement::name) !=
+            header_.elements.end())
+            throw scanner_.complaint_about(element.name, "every element once");
+        element.count = read_count();
+        header_.elements.push_back(std::move(element));
+    }
+
+    std::uint64_t read_count()
+    {
+        const std::int64_t count = scanner_.whole_number();
+        if (count < 0)
+            throw complaint(source_, "E_COUNT", FilePlace::line(scanner_.line()),
+                            "header claims " + std::to_string(count) + " items",
+                            "0 or more");
+        return static_cast<std::uint64_t>(count);
+    }
+
+    void read_property()
+    {
+        count_property();
+        if (header_.elements.empty())
+            throw scanner_.complaint("a property of nothing", "an element before it");
+        std::optional<PlyType> count_type;
+        std::string_view word = scanner_.word();
+        if (word == "list") {
+            count_type = type(scanner_.word());
+            if (!is_whole(*count_type))
+                throw scanner_.complaint("the length of a list is no whole number",
+                                         "a type of whole numbers");
+            word = scanner_.word();
+        }
+        const PlyType number_type = type(word);
+        add_property({scanner_.word(), number_type, count_type});
+    }
+
+    void add_property(const PlyProperty& property)
+    {
+        std::vector<PlyProperty>& properties = header_.elements.back().properties;
+        if (property.name.empty())
+            throw scanner_.complaint_about({}, "the name of a property");
+        if (std::ranges::find(properties, property.name, &PlyProperty::name) !=
+            properties.end())
+            throw scanner_.complaint_about(property.name,
+                                           "every property of an element once");
+        properties.push_back(property);
+    }
+
+    // Elements are counted too, so that there cannot be a million of them.
+    void count_property()
+    {
+        if (++properties_ > most_properties)
+            throw complaint(source_, "E_LIMIT", FilePlace::line(scanner_.line()),
+                            "over 1000 elements and properties", "at most so many");
+    }
+
+    PlyType type(std::string_view word) const
+    {
+        const auto found = std::ranges::find(type_names, word, &TypeName::name);
+        if (found == type_names.end())
+            throw scanner_.complaint_about(
+                word, "a type: char, uchar, short, ushort, int, uint, float or double");
+        return found->type;
+    }
+
+    void require_properties() const
+    {
+        for (const PlyElement& element : header_.elements)
+            if (element.properties.empty())
+                throw complaint(source_, "E_PLY_SYNTAX", FilePlace::line(element.line),
+                                "an element without properties", "at least one");
+    }
+
+    // Claims must fit into the file before any memory is taken for them.
+    void require_room() const
+    {
+        std::uint64_t bytes = source_.content.size() - header_.bytes;
+        if (header_.encoding == PlyEncoding::Ascii)
+            ++bytes;  // the last line may lack its end
+        for (const PlyElement& element : header_.elements) {
+            const std::uint64_t each = least_item_bytes(element, header_.encoding);
+            if (element.count > bytes / each)
+                throw complaint(
+                    source_, "E_COUNT", FilePlace::line(element.line),
+                    "header claims " + std::to_string(element.count) +
+                        " items, file of " + std::to_string(source_.content.size()) +
+                        " bytes can hold at most " + std::to_string(bytes / each),
+                    "");
+            bytes -= element.count * each;
+        }
+    }
+
+    const MeshSource& source_;
+    TextScanner scanner_;
+    PlyHeader header_{};
+    std::size_t properties_ = 0;
+};
+
+}  // namespace
+
+std::size_t size_of(PlyType type)
+{
+    switch (type) {
+        case PlyType::Int8:
+        case PlyType::Uint8:
+            return 1;
+        case PlyType::Int16:
+        case PlyType::Uint16:
+            return 2;
+        case PlyType::Int32:
+        case PlyType::Uint32:
+        case PlyType::Float32:
+            return 4;
+        case PlyType::Float64:
+            return 8;
+    }
+    return 0;
+}
+
+bool is_whole(PlyType type)
+{
+    return type != PlyType::Float32 && type != PlyType::Float64;
+}
+
+PlyHeader parse_ply_header(const MeshSource& source)
+{
+    return HeaderReader{source}.read();
+}
+
+}  // namespace endmill

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/detail/polygon_fan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace endmill {
+namespace {
+
+constexpr std::size_t most_corners_tried = 100;
+
+// Twice the polygon's vector area.
+Vec3 mean_normal(std::span<const Vec3> polygon)
+{
+    Vec3 normal = Vec3::Zero();
+    const Vec3& first = polygon.front();
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+        normal += (polygon[i - 1] - first).cross(polygon[i] - first);
+    return normal;
+}
+
+enum class Fan { Sound, WithoutAreaInPlaces, Folded };
+
+Fan fan_from(std::size_t start, std::span<const Vec3> polygon, const Vec3& normal)
+{
+    const std::size_t corners = polygon.size();
+    const Vec3& hub = polygon[start];
+    Fan fan = Fan::Sound;
+    for (std::size_t i = 2; i < corners; ++i) {
+        const Vec3& a = polygon[(start + i - 1) % corners];
+        const Vec3& b = polygon[(start + i) % corners];
+        const Vec3 area = (a - hub).cross(b - hub);
+        if (area.dot(normal) > 0)
+            continue;
+        if (!area.isZero(0))
+            return Fan::Folded;
+        fan = Fan::WithoutAreaInPlaces;
+    }
+    return fan;
+}
+
+}  // namespace
+
+std::optional<std::size_t> fan_corner(std::span<const Vec3> polygon)
+{
+    const Vec3 normal = mean_normal(polygon);
+    std::optional<std::size_t> second_choice;
+    for (std::size_t i = 0; i < std::min(polygon.size(), most_corners_tried); ++i) {
+        const Fan fan = fan_from(i, polygon, normal);
+        if (fan == Fan::Sound)
+            return i;
+        if (fan == Fan::WithoutAreaInPlaces && !second_choice)
+            second_choice = i;
+    }
+    return second_choice;
+}
+
+double out_of_plane(std::span<const Vec3> polygon)
+{
+    const Vec3 normal = mean_normal(polygon).stableNormalized();
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& corner : polygon)
+        mean += corner / static_cast<double>(polygon.size());
+    double farthest = 0;
+    for (const Vec3& corner : polygon)
+        farthest = std::max(farthest, std::abs((corner - mean).dot(normal)));
+    return farthest;
+}
+
+}  // namespace endmill

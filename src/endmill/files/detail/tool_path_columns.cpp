@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/detail/tool_path_columns.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "endmill/core/text.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::size_t longest_echo = 40;
+constexpr std::array<std::string_view, path_column_count> names{
+    "pass",     "point",           "move",         "tip_x_mm",     "tip_y_mm", "tip_z_mm",
+    "axis_x",   "axis_y",          "axis_z",       "tool",         "patch",    "u",
+    "v",        "contact_x_mm",    "contact_y_mm", "contact_z_mm", "normal_x", "normal_y",
+    "normal_z", "feed_mm_per_min", "spindle_rpm",  "limit"};
+
+// What a length, a feed and a speed end in.
+constexpr std::array<std::string_view, 3> units{"_mm", "_mm_per_min", "_rpm"};
+
+struct Vector {
+    PathColumn first;
+    int columns;
+};
+
+using enum PathColumn;
+
+// Columns that come together.
+constexpr std::array vectors{Vector{TipX, 3}, Vector{AxisX, 3}, Vector{U, 2},
+                             Vector{ContactX, 3}, Vector{NormalX, 3}};
+
+std::string quoted(std::string_view name)
+{
+    return '"' + printable(name, longest_echo) + '"';
+}
+
+std::optional<PathColumn> column_named(std::string_view name)
+{
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end())
+        return std::nullopt;
+    return static_cast<PathColumn>(found - names.begin());
+}
+
+bool is_without_unit(std::string_view name, std::string_view known)
+{
+    return std::ranges::any_of(units, [&](std::string_view unit) {
+        return known.ends_with(unit) &&
+               known.substr(0, known.size() - unit.size()) == name;
+    });
+}
+
+// What was probably meant: a name that lacks its unit, or is close to another.
+[[noreturn]] void refuse_name(const CsvLines& lines, std::string_view name)
+{
+    if (name.empty())
+        throw lines.complaint("E_CSV", "a column without a name", "a name for each");
+    for (const std::string_view known : names)
+        if (is_without_unit(name, known))
+            throw lines.complaint("E_CSV", "column " + quoted(name) + " without its unit",
+                                  quoted(known));
+    const auto closest = closest_word(name, names);
+    throw lines.complaint(
+        "E_CSV", "unknown column " + quoted(name),
+        closest ? "a column of a tool path; did you mean " + quoted(*closest) + "?"
+                : "a column of a tool path, such as tip_x_mm");
+}
+
+// Vectors come whole, and tips come at all.
+void check_vectors(const CsvLines& lines, const PathColumns& columns)
+{
+    for (const Vector& vector : vectors) {
+        int known = 0;
+        PathColumn missing = vector.first;
+        for (int c = vector.columns - 1; c >= 0; --c)
+            if (columns.has(following(vector.first, c)))
+                ++known;
+            else
+                missing = following(vector.first, c);
+        if (vector.first == TipX && known < vector.columns)
+            throw lines.complaint("E_CSV", "no column " + quoted(column_name(missing)),
+                                  "a header with tip_x_mm, tip_y_mm and tip_z_mm");
+        if (0 < known && known < vector.columns)
+            throw lines.complaint("E_CSV", "no column " + quoted(column_name(missing)),
+                                  "all columns of a vector, or none");
+    }
+}
+
+}  // namespace
+
+std::string_view column_name(PathColumn column)
+{
+    return names[static_cast<std::size_t>(column)];
+}
+
+bool PathColumns::has_contacts() const
+{
+    return has(U) && has(ContactX) && has(NormalX);
+}
+
+bool PathColumns::add(PathColumn column)
+{
+    if (has(column))
+        return false;
+    places_[static_cast<std::size_t>(column)] = count_++;
+    return true;
+}
+
+PathColumns path_columns(const CsvLines& lines)
+{
+    PathColumns columns;
+    for (const std::string_view name : lines.cells()) {
+        const std::optional<PathColumn> column = column_named(name);
+        if (!column)
+            refuse_name(lines, name);
+        if (!columns.add(*column))
+            throw lines.complaint("E_CSV", "two columns named " + quoted(name), "one");
+    }
+    check_vectors(lines, columns);
+    return columns;
+}
+
+}  // namespace endmill

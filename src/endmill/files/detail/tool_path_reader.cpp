@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/detail/tool_path_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "endmill/core/parallel.h"
+#include "endmill/core/text.h"
+#include "endmill/files/detail/csv_lines.h"
+#include "endmill/files/detail/tool_path_columns.h"
+#include "endmill/files/read_file.h"
+#include "endmill/post/detail/unit_axis.h"
+
+namespace endmill {
+namespace {
+
+using enum PathColumn;
+
+constexpr std::size_t longest_echo = 40;
+
+// What a file says of a row.
+struct PathRow {
+    PathPoint point;
+    CuttingConditions conditions;
+    std::optional<Vec3> normal;  // where the row has no contact
+};
+
+// Reads row by row; cells stay where they are in the text: millions of rows are read
+// without copies.
+class PathRowReader {
+public:
+    // \param lines_before of the file.
+    PathRowReader(const CsvRun& run, const PathColumns& columns, const std::string& file,
+                  const ReadLimits& limits, std::size_t lines_before)
+        : columns_{columns},
+          limits_{limits},
+          lines_{run.text, file, lines_before + run.first_line}
+    {
+    }
+
+    bool next() { return lines_.next(); }
+
+    // Points count through the file where it does not count them itself.
+    PathRow row(std::size_t number) const
+    {
+        if (lines_.cells().size() != columns_.count())
+            throw lines_.complaint("E_CSV",
+                                   "row has " + counted(lines_.cells().size(), "cell"),
+                                   std::to_string(columns_.count()));
+        PathRow row{{whole_number(Pass).value_or(0),
+                     whole_number(Point).value_or(static_cast<int>(number)), move(),
+                     location(), contact(), whole_number(Patch).value_or(0)},
+                    {},
+                    {}};
+        if (columns_.has(NormalX) && !row.point.contact)
+            row.normal = direction(NormalX);
+        row.conditions = {positive(Feed), positive(Speed), whole_number(Tool)};
+        return row;
+    }
+
+private:
+    // Empty also if the table has no such column.
+    std::string_view cell(PathColumn column) const
+    {
+        return columns_.has(column) ? lines_.cells()[columns_.place(column)]
+                                    : std::string_view{};
+    }
+
+    [[noreturn]] void refuse(PathColumn column, const std::string& expected) const
+    {
+        const std::string_view text = cell(column);
+        const std::string found =
+            text.empty() ? "empty" : '"' + printable(text, longest_echo) + '"';
+        throw lines_.complaint("E_CSV", std::string{column_name(column)} + " is " + found,
+                               expected);
+    }
+
+    std::optional<int> whole_number(PathColumn column) const
+    {
+        const std::string_view text = cell(column);
+        if (text.empty())
+            return std::nullopt;
+        int number = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, number);
+        if (error != std::errc{} || stop != end || number < 0)
+            refuse(column, "a whole number from 0 to 2147483647");
+        return number;
+    }
+
+    // The number in a cell, none if it is empty: unknown, not zero.
+    std::optional<double> number(PathColumn column) const
+    {
+        const std::string_view text = cell(column);
+        if (text.empty())
+            return std::nullopt;
+        const std::optional<double> number = number_from_text(text);
+        if (!number)
+            refuse(column, "a number");
+        return number;
+    }
+
+    std::optional<double> positive(PathColumn column) const
+    {
+        const std::optional<double> value = number(column);
+        if (value && !(*value > 0))
+            refuse(column, "a number above 0, or nothing");
+        return value;
+    }
+
+    // Neighbouring rows mostly have the same word, which is then not looked up again.
+    Move move() const
+    {
+        if (!columns_.has(MoveWord))
+            return Move::Cut;
+        const std::string_view word = cell(MoveWord);
+        if (word == last_word_)
+            return last_move_;
+        const std::optional<Move> move = move_from_name(word);
+        if (!move)
+            refuse(MoveWord, "cut, link, rapid, plunge or retract");
+        last_word_ = word;
+        return last_move_ = *move;
+    }
+
+    // A vector whose three columns follow `first`; nothing if all its cells are empty.
+    std::optional<Vec3> vector(PathColumn first) const
+    {
+        Vec3 vector;
+        int known = 0;
+        for (int c = 0; c < 3; ++c)
+            if (const auto component = number(following(first, c))) {
+                vector[c] = *component;
+                ++known;
+            }
+        if (known == 0)
+            return std::nullopt;
+        for (int c = 0; known < 3 && c < 3; ++c)
+            if (cell(following(first, c)).empty())
+                refuse(following(first, c), "a number, as its neighbours are");
+        return vector;
+    }
+
+    // A vector in mm, within the limit.
+    std::optional<Vec3> place(PathColumn first) const
+    {
+        std::optional<Vec3> point = vector(first);
+        for (int c = 0; point && c < 3; ++c)
+            if (std::abs((*point)[c]) > limits_.max_extent_mm)
+                throw lines_.complaint(
+                    "E_RANGE",
+                    std::string{column_name(following(first, c))} + " is " +
+                        to_text((*point)[c]),
+                    "at most " + to_text(limits_.max_extent_mm) + " mm (--max-extent)");
+        return point;
+    }
+
+    // A vector of length 1.
+    std::optional<Vec3> direction(PathColumn first) const
+    {
+        const std::optional<Vec3> read = vector(first);
+        if (!read)
+            return std::nullopt;
+        std::optional<Vec3> unit = unit_axis(*read);
+        const std::string_view name = column_name(first);  // less its "_x", the vector's
+        if (!unit)
+            throw lines_.complaint("E_CSV",
+                                   std::string{name.substr(0, name.size() - 2)} +
+                                       " of length " + shown_length(*read),
+                                   "length 1 within " + to_text(axis_length_tolerance));
+        return unit;
+    }
+
+    static std::string shown_length(const Vec3& vector)
+    {
+        const double length = vector.norm();
+        return std::isfinite(length) ? to_text(length) : "infinity";
+    }
+
+    CutterLocation location() const
+    {
+        const std::optional<Vec3> tip = place(TipX);
+        if (!tip)
+            refuse(TipX, "a number");
+        return {*tip, direction(AxisX).value_or(Vec3::UnitZ())};
+    }
+
+    std::optional<SurfaceContact> contact() const
+    {
+        if (!columns_.has_contacts())
+            return std::nullopt;
+        const std::optional<double> u = number(U);
+        const std::optional<double> v = number(V);
+        const std::optional<Vec3> point = place(ContactX);
+        const std::optional<Vec3> normal = direction(NormalX);
+        if (!u && !v && !point)
+            return std::nullopt;  // of a normal alone: `add_normal`
+        for (const PathColumn column : {U, V, ContactX, NormalX})
+            if (cell(column).empty())
+                refuse(column,
+                       "all of u, v, contact and normal, the normal alone, or none");
+        return SurfaceContact{*u, *v, {*point, *normal}};
+    }
+
+    const PathColumns& columns_;
+    const ReadLimits& limits_;
+    CsvLines lines_;
+    mutable std::string_view last_word_ = "cut";
+    mutable Move last_move_ = Move::Cut;
+};
+
+// Reads a file's runs of lines side by side, each row to its place.
+class PathCsvReader {
+public:
+    PathCsvReader(std::string_view text, const std::string& file,
+                  const ReadLimits& limits)
+        : file_{file},
+          limits_{limits},
+          header_{text, file}
+    {
+        header_.next();  // an empty text has no columns
+        columns_ = path_columns(header_);
+        has_conditions_ = columns_.has(Tool) || columns_.has(Feed) || columns_.has(Speed);
+    }
+
+    Program read_all()
+    {
+        make_room();
+        const std::vector<CsvRun> runs = csv_runs(header_.rest());
+        std::vector<std::vector<Vec3>> normals(runs.size());
+        parallel_for(runs.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                normals[i] = read(runs[i]);
+        });
+        keep_normals(runs, normals);
+        add_remarks();
+        return std::move(program_);
+    }
+
+private:
+    // For all rows at once, after a look at whether there is memory for it.
+    void make_room()
+    {
+        const std::size_t rows = line_count(header_.rest());
+        if (rows == 0)
+            throw header_.complaint("E_CSV", "no row after the header", "a point");
+        const bool has_normals = columns_.has(NormalX) && !columns_.has_contacts();
+        const std::size_t bytes = sizeof(PathPoint) + (has_normals ? sizeof(Vec3) : 0) +
+                                  (has_conditions_ ? sizeof(CuttingConditions) : 0);
+        require_memory(file_, static_cast<double>(rows) * static_cast<double>(bytes),
+                       limits_);
+        if (rows > std::numeric_limits<int>::max())
+            throw LimitError{file_ + ": more than 2147483647 points"};
+        program_.path.points.resize(rows);
+        program_.path.conditions.resize(has_conditions_ ? rows : 0);
+    }
+
+    // The normals of rows without a contact, 0 where none is told; empty if none is at all.
+    std::vector<Vec3> read(const CsvRun& run)
+    {
+        PathRowReader reader{run, columns_, file_, limits_, header_.line()};
+        std::vector<Vec3> normals;
+        for (std::size_t i = run.first_line; reader.next(); ++i) {
+            const PathRow row = reader.row(i);
+            program_.path.points[i] = row.point;
+            if (has_conditions_)
+                program_.path.conditions[i] = row.conditions;
+            if (row.normal) {
+                normals.resize(i - run.first_line + 1, Vec3::Zero());
+                normals.back() = *row.normal;
+            }
+        }
+        return normals;
+    }
+
+    // Kept only for files that tell some.
+    void keep_normals(std::span<const CsvRun> runs,
+                      std::span<const std::vector<Vec3>> normals)
+    {
+        for (std::size_t k = 0; k < runs.size(); ++k) {
+            if (normals[k].empty())
+                continue;
+            program_.path.normals.resize(program_.path.points.size(), Vec3::Zero());
+            std::ranges::copy(normals[k], program_.path.normals.begin() +
+                                              static_cast<long>(runs[k].first_line));
+        }
+    }
+
+    // What was taken for granted or left out.
+    void add_remarks()
+    {
+        std::vector<std::string>& remarks = program_.remarks;
+        if (!columns_.has(MoveWord))
+            remarks.emplace_back("no column move: every move is taken for a cut");
+        if (!columns_.has(AxisX))
+            remarks.emplace_back("no axis: it is taken for +z");
+        if (!columns_.has_contacts() && (columns_.has(U) || columns_.has(ContactX)))
+            remarks.emplace_back(
+                columns_.has(NormalX)
+                    ? "of contacts the normals are kept: more needs u, v, contact and "
+                      "normal"
+                    : "contacts are left out: they need u, v, contact and normal");
+        if (columns_.has(Limit))
+            remarks.emplace_back("the column limit is left out");
+    }
+
+    const std::string& file_;
+    const ReadLimits& limits_;
+    CsvLines header_;
+    PathColumns columns_;
+    bool has_conditions_;
+    Program program_;
+};
+
+}  // namespace
+
+bool is_tool_path_csv(std::string_view text)
+{
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const auto has = [&](std::string_view part) {
+        return line.find(part) != std::string_view::npos;
+    };
+    return has("tip_") && has(",") && !has("(");  // "(…, tips)" would be a comment
+}
+
+Program parse_tool_path(std::string_view text, const std::string& file,
+                        const ReadLimits& limits)
+{
+    return PathCsvReader{text, file, limits}.read_all();
+}
+
+std::size_t line_of_row(std::string_view text, std::size_t row)
+{
+    CsvLines lines{text, {}};
+    bool is_there = lines.next();  // the header
+    for (std::size_t k = 0; is_there && k <= row; ++k)
+        is_there = lines.next();
+    return lines.line();
+}
+
+Program read_tool_path(const std::filesystem::path& path, const ReadLimits& limits)
+{
+    return parse_tool_path(read_file(path, limits), shown_path(path), limits);
+}
+
+}  // namespace endmill

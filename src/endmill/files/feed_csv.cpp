@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/result_csv.h"
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "endmill/core/angle.h"
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/files/detail/joined_rows.h"
+
+namespace endmill {
+namespace {
+
+// Far finer than an angle is known; keeps 5 from being 5.000000000000001.
+constexpr double angles_per_degree = 1e9;
+
+void append(std::string& text, std::optional<double> number)
+{
+    require(!number || std::isfinite(*number), "feed_csv: a number is not finite");
+    text += ',';
+    if (number)
+        append_text(text, *number);
+}
+
+void append_degrees(std::string& text, std::optional<double> radians)
+{
+    std::optional<double> degrees;
+    if (radians)
+        degrees = std::round(Angle::radians(*radians).degrees() * angles_per_degree) /
+                  angles_per_degree;
+    append(text, degrees);
+}
+
+void append_geometry(std::string& text, const SegmentCut& cut)
+{
+    text += std::to_string(cut.pass) + ',' + std::to_string(cut.point);
+    append(text, cut.length_mm);
+    append_degrees(text, cut.mu);
+    append_degrees(text, cut.lambda);
+    append(text, cut.pick_feed_mm);
+    append(text, cut.pick_feed_horizontal_mm);
+    append(text, cut.depth_mm);
+}
+
+void append_feed(std::string& text, const SegmentFeed& row)
+{
+    append_degrees(text, row.engaged_angle);
+    append(text, row.tooth.feed_per_tooth_mm);
+    append(text, row.peak_factor);
+    text += ',';
+    text += feed_limit_name(said_limit(row));
+    text += ',';
+    text += speed_limit_name(row.table.speed_limit);
+    append(text, row.loads.cutting_force_n);
+    append(text, row.loads.thrust_n);
+    append(text, row.loads.torque_n_m);
+    append(text, row.table.power_w);
+}
+
+}  // namespace
+
+std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows)
+{
+    require(cuts.size() == rows.size(), "feed_csv: need a row a move");
+    const std::string header =
+        "pass,point,length_mm,mu_deg,lambda_deg,pick_feed_mm,pick_feed_horizontal_mm,"
+        "depth_mm,engaged_angle_deg,feed_per_tooth_mm,peak_factor,limit,speed_limit,"
+        "cutting_force_n,thrust_n,torque_n_m,power_w\n";
+    return joined_rows(header, rows.size(), [&](std::size_t first, std::size_t count) {
+        std::string text;
+        for (std::size_t i = first; i < first + count; ++i) {
+            append_geometry(text, cuts[i]);
+            append_feed(text, rows[i]);
+            text += '\n';
+        }
+        return text;
+    });
+}
+
+}  // namespace endmill

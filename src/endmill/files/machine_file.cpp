@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/machine_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "endmill/core/angle.h"
+#include "endmill/core/text.h"
+#include "endmill/files/detail/json_format.h"
+#include "endmill/files/read_file.h"
+#include "endmill/machine/axis_limits.h"
+#include "endmill/machine/configuration.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::string_view format_name = "endmill-machine/1";
+constexpr std::string_view code = "E_MACHINE";
+constexpr double most_of_all = 1e9;    // rpm, W, N m, mm/min, m/s^2: any machine's
+constexpr double most_turn_deg = 360;  // what is wider is not limited
+
+// Of the keys in `limits`: the axis and its unit.
+struct AxisKey {
+    std::string_view key;
+    char axis;
+    bool is_rotary;
+};
+
+constexpr std::array<AxisKey, 6> axis_keys{{{"x_mm", 'x', false},
+                                            {"y_mm", 'y', false},
+                                            {"z_mm", 'z', false},
+                                            {"a_deg", 'a', true},
+                                            {"b_deg", 'b', true},
+                                            {"c_deg", 'c', true}}};
+
+FormatError machine_complaint(const JsonValue& value, const std::string& expected)
+{
+    return value.complaint(value.shown(), expected, std::string{code});
+}
+
+std::string configuration(const JsonValue& root, const std::string& otherwise)
+{
+    const auto value = root.find_member("configuration");
+    if (!value)
+        return otherwise;
+    std::string word = value->text();
+    if (const auto fault = configuration_fault(word))
+        throw value->complaint(
+            value->shown() + ": " + *fault,
+            "W/, the axes x, y, z, the bed B and at most two of a, b, c "
+            "from workpiece to tool, /T, such as \"W/caxyBz/T\"",
+            std::string{code});
+    return word;
+}
+
+// Limits of the rotary axis at that place among those of the machine.
+void require_rotary_range(const JsonValue& value, std::size_t place, double from_deg,
+                          double to_deg)
+{
+    if (const auto expected = expected_rotary_range(place, from_deg, to_deg))
+        throw value.complaint("[" + to_text(from_deg) + ", " + to_text(to_deg) + "]",
+                              *expected, std::string{code});
+}
+
+AxisTravel travel(const JsonValue& value, const AxisKey& key, std::size_t place,
+                  const ReadLimits& limits)
+{
+    if (value.size() != 2)
+        throw machine_complaint(value, "[min, max]");
+    const double most = key.is_rotary ? most_turn_deg : limits.max_extent_mm;
+    const NumberRange range{.above = -most, .most = most, .from = true, .code = code};
+    const JsonValue first = value.item(0);
+    const JsonValue last = value.item(1);
+    const double from = number_in(first, range);
+    const double to = number_in(last, range);
+    if (!(from <= to))
+        throw machine_complaint(last, "at least the min, " + to_text(from));
+    if (!key.is_rotary)
+        return {key.axis, from, to};
+    require_rotary_range(value, place, from, to);
+    return {key.axis, Angle::degrees(from).radians(), Angle::degrees(to).radians()};
+}
+
+// Of the rotary axes the number from the part to the tool; else none.
+std::size_t place_of(const MachineConfiguration& machine, char letter)
+{
+    const auto axis = std::ranges::find(machine.rotary, letter, &RotaryAxis::letter);
+    return static_cast<std::size_t>(axis - machine.rotary.begin());
+}
+
+std::vector<AxisTravel> travels(const JsonValue& root, std::string_view configuration,
+                                const ReadLimits& limits)
+{
+    std::vector<AxisTravel> all;
+    const auto value = root.find_member("limits");
+    if (!value)
+        return all;
+    std::vector<std::string_view> keys;
+    keys.reserve(axis_keys.size());
+    for (const AxisKey& key : axis_keys)
+        keys.push_back(key.key);
+    value->allow_only(keys);
+    for (const AxisKey& key : axis_keys) {
+        const auto found = value->find_member(key.key);
+        if (!found)
+            continue;
+        if (configuration.find(key.axis) == std::string_view::npos)
+            throw found->complaint("limits of an axis that the machine does not have",
+                                   "one of " + std::string{configuration},
+                                   std::string{code});
+        const std::size_t place =
+            place_of(configuration_from_word(configuration), key.axis);
+        all.push_back(travel(*found, key, place, limits));
+    }
+    return all;
+}
+
+MachineLimits machine_limits(const JsonValue& root)
+{
+    constexpr std::array<std::string_view, 3> keys{"max_rpm", "max_power_w",
+                                                   "max_torque_n_m"};
+    constexpr NumberRange range{.above = 0, .most = most_of_all, .code = code};
+    MachineLimits limits;
+    if (const auto spindle = root.find_member("spindle")) {
+        spindle->allow_only(keys);
+        limits.max_rpm = find_number(*spindle, keys[0], range);
+        limits.max_power_w = find_number(*spindle, keys[1], range);
+        limits.max_torque_n_m = find_number(*spindle, keys[2], range);
+    }
+    limits.max_feed_mm_per_min = find_number(root, "max_feed_mm_per_min", range);
+    limits.acceleration_m_per_s2 = find_number(root, "acceleration_m_per_s2", range);
+    return limits;
+}
+
+std::optional<Vec3> table_offset(const JsonValue& root, double most)
+{
+    const auto value = root.find_member("table_offset_mm");
+    if (!value)
+        return std::nullopt;
+    if (value->size() != 3)
+        throw machine_complaint(*value, "[x, y, z]");
+    Vec3 offset;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const JsonValue item = value->item(k);
+        offset[static_cast<Eigen::Index>(k)] =
+            number_in(item, {.above = -most, .most = most, .from = true, .code = code});
+    }
+    return offset;
+}
+
+}  // namespace
+
+MachineDescription read_machine(const std::filesystem::path& path,
+                                const ReadLimits& limits)
+{
+    return parse_machine(read_file(path, limits), path, limits);
+}
+
+MachineDescription parse_machine(std::string_view content,
+                                 const std::filesystem::path& path,
+                                 const ReadLimits& limits)
+{
+    constexpr std::array<std::string_view, 10> keys{"format",
+                                                    "name",
+                                                    "source",
+                                                    "configuration",
+                                                    "limits",
+                                                    "pivot_mm",
+                                                    "table_offset_mm",
+                                                    "spindle",
+                                                    "max_feed_mm_per_min",
+                                                    "acceleration_m_per_s2"};
+    const FormatDocument document{content, path, limits, {format_name, keys}};
+    const JsonValue root = document.root();
+
+    const double most = limits.max_extent_mm;
+    MachineDescription machine{.name = name_or_stem(root, path),
+                               .source = remark(root, "source")};
+    machine.configuration = configuration(root, machine.configuration);
+    machine.limits = machine_limits(root);
+    machine.travels = travels(root, machine.configuration, limits);
+    machine.pivot_mm = find_number(
+        root, "pivot_mm", {.above = -most, .most = most, .from = true, .code = code});
+    machine.table_offset_mm = table_offset(root, most);
+    return machine;
+}
+
+Machine moving_machine(const MachineDescription& description)
+{
+    Machine machine{.configuration = configuration_from_word(description.configuration),
+                    .pivot = description.pivot_mm.value_or(0),
+                    .table_offset = description.table_offset_mm.value_or(Vec3::Zero())};
+    machine.rotary = widest_limits(machine.configuration);
+    for (const AxisTravel& travel : description.travels) {
+        if (travel.axis >= 'x') {
+            machine.linear[static_cast<std::size_t>(travel.axis - 'x')] = {travel.from,
+                                                                           travel.to};
+            continue;
+        }
+        const std::size_t place = place_of(machine.configuration, travel.axis);
+        if (machine.configuration.is_valid())
+            turns_of(machine.rotary, machine.configuration, place) =
+                mirrored(machine.configuration.rotary[place].side,
+                         RotaryRange{travel.from, travel.to});
+    }
+    return machine;
+}
+
+}  // namespace endmill

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/mesh_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/files/detail/file_format.h"
+#include "endmill/files/detail/obj.h"
+#include "endmill/files/detail/off.h"
+#include "endmill/files/detail/ply.h"
+#include "endmill/files/detail/raw_mesh.h"
+#include "endmill/files/detail/stl.h"
+#include "endmill/files/read_file.h"
+#include "endmill/mesh/detail/collinear.h"
+#include "endmill/mesh/weld.h"
+
+namespace endmill {
+namespace {
+
+constexpr double mm_per_inch = 25.4;
+constexpr std::array<std::string_view, 4> extensions{".stl", ".obj", ".ply", ".off"};
+
+// The most that exact welding takes while it works (weld.h).
+constexpr double bytes_per_welded_point = 72;
+
+std::string lower_case(std::string text)
+{
+    std::ranges::transform(text, text.begin(), [](unsigned char letter) {
+        return static_cast<char>(std::tolower(letter));
+    });
+    return text;
+}
+
+// One of `extensions`, of which the content is.
+std::string checked_extension(std::string_view content, const std::string& file,
+                              const std::filesystem::path& path)
+{
+    constexpr std::size_t longest_echo = 40;
+    std::string extension = lower_case(path.extension().string());
+    const auto format = recognized_format(content);
+    if (std::ranges::find(extensions, extension) == extensions.end()) {
+        const std::string guess =
+            format ? ", content looks like " + std::string{*format} : "";
+        const std::string found =
+            extension.empty()
+                ? "no extension"
+                : "unknown extension \"" + printable(extension, longest_echo) + '"';
+        throw FormatError{"E_FORMAT",
+                          {file, "", found + guess, one_of(extensions, extension)}};
+    }
+    if (format && '.' + lower_case(std::string{*format}) != extension)
+        throw FormatError{"E_FORMAT",
+                          {file, "", "content looks like " + std::string{*format},
+                           "that of a " + extension + " file"}};
+    return extension;
+}
+
+std::string_view was_or_were(std::size_t count)
+{
+    return count == 1 ? " was " : " were ";
+}
+
+// A mesh whose equal points are one, and the notes about how it came to be.
+struct ReadAndWelded {
+    WeldedMesh welded;
+    std::vector<std::string> notes;
+};
+
+void require_triangles(std::size_t count, const MeshSource& source)
+{
+    if (count == 0)
+        throw FormatError{"E_EMPTY",
+                          {source.file, "", "mesh has no triangles", "at least one"}};
+}
+
+// \param content is emptied, to have its memory for welding.
+ReadAndWelded read_soup(std::string& content, const MeshSource& source)
+{
+    const std::vector<std::array<Vec3, 3>> soup = parse_stl(source);
+    std::string{}.swap(content);
+    require_triangles(soup.size(), source);
+    const auto triangles = static_cast<double>(soup.size());
+    require_memory(
+        source.file,
+        triangles * (sizeof soup[0] + sizeof(Triangle) + 3 * bytes_per_welded_point),
+        source.limits);
+    return {weld(soup), {}};
+}
+
+RawMesh parse_indexed(const MeshSource& source, std::string_view extension)
+{
+    if (extension == ".obj")
+        return parse_obj(source);
+    return extension == ".ply" ? parse_ply(source) : parse_off(source);
+}
+
+// \param content is emptied, to have its memory for welding.
+ReadAndWelded read_indexed(std::string& content, const MeshSource& source,
+                           std::string_view extension)
+{
+    const RawMesh raw = parse_indexed(source, extension);
+    std::string{}.swap(content);
+    require_triangles(raw.mesh.triangles().size(), source);
+    const auto points = static_cast<double>(raw.mesh.points().size());
+    const auto triangles = static_cast<double>(raw.mesh.triangles().size());
+    require_memory(
+        source.file,
+        points * (sizeof(Vec3) + sizeof(std::int32_t) + bytes_per_welded_point) +
+            triangles * 2 * sizeof(Triangle),
+        source.limits);
+    ReadAndWelded result{weld(raw.mesh), {}};
+    const std::size_t welded = result.welded.welded_points;
+    if (welded > 0)
+        result.notes.push_back(counted(welded, "point") + " at the place of another" +
+                               std::string{was_or_were(welded)} + "welded to it");
+    if (raw.split_faces > 0)
+        result.notes.push_back(
+            counted(raw.split_faces, "face") + " of more than 3 corners" +
+            std::string{was_or_were(raw.split_faces)} + "split into triangles, corners " +
+            to_text(raw.out_of_plane_mm) + " mm out of plane at most");
+    return result;
+}
+
+// Rotations by quarters about one axis: exact. No coordinate becomes -0.
+Vec3 turned(const Vec3& point, UpAxis up)
+{
+    const double x = point.x();
+    const double y = point.y();
+    const double z = point.z();
+    switch (up) {
+        case UpAxis::X:
+            return {0 - z, y, x};
+        case UpAxis::Y:
+            return {x, 0 - z, y};
+        case UpAxis::MinusX:
+            return {z, y, 0 - x};
+        case UpAxis::MinusY:
+            return {x, z, 0 - y};
+        case UpAxis::MinusZ:
+            return {x, 0 - y, 0 - z};
+        default:
+            return point;
+    }
+}
+
+// The triangles that have an area.
+struct SortedTriangles {
+    std::vector<Triangle> sound;
+    std::vector<std::size_t> degenerate;  // by their numbers
+};
+
+SortedTriangles sorted_triangles(const TriangleMesh& mesh)
+{
+    SortedTriangles sorted;
+    sorted.sound.reserve(mesh.triangles().size());
+    for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+        const auto [a, b, c] = mesh.corners(i);
+        if (are_collinear(a, b, c))
+            sorted.degenerate.push_back(i);
+        else
+            sorted.sound.push_back(mesh.triangles()[i]);
+    }
+    return sorted;
+}
+
+// The points that triangles name, turned upright; the triangles name them by their new
+// numbers afterwards.
+std::vector<Vec3> used_points(std::span<const Vec3> points,
+                              std::vector<Triangle>& triangles, UpAxis up)
+{
+    constexpr std::int32_t unused = -1;
+    std::vector<std::int32_t> numbers(points.size(), unused);
+    for (const Triangle& triangle : triangles)
+        for (const std::int32_t corner : triangle)
+            numbers[corner] = 0;
+    std::vector<Vec3> used;
+    used.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (numbers[i] == unused)
+            continue;
+        numbers[i] = static_cast<std::int32_t>(used.size());
+        used.push_back(turned(points[i], up));
+    }
+    for (Triangle& triangle : triangles)
+        for (std::int32_t& corner : triangle)
+            corner = numbers[corner];
+    return used;
+}
+
+std::string left_out(std::size_t count, const std::string& thing, const char* kind)
+{
+    return counted(count, thing) + ' ' + kind + std::string{was_or_were(count)} +
+           "left out";
+}
+
+std::vector<std::string> option_notes(const MeshReadOptions& options)
+{
+    std::vector<std::string> notes;
+    if (options.units == LengthUnit::Inch)
+        notes.emplace_back("lengths were converted from inch to mm");
+    if (options.up != UpAxis::Z)
+        notes.push_back("the axis " +
+                        std::string{up_axis_names[static_cast<int>(options.up)]} +
+                        " of the file was turned to +z");
+    return notes;
+}
+
+}  // namespace
+
+MeshFile read_mesh(const std::filesystem::path& path, const MeshReadOptions& options)
+{
+    return parse_mesh(read_file(path, options.limits), path, options);
+}
+
+MeshFile parse_mesh(std::string content, const std::filesystem::path& path,
+                    const MeshReadOptions& options)
+{
+    const std::string file = shown_path(path);
+    const std::string extension = checked_extension(content, file, path);
+    const double unit = options.units == LengthUnit::Inch ? mm_per_inch : 1;
+    const MeshSource source{content, file, options.limits, unit};
+    auto [welded, notes] = extension == ".stl" ? read_soup(content, source)
+                                               : read_indexed(content, source, extension);
+
+    const TriangleMesh& all = welded.mesh;
+    auto [triangles, without_area] = sorted_triangles(all);
+    const std::size_t degenerate = without_area.size();
+    if (triangles.empty())
+        throw FormatError{
+            "E_DEGENERATE",
+            {file, "",
+             degenerate == 1
+                 ? "the only triangle has no area"
+                 : "none of the " + counted(degenerate, "triangle") + " has an area",
+             "triangles whose corners are not on one line"}};
+    std::vector<Vec3> points = used_points(all.points(), triangles, options.up);
+    const std::size_t unused = all.points().size() - points.size();
+    if (degenerate > 0)
+        notes.push_back(left_out(degenerate, "triangle", "without an area"));
+    if (unused > 0)
+        notes.push_back(left_out(unused, "point", "that no triangle uses"));
+    std::ranges::copy(option_notes(options), std::back_inserter(notes));
+    return {printable(path.stem().string()),
+            {std::move(points), std::move(triangles)},
+            welded.welded_points,
+            std::move(without_area),
+            std::move(notes)};
+}
+
+}  // namespace endmill

@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/output_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <ctime>
+#include <mutex>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "endmill/core/error.h"
+#include "endmill/files/read_file.h"
+
+namespace endmill {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What is unpublished in this process. Its mutex guards the lists of all OutputFolders;
+// it is never held while content is written, so that an interruption need not wait.
+struct Registry {
+    std::mutex mutex;
+    std::set<void*> folders;
+    bool abandoned = false;
+};
+
+Registry& registry()
+{
+    static auto* const instance = new Registry;  // outlives every thread
+    return *instance;
+}
+
+[[noreturn]] void fail(const std::string& act, const fs::path& path, int error)
+{
+    throw OutputError{"cannot " + act + " " + shown_path(path) + ": " +
+                      std::generic_category().message(error)};
+}
+
+void require_not_abandoned()
+{
+    if (registry().abandoned)
+        throw OutputError{"interrupted"};
+}
+
+// What the process gives to a new file.
+mode_t new_file_mode()
+{
+    static const mode_t mode = [] {
+        const mode_t mask = ::umask(0);
+        ::umask(mask);
+        return 0666 & ~mask;
+    }();
+    return mode;
+}
+
+// Makes a write beyond the size limit of the process fail instead of ending it.
+class SizeSignalHeld {
+public:
+    SizeSignalHeld()
+    {
+        sigemptyset(&signal_);
+        sigaddset(&signal_, SIGXFSZ);
+        pthread_sigmask(SIG_BLOCK, &signal_, &before_);
+    }
+    SizeSignalHeld(const SizeSignalHeld&) = delete;
+    SizeSignalHeld& operator=(const SizeSignalHeld&) = delete;
+    ~SizeSignalHeld()
+    {
+        const timespec no_wait{};
+        while (sigtimedwait(&signal_, nullptr, &no_wait) == SIGXFSZ) {
+        }
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+
+private:
+    sigset_t signal_{};
+    sigset_t before_{};
+};
+
+// A file that did not exist before: a link that somebody put in its place is not
+// followed.
+class NewFile {
+public:
+    explicit NewFile(const fs::path& path)
+        : descriptor_{::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600)}
+    {
+    }
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+    ~NewFile()
+    {
+        if (is_open())
+            ::close(descriptor_);
+    }
+
+    bool is_open() const { return descriptor_ >= 0; }
+
+    // 0, or the error number of what failed.
+    int append(std::string_view content) const
+    {
+        const SizeSignalHeld held;
+        while (!content.empty()) {
+            const ssize_t count = ::write(descriptor_, content.data(), content.size());
+            if (count < 0 && errno != EINTR)
+                return errno;
+            content.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+        }
+        return 0;
+    }
+
+    // Makes it a file like others, on the disk. 0, or the error number of what failed.
+    int finish() const
+    {
+        if (::fchmod(descriptor_, new_file_mode()) != 0 || ::fsync(descriptor_) != 0)
+            return errno;
+        return 0;
+    }
+
+private:
+    int descriptor_;
+};
+
+// Hidden, in the same folder so that a rename suffices, and no other name of this
+// process.
+fs::path temporary_name(const fs::path& target)
+{
+    static std::atomic<unsigned> count = 0;
+    const std::string name = "." + target.filename().string() + "." +
+                             std::to_string(::getpid()) + "." + std::to_string(count++) +
+                             ".tmp";
+    return target.parent_path() / name;
+}
+
+// Makes renames in `folder` last over a loss of power.
+void flush_folder(const fs::path& folder)
+{
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;  // a folder that may be written but not read keeps its names all the same
+    ::fsync(descriptor);
+    ::close(descriptor);
+}
+
+void require_usable(const fs::path& path, bool force)
+{
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status))
+        return;
+    if (!fs::is_directory(status))
+        throw DomainError{"output folder " + shown_path(path) +
+                          " is a file; expected a new or empty folder"};
+    const bool empty = fs::is_empty(path, error);
+    if (error)
+        fail("read the output folder", path, error.value());
+    if (!empty && !force)
+        throw DomainError{"output folder " + shown_path(path) +
+                          " is not empty; expected a new or empty folder, or --force"};
+}
+
+void require_plain_name(const fs::path& name)
+{
+    const bool plain = name.is_relative() && name.has_filename() &&
+                       std::ranges::none_of(
+                           name, [](const fs::path& p) { return p == "." || p == ".."; });
+    if (!plain)
+        throw DomainError{"OutputFolder: " + shown_path(name) +
+                          " is no name of a file in the folder"};
+}
+
+// Whether `name` lies in `folder` itself: no folder on the way is a link to elsewhere.
+bool lies_inside(const fs::path& folder, const fs::path& name)
+{
+    std::error_code error;
+    fs::path path = folder;
+    for (const fs::path& part : name.parent_path()) {
+        path /= part;
+        if (!fs::is_directory(fs::symlink_status(path, error)))
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(fs::path path, bool force) : path_{std::move(path)}
+{
+    require(!path_.empty(), "the output folder has an empty name");
+    require_usable(path_, force);
+    {
+        const std::scoped_lock lock{registry().mutex};
+        registry().folders.insert(this);
+    }
+    try {
+        make_folders(path_);
+        if (::faccessat(AT_FDCWD, path_.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
+            fail("write to the output folder", path_, errno);
+    } catch (...) {
+        const std::scoped_lock lock{registry().mutex};
+        registry().folders.erase(this);
+        abandon();
+        throw;
+    }
+}
+
+OutputFolder::~OutputFolder()
+{
+    const std::scoped_lock lock{registry().mutex};
+    registry().folders.erase(this);
+    abandon();
+}
+
+void OutputFolder::protect(const fs::path& input)
+{
+    inputs_.push_back(input);
+}
+
+void OutputFolder::remove_unless_written(const fs::path& name)
+{
+    require_plain_name(name);
+    leftovers_.push_back(name);
+}
+
+void OutputFolder::write(const fs::path& name, std::string_view content)
+{
+    write_pieces(name, [&](const Sink& sink) { sink(content); });
+}
+
+void OutputFolder::write_pieces(const fs::path& name,
+                                const std::function<void(const Sink&)>& produce)
+{
+    require_plain_name(name);
+    const fs::path target = path_ / name;
+    check_target(target);
+    make_folders(target.parent_path());
+
+    std::unique_lock lock{registry().mutex};
+    require_not_abandoned();
+    const fs::path temporary = temporary_name(target);
+    const NewFile file{temporary};
+    if (!file.is_open())
+        fail("write", target, errno);
+    pending_.push_back({temporary, target});
+    lock.unlock();
+    const auto require_done = [&](int error) {
+        if (error != 0)
+            fail("write", target, error);
+    };
+    try {
+        produce([&](std::string_view piece) { require_done(file.append(piece)); });
+        require_done(file.finish());
+    } catch (...) {
+        lock.lock();
+        forget(temporary);
+        throw;
+    }
+    lock.lock();
+    // It takes the place of an earlier one.
+    std::erase_if(pending_, [&](const PendingFile& other) {
+        const bool is_earlier = other.target == target && other.temporary != temporary;
+        if (is_earlier)
+            ::unlink(other.temporary.c_str());
+        return is_earlier;
+    });
+}
+
+void OutputFolder::publish()
+{
+    std::set<fs::path> folders;
+    {
+        const std::scoped_lock lock{registry().mutex};
+        require_not_abandoned();
+        while (!pending_.empty()) {
+            const PendingFile& file = pending_.front();
+            if (::rename(file.temporary.c_str(), file.target.c_str()) != 0)
+                fail("write", file.target, errno);
+            folders.insert(file.target.parent_path());
+            std::erase_if(leftovers_, [&](const fs::path& name) {
+                return path_ / name == file.target;
+            });
+            pending_.erase(pending_.begin());
+        }
+        created_folders_.clear();
+        for (const fs::path& name : leftovers_)
+            remove_leftover(name);
+        leftovers_.clear();
+    }
+    std::ranges::for_each(folders, flush_folder);
+}
+
+void OutputFolder::abandon_all()
+{
+    const std::scoped_lock lock{registry().mutex};
+    registry().abandoned = true;
+    // Only removal: the threads that are writing may go on writing to nameless files.
+    for (void* folder : registry().folders)
+        static_cast<OutputFolder*>(folder)->abandon();
+}
+
+void OutputFolder::make_folders(const fs::path& folder)
+{
+    std::error_code error;
+    std::vector<fs::path> missing;
+    for (fs::path path = folder; !path.empty() && !fs::exists(path, error);
+         path = path.parent_path())
+        missing.push_back(path);
+    const std::scoped_lock lock{registry().mutex};
+    require_not_abandoned();
+    // One by one, to know which of them to remove again.
+    while (!missing.empty()) {
+        const int failure = ::mkdir(missing.back().c_str(), 0777) == 0 ? 0 : errno;
+        if (failure == 0)
+            created_folders_.push_back(missing.back());
+        else if (!fs::is_directory(missing.back(), error))
+            fail("create the output folder", missing.back(), failure);
+        missing.pop_back();
+    }
+}
+
+// The caller holds the registry's mutex.
+void OutputFolder::forget(const fs::path& temporary)
+{
+    ::unlink(temporary.c_str());
+    std::erase_if(pending_,
+                  [&](const PendingFile& file) { return file.temporary == temporary; });
+}
+
+void OutputFolder::check_target(const fs::path& target) const
+{
+    std::error_code error;
+    if (fs::is_directory(target, error))
+        fail("write", target, EISDIR);
+    if (is_input(target))
+        throw DomainError{"output " + shown_path(target) +
+                          " is the input file; expected another output folder"};
+}
+
+bool OutputFolder::is_input(const fs::path& target) const
+{
+    std::error_code error;
+    return std::ranges::any_of(inputs_, [&](const fs::path& input) {
+        return fs::equivalent(target, input, error);
+    });
+}
+
+void OutputFolder::remove_leftover(const fs::path& name) const
+{
+    std::error_code error;
+    const fs::path target = path_ / name;
+    const bool is_ours = lies_inside(path_, name) &&
+                         fs::is_regular_file(fs::symlink_status(target, error)) &&
+                         !is_input(target);
+    if (!is_ours)
+        return;
+    if (::unlink(target.c_str()) != 0)
+        fail("remove", target, errno);
+    if (name.has_parent_path())
+        ::rmdir(target.parent_path().c_str());  // fails if something else lies in it
+}
+
+// The caller holds the registry's mutex.
+void OutputFolder::abandon()
+{
+    for (const PendingFile& file : pending_)
+        ::unlink(file.temporary.c_str());
+    for (auto folder = created_folders_.rbegin(); folder != created_folders_.rend();
+         ++folder)
+        ::rmdir(folder->c_str());
+    pending_.clear();
+    created_folders_.clear();
+}
+
+void write_file(const fs::path& path, std::string_view content)
+{
+    const fs::path folder = path.parent_path();
+    OutputFolder output{folder.empty() ? fs::path{"."} : folder, /*force=*/true};
+    output.write(path.filename(), content);
+    output.publish();
+}
+
+}  // namespace endmill

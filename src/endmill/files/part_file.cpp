@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/part_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/files/detail/file_format.h"
+#include "endmill/files/read_file.h"
+#include "endmill/files/surface_file.h"
+#include "endmill/mesh/mesh_checks.h"
+#include "endmill/mesh/mesh_repair.h"
+
+namespace endmill {
+namespace {
+
+PartFile surface_part(const std::string& content, const std::filesystem::path& path,
+                      const MeshReadOptions& options)
+{
+    SurfaceFile file = parse_surface(content, path, options.limits);
+    if (options.units != LengthUnit::Mm || options.up != UpAxis::Z)
+        throw DomainError{shown_path(path) +
+                          ": --units and --up are for meshes; a surface file says its "
+                          "unit itself"};
+    return {std::move(file.name), std::move(file.source), std::move(file.surfaces), {}, 0,
+            std::move(file.notes)};
+}
+
+std::string counted_that_were(std::size_t count, const std::string& thing)
+{
+    return std::to_string(count) + ' ' + thing + (count == 1 ? " was " : "s were ");
+}
+
+// Whether `oriented` may find something to turn. Bodies beside each other, or that touch
+// along an edge, may each be inside out whatever the sign of their common volume.
+bool may_be_turned(const MeshReport& report)
+{
+    return report.inconsistent_edges > 0 || report.components > 1 ||
+           report.non_manifold_edges > 0 || (report.volume && *report.volume < 0);
+}
+
+// What `oriented` takes at most, the mesh and its copy included.
+double bytes_to_orient(const TriangleMesh& mesh, const MeshReport& report)
+{
+    constexpr double bytes_per_point = 64;
+    constexpr double bytes_per_triangle = 160;
+    constexpr double bytes_per_piece = 700;
+    // Pieces end at edges of more than two triangles; components do not.
+    const auto pieces = std::min<std::size_t>(
+        report.components + 2 * report.non_manifold_edges, mesh.triangles().size());
+    return bytes_per_point * static_cast<double>(mesh.points().size()) +
+           bytes_per_triangle * static_cast<double>(mesh.triangles().size()) +
+           bytes_per_piece * static_cast<double>(pieces);
+}
+
+void put_right(MeshFile& file)
+{
+    OrientedMesh upright = oriented(file.mesh);
+    file.mesh = std::move(upright.mesh);
+    if (upright.turned_triangles > 0) {
+        const auto volume = mesh_report(file.mesh).volume;
+        const bool is_solid = volume && *volume > 0;
+        file.notes.push_back(
+            counted_that_were(upright.turned_triangles, "triangle") +
+            "turned over, so that " +
+            (is_solid ? "all face outwards"
+                      : "neighbours face the same side and closed pieces outwards"));
+    }
+    if (upright.unorientable > 0)
+        file.notes.push_back(counted_that_were(upright.unorientable, "piece") +
+                             "left as read, of one side only, like a Moebius strip");
+}
+
+PartFile mesh_part(std::string content, const std::filesystem::path& path,
+                   const MeshReadOptions& options)
+{
+    MeshFile file = parse_mesh(std::move(content), path, options);
+    const MeshReport report = mesh_report(file.mesh);
+    if (may_be_turned(report)) {
+        require_memory(shown_path(path), bytes_to_orient(file.mesh, report),
+                       options.limits);
+        put_right(file);
+    }
+    return {std::move(file.name), {},
+            std::move(file.mesh), std::move(file.degenerate_triangles),
+            file.welded_points,   std::move(file.notes)};
+}
+
+bool is_letter_case_apart(unsigned char a, unsigned char b)
+{
+    return std::tolower(a) == std::tolower(b);
+}
+
+// A file named for a surface is read as one, so that its faults are told as such.
+bool is_surface(const std::string& content, const std::filesystem::path& path)
+{
+    const std::string extension = path.extension().string();
+    return std::ranges::equal(extension, std::string_view{".json"},
+                              is_letter_case_apart) ||
+           recognized_format(content) == "JSON";
+}
+
+}  // namespace
+
+PartFile read_part(const std::filesystem::path& path, const MeshReadOptions& options)
+{
+    std::string content = read_file(path, options.limits);
+    return is_surface(content, path) ? surface_part(content, path, options)
+                                     : mesh_part(std::move(content), path, options);
+}
+
+}  // namespace endmill

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/path_file.h"
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+
+#include "endmill/files/detail/strict_json.h"
+#include "endmill/files/read_file.h"
+
+namespace endmill {
+namespace {
+
+// The value of `key`, unless it is missing or null.
+std::optional<JsonValue> known_member(const JsonValue& object, std::string_view key)
+{
+    std::optional<JsonValue> value = object.find_member(key);
+    return value && value->shown() != "null" ? value : std::nullopt;
+}
+
+std::optional<double> positive_number(const JsonValue& object, std::string_view key)
+{
+    const std::optional<JsonValue> value = known_member(object, key);
+    if (!value)
+        return std::nullopt;
+    const double number = value->number();
+    if (!(number > 0))
+        throw value->complaint(value->shown(), "a number above 0");
+    return number;
+}
+
+std::optional<std::string> text(const JsonValue& object, std::string_view key)
+{
+    const std::optional<JsonValue> value = known_member(object, key);
+    return value ? std::optional{value->text()} : std::nullopt;
+}
+
+std::optional<Cutter> cutter(const JsonValue& object)
+{
+    const std::optional<JsonValue> value = known_member(object, "cutter");
+    if (!value)
+        return std::nullopt;
+    const std::optional<Cutter> cutter = cutter_from_word(value->text());
+    if (!cutter)
+        throw value->complaint(value->shown(), expected_cutter(value->text()));
+    return cutter;
+}
+
+// The choice that `key` names.
+template <typename Choice, std::size_t count>
+Choice choice(const JsonValue& object, std::string_view key,
+              const std::array<std::string_view, count>& names)
+{
+    const JsonValue value = *known_member(object, key);
+    const auto found = std::ranges::find(names, value.text());
+    if (found == names.end()) {
+        std::string expected;
+        for (const std::string_view name : names)
+            expected += (expected.empty() ? "" : ", ") + std::string{name};
+        throw value.complaint(value.shown(), "one of " + expected);
+    }
+    return static_cast<Choice>(found - names.begin());
+}
+
+std::optional<PartReference> part(const JsonValue& root,
+                                  const std::filesystem::path& folder)
+{
+    const std::optional<std::string> file = text(root, "part");
+    if (!file)
+        return std::nullopt;
+    PartReference part{.file = folder / *file};
+    if (known_member(root, "part_units"))
+        part.units = choice<LengthUnit>(root, "part_units", length_unit_names);
+    if (known_member(root, "part_up"))
+        part.up = choice<UpAxis>(root, "part_up", up_axis_names);
+    return part;
+}
+
+}  // namespace
+
+std::optional<double> PathSummary::tolerance_mm() const
+{
+    std::optional<double> narrowest;
+    for (const auto& tolerance :
+         {chord_tolerance_mm, inner_tolerance_mm, outer_tolerance_mm})
+        if (tolerance)
+            narrowest = std::min(*tolerance, narrowest.value_or(*tolerance));
+    return narrowest;
+}
+
+std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_path,
+                                             const ReadLimits& limits)
+{
+    const std::filesystem::path path = tool_path.parent_path() / "summary.json";
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored))
+        return std::nullopt;
+    const JsonDocument document{read_file(path, limits), shown_path(path), limits};
+    const JsonValue root = document.root();
+    return PathSummary{text(root, "name"),
+                       part(root, tool_path.parent_path()),
+                       cutter(root),
+                       positive_number(root, "chord_tolerance_mm"),
+                       positive_number(root, "inner_tolerance_mm"),
+                       positive_number(root, "outer_tolerance_mm"),
+                       positive_number(root, "scallop_mm"),
+                       positive_number(root, "feed_mm_per_min"),
+                       positive_number(root, "spindle_rpm")};
+}
+
+}  // namespace endmill

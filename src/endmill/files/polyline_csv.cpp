@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/input_csv.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "endmill/core/text.h"
+#include "endmill/files/detail/named_columns.h"
+#include "endmill/files/read_file.h"
+#include "endmill/trimming/detail/curve_arrangement.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::array<std::string_view, 3> names{"s_mm", "z_mm", "curve"};
+
+// At the header; an empty text has no columns.
+CsvLines started(std::string_view text, const std::string& file)
+{
+    CsvLines lines{text, file};
+    lines.next();
+    return lines;
+}
+
+class PolylineReader {
+public:
+    PolylineReader(std::string_view text, const std::string& file,
+                   const ReadLimits& limits)
+        : lines_{started(text, file)},
+          columns_{lines_, names, 2},
+          file_{file},
+          limits_{limits}
+    {
+    }
+
+    std::vector<SectionCurve> read_all()
+    {
+        require_memory(
+            file_, static_cast<double>(line_count(lines_.rest())) * sizeof(SectionPoint),
+            limits_);
+        while (lines_.next())
+            add_row();
+        if (curves_.empty())
+            throw lines_.complaint("E_CSV", "no row after the header", "a point");
+        finish_curve();
+        return arranged(std::move(curves_));
+    }
+
+private:
+    void add_row()
+    {
+        columns_.check_row(lines_);
+        const std::int64_t number = columns_.has(2) ? curve_number() : 0;
+        if (curves_.empty() || number != number_)
+            begin_curve(number);
+        const SectionPoint point{length(0), length(1)};
+        auto& points = curves_.back().points;
+        if (points.empty() || points.back() != point)
+            points.push_back(point);
+    }
+
+    void begin_curve(std::int64_t number)
+    {
+        if (!curves_.empty())
+            finish_curve();
+        if (!numbers_.insert(number).second)
+            throw lines_.complaint(
+                "E_CSV", "curve " + std::to_string(number) + " again, after another",
+                "the rows of a curve together");
+        number_ = number;
+        first_line_ = lines_.line();
+        curves_.emplace_back();
+    }
+
+    void finish_curve()
+    {
+        SectionCurve& curve = curves_.back();
+        if (curve.points.size() < 2)
+            throw FormatError{
+                "E_CSV",
+                {file_, std::to_string(first_line_),
+                 "a curve with " + counted(curve.points.size(), "different point"),
+                 "two or more"}};
+        curve.is_closed = curve.points.front() == curve.points.back();
+    }
+
+    std::int64_t curve_number() const
+    {
+        const std::string_view text = columns_.cell(lines_, 2);
+        std::int64_t number = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, number);
+        if (error != std::errc{} || stop != end || number < 0)
+            throw columns_.complaint(lines_, 2, "a whole number from 0");
+        return number;
+    }
+
+    double length(std::size_t column) const
+    {
+        const auto number = number_from_text(columns_.cell(lines_, column));
+        if (!number)
+            throw columns_.complaint(lines_, column, "a number");
+        if (std::abs(*number) > limits_.max_extent_mm)
+            throw lines_.complaint(
+                "E_RANGE", std::string{names[column]} + " is " + to_text(*number),
+                "at most " + to_text(limits_.max_extent_mm) + " mm (--max-extent)");
+        return *number;
+    }
+
+    CsvLines lines_;
+    NamedColumns columns_;
+    const std::string& file_;
+    const ReadLimits& limits_;
+    std::vector<SectionCurve> curves_;
+    std::set<std::int64_t> numbers_;
+    std::int64_t number_ = 0;
+    std::size_t first_line_ = 0;  // of the last curve
+};
+
+}  // namespace
+
+std::vector<SectionCurve> parse_polylines(std::string_view text, const std::string& file,
+                                          const ReadLimits& limits)
+{
+    return PolylineReader{text, file, limits}.read_all();
+}
+
+std::vector<SectionCurve> read_polylines(const std::filesystem::path& path,
+                                         const ReadLimits& limits)
+{
+    return parse_polylines(read_file(path, limits), shown_path(path), limits);
+}
+
+}  // namespace endmill

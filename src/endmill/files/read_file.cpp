@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/read_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstddef>
+#include <string_view>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+
+namespace endmill {
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+constexpr std::array compressed_beginnings{
+    "\x1f\x8b"sv,          // gzip
+    "PK\x03\x04"sv,        // zip
+    "\xfd\x37zXZ\x00"sv,   // xz
+    "BZh"sv,               // bzip2
+    "\x28\xb5\x2f\xfd"sv,  // zstd
+};
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& found,
+                         const std::string& expected = {})
+{
+    throw FormatError{"E_OPEN", {shown_path(path), "", found, expected}};
+}
+
+[[noreturn]] void refuse_for(const std::filesystem::path& path, int error)
+{
+    if (error == EACCES)
+        refuse(path, "cannot open: permission denied");
+    refuse(path, "cannot open: " + std::generic_category().message(error));
+}
+
+// A regular file, open for reading. Opening does not wait for the other end of a pipe.
+class InputFile {
+public:
+    explicit InputFile(const std::filesystem::path& path)
+        : path_{path},
+          descriptor_{::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)}
+    {
+        if (descriptor_ < 0)
+            refuse_for(path_, errno);
+    }
+    InputFile(const InputFile&) = delete;
+    InputFile& operator=(const InputFile&) = delete;
+    ~InputFile() { ::close(descriptor_); }
+
+    std::size_t size() const
+    {
+        struct stat status = {};
+        if (::fstat(descriptor_, &status) != 0)
+            refuse_for(path_, errno);
+        if (S_ISDIR(status.st_mode))
+            refuse(path_, "is a directory", "a file");
+        if (!S_ISREG(status.st_mode))
+            refuse(path_, "is a device or a pipe", "a regular file");
+        return static_cast<std::size_t>(status.st_size);
+    }
+
+    // Up to `wanted` more bytes at the end of `text`; fewer only at the end of the file.
+    void append_to(std::string& text, std::size_t wanted) const
+    {
+        const std::size_t before = text.size();
+        text.resize(before + wanted);
+        std::size_t got = 0;
+        while (got < wanted) {
+            const ssize_t count =
+                ::read(descriptor_, text.data() + before + got, wanted - got);
+            if (count < 0 && errno != EINTR)
+                refuse_for(path_, errno);
+            if (count == 0)
+                break;
+            got += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+        }
+        text.resize(before + got);
+    }
+
+private:
+    const std::filesystem::path& path_;
+    int descriptor_;
+};
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& path, const ReadLimits& limits)
+{
+    constexpr std::size_t beginning_bytes = 16;
+    const std::string file = shown_path(path);
+    const InputFile input{path};
+    const std::size_t size = input.size();
+
+    std::string text;
+    input.append_to(text, beginning_bytes);
+    for (const std::string_view beginning : compressed_beginnings)
+        if (text.starts_with(beginning))
+            throw FormatError{
+                "E_COMPRESSED",
+                {file, "", "compressed input is not accepted; decompress it first", ""}};
+    // The size decides before anything is read; the tree or table comes on top of it.
+    require_memory(file, static_cast<double>(size), limits);
+    if (size > text.size())
+        input.append_to(text, size - text.size());
+    if (text.find_first_not_of(" \t\r\n\v\f") == std::string::npos)
+        throw FormatError{"E_EMPTY", {file, "", "file is empty", ""}};
+    return text;
+}
+
+std::string shown_path(const std::filesystem::path& path)
+{
+    return printable(path.string());
+}
+
+}  // namespace endmill

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/result_csv.h"
+
+#include <cmath>
+#include <utility>
+
+#include "endmill/core/angle.h"
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/files/detail/joined_rows.h"
+
+namespace endmill {
+namespace {
+
+// Far finer than an interval's ends are known; keeps 5 from being 5.000000000000001.
+constexpr double angles_per_degree = 1e9;
+// Large enough that writing it costs as little a byte as writing all at once.
+constexpr std::size_t piece_bytes = std::size_t{1} << 20U;
+
+void append(std::string& text, double number)
+{
+    require(std::isfinite(number), "removal_csv: a number is not finite");
+    text += ',';
+    append_text(text, number);
+}
+
+double rounded_degrees(double radians)
+{
+    return std::round(Angle::radians(radians).degrees() * angles_per_degree) /
+           angles_per_degree;
+}
+
+void append_row(std::string& text, const Removal& removal, const ToolPath& path,
+                std::size_t i)
+{
+    const auto tip = [&](std::size_t k) { return path.points[k].location.tip; };
+    const double length = i == 0 ? 0 : (tip(i) - tip(i - 1)).norm();
+    text += std::to_string(i);
+    append(text, length);
+    append(text, removal.removed[i]);
+    if (const auto per_min = removal_rate(removal, path, i))
+        append(text, *per_min);
+    else
+        text += ',';
+    text += '\n';
+}
+
+}  // namespace
+
+std::string removal_csv(const Removal& removal, const ToolPath& path)
+{
+    require(removal.removed.size() == path.points.size(),
+            "removal_csv: need a volume for each point");
+    require(path.conditions.empty() || path.conditions.size() == path.points.size(),
+            "removal_csv: need conditions for no point or for all");
+    return joined_rows("point,length_mm,removed_mm3,rate_mm3_per_min\n",
+                       path.points.size(), [&](std::size_t first, std::size_t count) {
+                           std::string text;
+                           for (std::size_t i = first; i < first + count; ++i)
+                               append_row(text, removal, path, i);
+                           return text;
+                       });
+}
+
+EngagementCsv::EngagementCsv(Sink sink)
+    : sink_{std::move(sink)},
+      text_{"point,latitude_deg,radius_mm,above_tip_mm,from_deg,to_deg\n"}
+{
+}
+
+void EngagementCsv::add(std::size_t number, const Engagement& engagement)
+{
+    std::string row;
+    for (const EngagedRing& ring : engagement.rings) {
+        row = std::to_string(number);
+        append(row, rounded_degrees(ring.latitude));
+        append(row, ring.radius);
+        append(row, ring.above);
+        for (const AzimuthInterval& interval : ring.engaged) {
+            text_ += row;
+            append(text_, rounded_degrees(interval.from));
+            append(text_, rounded_degrees(interval.to));
+            text_ += '\n';
+        }
+    }
+    if (text_.size() >= piece_bytes)
+        finish();
+}
+
+void EngagementCsv::finish()
+{
+    sink_(text_);
+    text_.clear();
+}
+
+}  // namespace endmill

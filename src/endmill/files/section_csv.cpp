@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/result_csv.h"
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::string_view point_header = "plane,curve,point,s_mm,x_mm,y_mm,z_mm\n";
+
+void append(std::string& text, double number)
+{
+    require(std::isfinite(number), "section CSV: a number is not finite");
+    append_text(text, number);
+}
+
+// Writes the rows of one plane after the other.
+class PointRows {
+public:
+    explicit PointRows(const DrivePlanes* placed) : placed_{placed} {}
+
+    void begin_plane(std::size_t plane)
+    {
+        require(!placed_ || plane < placed_->positions.size(),
+                "section CSV: more planes than positions");
+        plane_ = plane;
+    }
+
+    void add(std::size_t curve, std::size_t point, const SectionPoint& at)
+    {
+        text_ += std::to_string(plane_) + ',' + std::to_string(curve) + ',' +
+                 std::to_string(point) + ',';
+        append(text_, at.x());
+        if (placed_) {
+            const Vec3 place =
+                placed_->frame.point(at.x(), placed_->positions[plane_], at.y());
+            text_ += ',';
+            append(text_, place.x());
+            text_ += ',';
+            append(text_, place.y());
+        } else {
+            text_ += ",,";
+        }
+        text_ += ',';
+        append(text_, at.y());
+        text_ += '\n';
+    }
+
+    std::string take() { return std::move(text_); }
+
+private:
+    const DrivePlanes* placed_;
+    std::size_t plane_ = 0;
+    std::string text_{point_header};
+};
+
+}  // namespace
+
+std::string sections_csv(std::span<const std::vector<SectionCurve>> planes,
+                         const DrivePlanes* placed)
+{
+    PointRows rows{placed};
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+        rows.begin_plane(p);
+        for (std::size_t c = 0; c < planes[p].size(); ++c)
+            for (std::size_t k = 0; k < planes[p][c].points.size(); ++k)
+                rows.add(c, k, planes[p][c].points[k]);
+    }
+    return rows.take();
+}
+
+std::string trimmed_csv(std::span<const Trimmed> planes, const DrivePlanes* placed)
+{
+    PointRows rows{placed};
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+        rows.begin_plane(p);
+        for (std::size_t c = 0; c < planes[p].curves.size(); ++c)
+            for (std::size_t k = 0; k < planes[p].curves[c].points.size(); ++k)
+                rows.add(c, k, planes[p].curves[c].points[k].at);
+    }
+    return rows.take();
+}
+
+std::string loops_csv(std::span<const std::vector<CutOut>> planes, bool explained)
+{
+    std::string text = "plane,curve,s_mm,z_mm,first_point,last_point,cause";
+    text += explained ? ",rule\n" : "\n";
+    for (std::size_t p = 0; p < planes.size(); ++p)
+        for (const CutOut& cut : planes[p]) {
+            text += std::to_string(p) + ',' + std::to_string(cut.curve) + ',';
+            if (cut.place)
+                append(text, cut.place->x());
+            text += ',';
+            if (cut.place)
+                append(text, cut.place->y());
+            text += ',' + std::to_string(cut.first_point) + ',' +
+                    std::to_string(cut.last_point) + ',';
+            text += name(cut.cause);
+            if (explained)
+                text += ',' + std::string{cut.rule};
+            text += '\n';
+        }
+    return text;
+}
+
+}  // namespace endmill

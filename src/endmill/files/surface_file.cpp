@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/surface_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/files/detail/file_format.h"
+#include "endmill/files/detail/strict_json.h"
+#include "endmill/files/detail/surface_kinds.h"
+#include "endmill/files/read_file.h"
+#include "endmill/surface/detail/collapsed_edge.h"
+
+namespace endmill {
+namespace {
+
+using Words = std::span<const std::string_view>;
+
+constexpr std::string_view format_family = "endmill-surface/";
+constexpr int format_version = 1;
+constexpr double same_point_share = 1e-12;  // of the surface's diagonal
+constexpr double mm_per_inch = 25.4;
+constexpr std::size_t longest_name = 200;
+constexpr std::size_t longest_source = 2000;
+
+// Tells a mesh or a program from a surface before complaining of its syntax.
+void check_content(std::string_view content, const std::string& file)
+{
+    const auto format = recognized_format(content);
+    if (format == "JSON")
+        return;
+    const std::string found =
+        format ? "content looks like " + std::string{*format} : "content is not JSON";
+    throw FormatError{"E_FORMAT",
+                      {file, "", found, "JSON of format \"endmill-surface/1\""}};
+}
+
+// The version that follows `format_family`, if it is a number.
+std::optional<double> version_of(std::string_view format)
+{
+    if (!format.starts_with(format_family))
+        return std::nullopt;
+    return number_from_text(format.substr(format_family.size()));
+}
+
+// First of all keys, since a newer version may have others.
+void check_format(const JsonValue& root)
+{
+    const JsonValue value = root.member("format");
+    const std::string format = value.text();
+    if (format == std::string{format_family} + std::to_string(format_version))
+        return;
+    const std::string expected = "\"endmill-surface/1\"";
+    if (const auto version = version_of(format); version && *version > format_version)
+        throw value.complaint("made by a newer version: " + value.shown(), expected);
+    throw value.complaint(value.shown(), expected, "E_FORMAT");
+}
+
+using KindReader = std::vector<Surface> (*)(const SurfaceNumbers&);
+
+// A kind of surface by its word in files, with the keys that it has beside `common_keys`.
+struct Kind {
+    std::string_view word;
+    std::vector<std::string_view> keys;
+    KindReader read;
+};
+
+const std::array<Kind, 4>& kinds()
+{
+    static const std::array<Kind, 4> all{
+        {{"bezier", {"patches_u", "patches_v", "control_points"}, read_bezier},
+         {"nurbs",
+          {"degree_u", "degree_v", "knots_u", "knots_v", "control_points", "weights"},
+          read_nurbs},
+         {"bezier-patches", {"patches"}, read_bezier_patches},
+         {"height-grid", {"x", "y", "z"}, read_height_grid}}};
+    return all;
+}
+
+// What the file holds breaks a rule of the library that the reader did not look for.
+std::vector<Surface> read_kind(const Kind& kind, const SurfaceNumbers& numbers)
+{
+    try {
+        return kind.read(numbers);
+    } catch (const DomainError& error) {
+        throw numbers.root.complaint(error.what(), "sound numbers", "E_SURFACE");
+    }
+}
+
+const Kind& kind_of(const JsonValue& root)
+{
+    constexpr std::array<std::string_view, 7> common_keys{
+        "format", "name", "source", "type", "units", "tool_side", "trim_loops"};
+    std::vector<std::string_view> words;
+    for (const Kind& kind : kinds())
+        words.push_back(kind.word);
+    const JsonValue value = root.member("type");
+    const std::string_view word = value.word(words);
+    if (const auto loops = root.find_member("trim_loops"))
+        throw loops->complaint("trim_loops are not supported by this version",
+                               "an untrimmed surface", "E_SURFACE");
+    const Kind& kind = *std::ranges::find(kinds(), word, &Kind::word);
+    std::vector<std::string_view> keys{common_keys.begin(), common_keys.end()};
+    keys.insert(keys.end(), kind.keys.begin(), kind.keys.end());
+    root.allow_only(keys);
+    return kind;
+}
+
+std::string text_or(const JsonValue& root, std::string_view key, std::size_t longest,
+                    const std::string& otherwise)
+{
+    const auto value = root.find_member(key);
+    return value ? printable(value->text(), longest) : otherwise;
+}
+
+// The first of `words` is the default.
+std::string_view word_or_first(const JsonValue& root, std::string_view key, Words words)
+{
+    const auto value = root.find_member(key);
+    return value ? value->word(words) : words.front();
+}
+
+double mm_per_unit(const JsonValue& root)
+{
+    constexpr std::array<std::string_view, 2> units{"mm", "inch"};
+    return word_or_first(root, "units", units) == "inch" ? mm_per_inch : 1;
+}
+
+ToolSide tool_side(const JsonValue& root)
+{
+    constexpr std::array<std::string_view, 3> sides{"up", "du_cross_dv", "dv_cross_du"};
+    const std::string_view side = word_or_first(root, "tool_side", sides);
+    if (side == "up")
+        return ToolSide::Up;
+    return side == "du_cross_dv" ? ToolSide::DuCrossDv : ToolSide::DvCrossDu;
+}
+
+// Whether the end of `along`'s range is one point.
+bool is_pole(const Surface& surface, Parameter along, int end)
+{
+    const Parameter other = along == Parameter::U ? Parameter::V : Parameter::U;
+    const int last = end == 0 ? 0 : surface.patches(along) - 1;
+    std::optional<Vec3> pole;
+    for (int k = 0; k < surface.patches(other); ++k) {
+        const BezierPatch& patch =
+            along == Parameter::U ? surface.patch(last, k) : surface.patch(k, last);
+        const Vec3 corner =
+            along == Parameter::U
+                ? patch.control_point(end * patch.degree(Parameter::U), 0)
+                : patch.control_point(0, end * patch.degree(Parameter::V));
+        if (!is_collapsed(patch, along, end) ||
+            (pole && (*pole - corner).norm() > same_point_share * surface.diagonal()))
+            return false;
+        pole = corner;
+    }
+    return true;
+}
+
+// A border whose control points are one is a pole: sound, but without a normal there.
+std::string pole_note(const Surface& surface, Parameter along, int end,
+                      const std::string& of_patch)
+{
+    const Interval range = surface.range(along);
+    return "pole: the border " + std::string{along == Parameter::U ? "u" : "v"} + " = " +
+           to_text(end == 0 ? range.low : range.high) + of_patch +
+           " is a single point, without a normal";
+}
+
+// A corner whose partials are parallel, or one of them vanishes, though both sides have
+// a length.
+std::vector<std::string> corner_notes(const Surface& surface, const std::string& of_patch)
+{
+    std::vector<std::string> notes;
+    for (const int end_u : {0, 1})
+        for (const int end_v : {0, 1}) {
+            if (is_pole(surface, Parameter::U, end_u) ||
+                is_pole(surface, Parameter::V, end_v))
+                continue;
+            const Interval u = surface.range(Parameter::U);
+            const Interval v = surface.range(Parameter::V);
+            const SurfacePoint at{end_u == 0 ? u.low : u.high,
+                                  end_v == 0 ? v.low : v.high};
+            if (is_singular(surface.tangents(at.u, at.v)))
+                notes.push_back("pole: the corner u = " + to_text(at.u) +
+                                ", v = " + to_text(at.v) + of_patch + " has no normal");
+        }
+    return notes;
+}
+
+std::vector<std::string> pole_notes(std::span<const Surface> surfaces)
+{
+    std::vector<std::string> notes;
+    for (std::size_t number = 0; number < surfaces.size(); ++number) {
+        const std::string of_patch =
+            surfaces.size() > 1 ? " of patch " + std::to_string(number) : "";
+        for (const Parameter along : {Parameter::U, Parameter::V})
+            for (const int end : {0, 1})
+                if (is_pole(surfaces[number], along, end))
+                    notes.push_back(pole_note(surfaces[number], along, end, of_patch));
+        for (std::string& note : corner_notes(surfaces[number], of_patch))
+            notes.push_back(std::move(note));
+    }
+    return notes;
+}
+
+bool counts_up_from_zero(std::span<const double> breaks)
+{
+    for (std::size_t i = 0; i < breaks.size(); ++i)
+        if (breaks[i] != static_cast<double>(i))
+            return false;
+    return true;
+}
+
+// The control point in column i and row j of the composite net, from the patch below it.
+Vec3 net_point(const Surface& surface, int i, int j)
+{
+    const int patch_i = std::min(i / 3, surface.patches(Parameter::U) - 1);
+    const int patch_j = std::min(j / 3, surface.patches(Parameter::V) - 1);
+    return surface.patch(patch_i, patch_j)
+        .control_point(i - 3 * patch_i, j - 3 * patch_j);
+}
+
+bool is_bicubic(const Surface& surface)
+{
+    for (int j = 0; j < surface.patches(Parameter::V); ++j)
+        for (int i = 0; i < surface.patches(Parameter::U); ++i) {
+            const BezierPatch& patch = surface.patch(i, j);
+            if (patch.degree(Parameter::U) != 3 || patch.degree(Parameter::V) != 3 ||
+                patch.is_rational())
+                return false;
+        }
+    return true;
+}
+
+// Whether the one net that `net_point` reads gives back every patch.
+bool shares_borders(const Surface& surface)
+{
+    for (int patch_j = 0; patch_j < surface.patches(Parameter::V); ++patch_j)
+        for (int patch_i = 0; patch_i < surface.patches(Parameter::U); ++patch_i)
+            for (int k = 0; k < 16; ++k) {
+                const Vec3 own =
+                    surface.patch(patch_i, patch_j).control_point(k % 4, k / 4);
+                if (own != net_point(surface, 3 * patch_i + k % 4, 3 * patch_j + k / 4))
+                    return false;
+            }
+    return true;
+}
+
+void append_point(std::string& text, const Vec3& point)
+{
+    text += '[';
+    append_text(text, point.x());
+    text += ", ";
+    append_text(text, point.y());
+    text += ", ";
+    append_text(text, point.z());
+    text += ']';
+}
+
+std::string net_json(const Surface& surface)
+{
+    const int columns = 3 * surface.patches(Parameter::U) + 1;
+    const int rows = 3 * surface.patches(Parameter::V) + 1;
+    std::string text = "[\n";
+    for (int j = 0; j < rows; ++j) {
+        text += "  [";
+        for (int i = 0; i < columns; ++i) {
+            text += i == 0 ? "" : ", ";
+            append_point(text, net_point(surface, i, j));
+        }
+        text += j + 1 < rows ? "],\n" : "]\n";
+    }
+    return text + " ]";
+}
+
+std::string_view tool_side_name(ToolSide side)
+{
+    if (side == ToolSide::Up)
+        return "up";
+    return side == ToolSide::DuCrossDv ? "du_cross_dv" : "dv_cross_du";
+}
+
+}  // namespace
+
+SurfaceFile read_surface(const std::filesystem::path& path, const ReadLimits& limits)
+{
+    return parse_surface(read_file(path, limits), path, limits);
+}
+
+SurfaceFile parse_surface(std::string_view content, const std::filesystem::path& path,
+                          const ReadLimits& limits)
+{
+    const std::string file = shown_path(path);
+    check_content(content, file);
+    const JsonDocument document{content, file, limits};
+    const JsonValue root = document.root();
+    check_format(root);
+    const Kind& kind = kind_of(root);
+
+    const double unit = mm_per_unit(root);
+    std::vector<Surface> surfaces =
+        read_kind(kind, {root, unit, tool_side(root), file, limits});
+    std::vector<std::string> notes = pole_notes(surfaces);
+    if (unit != 1)
+        notes.emplace_back("lengths were converted from inch to mm");
+    return {text_or(root, "name", longest_name, printable(path.stem().string())),
+            text_or(root, "source", longest_source, {}), std::move(surfaces),
+            std::move(notes)};
+}
+
+std::string surface_json(const SurfaceFile& file)
+{
+    require(file.surfaces.size() == 1, "surface_json: need one surface");
+    const Surface& surface = file.surfaces.front();
+    require(counts_up_from_zero(surface.breaks(Parameter::U)) &&
+                counts_up_from_zero(surface.breaks(Parameter::V)),
+            "surface_json: the breaks must be 0, 1, 2, …");
+    require(is_bicubic(surface), "surface_json: the patches must be bicubic");
+    require(shares_borders(surface),
+            "surface_json: the patches do not share their borders");
+
+    std::string text = "{\n \"format\": \"endmill-surface/1\",\n";
+    text += " \"name\": " + json_string(file.name) + ",\n";
+    text += " \"source\": " + json_string(file.source) + ",\n";
+    text += " \"type\": \"bezier\",\n";
+    text +=
+        " \"tool_side\": \"" + std::string{tool_side_name(surface.tool_side())} + "\",\n";
+    text += " \"patches_u\": " + std::to_string(surface.patches(Parameter::U)) + ",\n";
+    text += " \"patches_v\": " + std::to_string(surface.patches(Parameter::V)) + ",\n";
+    text += " \"control_points\": " + net_json(surface) + "\n}\n";
+    return text;
+}
+
+}  // namespace endmill

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/path_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/files/detail/joined_rows.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::string_view location_columns =
+    "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z";
+constexpr std::string_view contact_columns =
+    ",u,v,contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,normal_z";
+constexpr std::string_view no_contact_place = ",,,,,";  // u, v, point
+constexpr std::string_view no_normal = ",,,";
+
+// Appends numbers, and copies the text of one that its column had in the row before:
+// an axis or the parameter of an iso-line hardly ever changes.
+class NumberColumn {
+public:
+    void append(std::string& text, double value)
+    {
+        text += ',';
+        const std::size_t begin = text.size();
+        if (bytes_ > 0 && value == value_) {
+            text.append(text, begin_, bytes_);
+        } else {
+            require(std::isfinite(value), "tool_path_csv: a number is not finite");
+            append_text(text, value);
+        }
+        value_ = value;
+        begin_ = begin;
+        bytes_ = text.size() - begin;
+    }
+
+private:
+    double value_ = 0;
+    std::size_t begin_ = 0;  // of the text of value_
+    std::size_t bytes_ = 0;
+};
+
+// The columns that are written only where some point has something for them.
+struct OptionalColumns {
+    bool tool = false;
+    bool patch = false;
+    bool feed = false;
+    bool speed = false;
+    bool limit = false;
+};
+
+OptionalColumns optional_columns(const ToolPath& path)
+{
+    OptionalColumns columns;
+    for (const CuttingConditions& told : path.conditions) {
+        columns.tool |= told.tool.has_value();
+        columns.feed |= told.feed_mm_per_min.has_value();
+        columns.speed |= told.spindle_rpm.has_value();
+    }
+    columns.patch =
+        std::ranges::any_of(path.points, [](const PathPoint& p) { return p.patch != 0; });
+    return columns;
+}
+
+class RowWriter {
+public:
+    explicit RowWriter(const OptionalColumns& columns) : columns_{columns} {}
+
+    // Row number `i`.
+    void append(std::string& text, const ToolPath& path, std::size_t i,
+                std::string_view limit)
+    {
+        const PathPoint& point = path.points[i];
+        const CuttingConditions told =
+            path.conditions.empty() ? CuttingConditions{} : path.conditions[i];
+        text += std::to_string(point.pass);
+        text += ',';
+        text += std::to_string(point.point);
+        text += ',';
+        text += move_name(point.move);
+        append(text, point.location.tip, 0);
+        append(text, point.location.axis, 3);
+        if (columns_.tool) {
+            text += ',';
+            text += told.tool ? std::to_string(*told.tool) : "";
+        }
+        if (columns_.patch) {
+            text += ',';
+            text += std::to_string(point.patch);
+        }
+        if (point.contact) {
+            numbers_[6].append(text, point.contact->u);
+            numbers_[7].append(text, point.contact->v);
+            append(text, point.contact->contact.point, 8);
+        } else {
+            text += no_contact_place;
+        }
+        if (const std::optional<Vec3> normal = path.normal(i))
+            append(text, *normal, 11);
+        else
+            text += no_normal;
+        if (columns_.feed)
+            append(text, told.feed_mm_per_min, 14);
+        if (columns_.speed)
+            append(text, told.spindle_rpm, 15);
+        if (columns_.limit) {
+            text += ',';
+            text += limit;
+        }
+        text += '\n';
+    }
+
+private:
+    void append(std::string& text, const Vec3& vector, std::size_t column)
+    {
+        for (int c = 0; c < 3; ++c)
+            numbers_[column + c].append(text, vector[c]);
+    }
+
+    void append(std::string& text, const std::optional<double>& number,
+                std::size_t column)
+    {
+        if (number)
+            numbers_[column].append(text, *number);
+        else
+            text += ',';
+    }
+
+    OptionalColumns columns_;
+    std::array<NumberColumn, 16> numbers_;
+};
+
+std::string header(const OptionalColumns& columns)
+{
+    std::string line{location_columns};
+    line += columns.tool ? ",tool" : "";
+    line += columns.patch ? ",patch" : "";
+    line += contact_columns;
+    line += columns.feed ? ",feed_mm_per_min" : "";
+    line += columns.speed ? ",spindle_rpm" : "";
+    line += columns.limit ? ",limit" : "";
+    line += '\n';
+    return line;
+}
+
+// What is written: a path, and a word a point, or none at all.
+struct Table {
+    const ToolPath& path;
+    std::span<const std::string_view> limits;
+    OptionalColumns columns;
+};
+
+// The lines of `count` points, beginning without what came before them: chunks are
+// independent of each other.
+std::string rows(const Table& table, std::size_t first, std::size_t count)
+{
+    RowWriter writer{table.columns};
+    std::string text;
+    for (std::size_t i = first; i < first + count; ++i)
+        writer.append(text, table.path, i,
+                      table.columns.limit ? table.limits[i] : std::string_view{});
+    return text;
+}
+
+std::string table_text(const Table& table)
+{
+    require(table.path.conditions.empty() ||
+                table.path.conditions.size() == table.path.points.size(),
+            "tool_path_csv: need conditions for no point or for all");
+    require(table.path.normals.empty() ||
+                table.path.normals.size() == table.path.points.size(),
+            "tool_path_csv: need normals for no point or for all");
+    return joined_rows(
+        header(table.columns), table.path.points.size(),
+        [&](std::size_t first, std::size_t count) { return rows(table, first, count); });
+}
+
+}  // namespace
+
+std::string tool_path_csv(const ToolPath& path)
+{
+    return table_text({path, {}, optional_columns(path)});
+}
+
+std::string tool_path_csv(const ToolPath& path, std::span<const std::string_view> limits)
+{
+    require(limits.size() == path.points.size(),
+            "tool_path_csv: need a limit for every point");
+    OptionalColumns columns = optional_columns(path);
+    columns.limit = true;
+    return table_text({path, limits, columns});
+}
+
+}  // namespace endmill

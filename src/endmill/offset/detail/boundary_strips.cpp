@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/offset/detail/boundary_strips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+namespace endmill {
+namespace {
+
+using Index = std::int32_t;
+
+// Angle between normals beyond which a joint is a crease, in rad: as in continuity.h.
+constexpr double crease_angle = 1e-6;
+
+// How the part turns over an edge `along` which the side with `normal` is on the left, to
+// the other side, whose normal is `beyond`.
+ContactKind crease_kind(const Vec3& normal, const Vec3& beyond, const Vec3& along)
+{
+    const Vec3 outwards = along.cross(normal).stableNormalized();
+    const double turn = std::atan2(beyond.dot(outwards), beyond.dot(normal));
+    if (std::abs(turn) <= crease_angle)
+        return ContactKind::Face;
+    return turn > 0 ? ContactKind::ConvexCrease : ContactKind::ConcaveCrease;
+}
+
+// The chain over point k of a side, from its vertex to the mate's.
+ContactChain seam_chain(const SheetSide& side, const SheetSide& mate, std::size_t k,
+                        OffsetDraft& draft)
+{
+    const Index from = side.vertices[k];
+    const Index to = mate.vertices[mate.vertices.size() - 1 - k];
+    if (from == to)
+        return ContactChain::of(from);
+    const Vec3& normal = draft.contacts[from].normal;
+    const Vec3& beyond = draft.contacts[to].normal;
+    const ContactKind kind = crease_kind(normal, beyond, side.along[k]);
+    ContactChain chain = draft.add_chain(from, arc_between(normal, beyond), kind, to);
+    if (kind != ContactKind::Face)
+        draft.contacts[from].kind = draft.contacts[to].kind = kind;
+    return chain;
+}
+
+ContactChain reversed(ContactChain chain)
+{
+    std::ranges::reverse(chain.vertices);
+    std::ranges::reverse(chain.shares);
+    for (double& share : chain.shares)
+        share = 1 - share;
+    return chain;
+}
+
+// Walks around a corner point of the part, clockwise seen from the tool, from the corner
+// at which a side begins to the next.
+class CornerWalk {
+public:
+    CornerWalk(std::span<const SheetSide> sides, std::span<const ContactChain> seams)
+        : sides_{sides},
+          seams_{seams}
+    {
+    }
+
+    // The first corner clockwise, behind the border; `start` itself inside the part.
+    Index first_corner(Index start) const
+    {
+        Index corner = start;
+        while (true) {
+            const SheetSide& before = sides_[side_before(corner)];
+            if (before.is_border())
+                return corner;
+            corner = before.is_collapsed ? side_before(corner) : before.mate;
+            if (corner == start)
+                return start;
+        }
+    }
+
+    // The vertices over the point from corner `first` on, each once in a row. `end` is
+    // the corner whose side is border, or `first` again.
+    struct Ring {
+        std::vector<Index> vertices;
+        std::vector<Index> corners;
+        bool is_closed;
+    };
+
+    Ring ring_from(Index first) const
+    {
+        Ring ring{{sides_[first].vertices.front()}, {}, false};
+        Index corner = first;
+        do {
+            ring.corners.push_back(corner);
+            const SheetSide& side = sides_[corner];
+            if (side.is_border())
+                return ring;
+            append(side.is_collapsed ? side.vertices : seams_[corner].vertices,
+                   ring.vertices);
+            corner = side_behind(side.is_collapsed ? corner : side.mate);
+        } while (corner != first);
+        ring.is_closed = true;
+        while (ring.vertices.size() > 1 && ring.vertices.back() == ring.vertices.front())
+            ring.vertices.pop_back();
+        return ring;
+    }
+
+private:
+    static void append(std::span<const Index> more, std::vector<Index>& vertices)
+    {
+        for (const Index vertex : more)
+            if (vertices.back() != vertex)
+                vertices.push_back(vertex);
+    }
+
+    std::span<const SheetSide> sides_;
+    std::span<const ContactChain> seams_;
+};
+
+// Closes the hole between strips that meet inside the part, all normals to their middle.
+void fill_ring(const std::vector<Index>& ring, OffsetDraft& draft)
+{
+    if (ring.size() < 3)
+        return;
+    OffsetContact contact = draft.contacts[ring.front()];
+    Vec3 sum = Vec3::Zero();
+    for (const Index vertex : ring) {
+        sum += draft.contacts[vertex].normal;
+        if (draft.contacts[vertex].kind == ContactKind::ConcaveCrease)
+            contact.kind = ContactKind::ConcaveCrease;
+    }
+    contact.normal = sum.normalized();
+    const Index middle = draft.add(draft.contact_point(ring.front()), contact);
+    const auto chain_from = [&](Index vertex) {
+        return draft.add_chain(vertex,
+                               arc_between(draft.contacts[vertex].normal, contact.normal),
+                               contact.kind, middle);
+    };
+    const ContactChain first = chain_from(ring.front());
+    ContactChain right = first;
+    for (std::size_t k = 1; k <= ring.size(); ++k) {
+        ContactChain left = k < ring.size() ? chain_from(ring[k]) : first;
+        draft.add_strip(right, left);
+        right = std::move(left);
+    }
+}
+
+// The chains and strips along the border, before they are made.
+class BorderPlan {
+public:
+    BorderPlan(std::span<const SheetSide> sides, const OffsetDraft& draft)
+        : draft_{draft},
+          ends_(sides.size())
+    {
+    }
+
+    std::span<const ChainPlan> chains() const { return chains_; }
+    std::span<const StripPlan> strips() const { return strips_; }
+
+    // A chain over each point of side `number`.
+    void add_side(std::size_t number, const SheetSide& side)
+    {
+        ends_[number].first = chains_.size();
+        for (std::size_t k = 0; k < side.vertices.size(); ++k) {
+            const Index vertex = side.vertices[k];
+            add_chain(vertex, arc_over_border(normal_of(vertex), side.along[k]));
+            if (k > 0)
+                strips_.push_back({chains_.size() - 2, chains_.size() - 1});
+        }
+        ends_[number].last = chains_.size() - 1;
+    }
+
+    // Strips between the chain over the end of side `before` and that over the beginning
+    // of side `behind`, whose vertices over the corner point are `ring`: the level normals
+    // turn about the axis, by less than half a turn.
+    void add_corner(std::size_t before, std::size_t behind, std::span<const Index> ring)
+    {
+        const std::size_t from = ends_[before].last;
+        const std::size_t to = ends_[behind].first;
+        const NormalArc level =
+            arc_between(level_end(chains_[from].arc), level_end(chains_[to].arc));
+        const std::size_t last = ring.size() - 1;
+        const std::vector<double> shares =
+            corner_shares(level, normal_of(ring[last / 2]),
+                          {draft_.cutter, draft_.arc_tolerance}, last);
+        std::size_t right = from;
+        for (std::size_t k = 1; k + 1 < shares.size(); ++k) {
+            const auto nearest = static_cast<std::size_t>(
+                std::lround(shares[k] * static_cast<double>(last)));
+            const Index base = ring[nearest];
+            add_chain(base, arc_between(normal_of(base), level.at(shares[k])));
+            strips_.push_back({right, chains_.size() - 1});
+            right = chains_.size() - 1;
+        }
+        strips_.push_back({right, to});
+    }
+
+private:
+    // The chains over both ends of a side on the border.
+    struct Ends {
+        std::size_t first;
+        std::size_t last;
+    };
+
+    const Vec3& normal_of(Index vertex) const { return draft_.contacts[vertex].normal; }
+
+    void add_chain(Index from, const NormalArc& arc) { chains_.push_back({from, arc}); }
+
+    const OffsetDraft& draft_;
+    std::vector<Ends> ends_;
+    std::vector<ChainPlan> chains_;
+    std::vector<StripPlan> strips_;
+};
+
+}  // namespace
+
+std::vector<ContactChain> add_crease_strips(std::span<const SheetSide> sides,
+                                            OffsetDraft& draft)
+{
+    std::vector<ContactChain> seams(sides.size());
+    for (Index number = 0; number < std::ssize(sides); ++number) {
+        const SheetSide& side = sides[number];
+        if (side.mate <= number)  // none, or dealt with
+            continue;
+        const SheetSide& mate = sides[side.mate];
+        ContactChain right = seam_chain(side, mate, 0, draft);
+        seams[number] = right;
+        for (std::size_t k = 1; k < side.vertices.size(); ++k) {
+            ContactChain left = seam_chain(side, mate, k, draft);
+            draft.add_strip(right, left);
+            right = std::move(left);
+        }
+        seams[side.mate] = reversed(std::move(right));
+    }
+    const CornerWalk walk{sides, seams};
+    std::vector<bool> is_done(sides.size());
+    for (Index corner = 0; corner < std::ssize(sides); ++corner) {
+        if (is_done[corner] || sides[corner].is_border())
+            continue;
+        const auto ring = walk.ring_from(walk.first_corner(corner));
+        for (const Index other : ring.corners)
+            is_done[other] = true;
+        if (ring.is_closed)
+            fill_ring(ring.vertices, draft);
+    }
+    return seams;
+}
+
+void add_border_strips(std::span<const SheetSide> sides,
+                       std::span<const ContactChain> seams, OffsetDraft& draft)
+{
+    BorderPlan plan{sides, draft};
+    for (std::size_t number = 0; number < sides.size(); ++number)
+        if (sides[number].is_border())
+            plan.add_side(number, sides[number]);
+    const CornerWalk walk{sides, seams};
+    for (Index number = 0; number < std::ssize(sides); ++number) {
+        if (!sides[number].is_border())
+            continue;
+        const auto ring = walk.ring_from(side_behind(number));
+        if (!ring.is_closed)
+            plan.add_corner(number, ring.corners.back(), ring.vertices);
+    }
+    const std::vector<ContactChain> chains =
+        draft.add_chains(plan.chains(), ContactKind::Border);
+    draft.add_strips(chains, plan.strips());
+}
+
+}  // namespace endmill

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "endmill/core/angle.h"
+#include "endmill/core/vec.h"
+#include "endmill/surface/surface.h"
+#include "endmill/surface/surface_jet.h"
+
+namespace endmill {
+
+/// Coordinates along and across a feed direction in the xy plane, at angle a from +x:
+///
+///     s = x cos a + y sin a,   t = -x sin a + y cos a.
+///
+/// At multiples of 90 degrees the sine and cosine are exact, and so are s and t.
+class DriveFrame {
+public:
+    /// \param direction of the feed, counter-clockwise from +x.
+    explicit DriveFrame(Angle direction);
+
+    double along(const Vec3& point) const  ///< s in mm
+    {
+        return point.x() * cosine_ + point.y() * sine_;
+    }
+    double across(const Vec3& point) const  ///< t in mm
+    {
+        return point.y() * cosine_ - point.x() * sine_;
+    }
+    /// The point at (s, t) and height z, all in mm.
+    Vec3 point(double s, double t, double z) const
+    {
+        return {s * cosine_ - t * sine_, s * sine_ + t * cosine_, z};
+    }
+    /// Unit direction of rising t.
+    Vec3 across_direction() const { return {-sine_, cosine_, 0}; }
+
+private:
+    double cosine_;
+    double sine_;
+};
+
+/// Vertical planes t = positions[k] along the feed.
+struct DrivePlanes {
+    DriveFrame frame;
+    std::vector<double> positions;  ///< t in mm, rising
+};
+
+/// `count` planes at lo + (k + 1/2) (hi - lo) / count over `across`, [lo, hi] in mm.
+/// \throws DomainError unless 1 <= count <= 10^7, lo <= hi and both are finite.
+DrivePlanes drive_planes(const DriveFrame& frame, const Interval& across, int count);
+
+/// The fewest planes of that rule that stand no further apart than `pitch` mm, one at
+/// least. \throws DomainError unless pitch > 0, or as above.
+DrivePlanes drive_planes_by_pitch(const DriveFrame& frame, const Interval& across,
+                                  double pitch);
+
+/// The extent of `surfaces` across the feed in mm, see extent.h.
+/// \throws DomainError if there are none.
+Interval extent_across(std::span<const Surface> surfaces, const DriveFrame& frame);
+
+}  // namespace endmill

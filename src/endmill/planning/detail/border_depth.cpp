@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/planning/detail/border_depth.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "endmill/core/error.h"
+#include "endmill/planning/detail/patch_offset.h"
+
+namespace endmill {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// Of the depth: how well a piece tells where the curve under it is.
+constexpr double stray_share = 2e-3;
+// Halvings of a patch's side: beyond them its normals are not bounded at all.
+constexpr int most_halvings = 12;
+// Of the radius, for the rounding of distances: a ball that touches is on it.
+constexpr double rounding = 1e-12;
+
+// A stretch of a patch's side, by shares of it.
+struct Stretch {
+    double low;
+    double high;
+    int halvings;
+};
+
+// The sides at which the part ends.
+std::vector<PatchSide> border_sides(std::span<const Surface> surfaces)
+{
+    std::vector<PatchSide> sides = patch_sides(surfaces);
+    std::vector<bool> meets(sides.size());
+    for (const auto& [one, other] : meeting_sides(sides, same_end_mm(surfaces)))
+        meets[one] = meets[other] = true;
+    std::vector<PatchSide> borders;
+    for (std::size_t k = 0; k < sides.size(); ++k)
+        if (!meets[k])
+            borders.push_back(sides[k]);
+    return borders;
+}
+
+// A place inside the patch of `side`, at which of its parameters does not matter.
+SurfacePoint inside_patch(const Surface& surface, const PatchSide& side)
+{
+    const auto middle = [&](Parameter parameter, int patch) {
+        const auto range = surface.breaks(parameter).subspan(patch, 2);
+        return (range[0] + range[1]) / 2;
+    };
+    const Parameter across = side.along == Parameter::U ? Parameter::V : Parameter::U;
+    const double along = middle(side.along, side.patch);
+    const double beside = middle(across, side.end == 0 ? 0 : surface.patches(across) - 1);
+    return side.along == Parameter::U ? SurfacePoint{along, beside}
+                                      : SurfacePoint{beside, along};
+}
+
+// How far the offset by `height` may stray from its chord over a stretch of the side; not
+// known where it crosses from one rectangle of the bounds to another.
+double stray_on(const OffsetBounds& bounds, const PatchSide& side, const Interval& shares,
+                double height)
+{
+    const SurfacePoint low = side.at(shares.low);
+    const SurfacePoint high = side.at(shares.high);
+    const OffsetBends& bends = bounds.at((low.u + high.u) / 2, (low.v + high.v) / 2);
+    const bool is_inside = bends.low.u <= low.u && high.u <= bends.high.u &&
+                           bends.low.v <= low.v && high.v <= bends.high.v;
+    return is_inside ? bends.stray(high.u - low.u, high.v - low.v, height) : infinite;
+}
+
+// A bound on the distance of the strip from a chord, by the plane at the strip's point
+// nearest to the chord's middle.
+double chord_bound(const Vec3& from, const Vec3& to, const CentreStrip& strip)
+{
+    const Vec3 middle = (from + to) / 2;
+    const Vec3 nearest = strip.nearest(middle);
+    const Vec3 away = (middle - nearest).stableNormalized();
+    return std::min(away.dot(from - nearest), away.dot(to - nearest));
+}
+
+double box_bound(const Eigen::AlignedBox3d& box, const CentreStrip& strip)
+{
+    const Vec3 middle = box.center();
+    const Vec3 away = middle - strip.nearest(middle);
+    const double distance = away.norm();
+    if (distance == 0)
+        return 0;
+    return distance - away.cwiseAbs().dot(box.sizes()) / (2 * distance);
+}
+
+}  // namespace
+
+BorderDepth::BorderDepth(std::span<const Surface> surfaces, std::span<const double> sides,
+                         const BallCutter& cutter, const Vec3& axis, double depth)
+    : radius_{cutter.radius()},
+      axis_{axis},
+      depth_{depth}
+{
+    require(surfaces.size() == sides.size(), "BorderDepth: need a side for each surface");
+    require(0 < depth && depth < radius_, "BorderDepth: need 0 < depth < cutter radius");
+    const std::vector<PatchSide> borders = border_sides(surfaces);
+    for (auto side = borders.begin(); side != borders.end();) {
+        const std::size_t number = side->number;
+        const MarchedSurface marched{surfaces[number], sides[number]};
+        const OffsetBounds bounds{marched.surface};
+        for (; side != borders.end() && side->number == number; ++side)
+            add_pieces(marched, bounds, *side);
+    }
+    if (!pieces_.empty())
+        add_nodes(0, pieces_.size());
+}
+
+// Halves the side until its curves are known.
+void BorderDepth::add_pieces(const MarchedSurface& marched, const OffsetBounds& bounds,
+                             const PatchSide& side)
+{
+    const SurfacePoint inside = inside_patch(marched.surface, side);
+    const PatchOffset under{marched, inside, -depth_};
+    const auto point_under = [&](double share) {
+        const SurfacePoint at = side.at(share);
+        return under.at(at.u, at.v);
+    };
+    std::vector<Stretch> open{{0, 1, 0}};
+    while (!open.empty()) {
+        const auto [low, high, halvings] = open.back();
+        open.pop_back();
+        const double middle = (low + high) / 2;
+        const double border_stray = stray_on(bounds, side, {low, high}, 0);
+        const double stray = stray_on(bounds, side, {low, high}, depth_);
+        if (!(stray <= stray_share * depth_) && halvings < most_halvings) {
+            open.push_back({middle, high, halvings + 1});
+            open.push_back({low, middle, halvings + 1});
+            continue;
+        }
+        const Chord border{side.tangents(low).point, side.tangents(high).point,
+                           border_stray};
+        const auto from = point_under(low);
+        const auto to = point_under(high);
+        pieces_.push_back({border, from && to ? Chord{*from, *to, stray}
+                                              : Chord{border.from, border.to, infinite}});
+    }
+}
+
+void BorderDepth::add_nodes(std::size_t first, std::size_t end)
+{
+    const std::size_t self = nodes_.size();
+    nodes_.emplace_back();
+    if (end - first == 1) {
+        const Chord& border = pieces_[first].border;
+        Eigen::AlignedBox3d box{border.from};
+        box.extend(border.to);
+        nodes_[self] = {{(box.min().array() - border.stray).matrix(),
+                         (box.max().array() + border.stray).matrix()},
+                        ~static_cast<std::int32_t>(first)};
+        return;
+    }
+    const std::size_t middle = first + (end - first) / 2;
+    add_nodes(first, middle);
+    const std::size_t second = nodes_.size();
+    add_nodes(middle, end);
+    nodes_[self] = {nodes_[self + 1].box.merged(nodes_[second].box),
+                    static_cast<std::int32_t>(second)};
+}
+
+bool BorderDepth::is_kept(const BallMove& move) const
+{
+    if (nodes_.empty())
+        return true;
+    const CentreStrip strip{move, axis_};
+    std::vector<std::int32_t> open{0};
+    while (!open.empty()) {
+        const std::int32_t number = open.back();
+        open.pop_back();
+        const Node& node = nodes_[static_cast<std::size_t>(number)];
+        if (box_bound(node.box, strip) >= radius_)
+            continue;
+        if (node.link >= 0) {
+            open.push_back(node.link);
+            open.push_back(number + 1);
+        } else if (!is_kept(pieces_[static_cast<std::size_t>(~node.link)], strip)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Whether the move clears none of it, or nothing so deep under it. Halved, for one plane
+// tells of a chord to the square of its length only.
+bool BorderDepth::is_kept(const Piece& piece, const CentreStrip& strip) const
+{
+    const auto is_outside = [&](const Chord& chord) {
+        return chord_bound(chord.from, chord.to, strip) - chord.stray >=
+               radius_ * (1 - rounding);
+    };
+    if (is_outside(piece.border) || is_outside(piece.under))
+        return true;
+    const auto square = [](const Chord& chord) {
+        return (chord.to - chord.from).squaredNorm();
+    };
+    if (std::max(square(piece.border), square(piece.under)) <=
+        8 * radius_ * stray_share * depth_)
+        return false;
+    const auto part = [](const Chord& chord, int half) -> Chord {
+        const Vec3 middle = (chord.from + chord.to) / 2;
+        return half == 0 ? Chord{chord.from, middle, chord.stray}
+                         : Chord{middle, chord.to, chord.stray};
+    };
+    return std::ranges::all_of(std::array{0, 1}, [&](int half) {
+        return is_kept({part(piece.border, half), part(piece.under, half)}, strip);
+    });
+}
+
+}  // namespace endmill

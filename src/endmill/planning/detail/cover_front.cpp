@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/planning/detail/cover_front.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "endmill/core/parallel.h"
+
+namespace endmill {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double samples_per_radius = 8;
+constexpr double least_samples = 32;  // a patch
+constexpr double most_samples = 1024;
+constexpr int measured_lines = 5;       // of a patch, for its length
+constexpr double same_interval = 2e-4;  // of the interval between passes
+constexpr double same_front = 1e-6;     // of the width that a pass covers
+constexpr int most_iterations = 60;
+
+// A bracketed root: `low` is negative or zero, `high` positive.
+struct Bracket {
+    double low;
+    double at_low;
+    double high;
+    double at_high;
+};
+
+// Its lower end once it is no wider than `width`, by regula falsi that halves the weight
+// of an end that stays (the Illinois method).
+template <class Function>
+double last_not_above(Bracket b, double width, const Function& function)
+{
+    int same_side = 0;
+    for (int k = 0; k < most_iterations && b.high - b.low > width; ++k) {
+        double share = b.at_low / (b.at_low - b.at_high);
+        if (!(share > 0 && share < 1))
+            share = 0.5;
+        // Not nearer to an end than half the width asked for, so that both ends move.
+        const double margin = std::min(0.5, width / 2 / (b.high - b.low));
+        const double middle =
+            std::lerp(b.low, b.high, std::clamp(share, margin, 1 - margin));
+        const double at_middle = function(middle);
+        if (at_middle <= 0) {
+            b.low = middle;
+            b.at_low = at_middle;
+            same_side = std::min(same_side, 0) - 1;
+            if (same_side < -1)
+                b.at_high /= 2;
+        } else {
+            b.high = middle;
+            b.at_high = at_middle;
+            same_side = std::max(same_side, 0) + 1;
+            if (same_side > 1)
+                b.at_low /= 2;
+        }
+    }
+    return b.low;
+}
+
+}  // namespace
+
+CoverFront::CoverFront(const MarchedSurface& marched, const BallCutter& cutter,
+                       double scallop_height, Parameter direction)
+    : marched_{&marched},
+      cutter_{cutter},
+      scallop_height_{scallop_height},
+      direction_{direction},
+      parameters_{sample_parameters()}
+{
+}
+
+// By the longest of some lines of each column of patches.
+std::vector<double> CoverFront::sample_parameters() const
+{
+    const Surface& surface = marched_->surface;
+    const auto breaks = surface.breaks(Parameter::U);
+    const auto breaks_v = surface.breaks(Parameter::V);
+    std::vector<double> lengths(breaks.size() - 1, 0.0);
+    for (std::size_t j = 0; j + 1 < breaks_v.size(); ++j)
+        for (int line = 0; line < measured_lines; ++line) {
+            const IsoLine iso{surface, std::lerp(breaks_v[j], breaks_v[j + 1],
+                                                 line / double(measured_lines - 1))};
+            for (std::size_t i = 0; i < lengths.size(); ++i) {
+                double length = 0;
+                Vec3 previous = iso.point(breaks[i]);
+                for (int k = 1; k <= 8; ++k) {
+                    const Vec3 point =
+                        iso.point(std::lerp(breaks[i], breaks[i + 1], k / 8.0));
+                    length += (point - previous).norm();
+                    previous = point;
+                }
+                lengths[i] = std::max(lengths[i], length);
+            }
+        }
+    std::vector<double> parameters;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+        const int count = static_cast<int>(
+            std::clamp(std::ceil(samples_per_radius * lengths[i] / cutter_.radius()),
+                       least_samples, most_samples));
+        for (int k = 0; k < count; ++k)
+            parameters.push_back(std::lerp(breaks[i], breaks[i + 1], k / double(count)));
+    }
+    parameters.push_back(breaks.back());
+    return parameters;
+}
+
+PassSamples CoverFront::samples(double v) const
+{
+    const ContactLine line{*marched_, v, direction_};
+    PassSamples pass{v, parameters_, {}};
+    pass.centres.reserve(parameters_.size());
+    for (const double u : parameters_)
+        pass.centres.push_back(ball_centre(line.at(u), cutter_));
+    return pass;
+}
+
+CoverFront::Foot CoverFront::foot(const PassSamples& pass, const Vec3& point,
+                                  std::size_t start)
+{
+    const auto square = [&](std::size_t k) {
+        return (point - pass.centres[k]).squaredNorm();
+    };
+    std::size_t best = start;
+    double least = square(best);
+    for (const int step : {1, -1})
+        while (true) {
+            const std::size_t next = best + step;  // beyond all if below 0
+            if (next >= pass.centres.size())
+                break;
+            const double at_next = square(next);
+            if (at_next >= least)
+                break;
+            best = next;
+            least = at_next;
+        }
+    if (best == 0 || best + 1 == pass.centres.size())
+        return {std::sqrt(least), pass.u[best]};
+    // The parabola through the squares at three neighbours, taken as evenly spaced.
+    const double before = square(best - 1);
+    const double after = square(best + 1);
+    const double bend = before + after - 2 * least;
+    const double shift =
+        bend > 0 ? std::clamp((before - after) / (2 * bend), -1.0, 1.0) : 0;
+    const double u = pass.u[best] + (shift < 0 ? pass.u[best] - pass.u[best - 1]
+                                               : pass.u[best + 1] - pass.u[best]) *
+                                        shift;
+    const double lowest = least - (before - after) * shift / 4;
+    return {std::sqrt(std::max(0.0, lowest)), u};
+}
+
+Vec3 CoverFront::raised(const SurfaceContact& contact) const
+{
+    return contact.contact.point + scallop_height_ * contact.contact.normal;
+}
+
+FrontPoint CoverFront::front_at(const PassSamples& pass, std::size_t sample,
+                                double guess) const
+{
+    const double end = marched_->surface.range(Parameter::V).high;
+    const double u = pass.u[sample];
+    const auto contact = [&](double v) {
+        return contact_at(*marched_, {u, v}, direction_);
+    };
+    const auto excess = [&](double v) {
+        return foot(pass, raised(contact(v)), sample).distance - cutter_.radius();
+    };
+    Bracket bracket{pass.v, -scallop_height_, pass.v, -scallop_height_};
+    double step = guess;
+    while (bracket.at_high <= 0 && bracket.high < end) {
+        bracket.low = bracket.high;
+        bracket.at_low = bracket.at_high;
+        bracket.high = std::min(end, bracket.high + step);
+        bracket.at_high = excess(bracket.high);
+        step *= 1.5;
+    }
+    const double v =
+        bracket.at_high <= 0
+            ? end
+            : last_not_above(bracket, same_front * (bracket.high - pass.v), excess);
+    const SurfaceContact front = contact(v);
+    return {front, foot(pass, raised(front), sample).u};
+}
+
+std::vector<FrontPoint> CoverFront::front(const PassSamples& pass, double guess) const
+{
+    std::vector<FrontPoint> front(pass.u.size());
+    parallel_for(front.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            front[k] = front_at(pass, k, guess);
+    });
+    return front;
+}
+
+// By how much, in mm, the pass at v fails to reach back to the front where the front lies
+// before it.
+double CoverFront::excess(double v, std::span<const FrontPoint> front) const
+{
+    const PassSamples pass = samples(v);
+    double most = -infinity;
+    for (std::size_t k = 0; k < front.size(); ++k)
+        if (front[k].contact.v < v)
+            most = std::max(most, foot(pass, raised(front[k].contact), k).distance -
+                                      cutter_.radius());
+    return most;
+}
+
+double CoverFront::next_pass(double v, std::span<const FrontPoint> front) const
+{
+    const double end = marched_->surface.range(Parameter::V).high;
+    double nearest = end;
+    for (const FrontPoint& point : front)
+        nearest = std::min(nearest, point.contact.v);
+    if (nearest >= end)
+        return end;
+    const auto function = [&](double next) { return excess(next, front); };
+    Bracket bracket{nearest, -scallop_height_, nearest, -scallop_height_};
+    double step = nearest - v;  // then smaller ones: about as far again is expected
+    while (bracket.at_high <= 0 && bracket.high < end) {
+        bracket.low = bracket.high;
+        bracket.at_low = bracket.at_high;
+        bracket.high = std::min(end, bracket.high + step);
+        bracket.at_high = function(bracket.high);
+        step = (nearest - v) / 4;
+    }
+    if (bracket.at_high <= 0)
+        return end;
+    return last_not_above(bracket, same_interval * (bracket.low - v), function);
+}
+
+}  // namespace endmill

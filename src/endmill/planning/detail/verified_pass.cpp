@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/planning/detail/verified_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/planning/detail/segment_distance.h"
+
+namespace endmill {
+namespace {
+
+constexpr double least_step = 1e-4;      // of a patch
+constexpr double step_precision = 1e-3;  // of the step
+// In the search for a step that is too long: the first factor, squared each time, and the
+// last.
+constexpr double least_growth = 1.04;
+constexpr double most_growth = 2;
+constexpr int line_samples = 8;          // of a step, for a quick look
+constexpr double first_step = 1.0 / 16;  // of a patch, in the same search
+constexpr double gap_scan = 1.0 / 256;   // of a patch, in the search for where to go on
+constexpr double gap_precision = 1.0 / 64;  // of a scan
+// Of the radius: demands are made to the limit.
+constexpr double rounding = 1e-12;
+
+// The work on one pass.
+class PassBuilder {
+public:
+    PassBuilder(const VerifiedSurface& surface, double v,
+                std::span<const CoverDemand> demands)
+        : surface_{surface},
+          line_{surface.marched, v, surface.direction},
+          demands_{demands}
+    {
+    }
+
+    VerifiedPass build()
+    {
+        VerifiedPass pass{line_.v(), {}};
+        const double end = line_.range().high;
+        if (line_.is_point()) {
+            const SurfaceContact contact = line_.at(line_.range().low);
+            if (fits(contact))
+                pass.pieces.push_back({contact});
+            return pass;
+        }
+        std::optional<double> u = fitting_from(line_.range().low);
+        while (u) {
+            Pass piece = piece_from(*u);
+            const double last = piece.back().u;
+            pass.pieces.push_back(std::move(piece));
+            u = last < end ? fitting_from(last + least_step * width(last)) : std::nullopt;
+        }
+        return pass;
+    }
+
+private:
+    double width(double u) const
+    {
+        return surface_.marched.surface.patch_width(Parameter::U, u);
+    }
+
+    bool fits(const SurfaceContact& contact) { return is_clear(contact, contact); }
+
+    bool is_clear(const SurfaceContact& from, const SurfaceContact& to)
+    {
+        return surface_.clear.hold(
+            {ball_centre(from, surface_.cutter()), ball_centre(to, surface_.cutter())},
+            finer_);
+    }
+
+    // The first place from `u` on at which the ball fits, but for places narrower than
+    // the scan.
+    std::optional<double> fitting_from(double u)
+    {
+        const double end = line_.range().high;
+        if (u >= end)
+            return std::nullopt;
+        if (fits(line_.at(u)))
+            return u;
+        while (u < end) {
+            const double scan = gap_scan * width(u);
+            double next = std::min(end, u + scan);
+            if (!fits(line_.at(next))) {
+                u = next;
+                continue;
+            }
+            while (next - u > gap_precision * scan) {
+                const double middle = (u + next) / 2;
+                (fits(line_.at(middle)) ? next : u) = middle;
+            }
+            return next;
+        }
+        return std::nullopt;
+    }
+
+    Pass piece_from(double u)
+    {
+        Pass piece{line_.at(u)};
+        double guess = first_step * width(u);
+        while (const auto next = longest_step(piece.back(), guess)) {
+            guess = next->u - piece.back().u;
+            piece.push_back(*next);
+            if (++points_ > surface_.most_points)
+                throw LimitError{"a pass has more than " +
+                                 std::to_string(surface_.most_points) +
+                                 " points, the most that fit"};
+        }
+        return piece;
+    }
+
+    // How far a step from `u` may go at all.
+    double farthest(double u) const
+    {
+        const double end = line_.range().high;
+        if (!surface_.stop_at_borders)
+            return end;
+        const auto breaks = surface_.marched.surface.breaks(Parameter::U);
+        return *std::ranges::upper_bound(breaks.first(breaks.size() - 1), u);
+    }
+
+    std::optional<SurfaceContact> longest_step(const SurfaceContact& from, double guess)
+    {
+        const double most = farthest(from.u);
+        if (from.u >= most)
+            return std::nullopt;
+        const double least = std::min(least_step * width(from.u), most - from.u);
+        auto beside_line =
+            longest(from, {least, std::max(guess, least), most},
+                    [&](const SurfaceContact& to) { return keeps_line(from, to); });
+        if (!beside_line || is_clear(from, *beside_line))
+            return beside_line;
+        // The part beside the pass stops the ball before: as much as in the last step.
+        const double limit = beside_line->u - from.u;
+        auto clear =
+            longest(from, {least, std::max(share_ * limit, least), beside_line->u},
+                    [&](const SurfaceContact& to) {
+                        return keeps_line(from, to) && is_clear(from, to);
+                    });
+        if (clear)
+            share_ = (clear->u - from.u) / limit;
+        return clear;
+    }
+
+    // Steps in u to search.
+    struct StepRange {
+        double least;
+        double guess;
+        double most_u;  // where the longest ends
+    };
+
+    // The longest step that is sound, if those shorter than a sound one are.
+    template <class IsSound>
+    std::optional<SurfaceContact> longest(const SurfaceContact& from,
+                                          const StepRange& range,
+                                          const IsSound& is_sound) const
+    {
+        const auto& [least, guess, most] = range;
+        std::optional<SurfaceContact> best;
+        std::optional<double> too_far;
+        double step = guess;
+        double growth = least_growth;
+        while (!too_far || !best) {
+            const SurfaceContact to = line_.at(std::min(from.u + step, most));
+            if (is_sound(to)) {
+                best = to;
+                if (to.u == most)
+                    return best;
+                step *= growth;
+            } else {
+                too_far = to.u;
+                if (step <= least)
+                    return best;
+                step = std::max(least, std::min(step, to.u - from.u) / growth);
+            }
+            growth = std::min(growth * growth, most_growth);
+        }
+        while (*too_far - best->u > step_precision * (best->u - from.u)) {
+            const SurfaceContact to = line_.at((best->u + *too_far) / 2);
+            if (is_sound(to))
+                best = to;
+            else
+                too_far = to.u;
+        }
+        return best;
+    }
+
+    // What a step must keep along the pass; the first is a cheap part of what the gouge
+    // test asks.
+    bool keeps_line(const SurfaceContact& from, const SurfaceContact& to) const
+    {
+        const SweptSegment move{from.u, to.u, ball_centre(from, surface_.cutter()),
+                                ball_centre(to, surface_.cutter())};
+        return !gouges_line(move) && reaches_demands(move) &&
+               surface_.line_cover.covers_line(move, line_.v());
+    }
+
+    bool gouges_line(const SweptSegment& move) const
+    {
+        const double least = surface_.cutter().radius() - surface_.tolerances.inner;
+        for (int k = 1; k < line_samples; ++k) {
+            const double u = std::lerp(move.from_u, move.to_u, k / double(line_samples));
+            if (segment_distance(line_.point(u), move.start, move.end) < least)
+                return true;
+        }
+        return false;
+    }
+
+    bool reaches_demands(const SweptSegment& move) const
+    {
+        const double reach = surface_.cutter().radius() * (1 + rounding);
+        auto demand =
+            std::ranges::lower_bound(demands_, move.from_u, {}, &CoverDemand::foot_u);
+        for (; demand != demands_.end() && demand->foot_u <= move.to_u; ++demand)
+            if (segment_distance(demand->point, move.start, move.end) > reach)
+                return false;
+        return true;
+    }
+
+    const VerifiedSurface& surface_;
+    ContactLine line_;
+    std::span<const CoverDemand> demands_;
+    FinerPieces finer_;
+    double share_ = 1;  // of the last step, in what its line alone would allow
+    std::size_t points_ = 1;
+};
+
+}  // namespace
+
+VerifiedPass verified_pass(const VerifiedSurface& surface, double v,
+                           std::span<const CoverDemand> demands)
+{
+    return PassBuilder{surface, v, demands}.build();
+}
+
+SweptPass swept(const VerifiedPass& pass, const BallCutter& cutter)
+{
+    SweptPass moves;
+    for (const Pass& piece : pass.pieces) {
+        if (piece.size() == 1) {
+            const Vec3 centre = ball_centre(piece.front(), cutter);
+            moves.push_back({piece.front().u, piece.front().u, centre, centre});
+        }
+        for (std::size_t k = 1; k < piece.size(); ++k)
+            moves.push_back({piece[k - 1].u, piece[k].u,
+                             ball_centre(piece[k - 1], cutter),
+                             ball_centre(piece[k], cutter)});
+    }
+    return moves;
+}
+
+bool halve_step(VerifiedPass& pass, std::size_t step, const VerifiedSurface& surface)
+{
+    for (Pass& piece : pass.pieces) {
+        const std::size_t steps = std::max<std::size_t>(piece.size() - 1, 1);
+        if (step >= steps) {
+            step -= steps;
+            continue;
+        }
+        if (piece.size() == 1)
+            return false;
+        const SurfaceContact& from = piece[step];
+        const SurfaceContact& to = piece[step + 1];
+        const double middle = (from.u + to.u) / 2;
+        if (!(from.u +
+                  least_step * surface.marched.surface.patch_width(Parameter::U, from.u) <
+              middle))
+            return false;
+        const SurfaceContact contact =
+            ContactLine{surface.marched, pass.v, surface.direction}.at(middle);
+        const Vec3 centre = ball_centre(contact, surface.cutter());
+        const SweptSegment first{from.u, middle, ball_centre(from, surface.cutter()),
+                                 centre};
+        const SweptSegment second{middle, to.u, centre,
+                                  ball_centre(to, surface.cutter())};
+        FinerPieces finer;
+        for (const SweptSegment& half : {first, second})
+            if (!surface.clear.hold({half.start, half.end}, finer) ||
+                !surface.line_cover.covers_line(half, pass.v))
+                return false;
+        piece.insert(piece.begin() + static_cast<std::ptrdiff_t>(step) + 1, contact);
+        return true;
+    }
+    return false;
+}
+
+}  // namespace endmill

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/planning/detail/verified_strips.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+#include "endmill/planning/detail/cover_front.h"
+#include "endmill/planning/detail/segment_distance.h"
+
+namespace endmill {
+namespace {
+
+// Of the scallop height, at which passes are laid: what is left of it is for the samples'
+// error, and costs a two thousandth of the interval.
+constexpr double planned_share = 0.999;
+// Of the radius: a scallop so high is as good as one of R for the interval, and at R nothing
+// would be left for the samples' error.
+constexpr double widest_share = 0.98;
+// Of a patch: passes follow each other at this distance at least, and leave more material
+// where that is too much.
+constexpr double least_interval = 1e-3;
+constexpr int batch = 32;            // passes that are cut into steps at the same time
+constexpr int most_rounds = 64;      // of halving steps beside a strip
+constexpr int most_splits = 3;       // of an interval by passes between
+constexpr int limit_bisections = 6;  // towards where a ball that does not fit would
+constexpr int rolling_samples = 33;  // of a step, to see what halving it would gain
+
+// The passes over one surface while they come about.
+class StripPlanner {
+public:
+    StripPlanner(const MarchedSurface& marched, const ClearMoves& clear,
+                 const VerifiedOptions& options)
+        : marched_{marched},
+          options_{options},
+          total_height_{std::min(options.scallop_height + options.tolerances.outer,
+                                 clear.cutter().radius())},
+          bounds_{marched.surface},
+          line_cover_{marched, bounds_, clear.cutter(), options.tolerances.outer},
+          strip_cover_{marched, bounds_, clear.cutter(), total_height_},
+          front_{marched, clear.cutter(),
+                 planned_share * std::min(options.scallop_height,
+                                          widest_share * clear.cutter().radius()),
+                 options.direction},
+          surface_{marched,
+                   clear,
+                   line_cover_,
+                   options.tolerances,
+                   options.direction,
+                   options.stop_at_borders,
+                   options.most_points}
+    {
+    }
+
+    VerifiedStrips plan()
+    {
+        const auto [low, end] = marched_.surface.range(Parameter::V);
+        std::optional<double> v = low;
+        while (v) {
+            v = lay_passes(*v);
+            cut_passes();
+            if (options_.progress)
+                options_.progress((laid_.back().v - low) / (end - low));
+            laid_.clear();
+        }
+        drop_empty_passes();
+        cover_strips();
+        return {std::move(passes_), std::move(uncovered_)};
+    }
+
+private:
+    struct LaidPass {
+        double v;
+        std::vector<CoverDemand> demands;
+    };
+
+    double end() const { return marched_.surface.range(Parameter::V).high; }
+
+    // Lays a batch of passes from `v` on. Where the one after them lies, if there is one.
+    std::optional<double> lay_passes(double v)
+    {
+        while (true) {
+            const PassSamples samples = front_.samples(v);
+            LaidPass pass{v, {}};
+            demand(previous_front_, samples, pass);
+            previous_front_.clear();
+            if (v >= end()) {
+                laid_.push_back(sorted(std::move(pass)));
+                return std::nullopt;
+            }
+            previous_front_ = front_.front(samples, interval_guess(v));
+            const double next = snapped(v, front_.next_pass(v, previous_front_));
+            std::erase_if(previous_front_,
+                          [&](const FrontPoint& f) { return f.contact.v >= next; });
+            for (const FrontPoint& front : previous_front_)
+                pass.demands.push_back({front.foot_u, raised(front.contact)});
+            laid_.push_back(sorted(std::move(pass)));
+            interval_ = next - v;
+            v = next;
+            if (laid_.size() == batch)
+                return v;
+        }
+    }
+
+    // What pass `samples` must reach of the front of the one before.
+    void demand(std::span<const FrontPoint> front, const PassSamples& samples,
+                LaidPass& pass) const
+    {
+        for (const FrontPoint& point : front) {
+            const auto start = std::ranges::lower_bound(samples.u, point.contact.u);
+            const double foot =
+                CoverFront::foot(samples, raised(point.contact),
+                                 std::min<std::size_t>(start - samples.u.begin(),
+                                                       samples.u.size() - 1))
+                    .u;
+            pass.demands.push_back({foot, raised(point.contact)});
+        }
+    }
+
+    static LaidPass sorted(LaidPass pass)
+    {
+        std::ranges::stable_sort(pass.demands, {}, &CoverDemand::foot_u);
+        return pass;
+    }
+
+    Vec3 raised(const SurfaceContact& contact) const
+    {
+        return contact.contact.point + total_height_ * contact.contact.normal;
+    }
+
+    double interval_guess(double v) const
+    {
+        return interval_ > 0 ? interval_ / 2
+                             : marched_.surface.patch_width(Parameter::V, v) / 32;
+    }
+
+    // `next`, but no nearer than the least interval, and on the border if next to it.
+    double snapped(double v, double next) const
+    {
+        const double width = marched_.surface.patch_width(Parameter::V, v);
+        next = std::max(next, v + least_interval * width);
+        return next > end() - end_width * width ? end() : next;
+    }
+
+    void cut_passes()
+    {
+        const std::size_t first = passes_.size();
+        passes_.resize(first + laid_.size());
+        parallel_for(laid_.size(), [&](std::size_t begin, std::size_t stop) {
+            for (std::size_t k = begin; k < stop; ++k)
+                passes_[first + k] =
+                    verified_pass(surface_, laid_[k].v, laid_[k].demands);
+        });
+        for (std::size_t k = first; k < passes_.size(); ++k)
+            count_points(passes_[k]);
+    }
+
+    void count_points(const VerifiedPass& pass)
+    {
+        for (const Pass& piece : pass.pieces)
+            points_ += piece.size();
+        if (points_ > options_.most_points)
+            throw LimitError{"the path has more than " +
+                             std::to_string(options_.most_points) +
+                             " points, the most that fit"};
+    }
+
+    // In the place of passes on which the ball fits nowhere come those next to where it
+    // still does.
+    void drop_empty_passes()
+    {
+        std::vector<VerifiedPass> kept;
+        for (std::size_t k = 0; k < passes_.size(); ++k) {
+            if (!passes_[k].pieces.empty()) {
+                kept.push_back(std::move(passes_[k]));
+                continue;
+            }
+            const double v = passes_[k].v;
+            if (!kept.empty() && k > 0 && kept.back().v == passes_[k - 1].v)
+                keep_if_any(last_fitting(kept.back().v, v), kept);
+            if (k + 1 < passes_.size() && !passes_[k + 1].pieces.empty())
+                keep_if_any(last_fitting(passes_[k + 1].v, v), kept);
+        }
+        passes_ = std::move(kept);
+    }
+
+    static void keep_if_any(VerifiedPass pass, std::vector<VerifiedPass>& kept)
+    {
+        if (!pass.pieces.empty())
+            kept.push_back(std::move(pass));
+    }
+
+    // The pass nearest to `bad` that is not empty, between it and `good`, which is not.
+    VerifiedPass last_fitting(double good, double bad) const
+    {
+        VerifiedPass best;
+        for (int k = 0; k < limit_bisections; ++k) {
+            VerifiedPass pass = verified_pass(surface_, (good + bad) / 2, {});
+            if (pass.pieces.empty()) {
+                bad = pass.v;
+            } else {
+                good = pass.v;
+                best = std::move(pass);
+            }
+        }
+        return best;
+    }
+
+    std::optional<SurfacePoint> uncovered_between(Interval v, const VerifiedPass& below,
+                                                  const VerifiedPass& above) const
+    {
+        return strip_cover_.find_uncovered(v, swept(below, surface_.cutter()),
+                                           swept(above, surface_.cutter()));
+    }
+
+    void cover_strips()
+    {
+        if (passes_.empty())
+            return;
+        mend_steps();
+        const auto [low, high] = marched_.surface.range(Parameter::V);
+        std::vector<VerifiedPass> passes = std::exchange(passes_, {});
+        if (passes.front().v > low)
+            note(uncovered_between({low, passes.front().v}, {}, passes.front()));
+        for (std::size_t k = 0; k + 1 < passes.size(); ++k) {
+            passes_.push_back(passes[k]);
+            if (open_[k])
+                lay_between(passes[k], passes[k + 1], most_splits);
+        }
+        passes_.push_back(passes.back());
+        if (passes.back().v < high)
+            note(uncovered_between({passes.back().v, high}, passes.back(), {}));
+    }
+
+    // Halves steps where that covers strips, until no more is gained; finds those that
+    // stay open.
+    void mend_steps()
+    {
+        open_.assign(passes_.size(), std::nullopt);
+        std::vector<char> is_due(passes_.size(), 1);  // the strip above the pass
+        for (int round = 0; round < most_rounds; ++round) {
+            parallel_for(passes_.size() - 1, [&](std::size_t begin, std::size_t stop) {
+                for (std::size_t k = begin; k < stop; ++k)
+                    if (is_due[k] != 0)
+                        open_[k] = uncovered_between({passes_[k].v, passes_[k + 1].v},
+                                                     passes_[k], passes_[k + 1]);
+            });
+            is_due = mend_beside_open();
+            if (std::ranges::count(is_due, 1) == 0)
+                return;
+        }
+    }
+
+    // Which strips lie beside a pass that has changed.
+    std::vector<char> mend_beside_open()
+    {
+        std::vector<char> is_due(passes_.size(), 0);
+        for (std::size_t k = 0; k + 1 < passes_.size(); ++k)
+            for (const std::size_t pass : {k, k + 1})
+                if (open_[k] && mend(passes_[pass], *open_[k]))
+                    is_due[pass] = is_due[pass == 0 ? 0 : pass - 1] = 1;
+        return is_due;
+    }
+
+    // Halves the step beside `place` if a ball that rolled along it would cover the place.
+    bool mend(VerifiedPass& pass, const SurfacePoint& place) const
+    {
+        const SweptPass moves = swept(pass, surface_.cutter());
+        const Vec3 point = raised(contact_at(marched_, place, options_.direction));
+        const auto distance = [&](const SweptSegment& move) {
+            return segment_distance(point, move.start, move.end);
+        };
+        const auto nearest = std::ranges::min_element(moves, {}, distance);
+        const ContactLine line{marched_, pass.v, options_.direction};
+        for (int k = 0; k < rolling_samples; ++k) {
+            const double u = std::lerp(nearest->from_u, nearest->to_u,
+                                       k / double(rolling_samples - 1));
+            const Vec3 centre = ball_centre(line.at(u), surface_.cutter());
+            if ((centre - point).norm() <= surface_.cutter().radius())
+                return halve_step(pass, nearest - moves.begin(), surface_);
+        }
+        return false;
+    }
+
+    // Passes between two that leave a strip open, where a ball fits in it.
+    void lay_between(const VerifiedPass& below, const VerifiedPass& above, int splits)
+    {
+        const auto place = uncovered_between({below.v, above.v}, below, above);
+        if (!place)
+            return;
+        const Vec3 centre = ball_centre(contact_at(marched_, *place, options_.direction),
+                                        surface_.cutter());
+        FinerPieces finer;
+        if (!surface_.clear.hold({centre, centre}, finer) || splits == 0)
+            return note(place);
+        const VerifiedPass middle = verified_pass(surface_, (below.v + above.v) / 2, {});
+        if (middle.pieces.empty())
+            return note(place);
+        count_points(middle);
+        lay_between(below, middle, splits - 1);
+        passes_.push_back(middle);
+        lay_between(middle, above, splits - 1);
+    }
+
+    void note(const std::optional<SurfacePoint>& place)
+    {
+        if (place)
+            uncovered_.push_back(*place);
+    }
+
+    const MarchedSurface& marched_;
+    const VerifiedOptions& options_;
+    double total_height_;
+    OffsetBounds bounds_;
+    StripCover line_cover_;
+    StripCover strip_cover_;
+    CoverFront front_;
+    VerifiedSurface surface_;
+    std::vector<FrontPoint> previous_front_;  // of the pass laid last
+    double interval_ = 0;                     // to the pass laid last
+    std::vector<LaidPass> laid_;
+    std::vector<VerifiedPass> passes_;
+    std::vector<std::optional<SurfacePoint>> open_;  // a place above each pass
+    std::vector<SurfacePoint> uncovered_;
+    std::size_t points_ = 0;
+};
+
+}  // namespace
+
+VerifiedStrips verified_strips(const MarchedSurface& marched, const ClearMoves& clear,
+                               const VerifiedOptions& options)
+{
+    return StripPlanner{marched, clear, options}.plan();
+}
+
+}  // namespace endmill

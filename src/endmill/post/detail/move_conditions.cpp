@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/post/detail/move_conditions.h"
+
+#include <cmath>
+#include <string>
+
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/post/detail/plain_number.h"
+
+namespace endmill {
+namespace {
+
+[[noreturn]] void refuse(std::size_t point, const std::string& found,
+                         const std::string& expected)
+{
+    throw DomainError{"point " + std::to_string(point + 1) + " of the path has " + found +
+                      "; expected " + expected};
+}
+
+}  // namespace
+
+MoveConditions::MoveConditions(const ToolPath& path, const CuttingConditions& otherwise,
+                               int decimals)
+    : path_{path},
+      otherwise_{otherwise},
+      decimals_{decimals}
+{
+    require(path.conditions.empty() || path.conditions.size() == path.points.size(),
+            "post: need conditions for no point or for all");
+}
+
+// Neighbouring moves mostly have the same numbers, which are then not checked again.
+CuttingConditions MoveConditions::at(std::size_t point)
+{
+    CuttingConditions told =
+        path_.conditions.empty() ? CuttingConditions{} : path_.conditions[point];
+    if (!told.feed_mm_per_min)
+        told.feed_mm_per_min = otherwise_.feed_mm_per_min;
+    if (!told.spindle_rpm)
+        told.spindle_rpm = otherwise_.spindle_rpm;
+    if (!told.tool)
+        told.tool = otherwise_.tool;
+
+    if (path_.points[point].move == Move::Rapid)
+        told.feed_mm_per_min.reset();
+    else if (!told.feed_mm_per_min)
+        refuse(point, "no feed", "a feed for every move but rapids (--feed)");
+    else if (*told.feed_mm_per_min != checked_feed_) {
+        checked_feed_ = *told.feed_mm_per_min;
+        check(point, {"feed", checked_feed_, "mm/min"});
+        feeds_.add(checked_feed_);
+    }
+    if (told.spindle_rpm && *told.spindle_rpm != checked_speed_) {
+        checked_speed_ = *told.spindle_rpm;
+        check(point, {"spindle speed", checked_speed_, "rpm"});
+        speeds_.add(checked_speed_);
+    }
+    if (told.tool && *told.tool < 0)
+        refuse(point, "tool " + std::to_string(*told.tool), "a number from 0");
+    return told;
+}
+
+void MoveConditions::check(std::size_t point, const Condition& told) const
+{
+    const std::string name = std::string{"a "} + told.name;
+    if (!(told.value > 0 && std::isfinite(told.value)))
+        refuse(point, name + " that is no number above 0",
+               std::string{"one in "} + told.unit);
+    std::string text;
+    if (!(append_trimmed(text, told.value, decimals_) > 0))
+        refuse(point,
+               name + " of " + to_text(told.value) + ' ' + told.unit +
+                   ", which rounds to 0 with " +
+                   counted(static_cast<std::size_t>(decimals_), "decimal"),
+               "a higher one, or more --decimals");
+}
+
+}  // namespace endmill

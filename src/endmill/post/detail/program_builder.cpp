@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/post/detail/program_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "endmill/post/detail/feed_move.h"
+
+namespace endmill {
+ProgramBuilder::ProgramBuilder(const TextLines& lines, const GcodeReadOptions& options)
+    : lines_{lines},
+      options_{options}
+{
+    check_options(options);
+}
+
+// Nothing is cut on the way to the first point, which has therefore no feed either.
+void ProgramBuilder::go_to(const Vec3& target, const std::optional<MoveFeed>& feed)
+{
+    const std::size_t first_point = path_.points.size();
+    append(feed && has_position() ? feed_move(position_, target) : Move::Rapid, target);
+    if (feed && first_point > 0)
+        set_feed(*feed, first_point);
+}
+
+// The chords are counted before they are made: a word P alone can ask for any number.
+void ProgramBuilder::go_along(const Arc& arc, const MoveFeed& feed)
+{
+    const ArcChords chords{arc, options_.arc_tolerance_mm};
+    const std::size_t first_point = path_.points.size();
+    const auto room = static_cast<double>(options_.most_points - first_point);
+    if (!(chords.count() <= room))
+        throw LimitError{lines_.file() + ':' + std::to_string(lines_.number()) +
+                         ": an arc of " + brief(chords.count()) +
+                         " chords makes more than " +
+                         std::to_string(options_.most_points) +
+                         " points (--max-memory, --arc-tolerance)"};
+    const auto count = static_cast<std::size_t>(chords.count());
+    for (std::size_t number = 1; number <= count; ++number)
+        append(Move::Cut, chords.end(number));
+    set_feed(feed, first_point);
+}
+
+void ProgramBuilder::append(Move move, const Vec3& point)
+{
+    for (const double coordinate : point)
+        check_extent(coordinate, options_, lines_);
+    if (path_.points.size() >= options_.most_points)
+        throw LimitError{lines_.file() + ':' + std::to_string(lines_.number()) +
+                         ": more than " + std::to_string(options_.most_points) +
+                         " points (--max-memory)"};
+    int pass = 0;
+    int number = 0;
+    // A pass is what leads to its cuts and then these: it ends with the last of them.
+    if (has_position()) {
+        const PathPoint& last = path_.points.back();
+        const bool is_new_pass = last.move == Move::Cut && move != Move::Cut;
+        pass = is_new_pass ? last.pass + 1 : last.pass;
+        number = is_new_pass ? 0 : last.point + 1;
+    }
+    const Vec3 tip = point - options_.programmed_point_height_mm * Vec3::UnitZ();
+    path_.points.push_back({pass, number, move, {tip, Vec3::UnitZ()}, std::nullopt});
+    const bool is_turning = !spindle_stopped_ && speed_rpm_ && *speed_rpm_ > 0;
+    path_.conditions.push_back(
+        {std::nullopt, is_turning ? speed_rpm_ : std::nullopt, tool_});
+    position_ = point;
+}
+
+// The moves from `first_point` on, which is not the first of all, are one to the program.
+void ProgramBuilder::set_feed(const MoveFeed& feed, std::size_t first_point)
+{
+    const auto& points = path_.points;
+    double feed_mm_per_min = feed.value;
+    if (feed.inverse_time) {
+        double length = 0;
+        for (std::size_t i = first_point; i < points.size(); ++i)
+            length += (points[i].location.tip - points[i - 1].location.tip).norm();
+        if (length == 0)
+            return;  // it takes its time, at no speed
+        // F is one over the minutes of the whole move.
+        feed_mm_per_min *= length;
+    }
+    if (!(std::isfinite(feed_mm_per_min) && feed_mm_per_min > 0))
+        throw lines_.range_complaint("a feed of " + brief(feed_mm_per_min) + " mm/min",
+                                     "one that a double can hold");
+    for (std::size_t i = first_point; i < points.size(); ++i)
+        path_.conditions[i].feed_mm_per_min = feed_mm_per_min;
+}
+
+// T says which tool comes next; the one that cuts changes with M6, so that a program may
+// select early. Whether there is any M6 is known only at the end.
+void ProgramBuilder::select_tool(int number)
+{
+    if (selections_.empty() || selections_.back().tool != number)
+        selections_.push_back({path_.points.size(), number});
+}
+
+void ProgramBuilder::change_tool()
+{
+    has_changes_ = true;
+    if (!selections_.empty())
+        tool_ = selections_.back().tool;
+}
+
+void ProgramBuilder::change_tool(int number)
+{
+    has_changes_ = true;
+    tool_ = number;
+}
+
+void ProgramBuilder::remark(const std::string& text)
+{
+    if (std::ranges::find(remarks_, text) == remarks_.end())
+        remarks_.push_back(text);
+}
+
+// Without any change T alone must be what changes: by hand, or on a turret.
+void ProgramBuilder::fill_selected_tools()
+{
+    for (std::size_t k = 0; k < selections_.size(); ++k) {
+        const bool is_last = k + 1 == selections_.size();
+        const std::size_t end =
+            is_last ? path_.conditions.size() : selections_[k + 1].first_point;
+        for (std::size_t i = selections_[k].first_point; i < end; ++i)
+            path_.conditions[i].tool = selections_[k].tool;
+    }
+}
+
+// One cutter stands for a whole path: where several tools cut, that is worth a word.
+void ProgramBuilder::remark_tools()
+{
+    constexpr std::size_t most_named = 10;
+    std::set<int> tools;
+    for (const CuttingConditions& conditions : path_.conditions)
+        if (conditions.feed_mm_per_min && conditions.tool)
+            tools.insert(*conditions.tool);
+    if (tools.size() < 2)
+        return;
+    std::string text = "several tools cut:";
+    std::size_t named = 0;
+    for (const int tool : tools)
+        if (named++ < most_named)
+            text += (named > 1 ? ", T" : " T") + std::to_string(tool);
+    remark(tools.size() > most_named ? text + ", ..." : text);
+}
+
+// Moves after the last cut began a pass in which nothing is cut.
+void ProgramBuilder::close_last_pass()
+{
+    auto& points = path_.points;
+    const auto is_cut = [](const PathPoint& point) { return point.move == Move::Cut; };
+    const auto after_cuts = std::find_if(points.rbegin(), points.rend(), is_cut).base();
+    if (after_cuts == points.begin())
+        return;
+    for (auto point = after_cuts; point != points.end(); ++point) {
+        point->pass = (point - 1)->pass;
+        point->point = (point - 1)->point + 1;
+    }
+}
+
+Program ProgramBuilder::take()
+{
+    if (!has_changes_)
+        fill_selected_tools();
+    remark_tools();
+    close_last_pass();
+    if (std::ranges::all_of(path_.conditions, [](const CuttingConditions& conditions) {
+            return conditions == CuttingConditions{};
+        }))
+        path_.conditions.clear();
+    Program program{
+        .path = std::move(path_), .cutter = {}, .remarks = std::move(remarks_)};
+    path_ = {};
+    remarks_ = {};
+    return program;
+}
+
+}  // namespace endmill

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/detail/border_integrals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "endmill/core/detail/widest_registers.h"
+
+namespace endmill {
+namespace {
+
+constexpr int nodes = 16;  // 15 and one of no weight, to fill registers
+constexpr int lanes = 4;
+
+using Row = std::array<double, nodes>;
+
+// Gauss-Kronrod rule of 7 and 15 nodes on [-1, 1], the middle first.
+// Source: QUADPACK, routine qk15.
+constexpr std::array<double, 8> kronrod_node{0,
+                                             0.207784955007898467600689403773245,
+                                             0.405845151377397166906606412076961,
+                                             0.586087235467691130294144691693280,
+                                             0.741531185599394439863864773280788,
+                                             0.864864423359769072789712788640926,
+                                             0.949107912342758524526189684047851,
+                                             0.991455371120812639206854697526329};
+constexpr std::array<double, 8> kronrod_weight{
+    0.209482141084727828012999174891714, 0.204432940075298892414161999234649,
+    0.190350578064785409913256402421014, 0.169004726639267902826583426598550,
+    0.140653259715525918745189590510238, 0.104790010322250183839876322541518,
+    0.063092092629978553290700663189204, 0.022935322010529224963732008058970};
+// Of the nodes 0, 2, 4, 6 alone.
+constexpr std::array<double, 4> gauss_weight{
+    0.417959183673469387755102040816327, 0.381830050505118944950369775488975,
+    0.279705391489276667901467771423780, 0.129484966168869693270611432679082};
+
+struct Rule {
+    Row node{};
+    Row weight{};
+    Row gauss_weight{};
+};
+
+constexpr Rule both_sides()
+{
+    Rule rule;
+    for (std::size_t k = 0; k < kronrod_node.size(); ++k)
+        for (const int side : {-1, 1}) {
+            if (k == 0 && side > 0)
+                continue;
+            const std::size_t at = 7 + (side < 0 ? -k : k);
+            rule.node[at] = side * kronrod_node[k];
+            rule.weight[at] = kronrod_weight[k];
+            rule.gauss_weight[at] = k % 2 == 0 ? gauss_weight[k / 2] : 0;
+        }
+    return rule;
+}
+
+constexpr Rule rule = both_sides();
+
+// Coefficients of torque_height_share in powers of 2u - 1: its Chebyshev series of degree 20,
+// whose next term is 1e-17.
+constexpr std::array<double, 21> height_share{
+    0.709199576156145235,    0.054400565125139498,    0.0153326269269083556,
+    0.00450451999558602168,  0.001357108979340724,    0.000415819481432203479,
+    0.000128954507092785666, 4.03554436357991056e-5,  1.27182570285136182e-5,
+    4.03086804541122726e-6,  1.2834287233552013e-6,   4.10269873936984827e-7,
+    1.31566550375541486e-7,  4.21969366451421578e-8,  1.3591079314634928e-8,
+    4.53173313639513294e-9,  1.47539347212301531e-9,  3.65779664717030118e-10,
+    1.14572538003212002e-10, 8.72284951619901148e-11, 2.92228169349759437e-11};
+
+inline double height_share_at(double u)
+{
+    const double v = 2 * u - 1;
+    double sum = height_share.back();
+    for (std::size_t k = height_share.size() - 1; k-- > 0;)
+        sum = sum * v + height_share[k];
+    return sum;
+}
+
+// Points of a border at the nodes, and `turn`, the weight's share of y dX - X dy, which is
+// sin^2 of the latitude times the change of azimuth.
+struct BorderNodes {
+    Row x;
+    Row y;
+    Row z;
+    Row turn;
+};
+
+struct Stretch {
+    BorderKind kind;
+    double from;  // p
+    double to;
+};
+
+inline double parameter(const Stretch& stretch, int i)
+{
+    return (stretch.from + stretch.to) / 2 +
+           (stretch.to - stretch.from) / 2 * rule.node[i];
+}
+
+// dx of the angle x = 2 atan p for dp, times 1 + p^2.
+inline double angle_rate(const Stretch& stretch)
+{
+    return stretch.to - stretch.from;
+}
+
+inline void front_nodes(const EngagedRegion& region, const Stretch& stretch,
+                        BorderNodes& at)
+{
+    const double rate = angle_rate(stretch) * region.sin_lambda;
+    for (int i = 0; i < nodes; ++i) {
+        const double p = parameter(stretch, i);
+        const double unit = 1 / (1 + p * p);
+        const double cosine = (1 - p) * (1 + p) * unit;
+        at.x[i] = cosine * region.sin_lambda;
+        at.y[i] = -2 * p * unit;
+        at.z[i] = -cosine * region.cos_lambda;
+        at.turn[i] = rate * unit;
+    }
+}
+
+inline void wall_nodes(const EngagedRegion& region, const Stretch& stretch,
+                       BorderNodes& at)
+{
+    const double rho = std::sqrt((1 - region.wall) * (1 + region.wall));
+    const double rate = angle_rate(stretch) * region.wall;
+    for (int i = 0; i < nodes; ++i) {
+        const double p = parameter(stretch, i);
+        const double unit = 1 / (1 + p * p);
+        const double cosine = rho * (1 - p) * (1 + p) * unit;
+        at.x[i] = rho * 2 * p * unit;
+        at.y[i] = region.wall;
+        at.z[i] = -cosine;
+        at.turn[i] = rate * unit * cosine;
+    }
+}
+
+inline void previous_ball_nodes(const EngagedRegion& region, const Stretch& stretch,
+                                BorderNodes& at)
+{
+    const EngagedRegion& r = region;
+    const double rate = angle_rate(stretch);
+    for (int i = 0; i < nodes; ++i) {
+        const double p = parameter(stretch, i);
+        const double unit = 1 / (1 + p * p);
+        const double sine = 2 * p * unit;
+        const double cosine = (1 - p) * (1 + p) * unit;
+        const double half_sine = r.amplitude * sine;
+        const double half_cosine = std::sqrt((1 - half_sine) * (1 + half_sine));
+        const double sin_nu = 2 * half_sine * half_cosine;
+        const double cos_nu = 1 - 2 * half_sine * half_sine;
+        const double sin_phi = cos_nu * r.cos_mu + sin_nu * r.sin_mu;
+        const double cos_phi = sin_nu * r.cos_mu - cos_nu * r.sin_mu;
+        const double tau = r.reach * cosine;
+        const double w = -r.rise - cos_phi;
+        const double phi_by_x = -2 * r.amplitude * cosine / half_cosine;
+        const double x_by_x =
+            -r.reach * sine * r.cos_lambda - sin_phi * phi_by_x * r.sin_lambda;
+        at.x[i] = tau * r.cos_lambda - w * r.sin_lambda;
+        at.y[i] = sin_phi - r.across;
+        at.z[i] = w * r.cos_lambda + tau * r.sin_lambda;
+        at.turn[i] = rate * unit * (at.y[i] * x_by_x - at.x[i] * cos_phi * phi_by_x);
+    }
+}
+
+using Integrands = std::array<Row, 8>;
+
+// At the tip itself the azimuth has no meaning, and the integrands' share is nothing.
+constexpr double least_square = 1e-300;
+
+inline void paper_integrands(const BorderNodes& at, Integrands& f)
+{
+    for (int i = 0; i < nodes; ++i) {
+        const double square = at.x[i] * at.x[i] + at.y[i] * at.y[i] + least_square;
+        const double sine = std::sqrt(square);
+        const double sin_azimuth = at.x[i] / sine;
+        const double cos_azimuth = at.y[i] / sine;
+        const double chip = std::abs(sin_azimuth);
+        const double above_tip = 1 / (1 - at.z[i]);
+        const double edge = at.turn[i] * above_tip;
+        const double torque = edge * sine * height_share_at(square * above_tip);
+        f[0][i] = chip * cos_azimuth * edge;
+        f[1][i] = chip * sin_azimuth * edge;
+        f[2][i] = cos_azimuth * edge;
+        f[3][i] = sin_azimuth * edge;
+        f[4][i] = chip * edge;
+        f[5][i] = edge;
+        f[6][i] = chip * torque;
+        f[7][i] = torque;
+    }
+}
+
+inline void exact_integrands(const EngagedRegion& region, const BorderNodes& at,
+                             Integrands& f)
+{
+    const double along = region.cos_lambda;
+    const double down = region.sin_lambda;
+    for (int i = 0; i < nodes; ++i) {
+        const double square = at.x[i] * at.x[i] + at.y[i] * at.y[i] + least_square;
+        const double sine = std::sqrt(square);
+        const double sin_azimuth = at.x[i] / sine;
+        const double cos_azimuth = at.y[i] / sine;
+        const double above_tip = 1 / (1 - at.z[i]);
+        const double edge = at.turn[i] * above_tip;
+        const double torque = edge * sine * height_share_at(square * above_tip);
+        const double chip = along * sin_azimuth * edge - down * at.turn[i] / sine;
+        f[0][i] = cos_azimuth * chip;
+        f[1][i] = sin_azimuth * chip;
+        f[2][i] = cos_azimuth * edge;
+        f[3][i] = sin_azimuth * edge;
+        f[4][i] = chip;
+        f[5][i] = edge;
+        f[6][i] = along * sin_azimuth * torque - down * at.turn[i] / 2;
+        f[7][i] = torque;
+    }
+}
+
+inline double weighted(const Row& weight, const Row& f)
+{
+    std::array<double, lanes> part{};
+    for (int i = 0; i < nodes; i += lanes)
+        for (int lane = 0; lane < lanes; ++lane)
+            part[lane] += weight[i + lane] * f[i + lane];
+    return (part[0] + part[1]) + (part[2] + part[3]);
+}
+
+// Sums over a stretch by both rules.
+struct BothSums {
+    CoefficientSums kronrod;
+    CoefficientSums gauss;
+};
+
+ENDMILL_WIDEST_REGISTERS
+void integrate(const EngagedRegion& region, ChipModel chip, const Stretch& stretch,
+               BothSums& sums)
+{
+    BorderNodes at;
+    if (stretch.kind == BorderKind::Front)
+        front_nodes(region, stretch, at);
+    else if (stretch.kind == BorderKind::Wall)
+        wall_nodes(region, stretch, at);
+    else
+        previous_ball_nodes(region, stretch, at);
+    Integrands f;
+    if (chip == ChipModel::Paper)
+        paper_integrands(at, f);
+    else
+        exact_integrands(region, at, f);
+    for (std::size_t k = 0; k < f.size(); ++k) {
+        sums.kronrod[k] = weighted(rule.weight, f[k]);
+        sums.gauss[k] = weighted(rule.gauss_weight, f[k]);
+    }
+}
+
+double largest_difference(const BothSums& sums)
+{
+    double largest = 0;
+    for (std::size_t k = 0; k < sums.gauss.size(); ++k)
+        largest = std::max(largest, std::abs(sums.kronrod[k] - sums.gauss[k]));
+    return largest;
+}
+
+}  // namespace
+
+double torque_height_share(double one_minus_cosine)
+{
+    return height_share_at(one_minus_cosine);
+}
+
+CoefficientSums border_integrals(const EngagedRegion& region, ChipModel chip,
+                                 double tolerance)
+{
+    CoefficientSums total{};
+    std::vector<Stretch> open;
+    const std::vector<BorderArc> arcs = region.borders(chip == ChipModel::Paper);
+    for (const BorderArc& arc : arcs)
+        if (!region.is_radial(arc.kind))
+            open.push_back({arc.kind, arc.from, arc.to});
+    while (!open.empty()) {
+        const Stretch stretch = open.back();
+        open.pop_back();
+        BothSums sums;
+        integrate(region, chip, stretch, sums);
+        if (largest_difference(sums) <= tolerance) {
+            for (std::size_t k = 0; k < total.size(); ++k)
+                total[k] += sums.kronrod[k];
+            continue;
+        }
+        const double middle = (stretch.from + stretch.to) / 2;
+        open.push_back({stretch.kind, middle, stretch.to});
+        open.push_back({stretch.kind, stretch.from, middle});
+    }
+    return total;
+}
+
+}  // namespace endmill

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/detail/cut_moves.h"
+
+#include <cmath>
+#include <string>
+
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+
+namespace endmill {
+namespace {
+
+// Of the horizontal share of a direction. Below it the azimuth of the feed is rounding.
+constexpr double least_horizontal_share = 1e-6;
+
+// Of the axis across: what a unit vector may be off by in a file.
+constexpr double axis_tolerance = 1e-6;
+
+void require_upright(const ToolPath& path)
+{
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const Vec3& axis = path.points[i].location.axis;
+        if (!((axis - Vec3::UnitZ()).norm() <= axis_tolerance))
+            throw GeometryError{"the axis of point " + std::to_string(i) + " is " +
+                                to_text(axis.x()) + "," + to_text(axis.y()) + "," +
+                                to_text(axis.z()) +
+                                "; the cut of a ball is known for +z only"};
+    }
+}
+
+bool is_upright(const Vec3& way, double length)
+{
+    return std::hypot(way.x(), way.y()) < least_horizontal_share * length;
+}
+
+}  // namespace
+
+std::vector<CutMove> cut_moves(const ToolPath& path)
+{
+    require_upright(path);
+    std::vector<CutMove> moves;
+    moves.reserve(path.points.size());
+    double along = 0;
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+        const PathPoint& end = path.points[i];
+        const Vec3& from = path.points[i - 1].location.tip;
+        const Vec3& to = end.location.tip;
+        const double length = (to - from).norm();
+        if (end.move == Move::Cut && length > 0 && !is_upright(to - from, length))
+            moves.push_back({i, end.pass, from, to, along, length});
+        along += length;
+    }
+    return moves;
+}
+
+std::size_t zero_length_cuts(const ToolPath& path)
+{
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < path.points.size(); ++i)
+        if (path.points[i].move == Move::Cut &&
+            path.points[i].location.tip == path.points[i - 1].location.tip)
+            ++count;
+    return count;
+}
+
+}  // namespace endmill

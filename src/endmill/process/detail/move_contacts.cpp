@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/detail/move_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+#include "endmill/core/text.h"
+
+namespace endmill {
+namespace {
+
+// Moves that are searched one from another. Their number is fixed, so that no result depends
+// on the threads.
+constexpr std::size_t block_moves = 128;
+
+// The point that the ball misses the part by most at.
+struct Miss {
+    std::size_t point = 0;
+    double distance = 0;  // from the ball to the part; below 0: the ball reaches into it
+};
+
+Vec3 centre_at(const Vec3& tip, double radius)
+{
+    return tip + radius * Vec3::UnitZ();
+}
+
+std::optional<PartPlace> told_place(const PathPoint& point, const ContactSearch& part)
+{
+    if (!point.contact || point.patch < 0 ||
+        static_cast<std::size_t>(point.patch) >= part.surfaces())
+        return std::nullopt;
+    return PartPlace{static_cast<std::size_t>(point.patch), point.contact->u,
+                     point.contact->v};
+}
+
+// Between the feet of both ends; that of the end where they are on different surfaces.
+PartPlace between(const PartPlace& from, const PartPlace& to)
+{
+    if (from.surface != to.surface)
+        return to;
+    return {to.surface, (from.u + to.u) / 2, (from.v + to.v) / 2};
+}
+
+// Searches a run of moves, one from another.
+class BlockSearch {
+public:
+    BlockSearch(const ToolPath& path, const ContactSearch& part, const BallOnPart& ball)
+        : path_{path},
+          part_{part},
+          ball_{ball}
+    {
+    }
+
+    MoveContact contact(const CutMove& move)
+    {
+        const PartPlace from = last_ && last_point_ == move.point - 1
+                                   ? *last_
+                                   : end_place(move.point - 1, move.from);
+        const PartPlace to = end_place(move.point, move.to);
+        last_ = to;
+        last_point_ = move.point;
+        // The middle of a chord is off by its sagitta, which is no miss.
+        const BallFoot foot = part_.foot(centre_at(move.middle(), ball_.radius),
+                                         between(from, to), ball_.radius, ball_.radius);
+        return {foot.normal, foot};
+    }
+
+    const Miss& worst() const { return worst_; }
+
+private:
+    PartPlace end_place(std::size_t point, const Vec3& tip)
+    {
+        const auto told = told_place(path_.points[point], part_);
+        const BallFoot foot =
+            part_.foot(centre_at(tip, ball_.radius), told ? told : last_, ball_.radius,
+                       ball_.tolerance);
+        const double miss = foot.distance - ball_.radius;
+        if (std::abs(miss) > std::abs(worst_.distance))
+            worst_ = {point, miss};
+        return foot.at;
+    }
+
+    const ToolPath& path_;
+    const ContactSearch& part_;
+    const BallOnPart& ball_;
+    std::optional<PartPlace> last_;
+    std::size_t last_point_ = 0;  // at which `last_` is
+    Miss worst_;
+};
+
+void require_touch(const ToolPath& path, const Miss& worst, double tolerance)
+{
+    if (std::abs(worst.distance) <= tolerance)
+        return;
+    const PathPoint& point = path.points[worst.point];
+    const Vec3& tip = point.location.tip;
+    throw GeometryError{
+        "the path does not belong to the part: the ball " +
+        std::string{worst.distance > 0 ? "misses it by " : "reaches into it by "} +
+        to_text(std::abs(worst.distance)) + " mm at point " +
+        std::to_string(point.point) + " of pass " + std::to_string(point.pass) +
+        " (tip " + to_text(tip.x()) + ", " + to_text(tip.y()) + ", " + to_text(tip.z()) +
+        " mm); expected at most " + to_text(tolerance) + " mm (--contact-tolerance)"};
+}
+
+// What the path tells of a point must be of this ball.
+void require_ball(const PathPoint& point, const BallOnPart& ball)
+{
+    if (!point.contact)
+        return;
+    const Vec3 centre = centre_at(point.location.tip, ball.radius);
+    const double distance = (point.contact->contact.point - centre).norm();
+    if (!(std::abs(distance - ball.radius) <= ball.tolerance))
+        throw GeometryError{
+            "the contact that the path tells of point " + std::to_string(point.point) +
+            " of pass " + std::to_string(point.pass) + " is " + to_text(distance) +
+            " mm from the centre of ball:" + to_text(2 * ball.radius) + "; expected " +
+            to_text(ball.radius) + " mm within " + to_text(ball.tolerance) +
+            " mm (--contact-tolerance): a path of this cutter, without an allowance"};
+}
+
+}  // namespace
+
+void require_ball(const ToolPath& path, std::span<const CutMove> moves,
+                  const BallOnPart& ball)
+{
+    for (const CutMove& move : moves) {
+        require_ball(path.points[move.point - 1], ball);
+        require_ball(path.points[move.point], ball);
+    }
+}
+
+std::vector<std::optional<MoveContact>> told_contacts(const ToolPath& path,
+                                                      std::span<const CutMove> moves)
+{
+    std::vector<std::optional<MoveContact>> contacts(moves.size());
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        const std::optional<Vec3> from = path.normal(moves[i].point - 1);
+        const std::optional<Vec3> to = path.normal(moves[i].point);
+        if (!from || !to)
+            continue;
+        const Vec3 sum = *from + *to;
+        if (const double length = sum.norm(); length > 0)
+            contacts[i] = MoveContact{sum / length};
+    }
+    return contacts;
+}
+
+std::vector<std::optional<MoveContact>> projected_contacts(const ToolPath& path,
+                                                           std::span<const CutMove> moves,
+                                                           const ContactSearch& part,
+                                                           const BallOnPart& ball)
+{
+    std::vector<std::optional<MoveContact>> contacts(moves.size());
+    const std::size_t blocks = (moves.size() + block_moves - 1) / block_moves;
+    std::vector<Miss> misses(blocks);
+    parallel_for(blocks, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t block = begin; block < end; ++block) {
+            BlockSearch search{path, part, ball};
+            const std::size_t last = std::min((block + 1) * block_moves, moves.size());
+            for (std::size_t i = block * block_moves; i < last; ++i)
+                contacts[i] = search.contact(moves[i]);
+            misses[block] = search.worst();
+        }
+    });
+    Miss worst;
+    for (const Miss& miss : misses)
+        if (std::abs(miss.distance) > std::abs(worst.distance))
+            worst = miss;
+    require_touch(path, worst, ball.tolerance);
+    return contacts;
+}
+
+}  // namespace endmill

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/detail/pass_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace endmill {
+namespace {
+
+constexpr std::size_t leaf_moves = 8;
+
+// Of a box's size and place: what turning and adding may round off.
+constexpr double box_rounding = 1e-14;
+
+// Of the pick feed's length, across the feed: below it the pass lies straight above or below
+// to rounding, and the pick feed's slope is no angle of the model.
+constexpr double least_side_share = 1e-6;
+
+// Crossings as near are in the way of the move itself: coordinates in files have no more
+// digits.
+constexpr double same_place_mm = 1e-9;
+
+// The rotation about z that lays the mean direction of the moves, either way, along x.
+Eigen::Matrix3d turn_along(std::span<const CutMove> moves)
+{
+    std::complex<double> doubled{0, 0};
+    for (const CutMove& move : moves) {
+        const std::complex<double> way{move.to.x() - move.from.x(),
+                                       move.to.y() - move.from.y()};
+        if (const double length = std::abs(way); length > 0)
+            doubled += way * way / length;
+    }
+    return Eigen::AngleAxisd{-std::arg(doubled) / 2, Vec3::UnitZ()}.toRotationMatrix();
+}
+
+}  // namespace
+
+struct PassIndex::Search {
+    const CutMove* move;
+    std::size_t end;  // moves before this number are looked at
+    Vec3 middle;
+    Vec3 direction;
+    Vec3 left;  // unit, horizontal
+    double reach;
+    Vec3 turned_middle;
+    Vec3 turned_direction;
+    Vec3 turned_left;
+    // Squared distance that a crossing has to be below, on either side.
+    double left_bound;
+    double right_bound;
+    NeighbouringPasses found = {};
+};
+
+PassIndex::PassIndex(std::span<const CutMove> moves)
+    : moves_{moves},
+      turn_{turn_along(moves)}
+{
+    std::vector<Box> leaves;
+    leaves.reserve(moves.size() / leaf_moves + 1);
+    for (std::size_t first = 0; first < moves.size(); first += leaf_moves) {
+        const std::size_t end = std::min(first + leaf_moves, moves.size());
+        Vec3 low = turn_ * moves[first].from;
+        Vec3 high = low;
+        for (std::size_t i = first; i < end; ++i)
+            for (const Vec3* tip : {&moves[i].from, &moves[i].to}) {
+                const Vec3 place = turn_ * *tip;
+                low = low.cwiseMin(place);
+                high = high.cwiseMax(place);
+            }
+        const Vec3 margin = box_rounding * (low.cwiseAbs() + high.cwiseAbs());
+        leaves.push_back({(low + high) / 2, (high - low) / 2 + margin});
+    }
+    levels_.push_back(std::move(leaves));
+    while (levels_.back().size() > 1)
+        build_level();
+}
+
+void PassIndex::build_level()
+{
+    const std::vector<Box>& below = levels_.back();
+    std::vector<Box> level;
+    level.reserve((below.size() + 1) / 2);
+    for (std::size_t i = 0; i < below.size(); i += 2) {
+        const Box& one = below[i];
+        const Box& other = below[std::min(i + 1, below.size() - 1)];
+        const Vec3 low = (one.centre - one.half).cwiseMin(other.centre - other.half);
+        const Vec3 high = (one.centre + one.half).cwiseMax(other.centre + other.half);
+        level.push_back({(low + high) / 2, (high - low) / 2});
+    }
+    levels_.push_back(std::move(level));
+}
+
+// Whether the plane goes through the box, and near enough on a side that it reaches.
+bool PassIndex::may_hold(const Search& search, const Box& box) const
+{
+    const Vec3 offset = box.centre - search.turned_middle;
+    if (std::abs(offset.dot(search.turned_direction)) >
+        box.half.dot(search.turned_direction.cwiseAbs()) + same_place_mm)
+        return false;
+    const double side = offset.dot(search.turned_left);
+    const double half_width = box.half.dot(search.turned_left.cwiseAbs()) + same_place_mm;
+    double bound = 0;
+    if (side + half_width >= 0)
+        bound = search.left_bound;
+    if (side - half_width <= 0)
+        bound = std::max(bound, search.right_bound);
+    return (offset.cwiseAbs() - box.half).cwiseMax(0).squaredNorm() < bound;
+}
+
+void PassIndex::look_into(Search& search, std::size_t leaf) const
+{
+    const std::size_t first = leaf * leaf_moves;
+    for (std::size_t i = std::min(first + leaf_moves, search.end); i-- > first;) {
+        const CutMove& other = moves_[i];
+        const double before = (other.from - search.middle).dot(search.direction);
+        const double after = (other.to - search.middle).dot(search.direction);
+        if ((before > 0 && after > 0) || (before < 0 && after < 0) ||
+            std::abs(after - before) < other.length_mm / std::numbers::sqrt2)
+            continue;
+        const double share = std::clamp(before / (before - after), 0.0, 1.0);
+        const double between =
+            search.move->middle_mm() - (other.begin_mm + share * other.length_mm);
+        if (other.pass == search.move->pass && between < search.reach)
+            continue;
+        const Vec3 offset = search.middle - other.from - share * (other.to - other.from);
+        const double distance = offset.norm();
+        // The stock lies where the offset points to; the pass on the other side.
+        const double side = -offset.dot(search.left);
+        if (distance > same_place_mm && std::abs(side) < least_side_share * distance)
+            continue;
+        const bool is_left = side >= 0 || distance <= same_place_mm;
+        double& bound = is_left ? search.left_bound : search.right_bound;
+        if (distance * distance >= bound)
+            continue;
+        bound = distance * distance;
+        (is_left ? search.found.left : search.found.right) = {i, share, offset, distance};
+    }
+}
+
+void PassIndex::descend(Search& search, std::size_t level, std::size_t node) const
+{
+    if (node >= levels_[level].size() || (node << level) * leaf_moves >= search.end ||
+        !may_hold(search, levels_[level][node]))
+        return;
+    if (level == 0) {
+        look_into(search, node);
+        return;
+    }
+    // What was cut last is most likely the nearest, and bounds the rest.
+    descend(search, level - 1, 2 * node + 1);
+    descend(search, level - 1, 2 * node);
+}
+
+NeighbouringPasses PassIndex::beside(std::size_t move, double reach) const
+{
+    const CutMove& own = moves_[move];
+    const Vec3 direction = own.direction();
+    const Vec3 left = Vec3{-direction.y(), direction.x(), 0}.normalized();
+    const Vec3 middle = own.middle();
+    Search search{.move = &own,
+                  .end = move,
+                  .middle = middle,
+                  .direction = direction,
+                  .left = left,
+                  .reach = reach,
+                  .turned_middle = turn_ * middle,
+                  .turned_direction = turn_ * direction,
+                  .turned_left = turn_ * left,
+                  .left_bound = reach * reach,
+                  .right_bound = reach * reach};
+    descend(search, levels_.size() - 1, 0);
+    return search.found;
+}
+
+}  // namespace endmill

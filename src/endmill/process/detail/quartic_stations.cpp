@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/process/detail/quartic_stations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "endmill/process/detail/bracketed_newton.h"
+
+namespace endmill {
+namespace {
+
+// Of a root in u, which is about 1: a step that changes less ends the search.
+constexpr double least_step = 1e-13;
+
+// A polynomial of degree N - 1, c[0] first.
+template <std::size_t N>
+using Polynomial = std::array<double, N>;
+
+// Rising places; the first `count` hold.
+struct Places {
+    std::array<double, 4> at;
+    int count = 0;
+
+    void add(double place) { at[count++] = place; }
+};
+
+template <std::size_t N>
+double value(const Polynomial<N>& c, double u)
+{
+    double sum = c[N - 1];
+    for (std::size_t k = N - 1; k-- > 0;)
+        sum = sum * u + c[k];
+    return sum;
+}
+
+template <std::size_t N>
+Polynomial<N - 1> derivative(const Polynomial<N>& c)
+{
+    Polynomial<N - 1> d;
+    for (std::size_t k = 1; k < N; ++k)
+        d[k - 1] = static_cast<double>(k) * c[k];
+    return d;
+}
+
+// The root between `low` and `high`, where the signs of the polynomial differ.
+template <std::size_t N>
+double root_between(const Polynomial<N>& c, const Polynomial<N - 1>& d, double low,
+                    double high)
+{
+    return bracketed_newton({low, high, value(c, high) > 0, (low + high) / 2}, least_step,
+                            [&](double u) {
+                                return ValueAndSlope{value(c, u), value(d, u)};
+                            });
+}
+
+// Roots of a quadratic, or of what is left of it where leading coefficients vanish.
+Places roots(const Polynomial<3>& c, double low, double high)
+{
+    Places found;
+    const double discriminant = c[1] * c[1] - 4 * c[2] * c[0];
+    if (discriminant < 0)
+        return found;
+    const double q = -(c[1] + std::copysign(std::sqrt(discriminant), c[1])) / 2;
+    double first = c[2] != 0 ? q / c[2] : high + 1;
+    double second = q != 0 ? c[0] / q : first;
+    if (second < first)
+        std::swap(first, second);
+    for (const double root : {first, second})
+        if (root > low && root < high)
+            found.add(root);
+    return found;
+}
+
+template <std::size_t N>
+Places roots(const Polynomial<N>& c, double low, double high)
+{
+    const Polynomial<N - 1> d = derivative(c);
+    const Places turns = roots(d, low, high);
+    Places found;
+    double from = low;
+    double at_from = value(c, low);
+    for (int k = 0; k <= turns.count; ++k) {
+        const double to = k < turns.count ? turns.at[k] : high;
+        const double at_to = value(c, to);
+        if ((at_from > 0) != (at_to > 0))
+            found.add(root_between(c, d, from, to));
+        from = to;
+        at_from = at_to;
+    }
+    return found;
+}
+
+}  // namespace
+
+QuarticStations quartic_stations(const Quartic& quartic, double low, double high)
+{
+    const Places turns = roots(derivative(quartic), low, high);
+    const Places zeros = roots(quartic, low, high);
+    QuarticStations stations;
+    const auto end =
+        std::merge(zeros.at.begin(), zeros.at.begin() + zeros.count, turns.at.begin(),
+                   turns.at.begin() + turns.count, stations.at.begin());
+    stations.count = static_cast<int>(end - stations.at.begin());
+    return stations;
+}
+
+}  // namespace endmill

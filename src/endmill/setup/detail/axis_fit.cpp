@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/setup/detail/axis_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+namespace endmill {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Relative; a step that gains less is not worth one more at this length.
+constexpr double least_gain = 1e-7;
+
+/// The unit vector at this azimuth about an axis, at right angles to it.
+Vec3 at_azimuth(const Vec3& axis, double azimuth)
+{
+    const Vec3 zero = azimuth_zero(axis);
+    return std::cos(azimuth) * zero + std::sin(azimuth) * axis.cross(zero);
+}
+
+/// `width` cut as 0 cuts `limits`.
+RotaryRange shared_out(double width, const RotaryRange& limits)
+{
+    const double whole = limits.to - limits.from;
+    const double below = whole > 0 ? width * (-limits.from / whole) : 0;
+    return {-below, width - below};
+}
+
+bool within(const RotaryRange& range, const RotaryRange& limits)
+{
+    return limits.from - limit_tolerance <= range.from &&
+           range.to <= limits.to + limit_tolerance;
+}
+
+/// Whether a range is to be turned over: it does not fit as it is, or both fit and its larger
+/// end is negative.
+bool is_turned(const RotaryRange& range, const RotaryRange& limits)
+{
+    const RotaryRange other{-range.to, -range.from};
+    if (within(range, limits) != within(other, limits))
+        return within(other, limits);
+    return -range.from > range.to;
+}
+
+}  // namespace
+
+struct AxisFitter::Later {
+    bool operator()(const RankBox& a, const RankBox& b) const
+    {
+        return a.bound > b.bound;
+    }
+};
+
+AxisFitter::AxisFitter(const ConeFitting& fitting)
+    : fitting_{fitting},
+      sweep_{*fitting.cones},
+      table_{*fitting.cones}
+{
+}
+
+void AxisFitter::list_levels(const FitRequest& request)
+{
+    for (std::size_t side = 0; side < 2; ++side)
+        levels_[side].assign(1, request.low[side]);
+    for (const auto* cells : {&view_.swept, &view_.free})
+        for (const SeenCell& cell : *cells)
+            if (cell.level > request.low[cell.side])
+                levels_[cell.side].push_back(cell.level);
+    for (auto& levels : levels_) {
+        std::sort(levels.begin(), levels.end());
+        levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+    }
+}
+
+double AxisFitter::low(const RankBox& box, std::size_t side) const
+{
+    return levels_[side][box.first[side]];
+}
+
+double AxisFitter::high(const RankBox& box, std::size_t side) const
+{
+    return levels_[side][box.last[side]];
+}
+
+/// Whether the sets of a box are not worth a look: beyond the limits, with sectors that may as
+/// well be exchanged, or with a level that may as well be the next one.
+bool AxisFitter::is_needless(const RankBox& box) const
+{
+    const bool is_ca = fitting_.measure.family == RotaryFamily::CA;
+    if (!fitting_.limits.hold(low(box, 0), low(box, 1)) ||
+        (is_ca && low(box, 1) > high(box, 0)))
+        return true;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::size_t next = box.last[side] + 1;
+        if (next < levels_[side].size() &&
+            rises_freely(fitting_.measure, fitting_.limits, levels_[side][next],
+                         low(box, 1 - side)))
+            return true;
+    }
+    return false;
+}
+
+/// Takes a set for the best one. In C,A its sectors are named so that m0 >= m1.
+void AxisFitter::take(const AzimuthWindow& window, const PoseRanges& ranges,
+                      double objective)
+{
+    below_ = objective;
+    found_ = AxisFit{Vec3::Zero(), window, ranges, objective};
+    if (fitting_.measure.family == RotaryFamily::CA && ranges.m0 < ranges.m1) {
+        std::swap(found_->ranges.m0, found_->ranges.m1);
+        found_->window.begin += pi;
+    }
+}
+
+/// Puts a box on the heap unless it has nothing better; takes its largest levels as a fit if
+/// they are one.
+void AxisFitter::look_at(RankBox box)
+{
+    const double low0 = low(box, 0);
+    const double low1 = low(box, 1);
+    if (is_needless(box))
+        return;
+    const PoseRanges most{0, high(box, 0), high(box, 1)};
+    const LevelLimits upto{{most.m0, most.m1}};
+    const double cap =
+        std::min(fitting_.measure.useful_width(below_ * (1 - slack_), low0, low1),
+                 fitting_.limits.widest());
+    if (cap <= 0)
+        return;
+    const auto window = sweep_.least(view_, table_.places(upto, cap), upto, cap);
+    if (!window)
+        return;
+    const PoseRanges ranges{window->width, most.m0, most.m1};
+    const double objective = fitting_.measure(ranges);
+    if (objective < below_ && fitting_.limits.hold(most.m0, most.m1))
+        take(*window, ranges, objective);
+    box.bound = fitting_.measure({window->width, low0, low1});
+    if (box.bound < below_ * (1 - slack_) && box.first != box.last) {
+        heap_.push_back(box);
+        std::push_heap(heap_.begin(), heap_.end(), Later{});
+    }
+}
+
+void AxisFitter::split(const RankBox& box)
+{
+    const std::size_t side =
+        high(box, 0) - low(box, 0) >= high(box, 1) - low(box, 1) ? 0 : 1;
+    const std::size_t middle = (box.first[side] + box.last[side]) / 2;
+    RankBox lower = box;
+    RankBox upper = box;
+    lower.last[side] = middle;
+    upper.first[side] = middle + 1;
+    look_at(lower);
+    look_at(upper);
+}
+
+std::optional<AxisFit> AxisFitter::best(const Vec3& axis, const FitRequest& request)
+{
+    AxisPlace place{fitting_.measure.family, axis, 0, request.high};
+    for (double& reach : place.reach)
+        reach = std::min(reach, fitting_.limits.farthest());
+    view_ = axis_view(place, fitting_.centres);
+    list_levels(request);
+    table_.fill(view_, {levels_[0].back(), levels_[1].back()});
+    found_.reset();
+    heap_.clear();
+    below_ = request.below;
+    slack_ = request.slack;
+    look_at({{0, 0}, {levels_[0].size() - 1, levels_[1].size() - 1}});
+    while (!heap_.empty()) {
+        std::pop_heap(heap_.begin(), heap_.end(), Later{});
+        const RankBox box = heap_.back();
+        heap_.pop_back();
+        if (box.bound < below_ * (1 - slack_))
+            split(box);
+    }
+    if (found_)
+        found_->axis = axis;
+    return found_;
+}
+
+AxisFit descend(AxisFitter& fitter, AxisFit fit, const Descent& descent)
+{
+    constexpr double steps_of_levels = 3;
+    double phase = 0;  // the directions turn: a valley need not lie along one of them
+    double step = descent.from;
+    while (step > descent.to) {
+        const Vec3 from = fit.axis;
+        const double reach = steps_of_levels * step;
+        const std::array<double, 2> levels{fit.ranges.m0, fit.ranges.m1};
+        FitRequest request{fit.objective * (1 - least_gain)};
+        for (std::size_t side = 0; side < 2; ++side) {
+            request.low[side] = std::max(levels[side] - reach, 0.0);
+            request.high[side] = levels[side] + reach;
+        }
+        bool has_moved = false;
+        for (int k = 0; k < descent.directions && !has_moved; ++k) {
+            const Vec3 towards =
+                at_azimuth(from, phase + 2 * pi * k / descent.directions);
+            const auto next =
+                fitter.best((from + std::tan(step) * towards).normalized(), request);
+            has_moved = next.has_value();
+            if (next)
+                fit = *next;
+        }
+        phase += 1;
+        if (!has_moved)
+            step /= 2;
+    }
+    return fit;
+}
+
+FittedPose fitted_pose(const AxisFit& fit, RotaryFamily family,
+                       const RotaryLimits& limits)
+{
+    const PoseRanges& ranges = fit.ranges;
+    const double area = ranges.width * ranges.height();
+    FittedPose fitted{.pose = {}, .phi = {}, .theta = {}, .area = area};
+    if (family == RotaryFamily::CA) {
+        fitted.phi = {-ranges.m1, ranges.m0};
+        fitted.theta = shared_out(ranges.width, limits.theta);
+        const bool turned = is_turned(fitted.phi, limits.phi);
+        if (turned)
+            fitted.phi = {-ranges.m0, ranges.m1};
+        const double zero = fit.window.begin - fitted.theta.from + (turned ? pi : 0);
+        const Vec3 home = at_azimuth(fit.axis, zero);  // r2 x C
+        fitted.pose = {fit.axis, fit.axis, fit.axis.cross(home)};
+        return fitted;
+    }
+    fitted.theta = {-ranges.m1, ranges.m0};
+    const bool turned = is_turned(fitted.theta, limits.theta);
+    if (turned)
+        fitted.theta = {-ranges.m0, ranges.m1};
+    fitted.phi = shared_out(ranges.width, limits.phi);
+    // About -axis azimuths run backwards: the window then begins at its other end.
+    const double offset = turned ? ranges.width + fitted.phi.from : -fitted.phi.from;
+    const Vec3 tool_axis = at_azimuth(fit.axis, fit.window.begin + offset);
+    const Vec3 r1_axis = turned ? Vec3{-fit.axis} : fit.axis;
+    fitted.pose = {tool_axis, r1_axis, tool_axis.cross(r1_axis)};
+    return fitted;
+}
+
+}  // namespace endmill

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/setup/detail/axis_node.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "endmill/visibility/sphere_grid.h"
+
+namespace endmill {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// rad, added to a node's radius: levels, azimuths near the axis, and the radius itself are
+/// known to 1e-15, and everything that counts within the radius less this still does.
+constexpr double angle_rounding = 1e-12;
+
+/// Relative, off a bound: a few roundings of 1.1e-16.
+constexpr double bound_rounding = 1e-14;
+
+constexpr const char* root_grid = "ico:2";
+
+/// How far apart along its mid circle two directions of a lune of half width t can be, less
+/// the difference of their latitudes, halved: max of atan2(tan b, cos t) - b. rad.
+/// paper/notes/whole-cones.md, (a).
+double lune_slack(double t)
+{
+    const double tangent = std::tan(t / 2);
+    return std::asin(std::min(tangent * tangent, 1.0));
+}
+
+/// How small boxes get, in radii of their node: what else moves levels as much.
+double least_box(NodeKind kind, RotaryFamily family)
+{
+    return kind == NodeKind::Axis && family == RotaryFamily::CA ? 3 : 1;
+}
+
+/// Of unit vectors: centres of cells are opposite if their sum is shorter. Those of a pair sum
+/// up to a few roundings of 1e-16, those of neighbours to a cell's width, above 1e-2.
+constexpr double opposite_sum = 1e-6;
+
+/// The numbers of one cell of each pair of opposite ones.
+std::vector<std::size_t> half_of(const SphereGrid& grid)
+{
+    std::vector<std::size_t> half;
+    for (std::size_t k = 0; k < grid.cells.size(); ++k) {
+        const bool has_opposite =
+            std::any_of(half.begin(), half.end(), [&](std::size_t other) {
+                return (grid.centres[k] + grid.centres[other]).norm() < opposite_sum;
+            });
+        if (!has_opposite)
+            half.push_back(k);
+    }
+    return half;
+}
+
+AxisNode root_node(const SphereGrid& grid, std::size_t cell, NodeKind kind, LevelBox box)
+{
+    const Triangle& triangle = grid.cells[cell];
+    AxisNode node{{}, kind, {box}, 0};
+    for (std::size_t k = 0; k < 3; ++k)
+        node.corners[k] = grid.corners[triangle[k]];
+    return node;
+}
+
+}  // namespace
+
+Vec3 centre(const AxisNode& node)
+{
+    return (node.corners[0] + node.corners[1] + node.corners[2]).normalized();
+}
+
+double radius(const AxisNode& node)
+{
+    const Vec3 middle = centre(node);
+    double farthest = 0;
+    for (const Vec3& corner : node.corners)
+        farthest = std::max(farthest, 2 * std::asin((corner - middle).norm() / 2));
+    return farthest;
+}
+
+AxisNode part(const AxisNode& node, int number)
+{
+    const auto& [a, b, c] = node.corners;
+    const Vec3 ab = (a + b).normalized();
+    const Vec3 bc = (b + c).normalized();
+    const Vec3 ca = (c + a).normalized();
+    const std::array<std::array<Vec3, 3>, 4> parts{
+        {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}};
+    return {parts[std::size_t(number)], node.kind, node.boxes, node.bound};
+}
+
+double thin_width(const PoseMeasure& measure, double best)
+{
+    constexpr double widest = 10 * pi / 180;
+    switch (measure.objective) {
+        case SetupObjective::FlooredArea:
+            return std::min(measure.floor_rad / 3, widest);
+        case SetupObjective::TotalRange:
+            return std::min(best / 50, widest);
+        case SetupObjective::Tilt:
+            break;
+    }
+    return 0;
+}
+
+std::vector<AxisNode> root_nodes(const ConeFitting& fitting)
+{
+    const SphereGrid grid = sphere_grid(root_grid);
+    const std::vector<std::size_t> half = half_of(grid);
+    const double thin = fitting.thin_width;
+    std::vector<AxisNode> nodes;
+    const double far = fitting.limits.farthest();
+    const LevelBox all{{0, 0}, {far, far}, 0};
+    const bool is_ca = fitting.measure.family == RotaryFamily::CA;
+    for (std::size_t k = 0; k < (is_ca ? grid.cells.size() : half.size()); ++k)
+        nodes.push_back(root_node(grid, is_ca ? k : half[k], NodeKind::Axis, all));
+    const LevelBox band{{0, 0}, {thin / 2, thin / 2}, 0};
+    if (thin > 0)
+        for (const std::size_t k : half)
+            nodes.push_back(root_node(grid, k, NodeKind::Arc, band));
+    return nodes;
+}
+
+NodeBounder::NodeBounder(const ConeFitting& fitting)
+    : fitting_{fitting},
+      sweep_{*fitting.cones},
+      table_{*fitting.cones}
+{
+}
+
+NodeBounder::Useful NodeBounder::useful(NodeKind kind, const LevelBox& box,
+                                        double target) const
+{
+    const PoseMeasure& measure = fitting_.measure;
+    const RangeLimits& limits = fitting_.limits;
+    if (kind == NodeKind::Arc) {
+        if (2 * box.low[0] > limits.widest())
+            return {0, -1};
+        const double height =
+            std::min(measure.useful_height(target, 2 * box.low[0]), limits.highest());
+        return {0, height > 0 ? height + 2 * lune_slack(box.high[0]) : -1};
+    }
+    const bool is_ca = measure.family == RotaryFamily::CA;
+    if (!limits.hold(box.low[0], box.low[1]) ||
+        rises_freely(measure, limits, box.high[0], box.low[1]) ||
+        rises_freely(measure, limits, box.high[1], box.low[0]) ||
+        (is_ca && box.low[1] > 0 && box.low[1] >= box.high[0]))  // m0 >= m1 without loss
+        return {0, -1};
+    const double m0 = is_ca ? std::max(box.low[0], box.low[1]) : box.low[0];
+    const double width =
+        std::min(measure.useful_width(target, m0, box.low[1]), limits.widest());
+    const double thin = fitting_.thin_width;
+    return {thin, thin < width ? width : -1};
+}
+
+double NodeBounder::objective(NodeKind kind, const LevelBox& box, double window) const
+{
+    PoseRanges least{window, box.low[0], box.low[1]};
+    if (kind == NodeKind::Arc)
+        least = {2 * box.low[0], std::max(window - 2 * lune_slack(box.high[0]), 0.0), 0};
+    else if (fitting_.measure.family == RotaryFamily::CA)
+        least.m0 = std::max(least.m0, least.m1);
+    return fitting_.measure(least) * (1 - bound_rounding);
+}
+
+void NodeBounder::split(NodeKind kind, const LevelBox& box)
+{
+    const std::array<double, 2> middle{(box.low[0] + box.high[0]) / 2,
+                                       (box.low[1] + box.high[1]) / 2};
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const std::array<int, 2> upper{quarter % 2, quarter / 2};
+        if (kind == NodeKind::Arc && upper[0] != upper[1])
+            continue;  // both sides are one number
+        LevelBox piece = box;
+        for (std::size_t side = 0; side < 2; ++side)
+            (upper[side] != 0 ? piece.low : piece.high)[side] = middle[side];
+        open_.push_back(piece);
+    }
+}
+
+void NodeBounder::bound(AxisNode& node, double target)
+{
+    const double rho = radius(node) + angle_rounding;
+    std::array<double, 2> reach{0, 0};
+    for (const LevelBox& box : node.boxes)
+        for (std::size_t side = 0; side < 2; ++side)
+            reach[side] = std::max(reach[side], box.high[side]);
+    const bool is_arc = node.kind == NodeKind::Arc;
+    const RotaryFamily family = is_arc ? RotaryFamily::AB : fitting_.measure.family;
+    const AxisView view = axis_view({family, centre(node), rho, reach}, fitting_.centres);
+    table_.fill(view, {reach[0] + rho, reach[1] + rho});
+
+    const double smallest = least_box(node.kind, fitting_.measure.family) * rho;
+    open_.swap(node.boxes);
+    node.boxes.clear();
+    node.bound = std::numeric_limits<double>::infinity();
+    while (!open_.empty()) {
+        LevelBox box = open_.back();
+        open_.pop_back();
+        const Useful window = useful(node.kind, box, target);
+        const LevelLimits upto{{box.high[0] + rho, box.high[1] + rho}};
+        if (window.to < 0 || box.bound >= target)
+            continue;
+        if (std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]) > smallest) {
+            if (table_.may_fit(upto, window.to))
+                split(node.kind, box);
+            continue;
+        }
+        const double cap = window.to + angle_rounding;
+        const auto least = sweep_.least(view, table_.places(upto, cap), upto, cap);
+        if (!least)
+            continue;
+        const double width = std::max(least->width - angle_rounding, window.from);
+        box.bound = std::max(box.bound, objective(node.kind, box, width));
+        if (box.bound >= target)
+            continue;
+        node.boxes.push_back(box);
+        node.bound = std::min(node.bound, box.bound);
+    }
+    open_.clear();
+}
+
+}  // namespace endmill

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/setup/detail/many_cones_search.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "endmill/core/error.h"
+#include "endmill/setup/detail/axis_fit.h"
+#include "endmill/setup/detail/cone_set.h"
+#include "endmill/setup/detail/least_cones.h"
+#include "endmill/setup/setup_travel.h"
+
+namespace endmill {
+namespace {
+
+using Numbers = std::vector<std::size_t>;
+
+Numbers spread(const Numbers& numbers, std::size_t most)
+{
+    Numbers some;
+    const std::size_t count = std::min(most, numbers.size());
+    for (std::size_t k = 0; k < count; ++k)
+        some.push_back(numbers[k * numbers.size() / count]);
+    return some;
+}
+
+class ConeRounds {
+public:
+    ConeRounds(const SphereGrid& grid, const DistinctCones& cones, const Numbers& least,
+               const SetSearchOptions& options)
+        : grid_{grid},
+          cones_{cones},
+          least_{least},
+          options_{options},
+          all_{cones.map(least)},
+          starts_{options.starts.begin(), options.starts.end()},
+          is_asked_(least.size(), 0)
+    {
+    }
+
+    SetSearchResult run(std::size_t cones_a_round)
+    {
+        Numbers places(least_.size());
+        for (std::size_t k = 0; k < places.size(); ++k)
+            places[k] = k;
+        // What is found is never worse than the starts.
+        for (const SetupPose& start : options_.starts)
+            extend(axis_of(start));
+        Numbers added = spread(places, cones_a_round);
+        while (!added.empty()) {
+            for (const std::size_t place : added)
+                is_asked_[place] = 1;
+            SetSearchResult found = search_asked();
+            if (!found.pose) {
+                result_.machinability =
+                    best_ ? Machinability::Machinable : found.machinability;
+                break;
+            }
+            const Numbers missed = missed_by(*found.pose);
+            if (missed.empty()) {
+                found.nodes = result_.nodes;
+                found.lower_bound = result_.lower_bound;
+                return found;
+            }
+            extend(axis_of(found.pose->pose));
+            if (is_near_enough() || result_.nodes >= options_.max_nodes)
+                break;
+            added = spread(missed, cones_a_round);
+        }
+        return best_result();
+    }
+
+private:
+    Vec3 axis_of(const SetupPose& pose) const
+    {
+        return options_.family == RotaryFamily::CA ? pose.tool_axis : pose.r1_axis;
+    }
+
+    SetSearchResult search_asked()
+    {
+        Numbers asked;
+        for (std::size_t place = 0; place < least_.size(); ++place)
+            if (is_asked_[place] != 0)
+                asked.push_back(least_[place]);
+        SetSearchOptions options = options_;
+        options.starts = starts_;
+        options.max_nodes =
+            options_.max_nodes - std::min(options_.max_nodes, result_.nodes);
+        if (options_.progress)
+            options.progress = [this](const SetSearchProgress& now) { report(now); };
+        SetSearchResult found = set_search(grid_, cones_.map(asked), options);
+        result_.nodes += found.nodes;
+        result_.unresolved = found.unresolved;
+        result_.lower_bound = std::max(result_.lower_bound, found.lower_bound);
+        if (found.pose)
+            starts_.push_back(found.pose->pose);
+        return found;
+    }
+
+    // A pose that meets some cones is none: only one that meets all is told.
+    void report(const SetSearchProgress& now) const
+    {
+        SetSearchProgress all{result_.nodes + now.nodes, std::nullopt,
+                              std::max(result_.lower_bound, now.lower_bound)};
+        if (best_)
+            all.objective = best_->objective;
+        options_.progress(all);
+    }
+
+    // Places of the cones that have no cell within the pose's ranges.
+    Numbers missed_by(const FittedPose& fit) const
+    {
+        const RotaryFrame frame{options_.family, fit.pose.tool_axis, fit.pose.r1_axis,
+                                fit.pose.r2_axis};
+        const auto reached =
+            facet_reach(all_, grid_.centres, frame, {fit.phi, fit.theta});
+        Numbers missed;
+        for (std::size_t place = 0; place < reached.size(); ++place)
+            if (!reached[place] && is_asked_[place] == 0)
+                missed.push_back(place);
+        return missed;
+    }
+
+    // The best set about this axis that meets all cones.
+    void extend(const Vec3& axis)
+    {
+        if (!everything_) {
+            everything_.emplace(all_);
+            for (const std::size_t cell : everything_->cells())
+                centres_.push_back(grid_.centres[cell]);
+        }
+        AxisFitter fitter{{&*everything_,
+                           centres_,
+                           {options_.family, options_.objective, options_.floor_rad},
+                           RangeLimits{options_.family, options_.limits}}};
+        const double below =
+            best_ ? best_->objective : std::numeric_limits<double>::infinity();
+        if (auto fit = fitter.best(axis, {below}))
+            best_ = std::move(fit);
+    }
+
+    bool is_near_enough() const
+    {
+        return best_ && best_->objective <= (1 + options_.gap) * result_.lower_bound;
+    }
+
+    SetSearchResult best_result() const
+    {
+        SetSearchResult result = result_;
+        if (best_) {
+            result.machinability = Machinability::Machinable;
+            result.pose = fitted_pose(*best_, options_.family, options_.limits);
+            result.ranges = best_->ranges;
+            result.objective = best_->objective;
+        }
+        return result;
+    }
+
+    const SphereGrid& grid_;
+    const DistinctCones& cones_;
+    const Numbers& least_;
+    const SetSearchOptions& options_;
+    VisibilityMap all_;  // of the least cones
+    std::vector<SetupPose> starts_;
+    std::vector<char> is_asked_;  // by places among the least cones
+    std::optional<ConeSet> everything_;
+    std::vector<Vec3> centres_;
+    std::optional<AxisFit> best_;
+    SetSearchResult result_;
+};
+
+}  // namespace
+
+SetSearchResult many_cones_search(const SphereGrid& grid, const VisibilityMap& map,
+                                  const SetSearchOptions& options, std::size_t few)
+{
+    require(map.cells() == grid.centres.size(),
+            "many_cones_search: map and grid differ in cells");
+    require(few >= 4, "many_cones_search: need 4 <= few");
+    const DistinctCones cones{map};
+    const Numbers least = least_cones(cones);
+    if (least.size() <= few)
+        return set_search(grid, map, options);
+    return ConeRounds{grid, cones, least, options}.run(few / 4);
+}
+
+}  // namespace endmill

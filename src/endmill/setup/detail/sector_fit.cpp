@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/setup/detail/sector_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+
+#include <Eigen/Geometry>
+
+#include "endmill/core/error.h"
+#include "endmill/setup/detail/pole_points.h"
+#include "endmill/setup/detail/setup_order.h"
+
+namespace endmill {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct PolarDirection {
+    double azimuth;  // rad, from 0 to 2 pi
+    double polar;    // rad
+};
+
+// Directions about a pole in the order of their azimuths, twice round: the second time 360
+// degrees on.
+class DirectionFan {
+public:
+    explicit DirectionFan(const PolePoints& points)
+    {
+        std::vector<PolarDirection> fan;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const double polar = points.polar(i);
+            if (polar > pi - equal_angles)
+                opposite_ = std::max(opposite_, polar);  // it has any azimuth
+            else if (polar > equal_angles)
+                fan.push_back({full_turn(points.azimuth(i)), polar});
+            largest_ = std::max(largest_, polar);
+        }
+        std::sort(fan.begin(), fan.end(), [](const auto& a, const auto& b) {
+            return a.azimuth != b.azimuth ? a.azimuth < b.azimuth : a.polar < b.polar;
+        });
+        for (const double beyond : {0.0, 2 * pi}) {
+            for (const PolarDirection& v : fan) {
+                azimuths_.push_back(v.azimuth + beyond);
+                polars_.push_back(v.polar);
+            }
+        }
+    }
+
+    std::size_t size() const { return polars_.size() / 2; }
+    double largest_polar() const { return largest_; }
+
+    // \pre i < 2 size().
+    double azimuth(std::size_t i) const { return azimuths_[i]; }
+    double polar(std::size_t i) const { return polars_[i]; }
+
+    // Of begin ... end, 0 if there is none.
+    double largest_of(std::size_t begin, std::size_t end) const
+    {
+        double largest = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            largest = std::max(largest, polars_[i]);
+        return largest;
+    }
+
+    // A direction opposite to the pole goes where the larger angle is.
+    SectorCandidate candidate(double from, double width, double polar, double other) const
+    {
+        double& larger = polar >= other ? polar : other;
+        larger = std::max(larger, opposite_);
+        return {full_turn(from), width > equal_angles ? width : 0, polar, other};
+    }
+
+private:
+    std::vector<double> azimuths_;
+    std::vector<double> polars_;
+    double opposite_ = 0;
+    double largest_ = 0;
+};
+
+// Calls `take` for the narrow sector with its counter-clockwise end at each direction. It
+// begins at the next direction, or opposite to the one that comes first after the antipode,
+// whichever leaves it narrower: the index of either only grows. [KangSuh, eq. (6)-(11)].
+template <class Take>
+void for_each_narrow_sector(const DirectionFan& fan, const Take& take)
+{
+    const std::size_t count = fan.size();
+    if (count == 0)
+        take(fan.candidate(0, 0, 0, 0));
+    std::size_t beyond = 0;  // the first direction after the antipode of the end
+    std::size_t first = 0;   // the first one in the sector that ends at j + count
+    for (std::size_t j = 0; j < count; ++j) {
+        const double end = fan.azimuth(j);
+        beyond = std::max(beyond, j + 1);
+        while (beyond < j + count && fan.azimuth(beyond) <= end + pi + equal_angles)
+            ++beyond;
+        const double gap =
+            std::min({fan.azimuth(j + 1) - end, fan.azimuth(beyond) - (end + pi), pi});
+        const double width = std::max(pi - gap, 0.0);
+        first = std::max(first, j + 1);
+        while (first < j + count &&
+               fan.azimuth(first) < end + 2 * pi - width - equal_angles)
+            ++first;
+        take(fan.candidate(end - width, width, fan.largest_of(first, j + count + 1),
+                           fan.largest_of(j + 1, first)));
+    }
+}
+
+// Calls `take` for the sectors from a direction to another of 180 degrees or more, but of no
+// more than `may_be_wide` allows. At 180 degrees itself the narrow ones put the two directions
+// into different sectors.
+template <class MayBeWide, class Take>
+void for_each_wide_sector(const DirectionFan& fan, const MayBeWide& may_be_wide,
+                          const Take& take)
+{
+    const std::size_t count = fan.size();
+    // [k]: largest angle of those after the kth from j; there is none after the last.
+    std::vector<double> outside(count, 0.0);
+    for (std::size_t j = 0; j < count; ++j) {
+        for (std::size_t k = count - 1; k > 0; --k)
+            outside[k - 1] = std::max(outside[k], fan.polar(j + k));
+        double inside = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            inside = std::max(inside, fan.polar(j + k));
+            const double width = fan.azimuth(j + k) - fan.azimuth(j);
+            if (width >= pi - equal_angles) {
+                if (!may_be_wide(width))
+                    break;
+                take(fan.candidate(fan.azimuth(j), width, inside, outside[k]));
+            }
+        }
+    }
+}
+
+RotaryRange tilt(const SectorCandidate& sector)
+{
+    return {0 - sector.opposite_polar, sector.polar};
+}
+
+// Whether the machine reaches it; the zero of C is free, and with it which sector is first.
+bool is_feasible(const SectorCandidate& sector, const RotaryLimits& limits)
+{
+    return is_within_unsigned(tilt(sector), limits.phi) &&
+           sector.width <= limits.theta.to - limits.theta.from + equal_angles;
+}
+
+// Whether the first sector is the one of positive tilt.
+bool is_first_positive(const SectorCandidate& sector, const RotaryRange& limits)
+{
+    const bool fits = is_within(tilt(sector), limits);
+    if (fits != is_within(turned(tilt(sector)), limits))
+        return fits;
+    return sector.polar >= sector.opposite_polar;
+}
+
+FittedPose fitted_pose(const PoleFrame& frame, const SectorCandidate& sector,
+                       const RotaryLimits& limits)
+{
+    const bool is_first = is_first_positive(sector, limits.phi);
+    const double room = limits.theta.to - limits.theta.from;
+    // [KangSuh, eq. (9)]
+    const double before = room > 0 ? sector.width * limits.theta.from / room : 0;
+    const double begin = is_first ? sector.from : sector.from + pi;
+    const Vec3 zero = frame.equator(begin - before);
+    FittedPose fit;
+    fit.pose = {frame.pole, frame.pole, frame.pole.cross(zero)};
+    fit.phi = is_first ? tilt(sector) : turned(tilt(sector));
+    fit.theta = {before, before + sector.width};
+    fit.area = sector.area();
+    return fit;
+}
+
+}  // namespace
+
+std::vector<SectorCandidate> sector_candidates(const Vec3& tool_axis,
+                                               std::span<const Vec3> directions,
+                                               SetupMode mode)
+{
+    std::vector<SectorCandidate> result;
+    const DirectionFan fan{PolePoints{tool_axis, directions}};
+    const auto take = [&result](const SectorCandidate& sector) {
+        result.push_back(sector);
+    };
+    for_each_narrow_sector(fan, take);
+    if (setup_rules(mode).has_wide_sectors)
+        for_each_wide_sector(
+            fan, [](double) { return true; }, take);
+    return result;
+}
+
+SetupSearch sector_fit(const Vec3& tool_axis, std::span<const Vec3> directions,
+                       const SetupOptions& options, const AreaBounds& bounds)
+{
+    check_setup_options(options);
+    require(options.family == RotaryFamily::CA, "sector_fit: need the family C,A");
+    const PolePoints points{tool_axis, directions};
+    const DirectionFan fan{points};
+    BestCandidate<SectorCandidate> least{bounds.least};
+    BestCandidate<SectorCandidate> feasible{bounds.feasible};
+    const auto take = [&](const SectorCandidate& sector) {
+        const double area = sector.area();
+        if (!least.wants(area) && !feasible.wants(area))
+            return;
+        const SetupScore score{area, sector.polar + sector.opposite_polar + sector.width};
+        least.offer(sector, score);
+        if (is_feasible(sector, options.limits))
+            feasible.offer(sector, score);
+    };
+    for_each_narrow_sector(fan, take);
+    // The larger of the two tilts is that of the farthest direction.
+    const auto may_be_wide = [&](double width) {
+        const double area = width * fan.largest_polar();
+        return least.wants(area) || feasible.wants(area);
+    };
+    if (setup_rules(options.mode).has_wide_sectors && may_be_wide(pi))
+        for_each_wide_sector(fan, may_be_wide, take);
+
+    SetupSearch result;
+    result.poses_tried = 1;
+    if (const std::optional<SectorCandidate> best = least.best())
+        result.least = fitted_pose(points.frame, *best, options.limits);
+    if (const std::optional<SectorCandidate> best = feasible.best())
+        result.feasible = fitted_pose(points.frame, *best, options.limits);
+    if (const std::optional<FittedPose>& shown =
+            result.feasible ? result.feasible : result.least)
+        result.status = status_of(*shown);
+    return result;
+}
+
+}  // namespace endmill

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/setup/setup_mode.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numbers>
+
+#include "endmill/core/error.h"
+
+namespace endmill {
+namespace {
+
+// In the order of the enumerators.
+constexpr std::array all_rules{
+    //                       name            wide   vertices  both   low    signed
+    SetupRules{SetupMode::PaperLiteral, "paper-literal", false, true, false, false,
+               false},
+    SetupRules{SetupMode::Paper, "paper", false, false, false, false, false},
+    SetupRules{SetupMode::Corrected, "corrected", true, false, true, true, true}};
+
+bool is_sound(const RotaryRange& range)
+{
+    // Ends of 360 degrees in all, each rounded when it was turned into rad.
+    constexpr double slack = 1e-12;  // rad
+    return range.from <= 0 && 0 <= range.to &&
+           range.to - range.from <= 2 * std::numbers::pi + slack;
+}
+
+}  // namespace
+
+const SetupRules& setup_rules(SetupMode mode)
+{
+    return all_rules[static_cast<std::size_t>(mode)];
+}
+
+std::optional<SetupMode> setup_mode(std::string_view name)
+{
+    const auto* const found =
+        std::find_if(all_rules.begin(), all_rules.end(),
+                     [name](const SetupRules& rules) { return rules.name == name; });
+    if (found == all_rules.end())
+        return std::nullopt;
+    return found->mode;
+}
+
+void check_setup_options(const SetupOptions& options)
+{
+    require(is_sound(options.limits.phi) && is_sound(options.limits.theta),
+            "setup: need limits that hold 0 and are at most 360 degrees wide");
+}
+
+}  // namespace endmill

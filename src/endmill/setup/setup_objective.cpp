@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/setup/setup_objective.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace endmill {
+namespace {
+
+/// Relative; a few roundings of 1.1e-16 each.
+constexpr double rounding = 1e-14;
+
+}  // namespace
+
+double PoseMeasure::operator()(const PoseRanges& ranges) const
+{
+    switch (objective) {
+        case SetupObjective::FlooredArea:
+            return (ranges.width + floor_rad) * (ranges.height() + floor_rad);
+        case SetupObjective::TotalRange:
+            return ranges.width + ranges.height();
+        case SetupObjective::Tilt:
+            break;
+    }
+    const double tilt = std::max(ranges.m0, ranges.m1);
+    return family == RotaryFamily::CA ? tilt : std::max(tilt, ranges.width / 2);
+}
+
+double PoseMeasure::useful_width(double target, double m0, double m1) const
+{
+    if (objective != SetupObjective::Tilt)
+        return useful_height(target, m0 + m1);  // both treat width and height alike
+    if (std::max(m0, m1) >= target)
+        return -1;
+    return family == RotaryFamily::CA ? std::numeric_limits<double>::infinity()
+                                      : 2 * target * (1 + rounding);
+}
+
+double PoseMeasure::useful_height(double target, double width) const
+{
+    const double rest = objective == SetupObjective::FlooredArea
+                            ? target / (width + floor_rad) - floor_rad
+                            : target - width;
+    return rest + rounding * (1 + std::abs(rest));
+}
+
+RangeLimits::RangeLimits(RotaryFamily family, const RotaryLimits& limits)
+{
+    const bool is_ca = family == RotaryFamily::CA;
+    const RotaryRange& window = is_ca ? limits.theta : limits.phi;
+    const RotaryRange& reach = is_ca ? limits.phi : limits.theta;
+    const double most = is_ca ? std::numbers::pi : std::numbers::pi / 2;
+    width = std::min(window.to - window.from, 2 * std::numbers::pi);
+    far = std::min(std::max(reach.to, -reach.from), most);
+    near = std::min(std::min(reach.to, -reach.from), most);
+}
+
+}  // namespace endmill

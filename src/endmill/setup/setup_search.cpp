@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/setup/pose_search.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+#include "endmill/setup/detail/rectangle_fit.h"
+#include "endmill/setup/detail/sector_fit.h"
+#include "endmill/setup/detail/setup_order.h"
+#include "endmill/visibility/detail/direction_count.h"
+#include "endmill/visibility/nearest_cells.h"
+
+namespace endmill {
+namespace {
+
+void require_unit(std::span<const Vec3> vectors)
+{
+    constexpr double slack = 1e-6;  // of what a person writes with seven digits
+    require(std::all_of(vectors.begin(), vectors.end(),
+                        [](const Vec3& v) { return std::abs(v.norm() - 1) <= slack; }),
+            "setup: need unit vectors");
+}
+
+SetupSearch fit(const Vec3& tool_axis, std::span<const Vec3> directions,
+                const SetupOptions& options, const AreaBounds& bounds)
+{
+    return options.family == RotaryFamily::CA
+               ? sector_fit(tool_axis, directions, options, bounds)
+               : rectangle_fit(tool_axis, directions, options, bounds);
+}
+
+// A minimum that threads lower together, never below the area of the pose that is best in the
+// end. Fits are the same for any bound that their area equals or is below, so that all poses
+// that can be best are fitted as without bounds, whatever the threads' order.
+class SharedMinimum {
+public:
+    double value() const { return value_.load(std::memory_order_relaxed); }
+
+    void lower(double value)
+    {
+        double seen = value_.load(std::memory_order_relaxed);
+        while (value < seen && !value_.compare_exchange_weak(seen, value)) {
+        }
+    }
+
+private:
+    std::atomic<double> value_{std::numeric_limits<double>::infinity()};
+};
+
+std::optional<FittedPose> best_of(const std::vector<std::optional<FittedPose>>& fits)
+{
+    BestCandidate<FittedPose> best;
+    for (const std::optional<FittedPose>& fit : fits) {
+        if (fit)
+            best.offer(*fit, score_of(*fit));
+    }
+    return best.best();
+}
+
+class PoseSearch {
+public:
+    PoseSearch(const VisibilityMap& map, std::span<const Vec3> centres,
+               const SetupOptions& options)
+        : map_{map},
+          centres_{centres},
+          options_{options},
+          looks_{options.progress},
+          directions_(centres.size()),
+          least_(centres.size()),
+          feasible_(centres.size()),
+          is_skipped_(centres.size())
+    {
+    }
+
+    SetupSearch run()
+    {
+        // Quick bounds of all poses first: with them few poses need more.
+        for_each_pose([this](std::size_t pose) { bound(pose); });
+        for_each_pose([this](std::size_t pose) { fit_pose(pose); });
+        SetupSearch result;
+        result.poses_tried = centres_.size();
+        result.poses_skipped = static_cast<std::size_t>(
+            std::count(is_skipped_.begin(), is_skipped_.end(), true));
+        result.least = best_of(least_);
+        result.feasible = best_of(feasible_);
+        // A pose's two fits may be searched for apart, each to its accuracy.
+        if (result.least && setup_rules(options_.mode).has_signed_limits &&
+            is_within(result.least->phi, options_.limits.phi) &&
+            is_within(result.least->theta, options_.limits.theta))
+            result.feasible = result.least;
+        if (const std::optional<FittedPose>& shown =
+                result.feasible ? result.feasible : result.least)
+            result.status = status_of(*shown);
+        else
+            result.status = SetupStatus::NoOpenHemisphere;
+        return result;
+    }
+
+private:
+    template <class Body>
+    void for_each_pose(const Body& body)
+    {
+        parallel_for(centres_.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t pose = begin; pose < end; ++pose) {
+                body(pose);
+                looks_.one_more();
+            }
+        });
+    }
+
+    void bound(std::size_t pose)
+    {
+        for (const std::size_t cell : nearest_cells(map_, centres_, pose))
+            directions_[pose].push_back(centres_[cell]);
+        if (options_.family == RotaryFamily::CA)
+            return;
+        const AreaBounds bounds =
+            rectangle_bounds(centres_[pose], directions_[pose], options_);
+        area_.lower(bounds.least);
+        feasible_area_.lower(bounds.feasible);
+    }
+
+    void fit_pose(std::size_t pose)
+    {
+        const SetupSearch found = fit(centres_[pose], directions_[pose], options_,
+                                      {area_.value(), feasible_area_.value()});
+        is_skipped_[pose] = found.poses_skipped > 0 ? 1 : 0;
+        keep(found.least, pose, least_, area_);
+        keep(found.feasible, pose, feasible_, feasible_area_);
+        directions_[pose] = {};
+    }
+
+    static void keep(const std::optional<FittedPose>& fit, std::size_t pose,
+                     std::vector<std::optional<FittedPose>>& fits, SharedMinimum& minimum)
+    {
+        if (!fit)
+            return;
+        minimum.lower(fit->area);
+        fits[pose] = fit;
+        fits[pose]->cell = pose;
+    }
+
+    const VisibilityMap& map_;
+    std::span<const Vec3> centres_;
+    const SetupOptions& options_;
+    DirectionCount looks_;
+    std::vector<std::vector<Vec3>> directions_;
+    std::vector<std::optional<FittedPose>> least_;
+    std::vector<std::optional<FittedPose>> feasible_;
+    std::vector<char> is_skipped_;
+    SharedMinimum area_;
+    SharedMinimum feasible_area_;
+};
+
+}  // namespace
+
+SetupSearch pose_fit(const Vec3& tool_axis, std::span<const Vec3> directions,
+                     const SetupOptions& options, const AreaBounds& bounds)
+{
+    require_unit({&tool_axis, 1});
+    require_unit(directions);
+    return fit(tool_axis, directions, options, bounds);
+}
+
+SetupSearch setup_search(const VisibilityMap& map, std::span<const Vec3> centres,
+                         const SetupOptions& options)
+{
+    check_setup_options(options);
+    require(centres.size() == map.cells(), "setup_search: need a centre for each cell");
+    require_unit(centres);
+    return PoseSearch{map, centres, options}.run();
+}
+
+}  // namespace endmill

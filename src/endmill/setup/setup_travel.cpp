@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/setup/setup_travel.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "endmill/core/error.h"
+#include "endmill/machine/axis_limits.h"
+
+namespace endmill {
+namespace {
+
+// A cell within limits, and what it asks for.
+struct ReachableCell {
+    double turned;  // rad, |phi| + |theta|
+    FacetReach reach;
+};
+
+// The turns within the limits that need less, if any are.
+std::optional<ReachableCell> reachable(const RotaryFrame& frame,
+                                       const RotaryLimits& limits, const Vec3& direction,
+                                       std::size_t cell)
+{
+    const RotaryAngles one = rotary_angles(frame, direction);
+    std::optional<ReachableCell> best;
+    for (const RotaryAngles& angles : {one, other_rotary_angles(frame.family, one)}) {
+        const std::optional<double> phi = turn_within(limits.phi, angles.phi);
+        const std::optional<double> theta = turn_within(limits.theta, angles.theta);
+        if (!phi || !theta)
+            continue;
+        const double turned = std::abs(*phi) + std::abs(*theta);
+        if (!best || turned < best->turned)
+            best = ReachableCell{turned, {cell, {*phi, *theta}}};
+    }
+    return best;
+}
+
+std::vector<ReachableCell> by_turns(std::span<const Vec3> centres,
+                                    const RotaryFrame& frame, const RotaryLimits& limits)
+{
+    std::vector<ReachableCell> cells;
+    for (std::size_t i = 0; i < centres.size(); ++i)
+        if (const auto cell = reachable(frame, limits, centres[i], i))
+            cells.push_back(*cell);
+    std::ranges::sort(cells, {}, [](const ReachableCell& cell) {
+        return std::tuple{cell.turned, cell.reach.cell};
+    });
+    return cells;
+}
+
+// Positions of the rotary axes of the machine for turns of the tool against the part.
+RotaryPositions positions_for(const MachineConfiguration& configuration,
+                              const RotaryAngles& angles)
+{
+    RotaryLimits turns;
+    turns.phi.to = angles.phi;
+    turns.theta.to = angles.theta;
+    RotaryPositions positions{0, 0};
+    for (std::size_t k = 0; k < configuration.rotary.size(); ++k)
+        positions[k] =
+            mirrored(configuration.rotary[k].side, turns_of(turns, configuration, k).to);
+    return positions;
+}
+
+Vec3 middle(const LinearLimits& limits)
+{
+    Vec3 middle = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) {
+        const double sum = limits[k].from + limits[k].to;
+        middle[k] = std::isfinite(sum) ? sum / 2 : 0;
+    }
+    return middle;
+}
+
+}  // namespace
+
+Eigen::Matrix3d part_to_machine(const SetupPose& pose,
+                                const MachineConfiguration& configuration)
+{
+    require(configuration.is_valid(), "part_to_machine: need a valid configuration");
+    // The rotary axis that lies across the tool axis is X or Y; the other follows from Z. In
+    // C,A that is the second one, in A,B either, and without one r1 is X.
+    const auto& rotary = configuration.rotary;
+    const bool is_ca = configuration.family == RotaryFamily::CA;
+    const char letter = rotary.empty() ? 'a' : rotary[is_ca ? 1 : 0].letter;
+    const Vec3& across = is_ca ? pose.r2_axis : pose.r1_axis;
+    const bool is_x = letter == 'a';
+    Eigen::Matrix3d rows;
+    rows.row(is_x ? 0 : 1) = across;
+    rows.row(is_x ? 1 : 0) =
+        is_x ? pose.tool_axis.cross(across) : across.cross(pose.tool_axis);
+    rows.row(2) = pose.tool_axis;
+    return rows;
+}
+
+std::vector<std::optional<FacetReach>> facet_reach(const VisibilityMap& map,
+                                                   std::span<const Vec3> centres,
+                                                   const RotaryFrame& frame,
+                                                   const RotaryLimits& limits)
+{
+    require(centres.size() == map.cells(), "facet_reach: need a centre for each cell");
+    std::vector<std::optional<FacetReach>> reaches(map.facets());
+    std::vector<std::uint64_t> left(map.words(), ~std::uint64_t{0});
+    for (const ReachableCell& cell : by_turns(centres, frame, limits)) {
+        const std::span<const std::uint64_t> column = map.column(cell.reach.cell);
+        for (std::size_t w = 0; w < map.words(); ++w) {
+            for (std::uint64_t bits = column[w] & left[w]; bits != 0; bits &= bits - 1)
+                reaches[64 * w + static_cast<std::size_t>(std::countr_zero(bits))] =
+                    cell.reach;
+            left[w] &= ~column[w];
+        }
+    }
+    return reaches;
+}
+
+SetupTravel setup_travel(const Machine& machine, const Eigen::Matrix3d& part_to_machine,
+                         const ReachedPoints& reached, const Vec3& clamp,
+                         double tool_length)
+{
+    require(!reached.points.empty(), "setup_travel: need a point");
+    require(reached.points.size() == reached.angles.size(),
+            "setup_travel: need turns for each point");
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Vec3 centre = middle(machine.linear);
+    SetupTravel travel{Vec3::Constant(infinity), Vec3::Constant(-infinity), true,
+                       Vec3::Zero()};
+    Vec3 shift = Vec3::Zero();
+    for (std::size_t i = 0; i < reached.points.size(); ++i) {
+        const RotaryPositions rotary =
+            positions_for(machine.configuration, reached.angles[i]);
+        const Vec3 point = part_to_machine * reached.points[i] + clamp;
+        const Vec3 xyz = axis_positions(machine, rotary, point, tool_length).xyz;
+        travel.low = travel.low.cwiseMin(xyz);
+        travel.high = travel.high.cwiseMax(xyz);
+        travel.is_within = travel.is_within && is_within(machine.linear, xyz);
+        // X = G p' + a constant: the middle is met where p' moves by G^T (middle - X).
+        const Vec3 met = tool_location(machine, {rotary, centre}, tool_length).tip;
+        shift += met - point;
+    }
+    travel.centred_clamp = clamp + shift / static_cast<double>(reached.points.size());
+    return travel;
+}
+
+}  // namespace endmill

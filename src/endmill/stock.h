@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// \file
+/// All public headers of the module `stock`.
+
+#include "endmill/stock/height_stock.h"
+#include "endmill/stock/mesh_stock.h"
+#include "endmill/stock/removal.h"
+#include "endmill/stock/stock_engagement.h"
+#include "endmill/stock/stock_fronts.h"
+#include "endmill/stock/stock_gap.h"
+#include "endmill/stock/stock_history.h"
+#include "endmill/stock/stock_memory.h"

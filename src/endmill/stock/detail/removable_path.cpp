@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/stock/detail/removable_path.h"
+
+#include <string>
+
+#include "endmill/core/error.h"
+
+namespace endmill {
+namespace {
+
+// Differences of such coordinates still tell a thousandth of a millimetre.
+constexpr double largest_coordinate = 1e9;  // mm
+// The axis is that of the grid but for the rounding of a unit vector.
+constexpr double axis_slack = 1e-9;
+
+}  // namespace
+
+void require_removable(const ToolPath& path)
+{
+    for (const PathPoint& point : path.points) {
+        const Vec3& tip = point.location.tip;
+        require(tip.allFinite() && tip.cwiseAbs().maxCoeff() <= largest_coordinate,
+                "removal along a path: a tip is not within 1e9 mm");
+        if (!((point.location.axis - Vec3::UnitZ()).norm() <= axis_slack))
+            throw GeometryError{
+                "the tool axis of pass " + std::to_string(point.pass) + ", point " +
+                std::to_string(point.point) +
+                " is not +z: material is removed along 3-axis paths only"};
+    }
+}
+
+bool cuts_at_start(const ToolPath& path)
+{
+    const Move move = path.points.front().move;
+    return move == Move::Plunge || move == Move::Cut;
+}
+
+}  // namespace endmill

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/stock/detail/tile_clearance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "endmill/core/detail/widest_registers.h"
+
+namespace endmill {
+namespace {
+
+constexpr int side = HeightStock::tile_side;
+// Of the largest coordinate: some hundred roundings of a double, so that a move is never
+// left out for one.
+constexpr double rounding_share = 1e-13;
+
+// The slopes that fit best, times the sum of the squared distances from the middle, in
+// cells: 8 rows of 2 (0.5^2 + 1.5^2 + 2.5^2 + 3.5^2).
+constexpr double sum_of_squares = 8 * 42.0;
+
+ENDMILL_WIDEST_REGISTERS
+void fit_plane(const double* tile, double pitch, TileTop& top)
+{
+    std::array<double, side> columns{};
+    std::array<double, side> moments{};
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+            columns[i] += tile[j * side + i];
+            moments[i] += (j - 3.5) * tile[j * side + i];
+        }
+    double along_x = 0;
+    double along_y = 0;
+    for (int i = 0; i < side; ++i) {
+        along_x += (i - 3.5) * columns[i];
+        along_y += moments[i];
+    }
+    const double rise_x = along_x / sum_of_squares;  // a cell
+    const double rise_y = along_y / sum_of_squares;
+    std::array<double, side> highest;
+    highest.fill(-std::numeric_limits<double>::infinity());
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+            const double over =
+                tile[j * side + i] - ((i - 3.5) * rise_x + (j - 3.5) * rise_y);
+            highest[i] = over > highest[i] ? over : highest[i];
+        }
+    top.slope_x = rise_x / pitch;
+    top.slope_y = rise_y / pitch;
+    top.z = *std::ranges::max_element(highest);
+}
+
+}  // namespace
+
+TileTop tile_top(HeightStock::ConstTile tile, const TilePlace& place)
+{
+    const double pitch = place.x[1] - place.x[0];
+    TileTop top{};
+    fit_plane(tile.data(), pitch, top);
+    top.x = (place.x.front() + place.x.back()) / 2;
+    top.y = (place.y.front() + place.y.back()) / 2;
+    top.half_width = (place.x.back() - place.x.front()) / 2;
+    top.margin = rounding_share *
+                 (std::abs(top.x) + std::abs(top.y) + std::abs(top.z) +
+                  (1 + std::abs(top.slope_x) + std::abs(top.slope_y)) * top.half_width);
+    return top;
+}
+
+TileTop common_top(std::span<const TileTop> tops)
+{
+    TileTop common{};
+    double low_x = tops.front().x;
+    double low_y = tops.front().y;
+    double high_x = low_x;
+    double high_y = low_y;
+    for (const TileTop& top : tops) {
+        low_x = std::min(low_x, top.x);
+        low_y = std::min(low_y, top.y);
+        high_x = std::max(high_x, top.x);
+        high_y = std::max(high_y, top.y);
+        common.slope_x += top.slope_x / static_cast<double>(tops.size());
+        common.slope_y += top.slope_y / static_cast<double>(tops.size());
+        common.margin = std::max(common.margin, top.margin);
+    }
+    common.x = (low_x + high_x) / 2;
+    common.y = (low_y + high_y) / 2;
+    common.half_width =
+        std::max(high_x - low_x, high_y - low_y) / 2 + tops.front().half_width;
+    common.z = -std::numeric_limits<double>::infinity();
+    // Over a tile the difference of the planes is greatest at one of its corners.
+    for (const TileTop& top : tops)
+        common.z = std::max(common.z, top.z + (common.x - top.x) * common.slope_x +
+                                          (common.y - top.y) * common.slope_y +
+                                          (std::abs(top.slope_x - common.slope_x) +
+                                           std::abs(top.slope_y - common.slope_y)) *
+                                              top.half_width);
+    // The sums above round some ten times as often as those of a tile.
+    common.margin *= 10;
+    return common;
+}
+
+void MoveBatch::keep(const std::uint8_t* kept)
+{
+    int next = 0;
+    for (int k = 0; k < count; ++k) {
+        x[next] = x[k];
+        y[next] = y[k];
+        z[next] = z[k];
+        dx[next] = dx[k];
+        dy[next] = dy[k];
+        dz[next] = dz[k];
+        per_length2[next] = per_length2[k];
+        number[next] = number[k];
+        next += kept[k] ? 1 : 0;
+    }
+    count = next;
+}
+
+void MoveBatch::add(const SweptMove& move, std::uint32_t its_number)
+{
+    const double length2 = move.length * move.length + move.rise * move.rise;
+    x[count] = move.x;
+    y[count] = move.y;
+    z[count] = move.z;
+    dx[count] = move.length * move.direction_x;
+    dy[count] = move.length * move.direction_y;
+    dz[count] = move.rise;
+    // Below the least length of which a reciprocal is known it does not matter.
+    per_length2[count] =
+        length2 > 1 / std::numeric_limits<double>::max() ? 1 / length2 : 0;
+    number[count] = its_number;
+    ++count;
+}
+
+ENDMILL_WIDEST_REGISTERS
+void may_touch(const TileTop& top, const MoveBatch& batch, const SweptDisc& disc,
+               MoveRange range, std::uint8_t* touches)
+{
+    const double c = disc.flat_radius;
+    const double top_z = top.z - disc.above;
+    const double half = top.half_width;
+    for (int k = range.first; k < range.last; ++k) {
+        // From the middle of the disc at the start of the move to the middle of the tile.
+        const double px = top.x - batch.x[k];
+        const double py = top.y - batch.y[k];
+        const double pz = top_z - batch.z[k];
+        const double dx = batch.dx[k];
+        const double dy = batch.dy[k];
+        const double dz = batch.dz[k];
+        const double nearest = (px * dx + py * dy + pz * dz) * batch.per_length2[k];
+        const double positive = select(nearest > 0, nearest, 0);
+        const double share = select(positive < 1, positive, 1);
+        double vx = px - share * dx;
+        double vy = py - share * dy;
+        double vz = pz - share * dz;
+        // From the nearest point of the disc. Never upwards: all above it is swept too.
+        const double across = std::sqrt(vx * vx + vy * vy);
+        const double beside = select(across > c, across - c, 0);
+        const double kept = select(across > c, beside / across, 0);
+        vx *= kept;
+        vy *= kept;
+        vz = vz < 0 ? vz : 0;
+        const double at_start = vx * px + vy * py + vz * pz;
+        const double turn = vx * dx + vy * dy + vz * dz;
+        const double least = select(turn > 0, at_start - turn, at_start);
+        const double tilt_x = std::abs(vx + vz * top.slope_x);
+        const double tilt_y = std::abs(vy + vz * top.slope_y);
+        const double r = disc.corner_radius + top.margin +
+                         rounding_share * (std::abs(px) + std::abs(py) + std::abs(pz));
+        // Clear if this is more than r |v|, of which the squares tell.
+        const double apart = least - (tilt_x + tilt_y) * half - c * beside;
+        const double v2 = beside * beside + vz * vz;
+        const bool is_clear = apart * std::abs(apart) > r * r * v2;
+        touches[k] = is_clear ? 0 : 1;
+    }
+}
+
+}  // namespace endmill

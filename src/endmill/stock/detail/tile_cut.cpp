@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/stock/detail/tile_cut.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "endmill/core/detail/widest_registers.h"
+#include "endmill/stock/detail/bull_heights.h"
+
+namespace endmill {
+namespace {
+
+constexpr int side = HeightStock::tile_side;
+
+ENDMILL_WIDEST_REGISTERS
+void lower(double* __restrict tile, double bottom_z, const double* __restrict heights,
+           double* __restrict depths)
+{
+    for (int k = 0; k < HeightStock::tile_size; ++k) {
+        const double before = tile[k];
+        const double left = heights[k] > bottom_z ? heights[k] : bottom_z;
+        const double after = left < before ? left : before;
+        tile[k] = after;
+        depths[k] = before - after;
+    }
+}
+
+TileCut sum_of(const TileHeights& depths)
+{
+    std::array<double, side> sums{};
+    std::array<double, side> deepest{};
+    for (int k = 0; k < HeightStock::tile_size; k += side)
+        for (int i = 0; i < side; ++i) {
+            sums[i] += depths[k + i];
+            deepest[i] = depths[k + i] > deepest[i] ? depths[k + i] : deepest[i];
+        }
+    TileCut cut{0, 0};
+    for (int i = 0; i < side; ++i) {
+        cut.depths += sums[i];
+        cut.deepest = std::max(cut.deepest, deepest[i]);
+    }
+    return cut;
+}
+
+}  // namespace
+
+TileCut cut_tile(HeightStock::Tile tile, const TilePlace& place, const Cutter& cutter,
+                 const SweptMove& move)
+{
+    TileHeights heights;
+    if (cutter.is_ball())
+        ball_heights(place, move, cutter.radius(), heights);
+    else if (cutter.is_flat())
+        flat_heights(place, move, cutter.radius(), heights);
+    else
+        bull_heights(tile, place, cutter, move, heights);
+    TileHeights depths;
+    lower(tile.data(), place.bottom_z, heights.data(), depths.data());
+    return sum_of(depths);
+}
+
+double body_depth(HeightStock::ConstTile tile, const TilePlace& place,
+                  const BodyCylinder& body, const SweptMove& move)
+{
+    TileHeights heights;
+    flat_heights(place, move, body.radius, heights);
+    double depth = 0;
+    for (int k = 0; k < HeightStock::tile_size; ++k)
+        if (tile[k] > place.bottom_z)
+            depth = std::max(depth, tile[k] - (heights[k] + body.above));
+    return depth;
+}
+
+double body_depth_on_arrival(HeightStock::ConstTile tile, const TilePlace& place,
+                             const BodyCylinder& body, const SweptMove& move)
+{
+    double depth = 0;
+    for (int k = 0; k < HeightStock::tile_size; ++k) {
+        const double dx = place.x[k % side] - move.x;
+        const double dy = place.y[k / side] - move.y;
+        const double s = dx * move.direction_x + dy * move.direction_y;
+        const double e = dy * move.direction_x - dx * move.direction_y;
+        const double q = (body.radius - e) * (body.radius + e);
+        if (q < 0 || tile[k] <= place.bottom_z)
+            continue;
+        const double arrival = s - std::sqrt(q);
+        if (arrival > 0 && arrival <= move.length)
+            depth =
+                std::max(depth, tile[k] - (move.z + move.slope * arrival + body.above));
+    }
+    return depth;
+}
+
+}  // namespace endmill

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/stock/detail/tile_heights.h"
+
+#include <cmath>
+#include <limits>
+
+#include "endmill/core/detail/widest_registers.h"
+
+namespace endmill {
+namespace {
+
+constexpr int side = HeightStock::tile_side;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+// S under a ball. With w^2 = q, k = 1 + m^2 the unclamped position s - m w / sqrt(k) lies
+// before the move's start if s |s| k < m |m| q, and beyond its end alike; so one root a
+// cell is enough. Source: spec of the removal, section 1.
+ENDMILL_WIDEST_REGISTERS
+void ball_heights(const TilePlace& place, const SweptMove& move, double R,
+                  TileHeights& heights)
+{
+    const double m = move.slope;
+    const double k = 1 + m * m;
+    const double length = move.length;
+    const double rise = move.rise;
+    const double z = move.z;
+    for (int j = 0; j < side; ++j) {
+        const TileRow row = tile_row(place, j, move, R);
+        for (int i = 0; i < side; ++i) {
+            const double s = row.s[i];
+            const double q = row.q[i];
+            const double rest = s - length;
+            const double turn = m * std::abs(m) * q;
+            const bool is_before = s * std::abs(s) * k < turn;
+            const bool is_beyond = rest * std::abs(rest) * k > turn;
+            const double at_start = q - s * s;
+            const double at_end = q - rest * rest;
+            const double between = q * k;
+            const double rise_so_far = m * s;
+            const double late = select(is_beyond, at_end, between);
+            const double late_rise = select(is_beyond, rise, rise_so_far);
+            const double square = select(is_before, at_start, late);
+            const double risen = select(is_before, 0, late_rise);
+            const double least = select(q < square, q, square);
+            const double swept = z + risen + (R - std::sqrt(std::abs(square)));
+            heights[j * side + i] = select(least >= 0, swept, infinite);
+        }
+    }
+}
+
+// S under a flat cutter: at the end of its way over the cell where it is lower.
+ENDMILL_WIDEST_REGISTERS
+void flat_heights(const TilePlace& place, const SweptMove& move, double R,
+                  TileHeights& heights)
+{
+    const double m = move.slope;
+    const double length = move.length;
+    const double z = move.z;
+    for (int j = 0; j < side; ++j) {
+        const TileRow row = tile_row(place, j, move, R);
+        for (int i = 0; i < side; ++i) {
+            const double w = std::sqrt(std::abs(row.q[i]));
+            const double first = row.s[i] - w;
+            const double last = row.s[i] + w;
+            const double low = select(first > 0, first, 0);
+            const double high = select(last < length, last, length);
+            const double along = select(m > 0, low, high);
+            const double swept = select(low <= high, z + m * along, infinite);
+            heights[j * side + i] = select(row.q[i] >= 0, swept, infinite);
+        }
+    }
+}
+
+TilePlace tile_place(const StockGrid& grid, int tile_column, int tile_row)
+{
+    TilePlace place{};
+    for (int k = 0; k < side; ++k) {
+        place.x[k] = grid.x(tile_column * side + k);
+        place.y[k] = grid.y(tile_row * side + k);
+    }
+    place.bottom_z = grid.bottom_z;
+    return place;
+}
+
+}  // namespace endmill

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/trimming/detail/envelope_trimming.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "endmill/trimming/detail/section_order.h"
+#include "endmill/trimming/detail/trimmed_points.h"
+#include "endmill/trimming/detail/upper_envelope.h"
+
+namespace endmill {
+namespace {
+
+// The vertical segment that reaches highest of those at one s; of equal ones the first.
+struct Vertical {
+    std::int32_t segment;
+    std::int32_t top;  // vertex
+    std::int32_t bottom;
+};
+
+// One for each s at which there is any, by s.
+std::vector<Vertical> highest_verticals(std::span<const SectionPoint> points,
+                                        std::span<const std::int32_t> segments)
+{
+    std::vector<Vertical> verticals;
+    for (const std::int32_t k : segments) {
+        if (points[k][1] != points[k + 1][1]) {
+            const bool is_upwards = points[k][1] < points[k + 1][1];
+            verticals.push_back({k, is_upwards ? k + 1 : k, is_upwards ? k : k + 1});
+        }
+    }
+    std::ranges::sort(verticals, [&](const Vertical& a, const Vertical& b) {
+        const SectionPoint& p = points[a.top];
+        const SectionPoint& q = points[b.top];
+        if (p[0] != q[0])
+            return p[0] < q[0];
+        return p[1] != q[1] ? p[1] > q[1] : a.segment < b.segment;
+    });
+    const auto has_same_s = [&](const Vertical& a, const Vertical& b) {
+        return points[a.top][0] == points[b.top][0];
+    };
+    verticals.erase(std::unique(verticals.begin(), verticals.end(), has_same_s),
+                    verticals.end());
+    return verticals;
+}
+
+// Writes an envelope, and the verticals that rise above it, as curves.
+class Writer {
+public:
+    explicit Writer(const PlanePoints& plane)
+        : plane_{plane},
+          points_{plane.section().points},
+          made_{plane},
+          order_{plane.section()},
+          envelope_{upper_envelope(plane.section())},
+          verticals_{highest_verticals(points_, envelope_.verticals)}
+    {
+    }
+
+    Trimmed write()
+    {
+        const auto& pieces = envelope_.pieces;
+        std::int32_t left = no_segment;
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+            if (!is_left_of_all(pieces[k].from))
+                write_place({left, pieces[k].segment}, pieces[k].from, pieces.size() - k);
+            left = pieces[k].segment;
+        }
+        if (!pieces.empty())
+            write_place({left, no_segment}, envelope_.end, 1);
+        while (next_vertical_ < verticals_.size())
+            write_lone(verticals_[next_vertical_++]);
+        return std::move(trimmed_);
+    }
+
+private:
+    // The carriers left and right of a place.
+    struct Sides {
+        std::int32_t left;
+        std::int32_t right;
+    };
+
+    bool is_left_of_all(std::int32_t place) const
+    {
+        return place < 0 && envelope_.crossings[~place].p == no_segment;
+    }
+
+    // Writes the verticals before `place`, and the place.
+    void write_place(const Sides& sides, std::int32_t place, std::size_t most_points)
+    {
+        while (next_vertical_ < verticals_.size() && compare_next_vertical(place) < 0) {
+            const Vertical& vertical = verticals_[next_vertical_++];
+            if (sides.left == no_segment)
+                write_lone(vertical);
+            else if (order_.side(sides.left, vertical.top) > 0)
+                write_spike(sides.left, vertical);
+        }
+        if (sides.left == no_segment) {
+            trimmed_.curves.emplace_back();
+            trimmed_.curves.back().points.reserve(most_points + 1);
+        }
+        const Vertical* vertical = nullptr;
+        if (next_vertical_ < verticals_.size() && compare_next_vertical(place) == 0)
+            vertical = &verticals_[next_vertical_++];
+        if (place < 0)
+            write_crossing(sides, vertical);
+        else
+            write_vertex(sides, place, vertical);
+    }
+
+    // The order of the next vertical and a place.
+    int compare_next_vertical(std::int32_t place) const
+    {
+        const double s = order_.s(verticals_[next_vertical_].top);
+        if (place < 0)
+            return -order_.order(envelope_.crossings[~place], s);
+        return (s > order_.s(place)) - (s < order_.s(place));
+    }
+
+    void write_crossing(const Sides& sides, const Vertical* vertical)
+    {
+        const TrimmedPoint point = made_.crossing(sides.left, sides.right);
+        write(point);
+        // Of the true crossing, which the rounded one may lie above.
+        if (vertical && order_.side(sides.left, vertical->top) > 0) {
+            write(made_.vertex(vertical->top));
+            write(point);
+        }
+    }
+
+    void write_vertex(const Sides& sides, std::int32_t place, const Vertical* vertical)
+    {
+        const Limit left = limit_at(sides.left, place);
+        const Limit right = limit_at(sides.right, place);
+        if (vertical && is_above(vertical->top, left) && is_above(vertical->top, right)) {
+            write_limit(left, {vertical->top, vertical});
+            write(made_.vertex(vertical->top));
+            write_limit(right, {vertical->top, vertical});
+            return;
+        }
+        if (left.is_vertex() && right.is_vertex() &&
+            points_[left.vertex] == points_[right.vertex]) {
+            write(made_.vertex(std::min(left.vertex, right.vertex)));
+            return;
+        }
+        if (left.is_link() && right.is_link()) {  // a vertex of a hidden segment
+            write(made_.crossing(sides.left, sides.right));
+            return;
+        }
+        const Jump jump{left.is_vertex() ? left.vertex : right.vertex, vertical};
+        if (!left.is_link() || is_above(jump.upper, left))
+            write_limit(left, jump);
+        if (!right.is_link() || is_above(jump.upper, right))
+            write_limit(right, jump);
+    }
+
+    // What the envelope tends to from one side of the s of a vertex.
+    struct Limit {
+        std::int32_t segment;  // or none
+        std::int32_t vertex;   // of the segment there, or negative
+        bool is_vertex() const { return vertex >= 0; }
+        bool is_link() const { return segment != no_segment && vertex < 0; }
+    };
+
+    // The upper end of a vertical link, and what vertical segment there may be.
+    struct Jump {
+        std::int32_t upper;
+        const Vertical* vertical;
+    };
+
+    Limit limit_at(std::int32_t segment, std::int32_t place) const
+    {
+        if (segment == no_segment)
+            return {no_segment, -1};
+        for (const std::int32_t vertex : {segment, segment + 1})
+            if (order_.s(vertex) == order_.s(place))
+                return {segment, vertex};
+        return {segment, -1};
+    }
+
+    bool is_above(std::int32_t vertex, const Limit& limit) const
+    {
+        if (limit.segment == no_segment)
+            return true;
+        if (limit.is_vertex())
+            return points_[vertex][1] > points_[limit.vertex][1];
+        return order_.side(limit.segment, vertex) > 0;
+    }
+
+    void write_limit(const Limit& limit, const Jump& jump)
+    {
+        if (limit.is_vertex())
+            write(made_.vertex(limit.vertex));
+        else if (limit.segment != no_segment)
+            write(link_point(limit.segment, jump));
+    }
+
+    void write_spike(std::int32_t segment, const Vertical& vertical)
+    {
+        const TrimmedPoint foot = link_point(segment, {vertical.top, &vertical});
+        write(foot);
+        write(made_.vertex(vertical.top));
+        write(foot);
+    }
+
+    void write_lone(const Vertical& vertical)
+    {
+        trimmed_.curves.emplace_back();
+        write(made_.vertex(vertical.bottom));
+        write(made_.vertex(vertical.top));
+    }
+
+    // The lower end of a jump: a crossing if a vertical segment makes all of the jump.
+    TrimmedPoint link_point(std::int32_t segment, const Jump& jump) const
+    {
+        TrimmedPoint point = made_.link(segment, jump.upper);
+        const Vertical* vertical = jump.vertical;
+        if (vertical && points_[jump.upper][1] <= points_[vertical->top][1] &&
+            order_.side(segment, vertical->bottom) <= 0) {
+            point.across = plane_.number(vertical->segment);
+            point.kind = TrimmedKind::Crossing;
+        }
+        return point;
+    }
+
+    void write(const TrimmedPoint& point) { append(trimmed_.curves.back(), point); }
+
+    const PlanePoints& plane_;
+    std::span<const SectionPoint> points_;
+    TrimmedPoints made_;
+    SectionOrder order_;
+    UpperEnvelope envelope_;
+    std::vector<Vertical> verticals_;
+    std::size_t next_vertical_ = 0;
+    Trimmed trimmed_;
+};
+
+}  // namespace
+
+Trimmed envelope_trimming(std::span<const SectionCurve> curves,
+                          const TrimmingOptions& /*options*/)
+{
+    Trimmed trimmed = Writer{PlanePoints{curves}}.write();
+    trimmed.rule = "below the envelope";
+    return trimmed;
+}
+
+}  // namespace endmill

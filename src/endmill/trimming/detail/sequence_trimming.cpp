@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/trimming/detail/sequence_trimming.h"
+
+#include "endmill/trimming/detail/branch_trimming.h"
+
+namespace endmill {
+namespace {
+
+// The segments of a branch A that is monotone in a coordinate, upwards in it.
+class UpwardSegments {
+public:
+    // From the segment that meets `value` on, or from A's lowest.
+    UpwardSegments(const SectionChain& chain, const Branches& branches, int axis,
+                   double value)
+        : chain_{chain},
+          axis_{axis},
+          grows_{chain.at(branches.first_a)[axis] < chain.at(branches.cusp_a)[axis]},
+          vertex_{branches.cusp_a},
+          end_{grows_ ? branches.cusp_a : branches.first_a}
+    {
+        while (grows_ && vertex_ != branches.first_a && low() > value)
+            vertex_ = chain.previous(vertex_);
+    }
+
+    bool has_segment() const { return vertex_ != end_; }
+
+    std::int32_t segment() const { return grows_ ? vertex_ : chain_.previous(vertex_); }
+
+    double low() const { return chain_.at(vertex_)[axis_]; }
+
+    double high() const { return chain_.at(following())[axis_]; }
+
+    void advance() { vertex_ = following(); }
+
+private:
+    std::int32_t following() const
+    {
+        return grows_ ? chain_.next(vertex_) : chain_.previous(vertex_);
+    }
+
+    const SectionChain& chain_;
+    int axis_;
+    bool grows_;
+    std::int32_t vertex_;  // the lower end of the segment
+    std::int32_t end_;
+};
+
+}  // namespace
+
+std::optional<ChainCrossing> scan_segments(const SectionChain& chain,
+                                           const Branches& branches,
+                                           const TrimmingOptions& options)
+{
+    const bool valley_only = options.detection == FoldDetection::Guarded;
+    for (std::int32_t b = branches.cusp_b; b != branches.last_b; b = chain.next(b)) {
+        const auto a = first_crossed_of_a(chain, branches, b);
+        if (!a)
+            continue;
+        if (const auto crossing = crossing_of(chain, *a, b, valley_only))
+            return crossing;
+    }
+    return std::nullopt;
+}
+
+std::optional<ChainCrossing> march_segments(const SectionChain& chain,
+                                            const Branches& branches,
+                                            const TrimmingOptions& options)
+{
+    const bool valley_only = options.detection == FoldDetection::Guarded;
+    const int axis = valley_only ? 0 : 1;
+    UpwardSegments a{chain, branches, axis, chain.at(branches.cusp_b)[axis]};
+    for (std::int32_t b = branches.cusp_b; b != branches.last_b; b = chain.next(b)) {
+        const double low = chain.at(b)[axis];
+        const double high = chain.at(chain.next(b))[axis];
+        while (a.has_segment() && a.high() < low)
+            a.advance();
+        if (!a.has_segment())
+            return std::nullopt;
+        for (UpwardSegments beside = a; beside.has_segment() && beside.low() <= high;
+             beside.advance()) {
+            if (const auto crossing =
+                    crossing_of(chain, beside.segment(), b, valley_only))
+                return crossing;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<ChainCrossing> search_in_sequence(const SectionChain& chain,
+                                                const Branches& branches,
+                                                const TrimmingOptions& options)
+{
+    return options.search == BranchSearch::March
+               ? march_segments(chain, branches, options)
+               : scan_segments(chain, branches, options);
+}
+
+Trimmed trim_in_sequence(std::span<const SectionCurve> curves,
+                         const TrimmingOptions& options)
+{
+    return trim_branches(curves, {search_in_sequence}, options);
+}
+
+}  // namespace endmill

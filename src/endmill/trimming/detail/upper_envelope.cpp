@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/trimming/detail/upper_envelope.h"
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "endmill/trimming/detail/section_order.h"
+
+namespace endmill {
+namespace {
+
+// A chain may be merged into an envelope where it meets up to so many pieces, a segment of
+// the chain and at all: then the work is in proportion to the chain.
+constexpr std::size_t pieces_per_segment = 4;
+constexpr std::size_t pieces_at_least = 64;
+
+// Consecutive segments with one sign of ds, from vertex `first` to vertex `last`.
+struct Chain {
+    std::int32_t first;
+    std::int32_t last;
+    bool is_rightwards;
+};
+
+// An upper envelope in two halves that meet at the finger, each with its innermost piece
+// last. A piece over the finger is in both. In the right half EnvelopePiece::from tells where
+// a piece ends: in both its end that is farther from the finger.
+struct OpenEnvelope {
+    std::vector<EnvelopePiece> left;
+    std::vector<EnvelopePiece> right;
+    std::int32_t finger = 0;
+
+    std::size_t size() const { return left.size() + right.size(); }
+};
+
+// Where to walk, and what from: a chain.
+class ChainFeed {
+public:
+    explicit ChainFeed(const Chain& chain) : next_{chain.first}, last_{chain.last} {}
+
+    bool is_done() const { return next_ == last_; }
+    std::int32_t segment() const { return next_; }
+    std::int32_t end() const { return next_ + 1; }  // of that segment
+    void advance() { ++next_; }
+
+private:
+    std::int32_t next_;
+    std::int32_t last_;
+};
+
+// Or the pieces to the right of a finger, which are used up.
+class EnvelopeFeed {
+public:
+    explicit EnvelopeFeed(std::vector<EnvelopePiece>& pieces) : pieces_{pieces} {}
+
+    bool is_done() const { return pieces_.empty(); }
+    std::int32_t segment() const { return pieces_.back().segment; }
+    std::int32_t end() const { return pieces_.back().from; }
+    void advance() { pieces_.pop_back(); }
+
+private:
+    std::vector<EnvelopePiece>& pieces_;
+};
+
+void append(std::vector<EnvelopePiece>& half, std::int32_t segment, std::int32_t outer)
+{
+    if (half.empty() || half.back().segment != segment)
+        half.push_back({segment, outer});
+}
+
+bool touches(std::int32_t segment, std::int32_t vertex)
+{
+    return segment == vertex || segment + 1 == vertex;
+}
+
+class Builder {
+public:
+    explicit Builder(const SectionPoints& section) : section_{section}, order_{section}
+    {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        crossings_.push_back({-infinity, 0, 0, no_segment, no_segment});
+    }
+
+    UpperEnvelope build()
+    {
+        std::int32_t begin = 0;
+        for (const std::int32_t end : section_.ends) {
+            add_curve(begin, end);
+            begin = end;
+        }
+        while (open_.size() > 1)
+            merge_last();
+        return result();
+    }
+
+private:
+    static constexpr std::int32_t left_of_all = ~std::int32_t{0};
+
+    void add_curve(std::int32_t begin, std::int32_t end)
+    {
+        bool is_new = true;
+        for (std::int32_t first = begin; first + 1 < end;) {
+            const double s = order_.s(first);
+            double next = order_.s(first + 1);
+            if (s == next) {
+                verticals_.push_back(first);
+                ++first;
+                continue;
+            }
+            const bool is_rightwards = s < next;
+            std::int32_t last = first + 1;
+            while (last + 1 < end) {
+                const double after = order_.s(last + 1);
+                if (is_rightwards ? after <= next : after >= next)
+                    break;
+                next = after;
+                ++last;
+            }
+            add_chain({first, last, is_rightwards}, is_new);
+            is_new = false;
+            first = last;
+        }
+    }
+
+    void add_chain(const Chain& chain, bool is_new)
+    {
+        if (is_new || is_costly(chain)) {
+            while (open_.size() > 1 &&
+                   2 * open_.back().size() >= open_[open_.size() - 2].size())
+                merge_last();
+            open_.emplace_back();
+            if (open_.size() == 1)  // as a rule the only one
+                open_.back().left.reserve(section_.points.size());
+        }
+        OpenEnvelope& envelope = open_.back();
+        envelope.finger = chain.first;
+        if (chain.is_rightwards)
+            walk<true>(envelope, ChainFeed{chain});
+        else
+            walk<false>(envelope, ChainFeed{chain});
+    }
+
+    bool is_costly(const Chain& chain) const
+    {
+        const auto& ahead = chain.is_rightwards ? open_.back().right : open_.back().left;
+        const auto segments = static_cast<std::size_t>(chain.last - chain.first);
+        const std::size_t pieces = pieces_per_segment * segments + pieces_at_least;
+        if (ahead.size() <= pieces)
+            return false;
+        const double reached = place_s(ahead[ahead.size() - 1 - pieces].from);
+        const double end = order_.s(chain.last);
+        return chain.is_rightwards ? reached < end : reached > end;
+    }
+
+    // Merges the last open envelope into the one before.
+    void merge_last()
+    {
+        OpenEnvelope last = std::move(open_.back());
+        open_.pop_back();
+        rewind(last);
+        rewind(open_.back());
+        walk<true>(open_.back(), EnvelopeFeed{last.right});
+    }
+
+    // Moves the finger to -infinity.
+    static void rewind(OpenEnvelope& envelope)
+    {
+        while (!envelope.left.empty()) {
+            const EnvelopePiece piece = envelope.left.back();
+            append(envelope.right, piece.segment, envelope.finger);
+            envelope.finger = piece.from;
+            envelope.left.pop_back();
+        }
+        if (envelope.finger != left_of_all) {
+            append(envelope.right, no_segment, envelope.finger);
+            envelope.finger = left_of_all;
+        }
+    }
+
+    UpperEnvelope result()
+    {
+        UpperEnvelope envelope;
+        envelope.verticals = std::move(verticals_);
+        if (open_.empty())
+            return envelope;
+        OpenEnvelope& whole = open_.back();
+        std::int32_t from = whole.finger;
+        for (; !whole.right.empty(); whole.right.pop_back()) {
+            append(whole.left, whole.right.back().segment, from);
+            from = whole.right.back().from;
+        }
+        envelope.pieces = std::move(whole.left);
+        envelope.end = from;
+        envelope.crossings = std::move(crossings_);
+        return envelope;
+    }
+
+    // Merges what `feed` holds into `envelope`, from the finger on, and moves it along. Between
+    // two places where either changes its segment both are linear: the signs of their distance
+    // at both ends tell all.
+    template <bool is_rightwards, typename Feed>
+    void walk(OpenEnvelope& envelope, Feed feed)
+    {
+        auto& behind = is_rightwards ? envelope.left : envelope.right;
+        auto& ahead = is_rightwards ? envelope.right : envelope.left;
+        std::int32_t place = envelope.finger;
+        // Whether the feed is above the envelope (1), at it (0), or below (-1), just ahead.
+        int above = 0;
+        if (!ahead.empty() && place >= 0)
+            above = order_at(feed.segment(), ahead.back().segment, place);
+        while (!feed.is_done()) {
+            const std::int32_t q = feed.segment();
+            const std::int32_t q_end = feed.end();
+            if (ahead.empty()) {
+                append(behind, q, place);
+                place = q_end;
+                feed.advance();
+                continue;
+            }
+            const auto [p, p_end] = ahead.back();
+            const int farther =
+                is_rightwards ? place_order(p_end, q_end) : place_order(q_end, p_end);
+            std::int32_t end = farther < 0 || (farther == 0 && q_end < 0) ? p_end : q_end;
+            const int above_at_end = order_at_end(q, p, end, farther);
+            if (end < 0 && farther == 0 && above_at_end > 0)
+                end = q_end;  // of two crossings the one on the envelope
+            const bool is_above =
+                above > 0 || (above == 0 && (above_at_end > 0 ||
+                                             (above_at_end == 0 && is_before(q, p))));
+            append(behind, is_above ? q : p, place);
+            if (above * above_at_end < 0) {
+                crossings_.push_back(order_.crossing(p, q));
+                append(behind, is_above ? p : q,
+                       ~static_cast<std::int32_t>(crossings_.size() - 1));
+            }
+            place = end;
+            above = above_at_end;
+            bool is_continuous = true;
+            if (farther <= 0) {
+                ahead.pop_back();
+                is_continuous = p_end < 0 || (touches(p, p_end) && !ahead.empty() &&
+                                              touches(ahead.back().segment, p_end));
+            }
+            if (farther >= 0) {
+                feed.advance();
+                if (feed.is_done())
+                    break;
+                is_continuous =
+                    is_continuous &&
+                    (q_end < 0 || (touches(q, q_end) && touches(feed.segment(), q_end)));
+            }
+            if (!is_continuous)
+                above = ahead.empty()
+                            ? 1
+                            : order_at(feed.segment(), ahead.back().segment, place);
+        }
+        envelope.finger = place;
+    }
+
+    // Which of two segments that coincide carries.
+    static bool is_before(std::int32_t q, std::int32_t p)
+    {
+        return static_cast<std::uint32_t>(q) < static_cast<std::uint32_t>(p);
+    }
+
+    double place_s(std::int32_t place) const
+    {
+        return place >= 0 ? order_.s(place) : crossings_[~place].s;
+    }
+
+    // Whether x has a larger s (1), the same (0) or a smaller one (-1).
+    int place_order(std::int32_t x, std::int32_t y) const
+    {
+        if (x >= 0 && y >= 0) {
+            const double difference_sign = order_.s(x) - order_.s(y);
+            return (difference_sign > 0) - (difference_sign < 0);
+        }
+        if (x >= 0)
+            return -order_.order(crossings_[~y], order_.s(x));
+        if (y >= 0)
+            return order_.order(crossings_[~x], order_.s(y));
+        return order_.order(crossings_[~x], crossings_[~y]);
+    }
+
+    // Whether q runs above p (1), meets it (0) or runs below (-1) at `end`, where the first of
+    // them ends: q if `farther` > 0, p if < 0, both if 0.
+    int order_at_end(std::int32_t q, std::int32_t p, std::int32_t end, int farther) const
+    {
+        if (end >= 0 || p == no_segment || q == no_segment)
+            return order_at(q, p, end);
+        return farther > 0 ? order_.side(p, crossings_[~end])
+                           : -order_.side(q, crossings_[~end]);
+    }
+
+    // The same at a vertex; or anywhere, if one of them is none.
+    int order_at(std::int32_t q, std::int32_t p, std::int32_t vertex) const
+    {
+        if (p == no_segment || q == no_segment)
+            return (p == no_segment) - (q == no_segment);
+        if (touches(q, vertex))
+            return touches(p, vertex) ? 0 : order_.side(p, vertex);
+        if (touches(p, vertex))
+            return -order_.side(q, vertex);
+        return order_.height_order(q, p, order_.s(vertex));
+    }
+
+    const SectionPoints& section_;
+    SectionOrder order_;
+    std::vector<EnvelopeCrossing> crossings_;
+    std::vector<OpenEnvelope> open_;
+    std::vector<std::int32_t> verticals_;
+};
+
+}  // namespace
+
+UpperEnvelope upper_envelope(const SectionPoints& section)
+{
+    return Builder{section}.build();
+}
+
+}  // namespace endmill

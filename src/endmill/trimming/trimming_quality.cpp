@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/trimming/trimming_quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace endmill {
+namespace {
+
+constexpr double nowhere = -std::numeric_limits<double>::infinity();
+
+// From which side a limit is taken.
+enum class Side { Left, Right, Both };
+
+// The segments of all curves that are not vertical, in bins by s.
+class UpperHeights {
+public:
+    explicit UpperHeights(std::span<const SectionCurve> curves)
+    {
+        for (const SectionCurve& curve : curves) {
+            for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
+                add(curve.points[i], curve.points[i + 1]);
+        }
+        for (const Segment& segment : segments_) {
+            low_ = std::min(low_, segment.left.x());
+            high_ = std::max(high_, segment.right.x());
+        }
+        constexpr std::size_t most_bins = 4096;  // a long segment stands in all of them
+        bins_.resize(std::clamp<std::size_t>(segments_.size(), 1, most_bins));
+        for (std::size_t i = 0; i < segments_.size(); ++i) {
+            const std::size_t last = bin_of(segments_[i].right.x());
+            for (std::size_t bin = bin_of(segments_[i].left.x()); bin <= last; ++bin)
+                bins_[bin].push_back(static_cast<std::int32_t>(i));
+        }
+    }
+
+    // Largest z of a segment at s, or minus infinity.
+    double at(double s, Side side) const
+    {
+        double highest = nowhere;
+        if (segments_.empty() || s < low_ || s > high_)
+            return highest;
+        for (const std::int32_t i : bins_[bin_of(s)]) {
+            const Segment& segment = segments_[i];
+            const bool is_over =
+                side == Side::Left    ? segment.left.x() < s && s <= segment.right.x()
+                : side == Side::Right ? segment.left.x() <= s && s < segment.right.x()
+                                      : segment.left.x() <= s && s <= segment.right.x();
+            if (is_over)
+                highest = std::max(highest, segment.z_at(s));
+        }
+        return highest;
+    }
+
+private:
+    struct Segment {
+        SectionPoint left;
+        SectionPoint right;
+
+        double z_at(double s) const
+        {
+            const double share = (s - left.x()) / (right.x() - left.x());
+            return std::lerp(left.y(), right.y(), share);
+        }
+    };
+
+    void add(const SectionPoint& from, const SectionPoint& to)
+    {
+        if (from.x() < to.x())
+            segments_.push_back({from, to});
+        else if (to.x() < from.x())
+            segments_.push_back({to, from});
+    }
+
+    std::size_t bin_of(double s) const
+    {
+        const double share = (s - low_) / (high_ - low_);
+        const auto bin =
+            static_cast<std::size_t>(share * static_cast<double>(bins_.size()));
+        return std::min(bin, bins_.size() - 1);
+    }
+
+    std::vector<Segment> segments_;
+    std::vector<std::vector<std::int32_t>> bins_;
+    double low_ = std::numeric_limits<double>::infinity();
+    double high_ = nowhere;
+};
+
+double depth_of_segment(const UpperHeights& heights, const SectionPoint& from,
+                        const SectionPoint& to)
+{
+    const double ds = std::abs(to.x() - from.x());
+    const double length = (to - from).norm();
+    if (ds == 0 || length == 0)
+        return 0;
+    const bool goes_right = from.x() < to.x();
+    const SectionPoint middle = (from + to) / 2;
+    const double depth = std::max({
+        heights.at(from.x(), goes_right ? Side::Right : Side::Left) - from.y(),
+        heights.at(to.x(), goes_right ? Side::Left : Side::Right) - to.y(),
+        heights.at(middle.x(), Side::Both) - middle.y(),
+    });
+    return std::max(depth * ds / length, 0.0);
+}
+
+// Total length of the union.
+double covered_length(std::vector<std::pair<double, double>> intervals)
+{
+    std::sort(intervals.begin(), intervals.end());
+    double length = 0;
+    double end = nowhere;
+    for (const auto& [low, high] : intervals) {
+        length += std::max(high - std::max(low, end), 0.0);
+        end = std::max(end, high);
+    }
+    return length;
+}
+
+using Intervals = std::vector<std::pair<double, double>>;
+
+Intervals between_ends(std::span<const SectionCurve> curves)
+{
+    Intervals result;
+    for (const SectionCurve& curve : curves) {
+        if (!curve.is_closed)
+            result.push_back(
+                std::minmax({curve.points.front().x(), curve.points.back().x()}));
+    }
+    return result;
+}
+
+// How much longer two sets of intervals are than the second of them.
+double length_not_covered(const Intervals& wanted, const Intervals& covering)
+{
+    Intervals both = wanted;
+    both.insert(both.end(), covering.begin(), covering.end());
+    return covered_length(both) - covered_length(covering);
+}
+
+}  // namespace
+
+TrimmingQuality trimming_quality(std::span<const SectionCurve> curves,
+                                 const Trimmed& trimmed)
+{
+    const UpperHeights heights{curves};
+    TrimmingQuality result;
+    Intervals covering;
+    for (const TrimmedCurve& curve : trimmed.curves) {
+        for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+            const SectionPoint& from = curve.points[i].at;
+            const SectionPoint& to = curve.points[i + 1].at;
+            result.step_back_mm = std::max(result.step_back_mm, from.x() - to.x());
+            result.gouge_mm =
+                std::max(result.gouge_mm, depth_of_segment(heights, from, to));
+            covering.push_back(std::minmax({from.x(), to.x()}));
+        }
+    }
+    const Intervals wanted = between_ends(curves);
+    const double length = covered_length(wanted);
+    if (length > 0)
+        result.uncovered = length_not_covered(wanted, covering) / length;
+    return result;
+}
+
+bool is_right(const TrimmingQuality& quality, const TrimmingTolerance& tolerance)
+{
+    return quality.step_back_mm <= tolerance.step_back_mm &&
+           quality.gouge_mm <= tolerance.gouge_mm &&
+           quality.uncovered <= tolerance.uncovered;
+}
+
+}  // namespace endmill

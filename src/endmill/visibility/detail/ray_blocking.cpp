@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/visibility/detail/ray_blocking.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <Eigen/Geometry>
+
+#include <CGAL/Exact_rational.h>
+
+namespace endmill {
+namespace {
+
+using Rational = CGAL::Exact_rational;
+using ExactVector = std::array<Rational, 3>;
+using Corners = std::array<Vec3, 3>;
+
+// Half a unit in the last place of 1.
+constexpr double rounding = std::numeric_limits<double>::epsilon() / 2;
+
+// A vector of which no component is off by more than `error`.
+struct RoundedVector {
+    Vec3 value;
+    double error;
+
+    double size() const { return value.cwiseAbs().maxCoeff() + error; }
+};
+
+// The sign of the determinant of three vectors; nothing if it is in doubt.
+//
+// Six products of three components, each changed by the errors of its factors by at most
+// what stands in brackets, and rounded in 2 multiplications, 1 subtraction and 2 additions:
+// 5 roundings of a sum of sizes 6 X Y Z; 6 and 30 are taken as 8 and 40.
+std::optional<int> sure_sign(const RoundedVector& x, const RoundedVector& y,
+                             const RoundedVector& z)
+{
+    const double X = x.size();
+    const double Y = y.size();
+    const double Z = z.size();
+    const double determinant = x.value.dot(y.value.cross(z.value));
+    const double doubt = 8 * (x.error * Y * Z + X * y.error * Z + X * Y * z.error) +
+                         40 * rounding * X * Y * Z + std::numeric_limits<double>::min();
+    if (!std::isfinite(determinant))  // beyond doubles, even a sum's sign is lost
+        return {};
+    if (determinant > doubt)
+        return 1;
+    if (determinant < -doubt)
+        return -1;
+    return {};
+}
+
+// Whether the ray meets the facet, where no sign is in doubt; the vectors lead from the
+// centroid to the corners, three times as long.
+std::optional<bool> sure_answer(const Corners& from, const Vec3& direction,
+                                const Corners& facet)
+{
+    const Vec3 sum = from[0] + from[1] + from[2];
+    double largest = 0;
+    for (int k = 0; k < 3; ++k)
+        largest = std::max(
+            {largest, from[k].cwiseAbs().maxCoeff(), facet[k].cwiseAbs().maxCoeff()});
+    // 3 a is off by 3 roundings of `largest`, the sum by 2 + 3, their difference by 6.
+    const double error = 16 * rounding * largest;
+    std::array<RoundedVector, 3> to;
+    for (int k = 0; k < 3; ++k)
+        to[k] = {3 * facet[k] - sum, error};
+
+    int around = 0;
+    for (int k = 0; k < 3; ++k) {
+        const std::optional<int> side = sure_sign({direction, 0}, to[k], to[(k + 1) % 3]);
+        if (!side)
+            return {};
+        around += *side;
+    }
+    if (around != 3 && around != -3)
+        return false;
+    const std::optional<int> depth =
+        sure_sign(to[0], {facet[1] - facet[0], error}, {facet[2] - facet[0], error});
+    if (!depth)
+        return {};
+    return *depth * around > 0;
+}
+
+ExactVector exact(const Vec3& vector)
+{
+    return {Rational{vector.x()}, Rational{vector.y()}, Rational{vector.z()}};
+}
+
+ExactVector difference(const ExactVector& a, const ExactVector& b)
+{
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+ExactVector cross(const ExactVector& a, const ExactVector& b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+            a[0] * b[1] - a[1] * b[0]};
+}
+
+Rational dot(const ExactVector& a, const ExactVector& b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+int sign(const Rational& value)
+{
+    return static_cast<int>(CGAL::sign(value));
+}
+
+// Whether the ray along `direction` meets the side from a to b, all in one plane with
+// the normal `normal`, seen from the ray's origin.
+bool meets_side(const ExactVector& direction, const ExactVector& normal,
+                const ExactVector& a, const ExactVector& b)
+{
+    const auto turn = [&](const ExactVector& from, const ExactVector& to) {
+        return sign(dot(normal, cross(from, to)));
+    };
+    const int side_a = turn(direction, a);
+    const int side_b = turn(direction, b);
+    if (side_a * side_b > 0)
+        return false;
+    if (side_a == 0 && side_b == 0)
+        return sign(dot(direction, a)) >= 0 || sign(dot(direction, b)) >= 0;
+    const ExactVector along = difference(b, a);
+    return turn(a, along) * turn(direction, along) >= 0;
+}
+
+bool exact_answer(const Corners& from, const Vec3& direction, const Corners& facet)
+{
+    const ExactVector along = exact(direction);
+    std::array<ExactVector, 3> to;
+    for (int k = 0; k < 3; ++k)
+        for (int axis = 0; axis < 3; ++axis)
+            to[k][axis] = 3 * Rational{facet[k][axis]} - Rational{from[0][axis]} -
+                          Rational{from[1][axis]} - Rational{from[2][axis]};
+    bool is_left = false;
+    bool is_right = false;
+    for (int k = 0; k < 3; ++k) {
+        const int side = sign(dot(along, cross(to[k], to[(k + 1) % 3])));
+        is_left = is_left || side > 0;
+        is_right = is_right || side < 0;
+    }
+    if (is_left && is_right)
+        return false;
+    const ExactVector normal = cross(difference(to[1], to[0]), difference(to[2], to[0]));
+    if (!is_left && !is_right)  // the ray lies in the facet's plane
+        return meets_side(along, normal, to[0], to[1]) ||
+               meets_side(along, normal, to[1], to[2]) ||
+               meets_side(along, normal, to[2], to[0]);
+    return sign(dot(to[0], normal)) * (is_left ? 1 : -1) >= 0;
+}
+
+}  // namespace
+
+bool blocks_ray(const Corners& from, const Vec3& direction, const Corners& facet)
+{
+    const std::optional<bool> answer = sure_answer(from, direction, facet);
+    return answer ? *answer : exact_answer(from, direction, facet);
+}
+
+}  // namespace endmill

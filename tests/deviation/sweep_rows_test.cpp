@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/deviation/detail/sweep_rows.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "endmill/deviation/detail/cut_rays.h"
+#include "random.h"
+#include "tip_path.h"
+
+namespace endmill {
+namespace {
+
+class SweepRowsOf : public testing::TestWithParam<Cutter> {};
+
+Vec3 within(test::Random& random, double size)
+{
+    return {random.uniform(-size, size), random.uniform(-size, size),
+            random.uniform(-size, size)};
+}
+
+// Whatever is left out shortens no ray; what is left out of those of all rays, none of any.
+TEST_P(SweepRowsOf, HoldEverySweepThatShortensARay)
+{
+    test::Random random{51};
+    std::size_t kept = 0;
+    std::size_t all = 0;
+    for (int round = 0; round < 60; ++round) {
+        std::vector<Vec3> tips;
+        for (int i = 0; i < 80; ++i)
+            tips.push_back((i % 2 ? tips.back() : within(random, 12)) +
+                           within(random, i % 8 == 0 ? 0 : 2));
+        const auto sweeps = path_sweeps(test::tip_path(tips), GetParam());
+        const SweepTree tree{sweeps};
+        std::vector<PartRay> rays;
+        const Vec3 centre = within(random, 10);
+        for (int i = 0; i < 30; ++i)
+            rays.push_back({centre + within(random, 0.4),
+                            (Vec3{0.3, 0, 1} + within(random, 0.2)).normalized(),
+                            Vec3::Zero(), Vec3::Zero()});
+        const std::vector<double> lengths(rays.size(), random.uniform(0, 3));
+        const RayBundle bundle = MownRays{rays, lengths}.bundle();
+        const auto near = SweepRows{tree, bundle}.near(bundle);
+        kept += near.size();
+        all += sweeps.size();
+        for (std::size_t k = 0; k < sweeps.size(); ++k) {
+            if (std::ranges::find(near, static_cast<std::int32_t>(k)) != near.end())
+                continue;
+            for (const PartRay& ray : rays)
+                EXPECT_FALSE(mown(sweeps[k], ray, lengths[0])) << k;
+        }
+    }
+    EXPECT_LT(kept, all / 2);
+}
+
+// The same as each tile by itself.
+TEST_P(SweepRowsOf, LeaveTheSameTogether)
+{
+    test::Random random{52};
+    for (int round = 0; round < 20; ++round) {
+        std::vector<Vec3> tips;
+        for (int i = 0; i < 100; ++i)
+            tips.push_back(
+                {random.uniform(-6, 6), random.uniform(-6, 6), random.uniform(0, 3)});
+        const auto sweeps = path_sweeps(test::tip_path(tips), GetParam());
+        const SweepTree tree{sweeps};
+        std::vector<MownRays> tiles;
+        for (int tile = 0; tile < 5; ++tile) {
+            std::vector<PartRay> rays;
+            for (int i = 0; i < 25; ++i)
+                rays.push_back({{0.5 * tile + 0.1 * (i % 5), 0.1 * (i / 5), 0},
+                                (Vec3::UnitZ() + within(random, 0.1)).normalized(),
+                                Vec3::Zero(),
+                                Vec3::Zero()});
+            tiles.emplace_back(rays, std::vector<double>(rays.size(), 9));
+        }
+        std::vector<MownRays> alone = tiles;
+        std::vector<MownRays*> together;
+        for (MownRays& tile : tiles)
+            together.push_back(&tile);
+        MownRays::mow_together(together, tree);
+        for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
+            alone[tile].mow(tree);
+            for (int k = 0; k < 25; ++k)
+                EXPECT_NEAR(tiles[tile][k].left, alone[tile][k].left, 1e-11);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(BallFlatBull, SweepRowsOf,
+                         testing::Values(Cutter::ball(3), Cutter::flat(3), Cutter{3, 1}));
+
+TEST(SweepRows, OfNoSweepAreNone)
+{
+    const SweepTree tree{{}};
+    const RayBundle rays{Vec3::Zero(), Vec3::UnitZ(), 1, 1, 0, 1};
+    EXPECT_TRUE(SweepRows(tree, rays).near(rays).empty());
+}
+
+}  // namespace
+}  // namespace endmill

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/drop_cutter/clearance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+#include "endmill/gouge/detail/cutter_core.h"
+#include "random.h"
+#include "test_meshes.h"
+
+namespace endmill {
+namespace {
+
+const std::array cutters{Cutter::ball(3), Cutter::flat(3), Cutter{3, 1}};
+
+// z = (x^2 + y^2) / (2 p) + slope x over [-10, 10]^2.
+Surface bowl(double p, double slope = 0)
+{
+    std::vector<Vec3> net;
+    for (const double y : {-10.0, 0.0, 10.0})
+        for (const double x : {-10.0, 0.0, 10.0}) {
+            // The squares' blossoms: 100, -100, 100.
+            const double squares = (x == 0 ? -100 : 100) + (y == 0 ? -100 : 100);
+            net.emplace_back(x, y, squares / (2 * p) + slope * x);
+        }
+    return {{0, 1}, {0, 1}, {BezierPatch(2, 2, net)}};
+}
+
+TriangleMesh bowl_mesh(int cells, double p, double slope = 0)
+{
+    return test::grid_mesh(cells, cells, [&](double i, double j) {
+        const double x = 20 * i / cells - 10;
+        const double y = 20 * j / cells - 10;
+        return Vec3{x, y, (x * x + y * y) / (2 * p) + slope * x};
+    });
+}
+
+// On the axis at a height h the nearest point is the bottom up to h = p, then a circle at
+// sqrt(2 p h - p^2).
+TEST(LeastGap, OfABallInABowlIsItsCentresDistance)
+{
+    const double p = 4;
+    const std::vector<Surface> surfaces{bowl(p)};
+    for (const double h : {0.5, 2.0, 3.0, 4.0, 5.0, 8.0}) {
+        const double distance = h <= p ? h : std::sqrt(2 * p * h - p * p);
+        const std::vector<Vec3> places{{0, 0, h}};
+        const LeastGap found = least_gap(surfaces, Cutter::ball(3), places).value();
+        EXPECT_NEAR(found.gap, distance - 3, 2e-5) << h;
+        EXPECT_NEAR((found.point - places[0]).norm() - 3, found.gap, 1e-12);
+        const TriangleMesh mesh = bowl_mesh(200, p);
+        const DropCutter drop_cutter{mesh, Cutter::ball(3)};
+        EXPECT_NEAR(least_gap(drop_cutter, places)->gap, distance - 3, 2e-3) << h;
+    }
+}
+
+// A tilted plane touches the corner's circle; a gap d along the normal is d. Of one within a
+// flat cutter the point counts that is as far from its bottom as from its side, which its
+// sharp edge cuts off: 0.6 and 0.8 times that far along the normal.
+TEST(LeastGap, ToASlopeIsMeasuredAlongItsNormal)
+{
+    const double slope = 0.75;  // normal (-0.6, 0, 0.8)
+    const std::vector<Surface> surfaces{bowl(1e12, slope)};
+    const TriangleMesh mesh = bowl_mesh(4, 1e12, slope);
+    for (const Cutter& cutter : cutters)
+        for (const double gap : {1.0, 1e-3, 0.0, -0.05, -0.5}) {
+            const double up =
+                (cutter.flat_radius() * 0.6 + cutter.corner_radius() + gap) / 0.8;
+            const std::vector<Vec3> places{{1, 2, slope + up}};
+            const DropCutter drop_cutter{mesh, cutter};
+            const double expected = cutter.is_flat() && gap < 0 ? gap / 1.4 : gap;
+            EXPECT_NEAR(least_gap(surfaces, cutter, places)->gap, expected, 2e-5);
+            EXPECT_NEAR(least_gap(drop_cutter, places)->gap, expected, 2e-5);
+        }
+}
+
+// The second route: all triangles, one after the other.
+TEST(LeastGap, ToAMeshIsThatToItsNearestTriangle)
+{
+    test::Random random{1};
+    const TriangleMesh mesh = test::grid_mesh(12, 12, [&](double i, double j) {
+        return Vec3{i, j, random.uniform(0, 3)};
+    });
+    for (const Cutter& cutter : cutters) {
+        const DropCutter drop_cutter{mesh, cutter};
+        std::vector<Vec3> places;
+        for (int k = 0; k < 40; ++k)
+            places.emplace_back(random.uniform(-4, 16), random.uniform(-4, 16),
+                                random.uniform(0, 9));
+        double least_of_all = 1e9;
+        for (const Vec3& place : places) {
+            const CutterCore core{cutter, place};
+            double least = 1e9;
+            for (std::size_t k = 0; k < mesh.triangles().size(); ++k)
+                least =
+                    std::min(least, triangle_gap(core, mesh.corners(k), 1e-9, 1e9).gap);
+            EXPECT_NEAR(least_gap(drop_cutter, {&place, 1})->gap, least, 1.1e-5);
+            least_of_all = std::min(least_of_all, least);
+        }
+        const LeastGap found = least_gap(drop_cutter, places).value();
+        EXPECT_NEAR(found.gap, least_of_all, 1.1e-5);
+        EXPECT_NEAR(CutterCore(cutter, places[found.place]).gap(found.point), found.gap,
+                    1e-12);
+    }
+}
+
+// Where the drop cutter leaves it, a cutter touches.
+TEST(LeastGap, IsNoneWhereTheCutterRests)
+{
+    const TriangleMesh mesh = bowl_mesh(40, 5);
+    for (const Cutter& cutter : cutters) {
+        const DropCutter drop_cutter{mesh, cutter};
+        std::vector<Vec3> places;
+        for (double x = -9; x <= 9; x += 0.37) {
+            const double tip = drop_cutter.contact({x, 0.3 * x})->tip_z;
+            places.emplace_back(x, 0.3 * x, tip + cutter.corner_radius());
+        }
+        const LeastGap found = least_gap(drop_cutter, places).value();
+        EXPECT_NEAR(found.gap, 0, 1.1e-5);
+        const std::vector<Surface> surfaces{bowl(5)};
+        const double to_surface = least_gap(surfaces, cutter, places)->gap;
+        EXPECT_GE(to_surface, -1e-5);  // the chords lie above the bowl
+        EXPECT_LE(to_surface, 0.03);
+    }
+}
+
+TEST(LeastGap, DoesNotDependOnThreads)
+{
+    const std::vector<Surface> surfaces{bowl(5)};
+    const TriangleMesh mesh = bowl_mesh(40, 5);
+    test::Random random{2};
+    std::vector<Vec3> places;
+    for (int k = 0; k < 200; ++k)
+        places.emplace_back(random.uniform(-9, 9), random.uniform(-9, 9), 15);
+    for (const Cutter& cutter : cutters) {
+        const DropCutter drop_cutter{mesh, cutter};
+        set_thread_count(1);
+        const LeastGap alone = least_gap(surfaces, cutter, places).value();
+        const LeastGap alone_on_mesh = least_gap(drop_cutter, places).value();
+        set_thread_count(4);
+        const LeastGap together = least_gap(surfaces, cutter, places).value();
+        const LeastGap together_on_mesh = least_gap(drop_cutter, places).value();
+        EXPECT_EQ(alone.gap, together.gap);
+        EXPECT_EQ(alone.place, together.place);
+        EXPECT_EQ(alone.point, together.point);
+        EXPECT_EQ(alone_on_mesh.gap, together_on_mesh.gap);
+        EXPECT_EQ(alone_on_mesh.place, together_on_mesh.place);
+    }
+}
+
+TEST(LeastGap, IsNothingWithoutAPlaceOrAPart)
+{
+    const std::vector<Surface> surfaces{bowl(5)};
+    EXPECT_FALSE(least_gap(surfaces, cutters[0], {}));
+    EXPECT_THROW(least_gap({}, cutters[0], {}, 1e-6), DomainError);
+    const TriangleMesh empty;
+    const DropCutter over_nothing{empty, cutters[0]};
+    const std::vector<Vec3> places{{0, 0, 0}};
+    EXPECT_FALSE(least_gap(over_nothing, places));
+    EXPECT_THROW(least_gap(surfaces, cutters[0], places, 0), DomainError);
+    const std::vector<Vec3> nowhere{{0, 0, std::nan("")}};
+    EXPECT_THROW(least_gap(surfaces, cutters[0], nowhere), DomainError);
+}
+
+}  // namespace
+}  // namespace endmill

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/figures/tool_path_svg.h"
+
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "drawn_svg.h"
+#include "endmill/core/error.h"
+#include "wavy_path.h"
+
+namespace endmill {
+namespace {
+
+std::set<std::string> texts_of(const std::string& svg)
+{
+    std::set<std::string> texts;
+    for (const XmlElement& element : SmallXml::parse(svg))
+        if (element.name == "text")
+            texts.insert(element.text);
+    return texts;
+}
+
+// The drawing is seen from above, where a px is as long in x as in y.
+TEST(ToolPathSvg, JoinsTheContactsInTheOrderTheCutterPasses)
+{
+    const ToolPath path = wavy_path(3, 40);
+    FigureOptions from_above;
+    from_above.azimuth = Angle::degrees(-90);
+    from_above.elevation = Angle::degrees(90);
+    const std::string svg = tool_path_svg(path, from_above);
+    const auto cuts = lines_of(svg, "#1d4f91");
+    ASSERT_EQ(cuts.size(), 3U + 1);  // and the legend's sample
+    const double scale = (cuts[0].back() - cuts[0].front()).norm() / 200;
+    const PixelPoint origin = cuts[0].front();
+    for (int pass = 0; pass < 3; ++pass)
+        for (int i = 0; i < 40; ++i) {
+            const Vec3 contact = path.points[40 * pass + i].contact->contact.point;
+            const PixelPoint place =
+                origin + scale * PixelPoint{contact.x(), -contact.y()};
+            EXPECT_LT(distance(place, cuts[pass]), 0.15);
+        }
+    EXPECT_GT(cuts[0].back().x(), cuts[0].front().x());
+    EXPECT_LT(cuts[1].back().x(), cuts[1].front().x());  // zig-zag
+}
+
+TEST(ToolPathSvg, ShowsLinksApartAndMovesClearOfThePartDashed)
+{
+    const std::string svg = tool_path_svg(wavy_path(3, 40));
+    EXPECT_EQ(lines_of(svg, "#d1402f").size(), 2U + 1);
+    int dashed = 0;
+    for (const XmlElement& element : SmallXml::parse(svg))
+        dashed += element.attributes.contains("stroke-dasharray") ? 1 : 0;
+    EXPECT_EQ(dashed, 1 + 1);  // retract and rapid in one line, and the legend's sample
+}
+
+TEST(ToolPathSvg, TheLegendNamesWhatIsThere)
+{
+    const std::set<std::string> whole = texts_of(tool_path_svg(wavy_path(2, 5)));
+    for (const char* label : {"cut", "link", "rapid, plunge, retract", "x", "y", "z"})
+        EXPECT_TRUE(whole.contains(label)) << label;
+    ToolPath only_cuts = wavy_path(2, 5);
+    only_cuts.points.resize(5);
+    const std::set<std::string> part = texts_of(tool_path_svg(only_cuts));
+    EXPECT_TRUE(part.contains("cut"));
+    EXPECT_FALSE(part.contains("link"));
+    EXPECT_FALSE(part.contains("rapid, plunge, retract"));
+}
+
+TEST(ToolPathSvg, ShowsTitleAndCaptions)
+{
+    const std::string caption =
+        "TOL = 0.5 mm  C.D. = 15 mm  NCL = 1061  TCD = 20809.3 mm";
+    const auto texts = texts_of(
+        tool_path_svg(wavy_path(2, 5), {.title = "u & v", .captions = {caption}}));
+    EXPECT_TRUE(texts.contains("u & v"));
+    EXPECT_TRUE(texts.contains(caption));
+}
+
+TEST(ToolPathSvg, StaysSmallWithAMillionPoints)
+{
+    EXPECT_LT(tool_path_svg(wavy_path(1000, 1000)).size(), 4000000U);
+}
+
+TEST(ToolPathSvg, DrawsAPathOfOnePointAndRefusesNone)
+{
+    ToolPath path = wavy_path(1, 2);
+    path.points.resize(1);
+    EXPECT_NO_THROW(SmallXml::parse(tool_path_svg(path)));
+    EXPECT_THROW(tool_path_svg({}), DomainError);
+}
+
+}  // namespace
+}  // namespace endmill

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/detail/joined_rows.h"
+
+#include <gtest/gtest.h>
+
+namespace endmill {
+namespace {
+
+class JoinedRows : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(JoinedRows, AreEachRowOnceInOrder)
+{
+    std::string expected = "head\n";
+    for (std::size_t i = 0; i < GetParam(); ++i)
+        expected += std::to_string(i) + "\n";
+    const std::string joined =
+        joined_rows("head\n", GetParam(), [](std::size_t first, std::size_t count) {
+            EXPECT_LE(count, 2048U);
+            std::string text;
+            for (std::size_t i = first; i < first + count; ++i)
+                text += std::to_string(i) + "\n";
+            return text;
+        });
+    EXPECT_TRUE(joined == expected);  // not EXPECT_EQ, which would print both
+}
+
+INSTANTIATE_TEST_SUITE_P(OfAnyNumber, JoinedRows,
+                         testing::Values(0, 1, 2048, 2049, 131072, 131073, 300'000));
+
+}  // namespace
+}  // namespace endmill

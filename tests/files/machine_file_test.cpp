@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/machine_file.h"
+
+#include <filesystem>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "complaint.h"
+
+namespace endmill {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string whole = R"({"format": "endmill-machine/1", "name": "big",
+ "configuration": "W/caxyBz/T", "limits": {"x_mm": [-300, 300], "c_deg": [-180, 90]},
+ "pivot_mm": 150, "table_offset_mm": [1, 2, 3],
+ "spindle": {"max_rpm": 3000, "max_power_w": 3700, "max_torque_n_m": 50},
+ "max_feed_mm_per_min": 2000, "acceleration_m_per_s2": 1, "source": "a test"})";
+
+TEST(MachineFile, HoldsAMachine)
+{
+    const MachineDescription machine = parse_machine(whole, "m.json");
+    EXPECT_EQ(machine.name, "big");
+    EXPECT_EQ(machine.source, "a test");
+    EXPECT_EQ(machine.configuration, "W/caxyBz/T");
+    EXPECT_EQ(machine.limits, (MachineLimits{.max_rpm = 3000,
+                                             .max_power_w = 3700,
+                                             .max_torque_n_m = 50,
+                                             .max_feed_mm_per_min = 2000,
+                                             .acceleration_m_per_s2 = 1}));
+    ASSERT_EQ(machine.travels.size(), 2U);
+    EXPECT_EQ(machine.travels[0], (AxisTravel{'x', -300, 300}));
+    EXPECT_EQ(machine.travels[1].axis, 'c');
+    EXPECT_DOUBLE_EQ(machine.travels[1].from, -std::numbers::pi);
+    EXPECT_DOUBLE_EQ(machine.travels[1].to, std::numbers::pi / 2);
+    EXPECT_EQ(machine.pivot_mm, 150);
+    EXPECT_EQ(machine.table_offset_mm, Vec3(1, 2, 3));
+}
+
+TEST(MachineFile, NeedsItsFormatOnly)
+{
+    const MachineDescription machine =
+        parse_machine(R"({"format": "endmill-machine/1"})", "folder/mill.json");
+    EXPECT_EQ(machine.name, "mill");
+    EXPECT_EQ(machine.configuration, "W/xyBz/T");
+    EXPECT_EQ(machine.limits, MachineLimits{});
+    EXPECT_TRUE(machine.travels.empty());
+    EXPECT_FALSE(machine.pivot_mm || machine.table_offset_mm);
+}
+
+struct Fault {
+    std::string from;
+    std::string to;
+    std::string complaint;
+};
+
+class MachineFileWith : public testing::TestWithParam<Fault> {};
+
+TEST_P(MachineFileWith, IsRefusedWithThePlace)
+{
+    const Fault& fault = GetParam();
+    const std::string text = replaced(whole, fault.from, fault.to);
+    ASSERT_FALSE(text.empty());
+    EXPECT_THAT(complaint_of([&] { parse_machine(text, "m.json"); }),
+                HasSubstr(fault.complaint));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    AFault, MachineFileWith,
+    testing::Values(
+        Fault{"machine/1", "machine/2", "made by a newer version"},
+        Fault{"machine/1", "material/1", "E_FORMAT"},
+        Fault{"W/caxyBz/T", "W/caxyz/T", "E_MACHINE m.json:/configuration"},
+        Fault{"W/caxyBz/T", "W/T", "E_MACHINE"}, Fault{"W/caxyBz/T", "W/", "E_MACHINE"},
+        Fault{"W/caxyBz/T", "W/caxyBqz/T", "E_MACHINE"},
+        Fault{"W/caxyBz/T", "W/ccxyBz/T", "E_MACHINE"},
+        Fault{"W/caxyBz/T", "W/xyBz/T", "E_MACHINE m.json:/limits/c_deg"},
+        Fault{"W/caxyBz/T", "W/caxyBz", "/T is missing at its end"},
+        Fault{"W/caxyBz/T", "W/cabxyBz/T", "three rotary axes"},
+        Fault{"[-180, 90]", "[-180, 181]", "E_MACHINE m.json:/limits/c_deg: [-180, 181]"},
+        Fault{"[-180, 90]", "[1, 90]", "expected limits that hold 0"},
+        Fault{"[-180, 90]", "[-361, 0]", "E_MACHINE m.json:/limits/c_deg/0"},
+        Fault{"[-180, 90]", "[90, -180]", "E_MACHINE m.json:/limits/c_deg/1"},
+        Fault{"\"c_deg\": [-180, 90]", "\"a_deg\": [-190, 0]", "next to the tool"},
+        Fault{"[-300, 300]", "[300, -300]",
+              "E_MACHINE m.json:/limits/x_mm/1: -300; expected at least the min, 300"},
+        Fault{"[-300, 300]", "[300]", "E_MACHINE m.json:/limits/x_mm"},
+        Fault{"[-300, 300]", "300", "E_JSON m.json:/limits/x_mm"},
+        Fault{"[-300, 300]", "[-1e7, 300]", "E_MACHINE m.json:/limits/x_mm/0"},
+        Fault{"\"x_mm\"", "\"x_m\"", "did you mean \"x_mm\"?"},
+        Fault{"\"x_mm\"", "\"c_deg\"", "E_JSON"},
+        Fault{"3000", "0", "E_MACHINE m.json:/spindle/max_rpm"},
+        Fault{"3700", "-1", "E_MACHINE m.json:/spindle/max_power_w"},
+        Fault{": 50", ": 0", "E_MACHINE m.json:/spindle/max_torque_n_m"},
+        Fault{"2000", "0", "E_MACHINE m.json:/max_feed_mm_per_min"},
+        Fault{"_s2\": 1", "_s2\": 0", "E_MACHINE m.json:/acceleration_m_per_s2"},
+        Fault{"_s2\": 1", "_s2\": \"1\"", "E_JSON m.json:/acceleration_m_per_s2"},
+        Fault{"max_rpm", "max_rpn", "did you mean \"max_rpm\"?"},
+        Fault{"[1, 2, 3]", "[1, 2]", "E_MACHINE m.json:/table_offset_mm"},
+        Fault{"150", "1e7", "E_MACHINE m.json:/pivot_mm"},
+        Fault{"\"source\"", "\"origin\"", "m.json:/origin: unknown key"},
+        Fault{"{\"format\"", "solid {\"format\"", "E_FORMAT"}));
+
+TEST(MachineFile, TheExamplesAreRead)
+{
+    const std::string folder = std::string{ENDMILL_SOURCE_DIR} + "/datasets/machines/";
+    const MachineDescription steel = read_machine(folder + "milling-machine-steel.json");
+    EXPECT_EQ(steel.limits.max_rpm, 3000);
+    EXPECT_NO_THROW(require_sound(steel.limits));
+    const MachineDescription aluminium =
+        read_machine(folder + "milling-machine-aluminium.json");
+    EXPECT_EQ(aluminium.limits.max_rpm, 2000);
+    EXPECT_THAT(complaint_of([] { read_machine("no such machine.json"); }),
+                HasSubstr("E_OPEN"));
+}
+
+// A table's positions are mirrored turns; what the file does not say is 0 or not limited.
+TEST(MovingMachine, HasTheLimitsOfTheFile)
+{
+    const Machine machine = moving_machine(parse_machine(whole, "m.json"));
+    EXPECT_EQ(machine.configuration.family, RotaryFamily::CA);
+    EXPECT_DOUBLE_EQ(machine.rotary.theta.from, -std::numbers::pi / 2);
+    EXPECT_DOUBLE_EQ(machine.rotary.theta.to, std::numbers::pi);
+    EXPECT_EQ(machine.rotary.phi, RotaryRange{});
+    EXPECT_EQ(machine.linear[0], (LinearRange{-300, 300}));
+    EXPECT_EQ(machine.linear[1], LinearRange{});
+    EXPECT_EQ(machine.pivot, 150);
+    EXPECT_EQ(machine.table_offset, Vec3(1, 2, 3));
+
+    const Machine plain =
+        moving_machine(parse_machine(R"({"format": "endmill-machine/1"})", "m.json"));
+    EXPECT_EQ(plain.rotary.phi, (RotaryRange{0, 0}));
+    EXPECT_EQ(plain.pivot, 0);
+    EXPECT_EQ(plain.table_offset, Vec3(0, 0, 0));
+}
+
+// One file for each of the twelve words that turn the tool two ways.
+TEST(MovingMachine, OfEveryValidWordIsAmongTheExamples)
+{
+    const std::filesystem::path folder =
+        std::filesystem::path{ENDMILL_SOURCE_DIR} / "datasets/machines";
+    std::set<std::string> words;
+    for (const auto& entry : std::filesystem::directory_iterator{folder}) {
+        if (entry.path().extension() != ".json")
+            continue;
+        const Machine machine = moving_machine(read_machine(entry.path()));
+        EXPECT_TRUE(machine.configuration.is_valid()) << entry.path();
+        std::string word = machine.configuration.word;
+        std::erase_if(word, [](char c) {
+            return std::string{"xyz/WT"}.find(c) != std::string::npos;
+        });
+        if (machine.configuration.axes() == 5) {
+            EXPECT_TRUE(words.insert(word).second) << word;
+        }
+    }
+    EXPECT_EQ(words.size(), 12U);
+    for (const char* word : {"Bca", "cBa", "caB", "baB"})
+        EXPECT_TRUE(words.contains(word));  // figure 4 of the paper
+}
+
+}  // namespace
+}  // namespace endmill

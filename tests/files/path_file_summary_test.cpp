@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/path_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "complaint.h"
+#include "temporary_folder.h"
+
+namespace endmill {
+namespace {
+
+using testing::HasSubstr;
+
+std::string complaint_about(const std::string& summary)
+{
+    const TemporaryFolder folder;
+    folder.put("summary.json", summary);
+    return complaint_of([&] { read_path_summary(folder.path() / "toolpath.csv"); });
+}
+
+TEST(PathSummary, IsReadFromTheFileBesideThePath)
+{
+    const TemporaryFolder folder;
+    folder.put("summary.json",
+               R"({"name": "net", "cutter": "bull:10:2", "chord_tolerance_mm": 0.5,
+                   "inner_tolerance_mm": 0.02, "outer_tolerance_mm": 0.1, "scallop_mm": 1,
+                   "feed_mm_per_min": 800, "spindle_rpm": 5000, "axis": [0, 0, 1]})");
+    const auto summary = read_path_summary(folder.path() / "toolpath.csv");
+    ASSERT_TRUE(summary);
+    EXPECT_EQ(summary->name, "net");
+    EXPECT_EQ(summary->cutter, (Cutter{5, 2}));
+    EXPECT_EQ(summary->tolerance_mm(), 0.02);
+    EXPECT_EQ(summary->scallop_mm, 1);
+    EXPECT_EQ(summary->feed_mm_per_min, 800);
+    EXPECT_EQ(summary->spindle_rpm, 5000);
+}
+
+TEST(PathSummary, MayBeMissingOrSayNothing)
+{
+    const TemporaryFolder folder;
+    EXPECT_FALSE(read_path_summary(folder.path() / "toolpath.csv"));
+    folder.put("summary.json", R"({"cutter": null, "u": {"cutter": 1}})");
+    const auto summary = read_path_summary(folder.path() / "toolpath.csv");
+    ASSERT_TRUE(summary);
+    EXPECT_FALSE(summary->cutter || summary->name || summary->feed_mm_per_min);
+    EXPECT_FALSE(summary->tolerance_mm());
+}
+
+TEST(PathSummary, IsReadStrictly)
+{
+    EXPECT_THAT(complaint_about("{"), HasSubstr("E_JSON"));
+    EXPECT_THAT(complaint_about("[1]"), HasSubstr("E_JSON"));
+    EXPECT_THAT(complaint_about(R"({"cutter": "bal:10"})"),
+                HasSubstr("summary.json:/cutter: \"bal:10\"; expected ball:DIAMETER"));
+    EXPECT_THAT(complaint_about(R"({"cutter": 10})"), HasSubstr(":/cutter: 10"));
+    EXPECT_THAT(complaint_about(R"({"name": 1})"), HasSubstr(":/name: 1"));
+    EXPECT_THAT(complaint_about(R"({"chord_tolerance_mm": 0})"),
+                HasSubstr(":/chord_tolerance_mm: 0; expected a number above 0"));
+    EXPECT_THAT(complaint_about(R"({"feed_mm_per_min": "fast"})"),
+                HasSubstr(":/feed_mm_per_min: \"fast\"; expected a number"));
+}
+
+}  // namespace
+}  // namespace endmill

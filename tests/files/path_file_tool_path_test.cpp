@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/path_file.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+#include "endmill/files/csv.h"
+#include "wavy_path.h"
+
+namespace endmill {
+namespace {
+
+TEST(ToolPathCsv, HasTheColumnsOfTheFormatInTheirOrder)
+{
+    EXPECT_EQ(tool_path_csv({}),
+              "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z,u,v,"
+              "contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,normal_z\n");
+}
+
+TEST(ToolPathCsv, WritesAPointByHand)
+{
+    const ToolPath path{{{0, 0, Move::Rapid, {{0, -0.0, 230}, {0, 0, 1}}, {}},
+                         {0,
+                          1,
+                          Move::Plunge,
+                          {{1.5, -2, 0.1}, {0, 0, 1}},
+                          SurfaceContact{0.25, 2, {{1e-7, 3, -4}, {0.6, 0, 0.8}}}}}};
+    EXPECT_THAT(
+        tool_path_csv(path),
+        testing::EndsWith("\n0,0,rapid,0,0,230,0,0,1,,,,,,,,\n"
+                          "0,1,plunge,1.5,-2,0.1,0,0,1,0.25,2,1e-07,3,-4,0.6,0,0.8\n"));
+}
+
+TEST(ToolPathCsv, OverSeveralSurfacesNamesThePatch)
+{
+    const ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 0},
+                         {1, 0, Move::Rapid, {{1, 2, 3}, {0, 0, 1}}, {}, 4}}};
+    EXPECT_THAT(tool_path_csv(path), testing::HasSubstr(",axis_z,patch,u,v,"));
+    EXPECT_THAT(tool_path_csv(path),
+                testing::EndsWith("\n0,0,plunge,1,2,3,0,0,1,0,,,,,,,,\n"
+                                  "1,0,rapid,1,2,3,0,0,1,4,,,,,,,,\n"));
+}
+
+// Columns in the order of the format, each only where some point has something for it.
+TEST(ToolPathCsv, WritesWhatTheMachineIsTold)
+{
+    ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 2},
+                   {0, 1, Move::Rapid, {{1, 2, 4}, {0, 0, 1}}, {}, 0}},
+                  {{800.5, 6000, 7}, {{}, {}, 7}}};
+    EXPECT_EQ(
+        tool_path_csv(path),
+        "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z,tool,patch,"
+        "u,v,contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,normal_z,"
+        "feed_mm_per_min,spindle_rpm\n"
+        "0,0,plunge,1,2,3,0,0,1,7,2,,,,,,,,,800.5,6000\n"
+        "0,1,rapid,1,2,4,0,0,1,7,0,,,,,,,,,,\n");
+    path.conditions = {{{}, 6000, {}}, {}};
+    EXPECT_THAT(tool_path_csv(path), testing::HasSubstr(",normal_z,spindle_rpm\n"));
+    path.conditions = {{}, {}};
+    EXPECT_EQ(tool_path_csv(path), tool_path_csv({path.points}));
+}
+
+TEST(ToolPathCsv, SaysLastWhatLimitsEachMove)
+{
+    const ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 0},
+                         {0, 1, Move::Cut, {{1, 5, 3}, {0, 0, 1}}, {}, 0}},
+                        {{800.5, 6000, {}}, {{}, 6000, {}}}};
+    const std::vector<std::string_view> limits{"", "thrust"};
+    const std::string text = tool_path_csv(path, limits);
+    EXPECT_THAT(text, testing::HasSubstr(",feed_mm_per_min,spindle_rpm,limit\n"));
+    EXPECT_THAT(text, testing::HasSubstr(",800.5,6000,\n"));
+    EXPECT_THAT(text, testing::EndsWith(",,6000,thrust\n"));
+    EXPECT_THROW(tool_path_csv(path, std::vector<std::string_view>{"cap"}), DomainError);
+}
+
+TEST(ToolPathCsv, RefusesConditionsForSomePointsOnly)
+{
+    ToolPath path = wavy_path(2, 5);
+    path.conditions.resize(3);
+    EXPECT_THROW(tool_path_csv(path), DomainError);
+}
+
+void expect_vector(const CsvTable& table, std::size_t row,
+                   const std::vector<std::string>& columns, const Vec3& expected)
+{
+    for (int c = 0; c < 3; ++c)
+        EXPECT_EQ(table.number(row, columns[c]), expected[c]) << row << columns[c];
+}
+
+TEST(ToolPathCsv, EveryNumberReadsBackAsTheSameDouble)
+{
+    const ToolPath path = wavy_path(3, 50);
+    const CsvTable table = parse_csv(tool_path_csv(path), "f");
+    ASSERT_EQ(table.rows(), path.points.size());
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const PathPoint& point = path.points[row];
+        EXPECT_EQ(table.number(row, "pass"), point.pass);
+        EXPECT_EQ(table.number(row, "point"), point.point);
+        EXPECT_EQ(table.cell(row, "move"), move_name(point.move));
+        expect_vector(table, row, {"tip_x_mm", "tip_y_mm", "tip_z_mm"},
+                      point.location.tip);
+        expect_vector(table, row, {"axis_x", "axis_y", "axis_z"}, point.location.axis);
+        EXPECT_EQ(table.number(row, "u").has_value(), point.contact.has_value());
+        if (!point.contact)
+            continue;
+        EXPECT_EQ(table.number(row, "u"), point.contact->u);
+        EXPECT_EQ(table.number(row, "v"), point.contact->v);
+        expect_vector(table, row, {"contact_x_mm", "contact_y_mm", "contact_z_mm"},
+                      point.contact->contact.point);
+        expect_vector(table, row, {"normal_x", "normal_y", "normal_z"},
+                      point.contact->contact.normal);
+    }
+}
+
+// More points than fit into one batch of chunks, so that the joints are crossed too.
+TEST(ToolPathCsv, IsTheSameWithAnyNumberOfThreads)
+{
+    const ToolPath path = wavy_path(7, 20001);
+    set_thread_count(1);
+    const std::string alone = tool_path_csv(path);
+    set_thread_count(4);
+    EXPECT_EQ(tool_path_csv(path), alone);
+
+    std::string line_by_line = tool_path_csv({});
+    const std::size_t header = line_by_line.size();
+    for (const PathPoint& point : path.points)
+        line_by_line += tool_path_csv({{point}}).substr(header);
+    EXPECT_EQ(line_by_line, alone);
+}
+
+TEST(ToolPathCsv, RefusesANumberThatIsNotFinite)
+{
+    ToolPath path = wavy_path(2, 5);
+    path.points[3].location.tip.y() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(tool_path_csv(path), DomainError);
+}
+
+}  // namespace
+}  // namespace endmill

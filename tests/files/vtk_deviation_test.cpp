@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/vtk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+#include "made_deviation.h"
+#include "test_surfaces.h"
+#include "vtp_reader.h"
+
+namespace endmill {
+namespace {
+
+const Part slope = std::vector<Surface>{test::parallelogram({4, 0, 3}, {0, 2, 0})};
+
+double wavy(const Vec3& point)
+{
+    return 0.1 * std::sin(3 * point.x()) * std::cos(2 * point.y());
+}
+
+TEST(DeviationVtp, HoldsTheMiddleOfEveryCell)
+{
+    const PartCharts charts = part_charts(slope);
+    const Deviation deviation = made_deviation(charts, 0.3, wavy);
+    const VtpReader reader{deviation_vtp(charts, deviation)};
+    const auto places = reader.array<float>("point_mm", "Float32");
+    const auto normals = reader.array<float>("normal", "Float32");
+    const auto left = reader.array<float>("left_mm", "Float32");
+    EXPECT_EQ(left, deviation.left);
+    ASSERT_EQ(places.size(), 3 * left.size());
+    ASSERT_EQ(normals.size(), 3 * left.size());
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        const Vec3 place{places[3 * i], places[3 * i + 1], places[3 * i + 2]};
+        EXPECT_NEAR(place.z(), 0.75 * place.x(), 1e-6);
+        EXPECT_NEAR(left[i], wavy(place), 1e-6);
+        EXPECT_NEAR(normals[3 * i], -0.6, 1e-6);
+        EXPECT_NEAR(normals[3 * i + 2], 0.8, 1e-6);
+    }
+}
+
+TEST(DeviationVtp, HasAVertexForEachPoint)
+{
+    const PartCharts charts = part_charts(slope);
+    const Deviation deviation = made_deviation(charts, 0.3, wavy);
+    const VtpReader reader{deviation_vtp(charts, deviation)};
+    const auto connectivity = reader.array<std::int64_t>("connectivity", "Int64");
+    const auto offsets = reader.array<std::int64_t>("offsets", "Int64");
+    const std::string count = std::to_string(deviation.left.size());
+    EXPECT_EQ(reader.attribute("Piece", "NumberOfPoints"), count);
+    EXPECT_EQ(reader.attribute("Piece", "NumberOfVerts"), count);
+    ASSERT_EQ(connectivity.size(), deviation.left.size());
+    ASSERT_EQ(offsets.size(), deviation.left.size());
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+        EXPECT_EQ(connectivity[i], static_cast<std::int64_t>(i));
+        EXPECT_EQ(offsets[i], static_cast<std::int64_t>(i + 1));
+    }
+}
+
+class ThinnedDeviation : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(ThinnedDeviation, KeepsBothExtremesWhateverIsLeftOut)
+{
+    const PartCharts charts = part_charts(slope);
+    Deviation deviation = made_deviation(charts, 0.1, wavy);
+    deviation.left[77] = -0.5;
+    deviation.left[78] = 0.7F;
+    const std::size_t most = GetParam();
+    const VtpReader reader{deviation_vtp(charts, deviation, most)};
+    const auto left = reader.array<float>("left_mm", "Float32");
+    EXPECT_LE(left.size(), most);
+    EXPECT_GE(left.size(), std::min(most, deviation.left.size()) / 2);
+    EXPECT_EQ(std::ranges::min(left), -0.5);
+    EXPECT_EQ(std::ranges::max(left), 0.7F);
+    // In their order: each is found behind the one before.
+    auto at = deviation.left.begin();
+    for (const float value : left) {
+        at = std::find(at, deviation.left.end(), value);
+        ASSERT_NE(at, deviation.left.end());
+        ++at;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(ToAnyNumber, ThinnedDeviation,
+                         testing::Values(2, 3, 100, 101, 999, 1000, 100'000));
+
+TEST(DeviationVtp, LeavesOutCellsWithoutArea)
+{
+    const PartCharts charts = part_charts(slope);
+    Deviation deviation = made_deviation(charts, 0.3, wavy);
+    deviation.area[5] = 0;
+    deviation.area[6] = 0;
+    const VtpReader reader{deviation_vtp(charts, deviation)};
+    std::vector<float> expected = deviation.left;
+    expected.erase(expected.begin() + 5, expected.begin() + 7);
+    EXPECT_EQ(reader.array<float>("left_mm", "Float32"), expected);
+}
+
+TEST(DeviationVtp, IsTheSameForAnyNumberOfThreads)
+{
+    const PartCharts charts = part_charts(slope);
+    const Deviation deviation = made_deviation(charts, 0.02, wavy);
+    const std::string file = deviation_vtp(charts, deviation, 5000);
+    set_thread_count(1);
+    EXPECT_TRUE(deviation_vtp(charts, deviation, 5000) == file);
+    set_thread_count(2);
+}
+
+TEST(DeviationVtp, OfNothingIsAFileWithoutPoints)
+{
+    const Part part = std::vector<Surface>{};
+    const VtpReader reader{deviation_vtp(part_charts(part), {})};
+    EXPECT_EQ(reader.attribute("Piece", "NumberOfPoints"), "0");
+    EXPECT_TRUE(reader.array<float>("left_mm", "Float32").empty());
+}
+
+TEST(DeviationVtp, RefusesWhatIsNotFiniteAndLessThanTwoPoints)
+{
+    const PartCharts charts = part_charts(slope);
+    Deviation deviation = made_deviation(charts, 0.5, wavy);
+    EXPECT_THROW(deviation_vtp(charts, deviation, 1), DomainError);
+    deviation.left[3] = std::numeric_limits<float>::infinity();
+    EXPECT_THROW(deviation_vtp(charts, deviation), DomainError);
+}
+
+}  // namespace
+}  // namespace endmill

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/files/vtk.h"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
+#include "vtp_reader.h"
+#include "wavy_path.h"
+
+namespace endmill {
+namespace {
+
+void expect_vectors(const std::vector<double>& numbers, std::size_t i,
+                    const Vec3& expected)
+{
+    for (int c = 0; c < 3; ++c)
+        EXPECT_EQ(numbers[3 * i + c], expected[c]) << i;
+}
+
+TEST(ToolPathVtp, HoldsEveryPointExactly)
+{
+    const ToolPath path = wavy_path(3, 20);
+    const VtpReader reader{tool_path_vtp(path)};
+    EXPECT_EQ(reader.attribute("VTKFile", "byte_order"), "LittleEndian");
+    EXPECT_EQ(reader.attribute("VTKFile", "header_type"), "UInt64");
+    EXPECT_EQ(reader.attribute("Piece", "NumberOfPoints"),
+              std::to_string(path.points.size()));
+    const auto tips = reader.array<double>("tip_mm", "Float64");
+    const auto contacts = reader.array<double>("contact", "Float64");
+    const auto normals = reader.array<double>("normal", "Float64");
+    const auto u = reader.array<double>("u", "Float64");
+    const auto has_contact = reader.array<std::uint8_t>("has_contact", "UInt8");
+    ASSERT_EQ(tips.size(), 3 * path.points.size());
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const PathPoint& point = path.points[i];
+        const bool touches = point.contact.has_value();
+        expect_vectors(tips, i, point.location.tip);
+        expect_vectors(contacts, i,
+                       touches ? point.contact->contact.point : point.location.tip);
+        expect_vectors(normals, i,
+                       touches ? point.contact->contact.normal : point.location.axis);
+        EXPECT_EQ(u[i], touches ? point.contact->u : 0);
+        EXPECT_EQ(has_contact[i], touches ? 1 : 0);
+    }
+}
+
+// Each move of the path must lie in exactly one polyline, which says its kind and pass.
+TEST(ToolPathVtp, PolylinesCoverEveryMoveOnce)
+{
+    const ToolPath path = wavy_path(4, 6);
+    const VtpReader reader{tool_path_vtp(path)};
+    const auto connectivity = reader.array<std::int64_t>("connectivity", "Int64");
+    const auto offsets = reader.array<std::int64_t>("offsets", "Int64");
+    const auto pass = reader.array<std::int32_t>("pass", "Int32");
+    const auto move = reader.array<std::uint8_t>("move", "UInt8");
+    ASSERT_EQ(offsets.size(), pass.size());
+    ASSERT_EQ(offsets.size(), move.size());
+    EXPECT_EQ(reader.attribute("Piece", "NumberOfLines"), std::to_string(offsets.size()));
+
+    std::int64_t covered = 0;
+    std::int64_t begin = 0;
+    for (std::size_t line = 0; line < offsets.size(); ++line) {
+        for (std::int64_t k = begin + 1; k < offsets[line]; ++k) {
+            EXPECT_EQ(connectivity[k], connectivity[k - 1] + 1);
+            EXPECT_EQ(connectivity[k], ++covered);
+            EXPECT_EQ(path.points[connectivity[k]].pass, pass[line]);
+            EXPECT_EQ(static_cast<int>(path.points[connectivity[k]].move), move[line]);
+        }
+        begin = offsets[line];
+    }
+    EXPECT_EQ(covered + 1, std::ssize(path.points));
+}
+
+TEST(ToolPathVtp, AnEmptyPathIsAFileWithoutPoints)
+{
+    const VtpReader reader{tool_path_vtp({})};
+    EXPECT_EQ(reader.attribute("Piece", "NumberOfPoints"), "0");
+    EXPECT_TRUE(reader.array<double>("tip_mm", "Float64").empty());
+    EXPECT_TRUE(reader.array<std::int64_t>("offsets", "Int64").empty());
+}
+
+TEST(ToolPathVtp, RefusesANumberThatIsNotFinite)
+{
+    ToolPath path = wavy_path(2, 5);
+    path.points[3].contact->contact.normal.x() = std::numeric_limits<double>::infinity();
+    EXPECT_THROW(tool_path_vtp(path), DomainError);
+}
+
+}  // namespace
+}  // namespace endmill

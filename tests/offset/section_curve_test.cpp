@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/offset/section_curve.h"
+
+#include <gtest/gtest.h>
+
+namespace endmill {
+namespace {
+
+TEST(SectionCurve, IsOpenUnlessSaid)
+{
+    EXPECT_FALSE(SectionCurve{}.is_closed);
+    EXPECT_TRUE(SectionCurve{}.points.empty());
+}
+
+}  // namespace
+}  // namespace endmill

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/setup/detail/distinct_cones.h"
+
+#include <map>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "endmill/visibility/sphere_grid.h"
+#include "random_maps.h"
+
+namespace endmill {
+namespace {
+
+std::vector<bool> row_of(const VisibilityMap& map, std::size_t facet)
+{
+    std::vector<bool> row(map.cells());
+    for (std::size_t cell = 0; cell < map.cells(); ++cell)
+        row[cell] = map.is_accessible(facet, cell);
+    return row;
+}
+
+TEST(DistinctCones, AreTheDifferentRowsInTheOrderOfTheirFirstFacets)
+{
+    test::Random random{5};
+    for (const std::size_t facets : {1U, 63U, 64U, 65U, 300U}) {
+        const SphereGrid grid = sphere_grid("hex:3");
+        const VisibilityMap map = test::random_caps(facets, grid.centres, random);
+        std::map<std::vector<bool>, std::size_t> numbers;
+        std::vector<std::size_t> counts;
+        std::vector<std::size_t> expected;
+        for (std::size_t facet = 0; facet < facets; ++facet) {
+            const std::vector<bool> row = row_of(map, facet);
+            if (row == std::vector<bool>(map.cells(), false)) {
+                expected.push_back(DistinctCones::none);
+                continue;
+            }
+            const auto [at, is_new] = numbers.insert({row, counts.size()});
+            if (is_new)
+                counts.push_back(0);
+            ++counts[at->second];
+            expected.push_back(at->second);
+        }
+        const DistinctCones cones{map};
+        ASSERT_EQ(cones.size(), counts.size());
+        EXPECT_EQ(std::vector(cones.cone_of().begin(), cones.cone_of().end()), expected);
+        const VisibilityMap merged = cones.map();
+        EXPECT_EQ(merged.facets(), counts.size());
+        for (std::size_t facet = 0; facet < facets; ++facet) {
+            if (expected[facet] != DistinctCones::none) {
+                EXPECT_EQ(row_of(merged, expected[facet]), row_of(map, facet));
+            }
+        }
+        for (std::size_t cone = 0; cone < counts.size(); ++cone)
+            EXPECT_EQ(cones.facets(cone), counts[cone]);
+        for (std::size_t cell = 0; cell < map.cells() && merged.facets() % 64 != 0;
+             ++cell)
+            EXPECT_EQ(merged.column(cell).back() >> (merged.facets() % 64), 0U);
+    }
+}
+
+TEST(DistinctCones, MayBeNone)
+{
+    EXPECT_EQ(DistinctCones(VisibilityMap{}).size(), 0U);
+    const DistinctCones cones{VisibilityMap{70, 5}};
+    EXPECT_EQ(cones.size(), 0U);
+    EXPECT_EQ(cones.cone_of()[69], DistinctCones::none);
+    EXPECT_EQ(cones.map().facets(), 0U);
+}
+
+}  // namespace
+}  // namespace endmill

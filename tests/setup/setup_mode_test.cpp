@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/setup/setup_mode.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
+
+namespace endmill {
+namespace {
+
+TEST(SetupMode, IsFoundByTheNameOfItsRules)
+{
+    for (const SetupMode mode :
+         {SetupMode::PaperLiteral, SetupMode::Paper, SetupMode::Corrected}) {
+        EXPECT_EQ(setup_rules(mode).mode, mode);
+        EXPECT_EQ(setup_mode(setup_rules(mode).name), mode);
+    }
+    EXPECT_EQ(setup_mode("paper-literal"), SetupMode::PaperLiteral);
+    EXPECT_EQ(setup_mode("Paper"), std::nullopt);
+    EXPECT_EQ(setup_mode(""), std::nullopt);
+}
+
+TEST(SetupMode, RefusesLimitsThatAreReversedWithoutZeroOrBeyondATurn)
+{
+    constexpr double pi = std::numbers::pi;
+    for (const RotaryRange& bad : {RotaryRange{1, -1}, RotaryRange{0.1, 1},
+                                   RotaryRange{-1, -0.1}, RotaryRange{-4, 4}}) {
+        SetupOptions options;
+        options.limits.phi = bad;
+        EXPECT_THROW(check_setup_options(options), DomainError);
+        options.limits = {{}, bad};
+        EXPECT_THROW(check_setup_options(options), DomainError);
+    }
+    for (const RotaryRange& sound :
+         {RotaryRange{0, 0}, RotaryRange{0, 2 * pi}, RotaryRange{-2 * pi, 0}}) {
+        SetupOptions options;
+        options.limits.theta = sound;
+        EXPECT_NO_THROW(check_setup_options(options));
+    }
+}
+
+}  // namespace
+}  // namespace endmill

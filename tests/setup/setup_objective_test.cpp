@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/setup/setup_objective.h"
+
+#include <gtest/gtest.h>
+
+namespace endmill {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+TEST(PoseMeasure, IsWhatItsObjectiveSays)
+{
+    const PoseRanges ranges{1.0, 0.5, 0.25};
+    using enum SetupObjective;
+    EXPECT_DOUBLE_EQ((PoseMeasure{RotaryFamily::CA, FlooredArea, 0.1})(ranges),
+                     1.1 * 0.85);
+    EXPECT_DOUBLE_EQ((PoseMeasure{RotaryFamily::CA, TotalRange, 0.1})(ranges), 1.75);
+    EXPECT_DOUBLE_EQ((PoseMeasure{RotaryFamily::CA, Tilt, 0.1})(ranges), 0.5);
+    EXPECT_DOUBLE_EQ((PoseMeasure{RotaryFamily::AB, Tilt, 0.1})({1.5, 0.5, 0.25}), 0.75);
+}
+
+TEST(PoseMeasure, ReachesATargetAtTheUsefulWidthAndHeight)
+{
+    using enum SetupObjective;
+    for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
+        for (const SetupObjective objective : {FlooredArea, TotalRange, Tilt}) {
+            const PoseMeasure measure{family, objective, 0.1};
+            for (const double target : {0.4, 1.0, 2.0}) {
+                const double width = measure.useful_width(target, 0.3, 0.2);
+                if (width > 0 && width < 100) {
+                    EXPECT_NEAR(measure({width, 0.3, 0.2}), target, 1e-12);
+                }
+                if (width < 100) {
+                    EXPECT_GE(measure({std::max(width, 0.0), 0.3, 0.2}),
+                              target * (1 - 1e-15));
+                }
+                if (objective == Tilt)
+                    continue;
+                const double height = measure.useful_height(target, 0.2);
+                if (height > 0) {
+                    EXPECT_NEAR(measure({0.2, height, 0}), target, 1e-12);
+                }
+            }
+        }
+    }
+}
+
+TEST(RangeLimits, FollowTheFamily)
+{
+    const RotaryLimits limits{{-20 * degree, 130 * degree}, {-40 * degree, 100 * degree}};
+    const RangeLimits ca{RotaryFamily::CA, limits};
+    EXPECT_NEAR(ca.width, 140 * degree, 1e-15);
+    EXPECT_NEAR(ca.far, 130 * degree, 1e-15);
+    EXPECT_NEAR(ca.near, 20 * degree, 1e-15);
+    const RangeLimits ab{RotaryFamily::AB, limits};
+    EXPECT_NEAR(ab.width, 150 * degree, 1e-15);
+    EXPECT_NEAR(ab.far, 90 * degree, 1e-15);  // cut there
+    EXPECT_NEAR(ab.near, 40 * degree, 1e-15);
+}
+
+TEST(RangeLimits, HoldEitherTurnOfThePart)
+{
+    const RangeLimits limits{RotaryFamily::CA, {{-0.2, 1.0}, {-1, 1}}};
+    EXPECT_TRUE(limits.hold(1.0, 0.2));
+    EXPECT_TRUE(limits.hold(0.2, 1.0));
+    EXPECT_FALSE(limits.hold(0.3, 0.3));
+    EXPECT_FALSE(limits.hold(1.1, 0));
+    EXPECT_TRUE(limits.hold(1.0 + limit_tolerance / 2, 0));
+    EXPECT_GT(limits.widest(), limits.width);
+    EXPECT_NEAR(limits.highest(), 1.2, 1e-8);
+    EXPECT_NEAR(limits.farthest(), 1.0, 1e-8);
+}
+
+TEST(RangeLimits, LetTheLesserLevelRiseForTiltOnly)
+{
+    const RangeLimits limits{RotaryFamily::CA, {{-0.2, 1.0}, {-1, 1}}};
+    const PoseMeasure tilt{RotaryFamily::CA, SetupObjective::Tilt, 0.1};
+    EXPECT_TRUE(rises_freely(tilt, limits, 0.1, 0.5));
+    EXPECT_FALSE(rises_freely(tilt, limits, 0.3, 0.5));   // beyond the limits
+    EXPECT_FALSE(rises_freely(tilt, limits, 0.1, 0.05));  // it is the larger one
+    EXPECT_FALSE(rises_freely({}, limits, 0.1, 0.5));
+}
+
+}  // namespace
+}  // namespace endmill

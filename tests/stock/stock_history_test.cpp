@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/stock/stock_history.h"
+
+#include <gtest/gtest.h>
+
+#include "endmill/stock/detail/sweep_tree.h"
+#include "tip_path.h"
+
+namespace endmill {
+namespace {
+
+void expect_same(const StraightSweep& found, const StraightSweep& expected)
+{
+    EXPECT_EQ(found.cutter(), expected.cutter());
+    EXPECT_EQ(found.from(), expected.from());
+    EXPECT_EQ(found.to(), expected.to());
+}
+
+TEST(StockHistory, HasTheSweepsOfItsPaths)
+{
+    const ToolPath cut = test::tip_path({{0, 0, 0}, {1, 2, 3}, {4, 5, 6}});
+    ToolPath rapid = cut;
+    rapid.points.front().move = Move::Rapid;
+    const Cutter ball = Cutter::ball(2);
+    const Cutter flat = Cutter::flat(3);
+    const StockHistory history{{}, {run_along(cut, ball), run_along(rapid, flat)}};
+    std::vector<StraightSweep> expected = path_sweeps(cut, ball);
+    for (const StraightSweep& sweep : path_sweeps(rapid, flat))
+        expected.push_back(sweep);
+    const std::vector<StraightSweep> found = history_sweeps(history);
+    ASSERT_EQ(found.size(), expected.size());
+    EXPECT_EQ(sweep_count(history), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+        expect_same(found[k], expected[k]);
+}
+
+TEST(StockHistory, OfNothingHasNoSweeps)
+{
+    const StockHistory history{{}, {{Cutter::ball(1), true, {}}}};
+    EXPECT_EQ(sweep_count(history), 0U);
+    EXPECT_TRUE(history_sweeps(history).empty());
+    EXPECT_TRUE(run_along({}, Cutter::ball(1)).tips.empty());
+}
+
+TEST(JoinedSweeps, TellThePathsOwnPoints)
+{
+    const ToolPath earlier = test::tip_path({{0, 0, 0}, {1, 0, 0}});
+    ToolPath path = test::tip_path({{0, 0, 1}, {1, 0, 1}, {2, 0, 1}});
+    path.points.front().move = Move::Rapid;
+    const StockHistory history{{}, {run_along(earlier, Cutter::flat(3))}};
+    const JoinedSweeps joined{&history, path, Cutter::ball(2)};
+    ASSERT_EQ(joined.all().size(), 4U);  // it stands and moves; then two moves
+    EXPECT_EQ(joined.earlier(), 2U);
+    EXPECT_EQ(joined.own().size(), 2U);
+    EXPECT_EQ(joined.point_of(-1), -1);
+    EXPECT_EQ(joined.point_of(1), by_earlier_run);
+    EXPECT_EQ(joined.point_of(2), 1);
+    EXPECT_EQ(joined.point_of(3), 2);
+    const JoinedSweeps alone{nullptr, path, Cutter::ball(2)};
+    EXPECT_EQ(alone.earlier(), 0U);
+    EXPECT_EQ(alone.point_of(0), 1);
+}
+
+}  // namespace
+}  // namespace endmill

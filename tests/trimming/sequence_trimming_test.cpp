@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/trimming/detail/sequence_trimming.h"
+
+#include <gtest/gtest.h>
+
+#include "endmill/trimming/detail/distance_trimming.h"
+#include "endmill/trimming/detail/line_trimming.h"
+#include "endmill/trimming/detail/section_runs.h"
+#include "endmill/trimming/profile_families.h"
+#include "trimmed_curves.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::array both_detections{FoldDetection::Literal, FoldDetection::Guarded};
+
+struct Sampled {
+    SectionCurve curve;
+    double radius;
+};
+
+std::vector<Sampled> all_families()
+{
+    std::vector<Sampled> curves;
+    const auto append = [&](const std::vector<OffsetProfile>& profiles, int points) {
+        for (const OffsetProfile& profile : profiles)
+            curves.push_back({offset_curve(profile, points), profile.radius});
+    };
+    append(hard_profiles(), 401);
+    append(wavy_profiles(), 401);
+    for (const int points : {41, 101, 401})
+        append(convex_profiles(points), points);
+    return curves;
+}
+
+TEST(March, AnswersWhatTheScanDoes)
+{
+    for (const Sampled& sampled : all_families()) {
+        for (const FoldDetection detection : both_detections) {
+            const TrimmingOptions march{.detection = detection};
+            const TrimmingOptions scan{.detection = detection,
+                                       .search = BranchSearch::Scan};
+            ASSERT_EQ(test::points_left(test::trim("3", sampled.curve, march)),
+                      test::points_left(test::trim("3", sampled.curve, scan)));
+        }
+    }
+}
+
+TEST(March, FindsACrossingInACommonVertex)
+{
+    const SectionCurve curve =
+        test::open_curve({{-4, 4}, {0, 0}, {1, -1}, {0, -0.5}, {-1, -1}, {0, 0}, {4, 4}});
+    for (const FoldDetection detection : both_detections) {
+        EXPECT_EQ(test::points_left(test::trim("3", curve, {.detection = detection})),
+                  (std::vector<SectionPoint>{{-4, 4}, {0, 0}, {4, 4}}));
+    }
+}
+
+// Where two runs forward in s make the first fold of a curve.
+std::optional<Branches> first_fold(const SectionChain& chain, double band)
+{
+    std::vector<SectionRun> forward;
+    RunReader reader{chain, RunAxis::S, band, chain.first()};
+    while (const auto run = reader.next()) {
+        if (run->grows)
+            forward.push_back(*run);
+    }
+    if (forward.size() < 2)
+        return std::nullopt;
+    return Branches{forward[0].first, forward[0].last, forward[1].first, forward[1].last};
+}
+
+// How far method 1 may be off, for the threshold 1: in s, and in z.
+SectionPoint bound(const SectionChain& chain, const ChainCrossing& crossing)
+{
+    const auto slope = [&](std::int32_t segment) {
+        const SectionPoint along = chain.at(chain.next(segment)) - chain.at(segment);
+        return along.x() / along.y();
+    };
+    const double a = slope(crossing.segment_a);
+    const double b = slope(crossing.segment_b);
+    return {std::max(0.5, std::abs((a + b) / (b - a)) / 2), 1 / std::abs(b - a)};
+}
+
+TEST(Searches, AgreeWhereAllFindACrossing)
+{
+    int found = 0;
+    int false_hits = 0;
+    for (const Sampled& sampled : all_families()) {
+        const SectionChain chain{sampled.curve.points, 0};
+        // On few points the branches bend within the reach of the threshold.
+        constexpr std::size_t many_points = 300;
+        if (sampled.curve.points.size() < many_points)
+            continue;
+        const auto fold = first_fold(chain, dead_band(sampled.curve.points));
+        if (!fold)
+            continue;
+        const double threshold = 4e-3 * sampled.radius;
+        const TrimmingOptions options{.scan_step = threshold / 4,
+                                      .scan_threshold = threshold};
+        const auto by_distance = search_by_distance(chain, *fold, options);
+        const auto by_lines = search_by_lines(chain, *fold, options);
+        const auto in_sequence = search_in_sequence(chain, *fold, options);
+        false_hits += by_distance && !in_sequence;
+        if (!by_distance || !by_lines || !in_sequence)
+            continue;
+        ++found;
+        EXPECT_LE((by_lines->at - in_sequence->at).norm(), 1e-12);
+        const SectionPoint error = (by_distance->at - in_sequence->at).cwiseAbs();
+        const SectionPoint most = 1.2 * threshold * bound(chain, *in_sequence);
+        EXPECT_LE(error.x(), most.x());
+        EXPECT_LE(error.y(), most.y());
+    }
+    EXPECT_GT(found, 600);
+    RecordProperty("false_hits_of_method_1", false_hits);
+    EXPECT_LT(false_hits, found / 50);
+}
+
+}  // namespace
+}  // namespace endmill

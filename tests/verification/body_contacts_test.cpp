@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/verification/detail/body_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include "test_meshes.h"
+
+namespace endmill {
+namespace {
+
+// Lower ends 1 over, in, and 2 under a floor at z = 0.
+class OverAFloor : public testing::Test {
+protected:
+    static StraightSweep plunge(double z)
+    {
+        return {Cutter::flat(3), {5, 5, z + 1}, {5, 5, z}};
+    }
+
+    // Passes over triangles that the part strays from by these errors.
+    PartCollisions after(std::initializer_list<double> chord_errors)
+    {
+        for (const double chord_error : chord_errors) {
+            const std::vector<StraightSweep> open = moves_.open_sweeps();
+            const SweepTree tree{open};
+            moves_.begin_pass();
+            find_contacts({floor_, chord_error, {3, 10}, tree}, moves_);
+            moves_.end_pass(chord_error);
+        }
+        return moves_.found(7);
+    }
+
+    const TriangleMesh floor_ = test::flat_mesh(10, 10);
+    const std::vector<StraightSweep> sweeps_{plunge(-9), plunge(-10), plunge(-12)};
+    BodyMoves moves_{sweeps_};
+};
+
+TEST_F(OverAFloor, NothingIsKnownAtFirst)
+{
+    EXPECT_TRUE(moves_.has_open());
+    EXPECT_EQ(moves_.open_sweeps().size(), 3U);
+    EXPECT_GT(moves_.found(0).bound_mm, 1e9);
+}
+
+TEST_F(OverAFloor, AMeshDecidesAllAtOnce)
+{
+    const PartCollisions found = after({0});
+    EXPECT_FALSE(moves_.has_open());
+    EXPECT_EQ(found.moves.count, 1U);
+    EXPECT_EQ(found.moves.first, 9U);
+    EXPECT_NEAR(found.moves.deepest, 2, 1e-12);
+    EXPECT_EQ(found.bound_mm, part_contact_slack);
+}
+
+// As far as the triangles may be off, the move that touches stays open, and it alone.
+TEST_F(OverAFloor, WhatTheTrianglesBlurStaysOpen)
+{
+    const PartCollisions found = after({0.015});
+    EXPECT_EQ(moves_.open_sweeps().size(), 1U);
+    EXPECT_EQ(found.moves.count, 1U);
+    EXPECT_NEAR(found.bound_mm, 0.015, 1e-12);
+    EXPECT_EQ(after({part_contact_slack / 2}).bound_mm, part_contact_slack);
+    EXPECT_FALSE(moves_.has_open());
+}
+
+}  // namespace
+}  // namespace endmill

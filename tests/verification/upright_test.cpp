@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/verification/upright.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include "revolved_surfaces.h"
+#include "test_meshes.h"
+#include "tip_path.h"
+
+namespace endmill {
+namespace {
+
+const Vec3 oblique = Vec3{0.3, -0.4, 0.8}.normalized();
+
+TEST(UprightRotation, TurnsTheAxisToZAndIsARotation)
+{
+    for (const Vec3& axis : {oblique, Vec3{-Vec3::UnitZ()}, Vec3{Vec3::UnitX()}}) {
+        const Eigen::Matrix3d rotation = upright_rotation(axis);
+        EXPECT_LT((rotation * axis - Vec3::UnitZ()).norm(), 1e-15);
+        EXPECT_LT((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm(),
+                  1e-14);
+        EXPECT_NEAR(rotation.determinant(), 1, 1e-14);
+    }
+    EXPECT_EQ(upright_rotation(Vec3::UnitZ()), Eigen::Matrix3d::Identity());
+}
+
+TEST(FixedAxis, IsThatOfAllPointsOrNone)
+{
+    ToolPath path = test::tip_path({{0, 0, 0}, {1, 0, 0}});
+    EXPECT_EQ(fixed_axis(path), Vec3(0, 0, 1));
+    path.points[1].location.axis = oblique;
+    EXPECT_FALSE(fixed_axis(path));
+    EXPECT_EQ(fixed_axis({}), Vec3(0, 0, 1));
+}
+
+TEST(Turned, MovesEveryPointAlike)
+{
+    const Eigen::Matrix3d rotation = upright_rotation(oblique);
+    const Surface surface = nurbs_surface(test::cylinder(5, 3, 0, 2));
+    const Part part = turned(Part{std::vector<Surface>{surface}}, rotation);
+    const Surface& found = std::get<std::vector<Surface>>(part).front();
+    for (const double v : {0.1, 0.7})
+        EXPECT_LT(
+            (found.tangents(0.3, v).point - rotation * surface.tangents(0.3, v).point)
+                .norm(),
+            1e-13);
+    const Part mesh = turned(Part{test::flat_mesh(2, 1)}, rotation);
+    EXPECT_LT((std::get<TriangleMesh>(mesh).points()[2] -
+               rotation * test::flat_mesh(2, 1).points()[2])
+                  .norm(),
+              1e-15);
+    ToolPath path = test::tip_path({{1, 2, 3}});
+    path.points[0].location.axis = oblique;
+    const ToolPath upright = turned(path, rotation);
+    EXPECT_EQ(upright.points[0].location.axis, Vec3(0, 0, 1));
+    EXPECT_LT((upright.points[0].location.tip - rotation * Vec3{1, 2, 3}).norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace endmill

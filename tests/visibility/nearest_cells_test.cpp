@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/visibility/nearest_cells.h"
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
+#include "endmill/visibility/sphere_grid.h"
+#include "random.h"
+
+namespace endmill {
+namespace {
+
+void make_accessible(VisibilityMap& map, std::size_t facet, std::size_t cell)
+{
+    map.column(cell)[facet / 64] |= std::uint64_t{1} << (facet % 64);
+}
+
+// By the definition: for each facet of Group II the accessible cell of the largest dot
+// product, the lowest of those within 1e-12 of it.
+std::set<std::size_t> nearest_by_definition(const VisibilityMap& map,
+                                            const std::vector<Vec3>& centres,
+                                            std::size_t pose)
+{
+    std::set<std::size_t> found;
+    for (std::size_t facet = 0; facet < map.facets(); ++facet) {
+        if (map.is_accessible(facet, pose))
+            continue;
+        double largest = -2;
+        for (std::size_t cell = 0; cell < map.cells(); ++cell) {
+            if (map.is_accessible(facet, cell))
+                largest = std::max(largest, centres[pose].dot(centres[cell]));
+        }
+        for (std::size_t cell = 0; cell < map.cells(); ++cell) {
+            if (map.is_accessible(facet, cell) &&
+                centres[pose].dot(centres[cell]) >= largest - 1e-12) {
+                found.insert(cell);
+                break;
+            }
+        }
+    }
+    return found;
+}
+
+class NearestCells : public testing::TestWithParam<std::string> {};
+
+TEST_P(NearestCells, AreThoseOfTheDefinitionOnGridsFullOfTies)
+{
+    const SphereGrid grid = sphere_grid(GetParam());
+    test::Random random{5};
+    for (int round = 0; round < 30; ++round) {
+        VisibilityMap map{70, grid.centres.size()};
+        const double share = random.log_uniform(0.002, 0.5);
+        for (std::size_t cell = 0; cell < map.cells(); ++cell) {
+            for (std::size_t facet = 0; facet + 1 < map.facets(); ++facet) {
+                if (random.uniform(0, 1) < share)
+                    make_accessible(map, facet, cell);
+            }
+        }
+        for (std::size_t pose = 0; pose < map.cells(); pose += 7) {
+            const std::vector<std::size_t> found = nearest_cells(map, grid.centres, pose);
+            EXPECT_EQ(std::set<std::size_t>(found.begin(), found.end()),
+                      nearest_by_definition(map, grid.centres, pose));
+            EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), [&](auto a, auto b) {
+                return grid.centres[pose].dot(grid.centres[a]) >
+                       grid.centres[pose].dot(grid.centres[b]) + 1e-12;
+            }));
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(OnEachKindOfGrid, NearestCells,
+                         testing::Values("hex:4", "cube:3", "latlong:8x6", "ico:1"));
+
+TEST(NearestCells, AreNoneWhereThePoseReachesEverything)
+{
+    const SphereGrid grid = sphere_grid("hex:2");
+    VisibilityMap map{65, grid.centres.size()};
+    for (std::size_t facet = 0; facet < map.facets(); ++facet)
+        make_accessible(map, facet, 3);
+    EXPECT_TRUE(nearest_cells(map, grid.centres, 3).empty());
+    EXPECT_EQ(nearest_cells(map, grid.centres, 4), std::vector<std::size_t>{3});
+}
+
+// Two cells equally near to the pole but for rounding, on either side of a border between
+// classes of the dot product, 1 - 1 / 32: the lower one counts.
+TEST(NearestCells, TakeTheLowestOfEqualsAcrossAClass)
+{
+    const double border = 1 - 1.0 / 32;
+    const auto at = [](double dot, double azimuth) {
+        const double rho = std::sqrt(1 - dot * dot);
+        return Vec3{rho * std::cos(azimuth), rho * std::sin(azimuth), dot};
+    };
+    const std::vector<Vec3> centres{Vec3::UnitZ(), at(border - 2e-13, 1),
+                                    at(border + 2e-13, 2)};
+    VisibilityMap map{1, 3};
+    make_accessible(map, 0, 1);
+    make_accessible(map, 0, 2);
+    EXPECT_EQ(nearest_cells(map, centres, 0), std::vector<std::size_t>{1});
+}
+
+TEST(NearestCells, NeedACentreForEachCellAndAPoseAmongThem)
+{
+    const VisibilityMap map{3, 2};
+    const std::vector<Vec3> centres{Vec3::UnitZ(), Vec3::UnitX()};
+    EXPECT_TRUE(nearest_cells(map, centres, 0).empty());
+    EXPECT_THROW(nearest_cells(map, centres, 2), DomainError);
+    EXPECT_THROW(nearest_cells(map, std::vector<Vec3>{Vec3::UnitZ()}, 0), DomainError);
+}
+
+}  // namespace
+}  // namespace endmill
