@@ -51,7 +51,7 @@ TEST(CellBounds, HoldEverywhereOnTheCell)
                        Eigen::Vector2d{u + 0.02, v + 0.02}, Eigen::Vector2d{u, v + 0.02}};
             const PartRay ray = *charts.ray(0, cell.centre());
             MeasuredCell measured{cell, ray, cell.reach(ray), left_at(cell.centre()),
-                                  charts.bend(0, cell.centre())};
+                                  charts.curvature(0, cell.centre())};
             double most = -9;
             double least = 9;
             for (int i = 0; i <= 20; ++i)
@@ -137,7 +137,7 @@ TEST(HiddenGouge, IsNeverLessThanWhatTheCellHides)
                                      middle + Eigen::Vector2d{-0.01, 0.01}}};
                 const PartRay at = *charts.ray(0, middle);
                 const MeasuredCell measured{cell, at, cell.reach(at), *cut_ray(sweep, at),
-                                            charts.bend(0, middle)};
+                                            charts.curvature(0, middle)};
                 EXPECT_LE(measured.cut.thickness - hidden_gouge(measured, cutter),
                           cut_ray(sweep, ray)->left + 1e-6);
             }

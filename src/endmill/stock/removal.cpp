@@ -19,6 +19,7 @@
 // 4. `add_part` adds volumes and depths of the part to the result.
 // Volumes are integers in a unit that is a power of two, so their sums are exact and do
 // not depend on the order of threads.
+
 namespace endmill {
 namespace {
 

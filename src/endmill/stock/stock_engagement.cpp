@@ -18,6 +18,7 @@
 //    direction of the move, and the interpolated stock must be higher.
 // 3. `find_intervals` joins neighbouring engaged cells of a ring to intervals of azimuth.
 // Then the move is removed from the stock.
+
 namespace endmill {
 namespace {
 

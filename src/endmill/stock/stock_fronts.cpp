@@ -23,6 +23,7 @@
 // the feed, Y to the right, Z up, scaled by the radius: `rows` strips of equal width in
 // y, and in each strip `columns` angles chi about the Y axis. Fronts with more stock on
 // the left are mirrored.
+
 namespace endmill {
 namespace {
 

@@ -20,6 +20,7 @@
 // one, so that the compiler processes several rays at once; `cut_ray` is the same for one
 // ray with branches.
 // Source: paper/notes/swept-cutter.md.
+
 namespace endmill {
 namespace {
 

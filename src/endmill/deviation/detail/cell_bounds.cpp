@@ -21,6 +21,7 @@
 // (d), (e) `most_left_by_corners`: over a flat cell the thickness that one sweep leaves
 // is convex, so its maximum is at a corner; a convex combination of two sweeps is convex
 // too.
+
 namespace endmill {
 namespace {
 

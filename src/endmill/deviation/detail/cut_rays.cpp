@@ -20,6 +20,7 @@
 //    any passes.
 // For several tiles together, step 3 makes one list of candidates for all of them
 // (`SweepRows`).
+
 namespace endmill {
 namespace {
 

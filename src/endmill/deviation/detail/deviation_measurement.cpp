@@ -26,6 +26,7 @@
 // 4. `halve` is used if no ray met a move: it halves the cells that a move comes near.
 // Each step runs on all threads and starts from the result of the step before for all
 // tiles. No result depends on the order of the threads.
+
 namespace endmill {
 namespace {
 

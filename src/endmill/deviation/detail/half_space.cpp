@@ -8,6 +8,7 @@
 // open above. All that it clears from reference points y lies in the half space w . z >=
 // min(w . y) - c |w_xy| - r for any unit vector w with w_z >= 0. The functions choose w.
 // Source: paper/notes/deviation-bounds.md, eq. (f).
+
 namespace endmill {
 namespace {
 

@@ -6,11 +6,11 @@
 
 #include "endmill/surface/sampling.h"
 
-// `free_ball` is the shrinking-ball algorithm. It starts with a ball of the way's length
-// that touches the foot. While the part has a place inside the ball, the ball is replaced
-// by the one that touches the foot and passes through this place. The result is the
-// largest ball without a place inside.
-// Source: [MaBaeChoi].
+// `free_ball` is the shrinking-ball algorithm of [MaBaeChoi]. It starts with a ball of
+// the way's length that touches the foot. While the part has a place inside the ball, the
+// ball is replaced by the one that touches the foot and passes through this place. The
+// result is the largest ball without a place inside.
+
 namespace endmill {
 namespace {
 

@@ -50,7 +50,7 @@ public:
     /// centre on the way, and contains no other place of the part. Up to its radius the
     /// foot is the nearest place of the part. A radius below the way's length is too
     /// small by at most `uncertainty()` plus rounding, and never too large.
-    /// Source: [MaBaeChoi], the shrinking-ball algorithm.
+    /// This is the shrinking-ball algorithm of [MaBaeChoi].
     /// \param hint as above.
     FreeBall free_ball(const PartWay& way, std::optional<std::size_t>& hint) const;
 

@@ -11,6 +11,7 @@
 
 // A chart is halved until its sides are at most eight pitches long, across the longer
 // side; a triangle is quartered. The piece then becomes a tile of up to 8 by 8 cells.
+
 namespace endmill {
 namespace {
 

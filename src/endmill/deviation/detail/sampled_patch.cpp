@@ -13,6 +13,7 @@
 // of a range with n cells has its lower half at k + 1 and its upper half at k + n,
 // because a binary tree over n/2 cells has n - 1 nodes. A query descends into the nearer
 // half first, and skips a half whose disc is further away than the best place.
+
 namespace endmill {
 namespace {
 

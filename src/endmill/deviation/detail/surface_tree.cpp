@@ -17,6 +17,7 @@
 // triangles need not exist. The boxes are grouped by fours into the levels of a tree. A
 // query descends into near boxes first; only when a piece's disc may contain a nearer
 // place are its triangles made (`sample`), once, by `std::call_once`.
+
 namespace endmill {
 namespace {
 

@@ -22,6 +22,7 @@
 //    sine of the corner's angle, `heights_between` evaluates S. A level move needs none
 //    of this: the nearest position is the lowest (`level_bull_heights`).
 // Source: docs/mathematics/removal.md, section 1.
+
 namespace endmill {
 namespace {
 

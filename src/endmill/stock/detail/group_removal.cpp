@@ -20,6 +20,7 @@
 //    holder before and after the cut.
 // Results of the same move from different groups are combined by atomic additions of
 // integers and atomic maxima, which do not depend on the order.
+
 namespace endmill {
 namespace {
 

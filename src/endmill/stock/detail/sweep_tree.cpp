@@ -10,6 +10,7 @@
 // The tree is built top-down. The items are boxes around pieces of moves; each node
 // splits its items at the median along the axis in which their low corners spread most.
 // Nodes are stored in depth-first order, so that the first child follows its parent.
+
 namespace endmill {
 namespace {
 

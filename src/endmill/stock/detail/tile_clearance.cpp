@@ -13,6 +13,7 @@
 // point of the swept disc that is nearest to the middle of the tile and uses the plane
 // perpendicular to the line between them. It compares two support functions: the least
 // value over the sweep and the greatest over the tile.
+
 namespace endmill {
 namespace {
 

@@ -19,6 +19,7 @@
 // 3. The results are merged in the order of the blocks, so they do not depend on the
 //    threads.
 // Source: paper/notes/body-contacts.md.
+
 namespace endmill {
 namespace {
 

@@ -11,6 +11,7 @@
 // Three answers are needed. Above the part the height of each cell counts as it is. Below
 // the part the highest cell around gives what is missing for certain, and the lowest,
 // minus a dip between the centres, gives what may be missing at most.
+
 namespace endmill {
 namespace {
 
