@@ -13,16 +13,14 @@
 #include "endmill/process/cutting_coefficients.h"
 #include "endmill/process/segment_load.h"
 #include "endmill/stock/stock_fronts.h"
-#include "endmill/stock/stock_gap.h"
-#include "endmill/stock/stock_memory.h"
 
 namespace endmill {
 namespace {
 
 HeightStock stock_of(const FeedInput& input, const FeedCommandOptions& options)
 {
-    if (input.stock.heights)
-        return *input.stock.heights;
+    if (input.stock.kept)
+        return input.stock.kept->heights;
     require_stock_memory(input.stock.block, options.resolution,
                          options.common.limits.max_memory_gib);
     return block_stock(input.stock.block, options.resolution);

@@ -193,7 +193,7 @@ void add_stock(FeedInput& input, const FeedCommandOptions& options)
         throw DomainError{
             "the stock's top is not known; expected --stock-top, --stock or --part"};
     input.stock_top = *top;
-    if (!input.stock.heights)
+    if (!input.stock.kept)
         input.stock.block.high.z() = *top;
 }
 

@@ -19,7 +19,6 @@
 #include "endmill/planning/path_memory.h"
 #include "endmill/post/gcode_writer.h"
 #include "endmill/surface/extent.h"
-#include "endmill/verification/upright.h"
 #include "endmill/verification/verification.h"
 
 namespace endmill {

@@ -26,7 +26,7 @@ ExitCode run_verify(const VerifyOptions& options)
 
     ProgressLine progress{"removing and measuring", options.common};
     VerificationTask task = verification_task(input, options);
-    task.deviation.progress = [&](double share) { progress.show(share); };
+    task.progress = [&](double share) { progress.show(share); };
     const Verification verification =
         naming(options.path.file, [&] { return verify_path(task); });
     const Json summary = write_verification({input, options, task, verification}, folder);

@@ -28,8 +28,8 @@ std::string stock_text(const VerifyResult& result)
     const std::string box =
         fmt::format("{:g},{:g},{:g},{:g},{:g},{:g}", block.low.x(), block.low.y(),
                     block.low.z(), block.high.x(), block.high.y(), block.high.z());
-    return result.input.stock.heights ? result.options.stock + " within " + box
-                                      : "block " + box;
+    return result.input.stock.kept ? result.options.stock + " within " + box
+                                   : "block " + box;
 }
 
 // What the figure does not know of itself.
@@ -71,9 +71,9 @@ void write_deviation(const VerifyResult& result, const PartCharts& charts,
 // The stock has to be cut once more: each move is looked at before it is made.
 void write_engagement(const VerifyResult& result, const OutputFolder::Sink& sink)
 {
-    HeightStock stock = result.task.stock
-                            ? *result.task.stock
-                            : block_stock(result.task.block, result.task.resolution);
+    const VerifyStock& before = result.input.stock;
+    HeightStock stock = before.kept ? before.kept->heights
+                                    : block_stock(before.block, result.task.resolution);
     EngagementCsv csv{sink};
     for_each_engagement(stock, *result.task.path, result.task.cutter,
                         [&](std::size_t number, const Engagement& engagement) {

@@ -12,7 +12,6 @@
 #include "endmill/files/read_file.h"
 #include "endmill/files/tool_file.h"
 #include "endmill/stock/mesh_stock.h"
-#include "endmill/verification/upright.h"
 
 namespace endmill {
 namespace {
@@ -150,19 +149,18 @@ std::vector<std::string> files_of(const VerifyInput& input, const VerifyOptions&
 
 VerificationTask verification_task(const VerifyInput& input, const VerifyOptions& options)
 {
-    VerificationTask task{
-        .path = &input.program.path,
-        .cutter = input.tool.cutter,
-        .body = tool_body(input.tool),
-        .part = input.part ? &input.part->part : nullptr,
-        .block = input.stock.block,
-        .stock = input.stock.heights ? &*input.stock.heights : nullptr,
-        .history = input.stock.history ? &*input.stock.history : nullptr};
+    VerificationTask task{.path = &input.program.path,
+                          .cutter = input.tool.cutter,
+                          .body = tool_body(input.tool),
+                          .part = input.part ? &input.part->part : nullptr,
+                          .stock = input.stock.block};
+    if (input.stock.kept)
+        task.stock = &*input.stock.kept;
     task.resolution = options.resolution;
     task.max_memory_gib = options.common.limits.max_memory_gib;
     task.extra_bytes_per_cell = bytes_to_write(options);
-    task.deviation.limits = input.limits;
-    task.deviation.max_refine = options.max_refine;
+    task.limits = input.limits;
+    task.max_refine = options.max_refine;
     return task;
 }
 

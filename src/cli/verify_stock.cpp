@@ -11,7 +11,6 @@
 #include "endmill/files/mesh_file.h"
 #include "endmill/files/vtk.h"
 #include "endmill/stock/mesh_stock.h"
-#include "endmill/stock/stock_memory.h"
 #include "endmill/verification/verification.h"
 
 namespace endmill {
@@ -38,13 +37,6 @@ std::optional<Block> block_of_numbers(const std::string& text)
                           ": expected X0,Y0,Z0,X1,Y1,Z1 in mm with X0 < X1, Y0 < Y1 and "
                           "Z0 < Z1"};
     return block;
-}
-
-Block box_of(const StockGrid& grid, double top)
-{
-    return {{grid.low_x, grid.low_y, grid.bottom_z},
-            {grid.low_x + grid.columns * grid.pitch, grid.low_y + grid.rows * grid.pitch,
-             top}};
 }
 
 // The memory is asked for before the mesh is turned into heights, which takes it.
@@ -76,14 +68,12 @@ VerifyStock read_verify_stock(const VerifyOptions& options, const Part* part,
                               const ToolPath& path, const Cutter& cutter)
 {
     if (options.stock == "block")
-        return {default_block(part, path, cutter), {}, {}, {}};
+        return {default_block(part, path, cutter), {}, {}};
     if (const auto block = block_of_numbers(options.stock))
-        return {*block, {}, {}, {}};
+        return {*block, {}, {}};
     KeptStock stock = stock_of_file(options);
-    const StockGrid& grid = stock.heights.grid();
-    const auto range = height_range(stock.heights);
-    const Block box = box_of(grid, range ? range->high : grid.bottom_z);
-    return {box, std::move(stock.heights), std::move(stock.history), options.stock};
+    const Block box = material_box(stock.heights);
+    return {box, std::move(stock), options.stock};
 }
 
 }  // namespace endmill

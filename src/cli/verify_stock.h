@@ -12,10 +12,9 @@ namespace endmill {
 
 /// What the material is before the path.
 struct VerifyStock {
-    Block block;                          ///< the stock, or the box around another
-    std::optional<HeightStock> heights;   ///< of another than a block
-    std::optional<StockHistory> history;  ///< how these came to be, if it is known
-    std::string file;                     ///< where they come from; empty for a block
+    Block block;                    ///< the stock, or the box around another
+    std::optional<KeptStock> kept;  ///< another stock than a block
+    std::string file;               ///< where that comes from; empty for a block
 };
 
 /// What --stock says.

@@ -86,17 +86,16 @@ void add_removal(Json& summary, const Removal& removal, const ToolPath& path)
 
 void add_part_collisions(Json& summary, const Verification& verification)
 {
-    const PartCollisions& found = verification.part_collisions;
-    const bool is_judged = verification.deviation.has_value();
+    const PartCollisions found = verification.part_collisions.value_or(PartCollisions{});
     add_count(summary, "part_collisions", found.moves);
     Json place = nullptr;
-    if (found.deepest_at && found.deepest_move)
-        place = {{"point_mm", vector_json(*found.deepest_at)},
-                 {"point", *found.deepest_move}};
+    if (found.deepest)
+        place = {{"point_mm", vector_json(found.deepest->point)},
+                 {"point", found.deepest->move}};
     summary["deepest_of_part_collisions_at"] = place;
     summary["part_collision_error_mm"] = finite_or_null(found.error_mm);
     summary["part_collision_bound_mm"] = finite_or_null(found.bound_mm);
-    if (!is_judged)
+    if (!verification.part_collisions)
         for (const char* key : {"part_collisions", "deepest_of_part_collisions_mm",
                                 "part_collision_error_mm", "part_collision_bound_mm"})
             summary[key] = nullptr;
@@ -105,15 +104,14 @@ void add_part_collisions(Json& summary, const Verification& verification)
 // Nothing is left open where the stock's history is known.
 void add_earlier(Json& summary, const Verification& verification)
 {
-    const EarlierGouge& earlier = verification.earlier_gouge;
+    const std::optional<EarlierGouge>& earlier = verification.earlier_gouge;
     summary["earlier_moves"] =
         verification.earlier_moves ? Json(*verification.earlier_moves) : Json(nullptr);
-    const bool is_open = earlier.is_of_heights;
-    summary["earlier_gouge_mm"] = is_open ? finite_or_null(earlier.found_mm) : nullptr;
+    summary["earlier_gouge_mm"] = earlier ? finite_or_null(earlier->found_mm) : nullptr;
     summary["earlier_gouge_at"] =
-        earlier.found_at ? vector_json(*earlier.found_at) : Json(nullptr);
+        earlier && earlier->found_at ? vector_json(*earlier->found_at) : Json(nullptr);
     summary["earlier_gouge_bound_mm"] =
-        is_open ? finite_or_null(earlier.bound_mm) : nullptr;
+        earlier ? finite_or_null(earlier->bound_mm) : nullptr;
 }
 
 std::string number_text(const Json& value)
@@ -231,15 +229,16 @@ std::vector<std::string> broken_rules(const Verification& verification)
             "shank or holder is up to {:.4g} mm in the material, on {}, the first to "
             "point {}",
             inside, counted(hits, "move"), first_hit.value_or(0)));
-    const PartCollisions& in_part = verification.part_collisions;
-    if (in_part.moves.count > 0 && in_part.deepest_at)
+    const PartCollisions in_part =
+        verification.part_collisions.value_or(PartCollisions{});
+    if (in_part.deepest)
         rules.push_back(fmt::format(
             "shank or holder is up to {:.4g} mm in the part, on {}, the first to point "
             "{}; deepest at {:.4g}, {:.4g}, {:.4g} on the move to point {}",
             in_part.moves.deepest, counted(in_part.moves.count, "move"),
-            in_part.moves.first.value_or(0), in_part.deepest_at->x(),
-            in_part.deepest_at->y(), in_part.deepest_at->z(),
-            in_part.deepest_move.value_or(0)));
+            in_part.moves.first.value_or(0), in_part.deepest->point.x(),
+            in_part.deepest->point.y(), in_part.deepest->point.z(),
+            in_part.deepest->move));
     else if (in_part.bound_mm > closed_contact_bound)
         rules.push_back(fmt::format(
             "shank or holder may be up to {:.4g} mm in the part, for all that is known",
@@ -292,7 +291,7 @@ std::string verify_text(const Json& s, const Verification& verification)
         text += "no part to judge by: --part FILE names one\n";
     else
         text += extremes_text(s) + areas_text(s);
-    if (verification.earlier_gouge.is_of_heights)
+    if (verification.earlier_gouge)
         text += earlier_text(s);
     for (const std::string& rule : broken_rules(verification))
         text += rule + "\n";

@@ -5,3 +5,4 @@
 /// All public headers of the module `deviation`.
 
 #include "endmill/deviation/deviation.h"
+#include "endmill/deviation/part_charts.h"

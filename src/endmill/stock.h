@@ -9,6 +9,4 @@
 #include "endmill/stock/removal.h"
 #include "endmill/stock/stock_engagement.h"
 #include "endmill/stock/stock_fronts.h"
-#include "endmill/stock/stock_gap.h"
 #include "endmill/stock/stock_history.h"
-#include "endmill/stock/stock_memory.h"

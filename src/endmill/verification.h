@@ -4,6 +4,5 @@
 /// \file
 /// All public headers of the module `verification`.
 
-#include "endmill/verification/part_collisions.h"
-#include "endmill/verification/upright.h"
 #include "endmill/verification/verification.h"
+#include "endmill/verification/verification_result.h"

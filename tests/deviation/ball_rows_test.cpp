@@ -39,19 +39,20 @@ RayRows::Row all_may_be_shorter()
     return short_by;
 }
 
-// Against the closed forms for one ray; level, upright, steep and no moves, and rays that
-// are upright, level and aslant, over, in and beside what is cleared.
+// Compares with the closed form for one ray. Moves are level, vertical, steep and without
+// length; rays are vertical, level and oblique, above, inside and beside the swept
+// volume.
 void expect_as_one_by_one(const StraightSweep& sweep, const std::vector<PartRay>& rays,
                           double length)
 {
     RayRows rows = rows_of(rays, length);
     shorten_by_ball(rows, sweep, 7, all_may_be_shorter());
     for (std::size_t k = 0; k < rays.size(); ++k) {
-        const auto expected = mown(sweep, rays[k], length);
+        const auto expected = cut_ray(sweep, rays[k], length);
         ASSERT_EQ(rows.sweep[k], expected ? 7 : -1)
             << k << ' ' << rays[k].point.transpose() << " along "
             << rays[k].normal.transpose();
-        EXPECT_NEAR(rows.left[k], expected ? expected->left : length, 1e-9);
+        EXPECT_NEAR(rows.left[k], expected ? expected->thickness : length, 1e-9);
         if (expected && expected->slope < 10) {
             EXPECT_NEAR(std::abs(rows.cosine[k]), 1 / std::hypot(1, expected->slope),
                         1e-7);
@@ -71,7 +72,8 @@ TEST(ShortenByBall, DoesAsOneByOne)
     for (int round = 0; round < 2000; ++round) {
         const Vec3 from = within(2);
         const StraightSweep sweep{Cutter::ball(3), from, from + moves[round % 5]};
-        // One by itself, too: what others need is done for all.
+        // A single ray is tested too, because the upright parts are computed for all rays
+        // of a tile at once.
         const int count = round % 2 == 0 ? 1 : 37;
         std::vector<PartRay> rays;
         for (int i = 0; i < count; ++i) {

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/stock/detail/sweep_tree.h"
+#include "endmill/stock/stock_history.h"
 #include "random.h"
 #include "test_surfaces.h"
 #include "tip_path.h"
@@ -16,8 +17,8 @@
 namespace endmill {
 namespace {
 
-// What random sweeps leave on a cell of a bent part, looked at closely, against the bounds
-// from its middle and corners.
+// Compares the thickness that random sweeps leave on a cell of a curved part, sampled
+// densely, with the bounds from the cell's middle and corners.
 TEST(CellBounds, HoldEverywhereOnTheCell)
 {
     test::Random random{31};
@@ -34,10 +35,10 @@ TEST(CellBounds, HoldEverywhereOnTheCell)
             std::vector<std::int32_t> all(sweeps.size());
             std::iota(all.begin(), all.end(), 0);
             const auto left_at = [&](const Eigen::Vector2d& at) {
-                MownRay least{9, 0, -1};
+                CutRay least{9, 0, -1};
                 for (const std::int32_t k : all)
-                    if (const auto left = mown(sweeps[static_cast<std::size_t>(k)],
-                                               *charts.ray(0, at), least.left)) {
+                    if (const auto left = cut_ray(sweeps[static_cast<std::size_t>(k)],
+                                                  *charts.ray(0, at), least.thickness)) {
                         least = *left;
                         least.sweep = k;
                     }
@@ -50,12 +51,12 @@ TEST(CellBounds, HoldEverywhereOnTheCell)
                        Eigen::Vector2d{u + 0.02, v + 0.02}, Eigen::Vector2d{u, v + 0.02}};
             const PartRay ray = *charts.ray(0, cell.centre());
             MeasuredCell measured{cell, ray, cell.reach(ray), left_at(cell.centre()),
-                                  charts.bend(0, cell.centre())};
+                                  charts.curvature(0, cell.centre())};
             double most = -9;
             double least = 9;
             for (int i = 0; i <= 20; ++i)
                 for (int j = 0; j <= 20; ++j) {
-                    const double left = left_at({u + 0.001 * i, v + 0.001 * j}).left;
+                    const double left = left_at({u + 0.001 * i, v + 0.001 * j}).thickness;
                     most = std::max(most, left);
                     least = std::min(least, left);
                 }
@@ -64,7 +65,7 @@ TEST(CellBounds, HoldEverywhereOnTheCell)
             EXPECT_EQ(least_left_by_planes(measured, sweeps,
                                            sweeps_on_cell(measured, sweeps, all)),
                       planes);
-            if (measured.left.sweep < 0)
+            if (measured.cut.sweep < 0)
                 continue;
             EXPECT_LE(most, most_left_by_slope(measured, cutter) + 1e-9);
             const auto local = local_sweeps(measured, sweeps, all);
@@ -72,14 +73,14 @@ TEST(CellBounds, HoldEverywhereOnTheCell)
         }
 }
 
-// A sharp rim that just touches a slope: what the planes leave open falls with the square
-// of the cell, wherever in the cell it touches.
+// A sharp rim touches a slope. The error of the bound by planes falls with the square of
+// the cell's size, wherever in the cell the rim touches.
 TEST(LeastLeftByPlanes, OfATouchingRimIsOfSecondOrder)
 {
     const Part part =
         std::vector<Surface>{test::graph(test::monomial(1, 0, 0.75), {{-4, 4}, {-4, 4}})};
     const PartCharts charts = part_charts(part);
-    // Downhill from its rim; along the contour too.
+    // The feed runs downhill from the rim, and along the contour.
     const Vec3 tip{-2, 0, 0};
     for (const double length : {0.0, 3.0}) {
         const std::vector<StraightSweep> sweeps{{Cutter::flat(2),
@@ -105,7 +106,7 @@ TEST(LeastLeftByPlanes, OfATouchingRimIsOfSecondOrder)
     }
 }
 
-// One cutter pressed into a convex part, its deepest place anywhere on the cell.
+// One cutter is pressed into a convex part, with its deepest place anywhere on the cell.
 TEST(HiddenGouge, IsNeverLessThanWhatTheCellHides)
 {
     test::Random random{32};
@@ -135,10 +136,10 @@ TEST(HiddenGouge, IsNeverLessThanWhatTheCellHides)
                                      middle + Eigen::Vector2d{0.01, 0.01},
                                      middle + Eigen::Vector2d{-0.01, 0.01}}};
                 const PartRay at = *charts.ray(0, middle);
-                const MeasuredCell measured{cell, at, cell.reach(at), *mown(sweep, at),
-                                            charts.bend(0, middle)};
-                EXPECT_LE(measured.left.left - hidden_gouge(measured, cutter),
-                          mown(sweep, ray)->left + 1e-6);
+                const MeasuredCell measured{cell, at, cell.reach(at), *cut_ray(sweep, at),
+                                            charts.curvature(0, middle)};
+                EXPECT_LE(measured.cut.thickness - hidden_gouge(measured, cutter),
+                          cut_ray(sweep, ray)->left + 1e-6);
             }
         }
 }

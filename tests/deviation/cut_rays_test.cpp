@@ -6,16 +6,17 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "endmill/stock/stock_history.h"
 #include "random.h"
 #include "tip_path.h"
 
 namespace endmill {
 namespace {
 
-class MownRaysOf : public testing::TestWithParam<Cutter> {};
+class CutRaysOf : public testing::TestWithParam<Cutter> {};
 
-// The tree, the half spaces and the few rays that go ahead change nothing.
-TEST_P(MownRaysOf, AreTheLeastOfEverySweepByItself)
+// The tree, the half spaces and the rays that are cut first must not change the result.
+TEST_P(CutRaysOf, AreTheLeastOfEverySweepByItself)
 {
     test::Random random{21};
     const auto uniform = [&](double size) {
@@ -37,23 +38,23 @@ TEST_P(MownRaysOf, AreTheLeastOfEverySweepByItself)
             rays.push_back({centre + uniform(0.5), (normal + uniform(0.1)).normalized(),
                             Vec3::Zero(), Vec3::Zero()});
         const std::vector<double> lengths(rays.size(), 15);
-        MownRays mowing{rays, lengths};
-        mowing.mow(tree);
+        CutRays cut{rays, lengths};
+        cut.cut(tree);
         for (std::size_t k = 0; k < rays.size(); ++k) {
             double least = 15;
             for (const StraightSweep& sweep : sweeps)
-                if (const auto left = mown(sweep, rays[k]))
-                    least = std::min(least, left->left);
-            EXPECT_NEAR(mowing[static_cast<int>(k)].left, least, 1e-10);
+                if (const auto left = cut_ray(sweep, rays[k]))
+                    least = std::min(least, left->thickness);
+            EXPECT_NEAR(cut[static_cast<int>(k)].thickness, least, 1e-10);
         }
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(BallFlatBull, MownRaysOf,
+INSTANTIATE_TEST_SUITE_P(BallFlatBull, CutRaysOf,
                          testing::Values(Cutter::ball(5), Cutter::flat(5), Cutter{5, 2}));
 
-// Also of one tree of all cutters.
-TEST(MownRays, OfSeveralCuttersAreTheLeastOfEverySweepByItself)
+// The same with one tree for all cutters.
+TEST(CutRays, OfSeveralCuttersAreTheLeastOfEverySweepByItself)
 {
     test::Random random{23};
     const auto uniform = [&](double size) {
@@ -68,7 +69,7 @@ TEST(MownRays, OfSeveralCuttersAreTheLeastOfEverySweepByItself)
             sweeps.emplace_back(cutters[i % 3], from, from + uniform(2));
         }
         const SweepTree tree{sweeps};
-        std::vector<MownRays> tiles;
+        std::vector<CutRays> tiles;
         std::vector<std::vector<PartRay>> rays;
         for (int t = 0; t < 4; ++t) {
             const Vec3 centre = Vec3{1.0 * t, 0, 0} + uniform(0.5);
@@ -79,29 +80,29 @@ TEST(MownRays, OfSeveralCuttersAreTheLeastOfEverySweepByItself)
                                        Vec3::Zero(), Vec3::Zero()});
             tiles.emplace_back(rays.back(), std::vector<double>(20, 15.0));
         }
-        MownRays alone{rays[0], std::vector<double>(20, 15.0)};
-        alone.mow(tree);
-        std::vector<MownRays*> all;
-        for (MownRays& tile : tiles)
+        CutRays alone{rays[0], std::vector<double>(20, 15.0)};
+        alone.cut(tree);
+        std::vector<CutRays*> all;
+        for (CutRays& tile : tiles)
             all.push_back(&tile);
-        MownRays::mow_together(all, tree);
+        CutRays::cut_together(all, tree);
         for (std::size_t t = 0; t < tiles.size(); ++t)
             for (std::size_t k = 0; k < rays[t].size(); ++k) {
                 double least = 15;
                 for (const StraightSweep& sweep : sweeps)
-                    if (const auto left = mown(sweep, rays[t][k]))
-                        least = std::min(least, left->left);
+                    if (const auto left = cut_ray(sweep, rays[t][k]))
+                        least = std::min(least, left->thickness);
                 const int number = static_cast<int>(k);
-                EXPECT_NEAR(tiles[t][number].left, least, 1e-10);
+                EXPECT_NEAR(tiles[t][number].thickness, least, 1e-10);
                 if (t == 0) {
-                    EXPECT_NEAR(alone[number].left, least, 1e-10);
+                    EXPECT_NEAR(alone[number].thickness, least, 1e-10);
                 }
             }
     }
 }
 
-// Every sweep that clears a place of the part near a ray is among them.
-TEST(MownRays, KnowTheSweepsBeneath)
+// Every sweep that clears a place of the part near a ray must be listed.
+TEST(CutRays, KnowTheSweepsThatGougeThePart)
 {
     test::Random random{22};
     for (const Cutter& cutter : {Cutter::ball(2), Cutter::flat(2), Cutter{2, 0.5}}) {
@@ -119,9 +120,9 @@ TEST(MownRays, KnowTheSweepsBeneath)
                             Vec3::UnitX(),
                             Vec3::UnitY()});
         const std::vector<double> lengths(rays.size(), 3);
-        MownRays mowing{rays, lengths};
-        const auto beneath = mowing.sweeps_beneath(tree, 0.18, 0);
-        EXPECT_LT(beneath.size(), sweeps.size());
+        CutRays cut{rays, lengths};
+        const auto gouging = cut.gouging_sweeps(tree, 0.18, 0);
+        EXPECT_LT(gouging.size(), sweeps.size());
         for (std::size_t k = 0; k < sweeps.size(); ++k) {
             bool is_under = false;
             for (int i = -3; i <= 27; ++i)
@@ -129,11 +130,11 @@ TEST(MownRays, KnowTheSweepsBeneath)
                     is_under = is_under || sweeps[k].height(i / 32.0, j / 32.0) < -1e-9;
             if (is_under) {
                 EXPECT_TRUE(
-                    std::ranges::binary_search(beneath, static_cast<std::int32_t>(k)));
+                    std::ranges::binary_search(gouging, static_cast<std::int32_t>(k)));
             }
         }
-        mowing.mow(tree);
-        EXPECT_EQ(mowing.sweeps_beneath(tree, 0.18, 0), beneath);
+        cut.cut(tree);
+        EXPECT_EQ(cut.gouging_sweeps(tree, 0.18, 0), gouging);
     }
 }
 

@@ -12,7 +12,8 @@
 namespace endmill {
 namespace {
 
-// Into the floor of a box 4 mm high, beside its wall x = 0: the wall or the top is nearer.
+// Rays into the floor of a box 4 mm high, beside its wall x = 0: the wall or the top
+// limits them.
 TEST(FreeLengths, InABoxAreDistancesFromItsFaces)
 {
     const Part box = test::box_mesh({0, 0, 0}, {40, 40, 4});
@@ -32,7 +33,8 @@ TEST(FreeLengths, InABoxAreDistancesFromItsFaces)
         const double truth = std::min(ways[k].foot.x(), 2.0);
         measured += found[k].is_measured ? 1 : 0;
         EXPECT_GE(found[k].length, truth - 1e-9);
-        // More only where the nearer face changes from one measured ray to the next.
+        // A length exceeds the true one by more only where the limiting face changes
+        // between two measured rays.
         EXPECT_LE(found[k].length, truth * (found[k].is_measured ? 1 + 1e-8 : 1.1));
         sum += found[k].length;
         true_sum += truth;
@@ -41,7 +43,7 @@ TEST(FreeLengths, InABoxAreDistancesFromItsFaces)
     EXPECT_LT(measured, 200);
 }
 
-// From within a cylinder: its axis.
+// Rays from the inside of a cylinder are limited by its axis.
 TEST(FreeLengths, InACylinderAreItsRadius)
 {
     const Part part =

@@ -17,7 +17,7 @@ Vec3 uniform(test::Random& random, double size)
             random.uniform(-size, size)};
 }
 
-// Points of the region: the height and all above it.
+// All points at and above the height of the sweep belong to the swept volume.
 TEST(HalfSpace, HoldsAllThatASweepClears)
 {
     test::Random random{51};
@@ -45,10 +45,10 @@ TEST(HalfSpace, OfALevelMoveTouchesIt)
     const HalfSpace near = half_space_beyond(ball, aside);
     EXPECT_NEAR(near.least - near.normal.dot(aside), std::hypot(7, 8) - 5, 1e-13);
     const StraightSweep flat{Cutter::flat(5), {0, 0, 0}, {20, 0, 0}};
-    const HalfSpace wall = half_space_beyond(flat, {10, -5, 2});  // just on its side
+    const HalfSpace wall = half_space_beyond(flat, {10, -5, 2});  // a place on its side
     EXPECT_LT((wall.normal - Vec3::UnitY()).norm(), 1e-15);
     EXPECT_EQ(wall.least, -5);
-    const HalfSpace floor = half_space_beyond(flat, {10, 1, 0});  // just on its bottom
+    const HalfSpace floor = half_space_beyond(flat, {10, 1, 0});  // a place on its bottom
     EXPECT_EQ(floor.normal, Vec3(0, 0, 1));
     EXPECT_EQ(floor.least, 0);
 }

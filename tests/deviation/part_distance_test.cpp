@@ -55,7 +55,7 @@ TEST(PartDistance, FreeLengthsAreTheRadiiOfBallsThatFit)
     ASSERT_TRUE(low.other);
     EXPECT_NEAR((*low.other - Vec3(0.3, 1.5, 4)).norm(), 0, 1e-8);
 
-    // Inwards from a cylinder: to its axis.
+    // The ball on the inside of a cylinder grows up to the axis.
     const Part part =
         std::vector<Surface>{nurbs_surface(test::cylinder(20, 4, 0.3, 2.3))};
     const PartCharts round = part_charts(part);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "endmill/stock/stock_history.h"
 #include "test_surfaces.h"
 #include "tip_path.h"
 
@@ -47,13 +48,14 @@ bool passes_over_plane(const Cutter& cutter, const std::vector<Vec3>& tips, doub
     return passes_over(charts, SweepTree{sweeps}, top);
 }
 
-// Along the border and over a corner, by a little; over it, and above the stock.
+// The cutter overlaps the border or a corner of the part by a little, passes over the
+// part, or stays above the stock.
 TEST(PassesOver, IsSeenWhereverTheCutterReachesThePart)
 {
     for (const double in : {0.02, 0.5, 8.0}) {
         const std::vector<Vec3> tips{{-5 + in, -3, -2}, {-5 + in, 20, -2}};
         EXPECT_TRUE(passes_over_plane(Cutter::flat(5), tips, 1)) << in;
-        // A ball is R - sqrt(R^2 - d^2) higher there.
+        // The ball's surface is R - sqrt(R^2 - d^2) above its tip there.
         const double rise = 5 - std::sqrt(25 - (5 - in) * std::max(0.0, 5 - in));
         EXPECT_FALSE(passes_over_plane(Cutter::ball(5), tips, -2 + rise - 0.01));
         EXPECT_TRUE(passes_over_plane(Cutter::ball(5), tips, -2 + rise + 0.1)) << in;

@@ -25,14 +25,15 @@ void expect_cover(const Part& part, double pitch, double area)
             const PartCell cell = tile.cell(k);
             const PartRay ray = *charts.ray(cell.chart, cell.centre());
             sum += cell.area(ray);
-            EXPECT_LE(cell.reach(ray), pitch);  // the half diagonal of a square is 0.71
+            // the half diagonal of a square is 0.71 of its side
+            EXPECT_LE(cell.reach(ray), pitch);
         }
     }
     EXPECT_EQ(cell_count(tiles), first);
     EXPECT_NEAR(sum / area, 1, 1e-4);
 }
 
-// A tile's rays are those of its cells.
+// The rays of a tile stand at the middles of its cells.
 TEST(PartTiles, RaysStandAtTheMiddlesOfCells)
 {
     for (const Part& part : {Part{std::vector<Surface>{test::random_surface(3, {2, 1})}},

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/deviation/detail/cut_rays.h"
+#include "endmill/stock/stock_history.h"
 #include "random.h"
 #include "tip_path.h"
 
@@ -20,7 +21,8 @@ Vec3 within(test::Random& random, double size)
             random.uniform(-size, size)};
 }
 
-// Whatever is left out shortens no ray; what is left out of those of all rays, none of any.
+// A sweep that is omitted for a tile shortens no ray of it. A sweep that is omitted for
+// all rays is omitted for every tile.
 TEST_P(SweepRowsOf, HoldEverySweepThatShortensARay)
 {
     test::Random random{51};
@@ -40,21 +42,21 @@ TEST_P(SweepRowsOf, HoldEverySweepThatShortensARay)
                             (Vec3{0.3, 0, 1} + within(random, 0.2)).normalized(),
                             Vec3::Zero(), Vec3::Zero()});
         const std::vector<double> lengths(rays.size(), random.uniform(0, 3));
-        const RayBundle bundle = MownRays{rays, lengths}.bundle();
-        const auto near = SweepRows{tree, bundle}.near(bundle);
+        const RayBounds bounds = CutRays{rays, lengths}.bounds();
+        const auto near = SweepRows{tree, bounds}.near(bounds);
         kept += near.size();
         all += sweeps.size();
         for (std::size_t k = 0; k < sweeps.size(); ++k) {
             if (std::ranges::find(near, static_cast<std::int32_t>(k)) != near.end())
                 continue;
             for (const PartRay& ray : rays)
-                EXPECT_FALSE(mown(sweeps[k], ray, lengths[0])) << k;
+                EXPECT_FALSE(cut_ray(sweeps[k], ray, lengths[0])) << k;
         }
     }
     EXPECT_LT(kept, all / 2);
 }
 
-// The same as each tile by itself.
+// Cutting tiles together gives the same result as cutting each alone.
 TEST_P(SweepRowsOf, LeaveTheSameTogether)
 {
     test::Random random{52};
@@ -65,7 +67,7 @@ TEST_P(SweepRowsOf, LeaveTheSameTogether)
                 {random.uniform(-6, 6), random.uniform(-6, 6), random.uniform(0, 3)});
         const auto sweeps = path_sweeps(test::tip_path(tips), GetParam());
         const SweepTree tree{sweeps};
-        std::vector<MownRays> tiles;
+        std::vector<CutRays> tiles;
         for (int tile = 0; tile < 5; ++tile) {
             std::vector<PartRay> rays;
             for (int i = 0; i < 25; ++i)
@@ -75,15 +77,15 @@ TEST_P(SweepRowsOf, LeaveTheSameTogether)
                                 Vec3::Zero()});
             tiles.emplace_back(rays, std::vector<double>(rays.size(), 9));
         }
-        std::vector<MownRays> alone = tiles;
-        std::vector<MownRays*> together;
-        for (MownRays& tile : tiles)
+        std::vector<CutRays> alone = tiles;
+        std::vector<CutRays*> together;
+        for (CutRays& tile : tiles)
             together.push_back(&tile);
-        MownRays::mow_together(together, tree);
+        CutRays::cut_together(together, tree);
         for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
-            alone[tile].mow(tree);
+            alone[tile].cut(tree);
             for (int k = 0; k < 25; ++k)
-                EXPECT_NEAR(tiles[tile][k].left, alone[tile][k].left, 1e-11);
+                EXPECT_NEAR(tiles[tile][k].thickness, alone[tile][k].thickness, 1e-11);
         }
     }
 }
@@ -94,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(BallFlatBull, SweepRowsOf,
 TEST(SweepRows, OfNoSweepAreNone)
 {
     const SweepTree tree{{}};
-    const RayBundle rays{Vec3::Zero(), Vec3::UnitZ(), 1, 1, 0, 1};
+    const RayBounds rays{Vec3::Zero(), Vec3::UnitZ(), 1, 1, 0, 1};
     EXPECT_TRUE(SweepRows(tree, rays).near(rays).empty());
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "endmill/stock/stock_history.h"
 #include "test_meshes.h"
 #include "test_surfaces.h"
 #include "tip_path.h"
@@ -15,17 +16,17 @@ namespace {
 
 const DeviationLimits limits{0.01, 0.1};
 
-TEST(DoubtBeyond, IsNeverAboveTheLimitsWhileTheyHold)
+TEST(RefinementThresholds, IsNeverAboveTheLimitsWhileTheyHold)
 {
-    const Doubt early = doubt_beyond(0.02, 0, limits);
+    const RefinementThresholds early = refinement_thresholds(0.02, 0, limits);
     EXPECT_GT(early.upper, 0.02);
     EXPECT_LT(early.upper, limits.scallop);
-    const Doubt near = doubt_beyond(0.0999, 0.0099, limits);
+    const RefinementThresholds near = refinement_thresholds(0.0999, 0.0099, limits);
     EXPECT_EQ(near.upper, limits.scallop + verdict_slack);
     EXPECT_EQ(near.lower, -limits.tolerance - verdict_slack);
-    EXPECT_TRUE(near.holds(0.1011, 0));
-    EXPECT_FALSE(near.holds(0.1009, -0.0109));
-    EXPECT_TRUE(near.holds(0, -0.0111));
+    EXPECT_TRUE(near.are_exceeded(0.1011, 0));
+    EXPECT_FALSE(near.are_exceeded(0.1009, -0.0109));
+    EXPECT_TRUE(near.are_exceeded(0, -0.0111));
 }
 
 TEST(Extremes, OfAMergeAreThoseOfBothAndTheFirstOfEqualOnes)
@@ -45,7 +46,8 @@ TEST(Extremes, OfAMergeAreThoseOfBothAndTheFirstOfEqualOnes)
     EXPECT_EQ(a.lower, -3);
 }
 
-// One ball over the middle of a plane: the refined bounds close in on the closed form.
+// One ball stands over the middle of a plane. The refined bounds approach the closed
+// form.
 TEST(TileMeasure, RefinedIsNearerToTheTruth)
 {
     const Part part = std::vector<Surface>{test::plane(4, 4)};
@@ -54,16 +56,16 @@ TEST(TileMeasure, RefinedIsNearerToTheTruth)
         path_sweeps(test::tip_path({{2, 2, 0}}), Cutter::ball(5));
     const SweepTree tree{sweeps};
     DeviationOptions options;
-    options.stock = [](const PartRay&) { return MownRay{3, 0, -1}; };
+    const InitialRay initial_ray = [](const PartRay&) { return CutRay{3, 0, -1}; };
     options.limits = {0.01, 1};
     const PartDistance distance{charts, 0.01};
-    const Measured measured{charts, tree, options, distance};
+    const Measured measured{charts, tree, initial_ray, options, distance};
     PartTile tile{charts.whole(0), 4, 4, 0};
     for (Eigen::Vector2d& at : tile.whole.at)  // 2 by 2 mm, away from the border
         at = Eigen::Vector2d{0.5, 0.5} + (at - Eigen::Vector2d{0.5, 0.5}) / 2;
     TileMeasure coarse{measured, tile};
     const Extremes rough = coarse.extremes();
-    const Extremes fine = coarse.refined(doubt_beyond(0, 0, limits), {0, 0});
+    const Extremes fine = coarse.refined(refinement_thresholds(0, 0, limits), {0, 0});
     const double truth = 5 - std::sqrt(25 - 2.0);  // in the tile's corners
     for (const Extremes& found : {rough, fine}) {
         EXPECT_LE(found.highest.left, truth + 1e-12);
@@ -74,17 +76,18 @@ TEST(TileMeasure, RefinedIsNearerToTheTruth)
     EXPECT_GT(fine.rays, rough.rays);
 }
 
-// Near an upper edge of a block: the top is nearer than what lies deep in the wall.
-TEST(Shortened, KeepsItsSign)
+// Near the upper edge of a block, the top is nearer to a point deep in the wall than the
+// wall is.
+TEST(LimitedThickness, KeepsItsSign)
 {
     const Part part = test::box_mesh({0, 0, 0}, {4, 4, 4});
     const PartCharts charts = part_charts(part);
     const PartDistance distance{charts, 0.01};
     std::optional<std::size_t> hint;
     const PartRay wall{{0, 2, 3.8}, -Vec3::UnitX(), Vec3::Zero(), Vec3::Zero()};
-    EXPECT_NEAR(shortened(-0.5, wall, distance, hint), -0.2, 1e-9);
-    EXPECT_EQ(shortened(-0.1, wall, distance, hint), -0.1);
-    EXPECT_EQ(shortened(0.5, wall, distance, hint), 0.5);
+    EXPECT_NEAR(limited_thickness(-0.5, wall, distance, hint), -0.2, 1e-9);
+    EXPECT_EQ(limited_thickness(-0.1, wall, distance, hint), -0.1);
+    EXPECT_EQ(limited_thickness(0.5, wall, distance, hint), 0.5);
 }
 
 TEST(Extremes, OfCellsLookedAtTwiceKeepTheLargerArea)

@@ -30,8 +30,8 @@ TEST_P(BullHeightsOf, AreThoseOfTheSweep)
     }
 }
 
-// Where the stock is already lower it does not matter how high the cutter passes; where
-// it is not, it does.
+// The result may be too large where the stock is already lower. Everywhere else it must
+// be exact.
 TEST_P(BullHeightsOf, AreRightWhereTheyAreBelowTheStock)
 {
     const Cutter cutter = GetParam();
@@ -56,7 +56,7 @@ TEST_P(BullHeightsOf, AreRightWhereTheyAreBelowTheStock)
     }
 }
 
-// What the cutter takes standing where a move begins need not be taken again.
+// A continued move need not cut again what the cutter has cleared where the move starts.
 TEST_P(BullHeightsOf, OfAMoveThatGoesOnLeaveTheSame)
 {
     const Cutter cutter = GetParam();

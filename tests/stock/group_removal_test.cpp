@@ -18,13 +18,13 @@ TEST(SweepingTool, ReachesAsFarAsItsWidestCylinder)
     const SweepingTool tool = sweeping_tool(Cutter::ball(5), body);
     EXPECT_EQ(tool.reach, 15);
     ASSERT_EQ(tool.body.size(), 2U);
-    // A little narrower than it is, so that rounding at its rim does not count.
+    // Cylinders are narrowed, so that rounding at the rim does not count.
     EXPECT_NEAR(tool.body[1].radius, 15, 2e-8);
     EXPECT_LT(tool.body[1].radius, 15);
     EXPECT_EQ(tool.body[1].above, 40);
 }
 
-// Cell by cell and move by move, without tiles, groups and bounds.
+// Reference: every cell and every move in order, without tiles, groups and bounds.
 TEST(RemovePart, IsTheLeastOfAllMovesInOrder)
 {
     for (const Cutter& cutter : {Cutter::ball(3), Cutter::flat(3), Cutter{3, 1}}) {

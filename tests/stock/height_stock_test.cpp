@@ -70,7 +70,8 @@ TEST(HeightStock, WithoutMaterialHasNoRange)
     EXPECT_FALSE(height_range(stock));
 }
 
-// Each cell of the grid is one place of the tiles, and the places beyond stay empty.
+// Each cell of the grid has one place in the tiles, and the places beyond the grid stay
+// at the bottom.
 TEST(HeightStock, TilesHoldEveryCellOnce)
 {
     const StockGrid grid{

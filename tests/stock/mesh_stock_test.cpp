@@ -19,7 +19,7 @@ TriangleMesh tetrahedron()
             {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 }
 
-// Over (x, y) its highest place is on the plane x + y + 2 z = 6.
+// The highest point of the mesh over (x, y) lies on the plane x + y + 2 z = 6.
 TEST(MeshStock, HasTheHeightOfTheMeshOverEachCentre)
 {
     const HeightStock stock = mesh_stock(tetrahedron(), 0.25);
@@ -33,8 +33,9 @@ TEST(MeshStock, HasTheHeightOfTheMeshOverEachCentre)
         }
 }
 
-// The mesh of a rough stock has its points over the centres. A grid of two thirds of the
-// pitch from the first of them has a centre over every other one.
+// The mesh of a random stock has its points over the centres of the cells. A grid of two
+// thirds of the pitch, starting at the first of them, has a centre over every other
+// point.
 TEST(MeshStock, OfTheMeshOfAStockIsThatStock)
 {
     HeightStock stock = block_stock({{0, 0, -1}, {7.5, 5.5, 0}}, 0.5);
@@ -65,7 +66,7 @@ TEST(StockMesh, OfABlockIsABox)
     EXPECT_EQ(report.components, 1U);
     EXPECT_EQ(report.inconsistent_edges, 0U);
     ASSERT_TRUE(report.volume);
-    // From centre to centre: half a cell less on each side.
+    // The mesh reaches from centre to centre, half a cell less on each side.
     EXPECT_NEAR(*report.volume, 4 * 3 * 3, 1e-12);
 }
 
@@ -76,7 +77,7 @@ TEST(StockMesh, LeavesOutCellsWithoutMaterial)
     const MeshReport report = mesh_report(stock_mesh(stock));
     EXPECT_TRUE(report.closed);
     ASSERT_TRUE(report.volume);
-    // Of 25 squares four have that corner.
+    // Four of the 25 squares have that corner.
     EXPECT_NEAR(*report.volume, 21, 1e-12);
 }
 

@@ -11,7 +11,7 @@
 namespace endmill {
 namespace {
 
-// 6 by 4 groups of 3.2 mm, the last ones not whole.
+// 6 by 4 groups of 3.2 mm; the last ones extend beyond the grid.
 StockGrid small_grid()
 {
     return {.low_x = -9,
@@ -40,8 +40,8 @@ double distance_over_plane(const test::SmallMove& move, double x, double y)
     return (to - share * way).norm();
 }
 
-// Every cell within reach of a move is in a group that has the move; and a group far from
-// it has it not.
+// Every cell within reach of a move lies in a group that lists the move. A group far from
+// the move does not list it.
 TEST(MoveBins, HoldTheMovesThatPass)
 {
     constexpr double reach = 2;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The closed forms of what a cutter takes and leaves, by grids of falling pitch. Where no
-// source is named, the number is that of the spec of the removal, section 4.
+// Closed forms of the removed volume and the remaining heights, on grids of decreasing
+// pitch. Expected values without a source of their own are those of
+// docs/mathematics/removal.md, section 4.
 
 #include <cmath>
 #include <numbers>
@@ -18,13 +19,13 @@ namespace {
 using std::numbers::pi;
 using test::tip_path;
 
-// Tips over a block of 40 by 24, its top at 0, its bottom at -20.
+// Tips over a block of 40 by 24 mm with its top at 0 and its bottom at -20.
 struct Case {
     const char* name;
     Cutter cutter;
     std::vector<Vec3> tips;
     double volume;  // mm^3
-    double wall;    // mm^2: of the cut, seen from the side, where it is upright
+    double wall;    // mm^2, area of the cut's upright walls
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& one)
@@ -34,9 +35,9 @@ std::ostream& operator<<(std::ostream& out, const Case& one)
 
 class RemovedVolume : public testing::TestWithParam<Case> {};
 
-// A wall may stand anywhere in its cells: half a cell of it is in doubt. Slanting parts are
-// summed at the centres, which is better by an order; the constant is that of a rim where
-// the slope begins at once.
+// A wall may lie anywhere in its cells, so half a cell along it is uncertain. Slanted
+// surfaces are summed at the centres, which is more accurate by one order; the constant
+// is that of a rim where the slope starts at once.
 TEST_P(RemovedVolume, IsTheClosedFormWithinThePitch)
 {
     const Case& one = GetParam();
@@ -66,7 +67,7 @@ std::vector<Vec3> down(double depth)
     return {here + Vec3{0, 0, 30}, here - Vec3{0, 0, depth}};
 }
 
-// From depth to depth of the tip over 10 mm.
+// A move of 10 mm between two depths of the tip.
 std::vector<Vec3> ramp(double from, double to)
 {
     return {{-5, here.y(), -from}, {5, here.y(), -to}};
@@ -95,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"bull", bull, down(1), 56.6645449646, 0},
                     Case{"bull deep", bull, down(4), 289.601087670, 2 * pi * 5 * 2}));
 
-// The ball's centre from 2 to 6 below the top: its tip 5 deeper.
+// The ball's centre goes from 2 to 6 below the top; the tip is 5 deeper.
 INSTANTIATE_TEST_SUITE_P(
     Ramps, RemovedVolume,
     testing::Values(Case{"ball", ball, ramp(7, 11), 1398.908508070, 200},
@@ -105,14 +106,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"flat backwards", flat, ramp(6, 2), 5 * 10 * 8 + pi * 25 * 6,
                          200}));
 
-// Straight passes along x at the places `across`, tips at `tip_z`.
+// Straight passes along x at the given y, with tips at `tip_z`.
 ToolPath passes(const std::vector<double>& across, double tip_z)
 {
     std::vector<Vec3> tips;
     for (const double y : across) {
         tips.emplace_back(-40, y, tip_z);
         tips.emplace_back(40, y, tip_z);
-        // Clear of the block on the way to the next pass.
+        // The link to the next pass stays clear of the block.
         tips.emplace_back(40, y, 90);
         tips.emplace_back(-40, y, 90);
         tips.emplace_back(-40, y + 1, 90);
@@ -120,7 +121,7 @@ ToolPath passes(const std::vector<double>& across, double tip_z)
     return tip_path(tips);
 }
 
-// Height over y = 0 in the middle of the block, where a centre of a cell lies.
+// Height at y = 0 in the middle of the block, where a cell has its centre.
 double height_at_zero(const HeightStock& stock)
 {
     const int row = stock.grid().rows / 2;
@@ -157,7 +158,8 @@ TEST(ParallelPasses, OneLeftOutLeavesTheScallopOfTwiceThePitchInItsPlace)
 TEST(ParallelPasses, LeaveTheMeanOfTheirPitch)
 {
     const double pitch = 1.98997487421;
-    // A whole number of cells between the passes; the middle rule is of second order.
+    // The passes are a whole number of cells apart, and the midpoint rule is of second
+    // order.
     const double cell = pitch / 40;
     HeightStock stock = block_stock({{-5, -pitch / 2, -20}, {5, pitch / 2, 20}}, cell);
     remove_along(stock, passes({-pitch, 0, pitch}, -1), ball);
@@ -177,8 +179,9 @@ TEST(ParallelPasses, TakeTheSectionOfTheirUnion)
     }
 }
 
-// Two passes at the same angle on both sides of the top of a cylinder about x, and of the
-// bottom of a hollow one. Source: the spec's closed forms for a cylinder.
+// Two passes at equal angles on both sides of the top of a cylinder about x, and of the
+// bottom of a hollow cylinder.
+// Source: docs/mathematics/removal.md, section 4.
 TEST(ParallelPasses, OnACylinderLeaveItsScallop)
 {
     const auto outside = [](double degrees) {
@@ -199,7 +202,8 @@ TEST(ParallelPasses, OnACylinderLeaveItsScallop)
     EXPECT_NEAR(inside_one(6), 0.0825702199982, 1e-12);
 }
 
-// A floor at -2 and a wall at y = 3: nothing of the wall is taken, all before it is.
+// A floor at -2 and a wall at y = 3: the wall stays whole, and everything before it is
+// removed.
 TEST(FlatCutter, LeavesFloorAndWall)
 {
     for (const Cutter& cutter : {flat, bull}) {
@@ -217,7 +221,8 @@ TEST(FlatCutter, LeavesFloorAndWall)
     }
 }
 
-// Turned about z, a level path takes the same but for the grid's error at its outline.
+// A level path, turned about z, removes the same volume except for the grid's error at
+// the outline.
 TEST(Removal, DependsLittleOnTheDirection)
 {
     for (const double degrees : {0.0, 17.0, 45.0, 90.0}) {

@@ -24,7 +24,7 @@ HeightStock small_block(double pitch)
     return block_stock({{-20, -15, -12}, {20, 15, 0}}, pitch);
 }
 
-// Up and down over the block, cutting, missing, and leaving it.
+// A path that goes up and down over the block, cuts, misses and leaves it.
 ToolPath wild_path(int points, unsigned seed)
 {
     test::Random random{seed};
@@ -76,7 +76,7 @@ TEST_P(RemovalOf, VolumesOfTheMovesAreWhatIsGone)
 
 TEST_P(RemovalOf, IsTheSameInAHundredPieces)
 {
-    // No cell's centre on the rim: there, rounding decides.
+    // No cell has its centre on the rim, where rounding decides.
     const Vec3 from{-8.3123, -3.1417, -6};
     const Vec3 to{9.7071, 4.4349, -2};
     HeightStock whole = small_block(0.2);
@@ -122,7 +122,8 @@ TEST_P(RemovalOf, IsTheSameForEveryNumberOfThreads)
     EXPECT_GT(removals.front().collisions.count, 0U);
 }
 
-// Cut in one go or by the chunks of moves that bound the memory: the order is the path's.
+// Parts bound the memory. Cutting in parts or at once must follow the order of the path
+// in the same way.
 TEST_P(RemovalOf, IsTheSameInManyRuns)
 {
     const ToolPath path = wild_path(9000, 4);
@@ -184,7 +185,7 @@ TEST(Removal, CountsMovesInTheAir)
         stock,
         tip_path({{-30, 0, 5}, {30, 0, 5}, {30, 0, -1}, {-30, 0, -1}, {30, 0, -1}}),
         Cutter::ball(5));
-    // Over the block, beside it, through it, and where nothing is left.
+    // The moves pass over the block, beside it, through it, and where nothing is left.
     EXPECT_EQ(removal.air_moves, 3U);
     EXPECT_EQ(removal.removed[2], 0);
     EXPECT_GT(removal.removed[3], 0);
@@ -204,7 +205,7 @@ TEST(Removal, FindsRapidMovesThatCut)
     EXPECT_EQ(removal.rapid_cuts.deepest, 1);
 }
 
-// A rapid move in the groove that was just cut touches nothing.
+// A rapid in the groove that was just cut touches nothing.
 TEST(Removal, ARapidMoveMayGoWhereNothingIsLeft)
 {
     ToolPath path = tip_path({{-30, 0.3, -2}, {30, 0.3, -2}, {-30, 0.3, -2}});
@@ -215,8 +216,9 @@ TEST(Removal, ARapidMoveMayGoWhereNothingIsLeft)
     }
 }
 
-// Places upon a lattice of cells, so that many cells lie on the cutter's rim: whoever goes back
-// or up through what he has cut touches nothing, nor does a shank as wide as the cutter.
+// The path lies on a lattice of cells, so that many cells lie on the cutter's rim. A
+// cutter that goes back or up through its own cut touches nothing, nor does a shank of
+// the same width.
 TEST_P(RemovalOf, WhatIsOnTheRimIsNotTouchedOnTheWayOut)
 {
     test::Random random{4};
@@ -239,8 +241,8 @@ TEST_P(RemovalOf, WhatIsOnTheRimIsNotTouchedOnTheWayOut)
     }
 }
 
-// One pass through a block, at a feed: its rate is section times feed, and the mean is that of
-// the volume over the time.
+// One pass through a block at a feed: the rate is section times feed, and the mean is
+// volume over time.
 TEST(RemovalRates, AreVolumeByTime)
 {
     HeightStock stock = small_block(0.5);
@@ -260,7 +262,7 @@ TEST(RemovalRates, AreVolumeByTime)
     EXPECT_FALSE(removal_rates(removal, path));
 }
 
-// The block is 12 thick: cut through, there is no height left below its bottom.
+// The block is 12 thick. Where it is cut through, no height lies below the bottom.
 TEST(Removal, GoesNoDeeperThanTheBottom)
 {
     HeightStock stock = small_block(0.5);
@@ -282,8 +284,8 @@ TEST(Removal, SaysNothingOfAStockThatIsGone)
 
 class BodyOverGroove : public testing::Test {
 protected:
-    // A groove along x, `depth` deep, by a flat cutter of radius 3; 10 above its tip a
-    // cylinder begins.
+    // A flat cutter of radius 3 cuts a groove along x, `depth` deep. A cylinder begins 10
+    // above its tip.
     static MoveCount collisions(double depth, double body_diameter)
     {
         HeightStock stock = small_block(0.5);
@@ -315,14 +317,14 @@ TEST_F(BodyOverGroove, IsClearIfItIsAbove)
     EXPECT_EQ(collisions(5, 30).count, 0U);
 }
 
-// It meets the wall at the end of the groove before the cutter could take it away on the
-// same move, whether this is cut into pieces or not.
+// The cylinder meets the wall at the end of the groove before the cutter could remove it
+// on the same move, whether the move is divided or not.
 TEST(Collisions, AreFoundAheadOfTheCutter)
 {
     const Vec3 from{-40, 0.1, -11};
     const Vec3 to{30, 0.1, -11};
     for (const int pieces : {1, 50}) {
-        // The cutter's own radius is all that the block is wide.
+        // The block is narrower than the cutter's radius.
         HeightStock stock = block_stock({{-20, -2, -12}, {20, 2, 0}}, 0.25);
         std::vector<Vec3> tips;
         for (int k = 0; k <= pieces; ++k)

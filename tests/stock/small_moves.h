@@ -18,7 +18,7 @@ struct SmallMove {
     SweptMove swept() const { return swept_move(from, to); }
 };
 
-/// 0.8 mm wide, at (-0.4, -0.4).
+/// A tile 0.8 mm wide at (-0.4, -0.4).
 inline TilePlace small_tile()
 {
     return tile_place({.low_x = -0.4,
@@ -30,7 +30,8 @@ inline TilePlace small_tile()
                       0, 0);
 }
 
-/// Short and long, level, steep, upright, and of no length, near the tile and beside it.
+/// Moves that are short and long, level, steep, vertical and without length, near the
+/// tile and beside it.
 inline std::vector<SmallMove> small_moves(unsigned seed, int count)
 {
     Random random{seed};
@@ -54,8 +55,8 @@ inline std::vector<SmallMove> small_moves(unsigned seed, int count)
     return moves;
 }
 
-/// Whether `z` is the height of the sweep at (x, y) within 1e-12, or at a place that is
-/// 1e-13 away: at the rim of a cutter the slope has no bound.
+/// Whether `z` is the height of the sweep within 1e-12 at (x, y), or at a place 1e-13
+/// away, because the slope is unbounded at the cutter's rim.
 inline bool is_height(const StraightSweep& sweep, double x, double y, double z)
 {
     constexpr double near = 1e-13;

@@ -36,8 +36,8 @@ std::vector<Engagement> engagements(HeightStock& stock, const ToolPath& path,
     return all;
 }
 
-// 2 deep in full material: the front half of every ring up to there. Near its ends the
-// chip is thinner than a pitch.
+// A slot 2 deep in full material engages the front half of every ring up to that height.
+// Near the ends of the interval the chip is thinner than a pitch.
 TEST(StockEngagement, OfASlotIsTheFrontHalf)
 {
     for (const Cutter& cutter : {Cutter::ball(5), Cutter::flat(5), Cutter{5, 1}}) {
@@ -60,8 +60,8 @@ TEST(StockEngagement, OfASlotIsTheFrontHalf)
     }
 }
 
-// A wall that the flat cutter overlaps by `a`: from where it enters, sin = 1 - a / R, to
-// the direction across the feed.
+// A wall that the flat cutter overlaps by `a` engages it from the entry, sin = 1 - a / R,
+// to the direction across the feed.
 TEST(StockEngagement, BesideAWallIsThatOfTheRadialDepth)
 {
     const double R = 5;
@@ -83,7 +83,7 @@ TEST(StockEngagement, BesideAWallIsThatOfTheRadialDepth)
     }
 }
 
-// The feed's direction is azimuth 0, whichever way it goes.
+// Azimuth 0 is the direction of the feed, whatever that is.
 TEST(StockEngagement, TurnsWithTheFeed)
 {
     for (const double degrees : {0.0, 50.0, 135.0, -90.0}) {
@@ -113,8 +113,8 @@ TEST(StockEngagement, OfAPlungeIsAllAround)
         EXPECT_NEAR(ring.engaged[0].from, -pi, 1e-12);
         EXPECT_NEAR(ring.engaged[0].to, pi, 1e-12);
     }
-    EXPECT_TRUE(found[1].rings.empty());  // straight up
-    EXPECT_TRUE(found[2].rings.empty());  // in place
+    EXPECT_TRUE(found[1].rings.empty());  // a move straight up
+    EXPECT_TRUE(found[2].rings.empty());  // a move without length
 }
 
 TEST(StockEngagement, LeavesTheStockThatTheRemovalLeaves)

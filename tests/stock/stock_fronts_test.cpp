@@ -18,8 +18,8 @@ namespace {
 
 using std::numbers::pi;
 
-// The eight means over the front, summed cell by cell from their definition: spec of
-// ball-end milling, section 2.
+// The eight means over the front, summed cell by cell from their definition.
+// Source: docs/mathematics/ball-end-milling.md, section 2.
 std::array<double, 8> coefficients(const BallFront& front)
 {
     std::array<double, 8> sums{};
@@ -49,7 +49,7 @@ std::array<double, 8> coefficients(const BallFront& front)
     return sums;
 }
 
-// The last front of a one-way raster of a ball of radius 5 on a flat stock.
+// Returns the last front of a one-way raster of a ball of radius 5 on a flat stock.
 BallFront last_of_raster(double pick_feed, double depth, double pitch, bool to_right)
 {
     HeightStock stock = block_stock({{-15, -30, -20}, {15, 30, depth}}, pitch);
@@ -63,7 +63,7 @@ BallFront last_of_raster(double pick_feed, double depth, double pitch, bool to_r
                                    {tip, Vec3::UnitZ()},
                                    {}});
     }
-    // The last pass in two moves, the middle of the second one over the stock.
+    // The last pass has two moves. The middle of the second one is over the stock.
     path.points.back().location.tip.x() = -1;
     path.points.push_back(path.points.back());
     path.points.back().location.tip.x() = 1;
@@ -83,7 +83,7 @@ struct Printed {
     std::array<double, 8> values;
 };
 
-// Spec of ball-end milling, section 9, A5, at mu = lambda = 0.
+// Source: docs/mathematics/ball-end-milling.md, section 9, A5, at mu = lambda = 0.
 const std::array printed{
     Printed{0.5,
             1,
@@ -102,8 +102,8 @@ const std::array printed{
             {.03728384772234, .02566727760484, .1075518205349, .04840712028115,
              .04840712028115, .1249150463843, .03177785710762, .09018025953232}}};
 
-// Between the centres of two cells nobody knows where an upright wall stands: of both ends of
-// the shank's engaged angle, together a pitch over the radius, times its height.
+// An upright wall may lie anywhere between two centres. The uncertainty is a pitch over
+// the radius for both ends of the shank's engaged angle, times the height of the shank.
 TEST(StockFronts, OfAFlatRasterTendToItsClosedForm)
 {
     for (const Printed& row : printed)
@@ -132,7 +132,8 @@ TEST(StockFronts, AreTheSameMilledUpOrDown)
     EXPECT_EQ(down.rim_angle, up.rim_angle);
 }
 
-// acos(1 - R_p) beside a pass as deep as the ball, half a turn in a slot.
+// The angle is acos(1 - R_p) beside a pass as deep as the ball, and half a turn in a
+// slot.
 TEST(StockFronts, HaveTheAngleOfTheirRim)
 {
     EXPECT_NEAR(last_of_raster(2.5, 6, 0.1, true).rim_angle, std::acos(0.5), 0.03);
@@ -145,12 +146,13 @@ TEST(StockFronts, HaveTheAngleOfTheirRim)
                             angles.at(number) = front.rim_angle;
                         });
     EXPECT_NEAR(angles.at(0), pi, 0.1);
-    EXPECT_EQ(angles.at(1), 0);  // straight up
+    EXPECT_EQ(angles.at(1), 0);  // a move straight up
 }
 
 TEST(StockFronts, OfAnUphillSlotHaveItsClosedCoefficients)
 {
-    // A7, in the middle of a long slope; lambda = -0.3 goes down.
+    // Source: docs/mathematics/ball-end-milling.md, section 9, A7, in the middle of a
+    // long slope; lambda = -0.3 is downhill.
     const double lambda = -0.3;
     HeightStock stock = block_stock({{-30, -12, -30}, {30, 12, 5}}, 0.1);
     const Vec3 way{std::cos(lambda), 0, std::sin(lambda)};
@@ -165,8 +167,9 @@ TEST(StockFronts, OfAnUphillSlotHaveItsClosedCoefficients)
     EXPECT_NEAR(found[6], (2 - std::cos(lambda)) / 4, 4e-3);
 }
 
-// Fronts looked at one by one, each on a stock that a path up to there has left: moves shorter
-// than the ball, back and forth, so that every one meets what those just before it left.
+// Reference: each front is computed alone, on a stock that the path up to it has left.
+// The moves are shorter than the ball and go back and forth, so that every move meets the
+// cuts of the moves just before it.
 TEST(StockFronts, AreThoseThatEachMoveFindsWhicheverThreadLooks)
 {
     const Block block{{-12, -12, -20}, {12, 12, 4}};
@@ -188,7 +191,7 @@ TEST(StockFronts, AreThoseThatEachMoveFindsWhicheverThreadLooks)
     for (const std::size_t k : {1, 2, 40, 65, 66, 129, 149}) {
         HeightStock stock = block_stock(block, 0.5);
         for (std::size_t i = 0; i + 1 < k; ++i)
-            take_swept(stock, Cutter::ball(5), swept_move(tips[i], tips[i + 1]));
+            remove_swept(stock, Cutter::ball(5), swept_move(tips[i], tips[i + 1]));
         const ToolPath move = test::tip_path({tips[k - 1], tips[k]});
         const std::array<std::size_t, 1> last{1};
         for_each_ball_front(stock, {&move, Cutter::ball(5), last},
@@ -198,7 +201,7 @@ TEST(StockFronts, AreThoseThatEachMoveFindsWhicheverThreadLooks)
                                 EXPECT_EQ(front.rim_angle, fronts[k - 1].rim_angle) << k;
                             });
     }
-    // The stock that is left is that of the removal.
+    // The remaining stock is that of the removal.
     HeightStock removed = block_stock(block, 0.5);
     remove_along(removed, path, Cutter::ball(5));
     EXPECT_NEAR(stock_volume(whole), stock_volume(removed), 1e-9);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "endmill/stock/detail/sweep_tree.h"
+#include "endmill/core/error.h"
 #include "tip_path.h"
 
 namespace endmill {
@@ -14,6 +14,16 @@ void expect_same(const StraightSweep& found, const StraightSweep& expected)
     EXPECT_EQ(found.cutter(), expected.cutter());
     EXPECT_EQ(found.from(), expected.from());
     EXPECT_EQ(found.to(), expected.to());
+}
+
+TEST(PathSweeps, BeginWhereTheCutterStandsUnlessItComesFast)
+{
+    ToolPath path = test::tip_path({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
+    EXPECT_EQ(path_sweeps(path, Cutter::ball(1)).size(), 3U);
+    path.points[0].move = Move::Rapid;
+    EXPECT_EQ(path_sweeps(path, Cutter::ball(1)).size(), 2U);
+    path.points[1].location.axis = Vec3::UnitX();
+    EXPECT_THROW(path_sweeps(path, Cutter::ball(1)), GeometryError);
 }
 
 TEST(StockHistory, HasTheSweepsOfItsPaths)
@@ -49,7 +59,9 @@ TEST(JoinedSweeps, TellThePathsOwnPoints)
     path.points.front().move = Move::Rapid;
     const StockHistory history{{}, {run_along(earlier, Cutter::flat(3))}};
     const JoinedSweeps joined{&history, path, Cutter::ball(2)};
-    ASSERT_EQ(joined.all().size(), 4U);  // it stands and moves; then two moves
+    // the cutter's volume at the first point, one move of the earlier run, and two moves
+    // of the path
+    ASSERT_EQ(joined.all().size(), 4U);
     EXPECT_EQ(joined.earlier(), 2U);
     EXPECT_EQ(joined.own().size(), 2U);
     EXPECT_EQ(joined.point_of(-1), -1);

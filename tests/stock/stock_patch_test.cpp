@@ -19,7 +19,7 @@ HeightStock wavy_stock(int columns, int rows)
     return stock;
 }
 
-// All of the disc's places, to the border of the reach.
+// Compares all places of the disc up to the border of the reach.
 void expect_same(const HeightStock& stock, const StockPatch& patch, const Vec3& place,
                  double reach)
 {
@@ -28,7 +28,8 @@ void expect_same(const HeightStock& stock, const StockPatch& patch, const Vec3& 
         const double radius = reach * (k % 4 == 0 ? 1 : std::sqrt(k / 400.0));
         const double x = place.x() + radius * std::cos(angle);
         const double y = place.y() + radius * std::sin(angle);
-        ASSERT_EQ(height_under(patch, x, y), height_under(stock, x, y)) << x << " " << y;
+        ASSERT_EQ(interpolated_height(patch, x, y), interpolated_height(stock, x, y))
+            << x << " " << y;
     }
 }
 
@@ -37,7 +38,7 @@ TEST(StockPatch, IsWhatTheStockWasThere)
     HeightStock stock = wavy_stock(61, 45);
     const HeightStock before = stock;
     StockPatch patch;
-    // Inside, over an edge, over a corner, and wholly beside the stock.
+    // Inside the stock, over an edge, over a corner, and wholly beside it.
     for (const Vec3& place : {Vec3{4, 6, 0}, Vec3{-3, 7, 0}, Vec3{12.25, 13.25, 0},
                               Vec3{12.1, 2, 0}, Vec3{40, -30, 0}}) {
         patch.copy(before, place, 1.5);
@@ -56,8 +57,8 @@ TEST(StockPatch, OfASmallStockIsAllOfIt)
 
 TEST(StockPatch, TakesNoMoreThanItSays)
 {
-    // Cells of 0.25 mm, tiles of 2 mm: the ball and its margin cover 3.5 mm, 3 tiles at most
-    // along x and along y, of 512 bytes.
+    // Cells of 0.25 mm make tiles of 2 mm. The ball and its margin cover 3.5 mm, at most
+    // 3 tiles of 512 bytes along x and y.
     EXPECT_GE(StockPatch::bytes(wavy_stock(9, 9).grid(), 1.25), 9 * 512);
 }
 

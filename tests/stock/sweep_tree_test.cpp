@@ -7,24 +7,14 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "endmill/core/error.h"
+#include "endmill/stock/stock_history.h"
 #include "random.h"
 #include "tip_path.h"
 
 namespace endmill {
 namespace {
 
-TEST(PathSweeps, BeginWhereTheCutterStandsUnlessItComesFast)
-{
-    ToolPath path = test::tip_path({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
-    EXPECT_EQ(path_sweeps(path, Cutter::ball(1)).size(), 3U);
-    path.points[0].move = Move::Rapid;
-    EXPECT_EQ(path_sweeps(path, Cutter::ball(1)).size(), 2U);
-    path.points[1].location.axis = Vec3::UnitX();
-    EXPECT_THROW(path_sweeps(path, Cutter::ball(1)), GeometryError);
-}
-
-// Against a look at every sweep.
+// Reference: every sweep is tested.
 TEST(SweepTree, VisitsEverySweepWithinReach)
 {
     test::Random random{5};
@@ -65,7 +55,8 @@ TEST(SweepTree, OfNothingVisitsNothing)
         Vec3::Zero(), [](const Vec3&) { return true; }, [](std::size_t) { FAIL(); });
 }
 
-// Each box is of one cutter, which is named with it, and all sweeps are in some.
+// Each box belongs to one cutter, which is passed with it, and every sweep lies in some
+// box.
 TEST(SweepTree, NamesTheCutterOfItsBoxes)
 {
     const Cutter cutters[] = {Cutter{5, 1}, Cutter::ball(3), Cutter::flat(2)};

@@ -22,13 +22,13 @@ TileHeights sloping_tile(test::Random& random)
     return tile;
 }
 
-TEST(TileTop, LiesOverAllCellsAndTouchesOne)
+TEST(UpperPlane, LiesOverAllCellsAndTouchesOne)
 {
     const TilePlace place = test::small_tile();
     test::Random random{6};
     for (int n = 0; n < 200; ++n) {
         const TileHeights tile = sloping_tile(random);
-        const TileTop top = tile_top(tile, place);
+        const UpperPlane top = upper_plane(tile, place);
         double least = 1e9;
         for (int k = 0; k < 64; ++k)
             least = std::min(least, top.z + (place.x[k % 8] - top.x) * top.slope_x +
@@ -37,13 +37,13 @@ TEST(TileTop, LiesOverAllCellsAndTouchesOne)
     }
 }
 
-TEST(TileTop, OfAPlaneIsThePlane)
+TEST(UpperPlane, OfAPlaneIsThePlane)
 {
     const TilePlace place = test::small_tile();
     TileHeights tile;
     for (int k = 0; k < 64; ++k)
         tile[k] = 3 + 2 * place.x[k % 8] - 5 * place.y[k / 8];
-    const TileTop top = tile_top(tile, place);
+    const UpperPlane top = upper_plane(tile, place);
     EXPECT_NEAR(top.z, 3, 1e-13);
     EXPECT_NEAR(top.slope_x, 2, 1e-12);
     EXPECT_NEAR(top.slope_y, -5, 1e-12);
@@ -87,16 +87,16 @@ TEST(CommonTop, LiesOverAllTilesAndSpansThem)
                          .bottom_z = -100};
     test::Random random{13};
     for (int n = 0; n < 100; ++n) {
-        std::vector<TileTop> tops;
+        std::vector<UpperPlane> tops;
         for (int j = 0; j < 2; ++j)
             for (int i = 0; i < 3; ++i)
-                tops.push_back(tile_top(sloping_tile(random), tile_place(grid, i, j)));
-        const TileTop common = common_top(tops);
+                tops.push_back(upper_plane(sloping_tile(random), tile_place(grid, i, j)));
+        const UpperPlane common = common_upper_plane(tops);
         for (int row = 0; row < 16; ++row)
             for (int column = 0; column < 24; ++column) {
                 const double x = grid.x(column);
                 const double y = grid.y(row);
-                const TileTop& top = tops[row / 8 * 3 + column / 8];
+                const UpperPlane& top = tops[row / 8 * 3 + column / 8];
                 const double z =
                     top.z + (x - top.x) * top.slope_x + (y - top.y) * top.slope_y;
                 EXPECT_GE(common.z + (x - common.x) * common.slope_x +
@@ -110,7 +110,8 @@ TEST(CommonTop, LiesOverAllTilesAndSpansThem)
 
 class MayTouch : public testing::TestWithParam<Cutter> {};
 
-// What is called clear must lower no cell; and of what lowers none most is called clear.
+// A move that is reported clear must lower no cell. Of the moves that lower none, most
+// must be reported clear.
 TEST_P(MayTouch, ANoIsCertainAndFrequent)
 {
     const Cutter cutter = GetParam();
@@ -125,7 +126,8 @@ TEST_P(MayTouch, ANoIsCertainAndFrequent)
         const auto moves = test::small_moves(100 + n, MoveBatch::capacity);
         const MoveBatch batch = batch_of(moves);
         std::array<std::uint8_t, MoveBatch::capacity> touches;
-        may_touch(tile_top(tile, place), batch, disc, {0, batch.count}, touches.data());
+        may_touch(upper_plane(tile, place), batch, disc, {0, batch.count},
+                  touches.data());
         for (int k = 0; k < batch.count; ++k) {
             TileHeights lowered = tile;
             const TileCut cut = cut_tile(lowered, place, cutter, moves[k].swept());

@@ -46,8 +46,8 @@ TEST(CutTile, EndsAtTheBottom)
     EXPECT_EQ(cut.deepest, 1.5);
 }
 
-// A cylinder of radius 2, 10 above the tip, over stock of height 1: it is as deep as its
-// lower end is below 1, wherever it passes over a cell.
+// A cylinder of radius 2 begins 10 above the tip, over stock of height 1. Its depth is
+// the height of the stock above its lower end, wherever it passes over a cell.
 TEST(BodyDepth, IsHowFarTheCylinderIsInTheStock)
 {
     const TilePlace place = test::small_tile();
@@ -63,8 +63,8 @@ TEST(BodyDepth, IsHowFarTheCylinderIsInTheStock)
     EXPECT_NEAR(depth({0, 0, 5}, {0, 0, -12}), 3, 1e-14);
 }
 
-// The rim arrives over a cell at (x, 0) when the axis is 2 before it; under a cell that it
-// covers from the start it does not arrive.
+// The rim reaches a cell at (x, 0) when the axis is 2 before it. It does not arrive at a
+// cell that the cylinder covers from the start.
 TEST(BodyDepthOnArrival, IsThatAtTheRim)
 {
     const TilePlace place = test::small_tile();
@@ -76,8 +76,9 @@ TEST(BodyDepthOnArrival, IsThatAtTheRim)
     };
     EXPECT_NEAR(depth({-9, 0, -9.5}, {9, 0, -9.5}), 0.5, 1e-14);
     EXPECT_EQ(depth({0, 0, -12}, {1, 0, -12}), 0);
-    // Downhill from -9 at -3: the last cell, at (0.35, 0.35), is reached 0.35 + 3 less
-    // sqrt(4 - 0.35^2) on, where the axis has come down by as much.
+    // Downhill from -9 with slope -3. The rim reaches the last cell, at (0.35, 0.35),
+    // when the axis is at 0.35 - sqrt(4 - 0.35^2), and the axis has come down
+    // accordingly.
     const double reached = 0.35 - std::sqrt(4 - 0.35 * 0.35);
     EXPECT_NEAR(depth({-3, 0, -9}, {3, 0, -15}), reached + 3, 1e-12);
 }

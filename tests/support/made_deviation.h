@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "endmill/deviation/detail/part_tiles.h"
 #include "endmill/deviation/deviation.h"
 
 namespace endmill {
 
-/// A deviation that nobody measured: `left(point)` mm on each cell of `pitch`.
+/// Returns a deviation with prescribed values: thickness `left(point)` mm on each cell of
+/// `pitch` mm.
 template <typename Left>
 Deviation made_deviation(const PartCharts& charts, double pitch, const Left& left)
 {

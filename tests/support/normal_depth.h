@@ -7,11 +7,12 @@
 
 #include "swept_deviation.h"
 
-// How much a ball takes away along the part's normals at its border, by brute force: at
-// samples, by bisection for where the way down leaves the balls.
+// The depth that a ball removes along the part's normals at its border, by brute force:
+// samples, and bisection for the point where the normal leaves the balls.
 namespace endmill::test {
 
-/// How deep along -`normal` from `point`, which it clears, the ball takes away, in mm.
+/// Returns the depth in mm that the ball removes along -`normal` from `point`, which it
+/// clears.
 inline double normal_depth(const SampledMove& move, double radius, const Vec3& point,
                            const Vec3& normal)
 {
@@ -25,8 +26,9 @@ inline double normal_depth(const SampledMove& move, double radius, const Vec3& p
     return inside;
 }
 
-/// Calls `look` with points and normals at `count` + 1 places along each side of a surface,
-/// `inset` inside it as a share of the surface.
+/// Calls `look(point, normal)` at `count` + 1 places along each side of a surface.
+/// \param inset distance of the places from the side, as a share of the surface's
+///        parameters.
 template <class Look>
 void for_each_beside_border(const Surface& surface, const Vec3& axis, int count,
                             double inset, const Look& look)
@@ -45,7 +47,8 @@ void for_each_beside_border(const Surface& surface, const Vec3& axis, int count,
             }
 }
 
-/// The deepest that `path` takes away along the normals there, in mm; without shanks.
+/// Returns the greatest depth in mm that `path` removes along the normals beside the
+/// border. Shanks are ignored.
 inline double border_depth(const Surface& surface, const ToolPath& path, double radius,
                            int count, double inset)
 {

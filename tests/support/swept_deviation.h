@@ -13,8 +13,8 @@
 #include "endmill/surface/surface.h"
 #include "endmill/surface/tool_side.h"
 
-// What a ball's path leaves of surfaces, by brute force: at samples of the surfaces, from
-// the distances of single points to all moves.
+// The deviation that a ball's path leaves on surfaces, by brute force: samples of the
+// surfaces, and the distance of each sample from every move.
 namespace endmill::test {
 
 /// A straight move of a ball's centre.
@@ -23,7 +23,8 @@ struct SampledMove {
     Vec3 to;
 };
 
-/// The moves of `path` on which the cutter may touch the part.
+/// Returns the moves of `path` on which the cutter may touch the part.
+/// \param radius of the ball, mm.
 inline std::vector<SampledMove> feed_moves(const ToolPath& path, double radius)
 {
     std::vector<SampledMove> moves;
@@ -40,7 +41,7 @@ inline std::vector<SampledMove> feed_moves(const ToolPath& path, double radius)
     return moves;
 }
 
-/// Distance of `point` from the move, by the angle at each end.
+/// Returns the distance of `point` from the move in mm, with a case for each end.
 inline double distance_to(const Vec3& point, const SampledMove& move)
 {
     const Vec3 along = move.to - move.from;
@@ -53,12 +54,13 @@ inline double distance_to(const Vec3& point, const SampledMove& move)
 
 /// The extremes over all samples.
 struct SweptDeviation {
-    double gouge = 0;  ///< deepest that a sample lies inside a ball, mm
-    /// Farthest that a sample, raised by the height asked for, lies outside all balls, mm.
+    double gouge = 0;  ///< greatest depth of a sample in a ball, mm
+    /// Greatest distance of a raised sample from all balls, mm.
     double beyond_height = -std::numeric_limits<double>::infinity();
 };
 
 /// Samples each surface at `count` + 1 by `count` + 1 places.
+/// \param height by which samples are raised along the normal for `beyond_height`, mm.
 inline SweptDeviation swept_deviation(std::span<const Surface> surfaces,
                                       const ToolPath& path, double radius, double height,
                                       int count)

@@ -7,7 +7,7 @@
 
 namespace endmill::test {
 
-/// A path of one kind of move through `tips`.
+/// Returns a path through `tips` with one kind of move.
 inline ToolPath tip_path(const std::vector<Vec3>& tips, Move move = Move::Cut)
 {
     ToolPath path;

@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-// Lower ends 1 over, in, and 2 under a floor at z = 0.
+// The cylinder's lower ends are 1 above, at, and 2 below a floor at z = 0.
 class OverAFloor : public testing::Test {
 protected:
     static StraightSweep plunge(double z)
@@ -16,7 +16,7 @@ protected:
         return {Cutter::flat(3), {5, 5, z + 1}, {5, 5, z}};
     }
 
-    // Passes over triangles that the part strays from by these errors.
+    // Runs a pass for each chord error.
     PartCollisions after(std::initializer_list<double> chord_errors)
     {
         for (const double chord_error : chord_errors) {
@@ -51,7 +51,7 @@ TEST_F(OverAFloor, AMeshDecidesAllAtOnce)
     EXPECT_EQ(found.bound_mm, part_contact_slack);
 }
 
-// As far as the triangles may be off, the move that touches stays open, and it alone.
+// Within the chord error only the move that touches the floor stays open.
 TEST_F(OverAFloor, WhatTheTrianglesBlurStaysOpen)
 {
     const PartCollisions found = after({0.015});

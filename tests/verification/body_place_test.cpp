@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-// The greatest over many positions of the axis: never more than the closed form.
+// The maximum over many positions of the axis; it never exceeds the closed form.
 double depth_by_positions(const BodyCylinder& body, const Vec3& from, const Vec3& to,
                           const Vec3& place, int positions)
 {
@@ -61,7 +61,7 @@ TEST(PlaceInBody, IsBelowItsTangent)
     }
 }
 
-// On the axis no way out is nearer than another.
+// On the axis all horizontal ways out are equally long.
 TEST(PlaceInBody, HasATangentOnTheAxis)
 {
     const BodyPlace at =

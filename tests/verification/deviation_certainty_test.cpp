@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the first rays do not meet: creases, seams, narrow cutters, walls.
+// Cases that the first rays do not meet: creases, seams, narrow cutters, walls.
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "endmill/deviation/deviation.h"
+#include "endmill/deviation/detail/deviation_measurement.h"
+#include "endmill/stock/stock_history.h"
 #include "endmill/verification/detail/stock_ray.h"
 #include "test_meshes.h"
 #include "test_surfaces.h"
@@ -27,17 +28,18 @@ Judged judged(const Part& part, const std::vector<Vec3>& tips, const Cutter& cut
     DeviationOptions options;
     options.limits = limits;
     options.pitch = pitch;
-    options.stock = [](const PartRay& ray) {
-        return ray_in_block({Vec3{-99, -99, -99}, Vec3{99, 99, 12}}, ray);
-    };
-    Deviation found = measure_deviation(charts, SweepTree{sweeps}, options);
+    const MachinedStock stock{
+        sweeps, 0, [](const PartRay& ray) {
+            return ray_in_block({Vec3{-99, -99, -99}, Vec3{99, 99, 12}}, ray);
+        }};
+    Deviation found = measure_deviation(charts, stock, options);
     const Verdict word = verdict(found, limits);
     return {word, std::move(found)};
 }
 
 constexpr double any_rest = 100;  // mm: only gouges are judged
 
-// Two faces that fall by 0.6 from a ridge along x at a height of 6.
+// Two faces with slope 0.6 that meet in a ridge along x at a height of 6.
 TriangleMesh roof_mesh()
 {
     return {
@@ -63,7 +65,7 @@ std::vector<Vec3> along_ridge(double tip)
 
 class Roof : public testing::TestWithParam<double> {};
 
-// From the ridge 0.03 are taken: 0.0257 from either face.
+// The cutter removes 0.03 of the ridge, which is 0.0257 from either face.
 TEST_P(Roof, OfAFlattenedRidgeIsNeverClean)
 {
     const double truth = 0.03 / std::hypot(1, 0.6);
@@ -92,7 +94,7 @@ TEST_P(Roof, OfATouchedRidgeIsClean)
 
 INSTANTIATE_TEST_SUITE_P(AtAnyPitch, Roof, testing::Values(0.07, 0.1, 0.25, 0.6, 1.7));
 
-// A thin cutter goes down into a seam of two patches, between two rays.
+// A thin cutter cuts into a seam of two patches, between two rays.
 TEST(DeviationCertainty, HoldsAtSeamsBetweenPatches)
 {
     const Part apart = std::vector<Surface>{slope(0, 0, {{0, 10}, {0, 12}}),
@@ -126,7 +128,7 @@ TEST(DeviationCertainty, HoldsForPlungesThatNoRayMeets)
         }
 }
 
-// A step up at x = 0, with a floor z = 0 beyond it; the cutter goes along in its corner.
+// A step up at x = 0 with a floor z = 0 beyond it. The cutter moves along the corner.
 TEST(DeviationCertainty, OfAFlatCutterJustAtAWallIsClean)
 {
     const TriangleMesh mesh{
@@ -142,7 +144,7 @@ TEST(DeviationCertainty, OfAFlatCutterJustAtAWallIsClean)
                 << radius << " " << pitch;
 }
 
-// Its walls face the block, which no path over the top can take away.
+// The block's walls face stock that no path over the top can remove.
 TEST(DeviationCertainty, OfABlockWithAFinishedTopIsClean)
 {
     const Part box = test::box_mesh({0, 0, 0}, {12, 8, 5});
@@ -162,7 +164,7 @@ TEST(DeviationCertainty, OfABlockWithAFinishedTopIsClean)
         }
 }
 
-// A sharp rim against a slope: the finer the rays, the surer.
+// A sharp rim moves along a slope. The verdict becomes certain with finer rays.
 TEST(DeviationCertainty, OfAFlatCutterOnASlopeIsReached)
 {
     const Part part = std::vector<Surface>{slope(0, 0.5, {{0, 20}, {0, 12}})};
@@ -177,7 +179,7 @@ TEST(DeviationCertainty, OfAFlatCutterOnASlopeIsReached)
     }
 }
 
-// What is measured of the first rays hangs on the part and the path, not on the limits.
+// The measurement of the first rays depends on part and path, not on the limits.
 void expect_same_values(const Deviation& one, const Deviation& other)
 {
     EXPECT_EQ(one.mean_scallop_mm, other.mean_scallop_mm);
@@ -185,8 +187,9 @@ void expect_same_values(const Deviation& one, const Deviation& other)
     EXPECT_EQ(one.left, other.left);
 }
 
-// A bull-nose cutter leaves a fillet in the corner of floor and wall: the place furthest from
-// both is the ball's that touches them and the fillet, (sqrt(2) - 1) r / sqrt(2) from each.
+// A bull-nose cutter leaves a fillet in the corner of floor and wall. The point of the
+// fillet that is furthest from both faces is its middle, (sqrt(2) - 1) r / sqrt(2) from
+// each.
 TEST(DeviationCertainty, OfARestInACornerIsTheBallsBetweenAtAnyLimit)
 {
     const TriangleMesh mesh{
@@ -211,8 +214,8 @@ TEST(DeviationCertainty, OfARestInACornerIsTheBallsBetweenAtAnyLimit)
     }
 }
 
-// A flat cutter takes the tip of a ridge, half a mm high, at 45 degrees: the middle of the
-// flat is 0.5 / sqrt(2) from either face.
+// A flat cutter removes the tip of a 45 degree ridge, 0.5 mm high. The middle of the flat
+// is 0.5 / sqrt(2) from either face.
 TEST(DeviationCertainty, OfAGougeInARidgeIsTheDistanceFromItsFacesAtAnyLimit)
 {
     const TriangleMesh mesh{{{-10, -5, -10},
@@ -238,8 +241,8 @@ TEST(DeviationCertainty, OfAGougeInARidgeIsTheDistanceFromItsFacesAtAnyLimit)
     }
 }
 
-// A strip narrower than the pitch, and a thin cutter that goes into it beside its only row of
-// rays.
+// A strip is narrower than the pitch, and a thin cutter cuts into it beside its only row
+// of rays.
 TEST(DeviationCertainty, OfAGougeThatNoFirstRayMeetsIsFound)
 {
     const Part part = std::vector<Surface>{test::plane(20, 2)};
@@ -252,7 +255,8 @@ TEST(DeviationCertainty, OfAGougeThatNoFirstRayMeetsIsFound)
     }
 }
 
-// While a gouge may be there, nothing else is said: a finer grid could still find it.
+// While a gouge is possible the verdict is undecided, because a finer grid could still
+// find the gouge.
 TEST(DeviationCertainty, OfARestIsOpenWhileAGougeIs)
 {
     Deviation left;
@@ -264,7 +268,7 @@ TEST(DeviationCertainty, OfARestIsOpenWhileAGougeIs)
     EXPECT_EQ(verdict(left, {0.05, 0.1}), Verdict::Gouged);
 }
 
-// A stock that an earlier run has gouged stays gouged, whatever follows.
+// A gouge that an earlier run left in the stock remains a gouge.
 TEST(DeviationCertainty, OfAGougeInTheStockItselfIsTold)
 {
     const Part part = std::vector<Surface>{test::plane(20, 12)};
@@ -277,11 +281,13 @@ TEST(DeviationCertainty, OfAGougeInTheStockItselfIsTold)
         path_sweeps(test::tip_path({{0, 6, 0}, {20, 6, 0}}), Cutter::ball(5));
     DeviationOptions options;
     options.pitch = 0.25;
-    options.stock = [&](const PartRay& ray) { return ray_in_stock(stock, ray); };
-    const Deviation left = measure_deviation(charts, SweepTree{sweeps}, options);
+    const Deviation left = measure_deviation(
+        charts, {sweeps, 0, [&](const PartRay& ray) { return ray_in_stock(stock, ray); }},
+        options);
     EXPECT_EQ(verdict(left, options.limits), Verdict::Gouged);
     EXPECT_NEAR(left.max_gouge_mm, 0.5, 1e-9);
-    // The pit is 4 by 5 mm; of a ring of half a pitch and one inside it the cells do not tell.
+    // The pit is 4 by 5 mm. Cells do not resolve a ring of half a pitch, and one cell
+    // inside it.
     EXPECT_GT(left.gouge_area_mm2, 3 * 4 - 1);
     EXPECT_LT(left.gouge_area_mm2, 4 * 5 + 1);
 }

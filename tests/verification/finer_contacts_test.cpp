@@ -14,8 +14,8 @@ namespace {
 constexpr double pitch = 0.5;
 const Block block{{-10, -10, -10}, {10, 10, 0}};
 
-// A ridge along x, `width` wide, is left between two flat grooves; then a rapid goes along it,
-// 1 below its top.
+// Two flat grooves leave a ridge along x, `width` wide. Then a rapid moves along the
+// ridge, 1 below its top.
 ToolPath over_ridge(double width, double y)
 {
     ToolPath path = test::tip_path({{-20, y - 3 - width / 2, -2},
@@ -38,7 +38,7 @@ StockContacts contacts(const ToolPath& path, const std::vector<ToolCylinder>& bo
     return finer_contacts(removal, block, grid, {path, cutter, body, most_bytes});
 }
 
-// Centres of cells lie at y = ±0.25: between them a ridge shows to finer cells only.
+// The centres of cells lie at y = ±0.25. Only finer cells detect a ridge between them.
 TEST(FinerContacts, SeeWhatIsWiderThanTheBoundSays)
 {
     const double finest = std::numbers::sqrt2 * pitch / 9;
@@ -62,7 +62,8 @@ TEST(FinerContacts, SayWhatTheyCouldNotSee)
     EXPECT_NEAR(found.width_mm, std::numbers::sqrt2 * pitch, 1e-12);
 }
 
-// The shank is over the stock in two passes beside the ridge, and in its side in a deeper one.
+// The shank clears the stock in two passes beside the ridge, and cuts into the ridge in a
+// third, deeper pass.
 TEST(FinerContacts, SeeAShankInARidge)
 {
     const ToolPath path = test::tip_path({{-20, -7, -2},
@@ -81,7 +82,7 @@ TEST(FinerContacts, SeeAShankInARidge)
     EXPECT_NEAR(found.collisions.deepest, 0.5, 1e-12);
 }
 
-// What the cutter leaves by, or comes back through, it has cut.
+// The cutter leaves and returns through material that it has already removed.
 TEST(FinerContacts, AreNoneWhereTheCutterHasBeen)
 {
     ToolPath path = test::tip_path({{-7.03, 0.11, -2},
@@ -101,7 +102,7 @@ TEST(FinerContacts, AreNoneWhereTheCutterHasBeen)
     EXPECT_GT(found.width_mm, 0);
 }
 
-// Lattice places, where many centres lie on the rim.
+// The path lies on a lattice of cells, so that many centres lie on the rim.
 TEST(FinerContacts, AreNoneOnTheRim)
 {
     for (const double x : {0.0, 0.25, 0.5}) {
@@ -113,7 +114,7 @@ TEST(FinerContacts, AreNoneOnTheRim)
     }
 }
 
-// Beside the block nothing can be hit.
+// A cutter beside the block touches nothing.
 TEST(FinerContacts, OfAPathBesideTheBlockAreNone)
 {
     ToolPath path = test::tip_path({{30, 0, -2}, {30, 5, -2}}, Move::Rapid);

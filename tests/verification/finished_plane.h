@@ -7,10 +7,11 @@
 #include "test_surfaces.h"
 #include "tip_path.h"
 
-// What most tests of a verdict are about: a plane, and a ball R 5 that finishes it.
+// Fixtures for most tests of verdicts: a plane, and a path of a ball of radius 5 that
+// finishes it.
 namespace endmill::test {
 
-/// Passes over 0 ... 20 by 0 ... 12 at z = 0.
+/// Returns passes over 0 ... 20 by 0 ... 12 at z = 0.
 inline ToolPath finishing_path(double pitch)
 {
     std::vector<Vec3> tips;
@@ -21,20 +22,20 @@ inline ToolPath finishing_path(double pitch)
     return tip_path(tips);
 }
 
-/// With the ball, cells of 0.25 mm and limits that two millimetres of pitch keep.
+/// Returns a task with the ball, cells of 0.25 mm and limits that passes 2 mm apart meet.
 inline VerificationTask task_of(const ToolPath& path, const Part* part)
 {
     const Cutter ball = Cutter::ball(5);
     VerificationTask task{.path = &path,
                           .cutter = ball,
                           .part = part,
-                          .block = default_block(part, path, ball)};
+                          .stock = default_block(part, path, ball)};
     task.resolution = 0.25;
-    task.deviation.limits = {0.01, 0.11};
+    task.limits = {0.01, 0.11};
     return task;
 }
 
-/// The part.
+/// The part: a plane of 20 by 12 mm.
 inline const Part finished_plane = std::vector<Surface>{test::plane(20, 12)};
 
 }  // namespace endmill::test

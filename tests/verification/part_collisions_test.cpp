@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/verification/part_collisions.h"
+#include "endmill/verification/detail/part_collisions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 using test::tip_path;
 
-// A floor at z = 0 up to x = 0, an upright wall there, and a terrace of this height.
+// A floor at z = 0 up to x = 0, an upright wall there, and a terrace of the given height.
 TriangleMesh step(double height)
 {
     return test::grid_mesh(3, 1, [&](int i, int j) {
@@ -30,7 +30,7 @@ TriangleMesh step(double height)
     });
 }
 
-// Along the wall of a step, 20 high, `away` from it on the floor.
+// A move along the wall of a step of 20 mm, on the floor, `away` mm from the wall.
 PartCollisions beside_step(double away, const ToolCylinder& body)
 {
     ToolPath path = tip_path({{-away, -10, 0}, {-away, 10, 0}});
@@ -46,13 +46,14 @@ TEST(PartCollisions, OfAHolderBesideAWallAreAsDeepAsItReachesOver)
     EXPECT_NEAR(found.moves.deepest, 2, found.error_mm + 1e-12);
     EXPECT_LE(found.moves.deepest, 2 + 1e-12);
     EXPECT_LE(found.error_mm, 0.021);
-    ASSERT_TRUE(found.deepest_at);
-    EXPECT_NEAR(found.deepest_at->x(), 0, found.error_mm + 1e-12);
-    EXPECT_GE(found.deepest_at->z(), 12 - 1e-12);
-    EXPECT_EQ(found.deepest_move, 1U);
+    ASSERT_TRUE(found.deepest);
+    EXPECT_NEAR(found.deepest->point.x(), 0, found.error_mm + 1e-12);
+    EXPECT_GE(found.deepest->point.z(), 12 - 1e-12);
+    EXPECT_EQ(found.deepest->move, 1U);
 }
 
-// Its lower end 1 under the edge of the wall: up is the shorter way out.
+// The cylinder's lower end is 1 below the edge of the wall, so the shortest way out is
+// down.
 TEST(PartCollisions, AreAsDeepAsTheLeastWayOut)
 {
     const PartCollisions found = beside_step(4, {12, 19, 60});
@@ -65,15 +66,16 @@ TEST(PartCollisions, OfAShankBesideAStepAreNoneWhereItIsClear)
 {
     const ToolCylinder shank{7, 5, 60};
     EXPECT_EQ(beside_step(3.6, shank).moves.count, 0U);
-    EXPECT_EQ(beside_step(3.5, shank).moves.count, 0U);  // it rubs
+    EXPECT_EQ(beside_step(3.5, shank).moves.count, 0U);  // the shank touches the wall
     EXPECT_EQ(beside_step(3.5, shank).bound_mm, part_contact_slack);
     EXPECT_EQ(beside_step(3.49, shank).moves.count, 1U);
     EXPECT_NEAR(beside_step(3.49, shank).moves.deepest, 0.01, 1e-3);
-    EXPECT_EQ(beside_step(3.4, {7, 20, 60}).moves.count, 0U);  // it slides on the top
+    // the cylinder slides on the top
+    EXPECT_EQ(beside_step(3.4, {7, 20, 60}).moves.count, 0U);
     EXPECT_EQ(beside_step(3.4, {7, 20.5, 60}).moves.count, 0U);
 }
 
-// The cutter is open above: what is within it is told as a gouge.
+// The cutter is open above. Contacts inside it are reported as gouges of the cutter.
 TEST(PartCollisions, LeaveOutWhatIsWithinTheCutter)
 {
     EXPECT_EQ(beside_step(2.5, {6, 5, 60}).moves.count, 0U);
@@ -83,12 +85,13 @@ TEST(PartCollisions, LeaveOutWhatIsWithinTheCutter)
     EXPECT_TRUE(reaches_out({6, 2, 60}, Cutter::ball(3)));
 }
 
-// A place rho from the axis on the rising side of a plane: x t - b = rho - x.
+// The contact lies on the uphill side of the plane, x from the axis, where x t - b = rho
+// - x.
 TEST(PartCollisions, WithATiltedPlaneAreThoseOfTheClosedForm)
 {
     const double t = 0.5;
     const double rho = 8;
-    const double end = 1.5;  // of the holder, over the plane at its axis
+    const double end = 1.5;  // height of the holder's end over the plane at the axis
     const double expected = rho - (rho + end) / (1 + t);
     const Surface plane = test::parallelogram({60, 0, 60 * t}, {0, 60, 0});
     const ToolPath path = tip_path({{30, 30, 30 * t}, {30, 30, 30 * t}});
@@ -102,15 +105,15 @@ TEST(PartCollisions, WithATiltedPlaneAreThoseOfTheClosedForm)
         EXPECT_LE(found.moves.deepest, expected + 1e-9);
         EXPECT_GE(found.moves.deepest + found.error_mm, expected - 1e-9);
         EXPECT_LE(found.error_mm, 0.03 * expected);
-        ASSERT_TRUE(found.deepest_at);
-        EXPECT_LT(
-            (*found.deepest_at - Vec3{30 + rho - expected, 30, (30 + rho - expected) * t})
-                .norm(),
-            1.5);
+        ASSERT_TRUE(found.deepest);
+        EXPECT_LT((found.deepest->point -
+                   Vec3{30 + rho - expected, 30, (30 + rho - expected) * t})
+                      .norm(),
+                  1.5);
     }
 }
 
-// Over the top of a ridge: the lower end is under it by what the path says.
+// A cylinder whose lower end passes `under` mm below the top of a ridge.
 PartCollisions over_ridge(double under)
 {
     const Part part = std::vector{test::parabolic_cylinder(-0.05, 20, 30)};
@@ -135,8 +138,8 @@ TEST(PartCollisions, WithACurvedPartAreCertainBeyondTheSlack)
     }
 }
 
-// Against all corners of a mesh, which are on the part: none is deeper, and wherever one is
-// in the body the move is among those found.
+// The corners of a mesh lie on the part. None is deeper than the result with its error
+// bound, and every move that has a corner in the body is counted.
 TEST(PartCollisions, AreNeverLessThanAPlaceShows)
 {
     test::Random random{7};
@@ -173,7 +176,7 @@ TEST(PartCollisions, AreNeverLessThanAPlaceShows)
         EXPECT_EQ(found.moves.count, first.moves.count);
         EXPECT_EQ(found.moves.deepest, first.moves.deepest);
         EXPECT_EQ(found.error_mm, first.error_mm);
-        EXPECT_EQ(*found.deepest_at, *first.deepest_at);
+        EXPECT_EQ(found.deepest->point, first.deepest->point);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A path in what another has left.
+// Verification of a path in the stock that an earlier run left.
 #include <cmath>
 #include <numbers>
 
@@ -21,7 +21,7 @@ using test::task_of;
 
 const Part& plane = test::finished_plane;
 
-// A plane tilted by `degrees` about y, and passes of a ball R 3 over it along its slope.
+// A plane tilted by `degrees` about y, with passes of a ball of radius 3 along its slope.
 struct Slope {
     explicit Slope(double degrees)
         : along{std::cos(degrees * std::numbers::pi / 180), 0,
@@ -31,11 +31,11 @@ struct Slope {
     {
     }
 
-    // Over v from `low` to `high`, `above` mm off the plane along its normal.
+    // Passes from v = `low` to `high`, `above` mm off the plane along its normal.
     ToolPath passes(double low, double high, double above) const
     {
         std::vector<Vec3> tips;
-        constexpr double pitch = 0.5;  // leaves 0.0104
+        constexpr double pitch = 0.5;  // leaves a scallop of 0.0104
         for (int i = 0; low + i * pitch <= high + 1e-9; ++i)
             for (const double end : {i % 2 ? 11.0 : -1.0, i % 2 ? -1.0 : 11.0})
                 tips.push_back(end * along + Vec3{0, low + i * pitch, 0} +
@@ -46,14 +46,13 @@ struct Slope {
     VerificationTask task(const ToolPath& path, double resolution) const
     {
         const Cutter ball = Cutter::ball(3);
-        VerificationTask task{.path = &path,
-                              .cutter = ball,
-                              .part = &part,
-                              .block = default_block(&part, path, ball)};
-        task.block.low.z() = -5;
-        task.block.high.z() = 12;
+        VerificationTask task{.path = &path, .cutter = ball, .part = &part, .stock = {}};
+        Block block = default_block(&part, path, ball);
+        block.low.z() = -5;
+        block.high.z() = 12;
+        task.stock = block;
         task.resolution = resolution;
-        task.deviation.limits = {0.01, 0.02};
+        task.limits = {0.01, 0.02};
         return task;
     }
 
@@ -62,19 +61,18 @@ struct Slope {
     Part part;
 };
 
-// A second run in what a first one has left, which is kept as a file keeps it.
+// A second run in the stock of a first run, kept with its history.
 struct TwoRuns {
     TwoRuns(const VerificationTask& first, VerificationTask second)
         : before{verify_path(first)},
-          history{history_of_rest(first)}
+          kept{before.rest, history_of_rest(first)}
     {
-        second.stock = &before.rest;
-        second.history = &*history;
+        second.stock = &kept;
         after = verify_path(second);
     }
 
     Verification before;
-    std::optional<StockHistory> history;
+    KeptStock kept;
     std::optional<Verification> after;
 };
 
@@ -87,12 +85,12 @@ TEST(VerifyPathAfterAnother, FindsAHalfOfEachCleanTogether)
         const TwoRuns runs{slope.task(left, 0.1), slope.task(right, 0.1)};
         EXPECT_EQ(runs.before.verdict, Verdict::Uncut) << degrees;
         EXPECT_EQ(runs.after->verdict, Verdict::Clean) << degrees;
-        EXPECT_FALSE(runs.after->earlier_gouge.is_of_heights);
+        EXPECT_FALSE(runs.after->earlier_gouge);
         EXPECT_EQ(runs.after->earlier_moves, left.points.size());
     }
 }
 
-// As one path does that is both, with a link from one to the other that cuts nothing more.
+// Reference: one path of both runs, with a link between them that cuts nothing more.
 TEST(VerifyPathAfterAnother, MeasuresWhatOnePathOfBothDoes)
 {
     const Slope slope{40};
@@ -113,7 +111,7 @@ TEST(VerifyPathAfterAnother, MeasuresWhatOnePathOfBothDoes)
         EXPECT_NEAR(found.left[k], one.deviation->left[k], 1e-6);
 }
 
-// 0.05 mm along the normal: the second run cannot make it good.
+// The first run gouges by 0.05 mm along the normal, which the second run cannot repair.
 TEST(VerifyPathAfterAnother, FindsTheGougeOfTheFirst)
 {
     for (const double degrees : {0.0, 20.0, 45.0, 60.0, 80.0})
@@ -148,7 +146,8 @@ TEST(VerifyPathAfterAnother, IsCleanAfterRoughingThatLeftAnAllowance)
     }
 }
 
-// A flat cutter has gone over the level plane before the ball, well above it, or into it.
+// Before the ball, a flat cutter has passed over the level plane: well above it, or into
+// it.
 TEST(VerifyPathAfterAnother, KnowsTheCutterOfEachRun)
 {
     for (const double low : {0.3, -0.05}) {
@@ -159,7 +158,8 @@ TEST(VerifyPathAfterAnother, KnowsTheCutterOfEachRun)
         const TwoRuns runs{first, task_of(finishing, &plane)};
         EXPECT_EQ(runs.after->verdict, low > 0 ? Verdict::Clean : Verdict::Gouged);
         EXPECT_NEAR(runs.after->deviation->max_gouge_mm, std::max(0.0, -low), 1e-12);
-        // Between passes beside the flat cutter's way: 12 mm wide, 4 of 5 mm apart.
+        // The scallop lies beside the flat cutter's way: passes cover 12 mm, the cutter 8
+        // mm.
         EXPECT_NEAR(runs.after->deviation->max_scallop_mm, 0.101020514434,
                     runs.after->deviation->scallop_bound_mm + 1e-12);
     }
@@ -173,7 +173,7 @@ TEST(VerifyPathAfterAnother, MustStillCutOverThePart)
         return TwoRuns{task_of(first, &plane), task_of(second, &plane)};
     };
     EXPECT_THROW(both(beside), GeometryError);
-    EXPECT_EQ(both(first).after->verdict, Verdict::Clean);  // it goes the same way again
+    EXPECT_EQ(both(first).after->verdict, Verdict::Clean);  // the same path again
 }
 
 TEST(VerifyPathAfterAnother, IsTheSameOnAnyNumberOfThreads)
@@ -186,10 +186,10 @@ TEST(VerifyPathAfterAnother, IsTheSameOnAnyNumberOfThreads)
         set_thread_count(threads);
         const Verification before = verify_path(slope.task(first, 0.8));
         VerificationTask task = slope.task(second, 0.8);
-        task.stock = &before.rest;
-        found.push_back(verify_path(task));  // by its heights
-        const auto history = history_of_rest(slope.task(first, 0.8));
-        task.history = &*history;
+        KeptStock kept{before.rest};
+        task.stock = &kept;
+        found.push_back(verify_path(task));  // with the heights only
+        kept.history = history_of_rest(slope.task(first, 0.8));
         found.push_back(verify_path(task));
     }
     for (std::size_t k = 2; k < found.size(); ++k) {
@@ -197,13 +197,17 @@ TEST(VerifyPathAfterAnother, IsTheSameOnAnyNumberOfThreads)
         EXPECT_EQ(found[k].deviation->left, other.deviation->left);
         EXPECT_EQ(found[k].deviation->max_gouge_mm, other.deviation->max_gouge_mm);
         EXPECT_EQ(found[k].deviation->gouge_bound_mm, other.deviation->gouge_bound_mm);
-        EXPECT_EQ(found[k].earlier_gouge.found_mm, other.earlier_gouge.found_mm);
-        EXPECT_EQ(found[k].earlier_gouge.bound_mm, other.earlier_gouge.bound_mm);
+        ASSERT_EQ(found[k].earlier_gouge.has_value(), other.earlier_gouge.has_value());
+        EXPECT_EQ(found[k].earlier_gouge.has_value(), k % 2 == 0);
+        if (other.earlier_gouge) {
+            EXPECT_EQ(found[k].earlier_gouge->found_mm, other.earlier_gouge->found_mm);
+            EXPECT_EQ(found[k].earlier_gouge->bound_mm, other.earlier_gouge->bound_mm);
+        }
     }
 }
 
-// Of heights alone a gouge on a slope is not known well: never clean, and clean where
-// enough stands over the part.
+// With heights only, a gouge on a slope is not known well. The verdict is never clean
+// then, and it is clean where enough material stands over the part.
 TEST(VerifyPathInHeights, IsNotCleanWhereAGougeMayBe)
 {
     for (const double degrees : {0.0, 30.0, 60.0})
@@ -213,24 +217,25 @@ TEST(VerifyPathInHeights, IsNotCleanWhereAGougeMayBe)
             const Verification before = verify_path(slope.task(first, 0.4));
             const ToolPath second = slope.passes(-1, 9, 0);
             VerificationTask task = slope.task(second, 0.4);
-            task.stock = &before.rest;
+            const KeptStock kept{before.rest};
+            task.stock = &kept;
             const Verification found = verify_path(task);
-            EXPECT_TRUE(found.earlier_gouge.is_of_heights);
+            ASSERT_TRUE(found.earlier_gouge);
             if (above > 0) {
                 EXPECT_EQ(found.verdict, Verdict::Clean) << degrees;
                 continue;
             }
             EXPECT_NE(found.verdict, Verdict::Clean) << degrees;
             EXPECT_NE(found.verdict, Verdict::Uncut) << degrees;
-            const EarlierGouge& gouge = found.earlier_gouge;
+            const EarlierGouge& gouge = *found.earlier_gouge;
             EXPECT_LE(gouge.found_mm, 0.05 + 1e-9);
             EXPECT_GE(gouge.found_mm + gouge.bound_mm, 0.05);
             EXPECT_FALSE(history_of_rest(task));
         }
 }
 
-// Runs of cutters of every kind, the last of them too deep: bounds hold what a finer grid
-// finds, and the verdict is never another.
+// Runs of cutters of every kind, the last of them too deep. The bounds include what a
+// finer grid finds, and a certain verdict never changes.
 TEST(VerifyPathAfterAnother, HoldsTheDepthAfterCuttersOfAllKinds)
 {
     for (const double deep : {-0.03, 0.3})

@@ -70,7 +70,8 @@ TEST(VerifyPath, OfAnEarlierRestTakesOnlyWhatIsLeft)
     EXPECT_EQ(rough.verdict, Verdict::Uncut);
     task.path = &finishing;
     const Verification whole = verify_path(task);
-    task.stock = &rough.rest;
+    const KeptStock left{rough.rest};
+    task.stock = &left;
     const Verification rest = verify_path(task);
     EXPECT_EQ(rest.verdict, Verdict::Clean);
     EXPECT_NEAR(rough.removal.total + rest.removal.total, whole.removal.total,
@@ -115,7 +116,7 @@ TEST(VerifyPath, NamesThePointThatGouges)
     const Verification found = verify_path(task_of(path, &plane));
     EXPECT_EQ(found.verdict, Verdict::Gouged);
     ASSERT_TRUE(found.deviation->deepest);
-    // On the move to the lowered point, or on that away from it.
+    // The deepest place lies on the move to the lowered point or on the next move.
     EXPECT_GE(found.deviation->deepest->sweep, 6);
     EXPECT_LE(found.deviation->deepest->sweep, 7);
 }
@@ -144,13 +145,13 @@ TEST(VerifyPath, OfAPathThatOnlyComesNearSaysSo)
     ToolPath rapid = test::tip_path({{2, 2, 2}});
     rapid.points[0].move = Move::Rapid;
     EXPECT_NE(message(rapid).find("no move"), std::string::npos);
-    // Beside the border, nearer than the middles of the part's pieces can tell.
+    // The path lies beside the border, nearer than the subdivision of the part resolves.
     const std::string near = message(test::tip_path({{-5.01, 0, 0}, {-5.01, 12, 0}}));
     EXPECT_NE(near.find("cuts nothing"), std::string::npos);
     EXPECT_EQ(near.find(" 0 mm"), std::string::npos);
 }
 
-// Between two rapids the ends of a cut are known by its start, too; a plunge by its end.
+// A cut between two rapids is bounded by its start and end, a plunge by its end.
 TEST(DefaultBlock, ReachesFromWhereCutsBegin)
 {
     ToolPath path = test::tip_path({{0, 3, 9}, {0, 3, 1}, {100, 3, 2}, {100, 3, 9}});
@@ -164,7 +165,7 @@ TEST(DefaultBlock, ReachesFromWhereCutsBegin)
     EXPECT_EQ(default_block(&plane, path, Cutter::ball(5)).low.z(), -5);
 }
 
-// Rays and stock are there at once; what is proposed fits.
+// The estimate covers rays and stock, and the proposed resolution fits.
 TEST(VerifyPath, WhatItProposesFitsTheMemory)
 {
     const ToolPath path = finishing_path(2);
@@ -198,7 +199,7 @@ TEST(VerifyPath, RefusesAResolutionThatDoesNotFitTheMemory)
     EXPECT_THROW(verify_path(task), DomainError);
 }
 
-// Parts that stand on each other's toes: the same plane as a mesh.
+// The mesh is the same plane as the surface.
 TEST(VerifyPath, JudgesAMeshAsTheSurface)
 {
     const Part mesh = test::grid_mesh(2, 2, [](int i, int j) {

@@ -28,8 +28,8 @@ public:
         VerificationTask task{.path = &path,
                               .cutter = cutter,
                               .part = &part_,
-                              .block = default_block(&part_, path, cutter)};
-        task.deviation.limits = limits_of(plan);
+                              .stock = default_block(&part_, path, cutter)};
+        task.limits = limits_of(plan);
         task.resolution = pitch;
         return verify_path(task).verdict;
     }

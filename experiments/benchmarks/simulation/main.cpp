@@ -29,7 +29,7 @@ double verified_volume(const ToolPath& path, const Cutter& cutter, double pitch)
 {
     const Part part = std::vector<Surface>{low_saddle_surface()};
     VerificationTask task{
-        .path = &path, .cutter = cutter, .part = &part, .block = LowSaddle::block()};
+        .path = &path, .cutter = cutter, .part = &part, .stock = LowSaddle::block()};
     task.resolution = pitch;
     return verify_path(task).removal.total;
 }

@@ -2,8 +2,11 @@
 #include "endmill/stock/height_stock.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <string>
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -11,7 +14,8 @@
 namespace endmill {
 namespace {
 
-// A width that is a whole number of cells but for its rounding is that number of cells.
+// A width within this tolerance of a whole number of cells gets that number of cells, so
+// that rounding adds no column.
 constexpr double whole_cells_slack = 1e-9;  // cells
 
 int cells_across(double width, double pitch)
@@ -27,6 +31,27 @@ int cells_across(double width, double pitch)
 int tiles_across(int cells)
 {
     return (cells - 1) / HeightStock::tile_side + 1;
+}
+
+constexpr double bytes_per_gib = 0x1p30;
+// Working memory of `remove_along` for the current moves and their groups; measured, with
+// a margin.
+constexpr double work_bytes_per_cell = 1.5;
+// Working memory that does not depend on the grid: the moves and batches of each thread.
+constexpr double bytes_of_work = 2.5e6;
+
+// Upper bound of the number of tiles over a width. One tile is added because the grid
+// extends the width to whole cells and the last tile may be partly used.
+double tiles_over(double width, double pitch)
+{
+    return std::ceil(width / pitch / HeightStock::tile_side) + 1;
+}
+
+std::string two_digits(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.2g", value);
+    return text.data();
 }
 
 }  // namespace
@@ -117,6 +142,68 @@ std::optional<HeightRange> height_range(const HeightStock& stock)
     if (range.low > range.high)
         return std::nullopt;
     return range;
+}
+
+Block material_box(const HeightStock& stock)
+{
+    const StockGrid& grid = stock.grid();
+    const auto range = height_range(stock);
+    return {{grid.low_x, grid.low_y, grid.bottom_z},
+            {grid.low_x + grid.columns * grid.pitch, grid.low_y + grid.rows * grid.pitch,
+             range ? range->high : grid.bottom_z}};
+}
+
+double required_bytes(const Block& box, double pitch, double extra)
+{
+    const Vec3 size = box.high - box.low;
+    return tiles_over(size.x(), pitch) * tiles_over(size.y(), pitch) *
+               HeightStock::tile_size * (sizeof(double) + work_bytes_per_cell + extra) +
+           bytes_of_work;
+}
+
+// Tries the pitches of two digits in increasing order, 1.0, 1.1, ... 9.9 times a power of
+// ten, starting from the lower bound, until one fits.
+std::optional<double> fitting_pitch(const Block& box, double bytes, double extra)
+{
+    const Vec3 size = box.high - box.low;
+    const double largest = std::max(size.x(), size.y());
+    // With a pitch as large as the box there are two tiles along each side.
+    const double least_bytes =
+        4.0 * HeightStock::tile_size * (sizeof(double) + work_bytes_per_cell + extra) +
+        bytes_of_work;
+    if (!(bytes >= least_bytes) || !(largest > 0))
+        return std::nullopt;
+    // Lower bound of the pitch: it counts only the heights, without the margins of tiles
+    // and work.
+    const double bound = std::sqrt(size.x() * size.y() * sizeof(double) / bytes);
+    double decade = std::pow(10, std::floor(std::log10(std::max(bound, largest * 1e-9))));
+    for (;; decade *= 10)
+        for (int digits = 10; digits < 100; ++digits) {
+            // Goes through the text, so that the pitch is the double nearest to its two
+            // digits.
+            const double pitch = *number_from_text(two_digits(decade * digits / 10));
+            if (pitch >= bound && required_bytes(box, pitch, extra) <= bytes)
+                return pitch;
+        }
+}
+
+void require_stock_memory(const Block& box, double pitch, double memory_gib, double extra)
+{
+    require(box.low.allFinite() && box.high.allFinite() &&
+                (box.high - box.low).minCoeff() >= 0 && std::isfinite(pitch) && pitch > 0,
+            "require_stock_memory: need a finite box and 0 < pitch");
+    const double bytes = required_bytes(box, pitch, extra);
+    if (bytes <= memory_gib * bytes_per_gib)
+        return;
+    const Vec3 size = box.high - box.low;
+    const auto fits = fitting_pitch(box, memory_gib * bytes_per_gib, extra);
+    throw LimitError{"a stock of " + to_text(size.x()) + " x " + to_text(size.y()) +
+                     " mm in cells of " + to_text(pitch) + " mm would need about " +
+                     two_digits(bytes / bytes_per_gib) + " GiB; expected at most " +
+                     to_text(memory_gib) + " GiB (--max-memory)" +
+                     (fits && std::isfinite(*fits)
+                          ? ", which cells of " + to_text(*fits) + " mm fit"
+                          : std::string{})};
 }
 
 }  // namespace endmill

@@ -16,11 +16,11 @@ namespace {
 
 struct CellRange {
     int first;
-    int last;  // inclusive
+    int last;  // included
 };
 
-// The cells whose centres may lie in [low, high], a line of `count` that begins at `begin`;
-// one more on each side, for rounding.
+// Returns the cells of a line of `count` from `begin` whose centres may lie in [low,
+// high], with one more cell on each side for rounding.
 CellRange cells_between(double low, double high, double begin, double pitch, int count)
 {
     const double first = std::floor((low - begin) / pitch - 0.5) - 1;
@@ -29,14 +29,17 @@ CellRange cells_between(double low, double high, double begin, double pitch, int
             static_cast<int>(std::clamp(last, 0.0, count - 1.0))};
 }
 
-// Twice the area of the triangle of (x, y), a and b, seen from above. Exchanging a and b
-// turns the sign and nothing else, so that of two triangles on an edge one holds a place
-// near it.
+// Returns twice the signed area of the triangle (x, y), a, b, seen from above. Exchanging
+// a and b changes the sign and nothing else. Two triangles with a common edge therefore
+// agree on the side of a point, and at least one of them contains a point near the edge.
 double side_of(double x, double y, const Vec3& a, const Vec3& b)
 {
     return (a.x() - x) * (b.y() - y) - (b.x() - x) * (a.y() - y);
 }
 
+// Raises the cells under a triangle to the triangle. Each cell centre in the triangle's
+// box is tested by the signs of three edge functions; the same three numbers are the
+// barycentric weights of the height.
 void raise_under(HeightStock& stock, const std::array<Vec3, 3>& corners)
 {
     const auto& [a, b, c] = corners;
@@ -58,7 +61,7 @@ void raise_under(HeightStock& stock, const std::array<Vec3, 3>& corners)
             const bool is_inside = (at_a >= 0 && at_b >= 0 && at_c >= 0) ||
                                    (at_a <= 0 && at_b <= 0 && at_c <= 0);
             const double sum = at_a + at_b + at_c;
-            if (!is_inside || sum == 0)  // beside it, or it is upright
+            if (!is_inside || sum == 0)  // outside, or an upright triangle
                 continue;
             const double z = (at_a * a.z() + at_b * b.z() + at_c * c.z()) / sum;
             if (z > stock.height(column, row))
@@ -66,7 +69,9 @@ void raise_under(HeightStock& stock, const std::array<Vec3, 3>& corners)
         }
 }
 
-// The points and triangles of a stock while they are collected.
+// Collects the points and triangles of the mesh of a stock. Every full square between
+// four cell centres adds two triangles on the top, two at the bottom, and a wall of two
+// triangles along each side whose neighbour is not full.
 class StockSurface {
 public:
     explicit StockSurface(const HeightStock& stock)
@@ -94,7 +99,8 @@ private:
         return stock_.height(column, row) > grid_.bottom_z;
     }
 
-    // Whether the square from the centre of this cell to the next ones is of material.
+    // Whether the square from the centre of this cell to the centres of the next column
+    // and row is full: all four cells have material.
     bool is_full(int column, int row) const
     {
         return column >= 0 && row >= 0 && column + 1 < grid_.columns &&
@@ -103,7 +109,8 @@ private:
                has_material(column + 1, row + 1);
     }
 
-    // The number of the point on top; that below it is the next one.
+    // Returns the number of the point on the top. The point below it on the bottom has
+    // the next number.
     std::int32_t top(int column, int row)
     {
         std::int32_t& number =
@@ -141,7 +148,8 @@ private:
             add_wall(d, a);
     }
 
-    // Below the edge from one point of the top to another, seen from outside.
+    // Adds the wall below an edge of the top. Seen from outside, the edge runs from left
+    // to right.
     void add_wall(std::int32_t from, std::int32_t to)
     {
         triangles_.insert(triangles_.end(),

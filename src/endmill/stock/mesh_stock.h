@@ -6,30 +6,33 @@
 
 namespace endmill {
 
-/// The box of all triangles.
+/// Returns the bounding box of all triangles.
 /// \throws GeometryError if the mesh has none.
 Block mesh_box(const TriangleMesh& mesh);
 
-/// The stock of a closed mesh: over each cell's centre the highest place of the mesh; no
-/// material where the mesh is not below the centre. Its box is that of the mesh. What a
-/// height cannot say is taken for full: hollows that are open sideways or downwards.
+/// Returns the stock of a closed mesh. The height of a cell is the highest point of the
+/// mesh on the vertical line through the cell's centre; a line that misses the mesh gets
+/// no material. The grid covers the box of the mesh. A height field cannot represent
+/// hollows that are open sideways or downwards: they are filled.
 /// \throws DomainError unless 0 < pitch.
-/// \throws GeometryError if the mesh has no triangle, or is not closed: an edge belongs to
-///         an odd number of triangles.
-/// \throws LimitError as `grid_over`.
+/// \throws GeometryError if the mesh has no triangle or is not closed (an edge belongs to
+///         an odd number of triangles).
+/// \throws LimitError if the grid has more than 2^31 - 1 columns or rows.
 HeightStock mesh_stock(const TriangleMesh& mesh, double pitch);
 
-/// The most memory in bytes a cell that `stock_mesh` takes while the mesh is made and
-/// turned into a binary STL file: two points and at most five triangles a cell, in vectors
-/// that double (324) or beside 50 bytes a triangle (466), and a number for each.
+/// Greatest memory in bytes per cell while `stock_mesh` makes the mesh and a binary STL
+/// file is made of it. A cell has two points, at most five triangles and one number.
+/// While the vectors grow by doubling they take 324 bytes; with 50 bytes per triangle of
+/// the file it is 466.
 inline constexpr double mesh_bytes_per_cell = 470;
 
-/// The stock as a closed mesh, to look at or to measure. Its top has a point at the height
-/// over the centre of each cell, and squares of two triangles between four neighbours that
-/// all have material; under them is a plane bottom, around them are upright walls. So it
-/// ends half a pitch before the outermost cells, and walls of material that are one cell
-/// thin are missing. Pieces may touch along upright edges.
-/// \throws LimitError if it has more than 2^31 - 1 points or triangles.
+/// Returns the stock as a closed mesh, for viewing or measuring.
+///
+/// The top has one point over the centre of each cell and two triangles between four
+/// neighbours that all have material. A plane bottom and upright walls close it. The mesh
+/// therefore ends half a pitch inside the outermost cells, and walls of material that are
+/// one cell thick are missing. Pieces may touch along upright edges.
+/// \throws LimitError if the mesh has more than 2^31 - 1 points or triangles.
 TriangleMesh stock_mesh(const HeightStock& stock);
 
 }  // namespace endmill

@@ -11,11 +11,20 @@
 #include "endmill/stock/detail/removable_path.h"
 #include "endmill/stock/detail/swept_move.h"
 
+// The removal runs in parts, to bound the memory.
+// 1. `moves_from` prepares the next moves of the path; there are more of them per part
+//    the more cells there are.
+// 2. `MoveBins` sorts them by the groups of tiles they pass over and may take fewer.
+// 3. `remove_part` cuts all groups on all threads, each with its moves in order.
+// 4. `add_part` adds volumes and depths of the part to the result.
+// Volumes are integers in a unit that is a power of two, so their sums are exact and do
+// not depend on the order of threads.
+
 namespace endmill {
 namespace {
 
-// How many moves are taken apart at a time, and entries of a move and a group of tiles:
-// about a byte a cell, and enough to keep all threads busy.
+// Number of moves per part, and of pairs of a move and a group. They take about one byte
+// per cell and are enough to keep all threads busy.
 struct PartSize {
     std::size_t moves;
     std::size_t entries;
@@ -28,16 +37,17 @@ PartSize part_size(const StockGrid& grid)
             std::max<std::size_t>(std::size_t{1} << 17, cells / 8)};
 }
 
+// Checks the cylinders of the tool.
 void require_sound(const RemovalOptions& options)
 {
     for (const ToolCylinder& cylinder : options.body)
         require(cylinder.diameter > 0 && std::isfinite(cylinder.diameter) &&
                     std::isfinite(cylinder.from),
-                "remove_along: a cylinder of the tool has no diameter");
+                "remove_along: need cylinders with a positive, finite diameter");
 }
 
-// Moves first, first + 1, … of the path, at most `count`. The first point is a move that
-// stays in place, if it cuts at all.
+// Returns at most `count` moves of the path from number `first` on. The first point, if
+// it cuts at all, is a move without length.
 std::vector<SweptMove> moves_from(const ToolPath& path, std::size_t first,
                                   std::size_t count)
 {
@@ -53,14 +63,15 @@ std::vector<SweptMove> moves_from(const ToolPath& path, std::size_t first,
     return moves;
 }
 
-// A power of two of which the volume of the stock is at most 2^61: the sum of all parts
-// is exact in 64 bits.
+// Returns the unit of volume: a power of two such that the stock's volume is less than
+// 2^61 units. The sum of all parts is then exact in 64 bits.
 double volume_unit(const HeightStock& stock)
 {
     const double volume = stock_volume(stock);
     return volume > 0 ? std::ldexp(1, std::ilogb(volume) - 60) : 1;
 }
 
+// Adds a move with this depth to the count.
 void add_move(MoveCount& moves, std::size_t number, double depth)
 {
     ++moves.count;
@@ -69,7 +80,7 @@ void add_move(MoveCount& moves, std::size_t number, double depth)
     moves.deepest = std::max(moves.deepest, depth);
 }
 
-// Adds what a part of the moves did, the first of them number `first`.
+// Adds the result of a part whose first move has number `first`.
 void add_part(Removal& removal, const PartOfRemoval& part, const ToolPath& path,
               std::size_t first)
 {
@@ -88,7 +99,7 @@ void add_part(Removal& removal, const PartOfRemoval& part, const ToolPath& path,
     }
 }
 
-// Of the move to a point, in mm.
+// Length of the move to a point, mm.
 double length_to(const ToolPath& path, std::size_t number)
 {
     if (number == 0)

@@ -13,75 +13,85 @@
 
 namespace endmill {
 
-/// A cut, or a contact with shank or holder, that is no deeper does not count: rounding.
-inline constexpr double least_cut_depth = 1e-9;  // mm
+/// Depth in mm up to which a cut, or a contact with shank or holder, is taken for
+/// rounding and does not count.
+inline constexpr double least_cut_depth = 1e-9;
 
-/// What `remove_along` looks at beside the cutter.
+/// Options of `remove_along`.
 struct RemovalOptions {
-    /// Cylinders above the tip that must not touch the stock: shank and holder.
+    /// Cylinders of shank and holder, above the tip, which must not touch the stock.
     std::vector<ToolCylinder> body = {};
 };
 
-/// Moves of one kind, such as those that must not cut and do.
+/// Number, first and depth of the moves that share a property, such as rapids that cut.
 struct MoveCount {
     std::size_t count = 0;
-    std::optional<std::size_t> first = {};  ///< number of the point to which it leads
-    double deepest = 0;                     ///< mm, over all of them
+    /// number of the point to which the first leads
+    std::optional<std::size_t> first = {};
+    double deepest = 0;  ///< mm, greatest depth of all of them
 };
 
-/// What a path took from a stock, move by move. A move has the number of the point to
-/// which it leads.
+/// Material removed by a path, move by move. A move has the number of the point to which
+/// it leads.
 struct Removal {
-    std::vector<double> removed;  ///< mm^3, by each move; one a point
-    /// mm, downwards at a cell, by each move; of a rapid at cells further inside the cutter
-    /// than 1e-9 of its radius, as on the rim itself rounding decides.
+    std::vector<double> removed;  ///< mm^3, one per point: volume removed by the move
+    /// mm, one per point: greatest depth that the move cuts at a cell, measured
+    /// downwards. For a rapid only cells count that lie inside the cutter by more than
+    /// 1e-9 of its radius, because rounding decides on the rim.
     std::vector<double> deepest;
-    double total = 0;                 ///< mm^3; the sum of all moves
-    std::size_t air_moves = 0;        ///< that cut nothing
-    MoveCount rapid_cuts;             ///< rapid moves that cut
-    MoveCount collisions;             ///< moves on which shank or holder meets the stock
-    std::optional<HeightRange> left;  ///< of what is left, if anything is
+    double total = 0;           ///< mm^3, volume removed by all moves
+    std::size_t air_moves = 0;  ///< number of moves that cut nothing
+    MoveCount rapid_cuts;       ///< rapid moves that cut
+    MoveCount collisions;       ///< moves on which shank or holder is in the stock
+    /// heights of the remaining stock; none if it is empty
+    std::optional<HeightRange> left;
 };
 
-/// Takes from `stock`, move by move, what `cutter` sweeps on its way along `path`: after
-/// it the height of each cell is the least of what it was and of `StraightSweep::height`
-/// of every move, at the cell's centre, within 1e-12 of the size of path and cutter.
+/// Removes from `stock`, move by move, the volume that `cutter` sweeps along `path`. The
+/// new height of each cell is the minimum of its old height and of
+/// `StraightSweep::height` of every move at the cell's centre, accurate to 1e-12 of the
+/// size of path and cutter.
 ///
-/// All kinds of move cut. The first point is where the cutter starts: if its kind is
-/// `Plunge` or `Cut` the cutter is taken to have come down there, so that it cuts at this
-/// place; of another kind it cuts only from the first move on.
+/// All kinds of move cut. The first point is the start of the cutter. If its kind is
+/// `Plunge` or `Cut`, the cutter has come down there and cuts at this place; otherwise it
+/// cuts from the first move on.
 ///
-/// A shank or holder collides if it would be more than `least_cut_depth` inside the
-/// stock, as each move finds it where it arrives over new ground, and as the move leaves
-/// it. What the cutter takes on the same move does not count against a cylinder that is
-/// no wider.
+/// Shank or holder collides if it is more than `least_cut_depth` inside the stock. This
+/// is tested twice per move: on the stock before the move, where the cylinder arrives
+/// over cells that it did not cover before, and on the stock after the move. A cylinder
+/// that is no wider than the cutter does not collide with material that the cutter
+/// removes on the same move.
 ///
-/// The work is done by tiles of the stock, each with its moves in order, on all threads;
-/// the volumes are summed as whole multiples of a fixed 2^-60 of what the stock may hold.
-/// So the result is the same, to the bit, for every number of threads. Beside the result
-/// it takes about a byte a cell, and 2 MB.
-/// Source: spec of the removal, sections 1 and 3.
+/// The tiles of the stock are processed on all threads, each with its moves in order.
+/// Volumes are summed as integer multiples of a power of two, about 2^-60 of the stock's
+/// volume. The result is therefore the same to the bit with any number of threads.
+/// Besides the result the function takes about one byte per cell and 2 MB.
+/// Source: docs/mathematics/removal.md, section 1 (heights), section 3 (rapids,
+/// collisions).
 ///
 /// \param path tips along +z.
-/// \throws DomainError if a tip is not within 1e9 mm, or a cylinder has no diameter.
+/// \throws DomainError if a tip is not within 1e9 mm, or a cylinder has no positive
+///         diameter.
 /// \throws GeometryError if the axis of a point is not +z.
 Removal remove_along(HeightStock& stock, const ToolPath& path, const Cutter& cutter,
                      const RemovalOptions& options = {});
 
-/// What the move to point `number` takes in a minute, in mm^3: nothing without a feed, for a
-/// rapid, which does not go at it, for a move without length, and where the number would
-/// overflow.
-/// \pre `removal` is of `path`.
+/// Returns the removal rate of the move to point `number`, in mm^3/min.
+/// \return nothing if the move has no feed or no length, if it is a rapid (which does not
+///         move at the feed), or if the rate overflows.
+/// \pre `removal` is the result of `path`.
 std::optional<double> removal_rate(const Removal& removal, const ToolPath& path,
                                    std::size_t number);
 
-/// The removal rates of a path, in mm^3/min.
+/// Removal rates of a path, in mm^3/min.
 struct RemovalRates {
-    double greatest;
-    double mean;  ///< over the time of all moves that have a rate
+    double greatest;  ///< of one move
+    double mean;      ///< volume over time of all moves that have a rate
 };
 
-/// \return nothing if no move has a rate. \pre As `removal_rate`.
+/// Returns the removal rates of a path.
+/// \return nothing if no move has a rate.
+/// \pre `removal` is the result of `path`.
 std::optional<RemovalRates> removal_rates(const Removal& removal, const ToolPath& path);
 
 }  // namespace endmill

@@ -11,15 +11,24 @@
 #include "endmill/stock/detail/removable_path.h"
 #include "endmill/stock/detail/stock_probe.h"
 
+// For each move the cutter stands in its middle and the stock is the one before the move.
+// 1. `rings_of` divides the profile into rings, from the bottom over the corner up the
+//    cylinder.
+// 2. `is_engaged` tests the middle of each cell of a ring: its normal must face the
+//    direction of the move, and the interpolated stock must be higher.
+// 3. `find_intervals` joins neighbouring engaged cells of a ring to intervals of azimuth.
+// Then the move is removed from the stock.
+
 namespace endmill {
 namespace {
 
 using std::numbers::pi;
 
-// Of a cylinder that is sunk deep into the stock, so that rings do not grow without bound.
+// Limits the number of rings on a cylinder that is sunk deep into the stock.
 constexpr int most_cylinder_rings = 1000;
 
-// The rings of a cutter from its tip to `height` above it, nothing engaged.
+// Returns the rings of a cutter from its tip to `height` above it, with nothing engaged
+// yet.
 std::vector<EngagedRing> rings_of(const Cutter& cutter, int rings, double height)
 {
     const double r = cutter.corner_radius();
@@ -46,14 +55,17 @@ std::vector<EngagedRing> rings_of(const Cutter& cutter, int rings, double height
     return all;
 }
 
-// A place of the cutter in the middle of a move.
+// The cutter in the middle of a move.
 struct Pose {
     Vec3 tip;
-    Vec3 way;       // of the move, unit
-    double feed_x;  // the direction of azimuth 0
+    Vec3 way;       // direction of the move, unit
+    double feed_x;  // direction of azimuth 0, unit
+    // direction of azimuth 0, unit
     double feed_y;
 };
 
+// Whether the place of the cutter at this ring and azimuth faces the move and is in the
+// stock.
 bool is_engaged(const HeightStock& stock, const Pose& pose, const EngagedRing& ring,
                 double azimuth)
 {
@@ -66,11 +78,12 @@ bool is_engaged(const HeightStock& stock, const Pose& pose, const EngagedRing& r
     if (normal.dot(pose.way) <= 0)
         return false;
     const Vec3 place = pose.tip + ring.radius * outwards;
-    const auto height = height_under(stock, place.x(), place.y());
+    const auto height = interpolated_height(stock, place.x(), place.y());
     return height && *height > stock.grid().bottom_z &&
            *height > pose.tip.z() + ring.above;
 }
 
+// Fills the engaged intervals of a ring.
 void find_intervals(const HeightStock& stock, const Pose& pose, int azimuths,
                     EngagedRing& ring)
 {
@@ -86,11 +99,13 @@ void find_intervals(const HeightStock& stock, const Pose& pose, int azimuths,
     }
 }
 
+// A move between two tips, mm.
 struct StraightMove {
     Vec3 from;
     Vec3 to;
 };
 
+// Returns the engaged region in the middle of a move. `top_z` bounds the stock's heights.
 Engagement engagement_on(const HeightStock& stock, const Cutter& cutter,
                          const StraightMove& move, const EngagementOptions& options,
                          double top_z)
@@ -129,7 +144,7 @@ void for_each_engagement(
         if (k > 0)
             visit(k, engagement_on(stock, cutter, {from, to}, options, top_z));
         if (k > 0 || cuts_at_start(path))
-            take_swept(stock, cutter, swept_move(from, to));
+            remove_swept(stock, cutter, swept_move(from, to));
     }
 }
 

@@ -11,28 +11,30 @@
 
 namespace endmill {
 
-/// How finely `for_each_engagement` looks.
+/// Resolution of `for_each_engagement`.
 struct EngagementOptions {
-    int rings = 24;     ///< over the rounded corner; over the radius of a flat cutter
-    int azimuths = 72;  ///< around each ring
+    /// rings over the rounded corner, or over the radius of a flat cutter
+    int rings = 24;
+    int azimuths = 72;  ///< cells around each ring
 };
 
-/// Takes from `stock`, move by move, what `cutter` sweeps along `path`, as `remove_along`
-/// does, and calls `visit(number, engagement)` before each move with the number of the
-/// point to which it leads: which part of the cutter is in the stock in the middle of the
-/// move.
+/// Removes the material along `path` as `remove_along` does. Before each move it calls
+/// `visit(number, engagement)` with the number of the point to which the move leads and
+/// the region of the cutter that is in the stock in the middle of the move.
 ///
-/// A place of the cutter is engaged if it faces the way of the move and lies below the
-/// stock, linear between the centres of the cells, as the move finds it: what the first
-/// half of the move takes is behind these places. Places are the middles of equal cells of latitude (of equal
-/// width along the profile) and azimuth, and intervals are whole cells: an end is off by a
-/// cell's half at most, and by what a pitch matters: an upright wall is blurred by one. Rings go on up the
-/// cylinder as far as there is stock, in the same width. A move that stays in place, and
-/// one straight up, engages nothing.
-/// Source: spec of ball-end milling, section 12, `stock`.
+/// The cutter is divided into rings of equal width along its profile and each ring into
+/// equal azimuths. A cell is engaged if its middle faces the direction of the move and
+/// lies below the stock before the move, interpolated linearly between the centres of the
+/// cells. (The material that the first half of the move removes lies behind these
+/// places.) Intervals consist of whole cells, so an end is off by at most half a cell,
+/// and by one pitch at an upright wall. Rings of the same width continue up the cylinder
+/// as far as there is stock. A move without length and a move straight up engage nothing.
+/// Source: docs/mathematics/ball-end-milling.md, section 12.
 ///
-/// \throws DomainError unless there is a ring and an azimuth, and as `remove_along`.
-/// \throws GeometryError as `remove_along`.
+/// \param path tips along +z.
+/// \throws DomainError unless there is a ring and an azimuth, or if a tip is not within
+///         1e9 mm.
+/// \throws GeometryError if the axis of a point is not +z.
 void for_each_engagement(
     HeightStock& stock, const ToolPath& path, const Cutter& cutter,
     const std::function<void(std::size_t number, const Engagement& engagement)>& visit,

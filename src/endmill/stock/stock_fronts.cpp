@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -14,32 +15,47 @@
 #include "endmill/stock/detail/stock_patch.h"
 #include "endmill/stock/detail/stock_probe.h"
 
+// Removal and evaluation run in parallel as a pipeline of batches.
+// 1. One thread (`StockReplay`) cuts the path up to the next moves of the task, in order,
+//    and copies the stock around the middle of each (`MoveSnapshot`).
+// 2. Meanwhile the other threads evaluate the copies of the batch before.
+// A front is a grid over the quarter sphere in front of the feed, in the frame X along
+// the feed, Y to the right, Z up, scaled by the radius: `rows` strips of equal width in
+// y, and in each strip `columns` angles chi about the Y axis. Fronts with more stock on
+// the left are mirrored.
+
 namespace endmill {
 namespace {
 
 using std::numbers::pi;
 
+// Azimuths at which the rim is sampled.
 constexpr int rim_azimuths = 256;
 
-// Of the height of the highest engaged cell above the tip: below it by half a cell or so, the
-// ring is engaged as its border says and not as its last cell does.
+// The rim is sampled at this share of the height of the highest engaged cell above the
+// tip: about half a cell lower, where the border of the region decides and not its last
+// cell.
 constexpr double rim_share = 1 - 1.0 / 32;
 
-// Moves that are looked at side by side: enough that the threads part evenly, and no more than
+// Number of moves in a batch: enough for an even load of the threads, and no more than
 // fit into this memory.
 constexpr double most_batch_moves = 64;
 constexpr double batch_bytes = 1 << 25;
 
-// The frame of a BallFront in the middle of a move, Y to the right.
+// The frame of a `BallFront` in the middle of a move.
 struct Frame {
     Vec3 centre;
     double radius;
-    double feed_x;  // of X
+    double feed_x;  // x of the direction X
+    // y of the direction X
     double feed_y;
+    // angle of the move above the horizontal, rad
     double lambda;
     std::vector<std::pair<double, double>> columns = {};  // cosine and sine of chi
 };
 
+// Adds the angles chi of the columns. They cover the quarter sphere from the horizontal
+// direction of the cutter's front to the boundary of the half that faces the move.
 void add_columns(Frame& frame, int count)
 {
     for (int column = 0; column < count; ++column) {
@@ -48,6 +64,7 @@ void add_columns(Frame& frame, int count)
     }
 }
 
+// Converts a place in the frame to mm.
 Vec3 place(const Frame& frame, const Vec3& at)
 {
     const double x = frame.feed_x * at.x() + frame.feed_y * at.y();
@@ -55,48 +72,53 @@ Vec3 place(const Frame& frame, const Vec3& at)
     return frame.centre + frame.radius * Vec3{x, y, at.z()};
 }
 
-// How far the stock goes above a place, in mm; not above 0: it is free.
-double covered(const StockPatch& stock, const Vec3& at)
+// Returns the height of the stock above a place in mm. It is 0 or less where the place is
+// free.
+double stock_above(const StockPatch& stock, const Vec3& at)
 {
-    const auto height = height_under(stock, at.x(), at.y());
+    const auto height = interpolated_height(stock, at.x(), at.y());
     return height && *height > stock.grid().bottom_z ? *height - at.z() : -1;
 }
 
-// What the cells and the shank's azimuths hold, by the side of the feed.
-struct Look {
+// Sums over the engaged region: the amount on each side of the feed, in cells, and its
+// highest z in radii.
+struct EngagedAmount {
     double right = 0;
     double left = 0;
-    double highest = -1;  // z of the highest engaged cell, in radii
+    double highest = -1;  // in radii
 };
 
-void look_at_row(const StockPatch& stock, const Frame& frame, int row, BallFront& front,
-                 Look& look)
+// Marks the engaged cells of a row.
+void mark_row(const StockPatch& stock, const Frame& frame, int row, BallFront& front,
+              EngagedAmount& amount)
 {
     const double y = -1 + 2 * (row + 0.5) / front.rows;
     const double rho = std::sqrt(1 - y * y);
     for (int column = 0; column < front.columns; ++column) {
         const auto& [cosine, sine] = frame.columns[column];
         const Vec3 at{rho * cosine, y, rho * sine};
-        if (covered(stock, place(frame, at)) <= 0)
+        if (stock_above(stock, place(frame, at)) <= 0)
             continue;
         front.engaged[static_cast<std::size_t>(row) * front.columns + column] = 1;
-        (y > 0 ? look.right : look.left) += 1;
-        look.highest = std::max(look.highest, at.z());
+        (y > 0 ? amount.right : amount.left) += 1;
+        amount.highest = std::max(amount.highest, at.z());
     }
 }
 
-void look_at_shank(const StockPatch& stock, const Frame& frame, BallFront& front,
-                   Look& look)
+// Stores how far the stock stands above the ball's centre along the shank.
+void measure_shank(const StockPatch& stock, const Frame& frame, BallFront& front,
+                   EngagedAmount& amount)
 {
     for (int k = 0; k < front.columns; ++k) {
         const double azimuth = pi * (k + 0.5) / front.columns;
         const Vec3 at{std::sin(azimuth), std::cos(azimuth), 0};
-        const double height = covered(stock, place(frame, at)) / frame.radius;
+        const double height = stock_above(stock, place(frame, at)) / frame.radius;
         front.shank[k] = std::max(height, 0.0);
-        (at.y() > 0 ? look.right : look.left) += front.rows * front.shank[k];
+        (at.y() > 0 ? amount.right : amount.left) += front.rows * front.shank[k];
     }
 }
 
+// Returns the angle in rad over which the rim of the engaged region extends.
 double rim_angle(const StockPatch& stock, const Frame& frame, const BallFront& front,
                  double highest)
 {
@@ -111,12 +133,13 @@ double rim_angle(const StockPatch& stock, const Frame& frame, const BallFront& f
         const double azimuth = 2 * pi * (k + 0.5) / rim_azimuths;
         const Vec3 at{radius * std::sin(azimuth), radius * std::cos(azimuth), z};
         const double ahead = at.x() * std::cos(frame.lambda) + z * std::sin(frame.lambda);
-        if (ahead > 0 && covered(stock, place(frame, at)) > 0)
+        if (ahead > 0 && stock_above(stock, place(frame, at)) > 0)
             ++engaged;
     }
     return 2 * pi * engaged / rim_azimuths;
 }
 
+// Exchanges left and right.
 void mirror(BallFront& front)
 {
     front.is_stock_right = !front.is_stock_right;
@@ -127,8 +150,8 @@ void mirror(BallFront& front)
                          front.engaged.end() - (row + 1) * front.columns);
 }
 
-// A move, and the stock around its middle as it finds it.
-struct FoundStock {
+// A move and a copy of the stock around its middle, before the move.
+struct MoveSnapshot {
     std::size_t number;
     Vec3 from;
     Vec3 to;
@@ -137,7 +160,8 @@ struct FoundStock {
     Vec3 middle() const { return (from + to) / 2; }
 };
 
-BallFront front_on(const FoundStock& found, const BallFrontTask& task)
+// Evaluates the front of a move.
+BallFront front_on(const MoveSnapshot& found, const BallFrontTask& task)
 {
     const double radius = task.cutter.radius();
     BallFront front{.rows = task.rows, .columns = task.columns};
@@ -151,21 +175,21 @@ BallFront front_on(const FoundStock& found, const BallFrontTask& task)
     Frame frame{found.middle() + radius * Vec3::UnitZ(), radius, way.x() / level,
                 way.y() / level, front.lambda};
     add_columns(frame, front.columns);
-    Look look;
+    EngagedAmount amount;
     for (int row = 0; row < front.rows; ++row)
-        look_at_row(found.patch, frame, row, front, look);
-    look_at_shank(found.patch, frame, front, look);
-    if (look.right + look.left > 0)
-        front.rim_angle = rim_angle(found.patch, frame, front, look.highest);
-    if (look.left > look.right)
+        mark_row(found.patch, frame, row, front, amount);
+    measure_shank(found.patch, frame, front, amount);
+    if (amount.right + amount.left > 0)
+        front.rim_angle = rim_angle(found.patch, frame, front, amount.highest);
+    if (amount.left > amount.right)
         mirror(front);
     return front;
 }
 
-// Cuts along the path, and keeps what the moves find.
-class StockWalk {
+// Cuts along the path and copies the stock before the moves of the task.
+class StockReplay {
 public:
-    StockWalk(HeightStock& stock, const BallFrontTask& task)
+    StockReplay(HeightStock& stock, const BallFrontTask& task)
         : stock_{stock},
           task_{task},
           most_{static_cast<std::size_t>(std::clamp(
@@ -174,14 +198,15 @@ public:
     {
     }
 
-    // What the next moves to be looked at find; none after the last, and all is cut.
-    void go_on(std::vector<FoundStock>& batch)
+    // Copies the stock for the next batch of moves. After the last move the batch is
+    // empty and the whole path is cut.
+    void next_batch(std::vector<MoveSnapshot>& batch)
     {
         const std::vector<PathPoint>& points = task_.path->points;
-        batch.resize(std::min(most_, task_.points.size() - looked_at_));
-        for (FoundStock& found : batch) {
-            cut_up_to(task_.points[looked_at_]);
-            found.number = looked_at_++;
+        batch.resize(std::min(most_, task_.points.size() - done_));
+        for (MoveSnapshot& found : batch) {
+            cut_up_to(task_.points[done_]);
+            found.number = done_++;
             found.from = points[reached_ - 1].location.tip;
             found.to = points[reached_].location.tip;
             found.patch.copy(stock_, found.middle(), task_.cutter.radius());
@@ -191,27 +216,28 @@ public:
     }
 
 private:
-    // All moves before the one to a point.
+    // Removes all moves before the one to point `end`.
     void cut_up_to(std::size_t end)
     {
         const std::vector<PathPoint>& points = task_.path->points;
         for (; reached_ < end; ++reached_) {
             const Vec3& to = points[reached_].location.tip;
             if (reached_ > 0)
-                take_swept(stock_, task_.cutter,
-                           swept_move(points[reached_ - 1].location.tip, to));
+                remove_swept(stock_, task_.cutter,
+                             swept_move(points[reached_ - 1].location.tip, to));
             else if (cuts_at_start(*task_.path))
-                take_swept(stock_, task_.cutter, swept_move(to, to));
+                remove_swept(stock_, task_.cutter, swept_move(to, to));
         }
     }
 
     HeightStock& stock_;
     const BallFrontTask& task_;
-    std::size_t most_;           // moves of a batch
-    std::size_t looked_at_ = 0;  // of the task's points
-    std::size_t reached_ = 0;    // of the path's points
+    std::size_t most_;         // moves per batch
+    std::size_t done_ = 0;     // number of the task's points that are done
+    std::size_t reached_ = 0;  // number of the path's points that are cut
 };
 
+// Checks the task.
 void require_sound(const BallFrontTask& task)
 {
     require(task.path != nullptr && task.cutter.is_ball(),
@@ -225,6 +251,41 @@ void require_sound(const BallFrontTask& task)
     require_removable(*task.path);
 }
 
+// Distance of a number from an interval; 0 inside.
+double beyond(double at, double low, double high)
+{
+    return std::max({low - at, at - high, 0.0});
+}
+
+// Distance between the block and the part of the cutter's axis above the ball's centre.
+double axis_distance(const Vec3& centre, const Block& block)
+{
+    return std::hypot(beyond(centre.x(), block.low.x(), block.high.x()),
+                      beyond(centre.y(), block.low.y(), block.high.y()),
+                      std::max(centre.z() - block.high.z(), 0.0));
+}
+
+// Returns the least distance along a move. The distance is a convex function of the
+// position, so ternary search converges to its minimum.
+double least_axis_distance(const Vec3& from, const Vec3& to, const Block& block)
+{
+    constexpr int steps = 40;  // (2/3)^40 < 1e-7
+    double low = 0;
+    double high = 1;
+    const auto at = [&](double share) {
+        return axis_distance(from + share * (to - from), block);
+    };
+    for (int k = 0; k < steps; ++k) {
+        const double left = low + (high - low) / 3;
+        const double right = high - (high - low) / 3;
+        if (at(left) <= at(right))
+            high = right;
+        else
+            low = left;
+    }
+    return std::min({at(0), at((low + high) / 2), at(1)});
+}
+
 }  // namespace
 
 void for_each_ball_front(
@@ -232,17 +293,17 @@ void for_each_ball_front(
     const std::function<void(std::size_t number, const BallFront& front)>& visit)
 {
     require_sound(task);
-    StockWalk walk{stock, task};
-    std::vector<FoundStock> batch;
-    std::vector<FoundStock> next;
-    walk.go_on(batch);
+    StockReplay replay{stock, task};
+    std::vector<MoveSnapshot> batch;
+    std::vector<MoveSnapshot> next;
+    replay.next_batch(batch);
     while (!batch.empty()) {
-        // The removal goes ahead while the fronts are looked at: its moves are in order, and
-        // wait for each other.
+        // Removal of the next batch and evaluation of this one run at the same time. The
+        // removal is one task of the loop, because its moves must stay in order.
         parallel_for(batch.size() + 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 if (i == 0)
-                    walk.go_on(next);
+                    replay.next_batch(next);
                 else
                     visit(batch[i - 1].number, front_on(batch[i - 1], task));
             }
@@ -252,6 +313,22 @@ void for_each_ball_front(
                           static_cast<double>(task.points.size()));
         std::swap(batch, next);
     }
+}
+
+double stock_gap(const ToolPath& path, std::span<const std::size_t> points,
+                 const Cutter& cutter, const Block& block)
+{
+    require(cutter.is_ball(), "stock_gap: need a ball-end mill");
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t point : points) {
+        require(point > 0 && point < path.points.size(),
+                "stock_gap: need points of the path after its first");
+        const Vec3 up = cutter.radius() * Vec3::UnitZ();
+        least = std::min(
+            least, least_axis_distance(path.points[point - 1].location.tip + up,
+                                       path.points[point].location.tip + up, block));
+    }
+    return std::max(least - cutter.radius(), 0.0);
 }
 
 }  // namespace endmill

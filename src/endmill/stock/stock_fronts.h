@@ -10,39 +10,59 @@
 #include "endmill/path/tool_path.h"
 #include "endmill/stock/height_stock.h"
 
+/// \file
+/// The engaged front of a ball-end mill, move by move, and its distance from a block.
+
 namespace endmill {
 
-/// Which fronts `for_each_ball_front` looks at, and how finely.
+/// The moves whose engaged fronts `for_each_ball_front` determines, and the resolution.
 struct BallFrontTask {
-    const ToolPath* path;                 ///< outlives the task
-    Cutter cutter;                        ///< a ball
-    std::span<const std::size_t> points;  ///< of the path after its first, rising
-    int rows = 96;                        ///< cells across the feed; even
-    int columns =
-        128;  ///< cells about the axis across the feed, and azimuths of the shank
-    std::function<void(double share)> progress = {};  ///< called now and then, if set
+    const ToolPath* path;  ///< tips along +z; not null; outlives the task
+    Cutter cutter;         ///< a ball
+    /// ends of the moves, rising; not the first point
+    std::span<const std::size_t> points;
+    int rows = 96;  ///< cells across the feed; even
+    /// Cells about the axis across the feed, and azimuths of the shank.
+    int columns = 128;
+    /// If set, it is called now and then with the finished share, 0 to 1.
+    std::function<void(double share)> progress = {};
 };
 
-/// Takes from `stock`, move by move, what the ball-end mill sweeps along the path, as
-/// `remove_along` does, and calls `visit(number, front)` before the move to each of the
-/// points, with its number among these: which part of the front is in the stock in the middle
-/// of the move.
+/// Removes the material along the path as `remove_along` does. Before the move to each of
+/// the task's points it calls `visit(number, front)` with the point's number among these
+/// and the engaged part of the front in the middle of the move.
 ///
-/// A place is in the stock if it lies below its surface, linear between the centres of the
-/// cells, as the move finds it: an upright wall is known to half a cell. The shank is a column an azimuth: what of the stock stands
-/// higher than the ball's centre there. The rim is looked at 256 azimuths, a little below the
-/// highest engaged place. A move straight up or down engages nothing.
-/// Source: spec of ball-end milling, section 12, `stock`.
+/// A place is engaged if it lies below the surface of the stock before the move,
+/// interpolated linearly between the centres of the cells; an upright wall is known to
+/// half a cell. On the shank, each azimuth stores the height of the stock above the
+/// ball's centre. The rim is sampled at 256 azimuths a little below the highest engaged
+/// place. A move straight up or down engages nothing.
+/// Source: docs/mathematics/ball-end-milling.md, section 12.
 ///
-/// Every move finds what the one before it left, so one thread cuts, move by move; it copies
-/// the stock around each middle, and the other threads look at the copies. Beside the stock it
-/// takes up to 64 MB, or two copies if they are larger. The fronts and the stock are the same with any number of threads.
+/// One thread cuts the moves in order, because each move needs the stock that the move
+/// before left. It copies the stock around the middle of each move, and the other threads
+/// evaluate the copies. The copies take up to 64 MB, or the size of two copies if that is
+/// more. Fronts and stock are the same with any number of threads.
 ///
-/// \throws DomainError unless the cutter is a ball, rows are even and above 0, there is a
-///         column, and the points are as said; as `remove_along`.
-/// \throws GeometryError as `remove_along`.
+/// \param visit may be called from several threads at a time, each time with another
+///        number.
+/// \throws DomainError unless there is a path, the cutter is a ball, rows are even and
+///         positive, columns are positive, and the points rise within the path after its
+///         first point; or if a tip is not within 1e9 mm.
+/// \throws GeometryError if the axis of a point is not +z.
 void for_each_ball_front(
     HeightStock& stock, const BallFrontTask& task,
     const std::function<void(std::size_t number, const BallFront& front)>& visit);
+
+/// Returns the distance in mm between a ball-end mill with its shank and a block, on the
+/// moves to `points`. It is 0 if the cutter meets the block on one of them, and infinite
+/// without points.
+/// \param path tips along +z; the axis is not checked.
+/// \param points of the path after its first.
+/// \throws DomainError unless the cutter is a ball and the points lie in the path after
+///         its first. The error is below 1e-6 of the longest move. A cutter that meets
+///         the block by more than that gets exactly 0.
+double stock_gap(const ToolPath& path, std::span<const std::size_t> points,
+                 const Cutter& cutter, const Block& block);
 
 }  // namespace endmill

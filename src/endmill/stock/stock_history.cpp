@@ -1,9 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/stock/stock_history.h"
 
-#include "endmill/stock/detail/sweep_tree.h"
+#include <string>
+
+#include "endmill/core/error.h"
 
 namespace endmill {
+
+std::vector<StraightSweep> path_sweeps(const ToolPath& path, const Cutter& cutter)
+{
+    std::vector<StraightSweep> sweeps;
+    sweeps.reserve(path.points.size());
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const PathPoint& point = path.points[i];
+        if (point.location.axis != Vec3::UnitZ())
+            throw GeometryError{"point " + std::to_string(i) +
+                                " of the path: the axis is not +z; expected a path for a "
+                                "fixed, upright cutter"};
+        if (i > 0)
+            sweeps.emplace_back(cutter, path.points[i - 1].location.tip,
+                                point.location.tip);
+        else if (point.move != Move::Rapid && point.move != Move::Retract)
+            sweeps.emplace_back(cutter, point.location.tip, point.location.tip);
+    }
+    return sweeps;
+}
 
 EarlierRun run_along(const ToolPath& path, const Cutter& cutter)
 {
@@ -49,7 +70,7 @@ JoinedSweeps::JoinedSweeps(const StockHistory* history, const ToolPath& path,
     earlier_ = sweeps_.size();
     const std::vector<StraightSweep> own = path_sweeps(path, cutter);
     sweeps_.insert(sweeps_.end(), own.begin(), own.end());
-    // A path that begins with a rapid has no sweep for its first point.
+    // The first point has no sweep if the path begins with a rapid or a retract.
     first_point_ = static_cast<std::int32_t>(path.points.size() - own.size());
 }
 

@@ -11,58 +11,74 @@
 #include "endmill/path/tool_path.h"
 #include "endmill/stock/height_stock.h"
 
+/// \file The moves that shaped a stock. The heights of a stock say nothing about the
+/// surface between the centres of its cells; a block with the moves through it describes
+/// the stock exactly.
+
 namespace endmill {
 
-/// What an earlier run has moved through the stock.
+/// The moves of an earlier run through the stock.
 struct EarlierRun {
     Cutter cutter;
-    bool stands_at_first;    ///< it has cleared what it fills standing at the first tip
-    std::vector<Vec3> tips;  ///< mm, in straight moves from one to the next, along +z
+    /// Whether the cutter came down at the first tip and cleared its volume there.
+    bool stands_at_first;
+    std::vector<Vec3> tips;  ///< mm, joined by straight moves; the axis is +z
 };
 
-/// How a stock of heights came to be: a block, and what was moved through it, in order.
-/// Heights tell nothing of what lies between the centres of their cells; this tells all.
+/// The origin of a stock: a block and the runs that cut it, in order.
 struct StockHistory {
-    Block block;
-    std::vector<EarlierRun> runs;
+    Block block;                   ///< the material before all runs
+    std::vector<EarlierRun> runs;  ///< in the order of cutting
 };
 
-/// A stock that was kept, with its history where that is known.
+/// A stock from an earlier run or a mesh.
 struct KeptStock {
-    HeightStock heights;
-    std::optional<StockHistory> history = {};
+    HeightStock heights;                       ///< at the centres of its cells
+    std::optional<StockHistory> history = {};  ///< none if it is not known
 };
 
-/// The run of a cutter along `path`; its sweeps are those of `path_sweeps`.
+/// Returns the volumes that the cutter sweeps on the moves to the points of `path`, in
+/// order. The first point has the volume of the cutter that stands there, unless the
+/// cutter comes to it by a rapid or a retract; then it has none.
+/// \throws GeometryError if the axis of a point is not +z; the message names the point.
+std::vector<StraightSweep> path_sweeps(const ToolPath& path, const Cutter& cutter);
+
+/// Returns the run of a cutter along `path`. Its sweeps are those of `path_sweeps`.
 EarlierRun run_along(const ToolPath& path, const Cutter& cutter);
 
-/// What all runs have cleared, in order.
+/// Returns the sweeps of all runs, in order.
 std::vector<StraightSweep> history_sweeps(const StockHistory& history);
 
-/// Number of `history_sweeps`.
+/// Returns the number of `history_sweeps`.
 std::size_t sweep_count(const StockHistory& history);
 
-/// Instead of the number of a point: what leads there is a move of an earlier run.
+/// Stands for the number of a point if the sweep belongs to an earlier run.
 inline constexpr std::int32_t by_earlier_run = -2;
 
-/// The sweeps of earlier runs and, after them, those of a path.
+/// The sweeps of earlier runs, followed by those of a path.
 class JoinedSweeps {
 public:
-    /// \param history null: there was no earlier run. Throws like `path_sweeps`.
+    /// \param history may be null: then there was no earlier run.
+    /// \throws GeometryError if the axis of a point is not +z.
     JoinedSweeps(const StockHistory* history, const ToolPath& path, const Cutter& cutter);
 
-    std::span<const StraightSweep> all() const { return sweeps_; }
+    std::span<const StraightSweep> all() const { return sweeps_; }  ///< of all runs
+    /// The sweeps of the path.
     std::span<const StraightSweep> own() const { return all().subspan(earlier_); }
-    std::size_t earlier() const { return earlier_; }  ///< how many come first
+    std::size_t earlier() const
+    {
+        return earlier_;
+    }  ///< number of sweeps of earlier runs
 
-    /// The point of the path to which a sweep leads: `by_earlier_run` if it is of one; a
-    /// number below 0 stays as it is.
+    /// The number of the path point to which a sweep leads, or `by_earlier_run` for a
+    /// sweep of an earlier run. A number below 0, which stands for no sweep, is returned
+    /// unchanged.
     std::int32_t point_of(std::int32_t sweep) const;
 
 private:
     std::vector<StraightSweep> sweeps_;
     std::size_t earlier_;
-    std::int32_t first_point_;  // to which the first of the path's own leads
+    std::int32_t first_point_;  // to which the first sweep of the path leads
 };
 
 }  // namespace endmill

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/verification/upright.h"
+// Rotation of parts and paths: the last functions of verification.h.
+#include "endmill/verification/verification.h"
 
 #include <utility>
 #include <vector>
@@ -9,7 +10,7 @@
 namespace endmill {
 namespace {
 
-// Of the difference of two unit axes: what reading and writing may make of one axis.
+// Tolerance for the difference of two unit axes, as writing and reading a file may cause.
 constexpr double axis_rounding = 1e-12;
 
 BezierPatch turned(const BezierPatch& patch, const Eigen::Matrix3d& rotation)
@@ -79,7 +80,7 @@ ToolPath turned(const ToolPath& path, const Eigen::Matrix3d& rotation)
     ToolPath result = path;
     for (PathPoint& point : result.points) {
         point.location.tip = rotation * point.location.tip;
-        // The shared axis becomes +z exactly: removal asks for that.
+        // The shared axis becomes exactly +z, as the removal requires.
         const Vec3 axis = rotation * point.location.axis;
         point.location.axis =
             (axis - Vec3::UnitZ()).norm() <= 2 * axis_rounding ? Vec3::UnitZ() : axis;

@@ -10,27 +10,57 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/deviation/detail/deviation_measurement.h"
 #include "endmill/deviation/detail/part_gap.h"
-#include "endmill/stock/stock_memory.h"
+#include "endmill/stock/detail/sweep_tree.h"
 #include "endmill/surface/extent.h"
+#include "endmill/verification/detail/earlier_gouge.h"
+#include "endmill/verification/detail/finer_contacts.h"
+#include "endmill/verification/detail/part_collisions.h"
 #include "endmill/verification/detail/stock_ray.h"
 
 namespace endmill {
 namespace {
 
-constexpr double below = 1;  // mm of material under the lowest of part and tips
-constexpr double above = 1;  // mm over the part
-// Of the memory of a move of an earlier run: its tip, its sweep, and its place in a tree.
+constexpr double below = 1;  // mm of material below the lowest of part and tips
+constexpr double above = 1;  // mm of material above the part
+// Memory per move of an earlier run: its tip, its sweep and its place in the tree.
 constexpr double bytes_an_earlier_move = 200;
 constexpr double gib = 1024.0 * 1024 * 1024;
-// A ray's place in the deviation, its share of a tile, and room for what grows.
+// Memory per ray: its entries in the deviation, its share of a tile, and room for growing
+// vectors.
 constexpr double bytes_a_ray = 16;
+// Limit of the number of rays.
 constexpr double most_rays = 4e9;
-// Cells are somewhat smaller than the pitch, to be whole numbers along the part.
+// Cells are up to this factor smaller in area than the square of the pitch, because a
+// side has a whole number of them.
 constexpr double spare = 1.05;
-// Of the memory, for a closer look at rapids, and at shank and holder.
+// Share of the memory for finer cells, and for the triangles against which shank and
+// holder are tested.
 constexpr double finer_share = 0.125;
 
+// Returns the kept stock of the task; null if the stock is a block.
+const KeptStock* kept_stock(const VerificationTask& task)
+{
+    const auto* kept = std::get_if<const KeptStock*>(&task.stock);
+    return kept ? *kept : nullptr;
+}
+
+// Returns the history of the kept stock; null if there is none.
+const StockHistory* history_of(const VerificationTask& task)
+{
+    const KeptStock* kept = kept_stock(task);
+    return kept && kept->history ? &*kept->history : nullptr;
+}
+
+// Returns the box that holds all material before the path.
+Block stock_box(const VerificationTask& task)
+{
+    const KeptStock* kept = kept_stock(task);
+    return kept ? material_box(kept->heights) : std::get<Block>(task.stock);
+}
+
+// Bounding box of the part.
 Block bounding_box(const Part& part)
 {
     Block box{Vec3::Constant(std::numeric_limits<double>::infinity()),
@@ -53,6 +83,7 @@ Block bounding_box(const Part& part)
     return box;
 }
 
+// Area of the part, mm^2.
 double area_of(const Part& part)
 {
     double sum = 0;
@@ -73,19 +104,25 @@ double longest_side(const Block& block)
     return (block.high - block.low).maxCoeff();
 }
 
-// As many of ten to the power of what a number of so many digits is counted in.
+// Returns the power of ten by which a number is multiplied so that it has this many
+// digits before the point.
 double units_of(double value, int digits)
 {
     return std::pow(10, digits - 1 - std::floor(std::log10(value)));
 }
 
-// What stock and rays of a verification take at a resolution, in bytes.
+// Estimates the memory of stock and rays at a resolution, in bytes.
 class MemoryNeed {
 public:
     explicit MemoryNeed(const VerificationTask& task)
-        : task_{task},
-          area_{task.part ? area_of(*task.part) : 0}
+        : area_{task.part ? area_of(*task.part) : 0},
+          box_{stock_box(task)},
+          extra_bytes_per_cell_{task.extra_bytes_per_cell}
     {
+        if (const KeptStock* kept = kept_stock(task))
+            pitch_ = kept->heights.grid().pitch;
+        if (const StockHistory* history = history_of(task))
+            earlier_moves_ = static_cast<double>(sweep_count(*history));
     }
 
     double rays(double resolution) const
@@ -93,17 +130,15 @@ public:
         return area_ / (resolution * resolution) * bytes_a_ray;
     }
 
-    // A stock that is given has a pitch of its own.
+    // A kept stock has its own pitch, whatever the resolution.
     double both(double resolution) const
     {
-        const double pitch = task_.stock ? task_.stock->grid().pitch : resolution;
-        const double moves =
-            task_.history ? static_cast<double>(sweep_count(*task_.history)) : 0;
-        return rays(resolution) + moves * bytes_an_earlier_move +
-               required_bytes(task_.block, pitch, task_.extra_bytes_per_cell);
+        return rays(resolution) + earlier_moves_ * bytes_an_earlier_move +
+               required_bytes(box_, pitch_.value_or(resolution), extra_bytes_per_cell_);
     }
 
-    // The least resolution of two digits at which both fit, coarser than `resolution`.
+    // Returns the least resolution of two digits, not below `resolution`, at which stock
+    // and rays fit.
     double fitting_resolution(double resolution, double bytes) const
     {
         const double least =
@@ -118,7 +153,7 @@ public:
     double area() const { return area_; }  // mm^2
 
 private:
-    // Below the step of two digits, so that none is left out.
+    // Smaller than the step between two numbers of two digits, so that none is skipped.
     static constexpr double two_digit_step = 0.005;
 
     static double rounded_up(double value)
@@ -127,11 +162,14 @@ private:
         return std::ceil(value * units) / units;
     }
 
-    const VerificationTask& task_;
     double area_;
+    Block box_;
+    double extra_bytes_per_cell_;
+    std::optional<double> pitch_;
+    double earlier_moves_ = 0;
 };
 
-// Three digits, rounded down.
+// Returns the number with three digits, rounded down.
 std::string at_least_text(double value)
 {
     if (!(value > 0) || !std::isfinite(value))
@@ -140,35 +178,36 @@ std::string at_least_text(double value)
     return to_text(std::floor(value * units) / units);
 }
 
+// Explains a path that cuts nothing over the part.
 std::string why_nothing_is_cut(double gap)
 {
     if (!std::isfinite(gap))
         return "it has no move, or the part has no side that faces the tool";
     if (!(gap > 0))
-        return "the cutter is beside or under the part, nearer than can be told; "
+        return "the cutter is beside or under the part, too close for a distance; "
                "expected a move over the part, into the stock";
     return "cutter and part are at least " + at_least_text(gap) + " mm apart";
 }
 
-// Stock and rays live at the same time.
+// Checks the memory. Stock and rays exist at the same time.
 void require_fitting(const VerificationTask& task)
 {
     require(std::isfinite(task.resolution) && task.resolution > 0,
             "verify_path: need 0 < resolution");
     const double limit = task.max_memory_gib * gib;
     const double extra = task.extra_bytes_per_cell;
-    if (!task.part || task.stock)
-        require_stock_memory(task.block,
-                             task.stock ? task.stock->grid().pitch : task.resolution,
+    const KeptStock* kept = kept_stock(task);
+    const Block box = stock_box(task);
+    if (!task.part || kept)
+        require_stock_memory(box, kept ? kept->heights.grid().pitch : task.resolution,
                              limit / gib, extra);
     const MemoryNeed need{task};
     const double bytes = need.both(task.resolution);
     if (!task.part ||
         (bytes <= limit && need.rays(task.resolution) <= most_rays * bytes_a_ray))
         return;
-    const double fixed =
-        task.stock ? need.both(std::numeric_limits<double>::infinity())
-                   : required_bytes(task.block, longest_side(task.block), extra);
+    const double fixed = kept ? need.both(std::numeric_limits<double>::infinity())
+                              : required_bytes(box, longest_side(box), extra);
     std::string proposal;
     if (fixed < limit)
         proposal = ", which a resolution of " +
@@ -180,37 +219,48 @@ void require_fitting(const VerificationTask& task)
                      " GiB (--max-memory)" + proposal};
 }
 
-MownRay ray_before(const VerificationTask& task, const PartRay& ray)
+// Returns the material on a ray before the path. The history describes the stock exactly,
+// so it is preferred to the heights.
+InitialRay initial_ray_of(const VerificationTask& task)
 {
-    if (task.history)
-        return ray_in_block(task.history->block, ray);
-    return task.stock ? ray_in_stock(*task.stock, ray) : ray_in_block(task.block, ray);
+    if (const StockHistory* history = history_of(task))
+        return
+            [history](const PartRay& ray) { return ray_in_block(history->block, ray); };
+    if (const KeptStock* kept = kept_stock(task))
+        return [kept](const PartRay& ray) { return ray_in_stock(kept->heights, ray); };
+    return [block = std::get<Block>(task.stock)](const PartRay& ray) {
+        return ray_in_block(block, ray);
+    };
 }
 
+// Refuses a path that cuts nothing over the part. If rays show no cut, the overlap of
+// path and part is tested directly.
 void require_cutting(const VerificationTask& task, const PartCharts& charts,
                      const JoinedSweeps& all, const Deviation& deviation)
 {
     if (all.earlier() > 0 ? deviation.is_cut_by_path : deviation.is_cut)
         return;
     const SweepTree own{all.own()};
-    if (!passes_over(charts, own, task.block.high.z()))
+    if (!passes_over(charts, own, stock_box(task).high.z()))
         throw GeometryError{"the path cuts nothing over the part: " +
                             why_nothing_is_cut(part_gap(charts, own))};
 }
 
+// Measures the deviation, if there is a part.
 std::optional<Deviation> deviation_of(const VerificationTask& task)
 {
     if (!task.part)
         return std::nullopt;
     const PartCharts charts = part_charts(*task.part);
-    const JoinedSweeps all{task.history, *task.path, task.cutter};
-    const SweepTree tree{all.all()};
-    DeviationOptions options = task.deviation;
-    options.pitch = task.resolution;
-    options.most_cells = static_cast<std::size_t>(most_rays);
-    options.stock = [&](const PartRay& ray) { return ray_before(task, ray); };
-    options.earlier_sweeps = all.earlier();
-    Deviation deviation = measure_deviation(charts, tree, options);
+    const JoinedSweeps all{history_of(task), *task.path, task.cutter};
+    const MachinedStock stock{all.all(), all.earlier(), initial_ray_of(task)};
+    Deviation deviation =
+        measure_deviation(charts, stock,
+                          {.limits = task.limits,
+                           .pitch = task.resolution,
+                           .max_refine = task.max_refine,
+                           .most_cells = static_cast<std::size_t>(most_rays),
+                           .progress = task.progress});
     require_cutting(task, charts, all, deviation);
     for (auto* place : {&deviation.deepest, &deviation.highest})
         if (*place)
@@ -218,28 +268,16 @@ std::optional<Deviation> deviation_of(const VerificationTask& task)
     return deviation;
 }
 
-// Of a stock that is no block nothing is known between its cells.
+// A kept stock is known only at the centres of its cells, so finer cells cannot show
+// more.
 StockContacts contacts_with_stock(const VerificationTask& task, const Removal& removal,
                                   const StockGrid& grid)
 {
     const FinerContacts finer{*task.path, task.cutter, task.body,
                               finer_share * task.max_memory_gib * gib};
-    return task.stock ? contacts_of(removal, grid, task.block.high.z(), finer)
-                      : finer_contacts(removal, task.block, grid, finer);
-}
-
-Verdict verdict_of(const Verification& found, const DeviationLimits& limits)
-{
-    if (found.contacts.rapid_cuts.count > 0 || found.contacts.collisions.count > 0 ||
-        found.part_collisions.moves.count > 0)
-        return Verdict::Gouged;
-    const Verdict of_rest =
-        found.deviation ? verdict(*found.deviation, limits) : Verdict::Clean;
-    const EarlierGouge& earlier = found.earlier_gouge;
-    const bool is_open =
-        found.part_collisions.bound_mm > closed_contact_bound ||
-        earlier.found_mm + earlier.bound_mm > limits.tolerance + verdict_slack;
-    return is_open && of_rest != Verdict::Gouged ? Verdict::Undecided : of_rest;
+    const Block box = stock_box(task);
+    return kept_stock(task) ? contacts_of(removal, grid, box.high.z(), finer)
+                            : finer_contacts(removal, box, grid, finer);
 }
 
 }  // namespace
@@ -263,8 +301,8 @@ Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter
     }
     if (!part && !tips.low.allFinite())
         throw GeometryError{
-            "the path has no cutting move; expected one, a part or a "
-            "stock to tell where the material is"};
+            "the path has no cutting move; expected a cutting move, a part or a stock, "
+            "which define where the material is"};
     Block block = part ? bounding_box(*part) : tips;
     if (!block.low.allFinite())
         throw GeometryError{"the part is empty"};
@@ -278,20 +316,22 @@ Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter
 }
 
 Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutter& cutter,
-                             DeviationOptions options)
+                             const DeviationOptions& options)
 {
     const Block block = default_block(&part, path, cutter);
-    options.stock = [&block](const PartRay& ray) { return ray_in_block(block, ray); };
-    const PartCharts charts = part_charts(part);
     const std::vector<StraightSweep> sweeps = path_sweeps(path, cutter);
-    return measure_deviation(charts, SweepTree{sweeps}, options);
+    const MachinedStock stock{
+        sweeps, 0, [&block](const PartRay& ray) { return ray_in_block(block, ray); }};
+    return measure_deviation(part_charts(part), stock, options);
 }
 
 std::optional<StockHistory> history_of_rest(const VerificationTask& task)
 {
-    if (task.stock && !task.history)
+    const KeptStock* kept = kept_stock(task);
+    if (kept && !kept->history)
         return std::nullopt;
-    StockHistory history = task.history ? *task.history : StockHistory{task.block, {}};
+    StockHistory history =
+        kept ? *kept->history : StockHistory{std::get<Block>(task.stock), {}};
     history.runs.push_back(run_along(*task.path, task.cutter));
     return history;
 }
@@ -300,11 +340,12 @@ Verification verify_path(const VerificationTask& task)
 {
     require(task.path != nullptr, "verify_path: need a path");
     require_fitting(task);
+    const KeptStock* kept = kept_stock(task);
     std::optional<Deviation> deviation = deviation_of(task);
     HeightStock rest =
-        task.stock ? *task.stock : block_stock(task.block, task.resolution);
+        kept ? kept->heights : block_stock(std::get<Block>(task.stock), task.resolution);
     Removal removal = remove_along(rest, *task.path, task.cutter, {task.body});
-    PartCollisions in_part;
+    std::optional<PartCollisions> in_part;
     if (task.part)
         in_part = part_collisions(*task.part, *task.path, task.cutter, task.body,
                                   finer_share * task.max_memory_gib * gib);
@@ -319,12 +360,12 @@ Verification verify_path(const VerificationTask& task)
                        .earlier_gouge = {},
                        .rest = std::move(rest),
                        .verdict = Verdict::Clean};
-    if (task.history)
-        found.earlier_moves = sweep_count(*task.history);
-    if (task.stock && !task.history && found.deviation)
+    if (const StockHistory* history = history_of(task))
+        found.earlier_moves = sweep_count(*history);
+    else if (kept && found.deviation)
         found.earlier_gouge =
-            earlier_gouge(part_charts(*task.part), found.deviation->tiles, *task.stock);
-    found.verdict = verdict_of(found, task.deviation.limits);
+            earlier_gouge(part_charts(*task.part), found.deviation->tiles, kept->heights);
+    found.verdict = verdict_with_contacts(found, task.limits);
     return found;
 }
 

@@ -1,83 +1,101 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "endmill/cutter/tool.h"
 #include "endmill/deviation/deviation.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/stock/height_stock.h"
-#include "endmill/stock/removal.h"
 #include "endmill/stock/stock_history.h"
-#include "endmill/verification/detail/earlier_gouge.h"
-#include "endmill/verification/detail/finer_contacts.h"
-#include "endmill/verification/part_collisions.h"
+#include "endmill/surface/part.h"
+#include "endmill/verification/verification_result.h"
+
+/// \file Verification of a 3-axis path: `verify_path` removes the material, measures the
+/// deviation from the part and gives a verdict. The last four functions turn a path with
+/// a fixed tilted axis and its part upright, because removal and measurement need the
+/// axis +z.
 
 namespace endmill {
 
-/// The box of the part, widened by the cutter's radius sideways, from 1 mm below the
-/// lowest of part and tips to 1 mm above the part; without a part that of the tips, up to
-/// the highest of them. Tips are those of moves that cut, both ends of cuts and links and
-/// the lower end of plunges.
-/// Source: spec of the removal, section 3.
-/// \throws GeometryError if there is neither a part nor a tip.
+/// Returns the block that a path is assumed to cut if no stock is given.
+///
+/// With a part it is the part's bounding box, widened sideways by the cutter's radius,
+/// from 1 mm below the lowest point of part and cutting tips to 1 mm above the part.
+/// Without a part it is the box of the cutting tips, widened in the same way, up to the
+/// highest tip. Cutting tips are both ends of cuts and links and the lower end of
+/// plunges.
+/// Source: docs/mathematics/removal.md, section 3.
+/// \param part may be null.
+/// \throws GeometryError if the part is empty, or if there is neither a part nor a
+///         cutting tip.
 Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter);
 
-/// What a path leaves of the default block on the part, as `measure_deviation` tells it.
-/// \param options those of `measure_deviation`, but `stock`, which is the block.
+/// Measures the deviation that a path leaves if it starts from the default block.
+/// \param path tips along +z.
+/// \throws DomainError for options out of range, GeometryError if an axis is not +z or
+///         the part is empty, LimitError if the pitch gives too many cells.
 Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutter& cutter,
-                             DeviationOptions options);
+                             const DeviationOptions& options);
 
-/// What is to be judged. The part and the path must outlive it.
+/// The input of `verify_path`. It refers to the part, the path and a kept stock, which
+/// must outlive it.
 struct VerificationTask {
-    const ToolPath* path;  ///< along +z
+    const ToolPath* path;  ///< tips along +z; not null
     Cutter cutter;
-    std::vector<ToolCylinder> body = {};  ///< shank and holder
-    const Part* part = nullptr;           ///< none: only the removal is reported
-    Block block;  ///< the stock, if there is no other, and what it is within
-    const HeightStock* stock = nullptr;     ///< an earlier rest, or a mesh
-    const StockHistory* history = nullptr;  ///< of `stock`, if it is known
-    double resolution = 0.1;                ///< pitch of stock and first rays, mm
-    double max_memory_gib = 8;              ///< LimitError beyond it
-    double extra_bytes_per_cell = 0;  ///< of the stock, that its rest will be turned into
-    DeviationOptions deviation = {};  ///< `stock`, `pitch` and `most_cells` are set
+    std::vector<ToolCylinder> body = {};  ///< cylinders of shank and holder
+    const Part* part = nullptr;           ///< null: only the removal is simulated
+    /// The material before the path: a block, or a stock that was kept (not null), such
+    /// as the result of an earlier run or a mesh.
+    std::variant<Block, const KeptStock*> stock;
+    double resolution = 0.1;      ///< mm; pitch of a block's cells and of the first rays
+    DeviationLimits limits = {};  ///< of the verdict
+    int max_refine = 8;           ///< times that a cell may be halved, 0 to 20
+    double max_memory_gib = 8;    ///< limit of the memory, GiB
+    double extra_bytes_per_cell = 0;  ///< memory for output made from the remaining stock
+    /// If set, it is called now and then with the finished share of the measurement, 0 to
+    /// 1.
+    std::function<void(double share)> progress = {};
 };
 
-/// What a path did to stock and part. Moves have the number of the point to which they
-/// lead, as a sweep's number in `deviation`.
-struct Verification {
-    std::optional<Deviation> deviation;  ///< none without a part
-    Removal removal;  ///< rapid cuts and collisions are those of `contacts`
-    StockContacts contacts;
-    PartCollisions part_collisions;  ///< none without a part
-    /// Of the runs that made the stock, judged with the path; none if they are not known.
-    std::optional<std::size_t> earlier_moves = {};
-    EarlierGouge earlier_gouge;  ///< none where the stock's history is known
-    HeightStock rest;
-    Verdict verdict;
-};
-
-/// How the rest that `task` leaves came to be.
-/// \return nothing if that is not known of the stock it begins with.
+/// Returns the history of the stock that remains after `task`.
+/// \return nothing if the history of the stock before the path is not known.
 std::optional<StockHistory> history_of_rest(const VerificationTask& task);
 
-/// Removes the material and measures what is left against the part.
+/// Removes the material along the path and measures the deviation from the part.
 ///
-/// A stock whose history is known is measured by that: what earlier runs have cleared is
-/// judged with what the path clears, by the same rays and bounds, as if all were one path.
-/// `deviation` does not tell earlier sweeps apart from one another: places that they made
-/// have the number `earlier_sweep`. Of other stocks only heights are known: a gouge
-/// in them counts as far as they tell for certain, and one that they leave possible, beyond
-/// the tolerance, leaves the verdict `Undecided`.
+/// If the stock has a known history, the moves of earlier runs are measured together with
+/// the path's own moves, by the same rays and bounds, as if all of them were one path. A
+/// place that an earlier run made has the sweep number `by_earlier_run`. If only the
+/// heights of a stock are known, a gouge in it counts as far as the heights prove it. A
+/// gouge beyond the tolerance that the heights allow but do not prove makes the verdict
+/// `Undecided`.
 ///
-/// A rapid that cuts, and
-/// a shank or holder in the material or in the part, make the verdict `Gouged`; one that
-/// may be in the part, for all that is known, leaves it `Undecided`.
-/// Source: spec of the removal, section 3.
-/// \throws GeometryError if the path cuts nothing over the part, whatever the resolution,
-/// with the gap between them, or an axis is not +z; LimitError, with a resolution that fits, if the memory
-/// would not do; DomainError for limits out of range.
+/// A rapid that cuts, and a shank or holder in the material or in the part, make the
+/// verdict `Gouged`. A shank or holder that may be in the part makes it `Undecided`.
+/// Source: docs/mathematics/removal.md, section 3.
+/// \throws GeometryError if the path cuts nothing over the part, with the gap between
+///         cutter and part, or if an axis is not +z.
+/// \throws LimitError if the memory does not suffice, with a resolution that fits.
+/// \throws DomainError if the path is null or an option is out of range.
 Verification verify_path(const VerificationTask& task);
+
+/// Returns the unit axis that all points of `path` share; +z for a path without points.
+/// \return nothing if the axis changes by more than 1e-12.
+std::optional<Vec3> fixed_axis(const ToolPath& path);
+
+/// Returns the rotation by the smallest angle that turns `axis` to +z; the identity for
+/// +z.
+/// \pre `axis` is a unit vector.
+Eigen::Matrix3d upright_rotation(const Vec3& axis);
+
+/// Returns the part rotated about the origin. Its tool side rotates with it.
+Part turned(const Part& part, const Eigen::Matrix3d& rotation);
+
+/// Returns the path rotated about the origin: tips, axes, contacts and normals.
+ToolPath turned(const ToolPath& path, const Eigen::Matrix3d& rotation);
 
 }  // namespace endmill

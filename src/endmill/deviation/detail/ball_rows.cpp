@@ -10,6 +10,17 @@
 #include "endmill/deviation/detail/cut_ray.h"
 #include "endmill/stock/detail/tile_heights.h"
 
+// The volume that a ball sweeps on a move, open above, is the union of two parts:
+// 1. the capsule: the ball swept along the segment between its centres (`enter_capsule`);
+// 2. everything above the capsule's outline: an upright prism over the rectangle that the
+//    middle section sweeps (`enter_prism`) and two upright cylinders over the balls at
+//    the ends (`enter_round`).
+// A ray's line enters the union at the smallest of the entries. Part 2 is computed only
+// if some line may enter it before the capsule. Every loop computes all cases and selects
+// one, so that the compiler processes several rays at once; `cut_ray` is the same for one
+// ray with branches.
+// Source: paper/notes/swept-cutter.md.
+
 namespace endmill {
 namespace {
 
@@ -17,7 +28,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Row = RayRows::Row;
 
-// The rays that may be shortened, and which they are: often few.
+// Copies the rays that may be shortened, which are often few, and lists their numbers.
 void pick(const RayRows& rows, const Row& short_by, RayRows& few,
           std::array<int, most_tile_cells>& which)
 {
@@ -42,17 +53,19 @@ void pick(const RayRows& rows, const Row& short_by, RayRows& few,
 // A move of a ball.
 struct BallMove {
     double radius;
-    double x;  // of the centre at the start, mm
+    double x;  // mm, centre at the start
+    // mm, centre at the start
     double y;
+    // mm, centre at the start
     double z;
-    double dx;  // of the whole move, mm
+    double dx;  // mm, the whole move
     double dy;
     double dz;
-    double squared;      // length of the move
-    double per_squared;  // 0 for a move of no length
-    double lowest;       // of the centres, mm
-    double length;       // over the xy plane, mm
-    double along_x;      // direction there, unit
+    double squared;      // squared length of the move
+    double per_squared;  // 1 / squared; 0 for a move without length
+    double lowest;       // mm, lowest centre
+    double length;       // mm, in the xy plane
+    double along_x;      // unit direction in the xy plane
     double along_y;
     double slope;
 };
@@ -79,15 +92,15 @@ BallMove ball_move(const StraightSweep& sweep)
             .slope = sweep.slope()};
 }
 
-// Where lines come into a part of what a move clears.
+// Where the lines of rays enter the swept volume, or a part of it.
 struct Entries {
-    Row t;       // mm; infinite if nowhere
-    Row cosine;  // of the normal there and the line
-    Row inside;  // below 0 if the line's origin is not in the part
-    Row open;    // above 0 if another part may be entered sooner
+    Row t;       // mm; infinite if the line misses it
+    Row cosine;  // between the normal of the surface there and the line
+    Row inside;  // below 0 if the ray's point is outside
+    Row open;    // above 0 if another part may be entered earlier
 };
 
-// How far inside the capsule the lines' origins are, in mm^2.
+// Computes how far the rays' points are inside the capsule, in mm^2.
 ENDMILL_WIDEST_REGISTERS
 void hold_origins(const RayRows& rows, BallMove move, Entries& entries)
 {
@@ -107,7 +120,7 @@ void hold_origins(const RayRows& rows, BallMove move, Entries& entries)
     }
 }
 
-// Into the capsule: the ball swept along the segment between its centres.
+// Computes the entries into the capsule.
 ENDMILL_WIDEST_REGISTERS
 void enter_capsule(const RayRows& rows, BallMove move, Entries& entries)
 {
@@ -123,7 +136,7 @@ void enter_capsule(const RayRows& rows, BallMove move, Entries& entries)
         const double d_o = move.dx * ox + move.dy * oy + move.dz * oz;
         const double on = ox * nx + oy * ny + oz * nz;
         const double oo = ox * ox + oy * oy + oz * oz;
-        // Into the endless cylinder around the segment.
+        // Entry into the infinite cylinder around the segment.
         const double a = move.squared - dn * dn;
         const double b = move.squared * on - d_o * dn;
         const double c = move.squared * (oo - square) - d_o * d_o;
@@ -132,7 +145,8 @@ void enter_capsule(const RayRows& rows, BallMove move, Entries& entries)
         const double at = (d_o + t_beside * dn) * move.per_squared;
         const bool is_oblique = a > 0;
         const bool is_beside = is_oblique & (at >= 0) & (at <= 1);
-        // Or into the ball at an end; that of a line along the move at the nearer one.
+        // Entry into the ball at an end of the segment. A line along the move enters the
+        // nearer ball.
         const double far = select(is_oblique, at, 0.5 - dn);
         const bool is_last = far > 0.5;
         const double vx = select(is_last, ox - move.dx, ox);
@@ -144,35 +158,36 @@ void enter_capsule(const RayRows& rows, BallMove move, Entries& entries)
         const double pz = vz - vn * nz;
         const double rest = square - (px * px + py * py + pz * pz);
         const double t_end = -vn - std::sqrt(select(rest > 0, rest, 0));
-        // A line that misses the cylinder misses the balls.
+        // A line that misses the cylinder also misses the balls.
         const double least = select(is_oblique & (h < rest), h, rest);
         const double t = select(is_beside, t_beside, t_end);
         const double over = select(is_beside, h, least);
         entries.t[k] = select(over >= 0, t, infinite);
         const double end_dn = select(is_last, dn, 0);
         entries.cosine[k] = (on + t - select(is_beside, at * dn, end_dn)) / move.radius;
-        // On the lower half of the capsule's boundary one is on that of the region;
-        // and what is upright begins at the centres.
+        // The lower half of the capsule's surface belongs to the boundary of the whole
+        // volume. The upright parts start at the height of the centres.
         const double end_dz = select(is_last, move.dz, 0);
         const double height = oz + t * nz - select(is_beside, at * move.dz, end_dz);
         const double above = select(over >= 0, height, infinite);
         const double reached = rows.point[2][k] + rows.left[k] * nz - move.lowest;
         const double high = select(nz >= 0, reached, infinite);
         const double both = select(above < high, above, high);
-        // A point over the capsule may have been cleared all the same.
+        // A point above the capsule may also be cleared.
         const bool is_over = (t < 0) & (entries.inside[k] < 0);
         const double over_it = select(is_over, rows.point[2][k] - move.lowest, both);
         entries.open[k] = select(both > over_it, both, over_it);
     }
 }
 
-// A stretch of each line, low <= t <= high; see Stretch.
+// The interval low <= t <= high of a line.
 struct Bounds {
     double low = -infinite;
     double high = infinite;
 };
 
-// The stretch where value + t rate >= 0 as well. \param per_rate 1 / rate, if not 0.
+// Returns the part of the interval where value + t rate >= 0.
+// \param per_rate 1 / rate, if the rate is not 0.
 inline Bounds where_positive(const Bounds& bounds, double value, double rate,
                              double per_rate)
 {
@@ -182,7 +197,8 @@ inline Bounds where_positive(const Bounds& bounds, double value, double rate,
     return {select((rate == 0) & (value < 0), infinite, low), high};
 }
 
-// A ray as the move sees it from above: along and across it, from the centre at its start.
+// A ray in the coordinates of the move: s along it and e across it seen from above, and
+// z, all from the centre at its start; then the rates of these along the ray.
 struct RayInPlan {
     double s;
     double e;
@@ -192,6 +208,7 @@ struct RayInPlan {
     double rate_z;
 };
 
+// Converts ray `k`.
 inline RayInPlan in_plan(const RayRows& rows, BallMove move, int k)
 {
     const double ox = rows.point[0][k] - move.x;
@@ -206,15 +223,16 @@ inline RayInPlan in_plan(const RayRows& rows, BallMove move, int k)
             rows.normal[2][k]};
 }
 
-// Where several upright parts are entered, and whether the origin is in one.
+// Where the lines enter the upright parts, and whether the rays' points are inside.
 struct Upright {
     Row t;
-    Row inside;  // as that of Entries
+    Row inside;  // as in Entries
 };
 
-// What stands above the rectangle that the ball's middle section sweeps.
+// Computes the entries into the prism above the rectangle that the ball's middle section
+// sweeps.
 ENDMILL_WIDEST_REGISTERS
-void enter_slab(const RayRows& rows, BallMove move, Upright& upright)
+void enter_prism(const RayRows& rows, BallMove move, Upright& upright)
 {
     const double R = move.radius;
     const double nothing = move.length > 0 ? -infinite : infinite;
@@ -223,18 +241,20 @@ void enter_slab(const RayRows& rows, BallMove move, Upright& upright)
         const double rate_over = ray.rate_z - move.slope * ray.rate_s;
         const double per_s = 1 / ray.rate_s;
         const double per_e = 1 / ray.rate_e;
-        Bounds slab{nothing, infinite};
-        slab = where_positive(slab, ray.z - move.slope * ray.s, rate_over, 1 / rate_over);
-        slab = where_positive(slab, R + ray.e, ray.rate_e, per_e);
-        slab = where_positive(slab, R - ray.e, -ray.rate_e, -per_e);
-        slab = where_positive(slab, ray.s, ray.rate_s, per_s);
-        slab = where_positive(slab, move.length - ray.s, -ray.rate_s, -per_s);
-        upright.t[k] = select(slab.low <= slab.high, slab.low, infinite);
-        upright.inside[k] = select(-slab.low < slab.high, -slab.low, slab.high);
+        Bounds prism{nothing, infinite};
+        prism =
+            where_positive(prism, ray.z - move.slope * ray.s, rate_over, 1 / rate_over);
+        prism = where_positive(prism, R + ray.e, ray.rate_e, per_e);
+        prism = where_positive(prism, R - ray.e, -ray.rate_e, -per_e);
+        prism = where_positive(prism, ray.s, ray.rate_s, per_s);
+        prism = where_positive(prism, move.length - ray.s, -ray.rate_s, -per_s);
+        upright.t[k] = select(prism.low <= prism.high, prism.low, infinite);
+        upright.inside[k] = select(-prism.low < prism.high, -prism.low, prism.high);
     }
 }
 
-// What stands above the ball at the move's start, or, after 1 of it, at its end.
+// Computes the entries into the upright cylinder over the ball at the start of the move
+// (`share` 0) or at its end (`share` 1), where these are earlier.
 ENDMILL_WIDEST_REGISTERS
 void enter_round(const RayRows& rows, BallMove move, double share, Upright& upright)
 {
@@ -264,7 +284,8 @@ void enter_round(const RayRows& rows, BallMove move, double share, Upright& upri
     }
 }
 
-// Where what stands above the capsule is entered sooner than that, through its outline.
+// Replaces the entries into the capsule by entries into the upright parts where these are
+// earlier. Such an entry lies on the upright outline.
 ENDMILL_WIDEST_REGISTERS
 void enter_sooner(const RayRows& rows, BallMove move, const Upright& upright,
                   Entries& entries)
@@ -279,7 +300,7 @@ void enter_sooner(const RayRows& rows, BallMove move, const Upright& upright,
         const double out = s - nearest;
         const double size = std::sqrt(out * out + e * e);
         const double across = (out * ray.rate_s + e * ray.rate_e) / size;
-        // A line that has always been inside came from above.
+        // A line that is inside for all t came from above.
         const double cosine = select((size > 0) & (size < infinite), across, -ray.rate_z);
         const bool is_sooner = t < entries.t[k];
         entries.cosine[k] = select(is_sooner, cosine, entries.cosine[k]);
@@ -289,8 +310,9 @@ void enter_sooner(const RayRows& rows, BallMove move, const Upright& upright,
     }
 }
 
-// Where the entry comes before what is left, and the region clears the ray's own point if
-// it is below it. One that ends at the point but for rounding leaves nothing.
+// Shortens the rays whose entry comes before their end. An entry below the ray's point
+// counts only if the volume clears the point. A volume that ends at the point, within
+// rounding, leaves thickness 0.
 ENDMILL_WIDEST_REGISTERS
 void take(RayRows& rows, const Entries& entries, double number)
 {
@@ -321,7 +343,7 @@ void shorten_by_ball(RayRows& rows, const StraightSweep& sweep, std::int32_t num
     enter_capsule(few, move, entries);
     if (greatest(entries.open, few.count) > 0) {
         Upright upright;
-        enter_slab(few, move, upright);
+        enter_prism(few, move, upright);
         enter_round(few, move, 0, upright);
         enter_round(few, move, 1, upright);
         enter_sooner(few, move, upright, entries);

@@ -8,8 +8,9 @@
 
 namespace endmill {
 
-/// Shortens rays by what a ball clears on a move: what `mown` does with each, but for
-/// rounding, several at a time.
+/// Shortens rays by the volume that a ball sweeps on a move. The result is that of
+/// `cut_ray` for each ray, within rounding, but several rays are processed at once.
+/// \param number of the sweep.
 /// \param short_by below 0 for the rays that the move may shorten.
 void shorten_by_ball(RayRows& rows, const StraightSweep& sweep, std::int32_t number,
                      const RayRows::Row& short_by);

@@ -12,21 +12,32 @@
 
 #include "endmill/deviation/detail/half_space.h"
 
+// Bounds of the thickness on a cell, from rays at its middle or corners.
+// paper/notes/deviation-bounds.md derives them; its equation letters are:
+// (a) `hidden_gouge`: a circle with the curvature of corner plus part;
+// (b) `least_left_by_planes`: a half space that contains the sweep, against the cell's
+// tangent plane;
+// (s) `most_left_by_slope`: a parabola with the slope at the middle;
+// (d), (e) `most_left_by_corners`: over a flat cell the thickness that one sweep leaves
+// is convex, so its maximum is at a corner; a convex combination of two sweeps is convex
+// too.
+
 namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Sweeps that are looked at in pairs: those that leave least at a cell's middle.
+// Number of sweeps that are combined in pairs: those that leave the least at the cell's
+// middle.
 constexpr std::size_t most_paired = 6;
-// Of the way to the middle: a corner where a cutter ends just there would be cleared or
-// not as rounding has it.
+// Corners are moved towards the middle by this share of the way. At a corner where a
+// cutter just ends, rounding would decide otherwise.
 constexpr double drawn_in = 1e-9;
-// mm: what a cutter that just touches may clear by rounding.
-constexpr double touching = 1e-9;
-// Steeper ones are taken to be no owner of a neighbouring place.
+// A sweep with a larger slope is not expected to make the surface next to the cell's
+// middle.
 constexpr double steepest_owner = 4;
 
-// What one sweep leaves at a cell's corners; nothing at those that the cell has not.
+// Thickness that one sweep leaves at a cell's corners, mm; minus infinity for a missing
+// fourth corner.
 struct CornerValues {
     std::array<double, 4> at{-infinite, -infinite, -infinite, -infinite};
 
@@ -35,8 +46,9 @@ struct CornerValues {
 
 using CornerRays = std::array<PartRay, 4>;
 
-// The least over all means of `a` and `b` of the mean's greatest corner: a convex function
-// of the share, linear between shares at which two corners are equal.
+// Returns the minimum over all convex combinations of `a` and `b` of the greatest corner
+// value. This is a convex, piecewise linear function of the weight; its kinks lie where
+// two corners are equal.
 double least_of_means(const CornerValues& a, const CornerValues& b, int corners)
 {
     double least = std::min(a.most(), b.most());
@@ -58,6 +70,7 @@ double least_of_means(const CornerValues& a, const CornerValues& b, int corners)
     return least;
 }
 
+// Returns the rays at the corners of a cell; nothing if one has no normal.
 std::optional<CornerRays> corner_rays(const PartCell& cell, const PartCharts& charts)
 {
     CornerRays rays;
@@ -72,27 +85,28 @@ std::optional<CornerRays> corner_rays(const PartCell& cell, const PartCharts& ch
     return rays;
 }
 
-// Nothing if the sweep leaves `before` or more at a corner.
+// Returns nothing if the sweep leaves `before` or more at a corner.
 std::optional<CornerValues> corner_values(const StraightSweep& sweep,
                                           const CornerRays& rays, int corners,
                                           double before)
 {
     CornerValues values;
     for (std::size_t k = 0; k < static_cast<std::size_t>(corners); ++k) {
-        const auto left = mown(sweep, rays[k], before);
-        if (!left)
+        const auto cut = cut_ray(sweep, rays[k], before);
+        if (!cut)
             return std::nullopt;
-        values.at[k] = left->left;
+        values.at[k] = cut->thickness;
     }
     return values;
 }
 
-// The least that a region within the half space leaves anywhere on the cell, below 0;
-// infinite if it stays off.
+// Returns a lower bound, below 0, of the thickness that a volume in the half space leaves
+// anywhere on the cell. It is infinite if the half space does not reach the cell.
 double least_by(const MeasuredCell& cell, const HalfSpace& half)
 {
-    const double bend = cell.reach * cell.bend.any;  // what the normal turns on the cell
-    double spread = 0;  // of the cell, along the plane's normal
+    // change of the normal over the cell
+    const double bend = cell.reach * cell.curvature.absolute;
+    double spread = 0;  // extent of the cell along the plane's normal, mm
     for (std::size_t k = 0; k < static_cast<std::size_t>(cell.cell.corners); ++k) {
         const Eigen::Vector2d away = cell.cell.at[k] - cell.cell.centre();
         spread = std::max(
@@ -106,9 +120,11 @@ double least_by(const MeasuredCell& cell, const HalfSpace& half)
     return rate > 0 ? -depth / rate : -infinite;
 }
 
-// By the plane across the way from the cell's middle; as that way may lie in the part
-// where a sweep touches it near the middle, across the way from below; and from as far below
-// as these leave open, for there, beside an edge too, is where the sweep ends.
+// Tries three half spaces and takes the best bound. The first is perpendicular to the way
+// from the cell's middle to the sweep; it fails where the sweep touches the part near the
+// middle, because this way may then lie in the part's tangent plane. The second is seen
+// from one cutter radius below the middle. The third is seen from the depth that these
+// two leave open, where the sweep ends; it is needed beside an edge of the part.
 double least_by_planes(const MeasuredCell& cell, const StraightSweep& sweep)
 {
     const Vec3& middle = cell.ray.point;
@@ -128,7 +144,7 @@ double least_by_planes(const MeasuredCell& cell, const StraightSweep& sweep)
 double hidden_gouge(const MeasuredCell& cell, const Cutter& cutter)
 {
     const double d = cell.reach;
-    const double k = 1 / cutter.corner_radius() + cell.bend.convex;
+    const double k = 1 / cutter.corner_radius() + cell.curvature.convex;
     const double share = std::min(1.0, d * k);
     return d * share / (1 + std::sqrt((1 - share) * (1 + share)));
 }
@@ -136,7 +152,7 @@ double hidden_gouge(const MeasuredCell& cell, const Cutter& cutter)
 double least_left_by_planes(const MeasuredCell& cell, std::span<const StraightSweep> all,
                             std::span<const std::int32_t> sweeps)
 {
-    double least = std::min(cell.left.left, 0.0);
+    double least = std::min(cell.cut.thickness, 0.0);
     for (const std::int32_t number : sweeps)
         least =
             std::min(least, least_by_planes(cell, all[static_cast<std::size_t>(number)]));
@@ -157,23 +173,24 @@ std::vector<std::int32_t> sweeps_on_cell(const MeasuredCell& cell,
 double most_left_by_slope(const MeasuredCell& cell, const Cutter& cutter)
 {
     const double d = cell.reach;
-    const double s = cell.left.slope;
-    const bool is_cut = cell.left.sweep >= 0;
+    const double s = cell.cut.slope;
+    const bool is_cut = cell.cut.sweep >= 0;
     if (is_cut && cutter.is_flat())
         return infinite;
     const double corner = is_cut ? 1 / cutter.corner_radius() : 0;
     const auto bend_at = [&](double slope) {
         const double stretch = 1 + slope * slope;
-        return corner * stretch * std::sqrt(stretch) + cell.bend.any * stretch;
+        return corner * stretch * std::sqrt(stretch) + cell.curvature.absolute * stretch;
     };
-    // A circle bends the more the steeper it is: as at the cell's far end.
+    // The curvature of a circle as a graph grows with its slope, so the slope at the far
+    // end of the cell is used.
     const double steepest = s + d * bend_at(s);
-    return cell.left.left + d * s + d * d / 2 * bend_at(steepest);
+    return cell.cut.thickness + d * s + d * d / 2 * bend_at(steepest);
 }
 
 double owner_margin(const MeasuredCell& cell)
 {
-    return cell.reach * 2 * (1 + std::min(cell.left.slope, steepest_owner));
+    return cell.reach * 2 * (1 + std::min(cell.cut.slope, steepest_owner));
 }
 
 std::vector<std::int32_t> local_sweeps(const MeasuredCell& cell,
@@ -181,14 +198,14 @@ std::vector<std::int32_t> local_sweeps(const MeasuredCell& cell,
                                        std::span<const std::int32_t> sweeps)
 {
     std::vector<std::pair<double, std::int32_t>> candidates;
-    const double before = cell.left.left + owner_margin(cell);
+    const double before = cell.cut.thickness + owner_margin(cell);
     for (const std::int32_t sweep : sweeps)
-        if (const auto left =
-                mown(all[static_cast<std::size_t>(sweep)], cell.ray, before))
-            candidates.emplace_back(left->left, sweep);
+        if (const auto cut =
+                cut_ray(all[static_cast<std::size_t>(sweep)], cell.ray, before))
+            candidates.emplace_back(cut->thickness, sweep);
     std::ranges::sort(candidates);
     std::vector<std::int32_t> lowest;
-    for (const auto& [left, sweep] : candidates)
+    for (const auto& [thickness, sweep] : candidates)
         lowest.push_back(sweep);
     return lowest;
 }
@@ -202,7 +219,7 @@ double most_left_by_corners(const MeasuredCell& cell, const PartCharts& charts,
         return infinite;
     double least = infinite;
     std::vector<CornerValues> values;
-    const double before = cell.left.left + owner_margin(cell);
+    const double before = cell.cut.thickness + owner_margin(cell);
     for (const std::int32_t sweep : sweeps.first(std::min(most_paired, sweeps.size()))) {
         const auto value = corner_values(all[static_cast<std::size_t>(sweep)], *rays,
                                          cell.cell.corners, before);
@@ -213,7 +230,7 @@ double most_left_by_corners(const MeasuredCell& cell, const PartCharts& charts,
             least = std::min(least, least_of_means(*value, other, cell.cell.corners));
         values.push_back(*value);
     }
-    return least + cell.reach * cell.reach * cell.bend.any;
+    return least + cell.reach * cell.reach * cell.curvature.absolute;
 }
 
 }  // namespace endmill

@@ -9,67 +9,81 @@
 
 #include "endmill/cutter/cutter.h"
 #include "endmill/deviation/detail/cut_ray.h"
-#include "endmill/deviation/detail/part_cell.h"
+#include "endmill/deviation/part_charts.h"
 
 namespace endmill {
 
-/// A cell of the part with what is left at its middle.
+/// A cell of the part with the measurement at its middle.
 struct MeasuredCell {
     PartCell cell;
-    PartRay ray;            ///< at its middle
-    double reach;           ///< from there to its furthest corner, mm
-    MownRay left;           ///< at its middle
-    PartCharts::Bend bend;  ///< of the part nearby
-    bool is_outer = false;  ///< on an outer wall of the part, whose rest is not judged
-    std::optional<double> nearer = {};  ///< what counts instead of `left`, mm
-    bool is_measured = true;            ///< else `nearer` is a close bound of what counts
-    double area = 0;                    ///< mm^2
-    MownRay in_stock = {};              ///< of its middle's ray, before any move
+    PartRay ray;   ///< at its middle
+    double reach;  ///< distance from the middle to the furthest corner, mm
+    CutRay cut;    ///< ray at its middle after the moves
+    PartCharts::CurvatureBounds curvature;  ///< of the part near the cell
+    /// Whether the cell lies on an upright outer wall of the part, where remaining
+    /// material is not judged.
+    bool is_outer = false;
+    /// Thickness limited to the largest empty ball at the ray's point, mm; none if the
+    /// ball does not limit it.
+    std::optional<double> limited = {};
+    /// whether `limited` is exact; else it is a close upper bound
+    bool is_measured = true;
+    double area = 0;       ///< mm^2
+    CutRay in_stock = {};  ///< ray at its middle before any move
 
-    /// What counts at its middle, in mm.
+    /// The thickness that counts at its middle, mm.
     double value() const
     {
-        const double along = nearer.value_or(left.left);
+        const double along = limited.value_or(cut.thickness);
         return is_outer ? std::min(along, 0.0) : along;
     }
 };
 
-/// How much deeper than at its middle a gouge may be anywhere on the cell, in mm: the
-/// height of a circle of the corner's and the part's curvature above its tangent.
-/// \pre the corner is round, and the part goes on smoothly beyond the cell: the deepest
-/// place of a sweep is then one where its depth is stationary.
+/// Returns how much deeper than at the middle a gouge can be anywhere on the cell, in mm:
+/// the height, over the cell's reach, of a circle whose curvature is the sum of those of
+/// the corner and the part, above its tangent.
+/// Source: paper/notes/deviation-bounds.md, eq. (a).
+/// \pre the corner is round, and the part continues smoothly beyond the cell, so that the
+///         depth of a sweep is stationary at its deepest place.
 double hidden_gouge(const MeasuredCell& cell, const Cutter& cutter);
 
-/// A bound in mm, at most 0, below which nothing is left anywhere on the cell, for any cutter and at
-/// creases too: of each of `sweeps` by planes beyond which it stays. Minus infinity where
-/// a sweep clears the part and no plane tells how deep.
-/// \param sweeps all that may clear the part within the cell's reach, at least.
+/// Returns a lower bound of the thickness on the whole cell in mm, at most 0, for any
+/// cutter and at creases too. Separating planes bound the depth of each sweep. The bound
+/// is minus infinity if a sweep clears the part and no plane bounds its depth.
+/// Source: paper/notes/deviation-bounds.md, eq. (b).
+/// \param all the sweeps by their numbers.
+/// \param sweeps numbers of at least those sweeps that may clear the part on the cell.
 double least_left_by_planes(const MeasuredCell& cell, std::span<const StraightSweep> all,
                             std::span<const std::int32_t> sweeps);
 
-/// Those of `sweeps` that no plane keeps off the part on the cell.
+/// Returns those of `sweeps` that no separating plane keeps off the part on the cell.
 std::vector<std::int32_t> sweeps_on_cell(const MeasuredCell& cell,
                                          std::span<const StraightSweep> all,
                                          std::span<const std::int32_t> sweeps);
 
-/// A bound in mm on what is left anywhere on the cell, by the slope of what is left at its
-/// middle and the curvatures of the cutter's corner and the part. Infinite for a sharp
-/// edge.
+/// Returns an upper bound of the thickness on the whole cell in mm, from thickness and
+/// slope at the middle and the curvatures of the cutter's corner and the part. It is
+/// infinite for a sharp edge.
+/// Source: paper/notes/deviation-bounds.md, eq. (s).
 double most_left_by_slope(const MeasuredCell& cell, const Cutter& cutter);
 
-/// How much more than at a cell's middle a sweep may leave there and still leave least
-/// somewhere on the cell, in mm: its reach times the slopes of both, with some to spare.
+/// Returns how much more than the measured thickness a sweep may leave at the cell's
+/// middle and still leave the least somewhere on the cell, in mm: the reach times the
+/// slopes of both sweeps, with a margin.
+/// Source: paper/notes/deviation-bounds.md, "Which sweeps".
 double owner_margin(const MeasuredCell& cell);
 
-/// Those of `sweeps` that leave less than the owner's margin more at the cell's middle
-/// than what is left there, the lowest first.
+/// Returns those of `sweeps` that leave at most `owner_margin` more at the cell's middle
+/// than the measured thickness, the lowest first.
 std::vector<std::int32_t> local_sweeps(const MeasuredCell& cell,
                                        std::span<const StraightSweep> all,
                                        std::span<const std::int32_t> sweeps);
 
-/// A bound as most_left_by_slope, by what single sweeps leave at the cell's corners: the
-/// least over one of the first few of `sweeps` alone, and over any mean of two. Infinite
-/// where the part has no normal at a corner, or none of them clears all corners nearly.
+/// Returns an upper bound of the thickness on the whole cell in mm, from the thickness
+/// that single sweeps leave at the cell's corners: the smallest bound by one of the first
+/// six of `sweeps`, or by a convex combination of two of them. It is infinite if the part
+/// has no normal at a corner, or if no sweep passes low over all corners.
+/// Source: paper/notes/deviation-bounds.md, eq. (d), (e).
 double most_left_by_corners(const MeasuredCell& cell, const PartCharts& charts,
                             std::span<const StraightSweep> all,
                             std::span<const std::int32_t> sweeps);

@@ -15,18 +15,19 @@ double slope_of_cosine(double cosine)
                  : std::numeric_limits<double>::infinity();
 }
 
-std::optional<MownRay> mown(const StraightSweep& sweep, const PartRay& ray, double before)
+std::optional<CutRay> cut_ray(const StraightSweep& sweep, const PartRay& ray,
+                              double before)
 {
     const auto entry = sweep_entry(sweep, {ray.point, ray.normal}, before);
     if (!entry)
         return std::nullopt;
-    double left = entry->t;
-    if (left < 0 && !clears(sweep, ray.point)) {
-        if (left < -touching || before <= 0)
+    double thickness = entry->t;
+    if (thickness < 0 && !clears(sweep, ray.point)) {
+        if (thickness < -touching || before <= 0)
             return std::nullopt;
-        left = 0;
+        thickness = 0;
     }
-    return MownRay{left, slope_of_cosine(entry->normal.dot(ray.normal)), -1};
+    return CutRay{thickness, slope_of_cosine(entry->normal.dot(ray.normal)), -1};
 }
 
 }  // namespace endmill

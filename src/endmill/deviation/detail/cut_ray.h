@@ -2,36 +2,46 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 
 #include "endmill/cutter/straight_sweep.h"
-#include "endmill/deviation/detail/part_cell.h"
+#include "endmill/deviation/part_charts.h"
 
 namespace endmill {
 
-/// A ray of the part, shortened to what the moves leave of it.
-struct MownRay {
-    double left = 0;   ///< mm along the normal: material left, or if negative taken away
-    double slope = 0;  ///< of what is left against the part there: tangent of the angle
-    std::int32_t sweep = -1;  ///< the sweep that made it; none if the stock's own surface
+/// Signed thickness of the material on one measuring ray.
+///
+/// A measuring ray starts on the part's surface and follows its normal. A move shortens
+/// the ray to the part before the first point that lies in the swept volume.
+struct CutRay {
+    double thickness = 0;  ///< mm; > 0: material remains, < 0: depth of a gouge
+    double slope = 0;  ///< tangent of the angle between the machined surface and the part
+    /// number of the sweep that made the surface; -1: the stock itself
+    std::int32_t sweep = -1;
 };
 
-/// mm: what ends so near below a ray's point, as a cutter that just touches a wall, ends
-/// there.
+/// Tolerance in mm for a swept volume that only touches the part, as a cutter along a
+/// wall does. A volume that ends this close below a ray's point ends at the point.
 inline constexpr double touching = 1e-9;
 
-/// The slope of what makes an angle of this cosine, of either sign, with the part's normal;
-/// infinite for 0.
+/// Returns the material on a ray of the part before any move.
+using InitialRay = std::function<CutRay(const PartRay&)>;
+
+/// Returns the slope of a surface whose normal has this cosine with the part's normal;
+/// the sign does not matter. It is infinite for 0.
 double slope_of_cosine(double cosine);
 
-/// What one sweep leaves of a ray, were it the only one: up to the least t at
-/// which the region that it clears is entered, if some point of it outside the part is
-/// (t >= 0); a region that ends below the part's surface has taken something on another
-/// side of the part. A region that ends
-/// at the ray's point, but for rounding, leaves nothing.
-/// \return nothing if it leaves `before` mm or more.
-std::optional<MownRay> mown(const StraightSweep& sweep, const PartRay& ray,
-                            double before = std::numeric_limits<double>::infinity());
+/// Returns the ray after a single sweep: its thickness is the smallest t at which the
+/// ray's line enters the swept volume.
+///
+/// The sweep counts only if it clears a point of the ray outside the part (t >= 0). A
+/// volume that ends below the part's surface has removed material on another side of the
+/// part. A volume that ends at the ray's point, within rounding, gives thickness 0.
+/// \param before thickness before the sweep, mm.
+/// \return nothing if the sweep does not shorten the ray below `before`.
+std::optional<CutRay> cut_ray(const StraightSweep& sweep, const PartRay& ray,
+                              double before = std::numeric_limits<double>::infinity());
 
 }  // namespace endmill

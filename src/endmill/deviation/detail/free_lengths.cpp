@@ -7,13 +7,13 @@
 namespace endmill {
 namespace {
 
-// Of a free length: how closely it has to be known where it is not measured. The ball
-// through a place that bounds another, a distance a away, is larger by a^2 / 2 over its
-// radius or less.
+// Relative error of a free length that need not be measured. The empty ball at a
+// neighbouring foot, a distance a away, is larger by at most a^2 / 2 divided by its
+// radius.
 constexpr double wanted_share = 0.01;
 
-// The radius of the largest ball that touches the foot and holds none of `places`; at most
-// the way's length.
+// Returns the radius of the largest ball that touches the foot and contains none of
+// `places`; at most the way's length.
 double ball_beside(const PartWay& way, std::span<const Vec3> places)
 {
     double radius = way.length;
@@ -33,11 +33,12 @@ std::vector<FreeLength> free_lengths(std::span<const PartWay> ways,
                                      std::optional<std::size_t>& hint)
 {
     std::vector<FreeLength> lengths;
-    std::vector<Vec3> measured;  // feet
-    std::vector<Vec3> met;       // places that bound the lengths over them
+    std::vector<Vec3> measured;  // feet of the measured ways
+    std::vector<Vec3> met;       // places that limit the measured lengths
     for (const PartWay& whole : ways) {
         const PartWay way{whole.foot, whole.direction, ball_beside(whole, met)};
-        double nearest = std::numeric_limits<double>::infinity();  // squared, mm^2
+        // squared distance of the nearest measured foot, mm^2
+        double nearest = std::numeric_limits<double>::infinity();
         for (const Vec3& foot : measured)
             nearest = std::min(nearest, (foot - way.foot).squaredNorm());
         if (nearest <= 2 * wanted_share * way.length * way.length) {
@@ -45,7 +46,7 @@ std::vector<FreeLength> free_lengths(std::span<const PartWay> ways,
             continue;
         }
         const FreeBall ball = distance.free_ball(way, hint);
-        // The places met are of the triangulation too.
+        // The known places lie on the triangulation too, so its error applies.
         const bool is_bounded = !ball.other && way.length < whole.length;
         const double spare = is_bounded ? distance.uncertainty() : 0;
         lengths.push_back({std::max(0.0, ball.length - spare), true});

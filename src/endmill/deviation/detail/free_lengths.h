@@ -10,18 +10,24 @@
 
 namespace endmill {
 
-/// How far one comes along a way while no other place of the part is nearer than its foot.
+/// Radius of the largest ball that touches the part at the foot of a way and contains no
+/// other place of the part: up to this length the foot is the nearest place of the part.
 struct FreeLength {
-    double length;     ///< mm
-    bool is_measured;  ///< else no less than it is, but for the part's triangulation
+    double length;  ///< mm
+    /// Whether the length was measured. Otherwise it is an upper bound, up to the error
+    /// of the part's triangulation.
+    bool is_measured;
 };
 
-/// The free lengths of ways whose feet lie near each other. Only some are measured: where
-/// those nearby have found other places of the part, the balls that touch a foot and go
-/// through these bound its free length from above, and closely, as the place that bounds a
-/// free length is one where that bound is stationary. So what is not measured is too
-/// long by about 1 % at most, but where it is another piece of the part that bounds it.
-/// \param hint as in PartDistance.
+/// Returns the free lengths of ways whose feet lie near each other.
+///
+/// Only some are measured. A place of the part that limits a measured length also limits
+/// its neighbours: the ball that touches a neighbour's foot and passes through this place
+/// bounds the neighbour's length from above. The bound is close because it is stationary
+/// at the place that limits the length. A length that is not measured is therefore too
+/// long by about 1 % at most, except where another piece of the part limits it.
+/// Source: paper/notes/deviation-bounds.md, "All rays count so".
+/// \param hint as in `PartDistance`.
 std::vector<FreeLength> free_lengths(std::span<const PartWay> ways,
                                      const PartDistance& distance,
                                      std::optional<std::size_t>& hint);

@@ -4,20 +4,27 @@
 #include <algorithm>
 #include <cmath>
 
+// A cutter is a level disc of the flat radius c, thickened by the corner radius r, and
+// open above. All that it clears from reference points y lies in the half space w . z >=
+// min(w . y) - c |w_xy| - r for any unit vector w with w_z >= 0. The functions choose w.
+// Source: paper/notes/deviation-bounds.md, eq. (f).
+
 namespace endmill {
 namespace {
 
-// mm that a half space may lie nearer than need be, before another is tried.
+// Length in mm by which a half space may lie closer than necessary before another
+// direction is tried.
 constexpr double small_loss = 1e-9;
 
-// Against `normal`, whose z is not negative, from reference points at `at` and above.
+// Returns the half space with this normal, whose z is not negative, for reference points
+// at `at` and above.
 HalfSpace supported(const Cutter& cutter, const Vec3& normal, const Vec3& at)
 {
     return {normal, normal.dot(at) - cutter.flat_radius() * normal.head<2>().norm() -
                         cutter.corner_radius()};
 }
 
-// How far `place` lies beyond its border.
+// Returns the distance of `place` from the half space; negative inside.
 double gap(const HalfSpace& half, const Vec3& place)
 {
     return half.least - half.normal.dot(place);
@@ -31,12 +38,12 @@ HalfSpace half_space(const Cutter& cutter, const Vec3& place, const Vec3& neares
     const double distance = way.head<2>().norm();
     if (distance > 0)
         way.head<2>() *= std::max(0.0, 1 - cutter.flat_radius() / distance);
-    way.z() = std::max(way.z(), 0.0);  // the region is open above
+    way.z() = std::max(way.z(), 0.0);  // the swept volume is open above
     const double length = way.norm();
     if (length > 0)
         return supported(cutter, way / length, nearest);
-    // The place lies on what the corner is rolled around, or in it: through the bottom or
-    // through the side, whichever leads out sooner.
+    // The place lies in the disc or below its rim. The shorter way out leads through the
+    // bottom or the side.
     const HalfSpace below = supported(cutter, Vec3::UnitZ(), nearest);
     if (!(distance > 0))
         return below;
@@ -57,7 +64,7 @@ Vec3 nearest_reference(const StraightSweep& sweep, const Vec3& place)
     const double level2 = move.head<2>().squaredNorm();
     if (nearest.z() >= place.z() || !(level2 > 0))
         return nearest;
-    // Beside what stands above the points: nearest in plan.
+    // The segment above its reference points is nearest: use the nearest point in plan.
     const double in_plan = move.head<2>().dot((place - from).head<2>()) / level2;
     return from + std::clamp(in_plan, 0.0, 1.0) * move;
 }
@@ -66,7 +73,9 @@ HalfSpace half_space_beyond(const StraightSweep& sweep, const Vec3& place)
 {
     const Vec3 nearest = nearest_reference(sweep, place);
     HalfSpace found = half_space(sweep.cutter(), place, nearest);
-    // Square to the way is not square to the move above a flat bottom, nor above an end.
+    // The direction to the nearest point need not be perpendicular to the move: not above
+    // a flat bottom, nor beyond an end. The far end of the move then limits the half
+    // space.
     const Vec3 lift{0, 0, sweep.cutter().corner_radius()};
     const double lost =
         found.normal.dot(nearest - lift) -

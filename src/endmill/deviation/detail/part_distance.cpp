@@ -6,14 +6,21 @@
 
 #include "endmill/surface/sampling.h"
 
+// `free_ball` is the shrinking-ball algorithm of [MaBaeChoi]. It starts with a ball of
+// the way's length that touches the foot. While the part has a place inside the ball, the
+// ball is replaced by the one that touches the foot and passes through this place. The
+// result is the largest ball without a place inside.
+
 namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double longest = 1e9;      // mm
-constexpr int most_shrinkings = 60;  // far more than it takes but where nothing is free
-constexpr double rounding = 1e-9;    // of a ball's radius
-// Of the chord tolerance: with so many fewer triangles most balls are known to be clear.
+constexpr double longest = 1e9;  // mm
+// far more than are needed, except at a foot with no free ball
+constexpr int most_shrinkings = 60;
+constexpr double rounding = 1e-9;  // share of a ball's radius
+// The coarse triangulation has this many times the chord tolerance. With so many fewer
+// triangles it proves most balls empty.
 constexpr double coarse_share = 10;
 
 }  // namespace
@@ -24,18 +31,20 @@ PartDistance::PartDistance(const PartCharts& charts, double chord_tolerance)
 {
 }
 
+// Makes the search trees on first use.
 void PartDistance::prepare() const
 {
     std::call_once(is_prepared_, [this] {
         if (charts_.mesh())
             return;
-        pieces_.emplace(charts_.surfaces(), chord_tolerance_);
-        chord_error_ = pieces_->chord_error();
-        coarse_pieces_.emplace(charts_.surfaces(), coarse_share * chord_tolerance_);
+        surface_tree_.emplace(charts_.surfaces(), chord_tolerance_);
+        chord_error_ = surface_tree_->chord_error();
+        coarse_tree_.emplace(charts_.surfaces(), coarse_share * chord_tolerance_);
     });
 }
 
-// The part's triangles. Those of surfaces meet without gaps, as the pieces' do not.
+// Returns the triangles of the whole part. Unlike the pieces, those of surfaces meet
+// without gaps.
 const TriangleTree& PartDistance::whole() const
 {
     std::call_once(is_whole_made_, [this] {
@@ -54,9 +63,9 @@ std::optional<NearestPoint> PartDistance::nearest(const Vec3& place,
                                                   double within) const
 {
     prepare();
-    const std::optional<NearestPoint> found = pieces_
-                                                  ? pieces_->nearest(place, hint, within)
-                                                  : whole().nearest(place, hint, within);
+    const std::optional<NearestPoint> found =
+        surface_tree_ ? surface_tree_->nearest(place, hint, within)
+                      : whole().nearest(place, hint, within);
     if (found)
         hint = found->triangle;
     return found;
@@ -70,9 +79,9 @@ double PartDistance::operator()(const Vec3& place, std::optional<std::size_t>& h
 
 bool PartDistance::is_clear(const Vec3& centre, double radius) const
 {
-    prepare();  // the chord error is asked for
-    if (coarse_pieces_ &&
-        !coarse_pieces_->nearest(centre, {}, radius + coarse_pieces_->chord_error()))
+    prepare();  // sets the chord error
+    if (coarse_tree_ &&
+        !coarse_tree_->nearest(centre, {}, radius + coarse_tree_->chord_error()))
         return true;
     std::optional<std::size_t> no_hint;
     return !nearest(centre, no_hint, radius - chord_error_);
@@ -92,7 +101,7 @@ FreeBall PartDistance::free_ball(const PartWay& way,
                 ball.length = std::max(0.0, ball.length - uncertainty());
             return ball;
         }
-        // The ball that touches the foot and goes through the other place.
+        // The ball that touches the foot and passes through the other place.
         const Vec3 away = other->point - way.foot;
         const double over = away.dot(way.direction);
         const double through = over > 0 ? away.squaredNorm() / (2 * over) : 0;

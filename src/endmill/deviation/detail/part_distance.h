@@ -5,53 +5,61 @@
 #include <mutex>
 #include <optional>
 
-#include "endmill/deviation/detail/part_cell.h"
-#include "endmill/deviation/detail/sampled_pieces.h"
+#include "endmill/deviation/detail/surface_tree.h"
+#include "endmill/deviation/part_charts.h"
 #include "endmill/mesh/triangle_tree.h"
 
 namespace endmill {
 
-/// A way from a place of the part.
+/// A straight way from a place of the part along its normal or against it.
 struct PartWay {
-    Vec3 foot;       ///< mm
-    Vec3 direction;  ///< unit, along the normal or against it
+    Vec3 foot;       ///< start on the part, mm
+    Vec3 direction;  ///< unit
     double length;   ///< mm, positive
 };
 
-/// The largest ball that touches the part at a foot, as far as it was asked for.
+/// The largest ball, up to a given radius, that touches the part at a foot and contains
+/// no place of it.
 struct FreeBall {
-    double length;              ///< its radius, mm
-    std::optional<Vec3> other;  ///< place of the part that keeps it from growing, if met
+    double length;  ///< radius, mm
+    /// place of the part that limits the ball, mm; none if none does
+    std::optional<Vec3> other;
 };
 
-/// Answers how far a place is from the part: a mesh itself, or a triangulation of the
-/// surfaces, which is made where questions come. Refers to the charts and their
-/// part, which must outlive it. May be asked by any number of threads.
+/// Distances from the part: from a mesh itself, or from a triangulation of the surfaces
+/// that is made only near the places of queries. It refers to the charts and their part,
+/// which must outlive it. Queries may run on any number of threads.
 class PartDistance {
 public:
-    /// \param chord_tolerance of the triangulation, in mm.
+    /// \param charts of the part.
+    /// \param chord_tolerance greatest distance of the triangulation from the surfaces,
+    ///        mm.
     PartDistance(const PartCharts& charts, double chord_tolerance);
 
-    /// Distance in mm of `place` from the part, never less than it is, and more by at most
-    /// `uncertainty()`. Sooner where `hint` is what the question for a place nearby left
-    /// there.
+    /// Returns an upper bound of the distance in mm between `place` and the part. It is
+    /// too large by at most `uncertainty()`.
+    /// \param hint in and out: the piece of the part that is nearest. The value of a
+    ///        query nearby makes the query faster and does not change its result.
     double operator()(const Vec3& place, std::optional<std::size_t>& hint) const;
 
-    /// Whether no place of the part is nearer than `radius`, to the chord tolerance.
+    /// Whether no place of the part is nearer than `radius` mm, within the chord
+    /// tolerance.
     bool is_clear(const Vec3& centre, double radius) const;
 
-    /// How far one comes on a way while no other place of the part is nearer than its
-    /// foot: the radius of the largest ball that touches the part there, at most the way's
-    /// length. Not more, but less by at most `uncertainty()` and a little where it is less
-    /// than the length. \param hint as above.
-    /// Source: J. Ma, S. W. Bae, S. Choi, 3D medial axis point approximation using nearest
-    /// neighbors and the normal field, 2012: balls that shrink.
+    /// Returns the largest ball that touches the part at the foot of a way, with its
+    /// centre on the way, and contains no other place of the part. Up to its radius the
+    /// foot is the nearest place of the part. A radius below the way's length is too
+    /// small by at most `uncertainty()` plus rounding, and never too large.
+    /// This is the shrinking-ball algorithm of [MaBaeChoi].
+    /// \param hint as above.
     FreeBall free_ball(const PartWay& way, std::optional<std::size_t>& hint) const;
 
-    /// mm; at most twice the chord tolerance, and 0 of a mesh.
+    /// Error bound of the distances in mm: at most twice the chord tolerance, 0 for a
+    /// mesh.
     double uncertainty() const;
 
-    /// Whether the upright line through `place` meets the part, to the chord tolerance.
+    /// Whether the vertical line through `place` meets the part, within the chord
+    /// tolerance.
     bool is_over_or_under(const Vec3& place) const;
 
 private:
@@ -64,8 +72,8 @@ private:
     const PartCharts& charts_;
     double chord_tolerance_;
     mutable std::once_flag is_prepared_;
-    mutable std::optional<SampledPieces> pieces_;  // of surfaces
-    mutable std::optional<SampledPieces> coarse_pieces_;
+    mutable std::optional<SurfaceTree> surface_tree_;  // fine triangulation of surfaces
+    mutable std::optional<SurfaceTree> coarse_tree_;
     mutable double chord_error_ = 0;
     mutable std::once_flag is_whole_made_;
     mutable TriangleMesh sampled_;

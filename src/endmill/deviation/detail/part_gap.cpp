@@ -10,12 +10,14 @@
 namespace endmill {
 namespace {
 
-// Halvings of a chart's sides: its pieces are then small against it.
+// Times that the sides of a chart are halved; the pieces are then small against the
+// chart.
 constexpr int most_halvings = 6;
-// The same to find the narrowest overlap of cutter and part.
+// The same for the search for the narrowest overlap of cutter and part.
 constexpr int most_halvings_of_overlap = 12;
 
-// How far the reference points of the cutter, and all above them, are from `place`.
+// Returns the distance of `place` from the reference points of the sweeps and everything
+// above them, if it is less than `least`; else `least`.
 double distance_from_sweeps(const SweepTree& tree, const Vec3& place, double least)
 {
     tree.visit(
@@ -28,6 +30,7 @@ double distance_from_sweeps(const SweepTree& tree, const Vec3& place, double lea
     return least;
 }
 
+// Lowers `least` to the gap of a cell, by halving the cell.
 double gap_of(const PartCharts& charts, const SweepTree& tree, const PartCell& cell,
               int halvings, double least)
 {
@@ -46,16 +49,17 @@ double gap_of(const PartCharts& charts, const SweepTree& tree, const PartCell& c
     return least;
 }
 
-// How a cutter passes a piece of the part.
+// Whether a cutter passes over a piece of the part.
 enum class Overlap { None, Possible, Certain };
 
-// Whether the half space holds nothing of the level disc of this radius.
+// Whether no point of the level disc with this radius lies in the half space.
 bool is_clear(const HalfSpace& half, const Vec3& middle, double radius)
 {
     return half.least - half.normal.dot(middle) >= radius * half.normal.head<2>().norm();
 }
 
-// Seen from above, of those that come below `top`.
+// Tests the overlap, seen from above, of the cell's disc and the sweeps that come below
+// `top`.
 Overlap overlap_of(const SweepTree& tree, const Vec3& middle, double reach, double top)
 {
     const Cutter& cutter = tree.sweeps().front().cutter();
@@ -79,6 +83,7 @@ Overlap overlap_of(const SweepTree& tree, const Vec3& middle, double reach, doub
     return overlap;
 }
 
+// Halves the cell while an overlap is possible but not certain.
 bool passes_over(const PartCharts& charts, const SweepTree& tree, const PartCell& cell,
                  int halvings, double top)
 {

@@ -9,24 +9,28 @@
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 
+// A chart is halved until its sides are at most eight pitches long, across the longer
+// side; a triangle is quartered. The piece then becomes a tile of up to 8 by 8 cells.
+
 namespace endmill {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr int most_across = 8;  // cells of a tile along a side
-// Of a cell: it may be so much longer than the pitch, where one more would make all of them
-// much shorter.
+constexpr int most_across = 8;  // greatest number of cells along a side of a tile
+// A cell may be longer than the pitch by this share of it, where one more cell would make
+// all of them much shorter.
 constexpr double spared_share = 0.2;
-// Halvings of a chart: beyond them a side is too long for any memory.
+// Limit of halvings of a chart; beyond it the cells would exceed any memory.
 constexpr int most_halvings = 40;
 
+// Greatest lengths of a cell's sides.
 struct Sides {
     double along_u;  // mm
     double along_v;
 };
 
-// Greatest length of the cell's sides, by the partials at its corners and middle.
+// Estimates the lengths from the partials at the cell's corners and middle.
 Sides sides_of(const PartCharts& charts, const PartCell& cell)
 {
     Sides sides{0, 0};
@@ -51,13 +55,13 @@ Sides sides_of(const PartCharts& charts, const PartCell& cell)
     return sides;
 }
 
-// Halves a quadrilateral across the sides from corner 0 to 1, or those from 1 to 2.
-std::array<PartCell, 2> halves(const PartCell& cell, bool across_u)
+// Halves a quadrilateral across its sides along `across`.
+std::array<PartCell, 2> halves(const PartCell& cell, Parameter across)
 {
     PartCell low = cell;
     PartCell high = cell;
     const auto& at = cell.at;
-    if (across_u) {
+    if (across == Parameter::U) {
         low.at[1] = high.at[0] = (at[0] + at[1]) / 2;
         low.at[2] = high.at[3] = (at[3] + at[2]) / 2;
     } else {
@@ -67,7 +71,8 @@ std::array<PartCell, 2> halves(const PartCell& cell, bool across_u)
     return {low, high};
 }
 
-// Of a tile's columns and rows: cells of a patch lie along its parameters.
+// Parameters of the middles of a tile's columns and rows. Cells of a patch lie along its
+// parameters.
 struct Middles {
     std::vector<double> u;
     std::vector<double> v;
@@ -85,6 +90,7 @@ Middles middles_of(const PartTile& tile)
     return middles;
 }
 
+// Cuts one chart after the other into tiles.
 class Tiling {
 public:
     Tiling(const PartCharts& charts, double pitch, std::size_t most_cells)
@@ -113,7 +119,8 @@ private:
             for (const PartCell& quarter : cell.quarters())
                 add(quarter, halvings + 1);
         } else {
-            for (const PartCell& half : halves(cell, sides.along_u >= sides.along_v))
+            for (const PartCell& half : halves(
+                     cell, sides.along_u >= sides.along_v ? Parameter::U : Parameter::V))
                 add(half, halvings + 1);
         }
     }
@@ -145,41 +152,6 @@ private:
 };
 
 }  // namespace
-
-PartCell PartTile::cell(int number) const
-{
-    const auto& at = whole.at;
-    const int i = number % columns;
-    const int j = number / columns;
-    if (whole.corners == 4) {
-        const auto node = [&](int column, int row) -> Vector2d {
-            return at[0] + column / double(columns) * (at[1] - at[0]) +
-                   row / double(rows) * (at[3] - at[0]);
-        };
-        return {whole.chart,
-                4,
-                {node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)}};
-    }
-    // Row j of a triangle, counted from its side 0-1, has 2 (columns - j) - 1 cells.
-    int row = 0;
-    int left = number;
-    while (left >= 2 * (columns - row) - 1) {
-        left -= 2 * (columns - row) - 1;
-        ++row;
-    }
-    const int column = left / 2;
-    const auto node = [&](int along, int up) -> Vector2d {
-        return at[0] + along / double(columns) * (at[1] - at[0]) +
-               up / double(columns) * (at[2] - at[0]);
-    };
-    if (left % 2 == 0)
-        return {whole.chart,
-                3,
-                {node(column, row), node(column + 1, row), node(column, row + 1)}};
-    return {whole.chart,
-            3,
-            {node(column + 1, row), node(column + 1, row + 1), node(column, row + 1)}};
-}
 
 std::vector<PartCell> tile_cells(const PartTile& tile)
 {

@@ -5,44 +5,30 @@
 #include <optional>
 #include <vector>
 
-#include "endmill/deviation/detail/part_cell.h"
+#include "endmill/deviation/part_charts.h"
 
 namespace endmill {
 
-/// The most cells of a tile.
-inline constexpr int most_tile_cells = 64;
-
-/// A piece of a chart cut into cells: a quadrilateral into columns by rows, a triangle
-/// into `columns` squared.
-struct PartTile {
-    PartCell whole;
-    int columns;        ///< along the side from corner 0 to corner 1, 1 to 8
-    int rows;           ///< along the side from corner 0 to the last; equal on a triangle
-    std::size_t first;  ///< number of its first cell among those of all tiles
-    int cells() const { return columns * rows; }  ///< at most most_tile_cells
-
-    /// Its cell `number`, from 0.
-    PartCell cell(int number) const;
-};
-
-/// The tile's cells, in order.
+/// Returns the cells of a tile, in order.
 std::vector<PartCell> tile_cells(const PartTile& tile);
 
-/// The rays at the middles of the tile's cells, in the order of these; the normal is zero
-/// where the surface has none.
+/// Returns the rays at the middles of a tile's cells, in the order of the cells. Where
+/// the surface has no normal, the normal is zero.
 std::vector<PartRay> tile_rays(const PartCharts& charts, const PartTile& tile);
 
-/// Only the points of these, sooner.
+/// Returns only the points of these rays, faster; mm.
 std::vector<Vec3> tile_points(const PartCharts& charts, const PartTile& tile);
 
-/// Cuts the charts into tiles whose cells have sides of at most 1.2 `pitch`, about one
-/// pitch in the mean, by the partials at the tile's corners and middle.
-/// \param pitch in mm, positive.
+/// Cuts the charts into tiles. The sides of the cells are at most 1.2 `pitch` long, and
+/// about one pitch in the mean, by the partials at the corners and the middle of the
+/// tile.
+/// \param pitch in mm.
+/// \throws DomainError unless 0 < pitch.
 /// \throws LimitError if there are more than `most_cells` cells.
 std::vector<PartTile> part_tiles(const PartCharts& charts, double pitch,
                                  std::size_t most_cells);
 
-/// Number of cells of all `tiles`.
+/// Returns the number of cells of all `tiles`.
 std::size_t cell_count(const std::vector<PartTile>& tiles);
 
 }  // namespace endmill

@@ -16,7 +16,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 using Row = RayRows::Row;
 using Lanes = std::array<double, RayRows::lanes>;
 
-// The least of the first `count`.
+// Returns the least of the first `count` numbers.
 ENDMILL_WIDEST_REGISTERS
 double least_of(const Row& row, int count)
 {
@@ -29,6 +29,7 @@ double least_of(const Row& row, int count)
     return std::ranges::min(least);
 }
 
+// Computes the distances that `shortfalls` returns.
 ENDMILL_WIDEST_REGISTERS
 void fall_short(const RayRows& rows, const HalfSpace& half, double margin, double spare,
                 Row& short_by)

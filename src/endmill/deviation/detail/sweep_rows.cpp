@@ -7,7 +7,7 @@
 namespace endmill {
 namespace {
 
-// Sweeps as SweepRows has them.
+// Pointers to the arrays of `SweepRows`.
 struct SweepPointers {
     const double* x;
     const double* y;
@@ -24,15 +24,16 @@ struct SweepPointers {
 
 double reciprocal(double value)
 {
-    // Below the least length of which one is known the place on the move does not matter.
+    // For shorter moves the position on the move does not matter, and the reciprocal
+    // would overflow.
     return value > 1 / std::numeric_limits<double>::max() ? 1 / value : 0;
 }
 
-// How far each sweep is out of reach of the rays, by the half space across the way from
-// their middle: as `half_space` has it, and `RayBundle`, all times the way's length. Not
-// below 0 is certain.
+// Computes the distance of each sweep from the reach of the rays, times the length of the
+// direction that is used: the half space of `half_space`, against the bounds of
+// `RayBounds::is_out_of_reach`. A value of 0 or more is certain.
 ENDMILL_WIDEST_REGISTERS
-void measure_gaps(const RayBundle rays, const SweepPointers sweeps,
+void measure_gaps(const RayBounds rays, const SweepPointers sweeps,
                   double* __restrict gaps)
 {
     const double cx = rays.centre.x();
@@ -49,8 +50,8 @@ void measure_gaps(const RayBundle rays, const SweepPointers sweeps,
         const double dy = sweeps.dy[k];
         const double dz = sweeps.dz[k];
         const double flat = sweeps.flat_radius[k];
-        // The reference point nearest to the middle; beside what stands above them, the
-        // nearest in plan.
+        // The reference point nearest to the centre. If the centre lies above it, the
+        // nearest point in plan is used, because the volume is open above.
         const double level = px * dx + py * dy;
         const double at = (level + pz * dz) * sweeps.per_squared[k];
         const double positive = select(at > 0, at, 0);
@@ -86,7 +87,7 @@ void measure_gaps(const RayBundle rays, const SweepPointers sweeps,
 
 }  // namespace
 
-SweepRows::SweepRows(const SweepTree& tree, const RayBundle& rays)
+SweepRows::SweepRows(const SweepTree& tree, const RayBounds& rays)
 {
     if (tree.sweeps().empty())
         return;
@@ -120,7 +121,7 @@ void SweepRows::add(const StraightSweep& sweep, std::int32_t number)
     numbers_.push_back(number);
 }
 
-std::vector<std::int32_t> SweepRows::near(const RayBundle& rays) const
+std::vector<std::int32_t> SweepRows::near(const RayBounds& rays) const
 {
     std::vector<double> gaps(numbers_.size());
     measure_gaps(

@@ -5,14 +5,14 @@
 
 namespace endmill {
 
-Slab middle_of(std::span<const Vec3, 4> corners)
+TangentDisc tangent_disc(std::span<const Vec3, 4> corners)
 {
-    Slab slab;
-    slab.centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+    TangentDisc disc;
+    disc.centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
     const Vec3 across = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
     if (const double size = across.norm(); size > 0)
-        slab.normal = across / size;
-    return slab;
+        disc.normal = across / size;
+    return disc;
 }
 
 }  // namespace endmill

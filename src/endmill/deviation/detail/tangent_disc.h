@@ -11,18 +11,21 @@
 
 namespace endmill {
 
-/// A round flat box: what lies within `half_thickness` of a plane and, along it, within
-/// `radius` of a place. Around a piece of a surface it is thinner, by its own width times
-/// the curvature, than any box along the axes can be where the surface is oblique; so that
-/// a ball which touches the surface stays clear of all slabs but the nearest few.
-struct Slab {
+/// A thick disc along a tangent plane of a surface: all points within `half_thickness` of
+/// the plane and, along the plane, within `radius` of a centre.
+///
+/// Around a piece of a curved surface its thickness is about its width times the width
+/// times the curvature. A box along the coordinate axes is much thicker where the surface
+/// is oblique. A ball that touches the surface therefore misses all discs except the
+/// nearest few.
+struct TangentDisc {
     Vec3 centre = Vec3::Zero();   ///< mm
-    Vec3 normal = Vec3::UnitZ();  ///< of the plane, unit
+    Vec3 normal = Vec3::UnitZ();  ///< unit normal of the plane
     double radius = 0;            ///< mm
     double half_thickness = 0;    ///< mm
 
-    /// Square of the distance from `place`, in mm^2; not more, but for a relative rounding
-    /// of 1e-15 of that of the centre.
+    /// Returns the squared distance from `place` in mm^2. It exceeds the true one by at
+    /// most 1e-15 of the squared distance from the centre.
     double squared_distance(const Vec3& place) const
     {
         const Vec3 away = place - centre;
@@ -32,8 +35,8 @@ struct Slab {
         return up * up + out * out;
     }
 
-    /// The slab, wide and thick enough to hold `place` too.
-    Slab reaching(const Vec3& place) const
+    /// Returns the disc, enlarged until it contains `place`.
+    TangentDisc including(const Vec3& place) const
     {
         const Vec3 away = place - centre;
         const double over = std::abs(away.dot(normal));
@@ -41,16 +44,17 @@ struct Slab {
                 std::max(half_thickness, over)};
     }
 
-    /// The same slab with `more` mm around it.
-    Slab widened(double more) const
+    /// Returns the disc, enlarged by `more` mm on all sides.
+    TangentDisc expanded(double more) const
     {
         return {centre, normal, radius + more, half_thickness + more};
     }
 };
 
-/// A plane along a quadrilateral: through the mean of its corners, which run around it,
-/// square to the normal of its diagonals. A slab of no size; any direction serves where
-/// there is no normal.
-Slab middle_of(std::span<const Vec3, 4> corners);
+/// Returns a disc of size 0 in the plane of a quadrilateral: its centre is the mean of
+/// the corners, its normal is perpendicular to both diagonals; +z if the diagonals are
+/// parallel.
+/// \param corners in order around the quadrilateral, mm.
+TangentDisc tangent_disc(std::span<const Vec3, 4> corners);
 
 }  // namespace endmill

@@ -9,30 +9,34 @@
 namespace endmill {
 namespace {
 
-// Shares of the limits to within which a maximum is sought, if that is more than the slack.
+// Accuracy of a maximum as a share of its limit, if that is more than the slack.
 constexpr double scallop_sharpness = 0.05;
 constexpr double gouge_sharpness = 0.25;
-// Of the corner radius: the deepest place that a sweep has on a larger cell may lie beside
-// what it clears of the ray at the middle.
+// Up to this share of the corner radius a cell is small: its middle ray shows all but a
+// bounded part of a gouge. On a larger cell the deepest place of a sweep may lie beside
+// what the sweep clears of the ray at the middle.
 constexpr double planes_share = 0.25;
-// Of a unit normal's z: upright but for what a file's rounding makes of a wall.
+// Tolerance of a unit normal's z for an upright wall; it allows for the rounding of
+// coordinates in files.
 constexpr double upright_z = 1e-3;
 
-// Of a tile's own size: how far away others are still looked at together with it.
+// Tiles are cut together if their distance is at most this many times their size.
 constexpr double nearby_sizes = 8;
 
-double size_of(const RayBundle& bundle)
+// Radius of a ball around the rays' points, mm.
+double size_of(const RayBounds& bounds)
 {
-    return std::hypot(bundle.beside, bundle.above);
+    return std::hypot(bounds.beside, bounds.above);
 }
 
-bool are_near(const RayBundle& one, const RayBundle& other)
+bool are_near(const RayBounds& one, const RayBounds& other)
 {
     return (one.centre - other.centre).norm() <=
            nearby_sizes * std::min(size_of(one), size_of(other));
 }
 
-// The most that a maximum may turn out higher without changing anything.
+// Returns the greatest bound that changes nothing: the limit while it holds, or less if
+// the accuracy of the maximum allows less.
 double threshold(double found, double limit, double sharpness)
 {
     const double raised = limit + verdict_slack;
@@ -42,7 +46,8 @@ double threshold(double found, double limit, double sharpness)
 
 }  // namespace
 
-Doubt doubt_beyond(double rest, double gouge, const DeviationLimits& limits)
+RefinementThresholds refinement_thresholds(double rest, double gouge,
+                                           const DeviationLimits& limits)
 {
     return {threshold(rest, limits.scallop, scallop_sharpness),
             -threshold(gouge, limits.tolerance, gouge_sharpness)};
@@ -53,8 +58,8 @@ bool is_beyond(double left, const DeviationLimits& limits)
     return left > limits.scallop || -left > limits.tolerance;
 }
 
-double shortened(double left, const PartRay& ray, const PartDistance& distance,
-                 std::optional<std::size_t>& hint)
+double limited_thickness(double left, const PartRay& ray, const PartDistance& distance,
+                         std::optional<std::size_t>& hint)
 {
     const double sign = left < 0 ? -1 : 1;
     const PartWay way{ray.point, sign * ray.normal, std::abs(left)};
@@ -62,10 +67,10 @@ double shortened(double left, const PartRay& ray, const PartDistance& distance,
 }
 
 TileMeasure::TileMeasure(const Measured& measured, const PartTile& tile)
-    : TileMeasure{measured, tile, NotYetMown{}}
+    : TileMeasure{measured, tile, NotYetCut{}}
 {
     if (rays_)
-        rays_->mow(measured_.tree);
+        rays_->cut(measured_.tree);
     take_rays();
 }
 
@@ -75,40 +80,41 @@ std::vector<TileMeasure> TileMeasure::measured_together(const Measured& measured
     std::vector<TileMeasure> measures;
     measures.reserve(tiles.size());
     for (const PartTile& tile : tiles)
-        measures.push_back(TileMeasure{measured, tile, NotYetMown{}});
-    // Rays far apart have no sweeps in common.
-    std::vector<MownRays*> near;
+        measures.push_back(TileMeasure{measured, tile, NotYetCut{}});
+    // Tiles that are far apart have no sweeps in common.
+    std::vector<CutRays*> near;
     for (TileMeasure& measure : measures) {
         if (!measure.rays_)
             continue;
-        if (!near.empty() && !are_near(near.front()->bundle(), measure.rays_->bundle())) {
-            MownRays::mow_together(near, measured.tree);
+        if (!near.empty() && !are_near(near.front()->bounds(), measure.rays_->bounds())) {
+            CutRays::cut_together(near, measured.tree);
             near.clear();
         }
         near.push_back(&*measure.rays_);
     }
-    MownRays::mow_together(near, measured.tree);
+    CutRays::cut_together(near, measured.tree);
     for (TileMeasure& measure : measures)
         measure.take_rays();
     return measures;
 }
 
-TileMeasure::TileMeasure(const Measured& measured, const PartTile& tile, NotYetMown)
+TileMeasure::TileMeasure(const Measured& measured, const PartTile& tile, NotYetCut)
     : measured_{measured},
       tile_{tile},
       touches_side_{measured.charts.touches_side(tile.whole)}
 {
     const auto corners = static_cast<std::size_t>(tile.whole.corners);
-    bend_ = measured_.charts.bend(tile.whole.chart, tile.whole.centre());
+    curvature_ = measured_.charts.curvature(tile.whole.chart, tile.whole.centre());
     for (std::size_t k = 0; k < corners; ++k) {
-        const PartCharts::Bend bend =
-            measured_.charts.bend(tile.whole.chart, tile.whole.at[k]);
-        bend_.convex = std::max(bend_.convex, bend.convex);
-        bend_.any = std::max(bend_.any, bend.any);
+        const PartCharts::CurvatureBounds curvature =
+            measured_.charts.curvature(tile.whole.chart, tile.whole.at[k]);
+        curvature_.convex = std::max(curvature_.convex, curvature.convex);
+        curvature_.absolute = std::max(curvature_.absolute, curvature.absolute);
     }
     lay_out_rays();
 }
 
+// Bounds are computed without refinement.
 Extremes TileMeasure::extremes()
 {
     Extremes found;
@@ -120,25 +126,28 @@ Extremes TileMeasure::extremes()
     return found;
 }
 
-// Beside an outer wall of the part there is stock that no path over the part can reach.
+// Whether the ray stands on an upright outer wall: there is no part above or below half a
+// pitch beside it.
 bool TileMeasure::is_outer(const PartRay& ray) const
 {
     return is_wall_ && !measured_.distance.is_over_or_under(
                            ray.point + measured_.options.pitch / 2 * ray.normal);
 }
 
-std::span<const std::int32_t> TileMeasure::beneath()
+// Returns the sweeps that may clear the part near the tile.
+std::span<const std::int32_t> TileMeasure::gouging()
 {
-    if (!beneath_) {
+    if (!gouging_) {
         double reach = 0;
         for (const MeasuredCell& cell : cells_)
             reach = std::max(reach, cell.reach);
-        beneath_ =
-            rays_->sweeps_beneath(measured_.tree, reach, reach * reach * bend_.any / 2);
+        gouging_ = rays_->gouging_sweeps(measured_.tree, reach,
+                                         reach * reach * curvature_.absolute / 2);
     }
-    return *beneath_;
+    return *gouging_;
 }
 
+// Makes the cells with a normal and their rays, with the material before any move.
 void TileMeasure::lay_out_rays()
 {
     std::array<PartRay, most_tile_cells> rays;
@@ -154,9 +163,9 @@ void TileMeasure::lay_out_rays()
             continue;
         const PartCell& cell = all[static_cast<std::size_t>(k)];
         rays[count] = ray;
-        const MownRay in_stock = stock(ray);
-        lengths[count] = in_stock.left;
-        cells_.push_back({cell, ray, cell.reach(ray), in_stock, bend_});
+        const CutRay in_stock = stock(ray);
+        lengths[count] = in_stock.thickness;
+        cells_.push_back({cell, ray, cell.reach(ray), in_stock, curvature_});
         cells_.back().in_stock = in_stock;
         cells_.back().area = cell.area(ray);
         numbers_.push_back(k);
@@ -170,41 +179,43 @@ void TileMeasure::lay_out_rays()
     rays_.emplace(std::span{rays}.first(count), std::span{lengths}.first(count));
 }
 
+// Stores the cut rays in the cells.
 void TileMeasure::take_rays()
 {
     for (std::size_t k = 0; k < cells_.size(); ++k)
-        if (const MownRay mown = (*rays_)[static_cast<int>(k)]; mown.sweep >= 0)
-            cells_[k].left = mown;
+        if (const CutRay cut = (*rays_)[static_cast<int>(k)]; cut.sweep >= 0)
+            cells_[k].cut = cut;
     for (MeasuredCell& cell : cells_)
         cell.is_outer = is_outer(cell.ray);
 }
 
-// By the sweep that made it, and by `others` if there are any; never more than the stock
-// holds.
+// Upper bound of the thickness on a cell: by the sweep that made the surface at its
+// middle, by `others` if there are any, and by the stock.
 double TileMeasure::most_left(const MeasuredCell& cell,
                               std::span<const std::int32_t> others) const
 {
     if (cell.is_outer)
         return 0;
-    const double in_stock = cell.in_stock.left + cell.reach * (1 + cell.in_stock.slope);
+    const double in_stock =
+        cell.in_stock.thickness + cell.reach * (1 + cell.in_stock.slope);
     return std::min(in_stock, most_left_by(cell, others));
 }
 
 double TileMeasure::most_left_by(const MeasuredCell& cell,
                                  std::span<const std::int32_t> others) const
 {
-    if (cell.left.sweep < 0)
+    if (cell.cut.sweep < 0)
         return most_left_by_slope(cell, Cutter::flat(1));
     const double by_slope = most_left_by_slope(cell, cutter_of(cell));
     if (others.empty() && !cutter_of(cell).is_flat())
         return by_slope;
-    const std::int32_t own[] = {cell.left.sweep};
+    const std::int32_t own[] = {cell.cut.sweep};
     return std::min(by_slope, most_left_by_corners(cell, measured_.charts, sweeps(),
                                                    others.empty() ? own : others));
 }
 
-// Where the deepest place of a sweep need not be one where its depth is stationary, or its
-// depth at the middle tells nothing of it.
+// Whether bound (a) does not hold on the cell, because the deepest place of a sweep need
+// not be stationary or is not visible at the middle.
 bool TileMeasure::needs_planes(const MeasuredCell& cell)
 {
     if (sweeps().empty())
@@ -213,29 +224,30 @@ bool TileMeasure::needs_planes(const MeasuredCell& cell)
            (touches_side_ && measured_.charts.touches_side(cell.cell));
 }
 
-// Of one of the tile's own cells.
+// Lower bound of the thickness on one of the tile's own cells.
 double TileMeasure::least_left(const MeasuredCell& cell)
 {
-    return needs_planes(cell) ? least_left_by_planes(cell, sweeps(), beneath())
+    return needs_planes(cell) ? least_left_by_planes(cell, sweeps(), gouging())
                               : smooth_least(cell);
 }
 
+// The lower bound where the part is smooth and the corner round.
 double TileMeasure::smooth_least(const MeasuredCell& cell)
 {
     return sweeps().empty()
-               ? cell.left.left
-               : cell.left.left - hidden_gouge(cell, Cutter::ball(corner_radius()));
+               ? cell.cut.thickness
+               : cell.cut.thickness - hidden_gouge(cell, Cutter::ball(corner_radius()));
 }
 
-// The least of the sweeps that may gouge the tile, mm, or of all where none may: one with a
-// sharp edge that stays well over the part hides nothing.
+// Smallest corner radius in mm of the sweeps that may gouge the tile; of all sweeps if
+// none may. A sharp-edged cutter that stays well above the part hides nothing.
 double TileMeasure::corner_radius()
 {
     if (!corner_radius_) {
         corner_radius_ = measured_.tree.least_corner_radius();
-        if (!measured_.tree.is_of_one_cutter() && rays_ && !beneath().empty()) {
+        if (!measured_.tree.is_of_one_cutter() && rays_ && !gouging().empty()) {
             double least = std::numeric_limits<double>::infinity();
-            for (const std::int32_t number : beneath())
+            for (const std::int32_t number : gouging())
                 least = std::min(
                     least,
                     sweeps()[static_cast<std::size_t>(number)].cutter().corner_radius());

@@ -17,27 +17,33 @@
 
 namespace endmill {
 
-/// What has been found on some cells.
+/// Extreme thicknesses found on some cells, with their bounds.
 struct Extremes {
+    /// Place of the greatest thickness.
     DeviationPlace highest{-std::numeric_limits<double>::infinity()};
+    /// Place of the smallest thickness.
     DeviationPlace deepest{std::numeric_limits<double>::infinity()};
-    double upper = -std::numeric_limits<double>::infinity();  ///< mm; no rest is higher
-    double lower = std::numeric_limits<double>::infinity();   ///< mm; no gouge is deeper
-    double gouge_area = 0;  ///< mm^2 of cells deeper than the tolerance
-    double uncut_area = 0;  ///< mm^2 of cells higher than the scallop limit
-    double top = -std::numeric_limits<double>::infinity();  ///< of the cells, mm
-    bool is_cut = false;                                    ///< some move reaches a ray
-    std::size_t rays = 0;                                   ///< measured
+    /// upper bound of thickness, mm
+    double upper = -std::numeric_limits<double>::infinity();
+    /// lower bound of thickness, mm
+    double lower = std::numeric_limits<double>::infinity();
+    double gouge_area = 0;  ///< mm^2, cells with a gouge deeper than the tolerance
+    double uncut_area = 0;  ///< mm^2, cells with more left than the scallop limit
+    /// upper bound of the cells' z, mm
+    double top = -std::numeric_limits<double>::infinity();
+    bool is_cut = false;   ///< whether a move reaches a ray
+    std::size_t rays = 0;  ///< number of measured rays
 
-    /// Counts a ray in.
+    /// Adds the ray at the middle of a cell.
     void take(const MeasuredCell& cell)
     {
         ++rays;
         top = std::max(top, cell.ray.point.z() + cell.reach);
-        is_cut = is_cut || cell.left.sweep >= 0;
+        is_cut = is_cut || cell.cut.sweep >= 0;
         take(DeviationPlace{cell.value(), cell.ray, cell.cell.chart, cell.cell.centre(),
-                            cell.left.sweep});
+                            cell.cut.sweep});
     }
+    /// Updates the extreme places.
     void take(const DeviationPlace& place)
     {
         if (place.left > highest.left)
@@ -45,13 +51,13 @@ struct Extremes {
         if (place.left < deepest.left)
             deepest = place;
     }
-    /// Counts in what bounds a cell.
+    /// Adds the bounds of a cell.
     void bound(double most, double least)
     {
         upper = std::max(upper, most);
         lower = std::min(lower, least);
     }
-    /// Counts in a cell of so many mm^2 where so much is left.
+    /// Adds the area of a cell, in mm^2, with this thickness at its middle, in mm.
     void add_area(double left, double area, const DeviationLimits& limits)
     {
         if (-left > limits.tolerance)
@@ -59,8 +65,8 @@ struct Extremes {
         if (left > limits.scallop)
             uncut_area += area;
     }
-    /// Counts in what was found of the same cells once more: all of it holds, and of the
-    /// bounds the closer ones, of the areas the larger.
+    /// Combines two results for the same cells: both hold, so the closer bounds and the
+    /// larger areas are kept.
     void join(const Extremes& other)
     {
         const double most = std::min(upper, other.upper);
@@ -73,7 +79,8 @@ struct Extremes {
         upper = std::max(most, highest.left);
         lower = std::min(least, deepest.left);
     }
-    /// Of equal ones the first stays, so the order of the tiles decides.
+    /// Combines the results of two sets of cells. Of equal extremes the first stays, so
+    /// the order of the calls decides.
     void merge(const Extremes& other)
     {
         if (other.highest.left > highest.left)
@@ -90,99 +97,113 @@ struct Extremes {
     }
 };
 
-/// Bounds beyond which a cell has to be looked at more closely.
-struct Doubt {
-    double upper;  ///< mm
-    double lower;  ///< mm
+/// Thicknesses beyond which the bounds of a cell require its refinement.
+struct RefinementThresholds {
+    double upper;  ///< mm, at least 0
+    double lower;  ///< mm, at most 0
 
-    /// Whether a cell with these bounds is in doubt.
-    bool holds(double most, double least) const { return most > upper || least < lower; }
+    /// Whether a cell with these bounds of its thickness must be refined.
+    bool are_exceeded(double most, double least) const
+    {
+        return most > upper || least < lower;
+    }
 };
 
-/// The doubt that is left when `rest` and `gouge` (mm) are the greatest found so far:
-/// beyond it lies what could change the verdict, or a maximum by more than its sharpness.
-Doubt doubt_beyond(double rest, double gouge, const DeviationLimits& limits);
+/// Returns the thresholds for the maxima found so far. A bound beyond a threshold could
+/// change the verdict, or a maximum by more than its accuracy: the slack or 5 % of the
+/// scallop limit, 25 % of the tolerance.
+/// \param rest greatest thickness found, mm.
+/// \param gouge greatest depth found, mm.
+RefinementThresholds refinement_thresholds(double rest, double gouge,
+                                           const DeviationLimits& limits);
 
-/// What is measured, and how.
+/// Input of the measurement, shared by all tiles.
 struct Measured {
-    const PartCharts& charts;
-    const SweepTree& tree;
-    const DeviationOptions& options;
-    const PartDistance& distance;
+    const PartCharts& charts;         ///< of the part
+    const SweepTree& tree;            ///< all sweeps
+    const InitialRay& initial_ray;    ///< material before the first sweep
+    const DeviationOptions& options;  ///< limits and resolution
+    const PartDistance& distance;     ///< from the part
 };
 
-/// Whether a limit is broken where `left` mm are left.
+/// Whether a thickness of `left` mm violates a limit.
 bool is_beyond(double left, const DeviationLimits& limits);
 
-/// The way along the normal to where the material ends, as far as the ray's point is the
-/// part's nearest place all the way: `left`, or less, with its sign.
-/// \param hint as in PartDistance.
-double shortened(double left, const PartRay& ray, const PartDistance& distance,
-                 std::optional<std::size_t>& hint);
+/// Returns the thickness `left`, limited to the radius of the largest empty ball at the
+/// ray's point, with its sign.
+/// \param left in mm.
+/// \param hint as in `PartDistance`.
+double limited_thickness(double left, const PartRay& ray, const PartDistance& distance,
+                         std::optional<std::size_t>& hint);
 
-/// What is left counts as it is if it is less, in mm.
+/// Thicknesses up to this length in mm are not limited.
 inline constexpr double negligible_length = 1e-6;
 
-/// The rays of one tile, mown, and what may lie between them.
+/// The measurement of one tile: cut rays at the middles of its cells, and bounds between
+/// them.
 class TileMeasure {
 public:
-    /// Measures at once. What `measured` refers to, and `tile`, outlive it.
+    /// Cuts the rays of the tile. `tile` and everything in `measured` must outlive the
+    /// object.
     TileMeasure(const Measured& measured, const PartTile& tile);
 
-    /// The same for several tiles, sooner where neighbours follow each other.
+    /// Cuts the rays of several tiles; faster if neighbours follow each other.
     static std::vector<TileMeasure> measured_together(const Measured& measured,
                                                       std::span<const PartTile> tiles);
 
-    /// The cells of the tile that have a normal.
+    /// The cells of the tile whose middle has a normal.
     std::span<const MeasuredCell> cells() const { return cells_; }
 
-    /// Their numbers in the tile.
+    /// The numbers of these cells in the tile.
     std::span<const int> numbers() const { return numbers_; }
 
-    /// Finds what counts of the cells' rays: to a close bound, where that is much quicker.
-    /// \param hint as in PartDistance.
-    void count(std::optional<std::size_t>& hint);
+    /// Limits the thickness of every cell's ray to its empty ball, exactly or by a close
+    /// upper bound where that is much faster.
+    /// \param hint as in `PartDistance`.
+    void limit_thicknesses(std::optional<std::size_t>& hint);
 
-    /// What the cells have, and what bounds it between their middles.
+    /// Returns the extremes of the cells, with bounds between their middles.
     Extremes extremes();
 
-    /// The same with every doubtful cell refined. What counts of a ray is measured where a
-    /// limit is broken or more is left, or taken, than is `known`, and only there.
-    Extremes refined(const Doubt& doubt, const DeviationLimits& known);
+    /// Returns the extremes with every cell refined whose bounds exceed the thresholds.
+    /// The empty ball of a ray is computed only where a limit is violated or a maximum in
+    /// `known` exceeded.
+    Extremes refined(const RefinementThresholds& thresholds,
+                     const DeviationLimits& known);
 
-    /// What the rays of its cells, halved so many times wherever a sweep comes near, find:
-    /// where no first ray is cut.
+    /// Returns the extremes of the rays of cells that are halved `times` times where a
+    /// sweep comes near. It is used if no first ray is cut.
     Extremes halved(int times);
 
 private:
-    // How far a cell has been halved, and the sweeps that may matter to it.
+    // Level of a cell in the refinement, with the sweeps that may matter to it.
     struct Depth {
-        int level;
-        bool by_planes;  // all of its pieces too: it lies along the border
-        std::span<const std::int32_t> sweeps;   // that may leave least
-        std::span<const std::int32_t> beneath;  // that may clear the part
+        int level;       // number of halvings
+        bool by_planes;  // the cell and its pieces need planes: border
+        std::span<const std::int32_t> sweeps;   // those that may leave the least
+        std::span<const std::int32_t> gouging;  // those that may clear the part
     };
 
-    struct NotYetMown {};
-    TileMeasure(const Measured& measured, const PartTile& tile, NotYetMown);
+    struct NotYetCut {};
+    TileMeasure(const Measured& measured, const PartTile& tile, NotYetCut);
     void lay_out_rays();
     void take_rays();
     bool is_exhausted() const;
     bool is_outer(const PartRay& ray) const;
-    void find_nearer(MeasuredCell& cell, const Extremes& found);
-    void count_side(double sign, std::optional<std::size_t>& hint);
+    void limit_thickness(MeasuredCell& cell, const Extremes& found);
+    void limit_side(double sign, std::optional<std::size_t>& hint);
     bool is_free(double sign, double length);
     double measured_free(double sign) const;
     bool is_smooth_within(double distance, const PartRay& middle) const;
-    std::span<const std::int32_t> beneath();
-    Extremes refined_to(int level, const Doubt& doubt,
+    std::span<const std::int32_t> gouging();
+    Extremes refined_to(int level, const RefinementThresholds& thresholds,
                         std::span<const std::int32_t> near);
-    MownRay stock(const PartRay& ray) const { return measured_.options.stock(ray); }
+    CutRay stock(const PartRay& ray) const { return measured_.initial_ray(ray); }
     const DeviationLimits& limits() const { return measured_.options.limits; }
     std::span<const StraightSweep> sweeps() const { return measured_.tree.sweeps(); }
     const Cutter& cutter_of(const MeasuredCell& cell) const
     {
-        return sweeps()[static_cast<std::size_t>(cell.left.sweep)].cutter();
+        return sweeps()[static_cast<std::size_t>(cell.cut.sweep)].cutter();
     }
     double corner_radius();
     double most_left(const MeasuredCell& cell,
@@ -193,11 +214,13 @@ private:
     double least_left(const MeasuredCell& cell);
     double smooth_least(const MeasuredCell& cell);
     bool has_no_foot(const MeasuredCell& cell, double away) const;
-    Doubt sharpened(const Doubt& doubt, const Extremes& found) const;
-    void refine(const MeasuredCell& cell, const Doubt& first_doubt, const Depth& depth,
-                Extremes& found);
-    void refine_quarters(const MeasuredCell& cell, const Doubt& first_doubt,
-                         const Depth& depth, Extremes& found);
+    RefinementThresholds sharpened(const RefinementThresholds& thresholds,
+                                   const Extremes& found) const;
+    void refine(const MeasuredCell& cell, const RefinementThresholds& first_thresholds,
+                const Depth& depth, Extremes& found);
+    void refine_quarters(const MeasuredCell& cell,
+                         const RefinementThresholds& first_thresholds, const Depth& depth,
+                         Extremes& found);
     void halve(const MeasuredCell& cell, int times, std::span<const std::int32_t> near,
                Extremes& found);
     MeasuredCell measured(const PartCell& cell, const PartRay& ray,
@@ -205,15 +228,16 @@ private:
 
     Measured measured_;
     const PartTile& tile_;
-    PartCharts::Bend bend_;
+    PartCharts::CurvatureBounds curvature_;
     bool touches_side_;
-    bool is_wall_ = false;  // upright all over
+    bool is_wall_ = false;  // whether the whole tile is upright
     std::vector<MeasuredCell> cells_;
     std::vector<int> numbers_;
-    std::optional<MownRays> rays_;
-    std::optional<std::vector<std::int32_t>> beneath_;  // found when first asked for
-    std::optional<double> corner_radius_;               // ditto
-    // How far all rays are free along the normals and against them, mm.
+    std::optional<CutRays> rays_;
+    std::optional<std::vector<std::int32_t>> gouging_;  // computed on first use
+    std::optional<double> corner_radius_;               // computed on first use
+    // Length up to which no ray is limited by its empty ball, along the normals and
+    // against them, mm; computed on first use.
     std::array<std::optional<double>, 2> free_ = {};
     DeviationLimits known_ = {};
     std::size_t refined_cells_ = 0;

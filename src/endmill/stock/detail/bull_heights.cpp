@@ -9,17 +9,32 @@
 
 #include "endmill/core/detail/widest_registers.h"
 
+// The height S of a cell under a bull-nose cutter on a sloped move is the minimum, over
+// the positions u of the axis along the move, of the convex function z(u) +
+// profile(d(u)), where d(u) is the distance of the cell from the axis.
+// 1. `heights_at_end` evaluates the end of the move for all 64 cells. A tangent there, or
+//    the fact that the cutter has left the cell, shows for most cells that no position is
+//    lower than the cell's current height. The others are marked open.
+// 2. If more than eight cells are open, `close_rising_cells` closes those over which the
+//    cutter rises from the start on, because their minimum is at the start.
+// 3. `lower_between` solves for the minimum of the open cells, eight at a time:
+//    `bracket_positions` bounds the position, `newton_step` does Newton steps for the
+//    sine of the corner's angle, `heights_between` evaluates S. A level move needs none
+//    of this: the nearest position is the lowest (`level_bull_heights`).
+// Source: docs/mathematics/removal.md, section 1.
+
 namespace endmill {
 namespace {
 
 constexpr int side = HeightStock::tile_side;
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Keeps a slope to divide by a number.
+// Least slope of a Newton step; it only prevents a division by zero.
 constexpr double least_slope = 1e-200;  // mm^2
-// Of the sine sought: the next step, were it taken, would be about its square.
+// Newton's iteration stops at steps below this share of the sine; the error after such a
+// step is about its square.
 constexpr double step_share = 1e-7;
-// Steps from above the root of a convex function: some five on a short move, sixty where the
-// slope is next to nothing.
+// Limit of Newton's iteration. From above the root of a convex function it needs about
+// five steps on a short move and sixty where the slope is nearly zero.
 constexpr int most_iterations = 200;
 
 using Lanes = std::array<double, side>;
@@ -34,14 +49,14 @@ inline double larger(double a, double b)
     return a > b ? a : b;
 }
 
-// A flat bottom of radius c with a corner of radius r around it.
+// A flat bottom of radius c with a corner of radius r around it; R = c + r.
 struct Shape {
     double R;
     double r;
     double c;
 };
 
-// S under a bull-nose cutter that stays level, or does not move.
+// S of a move that stays level or does not move.
 ENDMILL_WIDEST_REGISTERS
 void level_bull_heights(const TilePlace& place, const SweptMove& move, const Shape& shape,
                         TileHeights& heights)
@@ -67,18 +82,19 @@ void level_bull_heights(const TilePlace& place, const SweptMove& move, const Sha
     }
 }
 
-// The heights under the end of the move, infinite where it is out of reach; and for which
-// cells, with a number below 0 in `open`, the cutter may have been lower, and lower than
-// `tile`, between the ends.
+// Computes the heights under the end of the move, infinite where the cell is out of
+// reach. `open` is below 0 for the cells where the cutter may have been lower, and lower
+// than `tile`, before the end.
 ENDMILL_WIDEST_REGISTERS
-void look_from_end(const double* __restrict tile, const TilePlace& place,
-                   const SweptMove& move, Shape shape, double* __restrict heights,
-                   double* __restrict open)
+void heights_at_end(const double* __restrict tile, const TilePlace& place,
+                    const SweptMove& move, Shape shape, double* __restrict heights,
+                    double* __restrict open)
 {
     const double m = move.slope;
     const double length = move.length;
     const double z = move.z + move.rise;
-    // A cell that the cutter has left is near its rim on all the way.
+    // The cutter has left a cell that is out of reach at the end. Such a cell lies within
+    // `length` of the rim during the whole move, which bounds the height from below.
     const double near_rim = larger(shape.r - length, 0);
     const double lowest = smaller(move.z, z) + shape.r -
                           std::sqrt((shape.r - near_rim) * (shape.r + near_rim));
@@ -93,7 +109,8 @@ void look_from_end(const double* __restrict tile, const TilePlace& place,
             const double a = select(out > 0, out, 0);
             const double root = std::sqrt(std::abs((shape.r - a) * (shape.r + a)));
             const double under = z + (shape.r - root);
-            // The tangent to the height over the way, from the end on backwards.
+            // Tangent of the height as a function of the position, at the end, extended
+            // backwards over the whole move. All terms are multiplied by root * distance.
             const double steep = root * distance;
             const double rise = m * steep - a * t;
             const double above = (under - tile[k]) * steep - rise * length;
@@ -107,11 +124,12 @@ void look_from_end(const double* __restrict tile, const TilePlace& place,
     }
 }
 
-// Leaves open only the cells over which the cutter sinks as the move begins: over the others
-// it was lowest there. The comparison of m with profile'(d) t / d, without its roots.
+// Keeps only those cells open over which the cutter sinks at the start of the move. Over
+// the others it is lowest at the start. The test compares m with profile'(d) t / d in
+// squared form, without the roots.
 ENDMILL_WIDEST_REGISTERS
-void look_from_start(const TilePlace& place, const SweptMove& move, Shape shape,
-                     double* __restrict open)
+void close_rising_cells(const TilePlace& place, const SweptMove& move, Shape shape,
+                        double* __restrict open)
 {
     const double slope2 = move.slope * std::abs(move.slope);
     for (int j = 0; j < side; ++j) {
@@ -130,12 +148,13 @@ void look_from_start(const TilePlace& place, const SweptMove& move, Shape shape,
     }
 }
 
-// Cells that the cutter passes between the ends of its move.
+// Up to eight cells over which the cutter passes between the ends of its move.
 struct Passed {
-    Lanes s;  // along the move from its start
-    Lanes e;  // across it
-    // From the cell to the cutter's axis on the side where the cutter is lower, and the
-    // sine of the corner's angle over the cell there.
+    Lanes s;  // mm, along the move from its start
+    Lanes e;  // mm, across the move
+    // Distance along the move from the cell to the axis, on the side where the cutter is
+    // lower: its range; and the sine of the corner's angle over the cell: its range and
+    // its current value.
     Lanes t_low;
     Lanes t_high;
     Lanes low;
@@ -143,9 +162,11 @@ struct Passed {
     Lanes sine;
 };
 
-// The part of the move on which the cutter is over each cell; the sine begins in its middle.
+// Bounds the positions at which the cutter is over each cell. The sine starts in the
+// middle of its range.
 ENDMILL_WIDEST_REGISTERS
-void bracket(Passed& cells, double length, double lower_side, const Shape& shape)
+void bracket_positions(Passed& cells, double length, double lower_side,
+                       const Shape& shape)
 {
     for (int i = 0; i < side; ++i) {
         const double s = cells.s[i];
@@ -168,13 +189,14 @@ void bracket(Passed& cells, double length, double lower_side, const Shape& shape
     }
 }
 
-// One step of Newton's iteration for the sine x: the cutter is lowest over the cell where
-// x t = m sqrt(1 - x^2) d, with d = c + r x, t^2 = d^2 - e^2. The difference of the squares
-// is a convex function of x from its root on.
-// Source: spec of the removal, section 1, profile'(d) t / d = m, in the corner's angle.
-// \return the longest step, as a share of the sine
+// Does one step of Newton's method for the sine x of the corner's angle. The cutter is
+// lowest over the cell where x t = m sqrt(1 - x^2) d, with d = c + r x and t^2 = d^2 -
+// e^2. The difference of the squared sides is a convex function of x from its root on.
+// Source: docs/mathematics/removal.md, section 1: profile'(d) t / d = m, written in the
+// corner's angle.
+// \return the longest step, minus `step_share` of the sine; not above 0 if converged.
 ENDMILL_WIDEST_REGISTERS
-double improve(Passed& cells, double m, const Shape& shape)
+double newton_step(Passed& cells, double m, const Shape& shape)
 {
     const double m2 = m * m;
     Lanes steps;
@@ -188,7 +210,8 @@ double improve(Passed& cells, double m, const Shape& shape)
         const double rise =
             2 * (x * t2 + shape.r * d * (x * x - m2 * cosine2) + m2 * d * d * x);
         const double newton = x - value / select(rise > 0, rise, least_slope);
-        // Beside the root on its lower side the function may fall: then from the high end.
+        // On the lower side of the root the function may fall. Then the iteration
+        // restarts from the upper end.
         const double next = select(rise > 0, newton, cells.high[i]);
         const double better = smaller(larger(next, cells.low[i]), cells.high[i]);
         cells.sine[i] = better;
@@ -197,7 +220,7 @@ double improve(Passed& cells, double m, const Shape& shape)
     return *std::ranges::max_element(steps);
 }
 
-// The heights where the cutter is lowest.
+// Computes the heights at the positions found.
 ENDMILL_WIDEST_REGISTERS
 void heights_between(const Passed& cells, const SweptMove& move, double lower_side,
                      const Shape& shape, Lanes& heights)
@@ -223,7 +246,7 @@ void heights_between(const Passed& cells, const SweptMove& move, double lower_si
     }
 }
 
-// Lowers the heights of up to eight cells to what the cutter leaves between the ends.
+// Lowers the heights of up to eight cells to the minimum between the ends of the move.
 void lower_between(std::span<const std::uint8_t> numbers, const TilePlace& place,
                    const SweptMove& move, const Shape& shape, TileHeights& heights)
 {
@@ -236,9 +259,9 @@ void lower_between(std::span<const std::uint8_t> numbers, const TilePlace& place
         cells.e[i] = dy * move.direction_x - dx * move.direction_y;
     }
     const double lower_side = move.slope > 0 ? -1 : 1;
-    bracket(cells, move.length, lower_side, shape);
+    bracket_positions(cells, move.length, lower_side, shape);
     for (int k = 0; k < most_iterations; ++k)
-        if (!(improve(cells, std::abs(move.slope), shape) > 0))
+        if (!(newton_step(cells, std::abs(move.slope), shape) > 0))
             break;
     Lanes found;
     heights_between(cells, move, lower_side, shape, found);
@@ -248,7 +271,7 @@ void lower_between(std::span<const std::uint8_t> numbers, const TilePlace& place
 
 using CellNumbers = std::array<std::uint8_t, HeightStock::tile_size>;
 
-// The numbers of the cells with a number below 0, and how many they are.
+// Lists the cells whose number in `open` is below 0. \return their number.
 std::size_t numbers_below_zero(const TileHeights& open, CellNumbers& numbers)
 {
     std::size_t count = 0;
@@ -271,7 +294,7 @@ void bull_heights(HeightStock::ConstTile tile, const TilePlace& place,
     }
     TileHeights open;
     if (move.is_continued) {
-        look_from_end(tile.data(), place, move, shape, heights.data(), open.data());
+        heights_at_end(tile.data(), place, move, shape, heights.data(), open.data());
     } else {
         SweptMove start = move;
         start.length = 0;
@@ -280,14 +303,14 @@ void bull_heights(HeightStock::ConstTile tile, const TilePlace& place,
         TileHeights lowered;
         for (int k = 0; k < HeightStock::tile_size; ++k)
             lowered[k] = smaller(tile[k], known[k]);
-        look_from_end(lowered.data(), place, move, shape, heights.data(), open.data());
+        heights_at_end(lowered.data(), place, move, shape, heights.data(), open.data());
         for (int k = 0; k < HeightStock::tile_size; ++k)
             heights[k] = smaller(heights[k], known[k]);
     }
     CellNumbers numbers;
     std::size_t count = numbers_below_zero(open, numbers);
     if (count > side) {
-        look_from_start(place, move, shape, open.data());
+        close_rising_cells(place, move, shape, open.data());
         count = numbers_below_zero(open, numbers);
     }
     for (std::size_t first = 0; first < count; first += side)

@@ -10,16 +10,29 @@
 #include "endmill/core/parallel.h"
 #include "endmill/stock/detail/tile_clearance.h"
 
+// A group of 4 by 4 tiles is processed by one thread.
+// 1. Its moves are taken in batches of 256. `may_touch` discards the moves that pass
+//    clear of a plane above the whole group.
+// 2. For each tile, the moves of the batch are tested in blocks of eight against the
+//    tile's own plane. The plane is fitted again after a cut, because the tile is lower
+//    then.
+// 3. The remaining moves are cut exactly (`cut_tile`), with the depths of shank and
+//    holder before and after the cut.
+// Results of the same move from different groups are combined by atomic additions of
+// integers and atomic maxima, which do not depend on the order.
+
 namespace endmill {
 namespace {
 
-// Of a radius: what must not touch is narrower by this, so that a cell upon the rim, where
-// rounding decides, does not count. Far above rounding, and below any clearance.
+// Cutter and cylinders are narrowed by this share of their radius for the tests of
+// forbidden contacts. A cell on the rim, where rounding decides, then does not count. The
+// share is far above rounding errors and far below any clearance.
 constexpr double rim_share = 1e-9;
-// Moves that are compared with a tile at a time: then its plane is laid anew.
+// Number of moves that are tested against a tile before its plane is fitted again.
 constexpr int moves_at_a_time = 8;
 constexpr int tiles_in_group = MoveBins::group_side * MoveBins::group_side;
 
+// Raises a shared number to at least `value`.
 void raise_to(double& shared, double value)
 {
     const std::atomic_ref<double> atomic{shared};
@@ -29,15 +42,15 @@ void raise_to(double& shared, double value)
     }
 }
 
-// A tile of the group at hand.
+// A tile of the current group.
 struct WorkedTile {
     HeightStock::Tile heights;
     TilePlace place;
-    TileTop top;
-    bool is_lowered = false;  // since `top` was laid
+    UpperPlane top;
+    bool is_lowered = false;  // since `top` was fitted
 };
 
-// The tiles of one group, and what the moves over them find there.
+// The tiles of one group and their results.
 class Group {
 public:
     Group(HeightStock& stock, std::span<const SweptMove> moves, const SweepingTool& tool,
@@ -52,23 +65,23 @@ public:
         tiles_.reserve(tiles_in_group);
     }
 
-    // The group in this column and row, with its moves in order.
-    void work_on(int column, int row, std::span<const std::uint32_t> numbers)
+    // Cuts the group in this column and row by its moves, in order.
+    void cut_group(int column, int row, std::span<const std::uint32_t> numbers)
     {
-        enter(column, row);
+        collect_tiles(column, row);
         for (std::size_t next = 0; next < numbers.size() && !tiles_.empty();) {
             batch_.count = 0;
             for (; next < numbers.size() && batch_.count < MoveBatch::capacity; ++next)
                 batch_.add(moves_[numbers[next]], numbers[next]);
-            leave_out_clear_moves();
+            discard_clear_moves();
             for (WorkedTile& tile : tiles_)
-                work_on(tile);
+                cut(tile);
         }
     }
 
 private:
-    // Tiles without material are left out.
-    void enter(int column, int row)
+    // Collects the tiles of the group that have material.
+    void collect_tiles(int column, int row)
     {
         constexpr int side = MoveBins::group_side;
         tiles_.clear();
@@ -81,32 +94,33 @@ private:
                 if (std::ranges::all_of(heights, [&](double z) { return z <= bottom; }))
                     continue;
                 const TilePlace place = tile_place(stock_.grid(), i, j);
-                tiles_.push_back({heights, place, tile_top(heights, place)});
+                tiles_.push_back({heights, place, upper_plane(heights, place)});
             }
     }
 
-    // Those that pass clear over all tiles.
-    void leave_out_clear_moves()
+    // Discards the moves of the batch that pass clear of all tiles.
+    void discard_clear_moves()
     {
         tops_.clear();
         for (WorkedTile& tile : tiles_)
-            tops_.push_back(current_top(tile));
-        find_touches(common_top(tops_), {0, batch_.count});
+            tops_.push_back(current_plane(tile));
+        find_touches(common_upper_plane(tops_), {0, batch_.count});
         batch_.keep(touches_.data());
     }
 
-    static const TileTop& current_top(WorkedTile& tile)
+    // Returns the plane above a tile, fitted again if the tile was lowered.
+    static const UpperPlane& current_plane(WorkedTile& tile)
     {
         if (tile.is_lowered) {
-            tile.top = tile_top(tile.heights, tile.place);
+            tile.top = upper_plane(tile.heights, tile.place);
             tile.is_lowered = false;
         }
         return tile.top;
     }
 
-    // Which moves of the range may touch the stock below `top`, with any part of the
-    // tool.
-    void find_touches(const TileTop& top, MoveRange range)
+    // Marks the moves of the range that may touch the stock below `top` with any part of
+    // the tool.
+    void find_touches(const UpperPlane& top, MoveRange range)
     {
         may_touch(top, batch_, cutter_disc_, range, touches_.data());
         std::array<std::uint8_t, MoveBatch::capacity> meets;
@@ -117,18 +131,20 @@ private:
         }
     }
 
-    void work_on(WorkedTile& tile)
+    // Cuts a tile by the moves of the batch.
+    void cut(WorkedTile& tile)
     {
         for (int first = 0; first < batch_.count; first += moves_at_a_time) {
             const int last = std::min(batch_.count, first + moves_at_a_time);
-            find_touches(current_top(tile), {first, last});
+            find_touches(current_plane(tile), {first, last});
             for (int k = first; k < last; ++k)
                 if (touches_[k])
-                    work_on(tile, batch_.number[k]);
+                    cut(tile, batch_.number[k]);
         }
     }
 
-    void work_on(WorkedTile& tile, std::uint32_t number)
+    // Cuts a tile by one move.
+    void cut(WorkedTile& tile, std::uint32_t number)
     {
         const SweptMove& move = moves_[number];
         double body_depth = 0;
@@ -142,7 +158,7 @@ private:
             std::array<double, HeightStock::tile_size> copy;
             std::ranges::copy(tile.heights, copy.begin());
             rapid_depth =
-                cut_tile(HeightStock::Tile{copy}, tile.place, tool_.slim_cutter, move)
+                cut_tile(HeightStock::Tile{copy}, tile.place, tool_.narrowed_cutter, move)
                     .deepest;
         }
         const TileCut cut = cut_tile(tile.heights, tile.place, tool_.cutter, move);
@@ -155,6 +171,7 @@ private:
             add(tile, number, {cut.depths, rapid_depth.value_or(cut.deepest)});
     }
 
+    // Adds the cut of a tile to the result of a move.
     void add(WorkedTile& tile, std::uint32_t number, const TileCut& cut)
     {
         tile.is_lowered = true;
@@ -171,12 +188,12 @@ private:
     PartOfRemoval& part_;
     SweptDisc cutter_disc_;
     std::vector<WorkedTile> tiles_;
-    std::vector<TileTop> tops_;
+    std::vector<UpperPlane> tops_;
     MoveBatch batch_;
     std::array<std::uint8_t, MoveBatch::capacity> touches_;
 };
 
-// The groups over which a move passes.
+// Returns the groups over which a move passes.
 std::vector<std::size_t> groups_with_moves(const MoveBins& bins)
 {
     std::vector<std::size_t> groups;
@@ -192,11 +209,12 @@ std::vector<std::size_t> groups_with_moves(const MoveBins& bins)
 
 SweepingTool sweeping_tool(const Cutter& cutter, std::span<const ToolCylinder> body)
 {
-    constexpr double slim = 1 - rim_share;
-    const Cutter slim_cutter{slim * cutter.radius(), slim * cutter.corner_radius()};
-    SweepingTool tool{cutter, slim_cutter, {}, cutter.radius()};
+    constexpr double narrowed = 1 - rim_share;
+    const Cutter narrowed_cutter{narrowed * cutter.radius(),
+                                 narrowed * cutter.corner_radius()};
+    SweepingTool tool{cutter, narrowed_cutter, {}, cutter.radius()};
     for (const ToolCylinder& cylinder : body) {
-        tool.body.push_back({slim * cylinder.diameter / 2, cylinder.from});
+        tool.body.push_back({narrowed * cylinder.diameter / 2, cylinder.from});
         tool.reach = std::max(tool.reach, cylinder.diameter / 2);
     }
     return tool;
@@ -214,7 +232,7 @@ PartOfRemoval remove_part(HeightStock& stock, std::span<const SweptMove> moves,
         for (std::size_t k = begin; k < end; ++k) {
             const int column = static_cast<int>(groups[k] % bins.group_columns());
             const int row = static_cast<int>(groups[k] / bins.group_columns());
-            group.work_on(column, row, bins.over(groups[k]));
+            group.cut_group(column, row, bins.over(groups[k]));
         }
     });
     return part;

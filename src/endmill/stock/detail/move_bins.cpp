@@ -15,18 +15,21 @@ int groups_across(int cells)
     return (cells - 1) / cells_in_group + 1;
 }
 
-// The number of the group that holds a place given in groups, within those that exist.
+// Returns the number of the group that contains a place, given in groups, clamped to the
+// groups that exist.
 int group_at(double place, int groups)
 {
     return static_cast<int>(std::clamp(std::floor(place), 0.0, groups - 1.0));
 }
 
+// A part of a move, as shares of its length.
 struct Span {
     double low;
     double high;
 };
 
-// Where along the move its y lies in [low, high]; of a move along x all of it.
+// Returns the part of the move whose y lies in [low, high]; the whole move if it runs
+// along x.
 Span part_between(const SweptMove& move, double low, double high)
 {
     const double dy = move.length * move.direction_y;
@@ -40,14 +43,14 @@ Span part_between(const SweptMove& move, double low, double high)
 
 }  // namespace
 
-// Calls visit(group) for the groups within `reach` of the move, and few others: row by
-// row, the columns that the part of the move near this row can reach.
+// Calls visit(group) for all groups within `reach` of the move, and for few others. In
+// each row of groups, the part of the move near the row determines the columns.
 template <typename Visit>
 void MoveBins::for_each_group(const StockGrid& grid, const SweptMove& move, double reach,
                               const Visit& visit) const
 {
     const double width = cells_in_group * grid.pitch;
-    // A cell more: roundings do not count.
+    // One cell more, so that rounding cannot omit a group.
     const double wide = reach + grid.pitch;
     const double end_y = move.y + move.length * move.direction_y;
     const double low = (std::min(move.y, end_y) - wide - grid.low_y) / width;
@@ -85,7 +88,8 @@ MoveBins::MoveBins(const StockGrid& grid, std::span<const SweptMove> moves, doub
         });
         ++moves_;
     }
-    // From counts to ends; filled from the last move on, they become the beginnings.
+    // The counts become the ends of the groups. Filling the entries from the last move to
+    // the first turns the ends into beginnings and keeps the moves in order.
     for (std::size_t group = 1; group < begins_.size(); ++group)
         begins_[group] += begins_[group - 1];
     entries_.resize(entries);

@@ -11,23 +11,23 @@
 
 namespace endmill {
 
-/// Moves sorted by the groups of 4 by 4 tiles that they pass over, in the order of the
-/// moves. Four bytes a move and group, and eight a group.
+/// The moves over each group of 4 by 4 tiles, in the order of the moves. It takes four
+/// bytes per pair of a move and a group, and eight bytes per group.
 class MoveBins {
 public:
-    static constexpr int group_side = 4;  ///< tiles
+    static constexpr int group_side = 4;  ///< tiles along a side of a group
 
-    /// Takes moves from the start of `moves` until `most_entries` of a move and a group
-    /// are reached; always one, even if it alone has more.
-    /// \param reach in mm, how far from its line a move is felt.
+    /// Takes moves from the start of `moves` until there are `most_entries` pairs of a
+    /// move and a group. It takes at least one move.
+    /// \param reach distance from its line up to which a move affects the stock, mm.
     MoveBins(const StockGrid& grid, std::span<const SweptMove> moves, double reach,
              std::size_t most_entries);
 
-    std::size_t moves() const { return moves_; }  ///< taken
-    int group_columns() const { return columns_; }
-    int group_rows() const { return rows_; }
+    std::size_t moves() const { return moves_; }    ///< number of moves taken
+    int group_columns() const { return columns_; }  ///< number of groups along x
+    int group_rows() const { return rows_; }        ///< number of groups along y
 
-    /// The moves over a group, by their numbers in the span, rising.
+    /// Numbers of the moves over a group, rising. Groups are numbered row by row.
     std::span<const std::uint32_t> over(std::size_t group) const
     {
         return {entries_.data() + begins_[group], begins_[group + 1] - begins_[group]};

@@ -8,9 +8,10 @@
 namespace endmill {
 namespace {
 
-// Differences of such coordinates still tell a thousandth of a millimetre.
+// Differences of coordinates up to this size are still accurate to a thousandth of a
+// millimetre.
 constexpr double largest_coordinate = 1e9;  // mm
-// The axis is that of the grid but for the rounding of a unit vector.
+// Rounding error that a unit vector along +z may have.
 constexpr double axis_slack = 1e-9;
 
 }  // namespace

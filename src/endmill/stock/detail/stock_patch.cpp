@@ -8,8 +8,8 @@
 namespace endmill {
 namespace {
 
-// Beyond the reach a place is linear between a cell and the next one, whose centre lies up to
-// a pitch and a half off; half a pitch more for rounding.
+// Cells around the reach that interpolation needs: the centre of the next cell lies up to
+// one and a half pitches away; half a pitch is added for rounding.
 constexpr double margin_cells = 2;
 
 }  // namespace

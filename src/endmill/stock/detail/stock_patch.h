@@ -8,21 +8,22 @@
 
 namespace endmill {
 
-/// Some tiles of a stock as they were when they were copied, under the numbers that their
-/// cells have in the stock: `height_under` finds in it what it found there, to the bit.
+/// A copy of some tiles of a stock. Cells keep their column and row, so
+/// `interpolated_height` gives the same value as on the stock at the time of the copy, to
+/// the bit.
 class StockPatch {
 public:
-    /// Copies the tiles of the cells within `reach` of a place along x and y (all in mm), and
-    /// of the cells beside these; what was here before is forgotten, its memory used again.
+    /// Replaces the content by the tiles that are needed to interpolate within `reach` of
+    /// `place` along x and y (in mm). The memory is reused.
     void copy(const HeightStock& stock, const Vec3& place, double reach);
 
-    /// Bytes of a copy, at most.
+    /// Upper bound of the memory of a copy, in bytes.
     static double bytes(const StockGrid& grid, double reach);
 
-    /// Of the stock. \pre `copy` was called.
+    /// The grid of the stock. \pre `copy` was called.
     const StockGrid& grid() const { return grid_; }
 
-    /// In mm, of a cell of the stock. \pre The cell is within what was copied.
+    /// Height of a cell of the stock, mm. \pre The cell lies in a copied tile.
     double height(int column, int row) const
     {
         constexpr int side = HeightStock::tile_side;

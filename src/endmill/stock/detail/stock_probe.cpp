@@ -16,7 +16,7 @@ TileRange tiles_between(double low, double high, double pitch, int tiles)
             static_cast<int>(std::clamp(std::floor(high / width), 0.0, tiles - 1.0))};
 }
 
-void take_swept(HeightStock& stock, const Cutter& cutter, const SweptMove& move)
+void remove_swept(HeightStock& stock, const Cutter& cutter, const SweptMove& move)
 {
     const StockGrid& grid = stock.grid();
     const double reach = cutter.radius() + grid.pitch;

@@ -11,14 +11,16 @@
 
 namespace endmill {
 
-/// A place of a line of cells, between two of their centres.
+/// A place in a line of cells, between the centres of two of them.
 struct BetweenCells {
-    int cell;      ///< the one before it
-    int next;      ///< the one after it; the same at the border
-    double share;  ///< of the next one
+    int cell;      ///< number of the cell before the place
+    int next;      ///< number of the cell after it; the same cell at the border
+    double share;  ///< weight of the next cell, 0 to 1
 };
 
-/// \param place in cells from where the line begins, in 0 … count. \param count from 1.
+/// Returns the two cells between whose centres `place` lies.
+/// \param place in cells from the start of the line, in 0 … count.
+/// \param count number of cells, at least 1.
 inline BetweenCells between_cells(double place, int count)
 {
     const double from_centre = std::clamp(place - 0.5, 0.0, count - 1.0);
@@ -26,10 +28,14 @@ inline BetweenCells between_cells(double place, int count)
     return {cell, std::min(cell + 1, count - 1), from_centre - cell};
 }
 
-/// Height in mm at a place, linear between the centres of the cells; nothing beside the grid.
-/// \tparam Heights a HeightStock, or what has its grid and height.
+/// Returns the height of the stock at a place in mm, bilinear between the centres of the
+/// cells.
+/// \tparam Heights a HeightStock, or a type with the same `grid` and `height`.
+/// \param x in mm.
+/// \param y in mm.
+/// \return nothing outside the grid.
 template <typename Heights>
-std::optional<double> height_under(const Heights& stock, double x, double y)
+std::optional<double> interpolated_height(const Heights& stock, double x, double y)
 {
     const StockGrid& grid = stock.grid();
     const double column = (x - grid.low_x) / grid.pitch;
@@ -44,17 +50,18 @@ std::optional<double> height_under(const Heights& stock, double x, double y)
         j.share);
 }
 
-/// Tiles of a line, the last one among them.
+/// A range of tiles in a line, including the last.
 struct TileRange {
     int first;
     int last;
 };
 
-/// The tiles of a line of `tiles` that reach into [low, high], in mm from where the line
-/// begins; the nearest one if none does.
+/// Returns the tiles of a line that overlap [low, high]; the nearest tile if none does.
+/// \param low, high in mm from the start of the line.
+/// \param tiles number of tiles in the line.
 TileRange tiles_between(double low, double high, double pitch, int tiles);
 
-/// Takes from `stock` what `cutter` sweeps on `move`.
-void take_swept(HeightStock& stock, const Cutter& cutter, const SweptMove& move);
+/// Removes from `stock` the volume that `cutter` sweeps on `move`.
+void remove_swept(HeightStock& stock, const Cutter& cutter, const SweptMove& move);
 
 }  // namespace endmill

@@ -6,37 +6,24 @@
 #include <limits>
 
 #include "endmill/core/error.h"
-#include "endmill/core/text.h"
+
+// The tree is built top-down. The items are boxes around pieces of moves; each node
+// splits its items at the median along the axis in which their low corners spread most.
+// Nodes are stored in depth-first order, so that the first child follows its parent.
 
 namespace endmill {
 namespace {
 
+// Items of a leaf; more than four make the leaves too large, fewer make the tree too
+// deep.
 constexpr std::size_t most_items_a_leaf = 4;
-// A move longer than this many radii is boxed in pieces: one box around a long oblique
-// move holds mostly what it never comes near.
+// A move longer than this many radii is split into pieces with a box each, because one
+// box around a long oblique move is mostly empty.
 constexpr double piece_radii = 4;
+// Limit of the pieces of a move.
 constexpr int most_pieces = 1000;
 
 }  // namespace
-
-std::vector<StraightSweep> path_sweeps(const ToolPath& path, const Cutter& cutter)
-{
-    std::vector<StraightSweep> sweeps;
-    sweeps.reserve(path.points.size());
-    for (std::size_t i = 0; i < path.points.size(); ++i) {
-        const PathPoint& point = path.points[i];
-        if (point.location.axis != Vec3::UnitZ())
-            throw GeometryError{"point " + std::to_string(i) +
-                                " of the path: the axis is not +z; expected a path for a "
-                                "fixed, upright cutter"};
-        if (i > 0)
-            sweeps.emplace_back(cutter, path.points[i - 1].location.tip,
-                                point.location.tip);
-        else if (point.move != Move::Rapid && point.move != Move::Retract)
-            sweeps.emplace_back(cutter, point.location.tip, point.location.tip);
-    }
-    return sweeps;
-}
 
 SweepTree::SweepTree(std::span<const StraightSweep> sweeps) : sweeps_{sweeps}
 {
@@ -61,7 +48,7 @@ SweepTree::SweepTree(std::span<const StraightSweep> sweeps) : sweeps_{sweeps}
     }
 }
 
-// The boxes of its pieces.
+// Adds the boxes of a move's pieces.
 void SweepTree::add_items(std::uint32_t number, std::vector<Item>& items) const
 {
     const StraightSweep& sweep = sweeps_[number];

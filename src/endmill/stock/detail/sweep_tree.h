@@ -11,39 +11,42 @@
 #include <vector>
 
 #include "endmill/cutter/straight_sweep.h"
-#include "endmill/path/tool_path.h"
 
 namespace endmill {
 
-/// What the cutter clears on the move to each point of `path`; on that to the first, what
-/// it clears standing there, unless it comes by a rapid or a retract.
-/// \throws GeometryError, with the point, if the axis of one is not +z.
-std::vector<StraightSweep> path_sweeps(const ToolPath& path, const Cutter& cutter);
-
-/// Finds the moves that may clear something near a place. Keeps a tree of boxes around
-/// pieces of the moves, about 60 bytes a move, and refers to the sweeps, which must
+/// A bounding volume hierarchy over the moves of a path. It finds the moves that may
+/// clear material near a place. There is one tree per cutter; its boxes hold pieces of
+/// moves. The tree takes about 60 bytes per move and refers to the sweeps, which must
 /// outlive it.
 class SweepTree {
 public:
+    /// \throws DomainError for 2^31 sweeps or more.
     explicit SweepTree(std::span<const StraightSweep> sweeps);
 
-    std::span<const StraightSweep> sweeps() const { return sweeps_; }
+    std::span<const StraightSweep> sweeps() const { return sweeps_; }  ///< as given
 
-    /// Whether all sweeps are of one cutter.
+    /// Whether all sweeps have the same cutter.
     bool is_of_one_cutter() const { return roots_.size() < 2; }
 
-    /// Of all sweeps' cutters, mm; 0 if one has a sharp edge, or there is none.
+    /// Smallest corner radius of all cutters in mm; 0 if a cutter has a sharp edge or
+    /// there is no sweep.
     double least_corner_radius() const;
 
-    /// Calls `visit(number of a sweep)` for the sweeps whose reference points (one corner
-    /// radius above the tips) lie in boxes for which `may_matter(nearest)` holds, `nearest`
-    /// being the box's point nearest to `place`, boxes being open above as the cutter is.
-    /// Nearer boxes come first by and large, and `may_matter` is asked late, so that it
-    /// may grow stricter on the way. A long move may be visited more than once. The order
-    /// depends on the sweeps and the answers only.
+    /// Calls `visit(number)` for every sweep with a piece in a box that passes
+    /// `may_matter`.
     ///
-    /// \param may_matter may also ask for the cutter of the box's sweeps, as a second argument;
-    /// of several cutters that of the last sweep comes first, one after the other.
+    /// A box holds the reference points (one corner radius above the tips) of pieces of
+    /// moves and, like the cutter, is open above. `may_matter` receives the point of the
+    /// box that is nearest to `place`. Nearer boxes mostly come first, and each box is
+    /// tested only when its turn comes, so `may_matter` may become stricter during the
+    /// traversal. A long move may be visited more than once. The order depends on the
+    /// sweeps and on the answers of `may_matter` only.
+    ///
+    /// \param place in mm.
+    /// \param may_matter called as `may_matter(nearest)` or, if it takes two arguments,
+    ///        as `may_matter(nearest, cutter)` with the cutter of the box. With several
+    ///        cutters, that of the last sweep comes first.
+    /// \param visit called with the number of a sweep.
     template <typename MayMatter, typename Visit>
     void visit(const Vec3& place, const MayMatter& may_matter, const Visit& visit) const
     {
@@ -88,17 +91,21 @@ private:
         }
     }
 
-    // Around the reference points of pieces of moves, open above, as the cutter is.
+    // A box around the reference points of pieces of moves; open above, like the cutter.
     struct Box {
         Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
         double high_x = -std::numeric_limits<double>::infinity();
         double high_y = -std::numeric_limits<double>::infinity();
     };
     struct Node : Box {
-        std::uint32_t first;  // item, or the second child; the first child follows
-        std::uint32_t count;  // of items; 0 for an inner node
+        std::uint32_t
+            // first item of a leaf, or the second child (the first child follows the
+            // node)
+            first;
+        std::uint32_t count;  // number of items; 0 for an inner node
     };
-    struct Root {  // of the sweeps of one cutter
+    // The tree of the sweeps of one cutter.
+    struct Root {
         Cutter cutter;
         std::uint32_t node;
     };

@@ -7,20 +7,29 @@
 
 #include "endmill/core/detail/widest_registers.h"
 
+// Most moves near a tile do not touch it. `may_touch` rejects them without evaluating the
+// cells. A tile is represented by a plane above its heights. The volume that a move
+// sweeps is convex, so a plane separates the two if they are disjoint. The test takes the
+// point of the swept disc that is nearest to the middle of the tile and uses the plane
+// perpendicular to the line between them. It compares two support functions: the least
+// value over the sweep and the greatest over the tile.
+
 namespace endmill {
 namespace {
 
 constexpr int side = HeightStock::tile_side;
-// Of the largest coordinate: some hundred roundings of a double, so that a move is never
-// left out for one.
+// Share of the largest coordinate that bounds the rounding errors, some hundred roundings
+// of a double, so that no move is rejected by rounding.
 constexpr double rounding_share = 1e-13;
 
-// The slopes that fit best, times the sum of the squared distances from the middle, in
-// cells: 8 rows of 2 (0.5^2 + 1.5^2 + 2.5^2 + 3.5^2).
+// Sum of the squared distances of the cells from the middle along one axis, in cells: 8
+// rows of 2 (0.5^2 + 1.5^2 + 2.5^2 + 3.5^2). The least-squares slope is the moment
+// divided by it.
 constexpr double sum_of_squares = 8 * 42.0;
 
+// Fits a plane to the heights by least squares and raises it above all of them.
 ENDMILL_WIDEST_REGISTERS
-void fit_plane(const double* tile, double pitch, TileTop& top)
+void fit_plane(const double* tile, double pitch, UpperPlane& top)
 {
     std::array<double, side> columns{};
     std::array<double, side> moments{};
@@ -35,7 +44,7 @@ void fit_plane(const double* tile, double pitch, TileTop& top)
         along_x += (i - 3.5) * columns[i];
         along_y += moments[i];
     }
-    const double rise_x = along_x / sum_of_squares;  // a cell
+    const double rise_x = along_x / sum_of_squares;  // per cell
     const double rise_y = along_y / sum_of_squares;
     std::array<double, side> highest;
     highest.fill(-std::numeric_limits<double>::infinity());
@@ -52,10 +61,10 @@ void fit_plane(const double* tile, double pitch, TileTop& top)
 
 }  // namespace
 
-TileTop tile_top(HeightStock::ConstTile tile, const TilePlace& place)
+UpperPlane upper_plane(HeightStock::ConstTile tile, const TilePlace& place)
 {
     const double pitch = place.x[1] - place.x[0];
-    TileTop top{};
+    UpperPlane top{};
     fit_plane(tile.data(), pitch, top);
     top.x = (place.x.front() + place.x.back()) / 2;
     top.y = (place.y.front() + place.y.back()) / 2;
@@ -66,14 +75,14 @@ TileTop tile_top(HeightStock::ConstTile tile, const TilePlace& place)
     return top;
 }
 
-TileTop common_top(std::span<const TileTop> tops)
+UpperPlane common_upper_plane(std::span<const UpperPlane> tops)
 {
-    TileTop common{};
+    UpperPlane common{};
     double low_x = tops.front().x;
     double low_y = tops.front().y;
     double high_x = low_x;
     double high_y = low_y;
-    for (const TileTop& top : tops) {
+    for (const UpperPlane& top : tops) {
         low_x = std::min(low_x, top.x);
         low_y = std::min(low_y, top.y);
         high_x = std::max(high_x, top.x);
@@ -87,14 +96,14 @@ TileTop common_top(std::span<const TileTop> tops)
     common.half_width =
         std::max(high_x - low_x, high_y - low_y) / 2 + tops.front().half_width;
     common.z = -std::numeric_limits<double>::infinity();
-    // Over a tile the difference of the planes is greatest at one of its corners.
-    for (const TileTop& top : tops)
+    // The difference of two planes over a tile is greatest at a corner of the tile.
+    for (const UpperPlane& top : tops)
         common.z = std::max(common.z, top.z + (common.x - top.x) * common.slope_x +
                                           (common.y - top.y) * common.slope_y +
                                           (std::abs(top.slope_x - common.slope_x) +
                                            std::abs(top.slope_y - common.slope_y)) *
                                               top.half_width);
-    // The sums above round some ten times as often as those of a tile.
+    // The sums above have about ten times as many roundings as those of a tile.
     common.margin *= 10;
     return common;
 }
@@ -125,7 +134,8 @@ void MoveBatch::add(const SweptMove& move, std::uint32_t its_number)
     dx[count] = move.length * move.direction_x;
     dy[count] = move.length * move.direction_y;
     dz[count] = move.rise;
-    // Below the least length of which a reciprocal is known it does not matter.
+    // For a shorter move the position on it does not matter, and its reciprocal would
+    // overflow.
     per_length2[count] =
         length2 > 1 / std::numeric_limits<double>::max() ? 1 / length2 : 0;
     number[count] = its_number;
@@ -133,14 +143,15 @@ void MoveBatch::add(const SweptMove& move, std::uint32_t its_number)
 }
 
 ENDMILL_WIDEST_REGISTERS
-void may_touch(const TileTop& top, const MoveBatch& batch, const SweptDisc& disc,
+void may_touch(const UpperPlane& top, const MoveBatch& batch, const SweptDisc& disc,
                MoveRange range, std::uint8_t* touches)
 {
     const double c = disc.flat_radius;
     const double top_z = top.z - disc.above;
     const double half = top.half_width;
     for (int k = range.first; k < range.last; ++k) {
-        // From the middle of the disc at the start of the move to the middle of the tile.
+        // p: from the middle of the disc at the start of the move to the middle of the
+        // tile.
         const double px = top.x - batch.x[k];
         const double py = top.y - batch.y[k];
         const double pz = top_z - batch.z[k];
@@ -153,7 +164,8 @@ void may_touch(const TileTop& top, const MoveBatch& batch, const SweptDisc& disc
         double vx = px - share * dx;
         double vy = py - share * dy;
         double vz = pz - share * dz;
-        // From the nearest point of the disc. Never upwards: all above it is swept too.
+        // v: from the nearest point of the disc to the middle of the tile. Its upward
+        // part is removed, because everything above the disc is swept too.
         const double across = std::sqrt(vx * vx + vy * vy);
         const double beside = select(across > c, across - c, 0);
         const double kept = select(across > c, beside / across, 0);
@@ -167,7 +179,8 @@ void may_touch(const TileTop& top, const MoveBatch& batch, const SweptDisc& disc
         const double tilt_y = std::abs(vy + vz * top.slope_y);
         const double r = disc.corner_radius + top.margin +
                          rounding_share * (std::abs(px) + std::abs(py) + std::abs(pz));
-        // Clear if this is more than r |v|, of which the squares tell.
+        // The sweep is clear if `apart` exceeds r |v|. Comparing the squares with their
+        // signs avoids the root.
         const double apart = least - (tilt_x + tilt_y) * half - c * beside;
         const double v2 = beside * beside + vz * vz;
         const bool is_clear = apart * std::abs(apart) > r * r * v2;

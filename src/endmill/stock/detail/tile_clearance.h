@@ -10,64 +10,70 @@
 
 namespace endmill {
 
-/// A plane over a tile, nowhere below the heights of its cells.
-struct TileTop {
-    double x;  ///< mm, middle of the tile
-    double y;
-    double z;           ///< mm, of the plane there
-    double slope_x;     ///< its rise along x
-    double slope_y;     ///< along y
+/// A plane above all heights of a tile.
+struct UpperPlane {
+    double x;           ///< mm, middle of the tile
+    double y;           ///< mm, middle of the tile
+    double z;           ///< mm, height of the plane at the middle
+    double slope_x;     ///< slope along x
+    double slope_y;     ///< slope along y
     double half_width;  ///< mm, from the middle to the outermost centres of cells
-    double margin;      ///< mm, above the rounding of all that is computed here
+    double margin;  ///< mm, exceeds the rounding errors of the tests against the plane
 };
 
-/// The plane of the slope that fits the heights best, raised until it lies over all.
-TileTop tile_top(HeightStock::ConstTile tile, const TilePlace& place);
+/// Returns the plane that fits the heights of the tile best, raised until it lies above
+/// all of them.
+UpperPlane upper_plane(HeightStock::ConstTile tile, const TilePlace& place);
 
-/// A plane over all of the tiles that lie under `tops`, of their mean slope.
-/// \pre there is a tile.
-TileTop common_top(std::span<const TileTop> tops);
+/// Returns a plane above several tiles: the mean slope of their planes, raised until it
+/// lies above all of them.
+/// \pre `tops` is not empty.
+UpperPlane common_upper_plane(std::span<const UpperPlane> tops);
 
-/// Moves side by side, for the loops that look at many: a structure of arrays.
+/// Several moves as a structure of arrays, for loops that test many moves at once.
 struct MoveBatch {
-    static constexpr int capacity = 256;
+    static constexpr int capacity = 256;  ///< greatest number of moves
 
-    std::array<double, capacity> x;  ///< mm, of the tip where the move begins
-    std::array<double, capacity> y;
-    std::array<double, capacity> z;
-    std::array<double, capacity> dx;  ///< mm, to its end
-    std::array<double, capacity> dy;
-    std::array<double, capacity> dz;
-    std::array<double, capacity> per_length2;  ///< 1 / |d|^2; 0 if it stays in place
-    std::array<std::uint32_t, capacity> number;
-    int count = 0;
+    std::array<double, capacity> x;            ///< mm, tip at the start of the move
+    std::array<double, capacity> y;            ///< mm, tip at the start of the move
+    std::array<double, capacity> z;            ///< mm, tip at the start of the move
+    std::array<double, capacity> dx;           ///< mm, from the start to the end
+    std::array<double, capacity> dy;           ///< mm, from the start to the end
+    std::array<double, capacity> dz;           ///< mm, from the start to the end
+    std::array<double, capacity> per_length2;  ///< 1 / |d|^2; 0 for a move without length
+    std::array<std::uint32_t, capacity> number;  ///< of the move
+    int count = 0;                               ///< of moves
 
-    /// \pre count < capacity
+    /// Appends a move. \pre count < capacity
     void add(const SweptMove& move, std::uint32_t its_number);
 
-    /// Leaves only the moves with a 1, in their order.
+    /// Keeps the moves whose entry in `kept` is 1, in their order.
     void keep(const std::uint8_t* kept);
 };
 
-/// The rounded disc that sweeps: the points within `corner_radius` of a disc of
-/// `flat_radius`, whose centre lies `above` the tip, and all that is above them.
+/// The shape that a tool sweeps: all points within `corner_radius` of a level disc of
+/// `flat_radius` whose centre lies `above` the tip, and all points above them.
 struct SweptDisc {
     double flat_radius;    ///< mm
     double corner_radius;  ///< mm
     double above;          ///< mm
 };
 
-/// Moves first … last - 1 of a batch.
+/// The moves first … last - 1 of a batch.
 struct MoveRange {
     int first;
     int last;
 };
 
-/// For the moves of a range of the batch: whether they may lower the stock under
-/// `top`. A 0 is certain, a 1 is not. What a move sweeps is convex, so it is clear of the
-/// tile's piece of the plane if a plane parts them; tried is the one across the line from
-/// the middle of the tile to the nearest point of the disc near it.
-void may_touch(const TileTop& top, const MoveBatch& batch, const SweptDisc& disc,
+/// Tests whether moves may lower the stock under `top`, and writes 1 or 0 per move to
+/// `touches`. A 0 is certain, a 1 is not.
+///
+/// The swept volume of a move is convex. It does not touch the tile's piece of the plane
+/// if a plane separates the two. The test tries one separating plane: the one
+/// perpendicular to the line from the middle of the tile to the nearest point of the
+/// swept disc.
+/// \param range moves of the batch that are tested.
+void may_touch(const UpperPlane& top, const MoveBatch& batch, const SweptDisc& disc,
                MoveRange range, std::uint8_t* touches);
 
 }  // namespace endmill

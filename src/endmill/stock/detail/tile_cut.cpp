@@ -12,6 +12,8 @@ namespace {
 
 constexpr int side = HeightStock::tile_side;
 
+// Lowers the cells of a tile to `heights`, but not below the bottom, and stores the
+// depths of the cut.
 ENDMILL_WIDEST_REGISTERS
 void lower(double* __restrict tile, double bottom_z, const double* __restrict heights,
            double* __restrict depths)
@@ -25,6 +27,7 @@ void lower(double* __restrict tile, double bottom_z, const double* __restrict he
     }
 }
 
+// Sums the depths in eight columns, so that every register width adds in the same order.
 TileCut sum_of(const TileHeights& depths)
 {
     std::array<double, side> sums{};

@@ -6,31 +6,32 @@
 
 namespace endmill {
 
-/// What a move took from a tile.
+/// Material that a move removed from a tile.
 struct TileCut {
-    double depths;   ///< mm, the sum over its cells
-    double deepest;  ///< mm, of one cell
+    double depths;   ///< mm, sum of the depths over the cells
+    double deepest;  ///< mm, greatest depth of a cell
 };
 
-/// Lowers the heights of `tile` to what `cutter` leaves on `move`: StraightSweep::height
-/// at the centre of each cell, within rounding. The result is the same, to the bit, with
-/// every width of the machine's registers: sums are taken in eight columns, then in order.
+/// Lowers the heights of `tile` to `StraightSweep::height` of the move at the centres of
+/// the cells, within rounding. Sums run over eight columns first and then over these in
+/// order, so the result is the same to the bit with every register width of the machine.
 TileCut cut_tile(HeightStock::Tile tile, const TilePlace& place, const Cutter& cutter,
                  const SweptMove& move);
 
-/// A cylinder around the cutter's axis, open above like the cutter itself.
+/// A cylinder around the tool axis; open above, like the cutter.
 struct BodyCylinder {
     double radius;  ///< mm
-    double above;   ///< mm, from the tip to its lower end
+    double above;   ///< mm, height of its lower end above the tip
 };
 
-/// How deep the cylinder would be in the material on the way: the largest height over its
-/// lower end, in mm, of all positions; 0 if it is clear.
+/// Returns the depth of the cylinder in the material in mm: the greatest height of a cell
+/// above the cylinder's lower end, over all positions of the move; 0 if it touches
+/// nothing.
 double body_depth(HeightStock::ConstTile tile, const TilePlace& place,
                   const BodyCylinder& body, const SweptMove& move);
 
-/// The same where the cylinder arrives over a cell that it did not cover at the start of
-/// the move: at the place where its rim gets there.
+/// Returns the same depth, but only for cells that the cylinder does not cover at the
+/// start of the move, and at the position where its rim reaches the cell.
 double body_depth_on_arrival(HeightStock::ConstTile tile, const TilePlace& place,
                              const BodyCylinder& body, const SweptMove& move);
 

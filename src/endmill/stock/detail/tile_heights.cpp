@@ -14,9 +14,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-// S under a ball. With w^2 = q, k = 1 + m^2 the unclamped position s - m w / sqrt(k) lies
-// before the move's start if s |s| k < m |m| q, and beyond its end alike; so one root a
-// cell is enough. Source: spec of the removal, section 1.
+// S of a ball. With w^2 = q and k = 1 + m^2 the unclamped position of the minimum is s -
+// m w / sqrt(k). It lies before the start of the move if s |s| k < m |m| q, and beyond
+// its end by the corresponding test. So one root per cell is enough.
+// Source: docs/mathematics/removal.md, section 1.
 ENDMILL_WIDEST_REGISTERS
 void ball_heights(const TilePlace& place, const SweptMove& move, double R,
                   TileHeights& heights)
@@ -50,7 +51,9 @@ void ball_heights(const TilePlace& place, const SweptMove& move, double R,
     }
 }
 
-// S under a flat cutter: at the end of its way over the cell where it is lower.
+// S of a flat cutter. Over a cell the cutter is lowest at one end of the range of
+// positions that cover the cell.
+// Source: docs/mathematics/removal.md, section 1.
 ENDMILL_WIDEST_REGISTERS
 void flat_heights(const TilePlace& place, const SweptMove& move, double R,
                   TileHeights& heights)

@@ -9,36 +9,40 @@
 
 namespace endmill {
 
-/// Where the cells of a tile are.
+/// Coordinates of the cells of a tile.
 struct TilePlace {
     std::array<double, HeightStock::tile_side> x;  ///< mm, centres of the columns
     std::array<double, HeightStock::tile_side> y;  ///< mm, centres of the rows
-    double bottom_z;                               ///< mm
+    double bottom_z;                               ///< mm, bottom of the stock
 };
 
-/// The place of a tile of a stock.
+/// Returns the coordinates of a tile of a stock.
 TilePlace tile_place(const StockGrid& grid, int tile_column, int tile_row);
 
-/// A number for each cell of a tile.
+/// One number per cell of a tile, row by row.
 using TileHeights = std::array<double, HeightStock::tile_size>;
 
-/// One of two numbers, both of which are known: no branch.
+/// Chooses one of two numbers that are both computed, so that the compiler needs no
+/// branch.
 inline double select(bool is_first, double first, double second)
 {
     return is_first ? first : second;
 }
 
-/// The cells of a row against a move: s along and e across it from its start, as
-/// `StraightSweep` has them, and q = R^2 - e^2. All loops over a row compute every case
-/// and select, and take roots of magnitudes: so the compiler does several cells at a time,
-/// with the same bits for every number of them.
+/// The cells of a row in the coordinates of a move: s along it, e across it, both from
+/// its start as in `StraightSweep`, and q = R^2 - e^2.
+///
+/// Every loop over a row computes all cases and selects one, and takes roots of absolute
+/// values. This lets the compiler process several cells at once, with the same bits for
+/// any number of them.
 struct TileRow {
-    std::array<double, HeightStock::tile_side> s;  ///< mm
-    std::array<double, HeightStock::tile_side> e;  ///< mm
-    std::array<double, HeightStock::tile_side> q;  ///< mm^2
+    std::array<double, HeightStock::tile_side> s;  ///< mm, along the move
+    std::array<double, HeightStock::tile_side> e;  ///< mm, across the move
+    std::array<double, HeightStock::tile_side> q;  ///< mm^2, R^2 - e^2
 };
 
-/// Row `j` of a tile.
+/// Returns row `j` of a tile.
+/// \param R radius of the cutter, mm.
 inline TileRow tile_row(const TilePlace& place, int j, const SweptMove& move, double R)
 {
     TileRow row;
@@ -53,12 +57,12 @@ inline TileRow tile_row(const TilePlace& place, int j, const SweptMove& move, do
     return row;
 }
 
-/// StraightSweep::height of a ball of radius R at the centres of the cells, in mm;
-/// infinite where it does not pass.
+/// Computes `StraightSweep::height` of a ball of radius R at the centres of the cells, in
+/// mm. It is infinite where the ball does not pass.
 void ball_heights(const TilePlace& place, const SweptMove& move, double R,
                   TileHeights& heights);
 
-/// The same for a flat cutter of radius R.
+/// Computes the same for a flat cutter of radius R.
 void flat_heights(const TilePlace& place, const SweptMove& move, double R,
                   TileHeights& heights);
 

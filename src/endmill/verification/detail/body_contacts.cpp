@@ -8,29 +8,43 @@
 #include "endmill/core/parallel.h"
 #include "endmill/verification/detail/body_place.h"
 
+// The depth of a place of the part in a cylinder during a move (`place_in_body`) is a
+// concave function of the place, and it changes by no more than the place moves.
+// 1. The triangles are taken in blocks of eight. The tree lists the open moves that may
+//    bring the cylinder into the box of a block; one evaluation at the box's middle
+//    rejects most of them.
+// 2. For each move and triangle, `PiecewiseDepth` bounds the depth: from below by the
+//    depths at the corners and middles, from above by the tangent plane in the middle. A
+//    piece is quartered until its bound is negligible or accurate enough.
+// 3. The results are merged in the order of the blocks, so they do not depend on the
+//    threads.
+// Source: paper/notes/body-contacts.md.
+
 namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Triangles that are compared with the moves together, and such blocks whose findings are
-// kept until they are counted in, in order.
+// Triangles per block, and blocks whose results are kept before they are merged in order.
 constexpr std::size_t block_size = 8;
 constexpr std::size_t blocks_at_a_time = 2048;
-// Of the deepest contact: closely enough for a person.
+// Accuracy of the deepest contact, as a share of its depth.
 constexpr double sharp_share = 0.01;
-// Of the slack.
+// Accuracy of a bound near the slack, as a share of the slack.
 constexpr double sharp_slack = 0.125;
-// Of what the part strays from the mesh.
+// Accuracy below this share of the chord error is useless, because the part itself is not
+// known better.
 constexpr double blurred_share = 0.5;
-// Pieces of a triangle for one move; what is left then counts as deep as it may be.
+// Limit of the pieces of a triangle per move. The upper bounds of the remaining pieces
+// are kept.
 constexpr int most_pieces = 20'000;
 
+// The bounds that a block gives for a move.
 struct Finding {
     std::size_t move;
     BodyMove found;
 };
 
-// A box around triangles.
+// A bounding box of triangles.
 struct Box {
     Vec3 low = Vec3::Constant(infinite);
     Vec3 high = Vec3::Constant(-infinite);
@@ -46,10 +60,10 @@ struct Box {
 
 using Corners = std::array<Vec3, 3>;
 
-// One move against one triangle, by pieces of it.
-class Piecewise {
+// Bounds the depth of one move in one triangle by subdividing the triangle.
+class PiecewiseDepth {
 public:
-    Piecewise(const BodyAndMesh& task, const SweptMove& move, BodyMove& found)
+    PiecewiseDepth(const BodyAndMesh& task, const SweptMove& move, BodyMove& found)
         : task_{task},
           move_{move},
           lowest_{move.z + std::min(move.rise, 0.0) + task.cylinder.above},
@@ -67,7 +81,8 @@ public:
                 task_.chord_error <=
             std::max(negligible, found_.depth))
             return;
-        // The corners lie on the part, what is between them does not.
+        // The corners lie on the part. Other places of the triangle are off by up to the
+        // chord error.
         for (const Vec3& corner : corners)
             count(place_in_body(task_.cylinder, move_, corner).depth, corner);
         std::vector<Corners> pieces{corners};
@@ -78,7 +93,7 @@ public:
             const BodyPlace at = place_in_body(task_.cylinder, move_, middle);
             count(at.depth - task_.chord_error, middle);
             const double most = greatest(piece, middle, at);
-            // Closer than the mesh is to the part would tell nothing.
+            // The accuracy that this piece needs.
             const double sharp =
                 std::max({sharpness, blurred_share * task_.chord_error,
                           found_.is_in() ? sharp_share * found_.depth : 0});
@@ -93,6 +108,7 @@ public:
     }
 
 private:
+    // Updates the greatest certain depth.
     void count(double depth, const Vec3& place)
     {
         if (depth > found_.depth) {
@@ -101,7 +117,8 @@ private:
         }
     }
 
-    // By the tangent in the middle, or by the highest corner over the lowest end.
+    // Returns an upper bound of the depth on a piece: by the tangent plane in the middle,
+    // or by the highest corner over the lowest position of the cylinder's end.
     double greatest(const Corners& piece, const Vec3& middle, const BodyPlace& at) const
     {
         double by_tangent = -infinite;
@@ -126,11 +143,11 @@ private:
 
     const BodyAndMesh& task_;
     const SweptMove& move_;
-    double lowest_;  // mm, of the cylinder's lower end
+    double lowest_;  // lowest position of the cylinder's lower end, mm
     BodyMove& found_;
 };
 
-// The open moves that may bring the cylinder into the box.
+// Returns the open moves that may bring the cylinder into the box.
 std::vector<std::size_t> moves_near(const BodyAndMesh& task, const Box& box)
 {
     Vec3 place = box.middle();
@@ -150,7 +167,7 @@ std::vector<std::size_t> moves_near(const BodyAndMesh& task, const Box& box)
     return near;
 }
 
-// What the moves find in triangles first … last - 1.
+// Returns the bounds that the triangles first … last - 1 give for the open moves.
 std::vector<Finding> contacts_in(const BodyAndMesh& task, const BodyMoves& moves,
                                  std::size_t first, std::size_t last)
 {
@@ -168,9 +185,9 @@ std::vector<Finding> contacts_in(const BodyAndMesh& task, const BodyMoves& moves
         if (around <= negligible)
             continue;
         Finding finding{number, {.depth = 0, .place = box.middle(), .most = -infinite}};
-        Piecewise piecewise{task, move, finding.found};
+        PiecewiseDepth depth{task, move, finding.found};
         for (std::size_t k = first; k < last; ++k)
-            piecewise.look_at(task.mesh.corners(k), negligible, moves.sharpness(number));
+            depth.look_at(task.mesh.corners(k), negligible, moves.sharpness(number));
         if (finding.found.depth > 0 || finding.found.most > 0)
             findings.push_back(finding);
     }
@@ -205,6 +222,7 @@ double BodyMoves::sharpness(std::size_t number) const
     return open(number).is_in() ? depth_sharpness() : sharp_slack * part_contact_slack;
 }
 
+// Accuracy of the greatest depth, mm.
 double BodyMoves::depth_sharpness() const
 {
     return std::max(sharp_slack * part_contact_slack, sharp_share * deepest_);
@@ -255,8 +273,7 @@ PartCollisions BodyMoves::found(std::size_t first) const
             found.moves.first = first + k;
         if (move.depth > found.moves.deepest) {
             found.moves.deepest = move.depth;
-            found.deepest_at = move.place;
-            found.deepest_move = first + k;
+            found.deepest = {move.place, first + k};
         }
     }
     found.error_mm = most - deepest_;

@@ -10,53 +10,58 @@
 #include "endmill/mesh/triangle_mesh.h"
 #include "endmill/stock/detail/sweep_tree.h"
 #include "endmill/stock/detail/tile_cut.h"
-#include "endmill/verification/part_collisions.h"
+#include "endmill/verification/verification_result.h"
 
 namespace endmill {
 
-/// What is known of one move.
+/// Bounds on the contact depth of one move.
 struct BodyMove {
-    /// mm; so deep it is in the part for certain, at `place`.
-    double depth = 0;
-    Vec3 place = Vec3::Zero();
-    /// mm; it is no deeper. Of a move below the slack, and of one that is shallower than the
-    /// deepest, only that.
+    double depth = 0;           ///< mm; the body is at least this deep in the part
+    Vec3 place = Vec3::Zero();  ///< mm; where it is that deep
+    /// Upper bound of the depth in mm. Moves below the slack and moves that are shallower
+    /// than the deepest one get no closer bound than that.
     double most = std::numeric_limits<double>::infinity();
 
+    /// Whether the body is in the part for certain.
     bool is_in() const { return depth > part_contact_slack; }
 };
 
-/// The moves of a path against a part, in passes over ever finer triangles: each looks at
-/// the moves that those before it left open.
+/// The moves of a path while they are tested against a part in passes over ever finer
+/// triangles. Each pass tests the moves that the passes before left open.
 class BodyMoves {
 public:
-    /// \param sweeps of the path, which must outlive it.
+    /// \param sweeps of the path; they must outlive the object.
     explicit BodyMoves(std::span<const StraightSweep> sweeps);
 
-    /// Whether a move may be in the part, or deeper than the deepest found by more than is
-    /// sharp enough.
+    /// Whether a move is left that may be in the part, or whose depth may exceed the
+    /// greatest depth found by more than the accuracy asked for.
     bool has_open() const { return !open_.empty(); }
 
+    /// The sweeps of the open moves.
     std::vector<StraightSweep> open_sweeps() const;
 
-    /// Move `number` of those that are open.
+    /// The open move with this number among the open moves.
     const BodyMove& open(std::size_t number) const { return moves_[open_[number]]; }
 
-    /// What of move `number` of those that are open is of no interest, in mm: not in the
-    /// part, or not the deepest.
+    /// Depth in mm up to which a contact of an open move does not matter: the slack, or
+    /// for a move that is in the part the greatest depth found.
     double negligible(std::size_t number) const;
 
-    /// How closely a depth beyond the negligible is asked for, in mm.
+    /// Accuracy in mm that a depth beyond the negligible one needs.
     double sharpness(std::size_t number) const;
 
-    /// Counts in what was found of an open move.
+    /// Merges the bounds that were found for an open move.
     void take(std::size_t number, const BodyMove& found);
 
-    void begin_pass();  ///< all that bounds the open moves is to be found anew
-    void end_pass(
-        double chord_error);  ///< leaves those open that finer triangles may tell
+    /// Starts a pass: discards the upper bounds of the open moves.
+    void begin_pass();
 
-    /// \param first the point to which the first sweep leads.
+    /// Ends a pass: closes the moves that finer triangles cannot change.
+    /// \param chord_error distance of the part from the triangles of the pass, mm.
+    void end_pass(double chord_error);
+
+    /// The contacts of all moves.
+    /// \param first number of the path point to which the first sweep leads.
     PartCollisions found(std::size_t first) const;
 
 private:
@@ -64,19 +69,20 @@ private:
 
     std::span<const StraightSweep> sweeps_;
     std::vector<BodyMove> moves_;
-    std::vector<std::uint32_t> open_;
-    double deepest_ = 0;  // mm
+    std::vector<std::uint32_t> open_;  // numbers of the open moves
+    double deepest_ = 0;               // greatest depth found, mm
 };
 
-/// Triangles and a cylinder on the open moves.
+/// A cylinder on the open moves and the triangles of the part.
 struct BodyAndMesh {
     const TriangleMesh& mesh;
-    double chord_error;  ///< mm, of the part from the mesh
+    double chord_error;  ///< distance of the part from the mesh, mm
     BodyCylinder cylinder;
     const SweepTree& tree;  ///< of the open moves
 };
 
-/// Finds how deep the cylinder comes into the part on the open moves.
+/// Bounds the depth of the cylinder in the part for the open moves.
+/// The result is the same with any number of threads.
 void find_contacts(const BodyAndMesh& task, BodyMoves& moves);
 
 }  // namespace endmill

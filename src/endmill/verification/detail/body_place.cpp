@@ -7,23 +7,28 @@
 namespace endmill {
 namespace {
 
-// Newton's steps, of which five do but at a double root.
+// Limit of Newton's iteration. Five steps suffice except at a double root.
 constexpr int most_steps = 60;
 
-// A place against a cylinder on a move, by the position u of the axis along it.
+// A place relative to a cylinder on a move, as a function of the axis position u along
+// the move.
 struct Passing {
-    double height;  // mm over the lower end at u = 0
+    double height;  // height of the place over the lower end at u = 0, mm
     double slope;   // of the move
     double radius;  // mm
-    double s;       // mm, of the place along the move
-    double e;       // mm, across it
+    double s;       // position of the place along the move, mm
+    double e;       // position across the move, mm
 
+    // Height of the place over the cylinder's lower end, mm.
     double over_end(double u) const { return height - slope * u; }
+    // Distance of the place from the axis, mm.
     double from_axis(double u) const { return std::sqrt(e * e + (s - u) * (s - u)); }
+    // Distance of the place from the rim, mm; negative outside.
     double from_rim(double u) const { return radius - from_axis(u); }
 
-    // Where both are equal, between a u at which the first is more and one at which it is
-    // less. Their difference is convex: Newton's steps never pass the root.
+    // Returns the u where height and distance from the rim are equal, between a u at
+    // which the height is greater and one at which it is less. Their difference is
+    // convex, so Newton's steps never pass the root.
     double crossing(double u, double beyond) const
     {
         const auto [low, high] = std::minmax(u, beyond);

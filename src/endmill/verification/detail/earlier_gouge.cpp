@@ -9,7 +9,7 @@
 namespace endmill {
 namespace {
 
-// The most that lies missing below the rays of some tiles, and what may.
+// The greatest missing length on the rays of some tiles: certain, and possible.
 struct Missing {
     double found = 0;
     std::optional<Vec3> at = {};
@@ -23,7 +23,7 @@ struct Missing {
         }
         most = std::max({most, certain, possible});
     }
-    // Of equal ones the first stays.
+    // Of equal depths the first stays.
     void merge(const Missing& other)
     {
         if (other.found > found) {
@@ -34,6 +34,7 @@ struct Missing {
     }
 };
 
+// Measures the rays of a tile.
 Missing missing_below(const PartCharts& charts, const PartTile& tile,
                       const HeightStock& stock)
 {
@@ -42,7 +43,7 @@ Missing missing_below(const PartCharts& charts, const PartTile& tile,
     const std::vector<PartCell> cells = tile_cells(tile);
     for (std::size_t k = 0; k < rays.size(); ++k)
         if (has_normal(rays[k]))
-            missing.take(rays[k], -ray_in_stock(stock, rays[k]).left,
+            missing.take(rays[k], -ray_in_stock(stock, rays[k]).thickness,
                          most_missing(stock, rays[k], cells[k].reach(rays[k])));
     return missing;
 }
@@ -60,7 +61,7 @@ EarlierGouge earlier_gouge(const PartCharts& charts, std::span<const PartTile> t
     Missing all;
     for (const Missing& some : of_tile)
         all.merge(some);
-    return {true, all.found, all.at, all.most - all.found};
+    return {all.found, all.at, all.most - all.found};
 }
 
 }  // namespace endmill

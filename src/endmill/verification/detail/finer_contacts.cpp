@@ -8,19 +8,20 @@
 #include <optional>
 
 #include "endmill/stock/detail/removable_path.h"
-#include "endmill/stock/stock_memory.h"
-#include "endmill/verification/part_collisions.h"
+#include "endmill/stock/height_stock.h"
+#include "endmill/verification/detail/part_collisions.h"
 
 namespace endmill {
 namespace {
 
-// Odd, so that finer cells keep the centres.
+// Cells per cell along a side. It is odd, so that the finer cells include the old
+// centres.
 constexpr int subdivision = 3;
 constexpr int most_subdivisions = 2;
-// Finer cells take time: so many are cut in a second or two by a path of 100 000 moves.
+// Limit of the finer cells; a path of 100 000 moves cuts this many in a second or two.
 constexpr double most_cells = 1e7;
 
-// Columns and rows first … last - 1 of a grid.
+// The columns and rows from first to last - 1 of a grid.
 struct CellRange {
     int first_column;
     int last_column;
@@ -30,7 +31,7 @@ struct CellRange {
     bool is_empty() const { return first_column >= last_column || first_row >= last_row; }
 };
 
-// A rectangle that grows.
+// A growing rectangle, mm.
 struct Extent {
     double low_x = std::numeric_limits<double>::infinity();
     double low_y = std::numeric_limits<double>::infinity();
@@ -46,13 +47,13 @@ struct Extent {
     }
 };
 
-// What is above the end of the move before it was swept by that.
+// Whether the move goes straight up. Its volume was swept when the cutter arrived below.
 bool rises_where_it_was(const Vec3& from, const Vec3& to)
 {
     return to.x() == from.x() && to.y() == from.y() && to.z() >= from.z();
 }
 
-// The cells that an extent touches.
+// Returns the cells that a rectangle touches.
 CellRange cells_under(const Extent& extent, const StockGrid& grid)
 {
     const auto cell = [&](double at, double low, int count) {
@@ -65,7 +66,8 @@ CellRange cells_under(const Extent& extent, const StockGrid& grid)
             std::min(grid.rows, cell(extent.high_y, grid.low_y, grid.rows) + 1)};
 }
 
-// Where a move may touch what lies below `top` and must not; nothing if no move may.
+// Returns the cells where a move may have a forbidden contact below `top`; nothing if no
+// move may.
 std::optional<CellRange> doubtful_cells(const FinerContacts& task, const StockGrid& grid,
                                         double top)
 {
@@ -99,6 +101,7 @@ std::optional<CellRange> doubtful_cells(const FinerContacts& task, const StockGr
     return range.is_empty() ? std::nullopt : std::optional{range};
 }
 
+// Returns the grid of a range of cells, `times` times finer.
 StockGrid finer(const StockGrid& grid, const CellRange& range, int times)
 {
     return {grid.low_x + range.first_column * grid.pitch,
@@ -109,7 +112,7 @@ StockGrid finer(const StockGrid& grid, const CellRange& range, int times)
             grid.bottom_z};
 }
 
-// How many times finer the cells may be.
+// Returns how many times finer the cells may be.
 int subdivisions(const StockGrid& grid, double most_bytes)
 {
     const Block box{{0, 0, 0}, {grid.columns * grid.pitch, grid.rows * grid.pitch, 0}};

@@ -8,36 +8,33 @@
 #include "endmill/path/tool_path.h"
 #include "endmill/stock/height_stock.h"
 #include "endmill/stock/removal.h"
+#include "endmill/verification/verification_result.h"
 
 namespace endmill {
 
-/// What must not touch the stock and does, and what may have been missed.
-struct StockContacts {
-    MoveCount rapid_cuts = {};
-    MoveCount collisions = {};
-    /// mm; where it is missed, a cut or contact is narrower, seen from above: no circle of
-    /// this diameter fits in. 0 if no move could touch anything but where it was cut before.
-    double width_mm = 0;
-};
-
-/// How the contacts of a removal are looked at again.
+/// Input of the search for contacts with the stock.
 struct FinerContacts {
     const ToolPath& path;  ///< tips along +z
     const Cutter& cutter;
-    std::span<const ToolCylinder> body;  ///< shank and holder
-    double most_bytes;                   ///< for the finer cells, of a few MB at least
+    std::span<const ToolCylinder> body;  ///< cylinders of shank and holder
+    double most_bytes;  ///< memory for the finer cells; at least a few MB
 };
 
-/// Contacts are seen at the centres of cells. So the part of a block over which rapids pass
-/// below its top, other than straight up from where the cutter has been, and shank or
-/// holder, where they reach out of the cutter, is cut once more in cells three or nine times as
-/// fine, which keep the centres. Not so where `coarse` saw a contact, which settles the
-/// verdict.
-/// \param coarse what `remove_along` found of `block` in the cells of `grid`.
+/// Searches for contacts with the stock between the centres of the cells.
+///
+/// A removal detects a contact only at the centres of cells. This function simulates the
+/// path again on cells that are three or nine times finer and include the old centres. It
+/// covers the part of the block where a contact is possible: where a rapid passes below
+/// the top of the block (except straight up from a place where the cutter has been), and
+/// where a cylinder that reaches out of the cutter passes below it. If `coarse` has a
+/// contact, the verdict is settled and nothing is simulated again.
+/// \param coarse result of `remove_along` on `block` with the cells of `grid`.
 StockContacts finer_contacts(const Removal& coarse, const Block& block,
                              const StockGrid& grid, const FinerContacts& task);
 
-/// The contacts of a removal from a stock that is known at the centres of its cells only.
+/// Returns the contacts of a removal from a stock that is known only at the centres of
+/// its cells, with the width of the contacts that may have been missed.
+/// \param top height of the highest material before the path, mm.
 StockContacts contacts_of(const Removal& removal, const StockGrid& grid, double top,
                           const FinerContacts& task);
 

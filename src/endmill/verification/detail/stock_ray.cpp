@@ -5,29 +5,38 @@
 #include <cmath>
 #include <limits>
 
+// Rays in a height field are followed cell by cell (`CellWalk`), as in a grid traversal:
+// the next cell border along x or y is the nearer one. Inside a cell the field is a flat
+// top, so a ray leaves the material through a top or through the side of a cell.
+// Three answers are needed. Above the part the height of each cell counts as it is. Below
+// the part the highest cell around gives what is missing for certain, and the lowest,
+// minus a dip between the centres, gives what may be missing at most.
+
 namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Of a height map nothing is known between its cells; half a right angle is a guess that
-// makes neighbouring rays differ by as much as they are apart.
+// Slope of the stock's surface, which heights do not give. With 45 degrees, thickness
+// changes between neighbouring rays by as much as they are apart.
 constexpr double assumed_slope = 1;
 
-// Of the pitch: what a ball whose radius is one dips between four centres, 1 - sqrt(1/2).
+// Dip of a ball, whose radius is one pitch, between four centres, as a share of the
+// pitch: 1 - sqrt(1/2).
 constexpr double most_dip = 0.293;
 
+// Tangent of the angle with this cosine.
 double tangent_of(double cosine)
 {
     const double c = std::abs(cosine);
     return c > 0 ? std::sqrt(std::max(0.0, (1 - c) * (1 + c))) / c : infinite;
 }
 
-// Walks over the cells below a ray.
+// The cells along a ray, in one coordinate.
 struct CellWalk {
     int cell;
     int step;       // -1, 0 or 1
     double next;    // t at which the ray leaves the cell
-    double across;  // t that a whole cell takes
+    double across;  // t for a whole cell
 
     CellWalk(double from, double rate, double low, double pitch)
     {
@@ -45,14 +54,14 @@ struct CellWalk {
     }
 };
 
-// How far a block is from a place outside it along `way`, a unit vector; or, if it is not
-// met there, how far the block could reach.
-MownRay missing(const Block& block, const PartRay& ray)
+// Returns how much material is missing at a place outside a block: the way against the
+// normal to the block, or the reach of the block if the line misses it.
+CutRay missing(const Block& block, const PartRay& ray)
 {
     const Vec3 way = -ray.normal;
     double enter = 0;
     double leave = infinite;
-    double rate = 1;  // of what is entered through
+    double rate = 1;  // component of the direction through the face that is entered
     for (int c = 0; c < 3; ++c) {
         const double low = block.low[c] - ray.point[c];
         const double high = block.high[c] - ray.point[c];
@@ -75,7 +84,7 @@ MownRay missing(const Block& block, const PartRay& ray)
     return {-(floor > 0 ? std::min(floor, most) : most), 0, -1};
 }
 
-// The highest of the cells around one, or of those that there are.
+// Returns the highest height of a cell and its neighbours.
 double highest_around(const HeightStock& stock, int column, int row)
 {
     const StockGrid& grid = stock.grid();
@@ -87,7 +96,7 @@ double highest_around(const HeightStock& stock, int column, int row)
     return highest;
 }
 
-// Cells around one, within so many of it, of those that there are.
+// The cells within `around` cells of one, clipped to the grid.
 struct CellsAround {
     CellsAround(const StockGrid& grid, int column, int row, int around)
         : first_column{std::max(column - around, 0)},
@@ -112,9 +121,9 @@ double lowest_of(const HeightStock& stock, const CellsAround& cells)
     return lowest;
 }
 
-// How far a surface that bends as the heights do may dip below the lowest of them: that of
-// a parabola through three in a row lies an eighth of their second difference below the two
-// lower ones; along x and y.
+// Returns how far a surface may dip below the lowest height if it bends as the heights
+// do. A parabola through three heights in a row lies an eighth of their second difference
+// below the two lower ones; this is added for x and y.
 double dip_between(const HeightStock& stock, const CellsAround& cells)
 {
     double along_x = 0;
@@ -132,6 +141,7 @@ double dip_between(const HeightStock& stock, const CellsAround& cells)
     return std::min((along_x + along_y) / 8, most_dip * stock.grid().pitch);
 }
 
+// Whether the grid has this cell.
 bool holds(const StockGrid& grid, int column, int row)
 {
     return column >= 0 && column < grid.columns && row >= 0 && row < grid.rows;
@@ -144,15 +154,15 @@ Block box_of(const StockGrid& grid, double top)
              top}};
 }
 
-// What is missing for certain below a ray's point that lies over its own cell, or beside all
-// cells.
-MownRay missing(const HeightStock& stock, const PartRay& ray)
+// Returns what is certainly missing below a ray's point that lies above its cell, or
+// beside all cells.
+CutRay missing(const HeightStock& stock, const PartRay& ray)
 {
     const StockGrid& grid = stock.grid();
     const Vec3 way = -ray.normal;
     CellWalk x{ray.point.x(), way.x(), grid.low_x, grid.pitch};
     CellWalk y{ray.point.y(), way.y(), grid.low_y, grid.pitch};
-    const MownRay beside = missing(box_of(grid, ray.point.z()), ray);
+    const CutRay beside = missing(box_of(grid, ray.point.z()), ray);
     if (!holds(grid, x.cell, y.cell))
         return beside;
     double t = 0;
@@ -176,21 +186,21 @@ MownRay missing(const HeightStock& stock, const PartRay& ray)
 
 }  // namespace
 
-MownRay ray_in_block(const Block& block, const PartRay& ray)
+CutRay ray_in_block(const Block& block, const PartRay& ray)
 {
-    MownRay left{infinite, 0, -1};
+    CutRay cut{infinite, 0, -1};
     for (int c = 0; c < 3; ++c) {
         if (ray.point[c] < block.low[c] || ray.point[c] > block.high[c])
             return missing(block, ray);
         const double rate = ray.normal[c];
         const double way = (rate > 0 ? block.high[c] : block.low[c]) - ray.point[c];
-        if (rate != 0 && way / rate < left.left)
-            left = {way / rate, tangent_of(rate), -1};
+        if (rate != 0 && way / rate < cut.thickness)
+            cut = {way / rate, tangent_of(rate), -1};
     }
-    return left;
+    return cut;
 }
 
-MownRay ray_in_stock(const HeightStock& stock, const PartRay& ray)
+CutRay ray_in_stock(const HeightStock& stock, const PartRay& ray)
 {
     const StockGrid& grid = stock.grid();
     CellWalk x{ray.point.x(), ray.normal.x(), grid.low_x, grid.pitch};
@@ -219,13 +229,15 @@ MownRay ray_in_stock(const HeightStock& stock, const PartRay& ray)
 double most_missing(const HeightStock& stock, const PartRay& ray, double reach)
 {
     const StockGrid& grid = stock.grid();
-    // Of the places so near the highest, which lies over the cells around all the same.
+    // The part may be higher by this much within the reach; the cells around cover the
+    // same places.
     const double level = ray.normal.head<2>().norm();
     const double top = ray.point.z() + reach * level;
     const int around = 1 + static_cast<int>(std::min(reach / grid.pitch + 1, 1e6));
     CellWalk x{ray.point.x(), -ray.normal.x(), grid.low_x, grid.pitch};
     CellWalk y{ray.point.y(), -ray.normal.y(), grid.low_y, grid.pitch};
-    // No lower than that, and asked for closely only where it matters.
+    // Lower bound of the surface around the cell. The dip is computed only where the
+    // lowest height does not already suffice.
     const auto height = [&](double wanted) {
         const CellsAround cells{grid, x.cell, y.cell, around};
         const double lowest = lowest_of(stock, cells);
@@ -234,7 +246,7 @@ double most_missing(const HeightStock& stock, const PartRay& ray, double reach)
                    : std::max(grid.bottom_z, lowest - dip_between(stock, cells));
     };
     if (!holds(grid, x.cell, y.cell))
-        return std::max(0.0, -ray_in_stock(stock, ray).left);
+        return std::max(0.0, -ray_in_stock(stock, ray).thickness);
     double t = 0;
     while (holds(grid, x.cell, y.cell)) {
         const double z = top - t * ray.normal.z();

@@ -6,26 +6,34 @@
 
 namespace endmill {
 
-/// What of a ray of the part lies in a block, before any move: up to where it leaves the
-/// block's box. If it begins outside, material is missing below its point: up to where the
-/// ray, drawn on into the part, meets the box, which counts as below 0. Where it never does,
-/// all is missing as far as the box reaches: down to its floor, or its diagonal if that is
-/// less.
-MownRay ray_in_block(const Block& block, const PartRay& ray);
+/// Returns the material of a block on a ray of the part, before any move.
+///
+/// If the ray starts inside the block, its thickness is the way along the normal to the
+/// block's surface. If it starts outside, material is missing: the thickness is minus the
+/// way against the normal, into the part, to the block. If the line misses the block,
+/// everything is missing down to the block's floor, or as far as its diagonal is long if
+/// that is less.
+CutRay ray_in_block(const Block& block, const PartRay& ray);
 
-/// The same in a stock of heights, such as an earlier run leaves. Over its point each height
-/// counts for the whole of its cell: off by what the stock changes within a pitch. Below it
-/// only that is missing which lies above the highest cell around: what the heights of cells
-/// tell for certain. So a gouge shows less deep on a slope: `most_missing` bounds it.
-MownRay ray_in_stock(const HeightStock& stock, const PartRay& ray);
+/// Returns the material of a stock of heights on a ray of the part, such as the stock
+/// that an earlier run left.
+///
+/// Above the part's surface, each height counts for the whole cell, so the thickness is
+/// off by as much as the stock changes within a pitch. Below the surface, only what lies
+/// above the highest of the cells around is counted as missing, because only that is
+/// certain. A gouge on a slope is therefore underestimated; `most_missing` bounds it from
+/// above.
+CutRay ray_in_stock(const HeightStock& stock, const PartRay& ray);
 
-/// How much of a stock of heights may be missing below the part, in mm along the ray's
-/// normal, anywhere within `reach` mm of the ray's point on a part that is about flat
-/// there: 0 or more. Between the centres of its cells the surface is taken to be nowhere
-/// lower than at the lowest of the centres around, less what it dips between them if it
-/// bends as they do and as a corner at least a pitch wide: that holds but for what is
-/// narrower than a cell. What stands higher than the part by more than a slope changes over the
-/// cells around, such as an allowance, is known so to be there.
+/// Returns an upper bound in mm of the material that is missing below the part, along the
+/// ray's normal, anywhere within `reach` mm of the ray's point; 0 if none is missing.
+///
+/// The part must be nearly flat within the reach. Between the centres of its cells the
+/// surface of the stock is assumed to lie no lower than the lowest centre around, minus a
+/// dip: the dip that the second differences of the heights indicate, and at most the dip
+/// of a corner whose radius is one pitch. The bound holds for every gouge that is no
+/// narrower than a cell. It is 0 where the stock stands higher over the part than a slope
+/// changes over the cells around, as an allowance does.
 double most_missing(const HeightStock& stock, const PartRay& ray, double reach);
 
 }  // namespace endmill

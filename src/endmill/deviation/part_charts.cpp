@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/deviation/detail/part_cell.h"
+#include "endmill/deviation/part_charts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,18 +17,20 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Of a unit normal's z: upright walls count as facing the tool, whatever their rounding.
+// Tolerance of a unit normal's z: an upright wall counts as facing the tool whatever its
+// rounding.
 constexpr double wall_z = 1e-9;
-// Of a chart's width: what rounding may make of a cell's side on its end. Cells are
-// much wider.
+// Rounding error of a cell's side at the end of its chart, as a share of the chart's
+// width. Cells are much wider.
 constexpr double border_rounding = 1e-12;
 
+// Returns the normal of a triangle, with its area as length.
 Vec3 area_vector(const std::array<Vec3, 3>& corners)
 {
     return (corners[1] - corners[0]).cross(corners[2] - corners[0]) / 2;
 }
 
-// Parameters of a chart as those of its patch.
+// Converts parameters of a chart to parameters of its patch, in [0, 1].
 std::vector<double> within(std::span<const double> at, double low, double width)
 {
     std::vector<double> shares;
@@ -73,7 +75,7 @@ std::array<PartCell, 4> PartCell::quarters() const
 
 double PartCell::area(const PartRay& centre_ray) const
 {
-    double twice = 0;  // of the area in the parameters
+    double twice = 0;  // twice the area in parameters
     for (int k = 0; k < corners; ++k) {
         const Vector2d& a = at[static_cast<std::size_t>(k)];
         const Vector2d& b = at[static_cast<std::size_t>((k + 1) % corners)];
@@ -151,7 +153,8 @@ std::optional<PartRay> PartCharts::ray(std::uint32_t number, const Vector2d& at)
     return has_normal(found) ? std::optional{found} : std::nullopt;
 }
 
-// \param tangents by the patch's own parameters. \return a normal of zero if there is none.
+// \param tangents by the patch's own parameters.
+// \return a ray whose normal is zero if the surface has none there.
 PartRay PartCharts::ray(const Chart& chart, const SurfaceTangents& tangents) const
 {
     const Vec3 across = tangents.du.cross(tangents.dv);
@@ -188,7 +191,8 @@ std::vector<Vec3> PartCharts::points(std::uint32_t number, std::span<const doubl
                 within(v, chart.low.y(), chart.width.y()));
 }
 
-PartCharts::Bend PartCharts::bend(std::uint32_t chart, const Vector2d& at) const
+PartCharts::CurvatureBounds PartCharts::curvature(std::uint32_t chart,
+                                                  const Vector2d& at) const
 {
     if (mesh_)
         return {0, 0};
@@ -202,6 +206,7 @@ PartCharts::Bend PartCharts::bend(std::uint32_t chart, const Vector2d& at) const
     return {std::max(0.0, k.greatest), std::max(std::abs(k.least), std::abs(k.greatest))};
 }
 
+// Marks the sides of patches that meet no other side of the part.
 void PartCharts::mark_borders_of_surfaces()
 {
     const std::vector<PatchSide> sides = patch_sides(surfaces_);
@@ -209,7 +214,7 @@ void PartCharts::mark_borders_of_surfaces()
     borders_.assign(charts_.size(), 0);
     for (const auto& [one, other] : meeting_sides(sides, same_end_mm(surfaces_)))
         meets[one] = meets[other] = true;
-    std::vector<std::size_t> first{0};  // chart of each surface
+    std::vector<std::size_t> first{0};  // first chart of each surface
     for (const Surface& surface : surfaces_)
         first.push_back(first.back() +
                         static_cast<std::size_t>(surface.patches(Parameter::U)) *
@@ -233,6 +238,7 @@ void PartCharts::mark_borders_of_surfaces()
     }
 }
 
+// Marks the sides of triangles that no other triangle shares.
 void PartCharts::mark_borders_of_mesh()
 {
     std::vector<Sides> borders(mesh_->triangles().size());
@@ -250,7 +256,7 @@ void PartCharts::mark_borders_of_mesh()
         borders_.push_back(borders[chart.source]);
 }
 
-// The sides of its chart that so many corners of the cell lie on.
+// Returns the sides of the chart on which at least `corners` corners of the cell lie.
 PartCharts::Sides PartCharts::touched(const PartCell& cell, int corners) const
 {
     const PartCell all = whole(cell.chart);
@@ -294,6 +300,42 @@ bool PartCharts::runs_along_border(const PartCell& cell) const
 std::size_t PartCharts::source(std::uint32_t chart) const
 {
     return charts_[chart].source;
+}
+
+PartCell PartTile::cell(int number) const
+{
+    const auto& at = whole.at;
+    const int i = number % columns;
+    const int j = number / columns;
+    if (whole.corners == 4) {
+        const auto node = [&](int column, int row) -> Vector2d {
+            return at[0] + column / double(columns) * (at[1] - at[0]) +
+                   row / double(rows) * (at[3] - at[0]);
+        };
+        return {whole.chart,
+                4,
+                {node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)}};
+    }
+    // Row j of a triangle, counted from the side between corners 0 and 1, has 2 (columns
+    // - j) - 1 cells.
+    int row = 0;
+    int left = number;
+    while (left >= 2 * (columns - row) - 1) {
+        left -= 2 * (columns - row) - 1;
+        ++row;
+    }
+    const int column = left / 2;
+    const auto node = [&](int along, int up) -> Vector2d {
+        return at[0] + along / double(columns) * (at[1] - at[0]) +
+               up / double(columns) * (at[2] - at[0]);
+    };
+    if (left % 2 == 0)
+        return {whole.chart,
+                3,
+                {node(column, row), node(column + 1, row), node(column, row + 1)}};
+    return {whole.chart,
+            3,
+            {node(column + 1, row), node(column + 1, row + 1), node(column, row + 1)}};
 }
 
 PartCharts part_charts(const Part& part)

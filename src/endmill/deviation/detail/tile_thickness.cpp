@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What TileMeasure does to find how much of each ray counts.
+// Limits of TileMeasure: how much of each ray counts. A thickness counts up to the radius
+// of the largest empty ball that touches the part at the ray's point. A query per ray
+// would be slow. Usually one query per tile suffices: a large empty ball over the middle
+// of the tile contains the balls of all rays (`measured_free`). Only where it is not
+// empty are the rays measured, and then only some of them (`free_lengths`).
 #include <algorithm>
 #include <cmath>
 
@@ -11,36 +15,40 @@
 namespace endmill {
 namespace {
 
-// A ball of three times the rays' length, or this much of a tile's half diagonal, that
-// touches the tile's middle covers all balls a third as large that touch the tile, but for
-// what lies within the other share of the half diagonal beside the tile, and in a layer of
-// less height over it. It may be a little smaller, in such shares.
+// Let s be half the diagonal of a tile, and rho the radius of a ball that touches the
+// tile's middle. All balls of radius rho / 3 that touch the tile lie in the large ball if
+// rho is at least 5.2 s, except in a layer of less than s over the tile and at most 2 s
+// beside it. The large ball may be smaller by 0.25 s.
+// Source: paper/notes/deviation-bounds.md, "All rays count so".
 constexpr double ball_shares = 3;
 constexpr double ball_sizes = 5.2;
 constexpr double layer_sizes = 2;
 constexpr double spared_sizes = 0.25;
-// Of a sphere's curvature of the same radius: the part then stays well under the ball.
+// Greatest curvature of the part times the ball's radius. The part then stays well below
+// the ball.
 constexpr double bend_share = 0.5;
-// Of the rays' length: those of finer cells are somewhat longer.
+// Factor on the rays' length, because rays of finer cells are somewhat longer.
 constexpr double longer = 1.5;
 
 }  // namespace
 
-void TileMeasure::count(std::optional<std::size_t>& hint)
+void TileMeasure::limit_thicknesses(std::optional<std::size_t>& hint)
 {
-    count_side(+1, hint);
-    count_side(-1, hint);
+    limit_side(+1, hint);
+    limit_side(-1, hint);
 }
 
-void TileMeasure::count_side(double sign, std::optional<std::size_t>& hint)
+// Limits the thickness (sign +1) or the depth (sign -1) of the cells.
+void TileMeasure::limit_side(double sign, std::optional<std::size_t>& hint)
 {
     const auto counts = [sign](const MeasuredCell& cell) {
-        return sign * cell.left.left > negligible_length && !(sign > 0 && cell.is_outer);
+        return sign * cell.cut.thickness > negligible_length &&
+               !(sign > 0 && cell.is_outer);
     };
     double longest = 0;
     for (const MeasuredCell& cell : cells_)
         if (counts(cell))
-            longest = std::max(longest, sign * cell.left.left);
+            longest = std::max(longest, sign * cell.cut.thickness);
     if (!(longest > 0) || is_free(sign, longest))
         return;
     std::vector<PartWay> ways;
@@ -50,18 +58,18 @@ void TileMeasure::count_side(double sign, std::optional<std::size_t>& hint)
     for (MeasuredCell& cell : cells_)
         if (counts(cell)) {
             ways.push_back(
-                {cell.ray.point, sign * cell.ray.normal, sign * cell.left.left});
+                {cell.ray.point, sign * cell.ray.normal, sign * cell.cut.thickness});
             counted.push_back(&cell);
         }
     const std::vector<FreeLength> lengths = free_lengths(ways, measured_.distance, hint);
     for (std::size_t k = 0; k < counted.size(); ++k) {
-        counted[k]->nearer = sign * lengths[k].length;
+        counted[k]->limited = sign * lengths[k].length;
         counted[k]->is_measured = lengths[k].is_measured;
     }
 }
 
-// Whether no ray of the tile, up to `length` on that side, can be shortened. If not, one may
-// be all the same.
+// Whether no ray of the tile up to `length` on that side is limited. A negative answer is
+// not certain.
 bool TileMeasure::is_free(double sign, double length)
 {
     std::optional<double>& free = free_[sign > 0 ? 0 : 1];
@@ -70,6 +78,7 @@ bool TileMeasure::is_free(double sign, double length)
     return length <= *free;
 }
 
+// Returns the length up to which no ray on that side is limited, in mm; 0 if not known.
 double TileMeasure::measured_free(double sign) const
 {
     const PartCell& whole = tile_.whole;
@@ -78,10 +87,11 @@ double TileMeasure::measured_free(double sign) const
         return 0;
     double length = 0;
     for (const MeasuredCell& cell : cells_)
-        length = std::max(length, longer * sign * cell.left.left);
+        length = std::max(length, longer * sign * cell.cut.thickness);
     const double size = whole.reach(*middle);
     const double radius = std::max(ball_shares * length, ball_sizes * size);
-    if (bend_.any * radius > bend_share || !is_smooth_within(layer_sizes * size, *middle))
+    if (curvature_.absolute * radius > bend_share ||
+        !is_smooth_within(layer_sizes * size, *middle))
         return 0;
     const Vec3 centre = middle->point + sign * radius * middle->normal;
     return measured_.distance.is_clear(centre, radius - spared_sizes * size)
@@ -89,7 +99,7 @@ double TileMeasure::measured_free(double sign) const
                : 0;
 }
 
-// Whether the tile's own patch goes on so far around it.
+// Whether the tile's patch continues for this distance around the tile.
 bool TileMeasure::is_smooth_within(double distance, const PartRay& middle) const
 {
     if (measured_.charts.mesh())
@@ -105,18 +115,19 @@ bool TileMeasure::is_smooth_within(double distance, const PartRay& middle) const
     return !measured_.charts.touches_side(wide);
 }
 
-// Only where it tells something new: it takes time.
-void TileMeasure::find_nearer(MeasuredCell& cell, const Extremes& found)
+// Limits the thickness of one cell, but only if it could change a maximum or violates a
+// limit, because the query takes time.
+void TileMeasure::limit_thickness(MeasuredCell& cell, const Extremes& found)
 {
-    const double left = cell.left.left;
+    const double left = cell.cut.thickness;
     const bool is_news = left > std::max(known_.scallop, found.highest.left) ||
                          -left > std::max(known_.tolerance, -found.deepest.left) ||
                          is_beyond(left, limits());
-    if (!is_news || cell.nearer || std::abs(left) <= negligible_length ||
+    if (!is_news || cell.limited || std::abs(left) <= negligible_length ||
         (left > 0 && cell.is_outer) || is_free(left < 0 ? -1 : 1, std::abs(left)))
         return;
     std::optional<std::size_t> no_hint;
-    cell.nearer = shortened(left, cell.ray, measured_.distance, no_hint);
+    cell.limited = limited_thickness(left, cell.ray, measured_.distance, no_hint);
 }
 
 }  // namespace endmill

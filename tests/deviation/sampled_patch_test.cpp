@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/deviation/detail/sampled_sheet.h"
+#include "endmill/deviation/detail/sampled_patch.h"
 
 #include <cmath>
 #include <limits>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// A steep wave.
+// The points of a steep wave.
 std::vector<Vec3> wave(int columns, int rows)
 {
     std::vector<Vec3> points;
@@ -25,7 +25,7 @@ std::vector<Vec3> wave(int columns, int rows)
     return points;
 }
 
-// The same triangles by themselves.
+// The same triangles as a mesh.
 TriangleMesh mesh_of(const std::vector<Vec3>& points, int columns, int rows)
 {
     std::vector<Triangle> triangles;
@@ -38,19 +38,19 @@ TriangleMesh mesh_of(const std::vector<Vec3>& points, int columns, int rows)
     return TriangleMesh{points, std::move(triangles)};
 }
 
-TEST(SampledSheet, FindsWhatATreeOfBoxesFinds)
+TEST(SampledPatch, FindsWhatATreeOfBoxesFinds)
 {
     for (const auto& [columns, rows] : {std::pair{16, 8}, {1, 1}, {1, 4}, {8, 1}}) {
         const std::vector<Vec3> points = wave(columns, rows);
         const TriangleMesh mesh = mesh_of(points, columns, rows);
         const TriangleTree tree{mesh};
-        const SampledSheet sheet{points, columns, rows};
+        const SampledPatch patch{points, columns, rows};
         test::Random random{1};
         for (int i = 0; i < 300; ++i) {
             const Vec3 place{random.uniform(-5, 20), random.uniform(-5, 15),
                              random.uniform(-10, 60)};
             NearestSearch search{place, infinite};
-            sheet.look(search, 7);
+            patch.look(search, 7);
             const NearestPoint expected = *tree.nearest(place);
             ASSERT_TRUE(search.point);
             EXPECT_NEAR(std::sqrt(search.least_square), expected.distance, 1e-12);
@@ -60,21 +60,21 @@ TEST(SampledSheet, FindsWhatATreeOfBoxesFinds)
     }
 }
 
-TEST(SampledSheet, KeepsWhatIsNearer)
+TEST(SampledPatch, KeepsWhatIsNearer)
 {
-    const SampledSheet sheet{wave(4, 4), 4, 4};
+    const SampledPatch patch{wave(4, 4), 4, 4};
     const Vec3 place{2, 2, 30};
     NearestSearch all{place, infinite};
-    sheet.look(all, 0);
+    patch.look(all, 0);
     NearestSearch nearer{place, all.least_square};
-    sheet.look(nearer, 0);
+    patch.look(nearer, 0);
     EXPECT_FALSE(nearer.point);
     NearestSearch further{place, all.least_square * 1.001};
-    sheet.look(further, 0);
+    patch.look(further, 0);
     EXPECT_EQ(further.point, all.point);
 }
 
-TEST(NearestSearch, OfEqualPlacesTakesThatOfTheFirstSheet)
+TEST(NearestSearch, OfEqualPlacesTakesThatOfTheFirstPatch)
 {
     NearestSearch search{Vec3::Zero(), infinite};
     search.take({1, 0, 0}, 5, 0);
@@ -86,11 +86,11 @@ TEST(NearestSearch, OfEqualPlacesTakesThatOfTheFirstSheet)
     EXPECT_EQ(search.point, (Vec3{-1, 0, 0}));
 }
 
-TEST(SampledSheet, RefusesOtherNumbersOfPoints)
+TEST(SampledPatch, RefusesOtherNumbersOfPoints)
 {
-    EXPECT_THROW((SampledSheet{wave(4, 4), 4, 2}), DomainError);
-    EXPECT_THROW((SampledSheet{wave(3, 4), 3, 4}), DomainError);
-    EXPECT_THROW((SampledSheet{{}, 0, 0}), DomainError);
+    EXPECT_THROW((SampledPatch{wave(4, 4), 4, 2}), DomainError);
+    EXPECT_THROW((SampledPatch{wave(3, 4), 3, 4}), DomainError);
+    EXPECT_THROW((SampledPatch{{}, 0, 0}), DomainError);
 }
 
 }  // namespace

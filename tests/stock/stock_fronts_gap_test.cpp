@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/stock/stock_gap.h"
+#include "endmill/stock/stock_fronts.h"
 
 #include <array>
 #include <cmath>
@@ -33,11 +33,11 @@ TEST(StockGap, IsTheDistanceOfTheNearestFaceEdgeOrCornerLessTheRadius)
     EXPECT_NEAR(gap({-20, 5, 0}, {-9, 5, 0}), 9 - 3, 1e-9);
     EXPECT_NEAR(gap({-50, 14, 0}, {70, 14, 0}), 4 - 3, 1e-5);
     EXPECT_NEAR(gap({0, 5, 12}, {9, 5, 17}), 2, 1e-9);
-    // Past the corner (10, 10): the line x + y = 30 is 10/sqrt(2) away.
+    // The line x + y = 30 passes the corner (10, 10) at a distance of 10/sqrt(2).
     EXPECT_NEAR(gap({30, 0, 0}, {0, 30, 0}), 10 / std::sqrt(2.0) - 3, 1e-5);
 }
 
-// The shank goes up from the ball: below the block there is no way past it.
+// The shank extends upwards from the ball, so a cutter below the block meets it.
 TEST(StockGap, IsNoneWhereTheCutterMeetsTheBlock)
 {
     EXPECT_EQ(gap({-20, 5, 5}, {40, 5, 5}), 0);

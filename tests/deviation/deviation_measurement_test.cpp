@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/deviation/deviation.h"
+#include "endmill/deviation/detail/deviation_measurement.h"
 
 #include <cmath>
 #include <numbers>
@@ -9,6 +9,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/stock/stock_history.h"
 #include "endmill/verification/detail/stock_ray.h"
 #include "revolved_surfaces.h"
 #include "test_meshes.h"
@@ -18,20 +19,20 @@
 namespace endmill {
 namespace {
 
-// A part, and what a path leaves on it of a block that ends `above` mm over z = 0.
+// Measures a path that cuts a block which ends `above` mm over z = 0.
 Deviation deviation_of(const Part& part, const ToolPath& path, const Cutter& cutter,
-                       DeviationOptions options, double above = 3)
+                       const DeviationOptions& options, double above = 3)
 {
     const PartCharts charts = part_charts(part);
     const std::vector<StraightSweep> sweeps = path_sweeps(path, cutter);
-    const SweepTree tree{sweeps};
-    options.stock = [above](const PartRay& ray) {
-        return ray_in_block({Vec3::Constant(-1e3), {1e3, 1e3, above}}, ray);
-    };
-    return measure_deviation(charts, tree, options);
+    const MachinedStock stock{
+        sweeps, 0, [above](const PartRay& ray) {
+            return ray_in_block({Vec3::Constant(-1e3), {1e3, 1e3, above}}, ray);
+        }};
+    return measure_deviation(charts, stock, options);
 }
 
-// Level passes along x at heights and places given by `tip_at(number)`.
+// Level passes along x; `tip_at(number)` returns y and z of the tip.
 template <typename TipAt>
 ToolPath passes(int count, double from_x, double to_x, const TipAt& tip_at)
 {
@@ -57,8 +58,9 @@ ToolPath level_passes(double pitch)
     });
 }
 
-// A ball whose centre passes `beyond` outside the edge x = 0 of a plane, and takes 0.3 mm along
-// the normal at the edge, nothing any more 0.06 mm inside it.
+// The centre of a ball passes outside the edge x = 0 of a plane, at a distance of
+// `beyond`. The ball removes 0.3 mm along the normal at the edge, and nothing from 0.06
+// mm inside the edge on.
 TEST(Deviation, LeavesOpenWhatAFinerGridMayJudgeAtTheBorder)
 {
     constexpr double radius = 4;
@@ -88,7 +90,7 @@ TEST(Deviation, LeavesOpenWhatAFinerGridMayJudgeAtTheBorder)
 
 class ParallelPasses : public testing::TestWithParam<double> {};
 
-// The passes lie a whole number of pitches apart, so that cusps fall between rays.
+// The passes are a whole number of pitches apart, so that cusps fall between rays.
 TEST_P(ParallelPasses, LeaveTheScallopOfTheClosedForm)
 {
     constexpr double scallop = 0.101020514434;  // R 5, passes 2 apart
@@ -124,12 +126,12 @@ TEST(Deviation, OfAPassLeftOutIsTheScallopOfTwicePitchInPlace)
     EXPECT_GE(left.max_scallop_mm + left.scallop_bound_mm, scallop - 1e-12);
     ASSERT_TRUE(left.highest);
     EXPECT_NEAR(left.highest->ray.point.y(), 4.5, 0.1);
-    // The strip where the ball on either side leaves more than the limit.
+    // The strip where the balls on both sides leave more than the limit.
     const double half = 1.5 - std::sqrt(25 - 4.9 * 4.9);
     EXPECT_NEAR(left.uncut_area_mm2, 20 * 2 * half, 20 * 0.2);
 }
 
-// Most passes lie beside the ray at the middle of such a cell, and never meet it.
+// Most passes lie beside the ray at the middle of such a cell and never meet it.
 TEST(Deviation, OfCellsWiderThanTheCutterOverstatesNothing)
 {
     const double scallop = 1 - std::sqrt(0.75);  // R 1, passes 1 apart
@@ -212,7 +214,8 @@ TEST(Deviation, OnACylinderIsThatOfItsPassesOutsideAndInside)
 
 class LoweredPath : public testing::TestWithParam<double> {};
 
-// Upright walls too: there the vertical gap tells nothing.
+// The slopes include upright walls, where the vertical gap says nothing about the
+// distance.
 TEST_P(LoweredPath, GougesByItsShareAlongTheNormal)
 {
     const double slope = GetParam() * std::numbers::pi / 180;
@@ -258,7 +261,7 @@ TEST(Deviation, OfAFlatCutterAlongAWallIsHowFarItStaysAway)
     }
 }
 
-// A flat cutter's passes that leave a hair between them: no ray need fall into it.
+// The passes of a flat cutter leave a thin wall between them, which no ray need hit.
 TEST(Deviation, OfASharpEdgeKnowsWhatItMayHaveMissed)
 {
     const ToolPath path = passes(2, -9, 29, [](int i) {
@@ -340,7 +343,8 @@ TEST(Deviation, RefusesWhatItCannotMeasure)
 
 TEST(Verdict, OfTheGridIsNeverTurnedByAFinerOne)
 {
-    // Limits around the true scallop, 0.1010205: nearer ones stay undecided longer.
+    // The true scallop is 0.1010205. The closer the limit is to it, the longer the
+    // verdict stays undecided.
     for (const double limit : {0.08, 0.099, 0.1, 0.1004, 0.102, 0.2}) {
         const double truth = 0.101020514434;
         for (const double pitch : {0.8, 0.4, 0.2})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/deviation/detail/sampled_pieces.h"
+#include "endmill/deviation/detail/surface_tree.h"
 
 #include <numbers>
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double tolerance = 0.002;
 
-// A quarter of a torus's upper side: pieces of the outer and of the inner half.
+// A quarter of a torus's upper side, divided into the outer and the inner half.
 std::vector<Surface> torus_quarter()
 {
     return {nurbs_surface(
@@ -26,17 +26,17 @@ Vec3 somewhere(test::Random& random)
     return {random.uniform(0, 26), random.uniform(0, 26), random.uniform(-4, 12)};
 }
 
-// From the quarter, for places above it.
+// Closed form of the distance from the quarter, for places above it.
 double distance_from_torus(const Vec3& place)
 {
     const double beside = place.head<2>().norm() - 20;
     return std::abs(std::hypot(beside, place.z()) - 5);
 }
 
-TEST(SampledPieces, DistancesFromATorusAreWithinTheChordError)
+TEST(SurfaceTree, DistancesFromATorusAreWithinTheChordError)
 {
     const std::vector<Surface> torus = torus_quarter();
-    const SampledPieces pieces{torus, tolerance};
+    const SurfaceTree pieces{torus, tolerance};
     ASSERT_LE(pieces.chord_error(), tolerance);
     test::Random random{1};
     for (int i = 0; i < 300; ++i) {
@@ -49,11 +49,11 @@ TEST(SampledPieces, DistancesFromATorusAreWithinTheChordError)
     }
 }
 
-TEST(SampledPieces, AnyHintLeadsToTheSameAnswer)
+TEST(SurfaceTree, AnyHintLeadsToTheSameAnswer)
 {
     const std::vector<Surface> torus = torus_quarter();
-    const SampledPieces fresh{torus, tolerance};
-    const SampledPieces pieces{torus, tolerance};
+    const SurfaceTree fresh{torus, tolerance};
+    const SurfaceTree pieces{torus, tolerance};
     test::Random random{2};
     std::optional<std::size_t> hint;
     for (int i = 0; i < 300; ++i) {
@@ -63,14 +63,14 @@ TEST(SampledPieces, AnyHintLeadsToTheSameAnswer)
         EXPECT_EQ(plain.distance, hinted.distance);
         EXPECT_EQ(plain.triangle, hinted.triangle);
         EXPECT_EQ(plain.point, hinted.point);
-        hint = hinted.triangle;  // of a place far from the next
+        hint = hinted.triangle;  // the hint comes from a place far from the next one
     }
 }
 
-TEST(SampledPieces, AnswersAnyNumberOfThreads)
+TEST(SurfaceTree, AnswersAnyNumberOfThreads)
 {
     const std::vector<Surface> torus = torus_quarter();
-    const SampledPieces pieces{torus, tolerance};
+    const SurfaceTree pieces{torus, tolerance};
     std::vector<double> errors(500);
     parallel_for(errors.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -83,11 +83,11 @@ TEST(SampledPieces, AnswersAnyNumberOfThreads)
         EXPECT_NEAR(error, 0, pieces.chord_error() + 1e-12);
 }
 
-TEST(SampledPieces, OfAPlaneAreThePlaneWhateverTheirNumber)
+TEST(SurfaceTree, OfAPlaneAreThePlaneWhateverTheirNumber)
 {
     const std::vector<Vec3> net{{0, 0, 1}, {7, 0, 1}, {0, 5, 1}, {7, 5, 1}};
     const std::vector<Surface> plane{Surface{{0, 1}, {0, 1}, {BezierPatch{1, 1, net}}}};
-    const SampledPieces pieces{plane, 1e-6};
+    const SurfaceTree pieces{plane, 1e-6};
     EXPECT_EQ(pieces.chord_error(), 0);
     EXPECT_NEAR(pieces.nearest({3, 3, 4}, {})->distance, 3, 1e-12);
     EXPECT_NEAR(pieces.nearest({3, 3, 4}, {}, 3.001)->distance, 3, 1e-12);
@@ -96,10 +96,10 @@ TEST(SampledPieces, OfAPlaneAreThePlaneWhateverTheirNumber)
     EXPECT_NEAR(pieces.nearest({3, 3, 1}, {})->distance, 0, 1e-12);
 }
 
-TEST(SampledPieces, RefuseAToleranceFarTooFine)
+TEST(SurfaceTree, RefuseAToleranceFarTooFine)
 {
     const std::vector<Surface> torus = torus_quarter();
-    EXPECT_THROW((SampledPieces{torus, 1e-9}), LimitError);
+    EXPECT_THROW((SurfaceTree{torus, 1e-9}), LimitError);
 }
 
 }  // namespace

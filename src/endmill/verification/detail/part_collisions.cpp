@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/verification/part_collisions.h"
+#include "endmill/verification/detail/part_collisions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/stock/detail/sweep_tree.h"
+#include "endmill/stock/stock_history.h"
 #include "endmill/surface/sampling.h"
 #include "endmill/surface/tool_side.h"
 #include "endmill/verification/detail/body_contacts.h"
@@ -16,13 +17,15 @@ namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Of one sampling to the next; triangles grow as many times.
+// Ratio of the tolerances of consecutive samplings; the number of triangles grows by the
+// same factor.
 constexpr double finer = 8;
-// mm: half the slack, so that a body that rests on the part stays below it.
+// mm. Half the slack, so that a body that rests on the part stays below the slack.
 constexpr double finest_chord_error = part_contact_slack / 2;
-// Its three corners, and half a point with its normal.
+// Memory of a triangle: three corner numbers, and half a point with its normal.
 constexpr double bytes_a_triangle = 36;
 
+// Highest z of a mesh, mm.
 double top_of(const TriangleMesh& mesh)
 {
     double top = -infinite;
@@ -31,10 +34,10 @@ double top_of(const TriangleMesh& mesh)
     return top;
 }
 
-// Looks at the moves that are open against a mesh from which the part strays by no more
-// than `chord_error`.
-void look_at(const TriangleMesh& mesh, double chord_error,
-             std::span<const BodyCylinder> body, BodyMoves& moves)
+// Tests the open moves against a mesh from which the part deviates by at most
+// `chord_error`.
+void test_moves(const TriangleMesh& mesh, double chord_error,
+                std::span<const BodyCylinder> body, BodyMoves& moves)
 {
     const std::vector<StraightSweep> sweeps = moves.open_sweeps();
     const double top = top_of(mesh) + chord_error;
@@ -49,9 +52,10 @@ void look_at(const TriangleMesh& mesh, double chord_error,
     moves.end_pass(chord_error);
 }
 
-// Coarse triangles decide most moves; the fine ones are for the few that they leave open.
-void look_at(std::span<const Surface> surfaces, double most_bytes,
-             std::span<const BodyCylinder> body, BodyMoves& moves)
+// Tests the open moves against ever finer triangles. Coarse triangles decide most moves;
+// fine ones are needed for few.
+void test_moves(std::span<const Surface> surfaces, double most_bytes,
+                std::span<const BodyCylinder> body, BodyMoves& moves)
 {
     const auto most_triangles = static_cast<std::size_t>(
         std::clamp(most_bytes / bytes_a_triangle, 1.0, double(most_sampled_triangles)));
@@ -61,7 +65,7 @@ void look_at(std::span<const Surface> surfaces, double most_bytes,
         try {
             const SampledSurface sample =
                 sampled(surfaces, sides, tolerance, most_triangles);
-            look_at(sample.mesh, sample.max_chord_error_mm, body, moves);
+            test_moves(sample.mesh, sample.max_chord_error_mm, body, moves);
         } catch (const LimitError&) {
             return;
         }
@@ -95,9 +99,9 @@ PartCollisions part_collisions(const Part& part, const ToolPath& path,
     const std::vector<StraightSweep> sweeps = path_sweeps(path, Cutter::flat(widest));
     BodyMoves moves{sweeps};
     if (const auto* mesh = std::get_if<TriangleMesh>(&part))
-        look_at(*mesh, 0, cylinders, moves);
+        test_moves(*mesh, 0, cylinders, moves);
     else
-        look_at(std::get<std::vector<Surface>>(part), most_bytes, cylinders, moves);
+        test_moves(std::get<std::vector<Surface>>(part), most_bytes, cylinders, moves);
     return moves.found(path.points.size() - sweeps.size());
 }
 

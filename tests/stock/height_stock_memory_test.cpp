@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/stock/stock_memory.h"
+#include "endmill/stock/height_stock.h"
 
 #include <string>
 
@@ -27,7 +27,7 @@ TEST(FittingPitch, FitsAndTheNextFinerOneDoesNot)
         const auto pitch = fitting_pitch(saddle_box, bytes);
         ASSERT_TRUE(pitch);
         EXPECT_LE(required_bytes(saddle_box, *pitch), bytes);
-        // Two digits: the next one is at least a hundredth finer, at most a tenth.
+        // The next finer pitch of two digits is finer by 1 % to 10 %.
         EXPECT_GT(required_bytes(saddle_box, *pitch * 0.89), bytes);
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/deviation/detail/ray_bundle.h"
+#include "endmill/deviation/detail/ray_bounds.h"
 
 #include <vector>
 
@@ -25,23 +25,22 @@ std::vector<PartRay> rays_near(const Vec3& place, test::Random& random)
     return rays;
 }
 
-// A half space that is said to be out of reach holds no place of any ray.
-TEST(RayBundle, HoldsAllRaysOfAllThatItIsMadeOf)
+// A half space that is reported out of reach contains no point of any ray.
+TEST(RayBounds, HoldsAllRaysOfAllThatItIsMadeOf)
 {
     test::Random random{41};
     int out_of_reach = 0;
     for (int round = 0; round < 300; ++round) {
         std::vector<PartRay> all;
-        std::vector<RayBundle> bundles;
+        std::vector<RayBounds> bounds;
         for (int i = 0; i < 3; ++i) {
             const auto some = rays_near(
                 {random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4)},
                 random);
             all.insert(all.end(), some.begin(), some.end());
-            bundles.push_back(
-                MownRays{some, std::vector<double>(some.size(), 2)}.bundle());
+            bounds.push_back(CutRays{some, std::vector<double>(some.size(), 2)}.bounds());
         }
-        const RayBundle common = common_bundle(bundles);
+        const RayBounds common = common_bounds(bounds);
         EXPECT_EQ(common.longest, 2);
         const Vec3 normal =
             Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}
@@ -58,10 +57,10 @@ TEST(RayBundle, HoldsAllRaysOfAllThatItIsMadeOf)
     EXPECT_GT(out_of_reach, 50);
 }
 
-TEST(RayBundle, OfOneIsThatOneAndABit)
+TEST(RayBounds, OfOneIsThatOneAndABit)
 {
-    const RayBundle one{{1, 2, 3}, {0, 0, 1}, 3, 4, 0.1, 6};
-    const RayBundle common = common_bundle({&one, 1});
+    const RayBounds one{{1, 2, 3}, {0, 0, 1}, 3, 4, 0.1, 6};
+    const RayBounds common = common_bounds({&one, 1});
     EXPECT_EQ(common.centre, one.centre);
     EXPECT_EQ(common.upright, one.upright);
     EXPECT_EQ(common.beside, 5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/verification/upright.h"
+#include "endmill/verification/verification.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/deviation/detail/sampled_sheet.h"
+#include "endmill/deviation/detail/sampled_patch.h"
 
 #include <algorithm>
 #include <bit>
@@ -9,10 +9,15 @@
 #include "endmill/core/error.h"
 #include "endmill/mesh/detail/nearest_on_triangle.h"
 
+// The tree halves the grid of cells across its longer side down to single cells. Node k
+// of a range with n cells has its lower half at k + 1 and its upper half at k + n,
+// because a binary tree over n/2 cells has n - 1 nodes. A query descends into the nearer
+// half first, and skips a half whose disc is further away than the best place.
+
 namespace endmill {
 namespace {
 
-// Of the largest coordinate.
+// Margin of the discs as a share of the largest coordinate; exceeds the rounding errors.
 constexpr double margin_share = 1e-12;
 
 bool is_power_of_two(int count)
@@ -22,29 +27,29 @@ bool is_power_of_two(int count)
 
 }  // namespace
 
-SampledSheet::SampledSheet(std::vector<Vec3> points, int columns, int rows)
+SampledPatch::SampledPatch(std::vector<Vec3> points, int columns, int rows)
     : points_{std::move(points)},
       columns_{columns},
       rows_{rows}
 {
     require(is_power_of_two(columns) && is_power_of_two(rows),
-            "SampledSheet: need powers of two of cells");
+            "SampledPatch: need powers of two of cells");
     require(points_.size() == static_cast<std::size_t>(columns + 1) *
                                   static_cast<std::size_t>(rows + 1),
-            "SampledSheet: need a point for each corner");
+            "SampledPatch: need a point for each corner");
     for (const Vec3& at : points_)
         margin_ = std::max(margin_, margin_share * at.lpNorm<Eigen::Infinity>());
     const Range whole{0, 0, columns, rows};
-    slabs_.reserve(2 * static_cast<std::size_t>(whole.cells()) - 1);
+    discs_.reserve(2 * static_cast<std::size_t>(whole.cells()) - 1);
     add(whole);
 }
 
-const Vec3& SampledSheet::point(int u, int v) const
+const Vec3& SampledPatch::point(int u, int v) const
 {
     return points_[static_cast<std::size_t>(v * (columns_ + 1) + u)];
 }
 
-std::array<SampledSheet::Range, 2> SampledSheet::Range::halves() const
+std::array<SampledPatch::Range, 2> SampledPatch::Range::halves() const
 {
     Range low = *this;
     Range high = *this;
@@ -55,45 +60,45 @@ std::array<SampledSheet::Range, 2> SampledSheet::Range::halves() const
     return {low, high};
 }
 
-Slab SampledSheet::around(const Range& range) const
+TangentDisc SampledPatch::around(const Range& range) const
 {
     const std::array<Vec3, 4> corners{
         point(range.low_u, range.low_v), point(range.high_u, range.low_v),
         point(range.high_u, range.high_v), point(range.low_u, range.high_v)};
-    Slab slab = middle_of(corners);
+    TangentDisc disc = tangent_disc(corners);
     double lowest = 0;
     double highest = 0;
-    double furthest = 0;  // squared
+    double furthest = 0;  // squared distance from the centre
     for (int v = range.low_v; v <= range.high_v; ++v)
         for (int u = range.low_u; u <= range.high_u; ++u) {
-            const Vec3 away = point(u, v) - slab.centre;
-            const double over = away.dot(slab.normal);
+            const Vec3 away = point(u, v) - disc.centre;
+            const double over = away.dot(disc.normal);
             lowest = std::min(lowest, over);
             highest = std::max(highest, over);
             furthest = std::max(furthest, away.squaredNorm());
         }
-    slab.centre += (lowest + highest) / 2 * slab.normal;
-    slab.half_thickness = (highest - lowest) / 2;
-    slab.radius = std::sqrt(furthest);  // along the plane they are no further
-    return slab.widened(margin_);
+    disc.centre += (lowest + highest) / 2 * disc.normal;
+    disc.half_thickness = (highest - lowest) / 2;
+    disc.radius = std::sqrt(furthest);  // an upper bound of the distance along the plane
+    return disc.expanded(margin_);
 }
 
-void SampledSheet::add(const Range& range)
+void SampledPatch::add(const Range& range)
 {
-    slabs_.push_back(around(range));
+    discs_.push_back(around(range));
     if (range.cells() > 1)
         for (const Range& half : range.halves())
             add(half);
 }
 
-void SampledSheet::look(NearestSearch& search, std::size_t number) const
+void SampledPatch::look(NearestSearch& search, std::size_t number) const
 {
-    if (search.may_improve(slabs_.front()))
+    if (search.may_improve(discs_.front()))
         look_into(search, number, {0, 0, columns_, rows_}, 0);
 }
 
-// The nearer half first, so that the other may be out of question.
-void SampledSheet::look_into(NearestSearch& search, std::size_t number,
+// Visits the nearer half first, so that the other half may be skipped.
+void SampledPatch::look_into(NearestSearch& search, std::size_t number,
                              const Range& range, std::size_t node) const
 {
     if (range.cells() == 1) {
@@ -104,15 +109,15 @@ void SampledSheet::look_into(NearestSearch& search, std::size_t number,
     const std::array<std::size_t, 2> nodes{
         node + 1, node + static_cast<std::size_t>(range.cells())};
     const std::array<double, 2> squares{
-        slabs_[nodes[0]].squared_distance(search.place) * (1 - NearestSearch::rounding),
-        slabs_[nodes[1]].squared_distance(search.place) * (1 - NearestSearch::rounding)};
+        discs_[nodes[0]].squared_distance(search.place) * (1 - NearestSearch::rounding),
+        discs_[nodes[1]].squared_distance(search.place) * (1 - NearestSearch::rounding)};
     const std::size_t first = squares[0] <= squares[1] ? 0 : 1;
     for (const std::size_t half : {first, 1 - first})
         if (squares[half] <= search.least_square)
             look_into(search, number, halves[half], nodes[half]);
 }
 
-void SampledSheet::look_at_cell(NearestSearch& search, std::size_t number,
+void SampledPatch::look_at_cell(NearestSearch& search, std::size_t number,
                                 const Range& cell) const
 {
     const auto triangle =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/deviation/detail/deviation_areas.h"
+#include "endmill/deviation/detail/deviation_cells.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,8 @@ TEST(DeviationAreas, RestsCountByTheirAreasAndGougesAsNone)
     EXPECT_NEAR(deviation.p99_scallop_mm, 0.5, 0.5e-3);
 }
 
-// A hundred cells of one area: the second highest is not passed by 99 % of it.
+// A hundred cells of equal area: 99 % of the area does not exceed the second highest
+// value.
 TEST(DeviationAreas, OneInAHundredMayHaveMore)
 {
     Deviation deviation;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/deviation/detail/sampled_pieces.h"
+#include "endmill/deviation/detail/surface_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -12,18 +12,24 @@
 #include "endmill/surface/detail/sampling_levels.h"
 #include "endmill/surface/sampling.h"
 
+// Each patch is split into pieces of at most 16 by 16 cells. A piece has a tangent disc
+// and a box, computed from its four corners and a bound on the second derivatives, so its
+// triangles need not exist. The boxes are grouped by fours into the levels of a tree. A
+// query descends into near boxes first; only when a piece's disc may contain a nearer
+// place are its triangles made (`sample`), once, by `std::call_once`.
+
 namespace endmill {
 namespace {
 
-// Cells along a side of a piece: so many triangles take about as long to make as some
-// hundred questions.
+// Cells along a side of a piece. Making that many triangles takes about as long as a
+// hundred queries.
 constexpr int most_cells = 16;
-// Of the largest coordinate: more than rounding makes of a point between others.
+// Rounding error of a point between others, as a share of the largest coordinate.
 constexpr double rounding_share = 1e-14;
-// Boxes in one above them.
+// Boxes per box of the level above.
 constexpr std::size_t children = 4;
 
-// Greatest over the whole patch.
+// Returns the greatest bounds of the whole patch.
 BendBounds patch_bounds(const BezierPatch& patch)
 {
     BendBounds greatest{0, 0, 0};
@@ -37,7 +43,7 @@ BendBounds patch_bounds(const BezierPatch& patch)
 
 }  // namespace
 
-SampledPieces::SampledPieces(std::span<const Surface> surfaces, double chord_tolerance)
+SurfaceTree::SurfaceTree(std::span<const Surface> surfaces, double chord_tolerance)
 {
     double triangles = 0;
     for (const Surface& surface : surfaces) {
@@ -45,11 +51,11 @@ SampledPieces::SampledPieces(std::span<const Surface> surfaces, double chord_tol
         chord_error_ = std::max(chord_error_, levels.chord_error_mm());
         triangles += levels.triangles();
         if (triangles > static_cast<double>(most_sampled_triangles))
-            throw LimitError{"the part would have about " + to_text(triangles) +
-                             " triangles or more at a distance of " +
+            throw LimitError{"the part would need about " + to_text(triangles) +
+                             " triangles or more for a chord error of " +
                              to_text(chord_tolerance) + " mm; expected at most " +
                              std::to_string(most_sampled_triangles) +
-                             ": larger limits or a coarser resolution make fewer"};
+                             "; a coarser resolution needs fewer"};
         for (int j = 0; j < surface.patches(Parameter::V); ++j)
             for (int i = 0; i < surface.patches(Parameter::U); ++i) {
                 const auto [level_u, level_v] = levels.patch(i, j);
@@ -61,7 +67,7 @@ SampledPieces::SampledPieces(std::span<const Surface> surfaces, double chord_tol
     add_upper_boxes();
 }
 
-Vec3 SampledPieces::Cells::point(int u, int v) const
+Vec3 SurfaceTree::Cells::point(int u, int v) const
 {
     const auto parameter = [](std::span<const double> breaks, int patch, int part,
                               int level) {
@@ -74,8 +80,8 @@ Vec3 SampledPieces::Cells::point(int u, int v) const
         .point;
 }
 
-// In pieces, halves next to each other.
-void SampledPieces::add(const Cells& cells, const BendBounds& bounds)
+// Splits the cells into pieces; the halves of a piece are consecutive.
+void SurfaceTree::add(const Cells& cells, const BendBounds& bounds)
 {
     const int count_u = cells.high_u - cells.low_u;
     const int count_v = cells.high_v - cells.low_v;
@@ -94,25 +100,25 @@ void SampledPieces::add(const Cells& cells, const BendBounds& bounds)
         cells.point(cells.low_u, cells.low_v), cells.point(cells.high_u, cells.low_v),
         cells.point(cells.high_u, cells.high_v), cells.point(cells.low_u, cells.high_v)};
     Box box{corners[0], corners[0]};
-    Slab slab = middle_of(corners);
+    TangentDisc disc = tangent_disc(corners);
     for (const Vec3& corner : corners) {
         box.low = box.low.cwiseMin(corner);
         box.high = box.high.cwiseMax(corner);
-        slab = slab.reaching(corner);
+        disc = disc.including(corner);
     }
-    // The surface is no further than this from a triangle of the corners, and the
-    // triangles' corners lie on the surface.
+    // The surface deviates by at most this length from a triangle of the corners, and the
+    // corners of the triangles lie on the surface.
     const double bulge = bounds.chord_error(std::ldexp(count_u, -cells.level_u),
                                             std::ldexp(count_v, -cells.level_v));
     const double around =
         bulge + rounding_share * std::max(box.low.cwiseAbs().maxCoeff(),
                                           box.high.cwiseAbs().maxCoeff());
     pieces_.push_back(cells);
-    slabs_.push_back(slab.widened(around));
+    discs_.push_back(disc.expanded(around));
     boxes_.front().push_back({box.low.array() - around, box.high.array() + around});
 }
 
-void SampledPieces::add_upper_boxes()
+void SurfaceTree::add_upper_boxes()
 {
     while (boxes_.back().size() > 1) {
         const std::vector<Box>& below = boxes_.back();
@@ -130,7 +136,7 @@ void SampledPieces::add_upper_boxes()
     }
 }
 
-const SampledSheet& SampledPieces::sheet(std::size_t piece) const
+const SampledPatch& SurfaceTree::sample(std::size_t piece) const
 {
     Sample& sample = samples_[piece];
     std::call_once(sample.is_made, [&] {
@@ -141,20 +147,20 @@ const SampledSheet& SampledPieces::sheet(std::size_t piece) const
         for (int v = cells.low_v; v <= cells.high_v; ++v)
             for (int u = cells.low_u; u <= cells.high_u; ++u)
                 points.push_back(cells.point(u, v));
-        sample.sheet.emplace(std::move(points), cells.high_u - cells.low_u,
+        sample.patch.emplace(std::move(points), cells.high_u - cells.low_u,
                              cells.high_v - cells.low_v);
     });
-    return *sample.sheet;
+    return *sample.patch;
 }
 
-void SampledPieces::look_at(NearestSearch& search, std::size_t piece) const
+void SurfaceTree::look_at(NearestSearch& search, std::size_t piece) const
 {
-    if (search.may_improve(slabs_[piece]))
-        sheet(piece).look(search, piece);
+    if (search.may_improve(discs_[piece]))
+        sample(piece).look(search, piece);
 }
 
-void SampledPieces::look_into(NearestSearch& search, std::size_t level,
-                              std::size_t number) const
+void SurfaceTree::look_into(NearestSearch& search, std::size_t level,
+                            std::size_t number) const
 {
     if (level == 0) {
         look_at(search, number);
@@ -174,9 +180,9 @@ void SampledPieces::look_into(NearestSearch& search, std::size_t level,
             look_into(search, level - 1, order[k].second);
 }
 
-std::optional<NearestPoint> SampledPieces::nearest(const Vec3& place,
-                                                   std::optional<std::size_t> hint,
-                                                   double within) const
+std::optional<NearestPoint> SurfaceTree::nearest(const Vec3& place,
+                                                 std::optional<std::size_t> hint,
+                                                 double within) const
 {
     NearestSearch search{place, within > 0 ? within * within : 0};
     if (hint)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/deviation/detail/part_cell.h"
+#include "endmill/deviation/part_charts.h"
 
 #include <tuple>
 
@@ -54,7 +54,8 @@ TEST(PartCharts, KnowTheOuterBorderOfASurface)
 {
     const Part part = std::vector<Surface>{test::plane(6, 4, {3, 1})};
     const PartCharts charts = part_charts(part);
-    PartCell whole = charts.whole(1);  // in the middle of the row: border above and below
+    // in the middle of the row; the border is above and below
+    PartCell whole = charts.whole(1);
     EXPECT_TRUE(charts.touches_border(whole));
     PartCell inner = whole;
     for (Eigen::Vector2d& at : inner.at)
@@ -100,13 +101,13 @@ TEST(PartCharts, OfAMeshEndAtEdgesOfOneTriangle)
         int at_border = 0;
         for (const PartCell& quarter : of_open.whole(k).quarters())
             at_border += of_open.runs_along_border(quarter) ? 1 : 0;
-        EXPECT_EQ(at_border, 3);  // all but the one in the middle
+        EXPECT_EQ(at_border, 3);  // all except the one in the middle
     }
 }
 
 TEST(PartCharts, HaveNoRayWhereThereIsNoNormal)
 {
-    // Both control rows of the border v = 0 are one point: a pole.
+    // Both control rows at the border v = 0 are the same point: a pole.
     std::vector<Vec3> net;
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 4; ++i)

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/verification/verification_result.h"
+
+#include <gtest/gtest.h>
+
+namespace endmill {
+namespace {
+
+const DeviationLimits limits{0.01, 0.1};
+
+// A verification without any violation. Each test below changes one finding.
+Verification clean_verification()
+{
+    return {.deviation = Deviation{},
+            .removal = {},
+            .contacts = {},
+            .part_collisions = PartCollisions{.bound_mm = part_contact_slack},
+            .rest = block_stock({{0, 0, 0}, {1, 1, 1}}, 1),
+            .verdict = Verdict::Clean};
+}
+
+TEST(VerdictWithContacts, IsThatOfTheDeviationIfNothingTouches)
+{
+    Verification found = clean_verification();
+    EXPECT_EQ(verdict_with_contacts(found, limits), Verdict::Clean);
+    found.deviation->max_scallop_mm = 0.2;
+    EXPECT_EQ(verdict_with_contacts(found, limits), Verdict::Uncut);
+    found.deviation.reset();
+    found.part_collisions.reset();
+    EXPECT_EQ(verdict_with_contacts(found, limits), Verdict::Clean);
+}
+
+TEST(VerdictWithContacts, IsGougedForEveryKindOfContact)
+{
+    Verification rapid = clean_verification();
+    rapid.contacts.rapid_cuts.count = 1;
+    Verification collision = clean_verification();
+    collision.contacts.collisions.count = 1;
+    Verification in_part = clean_verification();
+    in_part.part_collisions->moves.count = 1;
+    for (const Verification* found : {&rapid, &collision, &in_part})
+        EXPECT_EQ(verdict_with_contacts(*found, limits), Verdict::Gouged);
+}
+
+// A possible gouge takes precedence over uncut material, but not over a measured gouge.
+TEST(VerdictWithContacts, IsUndecidedWhereABoundAllowsAContactOrAGouge)
+{
+    Verification near_part = clean_verification();
+    near_part.part_collisions->bound_mm = 2 * closed_contact_bound;
+    Verification earlier = clean_verification();
+    earlier.earlier_gouge = EarlierGouge{.found_mm = 0.005, .bound_mm = 0.007};
+    for (Verification* found : {&near_part, &earlier}) {
+        EXPECT_EQ(verdict_with_contacts(*found, limits), Verdict::Undecided);
+        found->deviation->max_scallop_mm = 0.2;
+        EXPECT_EQ(verdict_with_contacts(*found, limits), Verdict::Undecided);
+        found->deviation->max_gouge_mm = 0.02;
+        EXPECT_EQ(verdict_with_contacts(*found, limits), Verdict::Gouged);
+    }
+}
+
+// The slack of 0.001 mm also applies to the gouge of an earlier run.
+TEST(VerdictWithContacts, IsCleanWhereTheBoundStaysWithinTheSlack)
+{
+    Verification found = clean_verification();
+    found.earlier_gouge = EarlierGouge{.found_mm = 0.004, .bound_mm = 0.0069};
+    found.part_collisions->bound_mm = closed_contact_bound;
+    EXPECT_EQ(verdict_with_contacts(found, limits), Verdict::Clean);
+}
+
+}  // namespace
+}  // namespace endmill
