@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/gouge/detail/piece_tree.h"
+#include "endmill/gouge/detail/swept_axis.h"
 #include "revolved_surfaces.h"
 #include "test_surfaces.h"
 
@@ -84,12 +86,12 @@ TEST(GougeTest, SeesTheShankEnterAWallBesideIt)
 double sampled_depth(const Surface& surface, const BallMove& move)
 {
     constexpr int count = 160;
-    const CentreStrip strip{move, up};
+    const SweptAxis swept{move.from, move.to, up};
     double deepest = 0;
     for (int i = 0; i <= count; ++i)
         for (int j = 0; j <= count; ++j) {
             const Vec3 point = surface.tangents(2.0 * i / count, 2.0 * j / count).point;
-            deepest = std::max(deepest, radius - (point - strip.nearest(point)).norm());
+            deepest = std::max(deepest, radius - (point - swept.nearest(point)).norm());
         }
     return deepest;
 }

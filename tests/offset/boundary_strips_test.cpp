@@ -13,26 +13,25 @@ namespace endmill {
 namespace {
 
 struct Strips {
-    std::vector<SheetSide> sides;
+    std::vector<GridSide> sides;
     OffsetDraft draft;
     std::vector<ContactChain> seams;
 };
 
-// Vertices of sheets by their own normals, then strips only.
+// Vertices of grids by their own normals, then strips only.
 Strips crease_strips(const std::vector<Surface>& part, int lines)
 {
     const std::vector<double> tool_sides(part.size(), 1);
-    const auto sheets = offset_sheets(part, tool_sides, lines);
-    Strips strips{
-        sheet_sides(part, sheets, 1e-6), {Cutter::ball(2), 1e-3, {}, {}, {}}, {}};
-    for (const OffsetSheet& sheet : sheets)
-        for (std::int32_t j = 0; j < sheet.rows(); ++j)
-            for (std::int32_t i = 0; i < sheet.columns(); ++i) {
-                const Surface& surface = part[sheet.surface];
-                const SurfaceTangents at = tangents_at(sheet, surface, i, j);
+    const auto grids = offset_grids(part, tool_sides, lines);
+    Strips strips{grid_sides(part, grids, 1e-6), {Cutter::ball(2), 1e-3, {}, {}, {}}, {}};
+    for (const OffsetGrid& grid : grids)
+        for (std::int32_t j = 0; j < grid.rows(); ++j)
+            for (std::int32_t i = 0; i < grid.columns(); ++i) {
+                const Surface& surface = part[grid.surface];
+                const SurfaceTangents at = tangents_at(grid, surface, i, j);
                 strips.draft.add(at.point, {{0, 0},
-                                            normal_at(sheet, surface, i, j, at),
-                                            sheet.surface,
+                                            normal_at(grid, surface, i, j, at),
+                                            grid.surface,
                                             ContactKind::Face});
             }
     strips.seams = add_crease_strips(strips.sides, strips.draft);
@@ -80,7 +79,7 @@ TEST(CreaseStrips, GiveTheChainsOverTheEndsOfSeams)
 {
     const Strips strips = crease_strips(test::pyramid(10, 0.3), 3);
     for (std::size_t number = 0; number < strips.sides.size(); ++number) {
-        const SheetSide& side = strips.sides[number];
+        const GridSide& side = strips.sides[number];
         if (side.is_border()) {
             EXPECT_TRUE(strips.seams[number].vertices.empty());
             continue;

@@ -34,7 +34,7 @@ TEST(OffsetMesh, OfAPlaneIsThePlaneAboveForEachCutter)
             offset_mesh(part, cutter, {.grid_lines = 7, .boundary = paper});
         ASSERT_EQ(offset.mesh.points().size(), 49U);
         ASSERT_EQ(offset.mesh.triangles().size(), 72U);
-        EXPECT_EQ(offset.own_triangles, 72U);
+        EXPECT_EQ(offset.part_triangles, 72U);
         const double above =
             cutter.corner_radius() + cutter.flat_radius() * 0.6;  // sin of the slope
         for (const Vec3& point : offset.mesh.points())
@@ -66,7 +66,7 @@ TEST(OffsetMesh, OfAMirroredSurfaceIsTurnedToTheTool)
 {
     const std::vector part{test::parallelogram({0, 20, 0}, {40, 0, 0})};  // N down
     const OffsetMesh offset = offset_mesh(part, Cutter::ball(2), {.grid_lines = 4});
-    for (std::size_t k = 0; k < offset.sheet_triangles; ++k) {
+    for (std::size_t k = 0; k < offset.surface_triangles; ++k) {
         const auto [a, b, c] = offset.mesh.corners(k);
         EXPECT_GT((b - a).cross(c - a).z(), 0);
         EXPECT_EQ(a.z(), 2);
@@ -168,7 +168,7 @@ TEST(OffsetMesh, OfARectangleIsRoundedAtBorderAndCorners)
     const double expected = 100 + 8 * std::numbers::pi;
     EXPECT_LE(rim, expected);
     EXPECT_GE(rim, expected - 0.01);
-    EXPECT_EQ(offset.own_triangles, 50U);
+    EXPECT_EQ(offset.part_triangles, 50U);
 }
 
 // Strips turn the normal over one contact: they have no part of their own.
@@ -243,9 +243,9 @@ TEST(OffsetMesh, OverAConvexCreaseIsAPipe)
     const std::vector part{test::valley(20, 10, -0.5)};
     const OffsetMesh offset = offset_mesh(part, Cutter::ball(3), {.grid_lines = 6});
     EXPECT_EQ(test::rims(offset), 1);
-    EXPECT_GT(offset.own_triangles, offset.sheet_triangles);
+    EXPECT_GT(offset.part_triangles, offset.surface_triangles);
     const auto section = slice(offset.mesh, {DriveFrame{Angle::degrees(0)}, {4.9}},
-                               {.own_triangles = offset.own_triangles})[0];
+                               {.part_triangles = offset.part_triangles})[0];
     ASSERT_EQ(section.curves.size(), 1U);
     int on_pipe = 0;
     for (const SectionPoint& point : section.curves[0].points) {
@@ -264,7 +264,7 @@ TEST(OffsetMesh, OverAConvexCreaseIsAPipe)
     EXPECT_EQ(test::runs_of_s(section.curves[0]), 1);
 }
 
-// In a valley the sheets cross at R sqrt(1 + slope^2) over its bottom; the strip closes
+// In a valley the grids cross at R sqrt(1 + slope^2) over its bottom; the strip closes
 // the loop below.
 TEST(OffsetMesh, OverAConcaveCreaseCrossesAboveIt)
 {
@@ -300,7 +300,7 @@ TEST(OffsetMesh, ClosesTheTopOfAPyramid)
         }
         const OffsetMesh offset = offset_mesh(part, Cutter::ball(2), {.grid_lines = 4});
         double nearest = INFINITY;
-        for (std::size_t k = 0; k < offset.own_triangles; ++k) {
+        for (std::size_t k = 0; k < offset.part_triangles; ++k) {
             const auto [a, b, c] = offset.mesh.corners(k);
             const Vec3 middle = (a + b + c) / 3;
             if (slope > 0 && std::max(std::abs(middle.x()), std::abs(middle.y())) < 0.2) {
@@ -320,10 +320,10 @@ TEST(OffsetMesh, IsOneSheetAcrossSmoothJoints)
     for (const auto boundary : {BoundaryContact::Contact, paper}) {
         const OffsetMesh offset =
             offset_mesh(level, Cutter::ball(2), {.grid_lines = 4, .boundary = boundary});
-        EXPECT_EQ(offset.own_triangles, 72U);
-        EXPECT_EQ(offset.sheet_triangles, 72U);
+        EXPECT_EQ(offset.part_triangles, 72U);
+        EXPECT_EQ(offset.surface_triangles, 72U);
         const auto section = slice(offset.mesh, {DriveFrame{Angle::degrees(10)}, {0.1}},
-                                   {.own_triangles = offset.own_triangles})[0];
+                                   {.part_triangles = offset.part_triangles})[0];
         EXPECT_EQ(section.curves.size(), 1U);
         if (boundary != paper) {
             EXPECT_EQ(test::rims(offset), 1);
@@ -367,7 +367,7 @@ TEST(OffsetMesh, ClosesACollapsedSide)
     for (const Cutter& cutter : {Cutter::ball(2), Cutter{2, 1}}) {
         const OffsetMesh offset = offset_mesh(part, cutter, {.grid_lines = 5});
         EXPECT_EQ(test::rims(offset), 1);
-        EXPECT_LT(offset.sheet_triangles, 32U);
+        EXPECT_LT(offset.surface_triangles, 32U);
     }
 }
 

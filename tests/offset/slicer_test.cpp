@@ -40,10 +40,10 @@ void expect_equal(const PlaneSection& one, const PlaneSection& other)
         EXPECT_EQ(one.curves[k].is_closed, other.curves[k].is_closed);
         EXPECT_EQ(one.edges[k], other.edges[k]);
     }
-    ASSERT_EQ(one.own_range.has_value(), other.own_range.has_value());
-    if (one.own_range) {
-        EXPECT_EQ(one.own_range->low, other.own_range->low);
-        EXPECT_EQ(one.own_range->high, other.own_range->high);
+    ASSERT_EQ(one.part_range.has_value(), other.part_range.has_value());
+    if (one.part_range) {
+        EXPECT_EQ(one.part_range->low, other.part_range->low);
+        EXPECT_EQ(one.part_range->high, other.part_range->high);
     }
     EXPECT_EQ(one.crossed_triangles, other.crossed_triangles);
 }
@@ -56,16 +56,16 @@ TEST(Slice, OfAllPlanesIsThatOfEachAlone)
         DrivePlanes planes = planes_at({}, degrees);
         for (int k = -100; k < 100; ++k)
             planes.positions.push_back(0.43 * k);
-        const auto sections = slice(mesh, planes, {.own_triangles = 1000});
+        const auto sections = slice(mesh, planes, {.part_triangles = 1000});
         set_thread_count(1);
-        const auto by_one_thread = slice(mesh, planes, {.own_triangles = 1000});
+        const auto by_one_thread = slice(mesh, planes, {.part_triangles = 1000});
         set_thread_count(4);
-        const auto by_four = slice(mesh, planes, {.own_triangles = 1000});
+        const auto by_four = slice(mesh, planes, {.part_triangles = 1000});
         for (std::size_t k = 0; k < planes.positions.size(); ++k) {
             expect_equal(sections[k], by_one_thread[k]);
             expect_equal(sections[k], by_four[k]);
             const auto alone = slice(mesh, {planes.frame, {planes.positions[k]}},
-                                     {.own_triangles = 1000});
+                                     {.part_triangles = 1000});
             expect_equal(sections[k], alone.front());
         }
     }
@@ -208,12 +208,12 @@ TEST(Slice, TellsTheRangeOfTheFirstTriangles)
     const TriangleMesh mesh =
         test::grid_mesh(11, 3, [](int i, int j) { return Vec3(i, j, 0); });
     // The lower row of cells: 20 triangles; of its first 10 the last ends at s = 5.
-    const auto sections = slice(mesh, planes_at({0.5, 1.5}), {.own_triangles = 10});
-    ASSERT_TRUE(sections[0].own_range);
-    EXPECT_EQ(sections[0].own_range->low, 0);
-    EXPECT_EQ(sections[0].own_range->high, 5);
-    EXPECT_FALSE(sections[1].own_range);
-    EXPECT_EQ(slice(mesh, planes_at({0.5}))[0].own_range->high, 10);
+    const auto sections = slice(mesh, planes_at({0.5, 1.5}), {.part_triangles = 10});
+    ASSERT_TRUE(sections[0].part_range);
+    EXPECT_EQ(sections[0].part_range->low, 0);
+    EXPECT_EQ(sections[0].part_range->high, 5);
+    EXPECT_FALSE(sections[1].part_range);
+    EXPECT_EQ(slice(mesh, planes_at({0.5}))[0].part_range->high, 10);
 }
 
 // Three leaves on one edge, and two triangles turned against each other: every segment

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "endmill/trimming/trimming.h"
+#include "endmill/trimming/trimming_methods.h"
 
 // Curves to trim, and what is left of them.
 namespace endmill::test {

@@ -15,10 +15,10 @@ constexpr Branches of_loop{0, 1, 3, 4};
 TEST(CrossingOf, IsWhereTheSegmentsCross)
 {
     const SectionChain chain{loop, 0};
-    const auto crossing = crossing_of(chain, 0, 3, true);
+    const auto crossing = crossing_of(chain, 0, 3, CrossingType::Valley);
     ASSERT_TRUE(crossing);
     EXPECT_EQ(crossing->at, SectionPoint(0, 0));
-    EXPECT_FALSE(crossing_of(chain, 0, 2, false));
+    EXPECT_FALSE(crossing_of(chain, 0, 2, CrossingType::Any));
 }
 
 TEST(CrossingOf, HeedsTheWayThePathTurns)
@@ -26,8 +26,8 @@ TEST(CrossingOf, HeedsTheWayThePathTurns)
     // A hill's loop, turned to the right.
     const std::vector<SectionPoint> hill{{-6, -6}, {2, 2}, {0, 1}, {-2, 2}, {6, -6}};
     const SectionChain chain{hill, 0};
-    EXPECT_TRUE(crossing_of(chain, 0, 3, false));
-    EXPECT_FALSE(crossing_of(chain, 0, 3, true));
+    EXPECT_TRUE(crossing_of(chain, 0, 3, CrossingType::Any));
+    EXPECT_FALSE(crossing_of(chain, 0, 3, CrossingType::Valley));
 }
 
 TEST(CrossingOf, TakesWhatTouchesOnceOrNever)
@@ -35,15 +35,15 @@ TEST(CrossingOf, TakesWhatTouchesOnceOrNever)
     // B's vertex at the origin lies on A: the next segment of B crosses it.
     const std::vector<SectionPoint> touching{{-4, 4}, {4, -4}, {-3, -3}, {0, 0}, {5, 5}};
     const SectionChain chain{touching, 0};
-    EXPECT_FALSE(crossing_of(chain, 0, 2, false));
-    EXPECT_TRUE(crossing_of(chain, 0, 3, false));
+    EXPECT_FALSE(crossing_of(chain, 0, 2, CrossingType::Any));
+    EXPECT_TRUE(crossing_of(chain, 0, 3, CrossingType::Any));
 }
 
 TEST(CrossingOf, IsNoneOfParallelSegments)
 {
     const std::vector<SectionPoint> parallel{{0, 0}, {4, 0}, {3, 1}, {1, 0}, {6, 0}};
     const SectionChain chain{parallel, 0};
-    EXPECT_FALSE(crossing_of(chain, 0, 3, false));
+    EXPECT_FALSE(crossing_of(chain, 0, 3, CrossingType::Any));
 }
 
 TEST(CrossingOf, LiesInBothBoxes)
@@ -56,7 +56,7 @@ TEST(CrossingOf, LiesInBothBoxes)
         const std::vector<SectionPoint> points{
             {0, 0}, {1, 1.0 / 3}, {0, 1}, {0.25, 0.25 / 3 + tilt}, {0.75, 0.25 - tilt}};
         const SectionChain chain{points, 0};
-        if (const auto crossing = crossing_of(chain, 0, 3, false)) {
+        if (const auto crossing = crossing_of(chain, 0, 3, CrossingType::Any)) {
             ++found;
             EXPECT_GE(crossing->at.x(), 0.25);
             EXPECT_LE(crossing->at.x(), 0.75);

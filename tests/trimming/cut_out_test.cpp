@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/trimming/detail/clipped_sections.h"
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 #include "trimmed_curves.h"
 
 namespace endmill {

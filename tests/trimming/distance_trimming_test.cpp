@@ -52,7 +52,8 @@ TEST(SearchByDistance, AnswersWhereBranchesAreNearWithoutACrossing)
         .detection = FoldDetection::Literal, .scan_step = 0.01, .scan_threshold = 0.2};
     const auto crossing = search_by_distance(chain, {0, 1, 2, 4}, options);
     ASSERT_TRUE(crossing);
-    EXPECT_FALSE(crossing_of(chain, crossing->segment_a, crossing->segment_b, false));
+    EXPECT_FALSE(
+        crossing_of(chain, crossing->segment_a, crossing->segment_b, CrossingType::Any));
 }
 
 TEST(TrimByDistance, NeverStepsBack)

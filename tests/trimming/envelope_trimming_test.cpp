@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 #include "endmill/trimming/trimming_quality.h"
 #include "random.h"
 #include "trimmed_curves.h"

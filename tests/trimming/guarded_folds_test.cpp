@@ -17,8 +17,10 @@ struct Outcome {
 Outcome trim(const std::vector<SectionPoint>& points,
              RunPairs pairs = RunPairs::Neighbours)
 {
+    const TrimmingOptions guarded;
     SectionChain chain{points, 0};
-    Outcome outcome{{}, {}, trim_guarded(chain, 0, march_segments, {}, pairs)};
+    Outcome outcome{
+        {}, {}, trim_guarded(chain, 0, bound(march_segments, guarded), pairs)};
     for (const TrimmedPoint& point : chain.curve().points)
         outcome.points.push_back(point.at);
     for (const AppliedRule& rule : chain.rules())

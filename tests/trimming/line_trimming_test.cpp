@@ -42,7 +42,7 @@ TEST(SearchByLines, EndsWhereItDoesNotConverge)
     EXPECT_EQ(first_crossed_of_a(chain, branches, 5), 2);
     EXPECT_EQ(first_crossed_of_b(chain, branches, 2), 4);
     EXPECT_EQ(first_crossed_of_a(chain, branches, 4), 0);
-    const auto missed = crossing_of(chain, 2, 5, true);
+    const auto missed = crossing_of(chain, 2, 5, CrossingType::Valley);
     ASSERT_TRUE(missed);
     EXPECT_NEAR(missed->at.x(), 19.0 / 7, 1e-15);
     for (const auto detection : {FoldDetection::Literal, FoldDetection::Guarded})

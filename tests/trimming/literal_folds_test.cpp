@@ -17,7 +17,8 @@ struct Outcome {
 Outcome trim(const std::vector<SectionPoint>& points)
 {
     SectionChain chain{points, 0};
-    trim_literally(chain, 0, scan_segments, {.detection = FoldDetection::Literal});
+    const TrimmingOptions literal{.detection = FoldDetection::Literal};
+    trim_literally(chain, 0, bound(scan_segments, literal), literal.patterns);
     Outcome outcome;
     for (const TrimmedPoint& point : chain.curve().points)
         outcome.points.push_back(point.at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 
 #include <fstream>
 
@@ -274,7 +274,7 @@ TEST(WavyProfiles, AreLessWrongByThePrintWithoutItsThreeRuns)
         count_wrong(wavy_profiles(), points,
                     [&](const char* method, const SectionCurve& curve, double) {
                         auto made = trial(method, FoldDetection::Literal, curve);
-                        made.options.three_runs_twist = false;
+                        made.options.patterns = FoldPatterns::P4;
                         return made;
                     });
     expect_counts(wrong, family["wrong"]["literal without P3"]);

@@ -20,7 +20,7 @@ struct Trough {
     explicit Trough(BoundaryContact boundary = BoundaryContact::Contact)
         : offset{offset_mesh(part, Cutter::ball(7),
                              {.grid_lines = 21, .boundary = boundary})},
-          section{slice(offset.mesh, DrivePlanes{along_x, {3}}, {offset.own_triangles})
+          section{slice(offset.mesh, DrivePlanes{along_x, {3}}, {offset.part_triangles})
                       .front()},
           curves{envelope_trimming(section.curves, {}).curves}
     {

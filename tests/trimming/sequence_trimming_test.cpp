@@ -5,8 +5,8 @@
 
 #include "endmill/trimming/detail/distance_trimming.h"
 #include "endmill/trimming/detail/line_trimming.h"
+#include "endmill/trimming/detail/profile_families.h"
 #include "endmill/trimming/detail/section_runs.h"
-#include "endmill/trimming/profile_families.h"
 #include "trimmed_curves.h"
 
 namespace endmill {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 #include "random.h"
 #include "trimmed_curves.h"
 #include "trimming_vectors.h"

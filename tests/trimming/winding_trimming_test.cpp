@@ -8,7 +8,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/trimming/detail/envelope_trimming.h"
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 #include "trimmed_curves.h"
 #include "trimming_vectors.h"
 

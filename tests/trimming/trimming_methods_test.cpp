@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/trimming/trimming.h"
+#include "endmill/trimming/trimming_methods.h"
 
 #include <limits>
 

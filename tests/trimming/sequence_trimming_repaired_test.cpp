@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/trimming/detail/repaired_trimming.h"
+#include "endmill/trimming/detail/sequence_trimming.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/gouge/detail/centre_strip.h"
+#include "endmill/gouge/detail/swept_axis.h"
 
 #include <limits>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "endmill/gouge/gouge_test.h"
 #include "random.h"
 
 namespace endmill {
@@ -25,7 +26,7 @@ double shank_distance(const Vec3& point, const Vec3& centre, const Vec3& axis)
     return along > 0 ? (point - centre - along * axis).norm() : (point - centre).norm();
 }
 
-TEST(CentreStrip, IsTheShanksOfAllBallsOfTheMove)
+TEST(SweptAxis, IsTheShanksOfAllBallsOfTheMove)
 {
     test::Random random{7};
     constexpr int positions = 4000;
@@ -38,28 +39,29 @@ TEST(CentreStrip, IsTheShanksOfAllBallsOfTheMove)
             const Vec3 centre = move.from + i / double(positions) * (move.to - move.from);
             expected = std::min(expected, shank_distance(point, centre, axis));
         }
-        const double distance = (point - CentreStrip{move, axis}.nearest(point)).norm();
+        const double distance =
+            (point - SweptAxis{move.from, move.to, axis}.nearest(point)).norm();
         EXPECT_LE(distance, expected + 1e-12);
         EXPECT_GT(distance, expected - (move.to - move.from).norm() / positions);
     }
 }
 
-TEST(CentreStrip, HoldsItsOwnPoints)
+TEST(SweptAxis, HoldsItsOwnPoints)
 {
-    const CentreStrip strip{{{0, 0, 0}, {10, 0, 5}}, Vec3::UnitZ()};
+    const SweptAxis swept{{0, 0, 0}, {10, 0, 5}, Vec3::UnitZ()};
     const Vec3 inside{4, 0, 9};
-    EXPECT_LT((strip.nearest(inside) - inside).norm(), 1e-14);
-    EXPECT_LT((strip.nearest({5, 3, 1}) - Vec3{4.4, 0, 2.2}).norm(), 1e-14);
+    EXPECT_LT((swept.nearest(inside) - inside).norm(), 1e-14);
+    EXPECT_LT((swept.nearest({5, 3, 1}) - Vec3{4.4, 0, 2.2}).norm(), 1e-14);
 }
 
-TEST(CentreStrip, OfAMoveAlongTheAxisIsTheRayFromItsLowerEnd)
+TEST(SweptAxis, OfAMoveAlongTheAxisIsTheRayFromItsLowerEnd)
 {
     for (const BallMove& move :
          {BallMove{{1, 2, 3}, {1, 2, 8}}, BallMove{{1, 2, 8}, {1, 2, 3}},
           BallMove{{1, 2, 3}, {1, 2, 3}}}) {
-        const CentreStrip strip{move, Vec3::UnitZ()};
-        EXPECT_LT((strip.nearest({5, 2, 7}) - Vec3{1, 2, 7}).norm(), 1e-14);
-        EXPECT_LT((strip.nearest({1, 5, -1}) - Vec3{1, 2, 3}).norm(), 1e-14);
+        const SweptAxis swept{move.from, move.to, Vec3::UnitZ()};
+        EXPECT_LT((swept.nearest({5, 2, 7}) - Vec3{1, 2, 7}).norm(), 1e-14);
+        EXPECT_LT((swept.nearest({1, 5, -1}) - Vec3{1, 2, 3}).norm(), 1e-14);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/drop_cutter/detail/highest_corner.h"
+#include "endmill/drop_cutter/detail/triangle_drop.h"
 
 #include <gtest/gtest.h>
 

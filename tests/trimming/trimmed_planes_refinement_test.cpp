@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/trimming/refined_planes.h"
+#include "endmill/trimming/trimmed_planes.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,6 @@
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/drop_cutter/clearance.h"
-#include "endmill/trimming/trimmed_planes.h"
 #include "offset_parts.h"
 #include "trimmed_curves.h"
 
@@ -38,7 +37,7 @@ struct Sections {
           cutter{with},
           planes{std::move(at)},
           offset{offset_mesh(surfaces, cutter, {.grid_lines = grid})},
-          sections{slice(offset.mesh, planes, {offset.own_triangles})},
+          sections{slice(offset.mesh, planes, {offset.part_triangles})},
           trimmed{trim_planes(sections, path_ranges(offset, planes, sections),
                               test::trimming_method("envelope"), {})}
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/trimming/detail/curve_arrangement.h"
+#include "endmill/offset/section_curve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/offset/detail/sheet_sides.h"
+#include "endmill/offset/detail/grid_sides.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,24 +8,25 @@
 namespace endmill {
 namespace {
 
-// Neighbours by this number if the ends of two sides are the same: their sum, seen in a
-// direction that sides do not usually stand across.
-double middle_of_ends(const SheetSide& side)
+// A key by which sides with the same end points become neighbours when sorted: the
+// component of the sum of both ends in a direction to which sides are rarely
+// perpendicular.
+double middle_of_ends(const GridSide& side)
 {
     return (side.points.front() + side.points.back()).dot(Vec3{0.742, 0.518, 0.425});
 }
 
-SheetSide side_of(const Surface& surface, const OffsetSheet& sheet, int number,
-                  double same_point)
+GridSide side_of(const Surface& surface, const OffsetGrid& grid, int number,
+                 double same_point)
 {
-    SheetSide side;
-    const auto places = sheet.side_places(number);
+    GridSide side;
+    const auto places = grid.side_places(number);
     for (std::size_t k = 0; k < places.size(); ++k) {
         const auto [i, j] = places[k];
         const auto [from_i, from_j] = places[k > 0 ? k - 1 : k];
         const auto [to_i, to_j] = places[k + 1 < places.size() ? k + 1 : k];
-        const SurfaceTangents at = tangents_at(sheet, surface, i, j);
-        side.vertices.push_back(sheet.vertex(i, j));
+        const SurfaceTangents at = tangents_at(grid, surface, i, j);
+        side.vertices.push_back(grid.vertex(i, j));
         side.points.push_back(at.point);
         const auto sign = [](std::int32_t step) { return (step > 0) - (step < 0); };
         side.along.push_back(sign(to_i - from_i) * at.du + sign(to_j - from_j) * at.dv);
@@ -33,7 +34,7 @@ SheetSide side_of(const Surface& surface, const OffsetSheet& sheet, int number,
     side.is_collapsed = std::ranges::all_of(side.points, [&](const Vec3& point) {
         return (point - side.points.front()).norm() <= same_point;
     });
-    // Where the partial vanishes, the next points tell.
+    // Where the partial derivative vanishes, the neighbouring points give the direction.
     for (std::size_t k = 0; k < side.points.size(); ++k)
         if (side.along[k].norm() <= same_point)
             side.along[k] = side.points[std::min(k + 1, side.points.size() - 1)] -
@@ -41,7 +42,7 @@ SheetSide side_of(const Surface& surface, const OffsetSheet& sheet, int number,
     return side;
 }
 
-bool are_mates(const SheetSide& one, const SheetSide& two, double same_point)
+bool are_mates(const GridSide& one, const GridSide& two, double same_point)
 {
     const std::size_t count = one.points.size();
     if (two.points.size() != count)
@@ -52,7 +53,7 @@ bool are_mates(const SheetSide& one, const SheetSide& two, double same_point)
     return true;
 }
 
-void find_mates(std::vector<SheetSide>& sides, double same_point)
+void find_mates(std::vector<GridSide>& sides, double same_point)
 {
     std::vector<std::int32_t> order(sides.size());
     std::iota(order.begin(), order.end(), 0);
@@ -61,10 +62,10 @@ void find_mates(std::vector<SheetSide>& sides, double same_point)
                              [&](std::int32_t k) { return middle_of_ends(sides[k]); });
     for (auto one = order.begin(); one != order.end(); ++one)
         for (auto two = one + 1;
-             two != order.end() && sides[*one].mate == SheetSide::none &&
+             two != order.end() && sides[*one].mate == GridSide::none &&
              middle_of_ends(sides[*two]) <= middle_of_ends(sides[*one]) + 4 * same_point;
              ++two)
-            if (sides[*two].mate == SheetSide::none &&
+            if (sides[*two].mate == GridSide::none &&
                 are_mates(sides[*one], sides[*two], same_point)) {
                 sides[*one].mate = *two;
                 sides[*two].mate = *one;
@@ -73,23 +74,23 @@ void find_mates(std::vector<SheetSide>& sides, double same_point)
 
 }  // namespace
 
-std::vector<SheetSide> sheet_sides(std::span<const Surface> surfaces,
-                                   std::span<const OffsetSheet> sheets, double same_point)
+std::vector<GridSide> grid_sides(std::span<const Surface> surfaces,
+                                 std::span<const OffsetGrid> grids, double same_point)
 {
-    std::vector<SheetSide> sides;
-    for (const OffsetSheet& sheet : sheets)
+    std::vector<GridSide> sides;
+    for (const OffsetGrid& grid : grids)
         for (int number = 0; number < 4; ++number)
-            sides.push_back(side_of(surfaces[sheet.surface], sheet, number, same_point));
+            sides.push_back(side_of(surfaces[grid.surface], grid, number, same_point));
     find_mates(sides, same_point);
     return sides;
 }
 
-std::int32_t side_behind(std::int32_t number)
+std::int32_t next_side(std::int32_t number)
 {
     return number / 4 * 4 + (number + 1) % 4;
 }
 
-std::int32_t side_before(std::int32_t number)
+std::int32_t previous_side(std::int32_t number)
 {
     return number / 4 * 4 + (number + 3) % 4;
 }

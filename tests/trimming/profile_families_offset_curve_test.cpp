@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/gouge/gouge_test.h"
+#include "endmill/gouge/detail/piece_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,10 @@
 namespace endmill {
 namespace {
 
-constexpr double most_pieces = 20'000;  // without halves, and as many with: some 30 MB
-constexpr int most_halvings = 40;       // of a patch, whatever its shape
+// pieces without halves; there are as many with halves, about 30 MB in total
+constexpr double most_pieces = 20'000;
+constexpr std::size_t most_finer_pieces = 30'000;
+constexpr int most_halvings = 40;  // of a patch of any shape
 
 BezierPiece whole_patch(const Surface& surface, std::size_t number, int i, int j)
 {
@@ -35,8 +37,8 @@ BezierPiece whole_patch(const Surface& surface, std::size_t number, int i, int j
     return piece;
 }
 
-// Makes `nodes[node]` the box around `pieces`, and all nodes below it, by halving at the
-// median.
+// Makes `nodes[node]` the box around `pieces` and builds all nodes below it, by halving
+// at the median.
 void build_below(std::size_t node, std::span<std::int32_t> pieces,
                  std::span<const Eigen::AlignedBox3d> boxes,
                  std::vector<PieceTree::Node>& nodes)
@@ -98,7 +100,7 @@ Eigen::AlignedBox3d BezierPiece::box() const
 
 Parameter BezierPiece::wider() const
 {
-    // The middles of a net's sides tell the width also where corners meet.
+    // All pairs of opposite control points count, because the corners alone may coincide.
     const auto point = [&](int i, int j) -> Vec3 {
         const auto row = net.row(Eigen::Index{j} * points_u + i);
         return row.head<3>().transpose() / row[3];
@@ -109,7 +111,7 @@ Parameter BezierPiece::wider() const
         width_u = std::max(width_u, (point(points_u - 1, j) - point(0, j)).norm());
     for (int i = 0; i < points_u; ++i)
         width_v = std::max(width_v, (point(i, points_v - 1) - point(i, 0)).norm());
-    if (width_u == width_v)  // closed or collapsed both ways, or a square
+    if (width_u == width_v)  // closed or collapsed in both directions, or a square
         return high.u - low.u >= high.v - low.v ? Parameter::U : Parameter::V;
     return width_u > width_v ? Parameter::U : Parameter::V;
 }
@@ -123,7 +125,8 @@ std::pair<BezierPiece, BezierPiece> halves(const BezierPiece& piece, Parameter a
     const int rows = is_u ? piece.points_v : piece.points_u;
     const int step = is_u ? 1 : piece.points_u;
     const int row_step = is_u ? piece.points_u : 1;
-    // De Casteljau's pyramid at 1/2, row by row: its edges are the halves.
+    // De Casteljau's algorithm at 1/2, row by row. The two sides of its triangle are the
+    // halves.
     for (int row = 0; row < rows; ++row) {
         const auto point = [&](BezierPiece& half, int k) {
             return half.net.row(Eigen::Index{row} * row_step + Eigen::Index{k} * step);
@@ -145,7 +148,7 @@ PieceTree::PieceTree(std::span<const Surface> surfaces, double piece_size)
 {
     require(!surfaces.empty(), "PieceTree: need a surface");
     require(std::isfinite(piece_size) && piece_size > 0, "PieceTree: need 0 < size");
-    // A piece of diagonal d covers about d^2 / 3.
+    // A piece of diagonal d covers an area of about d^2 / 3.
     const double size = std::max(piece_size, std::sqrt(3 * area(surfaces) / most_pieces));
     for (std::size_t number = 0; number < surfaces.size(); ++number)
         for (int j = 0; j < surfaces[number].patches(Parameter::V); ++j)
@@ -182,6 +185,41 @@ void PieceTree::add_halves(std::size_t piece, double size, int halvings)
     }
     add_halves(first, size, halvings - 1);
     add_halves(first + 1, size, halvings - 1);
+}
+
+std::int32_t FinerPieces::halves_of_leaf(const PieceTree& tree, std::int32_t leaf)
+{
+    const auto [place, is_new] = of_leaves_.try_emplace(leaf, 0);
+    if (is_new)
+        place->second = add_halves(tree.pieces()[leaf].bezier);
+    return place->second;
+}
+
+std::int32_t FinerPieces::halves_of(std::int32_t number)
+{
+    PieceTree::Piece& piece = pieces_[number];
+    if (piece.halves == 0)
+        piece.halves = add_halves(piece.bezier);
+    return piece.halves;
+}
+
+std::int32_t FinerPieces::add_halves(const BezierPiece& whole)
+{
+    const auto first = static_cast<std::int32_t>(pieces_.size());
+    auto [low, high] = halves(whole, whole.wider());
+    for (BezierPiece* half : {&low, &high}) {
+        const Vec3 middle = half->middle();
+        pieces_.push_back({std::move(*half), middle});
+    }
+    return first;
+}
+
+void FinerPieces::limit_memory()
+{
+    if (pieces_.size() < most_finer_pieces)
+        return;
+    of_leaves_.clear();
+    pieces_.resize(1);
 }
 
 }  // namespace endmill

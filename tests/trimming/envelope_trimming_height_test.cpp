@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/trimming/detail/envelope_height.h"
+#include "endmill/trimming/detail/envelope_trimming.h"
 
 #include <gtest/gtest.h>
 

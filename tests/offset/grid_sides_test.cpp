@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/offset/detail/sheet_sides.h"
+#include "endmill/offset/detail/grid_sides.h"
 
 #include <gtest/gtest.h>
 
@@ -8,26 +8,26 @@
 namespace endmill {
 namespace {
 
-std::vector<SheetSide> sides_of(const std::vector<Surface>& part, int lines)
+std::vector<GridSide> sides_of(const std::vector<Surface>& part, int lines)
 {
     const std::vector<double> tool_sides(part.size(), 1);
-    return sheet_sides(part, offset_sheets(part, tool_sides, lines), 1e-6);
+    return grid_sides(part, offset_grids(part, tool_sides, lines), 1e-6);
 }
 
 // Four squares around a point: eight sides inside, in pairs, and eight on the border.
-TEST(SheetSides, OfFourFacetsHaveMatesInside)
+TEST(GridSides, OfFourFacetsHaveMatesInside)
 {
     const auto sides = sides_of(test::pyramid(10, 0.3), 4);
     ASSERT_EQ(sides.size(), 16U);
     int borders = 0;
     for (std::int32_t number = 0; number < 16; ++number) {
-        const SheetSide& side = sides[number];
+        const GridSide& side = sides[number];
         EXPECT_FALSE(side.is_collapsed);
         if (side.is_border()) {
             ++borders;
             continue;
         }
-        const SheetSide& mate = sides[side.mate];
+        const GridSide& mate = sides[side.mate];
         EXPECT_EQ(mate.mate, number);
         for (std::size_t k = 0; k < 4; ++k) {
             EXPECT_LE((side.points[k] - mate.points[3 - k]).norm(), 1e-14);
@@ -37,9 +37,9 @@ TEST(SheetSides, OfFourFacetsHaveMatesInside)
     EXPECT_EQ(borders, 8);
 }
 
-TEST(SheetSides, RunAlongTheBorder)
+TEST(GridSides, RunAlongTheBorder)
 {
-    for (const SheetSide& side : sides_of({test::random_surface(2)}, 9)) {
+    for (const GridSide& side : sides_of({test::random_surface(2)}, 9)) {
         ASSERT_EQ(side.points.size(), 9U);
         for (std::size_t k = 0; k + 1 < 9; ++k) {
             const Vec3 step = side.points[k + 1] - side.points[k];
@@ -49,12 +49,12 @@ TEST(SheetSides, RunAlongTheBorder)
 }
 
 // Sides with other grid lines are borders; one that is a point is neither.
-TEST(SheetSides, ThatDoNotMatchAreBorders)
+TEST(GridSides, ThatDoNotMatchAreBorders)
 {
     const auto level = [](double, double) { return 0.0; };
     const std::vector<Surface> part{test::facet({{0, 1}, {0, 1}}, level),
                                     test::facet({{1, 2}, {0, 2}}, level)};
-    for (const SheetSide& side : sides_of(part, 3))
+    for (const GridSide& side : sides_of(part, 3))
         EXPECT_TRUE(side.is_border());
     const std::vector<Vec3> net{{0, 0, 0}, {0, 0, 0}, {10, -5, 3}, {10, 5, 3}};
     const auto sides = sides_of({Surface{{0, 1}, {0, 1}, {BezierPatch{1, 1, net}}}}, 3);
@@ -63,12 +63,12 @@ TEST(SheetSides, ThatDoNotMatchAreBorders)
     EXPECT_TRUE(sides[2].is_border());
 }
 
-TEST(SheetSides, FollowEachOtherRoundASheet)
+TEST(GridSides, FollowEachOtherRoundASheet)
 {
-    EXPECT_EQ(side_behind(7), 4);
-    EXPECT_EQ(side_behind(4), 5);
-    EXPECT_EQ(side_before(4), 7);
-    EXPECT_EQ(side_before(10), 9);
+    EXPECT_EQ(next_side(7), 4);
+    EXPECT_EQ(next_side(4), 5);
+    EXPECT_EQ(previous_side(4), 7);
+    EXPECT_EQ(previous_side(10), 9);
 }
 
 }  // namespace

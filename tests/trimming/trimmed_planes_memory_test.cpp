@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/trimming/trimming_memory.h"
+#include "endmill/trimming/trimmed_planes.h"
 
 #include <gtest/gtest.h>
 

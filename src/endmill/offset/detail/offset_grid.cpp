@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/offset/detail/offset_sheet.h"
+#include "endmill/offset/detail/offset_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +12,18 @@
 namespace endmill {
 namespace {
 
-// How a surface goes on beyond a break.
+// How a surface continues across a border between patches: with the same first
+// derivatives; with the same tangent plane only; with a crease or a gap.
 enum class Break { Smooth, Kink, Parted };
 
-// Relative difference of first derivatives that is more than rounding.
+// A larger relative difference of first derivatives is more than rounding.
 constexpr double kink_share = 1e-9;
-// Share of the distance between grid lines within which a break is the line itself.
+// Share of the distance between grid lines. A border of patches within that distance of a
+// grid line takes its place.
 constexpr double same_line_share = 1e-6;
 constexpr int samples_per_side = 17;
-// Sine of the angle between partials above which `is_singular` need not be asked.
+// If the sine of the angle between the partials is larger, `is_singular` need not be
+// called.
 constexpr double plain_sine = 1e-6;
 
 Parameter other(Parameter along)
@@ -28,8 +31,8 @@ Parameter other(Parameter along)
     return along == Parameter::U ? Parameter::V : Parameter::U;
 }
 
-// Partials on both sides of break `number` along `along`, at `t` along it in patch
-// `across`.
+// The points and partials on both sides of border `number` across `along`, at parameter
+// `t` along it, in row or column `across` of the patches.
 std::array<SurfaceTangents, 2> tangents_beside(const Surface& surface, Parameter along,
                                                int number, int across, double t)
 {
@@ -43,6 +46,7 @@ std::array<SurfaceTangents, 2> tangents_beside(const Surface& surface, Parameter
     return {tangents(number - 1), tangents(number)};
 }
 
+// Classifies a border at one of its points.
 Break break_between(const Surface& surface, Parameter along,
                     const std::array<SurfaceTangents, 2>& beside)
 {
@@ -63,8 +67,9 @@ Break break_between(const Surface& surface, Parameter along,
                : Break::Smooth;
 }
 
-// Whether two patches go on in each other with the same first derivatives, seen from
-// their control points: cheap, and enough where both are polynomials of one degree.
+// Whether two patches have the same first derivatives across their common border,
+// according to their control points. This is cheap, and it is sufficient for polynomial
+// patches of equal degree.
 bool is_smooth_by_control_points(const Surface& surface, Parameter along, int number,
                                  int across)
 {
@@ -96,7 +101,7 @@ bool is_smooth_by_control_points(const Surface& surface, Parameter along, int nu
     return true;
 }
 
-// The worst that break `number` does anywhere along it.
+// The worst class that border `number` has anywhere along it.
 Break break_at(const Surface& surface, Parameter along, int number)
 {
     Break worst = Break::Smooth;
@@ -115,9 +120,10 @@ Break break_at(const Surface& surface, Parameter along, int number)
     return worst;
 }
 
-// The grid lines along one parameter, a list for each sheet.
-std::vector<std::vector<SheetLine>> sheet_lines(const Surface& surface, Parameter along,
-                                                int grid_lines)
+// The grid lines along one parameter, as one list for each grid. A border of patches with
+// a crease or a gap ends a list and begins the next one; both contain it.
+std::vector<std::vector<GridLine>> lines_of_grids(const Surface& surface, Parameter along,
+                                                  int grid_lines)
 {
     const Interval range = surface.range(along);
     const auto line_at = [&](int number) {
@@ -125,14 +131,14 @@ std::vector<std::vector<SheetLine>> sheet_lines(const Surface& surface, Paramete
     };
     const double same_line = same_line_share * range.length() / (grid_lines - 1);
     const auto breaks = surface.breaks(along);
-    std::vector<std::vector<SheetLine>> sheets(1);
+    std::vector<std::vector<GridLine>> grids(1);
     int line = 0;
     const auto add_lines_below = [&](double end) {
         for (; line < grid_lines; ++line) {
             const double at = line_at(line);
             if (at >= end - same_line)
                 break;
-            sheets.back().push_back({at, surface.patch_number(along, at)});
+            grids.back().push_back({at, surface.patch_number(along, at)});
         }
     };
     const auto skip_lines_at = [&](double at) {
@@ -146,23 +152,23 @@ std::vector<std::vector<SheetLine>> sheet_lines(const Surface& surface, Paramete
         add_lines_below(breaks[number]);
         skip_lines_at(breaks[number]);
         if (kind == Break::Parted) {
-            sheets.back().push_back({breaks[number], number - 1});
-            sheets.emplace_back();
+            grids.back().push_back({breaks[number], number - 1});
+            grids.emplace_back();
         }
-        sheets.back().push_back({breaks[number], number});
+        grids.back().push_back({breaks[number], number});
     }
     add_lines_below(range.high);
-    sheets.back().push_back({range.high, surface.patches(along) - 1});
-    return sheets;
+    grids.back().push_back({range.high, surface.patches(along) - 1});
+    return grids;
 }
 
 }  // namespace
 
-std::vector<std::array<std::int32_t, 2>> OffsetSheet::side_places(int number) const
+std::vector<std::array<std::int32_t, 2>> OffsetGrid::side_places(int number) const
 {
     const std::array<std::array<std::int32_t, 2>, 4> corners{
         {{0, 0}, {columns() - 1, 0}, {columns() - 1, rows() - 1}, {0, rows() - 1}}};
-    // A parametrisation that is mirrored goes round the other way.
+    // In a mirrored parametrisation the sides run in the opposite order.
     const int step = side > 0 ? 1 : 3;
     auto [i, j] = corners[(number * step) % 4];
     const auto [last_i, last_j] = corners[((number + 1) * step) % 4];
@@ -175,12 +181,12 @@ std::vector<std::array<std::int32_t, 2>> OffsetSheet::side_places(int number) co
     return places;
 }
 
-SurfaceTangents tangents_at(const OffsetSheet& sheet, const Surface& surface,
+SurfaceTangents tangents_at(const OffsetGrid& grid, const Surface& surface,
                             std::int32_t i, std::int32_t j)
 {
-    const SheetLine& u = sheet.u[i];
-    const SheetLine& v = sheet.v[j];
-    const auto local = [&](Parameter along, const SheetLine& line) {
+    const GridLine& u = grid.u[i];
+    const GridLine& v = grid.v[j];
+    const auto local = [&](Parameter along, const GridLine& line) {
         const auto breaks = surface.breaks(along);
         return (line.parameter - breaks[line.patch]) /
                (breaks[line.patch + 1] - breaks[line.patch]);
@@ -189,43 +195,43 @@ SurfaceTangents tangents_at(const OffsetSheet& sheet, const Surface& surface,
         .tangents(local(Parameter::U, u), local(Parameter::V, v));
 }
 
-Vec3 normal_at(const OffsetSheet& sheet, const Surface& surface, std::int32_t i,
+Vec3 normal_at(const OffsetGrid& grid, const Surface& surface, std::int32_t i,
                std::int32_t j, const SurfaceTangents& tangents)
 {
     const Vec3 across = tangents.du.cross(tangents.dv);
     const double area2 = across.squaredNorm();
     if (area2 >
         plain_sine * plain_sine * tangents.du.squaredNorm() * tangents.dv.squaredNorm())
-        return (sheet.side / std::sqrt(area2)) * across;
+        return (grid.side / std::sqrt(area2)) * across;
     if (!is_singular(tangents))
-        return sheet.side * unit_normal(tangents);
-    const SheetLine& u = sheet.u[i];
-    const SheetLine& v = sheet.v[j];
+        return grid.side * unit_normal(tangents);
+    const GridLine& u = grid.u[i];
+    const GridLine& v = grid.v[j];
     const auto limit =
         limit_normal(surface.jet_in_patch(u.patch, v.patch, u.parameter, v.parameter),
-                     {i + 1 < sheet.columns() ? 1 : -1, j + 1 < sheet.rows() ? 1 : -1});
+                     {i + 1 < grid.columns() ? 1 : -1, j + 1 < grid.rows() ? 1 : -1});
     if (!limit)
         throw GeometryError{"the surface has no normal at " +
                             place_text({u.parameter, v.parameter}, tangents.point)};
-    return sheet.side * *limit;
+    return grid.side * *limit;
 }
 
-std::vector<OffsetSheet> offset_sheets(std::span<const Surface> surfaces,
-                                       std::span<const double> sides, int grid_lines)
+std::vector<OffsetGrid> offset_grids(std::span<const Surface> surfaces,
+                                     std::span<const double> sides, int grid_lines)
 {
-    std::vector<OffsetSheet> sheets;
+    std::vector<OffsetGrid> grids;
     std::int32_t next = 0;
     for (std::size_t number = 0; number < surfaces.size(); ++number) {
-        const auto columns = sheet_lines(surfaces[number], Parameter::U, grid_lines);
-        const auto rows = sheet_lines(surfaces[number], Parameter::V, grid_lines);
+        const auto columns = lines_of_grids(surfaces[number], Parameter::U, grid_lines);
+        const auto rows = lines_of_grids(surfaces[number], Parameter::V, grid_lines);
         for (const auto& v : rows)
             for (const auto& u : columns) {
-                sheets.push_back(
+                grids.push_back(
                     {static_cast<std::int32_t>(number), sides[number], next, u, v});
                 next += static_cast<std::int32_t>(u.size() * v.size());
             }
     }
-    return sheets;
+    return grids;
 }
 
 }  // namespace endmill

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/gouge/detail/centre_strip.h"
+#include "endmill/gouge/detail/swept_axis.h"
 
 #include <algorithm>
 #include <array>
@@ -9,22 +9,23 @@
 namespace endmill {
 namespace {
 
-// Of the move's place and length: below it the direction across the axis is rounding.
+// Share of the coordinates and of the move's length. A move that is shorter across the
+// axis has a direction that consists of rounding errors.
 constexpr double no_length = 1e-9;
 
 }  // namespace
 
-CentreStrip::CentreStrip(const BallMove& move, const Vec3& axis)
-    : base_{move.from},
+SweptAxis::SweptAxis(const Vec3& from, const Vec3& to, const Vec3& axis)
+    : base_{from},
       axis_{axis},
       feed_{axis.unitOrthogonal()},
       length_{0},
-      rise_{(move.to - move.from).dot(axis)}
+      rise_{(to - from).dot(axis)}
 {
-    const Vec3 along = move.to - move.from;
+    const Vec3 along = to - from;
     const Vec3 across = along - rise_ * axis;
     const double size =
-        along.norm() + move.from.cwiseAbs().maxCoeff() + move.to.cwiseAbs().maxCoeff();
+        along.norm() + from.cwiseAbs().maxCoeff() + to.cwiseAbs().maxCoeff();
     if (across.norm() > no_length * size) {
         length_ = across.norm();
         feed_ = across / length_;
@@ -34,9 +35,9 @@ CentreStrip::CentreStrip(const BallMove& move, const Vec3& axis)
     }
 }
 
-Vec3 CentreStrip::nearest(const Vec3& point) const
+Vec3 SweptAxis::nearest(const Vec3& point) const
 {
-    using Place = Eigen::Vector2d;  // along the feed, along the axis
+    using Place = Eigen::Vector2d;  // coordinates along the feed and along the axis
     const Vec3 from_base = point - base_;
     const Place place{from_base.dot(feed_), from_base.dot(axis_)};
     const bool is_inside = 0 <= place[0] && place[0] <= length_ &&
@@ -47,7 +48,7 @@ Vec3 CentreStrip::nearest(const Vec3& point) const
         const double square = move.squaredNorm();
         const double share =
             square > 0 ? std::clamp(place.dot(move) / square, 0.0, 1.0) : 0;
-        best = share * move;  // then the shanks at the ends of the move
+        best = share * move;  // the shanks at both ends of the move are tested next
         for (const Place& end : {Place{0, std::max(place[1], 0.0)},
                                  Place{length_, std::max(place[1], rise_)}})
             if ((end - place).squaredNorm() < (best - place).squaredNorm())

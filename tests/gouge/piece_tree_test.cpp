@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/gouge/gouge_test.h"
+#include "endmill/gouge/detail/piece_tree.h"
 
 #include <cmath>
 
