@@ -22,7 +22,7 @@ using Vec2 = Eigen::Vector2d;
 constexpr double none = -std::numeric_limits<double>::infinity();
 const std::array cutters{Cutter::ball(1.5), Cutter::flat(1.5), Cutter{1.5, 0.4}};
 
-// Triangles of all sizes that lie about, on each other, upright, and some without area.
+// Random triangles of all sizes, on top of each other, upright, and some without area.
 TriangleMesh rubble(test::Random& random, int count, double size)
 {
     std::vector<Vec3> points;
@@ -51,7 +51,7 @@ std::vector<Vec2> places_over(test::Random& random, int count)
     return places;
 }
 
-// The second route: all triangles, one after the other.
+// Second route: all triangles, one after the other.
 DropContact highest(const TriangleMesh& mesh, const Cutter& cutter, const Vec2& place)
 {
     DropContact best{none, {}, 0};
@@ -96,7 +96,7 @@ TEST(DropCutter, NeverGougesAndTouches)
             const auto height_of_cutter = [&](const Vec3& q) {
                 return cutter.profile((q.head<2>() - place).norm());
             };
-            if (found) {  // its distance from the axis may round to beyond the rim
+            if (found) {  // rounding may put its point beyond the rim
                 const double distance =
                     std::min((found->point.head<2>() - place).norm(), cutter.radius());
                 EXPECT_NEAR(found->point.z() - cutter.profile(distance), found->tip_z,
@@ -115,8 +115,8 @@ TEST(DropCutter, NeverGougesAndTouches)
     }
 }
 
-// A cylinder of radius 6 along y, cut into n strips: the ball rests R above it, less what
-// the chords leave out, which falls as 1 / n^2.
+// A cylinder of radius 6 along y, divided into n facets. The ball rests R above it, minus
+// the chord error, which falls as 1 / n^2.
 TEST(DropCutter, RestsOnACylinder)
 {
     const double radius = 6;
@@ -136,7 +136,7 @@ TEST(DropCutter, RestsOnACylinder)
     }
 }
 
-// A wider body never comes to rest lower: ball, bull-nose, flat.
+// A body that contains another never rests lower: ball, bull-nose, flat.
 TEST(DropCutter, RestsHigherTheMoreItFillsItsCylinder)
 {
     test::Random random{3};
@@ -182,7 +182,7 @@ TEST(DropCutter, DoesNotDependOnHintsOrderOrThreads)
     }
 }
 
-// Long thin triangles, of which a box in plan is nearly empty: a fan.
+// A fan of long thin triangles, which fill their boxes in plan badly.
 TEST(DropCutter, KnowsItsWayAmongLongThinTriangles)
 {
     std::vector<Vec3> points{{0, 0, 5}};
@@ -206,7 +206,7 @@ TEST(DropCutter, KnowsItsWayAmongLongThinTriangles)
     }
 }
 
-// What floats cannot tell apart is still found: a small part far from the origin.
+// A small part far from the origin, which floats cannot resolve.
 TEST(DropCutter, WorksFarFromTheOrigin)
 {
     test::Random random{6};
@@ -258,7 +258,7 @@ TEST(DropCutter, IsAskedAboutPlacesOnly)
     EXPECT_THROW(DropCutter(far, Cutter::ball(1)), DomainError);
 }
 
-// How far the mesh rises into the cutter anywhere on a move, by many places on it.
+// The largest rise of the mesh into the cutter at many positions of a move.
 double sampled_rise(const DropCutter& drop_cutter, const Vec3& from, const Vec3& to)
 {
     double rise = none;

@@ -20,7 +20,7 @@ std::array<Vec3, 3> random_triangle(test::Random& random)
             centre + test::random_point(random, size)};
 }
 
-// Where the tip rests on a point, the axis at the origin.
+// The height of the tip on a point, with the axis at the origin.
 double tip_on(const Vec3& q)
 {
     const double distance = q.head<2>().norm();
@@ -29,7 +29,7 @@ double tip_on(const Vec3& q)
                : -100;
 }
 
-// By many points of many triangles, also without area.
+// Many points of many triangles, some without area.
 TEST(HighestCorner, BoundsTheTipOnTheWholeTriangle)
 {
     test::Random random{1};
@@ -56,8 +56,8 @@ TEST(HighestCorner, BoundsTheTipOnTheWholeTriangle)
     EXPECT_GT(touched, 500);
 }
 
-// A small triangle on a slope of 45 degrees beside the touching point of its plane: the
-// tangents are off by the square of its size.
+// A small triangle on a slope of 45 degrees beside the touching point of its plane. The
+// error of the tangents is proportional to the square of its size.
 TEST(HighestCorner, BoundsSmallTrianglesClosely)
 {
     const Vec3 touched{std::sqrt(2.0), 0, 0};

@@ -19,7 +19,8 @@ Vec3 random_vector(test::Random& random, double size)
     return {x, y, random.uniform(-size, size)};
 }
 
-// The distance of a point from the shank of a ball at `centre`: of a ray.
+// The distance of a point from the axis of the shank of a ball at `centre`, which is a
+// ray.
 double shank_distance(const Vec3& point, const Vec3& centre, const Vec3& axis)
 {
     const double along = (point - centre).dot(axis);

@@ -14,7 +14,7 @@ std::vector<GridSide> sides_of(const std::vector<Surface>& part, int lines)
     return grid_sides(part, offset_grids(part, tool_sides, lines), 1e-6);
 }
 
-// Four squares around a point: eight sides inside, in pairs, and eight on the border.
+// Four squares around a point: eight inner sides in pairs, and eight sides on the border.
 TEST(GridSides, OfFourFacetsHaveMatesInside)
 {
     const auto sides = sides_of(test::pyramid(10, 0.3), 4);
@@ -48,7 +48,8 @@ TEST(GridSides, RunAlongTheBorder)
     }
 }
 
-// Sides with other grid lines are borders; one that is a point is neither.
+// Sides with different grid lines are borders. A side that is a point is neither border
+// nor mate.
 TEST(GridSides, ThatDoNotMatchAreBorders)
 {
     const auto level = [](double, double) { return 0.0; };

@@ -26,8 +26,8 @@ TEST(OffsetGrid, OfASmoothSurfaceIsOneWithEvenLines)
     EXPECT_EQ(grids[0].vertex(2, 3), 17);
 }
 
-// Two planes that meet in a crease at u = 1: both grids have that line, each from its
-// own side, whether it is among the even ones or not.
+// Two planes meet in a crease at u = 1. Both grids contain that line, each evaluated from
+// its own patch, whether or not it is one of the equidistant lines.
 TEST(OffsetGrid, IsPartedAtACrease)
 {
     const Surface valley = test::valley(20, 10, 0.5);
@@ -47,7 +47,8 @@ TEST(OffsetGrid, IsPartedAtACrease)
     }
 }
 
-// Sides follow each other counter-clockwise seen from the tool, also of a mirrored one.
+// Sides follow each other counter-clockwise as seen from the tool, in a mirrored
+// parametrisation too.
 TEST(OffsetGrid, SidesGoRoundCounterClockwise)
 {
     const Surface plain = test::parallelogram({4, 0, 0}, {0, 3, 0});
@@ -72,7 +73,7 @@ TEST(OffsetGrid, SidesGoRoundCounterClockwise)
     }
 }
 
-// At a collapsed edge the normal is its limit; a line has none.
+// At a collapsed edge the normal is the limit; a surface that is a line has none.
 TEST(OffsetGrid, TakesTheLimitOfTheNormalAtAPole)
 {
     const std::vector<Vec3> net{{0, 0, 0}, {0, 0, 0}, {10, -5, 3}, {10, 5, 3}};

@@ -31,7 +31,8 @@ TEST(CurveArrangement, NumbersCurvesByLeastSThenZ)
 {
     const SectionCurve late{{{5, 0}, {9, 0}}, false};
     const SectionCurve upper{{{1, 7}, {2, 7}}, false};
-    const SectionCurve bulging{{{2, 3}, {1, 2}, {4, 4}}, false};  // least within
+    // its smallest s is inside
+    const SectionCurve bulging{{{2, 3}, {1, 2}, {4, 4}}, false};
     const auto ordered = arranged({late, upper, bulging});
     EXPECT_EQ(ordered[0].points, bulging.points);
     EXPECT_EQ(ordered[1].points, upper.points);

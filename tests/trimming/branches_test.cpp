@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-// One loop, which crosses itself in the origin: A is its first segment, B its last.
+// A loop that crosses itself in the origin. A is its first segment, B its last.
 const std::vector<SectionPoint> loop{{-6, 6}, {2, -2}, {0, -1}, {-2, -2}, {6, 6}};
 constexpr Branches of_loop{0, 1, 3, 4};
 
@@ -23,7 +23,7 @@ TEST(CrossingOf, IsWhereTheSegmentsCross)
 
 TEST(CrossingOf, HeedsTheWayThePathTurns)
 {
-    // A hill's loop, turned to the right.
+    // The loop of a hill, at whose crossing the path turns right.
     const std::vector<SectionPoint> hill{{-6, -6}, {2, 2}, {0, 1}, {-2, 2}, {6, -6}};
     const SectionChain chain{hill, 0};
     EXPECT_TRUE(crossing_of(chain, 0, 3, CrossingType::Any));
@@ -32,7 +32,7 @@ TEST(CrossingOf, HeedsTheWayThePathTurns)
 
 TEST(CrossingOf, TakesWhatTouchesOnceOrNever)
 {
-    // B's vertex at the origin lies on A: the next segment of B crosses it.
+    // A vertex of B at the origin lies on A; the next segment of B crosses A.
     const std::vector<SectionPoint> touching{{-4, 4}, {4, -4}, {-3, -3}, {0, 0}, {5, 5}};
     const SectionChain chain{touching, 0};
     EXPECT_FALSE(crossing_of(chain, 0, 2, CrossingType::Any));
@@ -51,7 +51,8 @@ TEST(CrossingOf, LiesInBothBoxes)
     test::Random random{5};
     int found = 0;
     for (int k = 0; k < 3000; ++k) {
-        // Nearly parallel: the quotient for the crossing loses all digits.
+        // Nearly parallel segments, for which the quotient of the crossing loses all
+        // digits.
         const double tilt = random.uniform(-1e-14, 1e-14);
         const std::vector<SectionPoint> points{
             {0, 0}, {1, 1.0 / 3}, {0, 1}, {0.25, 0.25 / 3 + tilt}, {0.75, 0.25 - tilt}};
@@ -79,7 +80,8 @@ TEST(FirstMeeting, IsTheNearestToTheCusp)
     EXPECT_FALSE(first_meeting_of_b(chain, of_loop, 1, 7));
 }
 
-// Each height between belongs to one segment, as do the vertices.
+// Each height between the ends belongs to exactly one segment, the heights of vertices
+// included.
 TEST(FirstMeeting, IsHalfOpen)
 {
     const std::vector<SectionPoint> points{{0, 4}, {1, 2}, {2, 2}, {3, 0}, {4, 3}};

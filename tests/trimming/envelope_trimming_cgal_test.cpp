@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The envelope of random curves, most of them degenerate, against CGAL's exact one.
+// Compares the envelope of random curves, most of them degenerate, with the exact
+// envelope of CGAL.
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-// Where one segment ends and another begins, CGAL 5.5 asks for their order to the right of
-// the place, against its own precondition, and makes an edge of no length. It is skipped
-// here; the rest of the answer holds.
+// Where one segment ends and another begins, CGAL 5.5 asks for their order right of that
+// point, against its own precondition, and makes an edge of length 0. The check is
+// skipped here; the rest of the result is correct.
 #define CGAL_NDEBUG
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Envelope_diagram_1.h>
@@ -42,7 +43,7 @@ Kernel::Line_2 line(const std::vector<SectionCurve>& curves, const SegmentNumber
     return {exact(points[segment.point]), exact(points[segment.point + 1])};
 }
 
-// Where the origins of a point put it.
+// The exact position of a point, computed from its origin.
 ExactPoint origin(const std::vector<SectionCurve>& curves, const TrimmedPoint& point)
 {
     const auto vertex = [&](const SegmentNumber& number) {
@@ -67,7 +68,7 @@ bool is_nearest(double rounded, const Kernel::FT& value)
     return 2 * value >= below + rounded && 2 * value <= above + rounded;
 }
 
-// Without repeated points and points that go straight on.
+// Appends a point; repeated points and points on a straight piece are left out.
 void append(ExactCurve& curve, const ExactPoint& point)
 {
     if (!curve.empty() && curve.back() == point)
@@ -78,7 +79,7 @@ void append(ExactCurve& curve, const ExactPoint& point)
     curve.push_back(point);
 }
 
-// The highest points of vertical segments, each s once, by s.
+// The highest points of vertical segments, one for each s, ordered by s.
 ExactCurve tops_of_verticals(const std::vector<SectionCurve>& curves)
 {
     std::map<double, double> tops;
@@ -98,7 +99,7 @@ ExactCurve tops_of_verticals(const std::vector<SectionCurve>& curves)
     return result;
 }
 
-// Puts the top of a vertical segment into an envelope without it.
+// Inserts the top of a vertical segment into an envelope that does not contain it.
 void insert(std::vector<ExactCurve>& envelope, const ExactPoint& top)
 {
     auto curve = envelope.begin();
@@ -118,7 +119,7 @@ void insert(std::vector<ExactCurve>& envelope, const ExactPoint& top)
             curve->insert(next, {foot, top, foot});
         return;
     }
-    auto behind = next;  // of one point or two at this s
+    auto behind = next;  // one or two points have this s
     bool is_above = true;
     for (; behind != curve->end() && behind->x() == top.x(); ++behind)
         is_above = is_above && top.y() > behind->y();
@@ -186,7 +187,7 @@ double nearest(const Kernel::FT& value)
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-// The corners of an envelope as doubles, equal neighbours once.
+// The corners of an envelope as doubles, without repetitions.
 std::vector<SectionPoint> rounded(const ExactCurve& curve)
 {
     std::vector<SectionPoint> result;
@@ -198,7 +199,7 @@ std::vector<SectionPoint> rounded(const ExactCurve& curve)
     return result;
 }
 
-// Whether `curve` has all corners of `expected`, and no point off it.
+// Expects that `curve` contains all corners of `expected` and no point outside it.
 void expect_as(const TrimmedCurve& curve, const ExactCurve& expected,
                const std::vector<SectionCurve>& curves)
 {
@@ -225,7 +226,8 @@ void expect_as(const TrimmedCurve& curve, const ExactCurve& expected,
     }
 }
 
-// Whether the envelope of `curves` is CGAL's, point by point and by origin.
+// Expects that the envelope of `curves` equals that of CGAL, in its points and in their
+// origins.
 void expect_as_cgal(const std::vector<SectionCurve>& curves)
 {
     const Trimmed trimmed = envelope_trimming(curves);
@@ -241,7 +243,7 @@ void expect_as_cgal(const std::vector<SectionCurve>& curves)
     }
 }
 
-// Some curves of a few points each; about every third point is one of those before.
+// Curves of a few points each. About every third point repeats an earlier one.
 template <typename Coordinate>
 std::vector<SectionCurve> random_curves(test::Random& random,
                                         const Coordinate& coordinate)
@@ -296,7 +298,7 @@ TEST(EnvelopeByCgal, IsTheSameOneRoundingOffAGrid)
     });
 }
 
-// Every segment passes over a large part of the envelope of those before.
+// Each segment passes over a large part of the envelope of the segments before it.
 TEST(EnvelopeByCgal, IsTheSameOfLongTeeth)
 {
     test::Random random{6};

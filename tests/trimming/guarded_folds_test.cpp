@@ -69,7 +69,7 @@ TEST(TrimGuarded, KeepsTheLongerOfTwoShortBranches)
         << "of equal ones the first";
 }
 
-// A reversal that no crossing and no rule explains.
+// A reversal for which there is no crossing and no end rule.
 TEST(TrimGuarded, LeavesWhatItDoesNotUnderstandAndCountsIt)
 {
     const Points overhang{{-4, 4}, {2, 1}, {1, 1.25}, {0, 0.5}, {6, -2.5}};

@@ -34,8 +34,9 @@ TEST(OffsetCurve, KeepsItsDistance)
     }
 }
 
-// The offsets of z = x^2 / (2 p) cross in (0, p / 2 + R^2 / (2 p)), those of the chords at
-// a distance that goes with the square of the step, and as the specification bounds it.
+// The offset of z = x^2 / (2 p) crosses itself in (0, p / 2 + R^2 / (2 p)). The crossing
+// of its chords has an error proportional to the square of the step, within the numbers
+// of docs/mathematics/interference.md, section 11.
 TEST(OffsetCurve, ConvergesToTheCrossingOfTheParabola)
 {
     struct Sampling {
@@ -60,7 +61,8 @@ TEST(OffsetCurve, ConvergesToTheCrossingOfTheParabola)
     }
 }
 
-// R is the radius of an arc: its offset is one point, without segments of no length.
+// R is the radius of an arc whose offset is a single point; segments of length 0 are left
+// out.
 TEST(OffsetCurve, MergesEqualPoints)
 {
     const OffsetProfile flat_wedge{"point",

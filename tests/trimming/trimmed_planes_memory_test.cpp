@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-// What whole runs took, by the system's count of resident memory.
+// The resident memory of whole runs, as counted by the operating system.
 TEST(TrimmingMemory, IsWhatRunsTookWithinAFactorOfTwo)
 {
     struct Run {

@@ -23,7 +23,7 @@ constexpr double p = 4;       // mm, of the trough z = x^2 / (2 p) + y tan(beta)
 constexpr double radius = 7;  // mm, of the ball
 constexpr double beta = 25 * std::numbers::pi / 180;
 
-// A part, its sections and what is left of them.
+// A part, its sections and their trimmed results.
 struct Sections {
     std::vector<Surface> surfaces;
     Cutter cutter;
@@ -58,7 +58,8 @@ Sections trough(int grid_lines)
 
 TEST(RefinedPlanes, FindTheCrossingOfTheInclinedTroughWhateverTheGrid)
 {
-    // Acceptance A3; the sampled crossing is off by 5e-3 and 2e-3 mm on these grids.
+    // Closed form A3 of docs/mathematics/interference.md, section 11. On these grids the sampled
+    // crossing is off by 5e-3 and 2e-3 mm.
     const double crossing =
         radius * radius / (2 * p) + p / (2 * std::cos(beta) * std::cos(beta));
     for (const int grid_lines : {51, 101}) {
@@ -87,7 +88,7 @@ TEST(RefinedPlanes, TouchThePartAtEveryRefinedPoint)
     constexpr double resolution = 1e-7;
     EXPECT_GE(least_gap(sections.surfaces, sections.cutter, places, resolution)->gap,
               -1e-8);
-    // Each on its own, so that none hangs above the part either.
+    // Each point on its own, so that a point above the part is found as well.
     for (std::size_t k = 0; k < places.size(); k += 7)
         EXPECT_NEAR(
             least_gap(sections.surfaces, sections.cutter, {&places[k], 1}, resolution)
@@ -97,7 +98,8 @@ TEST(RefinedPlanes, TouchThePartAtEveryRefinedPoint)
 
 TEST(RefinedPlanes, TellTheErrorOfTheSampling)
 {
-    // Of second order in the pitch: 16 times less at a quarter of it.
+    // The error is of second order in the pitch: 16 times smaller at a quarter of the
+    // pitch.
     const Sections coarse = trough(41);
     const double error = sampling_error(coarse.source(), coarse.trimmed);
     EXPECT_GT(error, 1e-3);
@@ -137,7 +139,7 @@ struct KnownPart {
     test::PlanPart plan;
 };
 
-// Hills and hollows too narrow for the cutters, its border bent up and down.
+// Hills and hollows that are too narrow for the cutters; the border is bent up and down.
 KnownPart bumpy()
 {
     const test::Polynomial height =
@@ -157,8 +159,8 @@ double bernstein(const std::array<double, 4>& c, double t)
            c[3] * t * t * t;
 }
 
-// The valley's x depends on u alone, y on v: u by Newton's method, from x / 100 on, where
-// x' is 60 at least.
+// In the valley x depends on u alone and y on v. Newton's method finds u, starting from x
+// / 100, where x' is at least 60.
 KnownPart valley()
 {
     const auto height = [](double x, double y) {
@@ -173,7 +175,7 @@ KnownPart valley()
     return {{test::narrowing_valley()}, {{{0, 100}, {0, 100}}, height, {}}};
 }
 
-// A crease that turns down, one that turns up, and corners where they meet.
+// A convex crease, a concave crease, and corners where they meet.
 KnownPart folded()
 {
     const auto height = [](double x, double y) {
@@ -195,9 +197,9 @@ struct Case {
 
 class RefinedHeights : public testing::TestWithParam<Case> {};
 
-// The promise of --refine. A few planes, the first and last next to the corners, and of their
-// points all crossings, ends and the points beside them, of others some: the dense drop
-// takes its time.
+// The accuracy that refine_planes promises. The test takes a few planes, the first and
+// the last next to the corners, and of their points all crossings, ends and neighbours of
+// these, and some others, because the dense drop is slow.
 TEST_P(RefinedHeights, AreThoseOfADenseDropWhateverTheGrid)
 {
     const KnownPart part = GetParam().part();

@@ -38,7 +38,8 @@ const ExpectedTrim& expected_trim(const TrimmingVector& vector, std::string_view
     return detection == FoldDetection::Literal ? vector.literal : vector.guarded;
 }
 
-// How far method 1 may be from the crossing of two segments: spec of the lines, section 5.1.
+// The error bound of method 1 for the crossing of two segments.
+// Source: docs/mathematics/interference.md, section 5.1.
 SectionPoint distance_bound(const TrimmingVector& vector,
                             const test::ExpectedCrossing& at, double threshold)
 {
@@ -52,7 +53,7 @@ SectionPoint distance_bound(const TrimmingVector& vector,
     return {threshold / 2 * std::abs((a + b) / (b - a)), threshold / std::abs(b - a)};
 }
 
-// That of the point `expected` of a result, 0 for a vertex.
+// The tolerance for the point `expected` of a result; 0 for a vertex.
 SectionPoint tolerance_of(const TrimmingVector& vector, const SectionPoint& expected,
                           double threshold)
 {
@@ -98,7 +99,7 @@ TEST(TrimmingMethods, GiveWhatTheVectorsList)
     }
 }
 
-// The vectors say which results are right, and so does the judge.
+// The vectors list which results are right. trimming_quality must agree.
 TEST(TrimmingMethods, FailOnTheVectorsWhereTheyAreKnownTo)
 {
     for (const TrimmingVector& vector : test::trimming_vectors()) {
@@ -158,8 +159,9 @@ TEST(TrimmingMethods, LeaveCurvesWithoutFoldsAsTheyAre)
     constexpr double tiny = 1e-300;
     const std::vector<SectionCurve> curves{
         test::open_curve({{0, 0}, {1, 0}}),
-        test::open_curve({{0, 5}, {0, 1}}),                  // vertical
-        test::open_curve({{0, 0}, {0, 3}, {0, 1}, {0, 2}}),  // all of it
+        test::open_curve({{0, 5}, {0, 1}}),  // vertical
+        // a vertical curve with reversals
+        test::open_curve({{0, 0}, {0, 3}, {0, 1}, {0, 2}}),
         test::open_curve({{0, 0}, {1, 1}, {2, 2}, {3, 3}}),  // on a line
         test::open_curve({{0, 0}, {1, 0}, {1, 2}, {2, 2}}),  // a step
         test::open_curve({{-huge, huge}, {0, 0}, {huge, huge}}),
@@ -178,7 +180,8 @@ TEST(TrimmingMethods, LeaveCurvesWithoutFoldsAsTheyAre)
     }
 }
 
-// What TrimmedKind says of a point, and the order of curves, for whatever is in the table.
+// Checks the meaning of TrimmedKind and the order of curves, for every method in the
+// table.
 void expect_in_order_and_from(const SectionCurve& curve, const Trimmed& trimmed)
 {
     double smallest_s = -std::numeric_limits<double>::infinity();
@@ -214,7 +217,7 @@ TEST(TrimmingMethods, AllKeepTheContract)
     }
 }
 
-// A backward curve is not one that a section can be; nothing is hidden all the same.
+// A section never runs backwards as a whole. If a curve does, the fold is reported.
 TEST(TrimmingMethods, ReportABackwardCurve)
 {
     const SectionCurve curve = test::open_curve({{3, 0}, {2, 1}, {0, 2}});

@@ -17,8 +17,8 @@ class PieceTree;
 
 /// A straight move of a ball, given by the centre of the ball in mm.
 struct BallMove {
-    Vec3 from;
-    Vec3 to;
+    Vec3 from;  ///< start
+    Vec3 to;    ///< end
 };
 
 /// A point of the part that the move of a ball removes, or nearly removes.
@@ -39,8 +39,8 @@ enum class GougeVerdict {
 
 /// The answer, and the point that decided it unless the answer is Clear.
 struct GougeAnswer {
-    GougeVerdict verdict;
-    std::optional<GougePlace> place;
+    GougeVerdict verdict;             ///< the answer
+    std::optional<GougePlace> place;  ///< empty if Clear
 };
 
 /// Measures how deep a ball and the shank of the same radius above it enter a part during
@@ -49,8 +49,7 @@ struct GougeAnswer {
 /// depth along the part's normal. Bounds come from the convex hulls of control points, so
 /// that the answers are certain up to rounding errors of about 1e-12 of the coordinates.
 /// An immutable value that all threads may use.
-/// Source: derived here; docs/mathematics/interference.md, section 6 for the convention
-/// of depths.
+/// Source: derived here.
 class GougeTest {
 public:
     /// \param surfaces the part.

@@ -18,7 +18,7 @@ using SectionPoint = Eigen::Vector2d;
 /// among those), and repeats that point at its end. A curve has at least two points, and
 /// consecutive points are different.
 struct SectionCurve {
-    std::vector<SectionPoint> points;
+    std::vector<SectionPoint> points;  ///< in their order
     bool is_closed = false;
 };
 

@@ -23,10 +23,10 @@ std::string_view name(CutCause cause);
 /// A maximal stretch of consecutive points of a section curve that a trimmed result does
 /// not contain.
 struct CutOut {
-    std::int32_t curve;
-    std::int32_t first_point;
-    std::int32_t last_point;
-    CutCause cause;
+    std::int32_t curve;        ///< number of the section curve
+    std::int32_t first_point;  ///< number of its first point
+    std::int32_t last_point;   ///< number of its last point
+    CutCause cause;            ///< why it was cut out
     /// The crossing that bounds the stretch; if two crossings do, the first one along the
     /// curve. Without a crossing, the new end of the curve, which may lie inside a
     /// segment. The point has the coordinates that it has in the result. Empty if nothing

@@ -80,8 +80,8 @@ struct TrimmingSize {
     std::size_t surfaces;  ///< number of sampled surfaces; 0 for a mesh part
     /// along each parameter of a surface; for a mesh part, samples in each plane
     int grid_lines;
-    std::size_t planes;
-    BoundaryContact boundary = BoundaryContact::Contact;
+    std::size_t planes;                                   ///< number of drive planes
+    BoundaryContact boundary = BoundaryContact::Contact;  ///< see OffsetOptions
 };
 
 /// Upper estimate in bytes of the memory that the offset, its sections and their files

@@ -13,8 +13,8 @@ namespace endmill {
 /// A segment of a section curve: the numbers of the curve and of the segment's first
 /// point. The same numbers stand for that point where a vertex is meant.
 struct SegmentNumber {
-    std::int32_t curve;
-    std::int32_t point;
+    std::int32_t curve;  ///< number of the curve
+    std::int32_t point;  ///< number of the point in the curve
     friend bool operator==(const SegmentNumber&, const SegmentNumber&) = default;
 };
 
@@ -28,24 +28,24 @@ enum class TrimmedKind : std::uint8_t {
 
 /// A point of a trimmed curve with its origin.
 struct TrimmedPoint {
-    SectionPoint at;
-    SegmentNumber on;
-    SegmentNumber across;
-    TrimmedKind kind;
+    SectionPoint at;       ///< s and z in mm
+    SegmentNumber on;      ///< the vertex, or the segment that carries it
+    SegmentNumber across;  ///< see TrimmedKind
+    TrimmedKind kind;      ///< its origin
 };
 
 /// A connected curve of a trimmed result.
 struct TrimmedCurve {
-    std::vector<TrimmedPoint> points;
-    bool is_closed = false;
+    std::vector<TrimmedPoint> points;  ///< at least two
+    bool is_closed = false;            ///< then the last point repeats the first
 };
 
 /// The reason why a method cut points out of a curve.
 struct AppliedRule {
-    std::int32_t curve;
+    std::int32_t curve;        ///< number of the curve
     std::int32_t first_point;  ///< first point that was cut out
-    std::int32_t last_point;
-    std::string_view rule;  ///< a word with static lifetime, such as "E1" or "P4"
+    std::int32_t last_point;   ///< last point that was cut out
+    std::string_view rule;     ///< a word with static lifetime, such as "E1" or "P4"
 };
 
 /// The result of trimming the curves of one plane.

@@ -11,9 +11,9 @@ namespace endmill {
 
 /// A method that removes the loops from the curves of one plane.
 struct TrimmingMethod {
-    std::string_view name;  ///< the word for the command line
+    std::string_view name;   ///< the word for the command line
     std::string_view title;  ///< a short description for readers
-    bool has_detection;  ///< whether the method uses TrimmingOptions::detection
+    bool has_detection;      ///< whether the method uses TrimmingOptions::detection
     /// Trims the curves of one plane.
     /// \pre the curves satisfy the rules of SectionCurve, are finite, and are ordered by
     ///     their smallest s.

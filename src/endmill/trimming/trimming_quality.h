@@ -24,8 +24,8 @@ struct TrimmingQuality {
 /// The errors up to which a result counts as right.
 struct TrimmingTolerance {
     double step_back_mm = 1e-12;  ///< rounding of coordinates of about 10 mm
-    double gouge_mm = 0;
-    double uncovered = 0;  ///< a share between 0 and 1
+    double gouge_mm = 0;          ///< see TrimmingQuality
+    double uncovered = 0;         ///< a share between 0 and 1
 };
 
 /// Measures the errors of `trimmed` from the segments of `curves` alone. It shares no

@@ -32,10 +32,9 @@ inline float rounded_down(double value)
 /// A search tree for the drop cutter: the triangles of a mesh in the order of the Hilbert
 /// curve in plan, under nodes with eight children each. A node has a bound of the height
 /// at which a cutter can come to rest on its triangles. Takes about 41 bytes per
-/// triangle, and 5 more unless the cutter is a ball. It differs from the library's other
-/// box trees because all eight children are tested in one register, and because their
-/// bounds contain a plane: a plain box tree visits several times as many triangles on a
-/// slope.
+/// triangle, and 5 more unless the cutter is a ball. It is a tuned kernel beside the
+/// library's other box trees: eight children are tested in one register, and a node's
+/// plane follows a slope more closely than a box.
 ///
 /// A node has a box in plan and a plane z = a + g . (x, y) above all its points. On that
 /// plane alone the tip would rest at F = a + |g| (R - r) + r (n - 1) + g . (x, y) with n
@@ -47,7 +46,7 @@ inline float rounded_down(double value)
 /// touching point lets the tip rest at most at F - c d^2:
 /// 1. On a sphere the chord to the touching point is at least d long. Its end lies
 ///    (chord)^2 n / 2r above the tangent plane, measured along the axis.
-/// 2. On the rim of a disc the end of such a chord lies |g| d^2 / 2(R - r) above.
+/// 2. On the rim of a disc the tip rests lower by |g| d^2 / 2(R - r), in the same way.
 /// 3. For both together, the smallest value for a given d is obtained by adding the
 ///    inverses.
 /// Source: derived here.
@@ -56,22 +55,22 @@ public:
     /// Eight nodes, in mm relative to origin(). The numbers are rounded such that bounds
     /// computed in floats are never too low.
     struct Nodes {
-        FloatLanes low_x;
-        FloatLanes low_y;
-        FloatLanes high_x;
-        FloatLanes high_y;
-        FloatLanes height;  ///< F over the low corner of the box
-        FloatLanes offset_x;
-        FloatLanes offset_y;
-        FloatLanes fall;  ///< c, per mm
+        FloatLanes low_x;     ///< box in plan
+        FloatLanes low_y;     ///< box in plan
+        FloatLanes high_x;    ///< box in plan
+        FloatLanes high_y;    ///< box in plan
+        FloatLanes height;    ///< F over the low corner of the box
+        FloatLanes offset_x;  ///< o, mm
+        FloatLanes offset_y;  ///< o, mm
+        FloatLanes fall;      ///< c, per mm
     };
 
     /// A straight move of the tip, in mm relative to the origin.
     struct FloatMove {
-        Eigen::Array2f from;
-        Eigen::Array2f to;
-        float from_z;  ///< rounded down
-        float to_z;
+        Eigen::Array2f from;  ///< x and y at its start
+        Eigen::Array2f to;    ///< x and y at its end
+        float from_z;         ///< rounded down
+        float to_z;           ///< rounded down
     };
 
     /// \param mesh the triangles; it must outlive this object.
@@ -107,10 +106,10 @@ public:
 
     /// The part of a node's plane over its box, relative to the origin.
     struct Plane {
-        Vec3 middle;
-        Eigen::Vector2d half_size;
-        Eigen::Vector2d slope;
-        bool is_empty;  ///< the node has no points
+        Vec3 middle;                ///< mm
+        Eigen::Vector2d half_size;  ///< mm
+        Eigen::Vector2d slope;      ///< mm per mm
+        bool is_empty;              ///< the node has no points
     };
     /// The plane of node `k` of eight.
     Plane plane(const Nodes& nodes, Eigen::Index k) const;
@@ -132,15 +131,18 @@ private:
     // one word, which is written and read at once.
     class Waiting {
     public:
-        Waiting() = default;
+        Waiting() = default;  // for the array of WaitingNodes
+        // `node` is the number of a Nodes on its level, or of an entry of order_.
         Waiting(float bound, std::uint32_t node)
             : word_{std::uint64_t{std::bit_cast<std::uint32_t>(bound)} << 32U | node}
         {
         }
+        // The bound of the node.
         float bound() const
         {
             return std::bit_cast<float>(static_cast<std::uint32_t>(word_ >> 32U));
         }
+        // Its number.
         std::uint32_t node() const { return static_cast<std::uint32_t>(word_); }
 
     private:
@@ -171,6 +173,10 @@ private:
     std::vector<Level> levels_;
 };
 
+// Evaluates min(F - c d^2, top) for eight nodes at once. F is linear in the place, so that
+// it follows from its value over the low corner of the box; d is the distance of the
+// touching point from the box. Nodes whose box is beyond the cutter's radius are out of
+// reach.
 [[gnu::always_inline]] inline FloatLanes DropTree::tip_bounds(const Nodes& nodes,
                                                               const FloatLanes& tops,
                                                               float x, float y) const
@@ -208,6 +214,12 @@ inline void DropTree::put(const Waiting& node, std::size_t first, WaitingNodes& 
     waiting.nodes[place] = node;
 }
 
+// Depth-first search with the best child first:
+// 1. The bounds of the eight children of a node are computed at once.
+// 2. Children whose bound reaches the query's limit are put on the stack, the highest last.
+// 3. On the lowest level the children are triangles, which the query looks at immediately.
+// 4. The limit grows while triangles are found, so that nodes on the stack are compared with
+//    it again when they are taken off.
 template <typename Query>
 [[gnu::always_inline]] inline void DropTree::search(Query& query) const
 {

@@ -12,8 +12,8 @@ namespace endmill {
 
 /// A patch of a surface: column i in u, row j in v.
 struct PatchNumber {
-    int i;
-    int j;
+    int i;  ///< column
+    int j;  ///< row
     friend bool operator==(const PatchNumber&, const PatchNumber&) = default;
 };
 

@@ -11,14 +11,14 @@ namespace endmill {
 
 /// A position on a part: the number of a surface, and global parameters.
 struct PartPlace {
-    std::size_t surface;
-    SurfacePoint at;
+    std::size_t surface;  ///< number of the surface
+    SurfacePoint at;      ///< global parameters
 };
 
 /// A contact of a cutter that was lowered onto a part. There may be several with equal
 /// height.
 struct PartContact {
-    std::size_t surface;
+    std::size_t surface;  ///< number of the surface
     /// The contact on the surface.
     PatchContact on;
     /// True if the cutter touches with the surface's own normal, false on an edge or in a

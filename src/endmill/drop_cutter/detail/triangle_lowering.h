@@ -15,18 +15,18 @@ namespace endmill {
 /// A point relative to the cutter's axis, mm.
 template <typename Real>
 struct AxisPlace {
-    Real x;
-    Real y;
-    Real z;
+    Real x;  ///< horizontal
+    Real y;  ///< horizontal
+    Real z;  ///< height
 };
 
 /// A side of the triangle. Shares count from 0 at its start to 1 at its end, in plan.
 template <typename Real>
 struct TriangleSide {
-    const AxisPlace<Real>& from;
-    const AxisPlace<Real>& to;
-    Real length2;  ///< squared length in plan
-    Real rise;
+    const AxisPlace<Real>& from;  ///< its start
+    const AxisPlace<Real>& to;    ///< its end
+    Real length2;                 ///< squared length in plan
+    Real rise;                    ///< from start to end, mm
     Real foot;   ///< share of the point of the whole line that is nearest to the axis
     Real away2;  ///< squared distance of that point from the axis
     Real half2;  ///< squared half length of the chord that the rim of the cutter cuts off

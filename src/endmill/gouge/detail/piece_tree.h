@@ -24,7 +24,7 @@ struct BezierPiece {
     /// Global parameters of the opposite corner.
     SurfacePoint high;
     int points_u;  ///< number of control points in u and in v
-    int points_v;
+    int points_v;  ///< rows of control points
     /// One row for each control point, u fastest, with the columns w x, w y, w z and w.
     Eigen::MatrixX4d net;
     bool is_rational;  ///< if false, all w are 1

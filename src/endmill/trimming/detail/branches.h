@@ -12,10 +12,10 @@ namespace endmill {
 /// Two branches of a chain between which a loop may lie, as vertex numbers. Branch A
 /// leads to its cusp. Branch B starts at its own cusp, behind A.
 struct Branches {
-    std::int32_t first_a;
-    std::int32_t cusp_a;
-    std::int32_t cusp_b;
-    std::int32_t last_b;
+    std::int32_t first_a;  ///< start of A
+    std::int32_t cusp_a;   ///< end of A
+    std::int32_t cusp_b;   ///< start of B
+    std::int32_t last_b;   ///< end of B
 };
 
 /// Searches two branches for a crossing. With guarded detection only crossings of valley

@@ -7,8 +7,8 @@ namespace endmill {
 
 /// The line through two points of different s.
 struct SectionLine {
-    SectionPoint a;
-    SectionPoint b;
+    SectionPoint a;  ///< mm
+    SectionPoint b;  ///< mm
 };
 
 // All functions of this header are exact for all finite doubles. The coordinates become

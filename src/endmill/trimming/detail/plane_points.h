@@ -13,7 +13,7 @@ namespace endmill {
 /// The points of all curves of a plane in one row. Segment i joins points i and i + 1.
 /// There is no segment from the last point of a curve to the first point of the next.
 struct SectionPoints {
-    std::span<const SectionPoint> points;
+    std::span<const SectionPoint> points;  ///< of all curves
     /// for each curve the number behind its last point
     std::span<const std::int32_t> ends;
     double largest_at_most;  ///< upper bound of the size of all coordinates
@@ -29,6 +29,7 @@ public:
     /// \throws LimitError if there are 2^31 - 1 points or more.
     explicit PlanePoints(std::span<const SectionCurve> curves);
 
+    // section() refers to the members of this object.
     PlanePoints(const PlanePoints&) = delete;
     PlanePoints& operator=(const PlanePoints&) = delete;
 

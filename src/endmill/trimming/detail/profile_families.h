@@ -11,7 +11,7 @@ namespace endmill {
 
 /// A planar profile z = f(x) and the ball that cuts it: a test case for trimming methods.
 struct OffsetProfile {
-    std::string name;
+    std::string name;                      ///< as in the data files
     std::function<double(double)> height;  ///< f in mm, as a function of x in mm
     /// f'; at a crease the mean of the slopes on both sides
     std::function<double(double)> slope;

@@ -14,14 +14,14 @@ namespace endmill {
 /// A section of a sampled offset, with the smooth part that it approximates.
 struct SampledSection {
     const PlaneSection& section;  ///< section of the offset mesh
-    DriveLine line;
-    const OffsetMesh& offset;
-    const SmoothDrop& drop;  ///< of the part, for offset.cutter
+    DriveLine line;               ///< its drive plane
+    const OffsetMesh& offset;     ///< the sampled offset
+    const SmoothDrop& drop;       ///< of the part, for offset.cutter
 };
 
 /// The trimmed curves of one plane after refinement.
 struct RefinedCurves {
-    std::vector<TrimmedCurve> curves;
+    std::vector<TrimmedCurve> curves;  ///< in their original order
     /// number of points at which the cutter now rests on the part
     std::size_t refined = 0;
     std::size_t unrefined = 0;  ///< number of points that keep their sampled position

@@ -13,8 +13,8 @@ namespace endmill {
 /// A crossing of two segments of a chain.
 struct ChainCrossing {
     std::int32_t segment_a;  ///< first vertex; in front of `segment_b` on the chain
-    std::int32_t segment_b;
-    SectionPoint at;
+    std::int32_t segment_b;  ///< first vertex
+    SectionPoint at;         ///< s and z in mm
     /// up to rounding; if false, the crossing is only near them
     bool lies_on_both = true;
 };

@@ -15,8 +15,8 @@ namespace endmill {
 
 /// A proper crossing of two segments.
 struct EnvelopeCrossing {
-    double s;  ///< mm, as z
-    double z;
+    double s;        ///< mm, as z
+    double z;        ///< mm
     double error;    ///< bound of the errors of s and of z, mm
     std::int32_t p;  ///< number of one segment
     std::int32_t q;  ///< number of the other

@@ -14,7 +14,7 @@ enum class RunAxis : std::uint8_t { S, Z };
 /// A maximal run of a chain on which a coordinate grows, or falls.
 struct SectionRun {
     std::int32_t first;  ///< first vertex
-    std::int32_t last;
+    std::int32_t last;   ///< last vertex
     /// Whether the coordinate grows.
     bool grows;
 };

@@ -28,8 +28,8 @@ struct BorderPlace {
 /// A connected part of a border, with the kept region on its left. A closed one does not
 /// repeat its first place. It has no places if a single segment carries all of it.
 struct WindingBorder {
-    std::vector<BorderPlace> places;
-    bool is_closed;
+    std::vector<BorderPlace> places;  ///< in their order
+    bool is_closed;                   ///< whether it has no ends
 };
 
 /// The borders of the region that method `winding` keeps (see winding_trimming.h). Their

@@ -9,8 +9,8 @@ namespace endmill {
 
 /// A step over an edge of an arrangement, from one face into the next. Faces are numbers.
 struct FaceStep {
-    std::int32_t from;
-    std::int32_t to;
+    std::int32_t from;  ///< the face that it leaves
+    std::int32_t to;    ///< the face that it enters
     std::int32_t fall;  ///< decrease of the index by the step
 };
 
