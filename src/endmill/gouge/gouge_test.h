@@ -49,7 +49,6 @@ struct GougeAnswer {
 /// depth along the part's normal. Bounds come from the convex hulls of control points, so
 /// that the answers are certain up to rounding errors of about 1e-12 of the coordinates.
 /// An immutable value that all threads may use.
-/// Source: derived here.
 class GougeTest {
 public:
     /// \param surfaces the part.

@@ -49,7 +49,7 @@ inline float rounded_down(double value)
 /// 2. On the rim of a disc the tip rests lower by |g| d^2 / 2(R - r), in the same way.
 /// 3. For both together, the smallest value for a given d is obtained by adding the
 ///    inverses.
-/// Source: derived here.
+/// This derivation is our own.
 class DropTree {
 public:
     /// Eight nodes, in mm relative to origin(). The numbers are rounded such that bounds

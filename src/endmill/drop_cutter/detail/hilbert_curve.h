@@ -7,7 +7,7 @@ namespace endmill {
 
 /// The number of cell (x, y) along the Hilbert curve through 2^16 by 2^16 cells. Cells
 /// with close numbers are close to each other.
-/// Source: [Lawder].
+/// The numbering is that of [Lawder].
 inline std::uint32_t hilbert_number(std::uint32_t x, std::uint32_t y)
 {
     constexpr std::uint32_t last = 0xFFFF;

@@ -24,7 +24,7 @@ namespace endmill {
 /// also at the rim of the cutter, where its profile is vertical, and on steep or thin
 /// triangles. Where rounding errors of doubles could be larger, the computation is
 /// repeated with twice the digits. A triangle without area is replaced by its sides.
-/// Source: derived here; the touching points are those of [JangKimJeong, eq. (3)].
+/// Source: [JangKimJeong, eq. (3)] for the touching point of a plane.
 class TriangleDrop {
 public:
     /// \param cutter the cutter.
@@ -61,7 +61,6 @@ struct HighestCorner {
 /// slope is positive, the ball touches that corner.
 ///
 /// Accurate to 1e-9 mm for coordinates within 1e4 mm and radii within 1e3 mm.
-/// Source: derived here.
 /// \param corners of the triangle, mm.
 /// \param x of the ball's axis, mm.
 /// \param y of the ball's axis, mm.

@@ -40,7 +40,6 @@ struct TriangleSide {
 ///    and by Newton's method for a bull-nose (CornerTouch).
 /// 3. If the contact of a side is beyond its end, the corner counts. Every step that
 ///    loses digits adds to is_doubtful.
-/// Source: derived here.
 template <typename Real>
 class TriangleLowering {
 public:

@@ -44,7 +44,7 @@ struct UpperEnvelope {
 /// stored as two stacks that meet there. A chain over many more pieces than it has
 /// segments begins an envelope of its own; such envelopes are merged as the runs of a
 /// natural merge sort are.
-/// Source: [Hershberger], with the merging of a natural merge sort.
+/// Source: [Hershberger, pages 169 to 174], with the merging of a natural merge sort.
 /// \pre the coordinates are finite.
 UpperEnvelope upper_envelope(const SectionPoints& section);
 
