@@ -21,7 +21,7 @@ OffsetSections offset_sections(const SectionPlan& plan)
     OffsetSections result{
         offset_mesh(part, plan.cutter, options), planes_over(plan, plan.planes), {}};
     result.sections =
-        slice(result.offset.mesh, result.planes, {result.offset.own_triangles});
+        slice(result.offset.mesh, result.planes, {result.offset.part_triangles});
     return result;
 }
 

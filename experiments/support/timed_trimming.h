@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "endmill/offset/slicer.h"
-#include "endmill/trimming/trimming.h"
+#include "endmill/trimming/trimming_methods.h"
 
 namespace endmill {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 
 namespace endmill {
 namespace {

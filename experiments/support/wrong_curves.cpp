@@ -7,6 +7,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/orientation.h"
 #include "endmill/core/parallel.h"
+#include "endmill/trimming/trimming_methods.h"
 
 namespace endmill {
 namespace {
@@ -55,7 +56,7 @@ bool is_wrong(const TrimmingTrial& trial, const TrimmingMethod& method,
 {
     TrimmingOptions options;
     options.detection = tried.detection;
-    options.three_runs_twist = tried.three_runs_twist;
+    options.patterns = tried.patterns;
     options.scan_step = trial.scan_step_mm;
     options.scan_threshold = trial.scan_threshold_mm;
     TrimmingTolerance tolerance = trial.tolerance;

@@ -25,7 +25,7 @@ struct TriedMethod {
     std::string label;  ///< of a column, such as "literal 1"
     std::string method;
     FoldDetection detection;
-    bool three_runs_twist = true;  ///< see TrimmingOptions
+    FoldPatterns patterns = FoldPatterns::P3AndP4;  ///< with literal detection
 };
 
 /// All methods, those that have two ways of detection both ways.

@@ -17,7 +17,6 @@
 #include "endmill/files/path_file.h"
 #include "endmill/files/result_csv.h"
 #include "endmill/planning/section_linking.h"
-#include "endmill/trimming/refined_planes.h"
 #include "endmill/trimming/trimmed_planes.h"
 #include "endmill/trimming/trimming_quality.h"
 

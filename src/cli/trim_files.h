@@ -5,6 +5,7 @@
 
 #include "cli/trim_summary.h"
 #include "endmill/files/output_folder.h"
+#include "endmill/trimming/trimming_methods.h"
 
 namespace endmill {
 

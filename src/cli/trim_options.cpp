@@ -8,6 +8,7 @@
 
 #include "cli/arguments.h"
 #include "endmill/core/error.h"
+#include "endmill/trimming/trimming_methods.h"
 
 namespace endmill {
 namespace {

@@ -15,7 +15,7 @@
 #include "endmill/planning/path_interval.h"
 #include "endmill/surface/extent.h"
 #include "endmill/surface/tool_side.h"
-#include "endmill/trimming/trimming_memory.h"
+#include "endmill/trimming/trimmed_planes.h"
 
 namespace endmill {
 namespace {
@@ -82,7 +82,7 @@ void add_surface_sections(const std::vector<Surface>& surfaces,
     input.offset_ms = milliseconds_since(start);
     const auto slicing = Clock::now();
     input.sections =
-        slice(input.offset->mesh, *input.planes, {input.offset->own_triangles});
+        slice(input.offset->mesh, *input.planes, {input.offset->part_triangles});
     input.slice_ms = milliseconds_since(slicing);
     input.ranges = path_ranges(*input.offset, *input.planes, input.sections);
     input.highest = extent(surfaces, Vec3::UnitZ()).high;

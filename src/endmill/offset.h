@@ -5,6 +5,7 @@
 /// All public headers of the module `offset`.
 
 #include "endmill/offset/drive_planes.h"
+#include "endmill/offset/offset_contact.h"
 #include "endmill/offset/offset_mesh.h"
 #include "endmill/offset/section_curve.h"
 #include "endmill/offset/slicer.h"

@@ -23,7 +23,7 @@ Surface bowl(double p, double slope = 0)
     std::vector<Vec3> net;
     for (const double y : {-10.0, 0.0, 10.0})
         for (const double x : {-10.0, 0.0, 10.0}) {
-            // The squares' blossoms: 100, -100, 100.
+            // The blossom of the squares: 100, -100, 100.
             const double squares = (x == 0 ? -100 : 100) + (y == 0 ? -100 : 100);
             net.emplace_back(x, y, squares / (2 * p) + slope * x);
         }
@@ -39,8 +39,8 @@ TriangleMesh bowl_mesh(int cells, double p, double slope = 0)
     });
 }
 
-// On the axis at a height h the nearest point is the bottom up to h = p, then a circle at
-// sqrt(2 p h - p^2).
+// On the axis at height h the nearest point is the bottom up to h = p; above, a circle of
+// radius sqrt(2 p h - p^2).
 TEST(LeastGap, OfABallInABowlIsItsCentresDistance)
 {
     const double p = 4;
@@ -57,9 +57,9 @@ TEST(LeastGap, OfABallInABowlIsItsCentresDistance)
     }
 }
 
-// A tilted plane touches the corner's circle; a gap d along the normal is d. Of one within a
-// flat cutter the point counts that is as far from its bottom as from its side, which its
-// sharp edge cuts off: 0.6 and 0.8 times that far along the normal.
+// A tilted plane touches the circle of the corner; a gap d is measured along the normal.
+// Inside a flat cutter the point counts that is equally far from bottom and side, beyond
+// which the sharp edge is cut off: 0.6 and 0.8 times as far along the normal.
 TEST(LeastGap, ToASlopeIsMeasuredAlongItsNormal)
 {
     const double slope = 0.75;  // normal (-0.6, 0, 0.8)
@@ -77,7 +77,7 @@ TEST(LeastGap, ToASlopeIsMeasuredAlongItsNormal)
         }
 }
 
-// The second route: all triangles, one after the other.
+// Second route: all triangles, one after the other.
 TEST(LeastGap, ToAMeshIsThatToItsNearestTriangle)
 {
     test::Random random{1};
@@ -107,7 +107,7 @@ TEST(LeastGap, ToAMeshIsThatToItsNearestTriangle)
     }
 }
 
-// Where the drop cutter leaves it, a cutter touches.
+// The drop cutter leaves a cutter in contact, so that the gap is zero.
 TEST(LeastGap, IsNoneWhereTheCutterRests)
 {
     const TriangleMesh mesh = bowl_mesh(40, 5);

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// The least of lines, whose greatest value is where two of them cross or at an end: found
-// here by trying all.
+// The minimum of several lines. Its maximum is where two of them cross or at an end; all
+// candidates are tested.
 struct Lines {
     std::array<double, 4> height;
     std::array<double, 4> slope;

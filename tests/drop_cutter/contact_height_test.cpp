@@ -8,7 +8,8 @@
 namespace endmill {
 namespace {
 
-// z = f(x, y) = 0.1 x^2 + 0.05 x y - 0.02 y^3 + 0.3 x over (u, v), x = 2 u, y = v + 0.1 u^2.
+// z = f(x, y) = 0.1 x^2 + 0.05 x y - 0.02 y^3 + 0.3 x over (u, v), with x = 2 u and y = v
+// + 0.1 u^2.
 SurfaceJet bent(double u, double v)
 {
     const double x = 2 * u;

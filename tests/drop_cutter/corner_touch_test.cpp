@@ -13,7 +13,8 @@ namespace {
 const CutterShape<double> shape{5, 2, 3};
 constexpr double none = -1e9;
 
-// Across the axis the line is tangent to the tube at its tilt: closed.
+// Closed form: across the axis the line is tangent to the tube where the tube has the
+// line's slope.
 TEST(CornerTouch, IsWhereTheTubeHasTheLinesSlope)
 {
     for (const double m : {0.1, 1.0, 7.0}) {
@@ -25,7 +26,7 @@ TEST(CornerTouch, IsWhereTheTubeHasTheLinesSlope)
     }
 }
 
-// The second route: no place nearby is higher.
+// Second route: no nearby position is higher.
 TEST(CornerTouch, IsTheHighestTip)
 {
     test::Random random{1};

@@ -10,6 +10,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/drop_cutter/detail/triangle_drop.h"
 #include "random.h"
 #include "test_meshes.h"
 
@@ -21,7 +22,7 @@ using Vec2 = Eigen::Vector2d;
 constexpr double none = -std::numeric_limits<double>::infinity();
 const std::array cutters{Cutter::ball(1.5), Cutter::flat(1.5), Cutter{1.5, 0.4}};
 
-// Triangles of all sizes that lie about, on each other, upright, and some without area.
+// Random triangles of all sizes, on top of each other, upright, and some without area.
 TriangleMesh rubble(test::Random& random, int count, double size)
 {
     std::vector<Vec3> points;
@@ -50,15 +51,15 @@ std::vector<Vec2> places_over(test::Random& random, int count)
     return places;
 }
 
-// The second route: all triangles, one after the other.
+// Second route: all triangles, one after the other.
 DropContact highest(const TriangleMesh& mesh, const Cutter& cutter, const Vec2& place)
 {
-    DropContact best{none, {}, 0, {}};
+    DropContact best{none, {}, 0};
     const TriangleDrop drop{cutter};
     for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
         const TriangleContact found = drop(mesh.corners(k), place.x(), place.y());
         if (found.tip_z > best.tip_z)
-            best = {found.tip_z, found.point, k, found.kind};
+            best = {found.tip_z, found.point, k};
     }
     return best;
 }
@@ -78,7 +79,6 @@ TEST(DropCutter, FindsTheHighestOfAllTriangles)
                     EXPECT_EQ(found->tip_z, expected.tip_z);
                     EXPECT_EQ(found->triangle, expected.triangle);
                     EXPECT_EQ(found->point, expected.point);
-                    EXPECT_EQ(found->kind, expected.kind);
                 }
             }
         }
@@ -96,7 +96,7 @@ TEST(DropCutter, NeverGougesAndTouches)
             const auto height_of_cutter = [&](const Vec3& q) {
                 return cutter.profile((q.head<2>() - place).norm());
             };
-            if (found) {  // its distance from the axis may round to beyond the rim
+            if (found) {  // rounding may put its point beyond the rim
                 const double distance =
                     std::min((found->point.head<2>() - place).norm(), cutter.radius());
                 EXPECT_NEAR(found->point.z() - cutter.profile(distance), found->tip_z,
@@ -115,8 +115,8 @@ TEST(DropCutter, NeverGougesAndTouches)
     }
 }
 
-// A cylinder of radius 6 along y, cut into n strips: the ball rests R above it, less what
-// the chords leave out, which falls as 1 / n^2.
+// A cylinder of radius 6 along y, divided into n facets. The ball rests R above it, minus
+// the chord error, which falls as 1 / n^2.
 TEST(DropCutter, RestsOnACylinder)
 {
     const double radius = 6;
@@ -136,7 +136,7 @@ TEST(DropCutter, RestsOnACylinder)
     }
 }
 
-// A wider body never comes to rest lower: ball, bull-nose, flat.
+// A body that contains another never rests lower: ball, bull-nose, flat.
 TEST(DropCutter, RestsHigherTheMoreItFillsItsCylinder)
 {
     test::Random random{3};
@@ -182,7 +182,7 @@ TEST(DropCutter, DoesNotDependOnHintsOrderOrThreads)
     }
 }
 
-// Long thin triangles, of which a box in plan is nearly empty: a fan.
+// A fan of long thin triangles, which fill their boxes in plan badly.
 TEST(DropCutter, KnowsItsWayAmongLongThinTriangles)
 {
     std::vector<Vec3> points{{0, 0, 5}};
@@ -206,7 +206,7 @@ TEST(DropCutter, KnowsItsWayAmongLongThinTriangles)
     }
 }
 
-// What floats cannot tell apart is still found: a small part far from the origin.
+// A small part far from the origin, which floats cannot resolve.
 TEST(DropCutter, WorksFarFromTheOrigin)
 {
     test::Random random{6};
@@ -258,7 +258,7 @@ TEST(DropCutter, IsAskedAboutPlacesOnly)
     EXPECT_THROW(DropCutter(far, Cutter::ball(1)), DomainError);
 }
 
-// How far the mesh rises into the cutter anywhere on a move, by many places on it.
+// The largest rise of the mesh into the cutter at many positions of a move.
 double sampled_rise(const DropCutter& drop_cutter, const Vec3& from, const Vec3& to)
 {
     double rise = none;

@@ -37,7 +37,7 @@ TEST(DropEntries, AreAllTrianglesOnceNeighboursTogether)
     EXPECT_LT(travel / double(entries.count()), 1.5);
 }
 
-// Pieces of a long thin triangle make it up and lie in much smaller boxes.
+// The pieces of a long thin triangle cover it and have much smaller boxes.
 TEST(DropEntries, CutLongThinTriangles)
 {
     const TriangleMesh mesh{{{0, 0, 0}, {100, 100, 5}, {99, 100, 7}}, {{0, 1, 2}}};

@@ -33,7 +33,7 @@ TEST(DropKinks, IsTheCrossingOfTheInclinedTrough)
     const std::vector<Surface> part{test::graph(height, {{-20, 21}, {-15, 16}}, {3, 2})};
     const SmoothDrop drop{part, Cutter::ball(radius)};
     const DriveLine line{along_x, 0};
-    // Acceptance A3.
+    // Closed form A3 of docs/mathematics/interference.md, section 11.
     const double expected =
         radius * radius / (2 * p) + p / (2 * std::cos(beta) * std::cos(beta));
     for (const double beside : {0.01, 1.0, 6.0}) {
@@ -49,7 +49,7 @@ TEST(DropKinks, IsTheCrossingOfTheInclinedTrough)
 
 TEST(DropKinks, AreNoneWhereTheContactGoesOverSmoothly)
 {
-    // Over a ridge, from its one side on to the crease and down the other.
+    // Over a ridge, from one side to the crease and down the other side.
     const std::vector<Surface> ridge{test::valley(10, 20, -0.5)};
     for (const Cutter& cutter : {Cutter::ball(4), Cutter{4, 1}, Cutter::flat(4)}) {
         const SmoothDrop drop{ridge, cutter};
@@ -63,8 +63,8 @@ TEST(DropKinks, AreNoneWhereTheContactGoesOverSmoothly)
 
 TEST(DropKinks, LieOnBothSidesOfAThirdContact)
 {
-    // Walls at x = -6 and 6 and a mound between that the ball touches, too: by symmetry in
-    // y the section is that of circles about (+-6, 5) and (0, 0).
+    // Walls at x = -6 and x = 6, and a mound between them that the ball touches as well.
+    // By symmetry in y the section consists of circles about (+-6, 5) and (0, 0).
     const auto line_up = [](double x0, double z0, double x1, double z1) {
         std::vector<Vec3> net;
         for (const double y : {-10.0, 10.0}) {
@@ -83,7 +83,7 @@ TEST(DropKinks, LieOnBothSidesOfAThirdContact)
     const auto kinks = kinks_between(drop, line, low, high, finer);
     ASSERT_EQ(kinks.size(), 2U);
     for (const DropRest& kink : kinks) {
-        // As far from the wall's edge as from the mound's.
+        // Equally far from the edge of the wall and from that of the mound.
         const double x = std::abs(kink.s);
         const double z = kink.contact.on.height;
         EXPECT_NEAR(std::hypot(x, z - 4), 8, 1e-7);

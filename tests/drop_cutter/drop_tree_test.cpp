@@ -24,7 +24,7 @@ TriangleMesh hills(int cells)
     });
 }
 
-// Sees all triangles whose bound is not below `level`, and where the bounds are.
+// Visits all triangles whose bound is not below `level`, and records the bounds.
 struct Everything {
     const DropTree& tree;
     float x;
@@ -40,8 +40,8 @@ struct Everything {
     void look_at(std::size_t triangle) { seen.insert(triangle); }
 };
 
-// A point q of the mesh lifts the tip to q_z - h(rho); a search with a limit no higher must
-// come to its triangle.
+// A point q of the mesh lifts the tip to q_z - h(rho). A search with a limit that is not
+// higher must visit its triangle.
 TEST(DropTree, NeverBoundsATriangleBelowWhatItsPointsReach)
 {
     const TriangleMesh mesh = hills(24);
@@ -67,12 +67,12 @@ TEST(DropTree, NeverBoundsATriangleBelowWhatItsPointsReach)
     }
 }
 
-// With bounds this near to the heights themselves a search sees few triangles of many.
+// With tight bounds a search visits few of many triangles.
 TEST(DropTree, LeavesOutNearlyAll)
 {
     const TriangleMesh mesh = hills(100);
     const DropTree tree{mesh, Cutter::ball(2)};
-    double highest = -100;  // by the corners: a little low
+    double highest = -100;  // from the corners, slightly too low
     for (const Vec3& point : mesh.points()) {
         const double away = (point - tree.origin()).head<2>().norm();
         if (away < 2)
@@ -84,7 +84,8 @@ TEST(DropTree, LeavesOutNearlyAll)
     EXPECT_LE(query.seen.size(), 40U);
 }
 
-// A plane, and what lies beside it, bounds all below: the corners of the triangles.
+// The bounds of a plane, computed from its values, cover the corners of all triangles
+// below it.
 TEST(DropTree, KeepsPlanesAboveWhatIsBelow)
 {
     struct Planes {
@@ -110,7 +111,7 @@ TEST(DropTree, KeepsPlanesAboveWhatIsBelow)
         tree.search(planes);
         ASSERT_EQ(planes.met.size(), 8U);
         ASSERT_EQ(planes.order.size(), 8U);
-        std::size_t above = 0;  // of triangles by planes: of its own at the least
+        std::size_t above = 0;  // triangles below planes; at least those of its own node
         for (const auto& plane : planes.met) {
             for (const std::size_t triangle : planes.order) {
                 bool is_above = true;

@@ -10,7 +10,8 @@
 namespace endmill {
 namespace {
 
-// The curve through the lowest 32 by 32 cells visits each once, from neighbour to neighbour.
+// The curve through the lowest 32 by 32 cells visits each of them once, from neighbour to
+// neighbour.
 TEST(HilbertCurve, GoesFromCellToNeighbourThroughAll)
 {
     constexpr int side = 32;

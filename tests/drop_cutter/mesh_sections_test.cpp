@@ -17,7 +17,7 @@ namespace {
 const std::array cutters{Cutter::ball(2), Cutter::flat(2), Cutter{2, 0.5}};
 const DrivePlanes along_x{DriveFrame{Angle::degrees(0)}, {5}};
 
-// A plate from 0 to 20, 10 wide, of the given heights along x.
+// A plate from 0 to 20, 10 wide, with the given heights along x.
 template <typename Height>
 TriangleMesh plate(int cells, const Height& height)
 {
@@ -45,7 +45,7 @@ TEST(MeshSections, AreALevelLineOverAPlane)
     }
 }
 
-// s and t turn with the feed: the section of a slope z = y / 2 by planes askew.
+// s and t turn with the feed: the section of a slope z = y / 2 by oblique planes.
 TEST(MeshSections, FollowTheFeed)
 {
     const TriangleMesh mesh = test::grid_mesh(1, 1, [](double i, double j) {
@@ -64,8 +64,8 @@ TEST(MeshSections, FollowTheFeed)
     }
 }
 
-// Whether the cutter would be free at this height over one of the ends, no farther than
-// the tolerance: then it goes no deeper into the mesh than that.
+// Whether the cutter is free at this height over a position no farther than the
+// tolerance. Then it goes no deeper into the mesh than the tolerance.
 bool is_free_nearby(const DropCutter& drop_cutter, double end, const SectionPoint& at,
                     double tolerance)
 {
@@ -109,7 +109,7 @@ TEST(MeshSections, AreHalvedUntilNoChordGouges)
         }
 }
 
-// Islands from 0 to 5 and from 15 to 20: the cutter's rim leaves the first at 7.
+// Islands from 0 to 5 and from 15 to 20. The rim of the cutter leaves the first one at 7.
 TEST(MeshSections, BreakWhereNothingIsBeneath)
 {
     const TriangleMesh mesh = test::both(test::box_mesh({0, 0, 0}, {5, 10, 1}),

@@ -27,7 +27,7 @@ std::optional<PatchContact> climb_from(const Surface& surface,
 TEST(PatchClimb, RestsOnAPlaneByItsNormal)
 {
     const Surface plane = test::graph(slope, square);
-    // The plane's own offset: r along the normal, R - r level, eq. (3).
+    // The offset of the plane: r along the normal and R - r horizontally, eq. (3).
     const Vec3 normal = Vec3{-0.3, 0.2, 1}.normalized();
     const double level = std::hypot(0.3, 0.2);
     for (const Cutter& cutter : cutters) {
@@ -50,7 +50,7 @@ TEST(PatchClimb, RestsOnAnEdgeAndInACorner)
 {
     const Surface plane = test::graph(slope, square);
     for (const Cutter& cutter : cutters) {
-        // Beyond the edge x = 10 by 3: the section of the cutter there, on a sloped line.
+        // 3 mm beyond the edge x = 10: the section of the cutter there, on a sloped line.
         const auto edge = climb_from(plane, {0.5, 0.5}, cutter, {13, 0});
         ASSERT_TRUE(edge);
         const test::PlanPart part = test::plan_graph(slope, square);
@@ -128,7 +128,7 @@ TEST(PatchClimb, StandsStillOnALevelPlace)
 
 TEST(PatchClimb, ComesToRestWhereAnEdgeCollapses)
 {
-    // A cone's patch: the side u = 0 is one point.
+    // The patch of a cone; its side u = 0 is one point.
     std::vector<Vec3> net;
     for (const double v : {0.0, 1.0, 2.0, 3.0})
         for (const double u : {0.0, 1.0, 2.0, 3.0})

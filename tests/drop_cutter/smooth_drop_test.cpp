@@ -14,7 +14,7 @@ namespace {
 
 const Cutter cutters[] = {Cutter::ball(4), Cutter{4, 1}, Cutter::flat(4)};
 
-// From a place far from the highest contact to the highest.
+// The height of the highest contact, starting from a position far from it.
 double height_over(const SmoothDrop& drop, const PartPlace& start,
                    const Eigen::Vector2d& axis)
 {
@@ -47,7 +47,8 @@ TEST(SmoothDrop, FindsTheHighestOfSeveralHills)
 
 TEST(SmoothDrop, RestsOnCreasesOfOneSurfaceAndOfSeveral)
 {
-    // A ridge within a surface, and four facets of their own that meet in a tip.
+    // A ridge within a surface, and four facets, each a surface of its own, that meet in
+    // a tip.
     const std::vector<Surface> ridge{test::valley(10, 20, -0.5)};
     const std::vector<Surface> pyramid = test::pyramid(10, 0.5);
     const test::PlanPart ridge_plan{{{-10, 10}, {0, 20}},

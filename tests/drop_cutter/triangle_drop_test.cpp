@@ -20,8 +20,8 @@ const std::array cutters{Cutter::ball(5), Cutter::flat(5), Cutter{5, 2}, Cutter{
 
 constexpr double promised = 1e-9;  // mm
 
-// What a point of the triangle lifts the tip to; beyond the rim it falls off so steeply
-// that no triangle here makes up for it, and stays concave.
+// The tip that a point of the triangle allows. Beyond the rim it is continued so steeply
+// that no triangle of the test compensates it, and such that it stays concave.
 Real lifted_tip(const Cutter& cutter, Real x, Real y, Real z)
 {
     const Real R = cutter.radius();
@@ -60,8 +60,8 @@ Real greatest(const Function& function)
     return std::max({at_a, at_b, function(0), function(1)});
 }
 
-// The second route: a search for the greatest value over the whole triangle, which knows
-// nothing of facets and sides.
+// Second route: a search for the maximum over the whole triangle, without facets and
+// sides.
 Real searched_tip(const Cutter& cutter, const Corners& corners, double x, double y)
 {
     const auto tip_at = [&](Real u, Real v) {
@@ -104,7 +104,7 @@ void expect_searched(const Corners& corners, double x, double y)
         EXPECT_NEAR(found.tip_z, double(expected), promised) << cutter_word(cutter);
         const Vec3 away = found.point - Vec3{x, y, 0};
         EXPECT_NEAR(double(lifted_tip(cutter, away.x(), away.y(), away.z())), found.tip_z,
-                    1e-5);  // 1e9 times the rounding of its place
+                    1e-5);  // 1e9 times the rounding of its position
     }
 }
 
@@ -145,7 +145,7 @@ TEST(TriangleDrop, FindsTheHighestPointOfNeedles)
     }
 }
 
-// On a plane z = x tan(phi): down the slope by R - r and on by r sin(phi).
+// On a plane z = x tan(phi): R - r down the slope, and r sin(phi) further.
 TEST(TriangleDrop, TouchesASlopeWhereItsCornerIsTangent)
 {
     const double big = 100;
@@ -209,7 +209,7 @@ TEST(TriangleDrop, TouchesACornerAtItsVeryRim)
     }
 }
 
-// A line of slope m at a distance e just below R: the chord under the cutter is short.
+// A line of slope m at a distance e just below R: the chord below the cutter is short.
 TEST(TriangleDrop, TouchesASideThatItsRimGrazes)
 {
     const double m = 2;
@@ -264,7 +264,7 @@ TEST(TriangleDrop, DoesNotCareWhichWayATriangleFaces)
     }
 }
 
-// Seen from far away nothing is lost but what the coordinates themselves lose.
+// Far from the origin only the rounding of the coordinates is lost.
 TEST(TriangleDrop, IsAsGoodFarFromTheOrigin)
 {
     test::Random random{5};

@@ -24,7 +24,8 @@ TriangleLowering<Real> lowered(const CutterShape<Real>& shape,
     return lowering;
 }
 
-// With twice the digits comes the same, unless plain ones say that they are in doubt.
+// The result with twice the digits is the same, unless the result in doubles is marked as
+// doubtful.
 TEST(TriangleLowering, KnowsWhenItsDigitsAreTooFew)
 {
     test::Random random{1};
@@ -51,7 +52,7 @@ TEST(TriangleLowering, KnowsWhenItsDigitsAreTooFew)
     EXPECT_GT(plain, 1500);
 }
 
-// On a level triangle, and where there is none below.
+// On a level triangle, and where no part of it is below the cutter.
 TEST(TriangleLowering, FindsTheFacetOrNothing)
 {
     const CutterShape<double> ball{2, 2, 0};

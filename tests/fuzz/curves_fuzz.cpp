@@ -3,7 +3,7 @@
 
 #include "endmill/files/input_csv.h"
 #include "endmill/trimming/cut_out.h"
-#include "endmill/trimming/trimming.h"
+#include "endmill/trimming/trimming_methods.h"
 #include "fuzz_program.h"
 
 namespace endmill {

@@ -14,8 +14,8 @@ namespace {
 
 const std::array cutters{Cutter::ball(3), Cutter::flat(3), Cutter{3, 1}};
 
-// Distance of a point from the outline of the cutter, by many points of that: the second
-// route for the size of the gap.
+// Distance of a point from the outline of the cutter, by many points of the outline: the
+// second route for the size of the gap.
 double distance_from_outline(const Cutter& cutter, double across, double up)
 {
     const double r = cutter.corner_radius();
@@ -60,7 +60,8 @@ TEST(CutterCore, OfABallIsItsCentre)
     EXPECT_EQ(core.gap({1, 2, 3}), -3);
 }
 
-// The core lies behind each of its planes, and no plane is farther from a point than it.
+// The core lies behind each of its supporting planes, and no plane is farther from a
+// point than the core.
 TEST(CutterCore, LiesBehindItsSupportingPlanes)
 {
     test::Random random{2};

@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/gouge/detail/piece_tree.h"
+#include "endmill/gouge/detail/swept_axis.h"
 #include "revolved_surfaces.h"
 #include "test_surfaces.h"
 
@@ -40,7 +42,8 @@ TEST(GougeTest, OfALoweredBallIsHowMuchItIsLowered)
     EXPECT_FALSE(gouge.deepest(above, 1e-9));
 }
 
-// The chord of the centres' circle of radius rho + R dips by its sagitta.
+// The centres move on a chord of a circle of radius rho + R, so that the depth is the
+// sagitta.
 TEST(GougeTest, OfAChordOverACylinderIsTheSagittaOfTheCentres)
 {
     const GougeTest gouge = test_on({nurbs_surface(
@@ -75,26 +78,27 @@ TEST(GougeTest, SeesTheShankEnterAWallBesideIt)
     EXPECT_EQ(deepest->surface, 1U);
     EXPECT_EQ(verdict(gouge, move, 0.2), GougeVerdict::Gouges);
     EXPECT_EQ(verdict(gouge, move, 0.31), GougeVerdict::Clear);
-    // Held away from the wall the shank does not get near it.
+    // With this axis the shank leans away from the wall.
     const GougeTest tilted = test_on(part, Vec3{0, -0.6, 0.8});
     EXPECT_EQ(verdict(tilted, move, 0.01), GougeVerdict::Clear);
 }
 
-// The deepest of 161 by 161 samples of a surface over 0 ... 2 each way.
+// The largest depth of 161 by 161 samples of a surface, over 0 … 2 in u and in v.
 double sampled_depth(const Surface& surface, const BallMove& move)
 {
     constexpr int count = 160;
-    const CentreStrip strip{move, up};
+    const SweptAxis swept{move.from, move.to, up};
     double deepest = 0;
     for (int i = 0; i <= count; ++i)
         for (int j = 0; j <= count; ++j) {
             const Vec3 point = surface.tangents(2.0 * i / count, 2.0 * j / count).point;
-            deepest = std::max(deepest, radius - (point - strip.nearest(point)).norm());
+            deepest = std::max(deepest, radius - (point - swept.nearest(point)).norm());
         }
     return deepest;
 }
 
-// Depth changes by no more than the way between points: dense samples bound it.
+// Between two points the depth changes by at most their distance, so that dense samples
+// bound it.
 TEST(GougeTest, AgreesWithDenseSamplesOnRandomSurfaces)
 {
     test::Random random{11};

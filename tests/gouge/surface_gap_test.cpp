@@ -46,7 +46,8 @@ TEST(SurfaceGap, ToACylinderIsTheDistanceOfItsAxis)
             surface_gap(tree, CutterCore{Cutter::ball(3), centre}, 1e-9, infinite, finer);
         EXPECT_NEAR(ball->gap, h - 5 - 3, 2e-9);
         EXPECT_NEAR((ball->point - Vec3{3, 1, 4}).norm(), 0, 1e-3);
-        // The corner's circle of a bull-nose: its nearest point lies R - r nearer in x.
+        // The circle of a bull-nose cutter's corner: its nearest point is R - r nearer in
+        // x.
         const Vec3 reference = centre + Vec3{2, 0, 0};
         const auto bull =
             surface_gap(tree, CutterCore{Cutter{3, 1}, reference}, 1e-9, infinite, finer);
@@ -62,7 +63,7 @@ TEST(SurfaceGap, BelowALimitIsThereIfTheLeastIs)
     for (const double h : {6.0, 7.9, 8.1, 9.0}) {
         const CutterCore core{Cutter::ball(3), {0.6 * h, 1, 0.8 * h}};
         for (const double limit : {-1.0, -0.01, 0.0, 0.5}) {
-            // Not where the resolution decides.
+            // Cases that the resolution would decide are excluded.
             ASSERT_GT(std::abs(h - 5 - 3 - limit), 1e-6);
             EXPECT_EQ(gap_below(tree, core, 1e-9, limit, finer).has_value(),
                       h - 5 - 3 < limit);

@@ -13,26 +13,25 @@ namespace endmill {
 namespace {
 
 struct Strips {
-    std::vector<SheetSide> sides;
+    std::vector<GridSide> sides;
     OffsetDraft draft;
     std::vector<ContactChain> seams;
 };
 
-// Vertices of sheets by their own normals, then strips only.
+// Grid vertices with their own normals, then strips only.
 Strips crease_strips(const std::vector<Surface>& part, int lines)
 {
     const std::vector<double> tool_sides(part.size(), 1);
-    const auto sheets = offset_sheets(part, tool_sides, lines);
-    Strips strips{
-        sheet_sides(part, sheets, 1e-6), {Cutter::ball(2), 1e-3, {}, {}, {}}, {}};
-    for (const OffsetSheet& sheet : sheets)
-        for (std::int32_t j = 0; j < sheet.rows(); ++j)
-            for (std::int32_t i = 0; i < sheet.columns(); ++i) {
-                const Surface& surface = part[sheet.surface];
-                const SurfaceTangents at = tangents_at(sheet, surface, i, j);
+    const auto grids = offset_grids(part, tool_sides, lines);
+    Strips strips{grid_sides(part, grids, 1e-6), {Cutter::ball(2), 1e-3, {}, {}, {}}, {}};
+    for (const OffsetGrid& grid : grids)
+        for (std::int32_t j = 0; j < grid.rows(); ++j)
+            for (std::int32_t i = 0; i < grid.columns(); ++i) {
+                const Surface& surface = part[grid.surface];
+                const SurfaceTangents at = tangents_at(grid, surface, i, j);
                 strips.draft.add(at.point, {{0, 0},
-                                            normal_at(sheet, surface, i, j, at),
-                                            sheet.surface,
+                                            normal_at(grid, surface, i, j, at),
+                                            grid.surface,
                                             ContactKind::Face});
             }
     strips.seams = add_crease_strips(strips.sides, strips.draft);
@@ -53,7 +52,7 @@ double volume_above(const OffsetDraft& draft, double depth)
     return volume;
 }
 
-// Strips over a convex crease look up, those over a concave one down.
+// Strips over a convex crease face upwards, those over a concave crease downwards.
 TEST(CreaseStrips, TurnWithTheCrease)
 {
     EXPECT_GT(volume_above(crease_strips(test::pyramid(10, 0.3), 3).draft, 100), 0);
@@ -71,16 +70,18 @@ TEST(CreaseStrips, SayWhatTheCreaseIsLike)
                                                   : ContactKind::ConcaveCrease);
                 ++on_crease;
             }
-        EXPECT_GT(on_crease, 20U);  // five vertices of each of four facets, and strips
+        // five vertices of each of four facets, and those of strips
+        EXPECT_GT(on_crease, 20U);
     }
 }
 
-// A seam's chain runs from the side's vertex to the mate's, back from the other side.
+// The chain of a seam runs from the side's vertex to the mate's; for the mate it is
+// reversed.
 TEST(CreaseStrips, GiveTheChainsOverTheEndsOfSeams)
 {
     const Strips strips = crease_strips(test::pyramid(10, 0.3), 3);
     for (std::size_t number = 0; number < strips.sides.size(); ++number) {
-        const SheetSide& side = strips.sides[number];
+        const GridSide& side = strips.sides[number];
         if (side.is_border()) {
             EXPECT_TRUE(strips.seams[number].vertices.empty());
             continue;
@@ -93,7 +94,7 @@ TEST(CreaseStrips, GiveTheChainsOverTheEndsOfSeams)
     }
 }
 
-// Around a level square of 2 by 2 and the radius 2: a quarter pipe along each side and an
+// A level square of 2 by 2 mm and the radius 2: a quarter pipe along each side and an
 // eighth of a ball at each corner.
 TEST(BorderStrips, AroundASquareAreQuarterPipesAndEighthsOfABall)
 {
@@ -113,7 +114,7 @@ TEST(BorderStrips, AroundASquareAreQuarterPipesAndEighthsOfABall)
     EXPECT_LT(area, expected);
 }
 
-// How deep a point is in a cutter, `across` mm beside its axis and `below` mm below its
+// Depth of a point in a cutter, `across` mm beside its axis and `below` mm below its
 // reference point; negative outside.
 double depth_in(const Cutter& cutter, double across, double below)
 {
@@ -124,8 +125,8 @@ double depth_in(const Cutter& cutter, double across, double below)
     return r - (beyond > 0 ? std::hypot(beyond, below) : below);
 }
 
-// How deep the origin, the highest corner of a part, is in the cutter at most, at the points of
-// the path and in the middles between them; by the closed form.
+// The largest depth of the origin, the highest corner of a part, in the cutter at the
+// points of the path and halfway between them, by the closed form.
 double depth_over_corner(const Cutter& cutter, const std::vector<Surface>& part)
 {
     OffsetOptions options;
@@ -151,10 +152,11 @@ double depth_over_corner(const Cutter& cutter, const std::vector<Surface>& part)
     return deepest;
 }
 
-// Where the normal turns past the axis, the bottom circle turns about it at once.
+// Where the normal passes the axis, the bottom circle turns about it at once.
 TEST(BoundaryStrips, KeepToTheirChordErrorOverCorners)
 {
-    constexpr double chord_error = 1e-3;  // mm, of the specification
+    // mm, see docs/mathematics/interference.md, section 2.5
+    constexpr double chord_error = 1e-3;
     for (const Cutter& cutter : {Cutter::ball(10), Cutter::flat(10), Cutter{10, 3},
                                  Cutter{10, 0.5}, Cutter{10, 8}}) {
         SCOPED_TRACE(cutter.corner_radius());

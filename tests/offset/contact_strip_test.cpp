@@ -37,7 +37,7 @@ TEST(NormalArc, RunsFromNormalToNormalAtEvenAngles)
     EXPECT_EQ(arc_between(Vec3::UnitZ(), Vec3::UnitZ()).at(0.5), Vec3(0, 0, 1));
 }
 
-// About the edge, to the right of it, until level.
+// The normal turns about the edge, to its right, until it is level.
 TEST(NormalArc, OverABorderTurnsOutwardsUntilLevel)
 {
     test::Random random{2};
@@ -51,14 +51,14 @@ TEST(NormalArc, OverABorderTurnsOutwardsUntilLevel)
         EXPECT_GT(normal.cross(arc.at(0.1)).dot(along), 0);
         EXPECT_LT(arc.angle, std::numbers::pi);
     }
-    // The part's plane z = 0 lies to the north of an edge that runs east.
+    // The part's plane z = 0 lies north of an edge that runs east.
     EXPECT_LE(
         (arc_over_border(Vec3::UnitZ(), Vec3::UnitX()).at(1) + Vec3::UnitY()).norm(),
         1e-15);
 }
 
-// Between neighbouring shares every place of the reference point's curve is near its
-// chord; arcs that pass the axis on both sides, near it and far from it.
+// Between neighbouring shares every point of the reference point's curve is near its
+// chord. Some arcs pass the axis on either side, near it and far from it.
 TEST(ArcShares, KeepTheChordError)
 {
     constexpr double tolerance = 1e-3;
@@ -88,12 +88,13 @@ TEST(ArcShares, KeepTheChordError)
 TEST(ArcShares, AreAsFewAsAnArcOfTheRadiusNeeds)
 {
     const NormalArc arc = arc_between(Vec3::UnitZ(), Vec3::UnitX());
-    // Steps of 2 acos(1 - 1e-4) = 0.02828 rad.
+    // The steps are 2 acos(1 - 1e-4) = 0.02828 rad.
     EXPECT_EQ(arc_shares(arc, Cutter::ball(10), 1e-3).size(), 57U);
     EXPECT_EQ(arc_shares(arc, Cutter::ball(10), 100).size(), 2U);
 }
 
-// Through the axis itself: the bottom goes across the disc at once, and the work ends.
+// The arc passes through the axis: a chord crosses the disc at once, and the division
+// ends.
 TEST(ArcShares, EndWhereTheArcPassesTheAxis)
 {
     const NormalArc arc = arc_between(Vec3{-0.6, 0, 0.8}, Vec3{0.6, 0, 0.8});
@@ -103,7 +104,7 @@ TEST(ArcShares, EndWhereTheArcPassesTheAxis)
     EXPECT_LT(arc_shares(past, Cutter{10, 3}, 1e-3).size(), 200U);
 }
 
-// Evenly spaced for a ball; denser for a bull-nose cutter where chains pass the axis.
+// Equal steps for a ball; smaller ones for a bull-nose cutter where chains pass the axis.
 TEST(CornerShares, AreDenserBesideTheAxis)
 {
     const Vec3 normal = Vec3{-0.6, 0, 0.8};
@@ -146,8 +147,8 @@ TEST(OffsetDraft, ChainsKeepTheirContactPoint)
     }
 }
 
-// Strips between chains of any lengths, on a sphere: triangles turn outwards and cover
-// what lies between, once.
+// Strips between chains of any lengths, on a sphere: the triangles face outwards and
+// cover the region between the chains once.
 TEST(OffsetDraft, StripsCoverWhatLiesBetween)
 {
     OffsetDraft draft = draft_with(Vec3::Zero(), {Vec3::UnitZ()});
@@ -169,7 +170,8 @@ TEST(OffsetDraft, StripsCoverWhatLiesBetween)
     EXPECT_EQ(draft.triangles.size(), count);
 }
 
-// Made at once, on any number of threads, chains and strips are what they are one by one.
+// Chains and strips that are made together, on any number of threads, equal those made
+// one by one.
 TEST(OffsetDraft, ManyAtOnceAreAsOneByOne)
 {
     test::Random random{8};

@@ -55,7 +55,7 @@ TEST(DrivePlanes, ByPitchAreTheFewestThatKeepIt)
     EXPECT_EQ(count(10, 2.5), 4U);
     EXPECT_EQ(count(10, 2.4), 5U);
     EXPECT_EQ(count(0.3, 0.1),
-              3U);  // in doubles 0.3 / 0.1 is a little below 3, 3 * 0.1 above
+              3U);  // in doubles 0.3 / 0.1 is slightly below 3 and 3 * 0.1 is above 0.3
     EXPECT_EQ(count(3 * 0.1, 0.1), 3U);
     EXPECT_EQ(count(0, 1), 1U);
     EXPECT_EQ(count(1, INFINITY), 1U);
@@ -73,7 +73,7 @@ TEST(DrivePlanes, RefuseWhatHasNoAnswer)
     EXPECT_THROW(drive_planes_by_pitch(frame, {0, 1}, 1e-300), DomainError);
 }
 
-// A rectangle of 200 by 120 mm seen across a feed at 30 degrees.
+// A rectangle of 200 by 120 mm, across a feed at 30 degrees.
 TEST(DrivePlanes, SpanTheExtentOfThePartAcrossTheFeed)
 {
     const std::vector surfaces{test::plane(200, 120)};

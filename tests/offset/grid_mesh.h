@@ -11,7 +11,8 @@
 
 namespace endmill::test {
 
-/// columns by rows points `point(i, j)`, cell by cell the triangles a b d and a d c.
+/// A grid of `columns` by `rows` points `point(i, j)`; each cell has the triangles a b d
+/// and a d c.
 template <class Point>
 TriangleMesh grid_mesh(int columns, int rows, const Point& point)
 {
@@ -29,7 +30,7 @@ TriangleMesh grid_mesh(int columns, int rows, const Point& point)
     return {std::move(points), std::move(triangles)};
 }
 
-/// A torus about the z axis, closed, its tube as thick as half its ring.
+/// A closed torus about the z axis; the radius of its tube is half that of its ring.
 inline TriangleMesh torus_mesh(double ring, int around, int tube)
 {
     std::vector<Vec3> points;
@@ -51,14 +52,15 @@ inline TriangleMesh torus_mesh(double ring, int around, int tube)
     return {std::move(points), std::move(triangles)};
 }
 
-/// Ball of radius R over the bowl z = (x^2 + y^2) / (2 p) or, tilted, over a trough.
+/// The reference point of a ball of radius R on the graph of a function with the given
+/// slopes.
 inline Vec3 offset_of_graph(const Vec3& point, double slope_x, double slope_y, double R)
 {
     const double w = std::sqrt(1 + slope_x * slope_x + slope_y * slope_y);
     return point + R / w * Vec3{-slope_x, -slope_y, 1};
 }
 
-/// How often s turns round along a curve, plus one; points that stand do not count.
+/// Number of reversals of s along a curve, plus one; segments of constant s do not count.
 inline int runs_of_s(const SectionCurve& curve)
 {
     int runs = 0;
@@ -73,7 +75,7 @@ inline int runs_of_s(const SectionCurve& curve)
     return runs;
 }
 
-/// Where segments of a curve that are no neighbours cross, from every pair.
+/// The crossings of segments of a curve that are not neighbours, by testing every pair.
 inline std::vector<SectionPoint> crossings(const SectionCurve& curve)
 {
     struct Segment {

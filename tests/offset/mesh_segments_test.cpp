@@ -11,7 +11,7 @@
 namespace endmill {
 namespace {
 
-// Every triangle and plane looked at on its own.
+// Tests every triangle with every plane.
 TEST(MeshSegments, AreThoseOfTrianglesWithVerticesOnBothSides)
 {
     test::Random random{11};
@@ -20,7 +20,7 @@ TEST(MeshSegments, AreThoseOfTrianglesWithVerticesOnBothSides)
                     random.uniform(-1, 1)};
     });
     const DriveFrame frame{Angle::degrees(40)};
-    // Unevenly spaced, two of them equal, one through a vertex.
+    // Uneven distances, two equal positions, and one plane through a vertex.
     std::vector<double> positions{-5, -4.99, -1, 0, 0, 3, 17, 100};
     positions[6] = frame.across(mesh.points()[600]);
     std::ranges::sort(positions);
@@ -42,8 +42,8 @@ TEST(MeshSegments, AreThoseOfTrianglesWithVerticesOnBothSides)
     }
 }
 
-// Level triangles, outer side up, have it on the left of a segment towards larger s; each
-// of the six ways in which a plane parts the corners.
+// The outer side of level triangles faces up and is on the left of a segment towards
+// larger s. All six ways in which a plane separates the corners occur.
 TEST(MeshSegments, HaveTheOuterSideOnTheirLeft)
 {
     const DriveFrame frame{Angle::degrees(0)};

@@ -34,9 +34,9 @@ TEST(OffsetMesh, OfAPlaneIsThePlaneAboveForEachCutter)
             offset_mesh(part, cutter, {.grid_lines = 7, .boundary = paper});
         ASSERT_EQ(offset.mesh.points().size(), 49U);
         ASSERT_EQ(offset.mesh.triangles().size(), 72U);
-        EXPECT_EQ(offset.own_triangles, 72U);
+        EXPECT_EQ(offset.part_triangles, 72U);
         const double above =
-            cutter.corner_radius() + cutter.flat_radius() * 0.6;  // sin of the slope
+            cutter.corner_radius() + cutter.flat_radius() * 0.6;  // sine of the slope
         for (const Vec3& point : offset.mesh.points())
             EXPECT_NEAR(point.dot(normal), above, 1e-12 * 50);
     }
@@ -64,9 +64,10 @@ TEST(OffsetMesh, HasTheContactsOfItsGridLines)
 
 TEST(OffsetMesh, OfAMirroredSurfaceIsTurnedToTheTool)
 {
-    const std::vector part{test::parallelogram({0, 20, 0}, {40, 0, 0})};  // N down
+    // the normal points down
+    const std::vector part{test::parallelogram({0, 20, 0}, {40, 0, 0})};
     const OffsetMesh offset = offset_mesh(part, Cutter::ball(2), {.grid_lines = 4});
-    for (std::size_t k = 0; k < offset.sheet_triangles; ++k) {
+    for (std::size_t k = 0; k < offset.surface_triangles; ++k) {
         const auto [a, b, c] = offset.mesh.corners(k);
         EXPECT_GT((b - a).cross(c - a).z(), 0);
         EXPECT_EQ(a.z(), 2);
@@ -74,15 +75,17 @@ TEST(OffsetMesh, OfAMirroredSurfaceIsTurnedToTheTool)
     EXPECT_EQ(test::rims(offset), 1);
 }
 
-// Counts of the spec, section 3: the offset of the valley for a ball of radius 10, 200 by
-// 200 points, 100 planes. Cells are looked at whole; triangles are fewer.
+// The counts of docs/mathematics/interference.md, section 3: the offset of the valley for
+// a ball of radius 10, with 200 by 200 points and 100 planes. They count whole cells; the
+// slicer visits fewer triangles.
 class OffsetOfTheValley : public testing::TestWithParam<double> {
 protected:
     std::vector<Surface> part{test::narrowing_valley()};
     OffsetMesh offset = offset_mesh(part, Cutter::ball(10), {.boundary = paper});
     DrivePlanes planes = planes_over(part, GetParam(), 100);
 
-    // How many planes meet the vertices of columns i, i + 1 and rows j … last.
+    // The number of planes that meet the vertices of columns i and i + 1 and of rows j …
+    // last.
     std::size_t planes_across(int i, int j, int last) const
     {
         Interval range{INFINITY, -INFINITY};
@@ -118,8 +121,8 @@ TEST_P(OffsetOfTheValley, IsCulledAsTheSpecCounts)
     EXPECT_GT(crossed, cells);
 }
 
-// Without border contact each point is the offset of its contact: as far from there as
-// the radius, and the path's range holds the part.
+// Without contact on the border each point is the offset of its contact: its distance is
+// the radius, and the range of the path contains the part.
 TEST_P(OffsetOfTheValley, HasSectionsOverThePart)
 {
     const auto sections = slice(offset.mesh, planes);
@@ -145,8 +148,8 @@ double distance_to_rectangle(const Vec3& point, double x, double y)
     return (point - nearest).norm();
 }
 
-// The offset of a rectangle with its border is the upper half of all places at distance
-// R; a rim of the rounded rectangle's length.
+// The offset of a rectangle with its border is the upper half of all points at distance
+// R. Its rim is as long as the rounded rectangle.
 TEST(OffsetMesh, OfARectangleIsRoundedAtBorderAndCorners)
 {
     const std::vector part{test::plane(30, 20)};
@@ -157,7 +160,7 @@ TEST(OffsetMesh, OfARectangleIsRoundedAtBorderAndCorners)
         const auto [a, b, c] = offset.mesh.corners(k);
         const double middle = distance_to_rectangle((a + b + c) / 3, 30, 20);
         EXPECT_LE(middle, 4 + 1e-13);
-        EXPECT_GE(middle, 4 - 2e-3);  // a chord error each way
+        EXPECT_GE(middle, 4 - 2e-3);  // one chord error in each direction
     }
     EXPECT_EQ(test::rims(offset), 1);
     double rim = 0;
@@ -168,10 +171,10 @@ TEST(OffsetMesh, OfARectangleIsRoundedAtBorderAndCorners)
     const double expected = 100 + 8 * std::numbers::pi;
     EXPECT_LE(rim, expected);
     EXPECT_GE(rim, expected - 0.01);
-    EXPECT_EQ(offset.own_triangles, 50U);
+    EXPECT_EQ(offset.part_triangles, 50U);
 }
 
-// Strips turn the normal over one contact: they have no part of their own.
+// Strips turn the normal over one contact, so that they contribute nothing to the part.
 TEST(OffsetMesh, GivesThePartItselfBack)
 {
     const std::vector part{test::plane(30, 20)};
@@ -198,8 +201,8 @@ TEST(OffsetMesh, WithAllowanceStandsOffByIt)
         EXPECT_NEAR(distance_to_rectangle(point, 30, 20), 4.5, 1e-13);
 }
 
-// A flat cutter around a level rectangle: its middle reaches R beyond the border, and
-// stays at its height.
+// A flat cutter around a level rectangle: its middle reaches R beyond the border and
+// keeps its height.
 TEST(OffsetMesh, OfARectangleForAFlatCutterIsLevel)
 {
     const std::vector part{test::plane(30, 20)};
@@ -215,8 +218,8 @@ TEST(OffsetMesh, OfARectangleForAFlatCutterIsLevel)
     EXPECT_EQ(test::rims(offset), 1);
 }
 
-// The border of a curved part: no strip vertex is nearer to its own edge than R, and none
-// further, whatever the cutter's shape makes of it.
+// The border of a curved part: every vertex of a strip is at distance R from its own
+// edge, with any cutter.
 TEST(OffsetMesh, StripsOfTheValleyKeepTheirContact)
 {
     const std::vector part{test::narrowing_valley()};
@@ -237,19 +240,19 @@ TEST(OffsetMesh, StripsOfTheValleyKeepTheirContact)
     }
 }
 
-// Over a ridge the pipe closes the gap: the section is an arc about the edge.
+// Over a ridge a pipe closes the gap: the section is an arc about the edge.
 TEST(OffsetMesh, OverAConvexCreaseIsAPipe)
 {
     const std::vector part{test::valley(20, 10, -0.5)};
     const OffsetMesh offset = offset_mesh(part, Cutter::ball(3), {.grid_lines = 6});
     EXPECT_EQ(test::rims(offset), 1);
-    EXPECT_GT(offset.own_triangles, offset.sheet_triangles);
+    EXPECT_GT(offset.part_triangles, offset.surface_triangles);
     const auto section = slice(offset.mesh, {DriveFrame{Angle::degrees(0)}, {4.9}},
-                               {.own_triangles = offset.own_triangles})[0];
+                               {.part_triangles = offset.part_triangles})[0];
     ASSERT_EQ(section.curves.size(), 1U);
     int on_pipe = 0;
     for (const SectionPoint& point : section.curves[0].points) {
-        const double half = 3 * 0.5 / std::sqrt(1.25);  // where the pipe ends
+        const double half = 3 * 0.5 / std::sqrt(1.25);  // end of the pipe
         if (std::abs(point.x()) < half - 1e-9) {
             EXPECT_NEAR(point.norm(), 3, 1e-3);
             EXPECT_LE(point.norm(), 3 + 1e-12);
@@ -264,7 +267,7 @@ TEST(OffsetMesh, OverAConvexCreaseIsAPipe)
     EXPECT_EQ(test::runs_of_s(section.curves[0]), 1);
 }
 
-// In a valley the sheets cross at R sqrt(1 + slope^2) over its bottom; the strip closes
+// In a valley the grids cross R sqrt(1 + slope^2) above its bottom, and the strip closes
 // the loop below.
 TEST(OffsetMesh, OverAConcaveCreaseCrossesAboveIt)
 {
@@ -288,7 +291,7 @@ TEST(OffsetMesh, OverAConcaveCreaseCrossesAboveIt)
               2U);
 }
 
-// Creases between patches of one surface and between surfaces come out alike.
+// Creases between patches of one surface and between surfaces give the same result.
 TEST(OffsetMesh, ClosesTheTopOfAPyramid)
 {
     for (const double slope : {0.4, -0.4}) {
@@ -300,7 +303,7 @@ TEST(OffsetMesh, ClosesTheTopOfAPyramid)
         }
         const OffsetMesh offset = offset_mesh(part, Cutter::ball(2), {.grid_lines = 4});
         double nearest = INFINITY;
-        for (std::size_t k = 0; k < offset.own_triangles; ++k) {
+        for (std::size_t k = 0; k < offset.part_triangles; ++k) {
             const auto [a, b, c] = offset.mesh.corners(k);
             const Vec3 middle = (a + b + c) / 3;
             if (slope > 0 && std::max(std::abs(middle.x()), std::abs(middle.y())) < 0.2) {
@@ -320,10 +323,10 @@ TEST(OffsetMesh, IsOneSheetAcrossSmoothJoints)
     for (const auto boundary : {BoundaryContact::Contact, paper}) {
         const OffsetMesh offset =
             offset_mesh(level, Cutter::ball(2), {.grid_lines = 4, .boundary = boundary});
-        EXPECT_EQ(offset.own_triangles, 72U);
-        EXPECT_EQ(offset.sheet_triangles, 72U);
+        EXPECT_EQ(offset.part_triangles, 72U);
+        EXPECT_EQ(offset.surface_triangles, 72U);
         const auto section = slice(offset.mesh, {DriveFrame{Angle::degrees(10)}, {0.1}},
-                                   {.own_triangles = offset.own_triangles})[0];
+                                   {.part_triangles = offset.part_triangles})[0];
         EXPECT_EQ(section.curves.size(), 1U);
         if (boundary != paper) {
             EXPECT_EQ(test::rims(offset), 1);
@@ -331,7 +334,7 @@ TEST(OffsetMesh, IsOneSheetAcrossSmoothJoints)
     }
 }
 
-// Three of four facets: the corner inside turns the other way.
+// Three of four facets; at the inner corner the border turns the other way.
 TEST(OffsetMesh, GoesRoundAReentrantCorner)
 {
     for (const double slope : {0.0, 0.4, -0.4}) {
@@ -367,11 +370,11 @@ TEST(OffsetMesh, ClosesACollapsedSide)
     for (const Cutter& cutter : {Cutter::ball(2), Cutter{2, 1}}) {
         const OffsetMesh offset = offset_mesh(part, cutter, {.grid_lines = 5});
         EXPECT_EQ(test::rims(offset), 1);
-        EXPECT_LT(offset.sheet_triangles, 32U);
+        EXPECT_LT(offset.surface_triangles, 32U);
     }
 }
 
-// Borders inside become grid lines where the surface is not continuously differentiable.
+// Inner borders become grid lines where the surface is not continuously differentiable.
 TEST(OffsetMesh, TakesKinksAsGridLines)
 {
     const std::vector smooth{test::plane(30, 20, {3, 2})};
@@ -379,7 +382,7 @@ TEST(OffsetMesh, TakesKinksAsGridLines)
                   .mesh.points()
                   .size(),
               25U);
-    // A plane whose parametrisation changes speed at x = 10.
+    // A plane whose parametrisation changes its speed at x = 10.
     const auto piece = [](double low, double high) {
         const std::vector<Vec3> net{
             {low, 0, 0}, {high, 0, 0}, {low, 20, 0}, {high, 20, 0}};
@@ -392,8 +395,8 @@ TEST(OffsetMesh, TakesKinksAsGridLines)
     EXPECT_EQ(offset.mesh.points()[2].x(), 10);
 }
 
-// Over a lone crest with radii 30 and 20 a bull-nose cutter rests on the top: its
-// reference point is at r. The mesh comes out too low by an error of order 1.5.
+// Over an isolated crest with radii 30 and 20 a bull-nose cutter rests on the top, and
+// its reference point is at height r. The mesh is too low there by an error of order 1.5.
 TEST(OffsetMesh, OverALevelCrestIsTooLowByOrderOneAndAHalf)
 {
     const std::vector part{
@@ -435,7 +438,7 @@ TEST(OffsetMesh, HangsNeitherOnThreadsNorOnChance)
 
 TEST(OffsetMesh, RefusesWhatACutterFromAboveCannotTouch)
 {
-    // x = 3 u^2 - u^3 - u turns back near u = 0: the normal looks down there.
+    // x = 3 u^2 - u^3 - u reverses near u = 0, and the normal points down there.
     const std::vector part{test::polynomial_surface(
         {test::monomial(2, 0, 3) + test::monomial(1, 0, -1) + test::monomial(3, 0, -1),
          test::monomial(0, 1, 1), test::monomial(1, 0, 1)},

@@ -16,11 +16,11 @@ CrossedEdge edge(int number)
     return {number, -number};
 }
 
-// Chains of edges in any order: the next segment is the one that begins where one ends.
+// Chains of edges in any order: the successor is the segment that begins where one ends.
 TEST(SegmentLinks, FindTheNextSegmentInAnyOrder)
 {
     constexpr int count = 5000;
-    constexpr int chain = 500;  // so many segments, then a gap
+    constexpr int chain = 500;  // number of segments before a gap
     test::Random random{1};
     std::vector<int> order(count);
     std::iota(order.begin(), order.end(), 0);
@@ -48,7 +48,7 @@ TEST(SegmentLinks, FindTheNextSegmentInAnyOrder)
     }
 }
 
-// Where an edge ends or begins several segments, each is linked to one at most.
+// Where several segments end or begin on an edge, each is linked to at most one.
 TEST(SegmentLinks, LinkNoSegmentTwice)
 {
     SegmentLinks links;

@@ -22,7 +22,7 @@ DrivePlanes planes_at(std::vector<double> positions, double degrees = 0)
     return {DriveFrame{Angle::degrees(degrees)}, std::move(positions)};
 }
 
-// Uneven ground with folds: points are pushed sideways.
+// An uneven surface with folds: its points are displaced sideways.
 TriangleMesh folded_ground(unsigned seed)
 {
     test::Random random{seed};
@@ -40,15 +40,16 @@ void expect_equal(const PlaneSection& one, const PlaneSection& other)
         EXPECT_EQ(one.curves[k].is_closed, other.curves[k].is_closed);
         EXPECT_EQ(one.edges[k], other.edges[k]);
     }
-    ASSERT_EQ(one.own_range.has_value(), other.own_range.has_value());
-    if (one.own_range) {
-        EXPECT_EQ(one.own_range->low, other.own_range->low);
-        EXPECT_EQ(one.own_range->high, other.own_range->high);
+    ASSERT_EQ(one.part_range.has_value(), other.part_range.has_value());
+    if (one.part_range) {
+        EXPECT_EQ(one.part_range->low, other.part_range->low);
+        EXPECT_EQ(one.part_range->high, other.part_range->high);
     }
     EXPECT_EQ(one.crossed_triangles, other.crossed_triangles);
 }
 
-// Each plane's section does not hang on the others, nor on the number of threads.
+// The section by each plane depends neither on the other planes nor on the number of
+// threads.
 TEST(Slice, OfAllPlanesIsThatOfEachAlone)
 {
     for (const double degrees : {0.0, -15.0, 90.0, 233.0}) {
@@ -56,22 +57,22 @@ TEST(Slice, OfAllPlanesIsThatOfEachAlone)
         DrivePlanes planes = planes_at({}, degrees);
         for (int k = -100; k < 100; ++k)
             planes.positions.push_back(0.43 * k);
-        const auto sections = slice(mesh, planes, {.own_triangles = 1000});
+        const auto sections = slice(mesh, planes, {.part_triangles = 1000});
         set_thread_count(1);
-        const auto by_one_thread = slice(mesh, planes, {.own_triangles = 1000});
+        const auto by_one_thread = slice(mesh, planes, {.part_triangles = 1000});
         set_thread_count(4);
-        const auto by_four = slice(mesh, planes, {.own_triangles = 1000});
+        const auto by_four = slice(mesh, planes, {.part_triangles = 1000});
         for (std::size_t k = 0; k < planes.positions.size(); ++k) {
             expect_equal(sections[k], by_one_thread[k]);
             expect_equal(sections[k], by_four[k]);
             const auto alone = slice(mesh, {planes.frame, {planes.positions[k]}},
-                                     {.own_triangles = 1000});
+                                     {.part_triangles = 1000});
             expect_equal(sections[k], alone.front());
         }
     }
 }
 
-// The segments that a plain loop over all triangles finds, by their edges.
+// The segments that a plain loop over all triangles finds, given by their edges.
 using EdgePair = std::tuple<int, int, int, int>;
 std::multiset<EdgePair> plain_segments(const TriangleMesh& mesh, const DriveFrame& frame,
                                        double position)
@@ -138,7 +139,7 @@ TEST(Slice, PointsLieOnTheirEdgesAndOnThePlane)
         }
 }
 
-// A torus cut beside its middle: four parts of circles, or two closed curves, or one.
+// A torus cut beside its middle: four arcs, or two closed curves, or one.
 TEST(Slice, OfATorusIsClosedCurvesFromTheirSmallestPoint)
 {
     const TriangleMesh torus = test::torus_mesh(10, 60, 40);
@@ -154,7 +155,8 @@ TEST(Slice, OfATorusIsClosedCurvesFromTheirSmallestPoint)
                 EXPECT_GE(point.x(), curve.points.front().x());
             EXPECT_GE(curve.points.front().x(), last);
             last = curve.points.front().x();
-            // Outside on the left: clockwise around the material.
+            // The outside is on the left, so that the curve runs clockwise around the
+            // material.
             double area = 0;
             for (std::size_t k = 1; k < curve.points.size(); ++k)
                 area += curve.points[k - 1].x() * curve.points[k].y() -
@@ -164,7 +166,7 @@ TEST(Slice, OfATorusIsClosedCurvesFromTheirSmallestPoint)
     }
 }
 
-// Planes through rows of vertices, which count as below: no gaps and no points twice.
+// Planes through rows of vertices, which count as below: no gaps, and no point twice.
 TEST(Slice, ThroughVerticesHasThemToTheBit)
 {
     const TriangleMesh mesh = test::grid_mesh(5, 5, [](int i, int j) {
@@ -207,17 +209,17 @@ TEST(Slice, TellsTheRangeOfTheFirstTriangles)
 {
     const TriangleMesh mesh =
         test::grid_mesh(11, 3, [](int i, int j) { return Vec3(i, j, 0); });
-    // The lower row of cells: 20 triangles; of its first 10 the last ends at s = 5.
-    const auto sections = slice(mesh, planes_at({0.5, 1.5}), {.own_triangles = 10});
-    ASSERT_TRUE(sections[0].own_range);
-    EXPECT_EQ(sections[0].own_range->low, 0);
-    EXPECT_EQ(sections[0].own_range->high, 5);
-    EXPECT_FALSE(sections[1].own_range);
-    EXPECT_EQ(slice(mesh, planes_at({0.5}))[0].own_range->high, 10);
+    // The lower row of cells has 20 triangles; the last of its first 10 ends at s = 5.
+    const auto sections = slice(mesh, planes_at({0.5, 1.5}), {.part_triangles = 10});
+    ASSERT_TRUE(sections[0].part_range);
+    EXPECT_EQ(sections[0].part_range->low, 0);
+    EXPECT_EQ(sections[0].part_range->high, 5);
+    EXPECT_FALSE(sections[1].part_range);
+    EXPECT_EQ(slice(mesh, planes_at({0.5}))[0].part_range->high, 10);
 }
 
-// Three leaves on one edge, and two triangles turned against each other: every segment
-// once, and an end.
+// Three triangles at one edge, and two with opposite orientation: every segment occurs
+// once, and the tracing ends.
 TEST(Slice, ComesToAnEndWhereTheMeshIsNoSurface)
 {
     const std::vector<Vec3> points{
@@ -242,12 +244,12 @@ TEST(Slice, OfNothingIsNothing)
     EXPECT_TRUE(slice(TriangleMesh{}, planes_at({0, 1}))[1].curves.empty());
     EXPECT_TRUE(slice(mesh, planes_at({1e6}))[0].curves.empty());
     EXPECT_EQ(slice(mesh, planes_at({1e6}))[0].crossed_triangles, 0U);
-    // Triangles of no extent, crossed but without two different points.
+    // Triangles without extent, which are crossed but have no two different points.
     const TriangleMesh needle{{{0, -1, 0}, {0, 1, 0}, {0, 0, 0}}, {{0, 1, 2}}};
     EXPECT_TRUE(slice(needle, planes_at({0.0}))[0].curves.empty());
 }
 
-// More planes than fit into one pass.
+// More planes than fit into one batch.
 TEST(Slice, TakesAnyNumberOfPlanes)
 {
     const TriangleMesh mesh =
@@ -263,8 +265,9 @@ TEST(Slice, TakesAnyNumberOfPlanes)
     }
 }
 
-// The offset of a trough along y inclined by 25 degrees, radius 4 at its bottom, for a
-// ball of radius 7: the section's branches cross at z* = R^2 / (2 p) + p / (2 cos^2).
+// The offset of a trough along y that is inclined by 25 degrees, with radius 4 at its
+// bottom, for a ball of radius 7. The branches of the section cross at z* = R^2 / (2 p) +
+// p / (2 cos^2).
 TEST(Slice, OfAnInclinedTroughCrossesWhereTheClosedFormSays)
 {
     constexpr double p = 4;
@@ -276,7 +279,8 @@ TEST(Slice, OfAnInclinedTroughCrossesWhereTheClosedFormSays)
     EXPECT_NEAR(expected, 8.559885664108, 1e-12);
     for (const auto& row :
          {std::pair{51, 2e-2}, {101, 6e-3}, {201, 1.5e-3}, {401, 4e-4}, {801, 1.5e-4}}) {
-        const int n = row.first;  // clang 14 lets no lambda see a structured binding
+        // clang 14 cannot capture structured bindings in a lambda
+        const int n = row.first;
         const double bound = row.second;
         const auto trough = test::grid_mesh(n, n, [&](int i, int j) {
             const double x = -20 + 41.0 * i / (n - 1);
@@ -310,7 +314,7 @@ protected:
     }
 };
 
-// The fold of the offset of a pit is closed in itself.
+// The fold of the offset of a pit is a closed curve.
 TEST_F(SliceOfABowl, HasACrescentAsFarAsTheClosedFormSays)
 {
     const double farthest = p * std::pow(std::pow(R / p, 2.0 / 3) - 1, 1.5);

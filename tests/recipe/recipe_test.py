@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""README.md's recipe for a new trimming method, applied to a copy of the sources.
+"""The recipe of docs/guide/extend.md for a new trimming method, applied to a copy of the sources.
 
-Only the changed table is compiled. The program and the tests are linked again from what the
-build has made, the new object before the library, whose own is then not looked for.
+Only the changed table is compiled. The program and the tests are linked again from the objects of
+the build. The new object comes before the library, so that the linker ignores the library's own.
 """
 import csv
 import os
@@ -16,13 +16,13 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("ENDMILL_BUILD", ROOT / "build/release")).resolve()
-TABLE = "src/endmill/interference/trimming.cpp"
-# Vector T1 of the specification: one symmetric loop, crossing at (0, 0).
+TABLE = "src/endmill/trimming/trimming_methods.cpp"
+# Vector T1 of docs/mathematics/interference.md, section 11: one symmetric loop, crossing at (0, 0).
 LOOP = "s_mm,z_mm\n-6,6\n2,-2\n0,-1\n-2,-2\n6,6\n"
 
 
 def succeed(*command, cwd):
-    """What a command that must succeed prints."""
+    """The output of a command that must succeed."""
     done = subprocess.run([*map(str, command)], capture_output=True, text=True, check=False, timeout=600,
                           stdin=subprocess.DEVNULL, cwd=cwd)
     if done.returncode:
@@ -32,8 +32,8 @@ def succeed(*command, cwd):
 
 def recipe():
     """The steps: path and text of the new file, its #include, its line in the table, the call."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
-    text = text[text.index("**A trimming method**"):]
+    text = (ROOT / "docs/guide/extend.md").read_text(encoding="utf-8")
+    text = text[text.index("## A trimming method"):]
     path = re.search(r"`(src/\S+\.h)`", text)[1]
     file, lines, call = re.findall(r"^```\w*\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)[:3]
     include, entry = lines.splitlines()
@@ -104,7 +104,7 @@ class Recipe(unittest.TestCase):
         self.assertIn("|forward|all", succeed(endmill, "trim", "--help", cwd=self.folder))
 
     def test_method_passes_the_tests_of_all_methods(self):
-        program = self.linked("src/endmill_interference_test")
+        program = self.linked("src/endmill_trimming_test")
         said = succeed(program, "--gtest_filter=TrimmingMethods.*", cwd=self.folder)
         self.assertIn("TrimmingMethods.AllKeepTheContract", said)
 

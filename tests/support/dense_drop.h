@@ -12,16 +12,17 @@
 #include "endmill/cutter/cutter.h"
 #include "test_surfaces.h"
 
-// The height of a cutter over a part that is a closed form z(x, y) over a rectangle: by
-// dense samples in polar coordinates about its axis and golden sections around the best of
-// them. It knows of no derivative, no patch and no parameter.
+// The height of a cutter over a part that is a closed form z(x, y) over a rectangle. It
+// is found by dense samples in polar coordinates about the axis and by golden-section
+// search around the best of them. It uses no derivatives, patches or parameters.
 namespace endmill::test {
 
 /// A part in closed form.
 struct PlanPart {
     Rectangle over;
     std::function<double(double, double)> height;  ///< z in mm at x, y
-    /// Lines in x and y along which it is bent: samples miss tops on them.
+    /// Lines in x and y along which the part has a crease; samples would miss maxima on
+    /// them.
     std::vector<std::array<Eigen::Vector2d, 2>> creases = {};
 };
 
@@ -38,7 +39,7 @@ inline PlanPart plan_graph(const Polynomial& height, const Rectangle& over)
     return {over, [height](double x, double y) { return value_at(height, x, y); }, {}};
 }
 
-/// The greatest value of `f` between two places if it has one hill there.
+/// The largest value of `f` between two places, if `f` has a single maximum there.
 template <class Function>
 double golden_top(const Function& f, double low, double high)
 {
@@ -68,7 +69,7 @@ double golden_top(const Function& f, double low, double high)
     return top;
 }
 
-/// A cutter that is let down at a place.
+/// A cutter that is lowered at a position.
 class DenseDrop {
 public:
     DenseDrop(const PlanPart& part, const Cutter& cutter, double x, double y)
@@ -101,12 +102,12 @@ private:
     static constexpr int rings = 61;
     static constexpr int border_samples = 400;
     static constexpr double turn = 2 * std::numbers::pi / turns;
-    static constexpr double near_share = 0.02;  // of R, that samples miss at most
+    static constexpr double near_share = 0.02;  // share of R that samples miss at most
     static constexpr double lowest = -std::numeric_limits<double>::max();
 
     double ring() const { return cutter_.radius() / (rings - 1); }
 
-    // As the cutter's own, but not infinite just beyond the rim.
+    // The profile of the cutter, but finite just beyond its rim.
     double on_point(double x, double y) const
     {
         const double rho = std::min(std::hypot(x - x_, y - y_), cutter_.radius());
@@ -142,7 +143,7 @@ private:
             (i - around) * turn, (i + around) * turn);
     }
 
-    // Along a ray from the axis, of what is over the part.
+    // The maximum along a ray from the axis, over the part.
     double ray_top(double angle, Interval rho) const
     {
         Interval over{0, cutter_.radius()};
@@ -179,7 +180,7 @@ private:
         return top;
     }
 
-    // Along what of a side or a crease is below the cutter.
+    // The maximum along the part of a side or a crease that is below the cutter.
     double border_top(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const
     {
         const double length = (to - from).norm();

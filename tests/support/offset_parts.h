@@ -11,7 +11,7 @@
 #include "endmill/offset/offset_mesh.h"
 #include "test_surfaces.h"
 
-// Parts to offset, and what holds of every offset.
+// Parts to offset, and properties of every offset.
 namespace endmill::test {
 
 /// The valley of datasets/surfaces/valley.json.
@@ -42,8 +42,8 @@ Surface facet(const Rectangle& over, const Height& height)
     return Surface{{0, 1}, {0, 1}, {BezierPatch{1, 1, net}}};
 }
 
-/// Four facets of z = -slope (|x| + |y|) over [-size, size]^2 that meet at the origin; a
-/// pit where the slope is negative.
+/// Four facets of z = -slope (|x| + |y|) over [-size, size]^2 that meet at the origin;
+/// with a negative slope they form a pit.
 inline std::vector<Surface> pyramid(double size, double slope)
 {
     std::vector<Surface> facets;
@@ -55,7 +55,8 @@ inline std::vector<Surface> pyramid(double size, double slope)
     return facets;
 }
 
-/// How often each edge of a mesh is run along, forwards less backwards, and its triangles.
+/// The uses of an edge of a mesh: forward minus backward uses, and the number of its
+/// triangles.
 struct EdgeUse {
     int balance = 0;
     int count = 0;
@@ -74,9 +75,8 @@ inline std::map<std::pair<int, int>, EdgeUse> edge_uses_of(const TriangleMesh& m
     return uses;
 }
 
-/// Number of loops of open edges; -1 if an edge has more than two triangles or two that
-/// are turned against each other, or an open edge lies anywhere but where all its normals
-/// are level.
+/// The number of loops of open edges. It is -1 if an edge has more than two triangles or
+/// two of opposite orientation, or if an open edge lies where its normals are not level.
 inline int rims(const OffsetMesh& offset)
 {
     std::map<int, int> next;

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "endmill/trimming/trimming.h"
+#include "endmill/trimming/trimming_methods.h"
 
-// Curves to trim, and what is left of them.
+// Curves to trim, and access to their trimmed results.
 namespace endmill::test {
 
 /// An open curve through `points`.
@@ -14,7 +14,7 @@ inline SectionCurve open_curve(std::vector<SectionPoint> points)
     return {std::move(points), false};
 }
 
-/// The method of this name.
+/// The method with this name.
 inline const TrimmingMethod& trimming_method(std::string_view name)
 {
     for (const TrimmingMethod& method : trimming_methods()) {
@@ -24,14 +24,15 @@ inline const TrimmingMethod& trimming_method(std::string_view name)
     throw std::runtime_error{"no method " + std::string{name}};
 }
 
-/// What `name` leaves of one curve.
+/// The result of method `name` for one curve.
 inline Trimmed trim(std::string_view name, const SectionCurve& curve,
                     const TrimmingOptions& options = {})
 {
     return trimming_method(name).trim({&curve, 1}, options);
 }
 
-/// Lines for method 1 as in the specification: a thousandth of the z-extent apart.
+/// The scan lines of method 1 as in docs/mathematics/interference.md, section 1: a
+/// thousandth of the z-extent apart.
 inline TrimmingOptions options_for(const SectionCurve& curve, FoldDetection detection)
 {
     double low = curve.points.front().y();
@@ -44,7 +45,7 @@ inline TrimmingOptions options_for(const SectionCurve& curve, FoldDetection dete
     return {.detection = detection, .scan_step = step, .scan_threshold = 4 * step};
 }
 
-/// The points of a curve, without what they come from.
+/// The points of a curve without their origins.
 inline std::vector<SectionPoint> places(const TrimmedCurve& curve)
 {
     std::vector<SectionPoint> points;
@@ -53,7 +54,7 @@ inline std::vector<SectionPoint> places(const TrimmedCurve& curve)
     return points;
 }
 
-/// The points of the only curve that is left.
+/// The points of the only curve of a result.
 inline std::vector<SectionPoint> points_left(const Trimmed& trimmed)
 {
     EXPECT_EQ(trimmed.curves.size(), 1U);

@@ -10,16 +10,16 @@
 
 #include "endmill/offset/section_curve.h"
 
-// The small curves of datasets/offset-curves/vectors.json with their exact answers.
+// The small curves of datasets/offset-curves/vectors.json with their exact results.
 namespace endmill::test {
 
-/// What a method makes of a curve.
+/// The result of a method for a curve.
 struct ExpectedTrim {
     std::vector<SectionPoint> points;
-    bool is_right;  ///< if not, it is a known failure of the method
+    bool is_right;  ///< if false, it is a known failure of the method
 };
 
-/// Where two segments of a curve cross.
+/// A crossing of two segments of a curve.
 struct ExpectedCrossing {
     int segment_a;
     int segment_b;

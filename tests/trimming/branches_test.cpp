@@ -8,42 +8,42 @@
 namespace endmill {
 namespace {
 
-// One loop, which crosses itself in the origin: A is its first segment, B its last.
+// A loop that crosses itself in the origin. A is its first segment, B its last.
 const std::vector<SectionPoint> loop{{-6, 6}, {2, -2}, {0, -1}, {-2, -2}, {6, 6}};
 constexpr Branches of_loop{0, 1, 3, 4};
 
 TEST(CrossingOf, IsWhereTheSegmentsCross)
 {
     const SectionChain chain{loop, 0};
-    const auto crossing = crossing_of(chain, 0, 3, true);
+    const auto crossing = crossing_of(chain, 0, 3, CrossingType::Valley);
     ASSERT_TRUE(crossing);
     EXPECT_EQ(crossing->at, SectionPoint(0, 0));
-    EXPECT_FALSE(crossing_of(chain, 0, 2, false));
+    EXPECT_FALSE(crossing_of(chain, 0, 2, CrossingType::Any));
 }
 
 TEST(CrossingOf, HeedsTheWayThePathTurns)
 {
-    // A hill's loop, turned to the right.
+    // The loop of a hill, at whose crossing the path turns right.
     const std::vector<SectionPoint> hill{{-6, -6}, {2, 2}, {0, 1}, {-2, 2}, {6, -6}};
     const SectionChain chain{hill, 0};
-    EXPECT_TRUE(crossing_of(chain, 0, 3, false));
-    EXPECT_FALSE(crossing_of(chain, 0, 3, true));
+    EXPECT_TRUE(crossing_of(chain, 0, 3, CrossingType::Any));
+    EXPECT_FALSE(crossing_of(chain, 0, 3, CrossingType::Valley));
 }
 
 TEST(CrossingOf, TakesWhatTouchesOnceOrNever)
 {
-    // B's vertex at the origin lies on A: the next segment of B crosses it.
+    // A vertex of B at the origin lies on A; the next segment of B crosses A.
     const std::vector<SectionPoint> touching{{-4, 4}, {4, -4}, {-3, -3}, {0, 0}, {5, 5}};
     const SectionChain chain{touching, 0};
-    EXPECT_FALSE(crossing_of(chain, 0, 2, false));
-    EXPECT_TRUE(crossing_of(chain, 0, 3, false));
+    EXPECT_FALSE(crossing_of(chain, 0, 2, CrossingType::Any));
+    EXPECT_TRUE(crossing_of(chain, 0, 3, CrossingType::Any));
 }
 
 TEST(CrossingOf, IsNoneOfParallelSegments)
 {
     const std::vector<SectionPoint> parallel{{0, 0}, {4, 0}, {3, 1}, {1, 0}, {6, 0}};
     const SectionChain chain{parallel, 0};
-    EXPECT_FALSE(crossing_of(chain, 0, 3, false));
+    EXPECT_FALSE(crossing_of(chain, 0, 3, CrossingType::Any));
 }
 
 TEST(CrossingOf, LiesInBothBoxes)
@@ -51,12 +51,13 @@ TEST(CrossingOf, LiesInBothBoxes)
     test::Random random{5};
     int found = 0;
     for (int k = 0; k < 3000; ++k) {
-        // Nearly parallel: the quotient for the crossing loses all digits.
+        // Nearly parallel segments, for which the quotient of the crossing loses all
+        // digits.
         const double tilt = random.uniform(-1e-14, 1e-14);
         const std::vector<SectionPoint> points{
             {0, 0}, {1, 1.0 / 3}, {0, 1}, {0.25, 0.25 / 3 + tilt}, {0.75, 0.25 - tilt}};
         const SectionChain chain{points, 0};
-        if (const auto crossing = crossing_of(chain, 0, 3, false)) {
+        if (const auto crossing = crossing_of(chain, 0, 3, CrossingType::Any)) {
             ++found;
             EXPECT_GE(crossing->at.x(), 0.25);
             EXPECT_LE(crossing->at.x(), 0.75);
@@ -79,7 +80,8 @@ TEST(FirstMeeting, IsTheNearestToTheCusp)
     EXPECT_FALSE(first_meeting_of_b(chain, of_loop, 1, 7));
 }
 
-// Each height between belongs to one segment, as do the vertices.
+// Each height between the ends belongs to exactly one segment, the heights of vertices
+// included.
 TEST(FirstMeeting, IsHalfOpen)
 {
     const std::vector<SectionPoint> points{{0, 4}, {1, 2}, {2, 2}, {3, 0}, {4, 3}};

@@ -20,7 +20,7 @@ SectionCurve crescent(double height)
 TEST(TrimClosed, DropsACrescentBelowTheOpenCurves)
 {
     const std::vector<SectionCurve> curves{open, crescent(-3)};
-    const Trimmed trimmed = trim_closed(curves, {});
+    const Trimmed trimmed = trim_closed(curves);
     EXPECT_TRUE(trimmed.curves.empty());
     ASSERT_EQ(trimmed.rules.size(), 1U);
     EXPECT_EQ(trimmed.rules[0].curve, 1);
@@ -33,7 +33,7 @@ TEST(TrimClosed, KeepsTheTopOfOneThatReachesAbove)
 {
     for (const double height : {-0.4, 2.0}) {
         const std::vector<SectionCurve> curves{open, crescent(height)};
-        const Trimmed trimmed = trim_closed(curves, {});
+        const Trimmed trimmed = trim_closed(curves);
         ASSERT_EQ(trimmed.curves.size(), 1U);
         EXPECT_FALSE(trimmed.curves[0].is_closed);
         const auto& points = trimmed.curves[0].points;
@@ -46,7 +46,7 @@ TEST(TrimClosed, KeepsTheTopOfOneThatReachesAbove)
 TEST(TrimClosed, TakesWhatTouchesForCovered)
 {
     const std::vector<SectionCurve> curves{open, crescent(-0.5)};
-    EXPECT_TRUE(trim_closed(curves, {}).curves.empty());
+    EXPECT_TRUE(trim_closed(curves).curves.empty());
 }
 
 TEST(TrimClosed, KeepsOneBesideOrWithoutOpenCurves)
@@ -55,9 +55,9 @@ TEST(TrimClosed, KeepsOneBesideOrWithoutOpenCurves)
     for (SectionPoint& point : beside.points)
         point.x() += 20;
     const std::vector<SectionCurve> curves{open, beside};
-    EXPECT_EQ(trim_closed(curves, {}).curves.size(), 1U);
-    EXPECT_EQ(trim_closed(curves, {}).rule, "below the envelope");
-    EXPECT_EQ(trim_closed({&beside, 1}, {}).curves.size(), 1U);
+    EXPECT_EQ(trim_closed(curves).curves.size(), 1U);
+    EXPECT_EQ(trim_closed(curves).rule, "below the envelope");
+    EXPECT_EQ(trim_closed({&beside, 1}).curves.size(), 1U);
 }
 
 TEST(TrimClosed, IsWhatTheMethodsDo)

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/trimming/detail/clipped_sections.h"
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 #include "trimmed_curves.h"
 
 namespace endmill {
@@ -75,7 +75,7 @@ TEST(CutOut, IsAFoldWhereTheCrossingIsAVertex)
     }
 }
 
-// As the envelope of an overhang: down from the vertex 1, to where it meets segment 3.
+// The envelope of an overhang: from vertex 1 vertically down to segment 3.
 TEST(CutOut, OfAVerticalStepIsAnEnd)
 {
     const SectionCurve overhang =
@@ -108,7 +108,7 @@ TEST(CutOut, OfWholeCurvesHasAPlaceOnlyIfSomethingIsLeft)
     EXPECT_FALSE(open[0].place);
 }
 
-// The ends of a closed curve are one point, and one of them may stand for it.
+// The ends of a closed curve are one point; the result may contain either of them.
 TEST(CutOut, TakesTheEndsOfAClosedCurveForOne)
 {
     const SectionCurve closed{{{0, 0}, {1, 1}, {2, 0}, {1, -1}, {0, 0}}, true};
@@ -156,7 +156,7 @@ TEST(CutOut, HoldsExactlyThePointsThatAreNotLeft)
     }
 }
 
-// Cut off within the segments 0 and 2 at the ends of a range.
+// The curve is clipped inside the segments 0 and 2, at the ends of a range.
 TEST(CutOut, OfWhatLiesOutsideTheRangeEndsAtItsEnd)
 {
     const SectionCurve roof = test::open_curve({{0, 0}, {4, 4}, {8, 4}, {12, 0}});
@@ -168,7 +168,7 @@ TEST(CutOut, OfWhatLiesOutsideTheRangeEndsAtItsEnd)
     EXPECT_EQ(cuts[0].place, SectionPoint(1, 1));
     expect_stretch(cuts[1], 3, 3, CutCause::End);
     EXPECT_EQ(cuts[1].place, SectionPoint(10, 2));
-    // Of a piece of one segment too, of which no vertex is left.
+    // The same for a piece of a single segment, which contains no vertex.
     trimmed.curves = clipped(trimmed.curves, {5, 7});
     const auto all = cut_out({&roof, 1}, trimmed);
     ASSERT_EQ(all.size(), 1U);
@@ -176,7 +176,7 @@ TEST(CutOut, OfWhatLiesOutsideTheRangeEndsAtItsEnd)
     EXPECT_EQ(all[0].place, SectionPoint(5, 4));
 }
 
-// A crossing that was moved past a vertex, and an end that was moved up.
+// A crossing that was moved past a vertex, and an end that was moved upwards.
 TEST(CutOut, NamesPlacesAsTheyAreInTheResult)
 {
     const SectionCurve folded = test::open_curve(

@@ -9,7 +9,7 @@
 namespace endmill {
 namespace {
 
-// Slopes 1 and -1 that cross in the origin, so that g_B - g_A = 2.
+// Segments with slopes 1 and -1 cross in the origin, so that g_B - g_A = 2.
 const std::vector<SectionPoint> loop{{-6, 6}, {2, -2}, {0, -1}, {-2, -2}, {6, 6}};
 constexpr Branches of_loop{0, 1, 3, 4};
 
@@ -36,14 +36,15 @@ TEST(SearchByDistance, IsWithinItsBounds)
     }
 }
 
-// The first line is as high as the lower end of both branches' reach: z = 2 at s = -2.
+// The first scan line is at the lower one of the highest points of both branches: z = 2,
+// at s = -2.
 TEST(SearchByDistance, MissesACrossingBetweenTwoLines)
 {
     EXPECT_TRUE(search(0.4, 0.1)) << "z = 2 - 5 * 0.4 is the crossing itself";
     EXPECT_FALSE(search(0.3, 0.1)) << "no line within threshold / 2 of 0";
 }
 
-// A begins right of B's cusp and stays 0.1 or more to B's right.
+// A begins right of B's cusp and stays at least 0.1 right of B.
 TEST(SearchByDistance, AnswersWhereBranchesAreNearWithoutACrossing)
 {
     const std::vector<SectionPoint> beside{{0.3, 1}, {0.5, 0}, {0, -1}, {0.2, 1}, {6, 8}};
@@ -52,12 +53,14 @@ TEST(SearchByDistance, AnswersWhereBranchesAreNearWithoutACrossing)
         .detection = FoldDetection::Literal, .scan_step = 0.01, .scan_threshold = 0.2};
     const auto crossing = search_by_distance(chain, {0, 1, 2, 4}, options);
     ASSERT_TRUE(crossing);
-    EXPECT_FALSE(crossing_of(chain, crossing->segment_a, crossing->segment_b, false));
+    EXPECT_FALSE(
+        crossing_of(chain, crossing->segment_a, crossing->segment_b, CrossingType::Any));
 }
 
 TEST(TrimByDistance, NeverStepsBack)
 {
-    // A threshold as large as the loop: the crossing lies behind vertices of both branches.
+    // The threshold is as large as the loop, so that the crossing lies behind vertices of
+    // both branches.
     const SectionCurve curve = test::open_curve({{-6, 6},
                                                  {-1, 1.4},
                                                  {-0.5, 0.7},

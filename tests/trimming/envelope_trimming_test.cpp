@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Against CGAL's envelope: envelope_by_cgal_test.cpp.
+// envelope_trimming_cgal_test.cpp compares the envelope with that of CGAL.
 #include "endmill/trimming/detail/envelope_trimming.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 #include "endmill/trimming/trimming_quality.h"
 #include "random.h"
 #include "trimmed_curves.h"
@@ -42,7 +42,8 @@ TEST(EnvelopeTrimming, GivesWhatTheVectorsList)
 {
     for (const test::TrimmingVector& vector : test::trimming_vectors()) {
         SCOPED_TRACE(vector.name);
-        // The listed fractions are of decimals, which doubles only come near to.
+        // The listed fractions are of decimals, which doubles represent only
+        // approximately.
         test::expect_points(envelope(vector.curve.points), vector.envelope, 4e-15);
     }
 }
@@ -157,7 +158,8 @@ TEST(EnvelopeTrimming, IsCarriedByTheFirstOfSegmentsThatCoincide)
     EXPECT_EQ(vertices, (std::vector<SegmentNumber>{{1, 0}, {0, 0}, {0, 1}, {1, 1}}));
 }
 
-// 2^k times everything: the smallest and largest numbers, where products would not be numbers.
+// All coordinates times 2^k, for the smallest and the largest numbers, whose products
+// would underflow or overflow.
 TEST(EnvelopeTrimming, IsOfAnySize)
 {
     for (const test::TrimmingVector& vector : test::trimming_vectors()) {
@@ -193,8 +195,8 @@ TEST(EnvelopeTrimming, MirroredIsTheMirrorImage)
     }
 }
 
-// Long chains over one another, as far as the stack of envelopes has to be used: what is left
-// of teeth whose tips rise is told in closed form.
+// Long chains above each other, so that the stack of envelopes is used. The tips of the
+// teeth rise, and their envelope has a closed form.
 TEST(EnvelopeTrimming, OfManyLongTeethIsTheirTips)
 {
     constexpr int teeth = 3000;

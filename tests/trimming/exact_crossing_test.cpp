@@ -10,8 +10,8 @@ namespace endmill {
 namespace {
 
 const SectionLine rising{{0, 0}, {3, 1}};    // z = s / 3
-const SectionLine falling{{0, 1}, {1, 0}};   // z = 1 - s: they cross in (3/4, 1/4)
-const SectionLine backward{{1, 0}, {0, 1}};  // the same
+const SectionLine falling{{0, 1}, {1, 0}};   // z = 1 - s; the lines cross in (3/4, 1/4)
+const SectionLine backward{{1, 0}, {0, 1}};  // the same line
 constexpr double tiny = 0x1p-52;
 
 TEST(ExactCrossing, TellsSidesAtTheLastBit)
@@ -33,13 +33,14 @@ TEST(ExactCrossing, TellsSidesAtTheLastBit)
     EXPECT_EQ(exact_order(above, falling, rising, falling), -1);
 }
 
-// What is exact in doubles has to come out; a third has to be rounded as division does.
+// A coordinate that is a double is returned exactly; a third is rounded as the division
+// rounds it.
 TEST(ExactCrossing, IsRoundedToTheNearestDouble)
 {
     EXPECT_EQ(exact_crossing(rising, falling), SectionPoint(0.75, 0.25));
     for (const double numerator : {1.0, 2.0, -5.0, 1e300, 3e-308, 7 * 0x1p-1074})
         EXPECT_EQ(exact_height({{0, 0}, {3, numerator}}, 1), numerator / 3);
-    // Half of an odd number of the smallest doubles: to even.
+    // Half of an odd multiple of the smallest double is rounded to even.
     for (const double odd : {1.0, 3.0, 5.0, -7.0})
         EXPECT_EQ(exact_height({{0, 0}, {2, odd * 0x1p-1074}}, 1), odd * 0x1p-1074 / 2);
     EXPECT_EQ(exact_height({{0, 0}, {1, 1}}, 0), 0);

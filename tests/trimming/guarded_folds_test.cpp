@@ -17,8 +17,10 @@ struct Outcome {
 Outcome trim(const std::vector<SectionPoint>& points,
              RunPairs pairs = RunPairs::Neighbours)
 {
+    const TrimmingOptions guarded;
     SectionChain chain{points, 0};
-    Outcome outcome{{}, {}, trim_guarded(chain, 0, march_segments, {}, pairs)};
+    Outcome outcome{
+        {}, {}, trim_guarded(chain, 0, bound(march_segments, guarded), pairs)};
     for (const TrimmedPoint& point : chain.curve().points)
         outcome.points.push_back(point.at);
     for (const AppliedRule& rule : chain.rules())
@@ -67,7 +69,7 @@ TEST(TrimGuarded, KeepsTheLongerOfTwoShortBranches)
         << "of equal ones the first";
 }
 
-// A reversal that no crossing and no rule explains.
+// A reversal for which there is no crossing and no end rule.
 TEST(TrimGuarded, LeavesWhatItDoesNotUnderstandAndCountsIt)
 {
     const Points overhang{{-4, 4}, {2, 1}, {1, 1.25}, {0, 0.5}, {6, -2.5}};

@@ -9,10 +9,10 @@ namespace {
 TEST(SearchByLines, FindsTheCrossingOfConvexBranches)
 {
     std::vector<SectionPoint> points;
-    for (int i = -20; i <= 4; ++i)  // A falls to its cusp, right of the axis
+    for (int i = -20; i <= 4; ++i)  // A falls to its cusp, which is right of the z axis
         points.emplace_back(0.1 * i, 0.01 * (i - 8) * (i - 8));
     const auto cusp_a = static_cast<std::int32_t>(points.size()) - 1;
-    for (int i = -4; i <= 20; ++i)  // B is A's mirror image
+    for (int i = -4; i <= 20; ++i)  // B is the mirror image of A
         points.emplace_back(0.1 * i, 0.01 * (i + 8) * (i + 8));
     const SectionChain chain{points, 0};
     const Branches branches{0, cusp_a, cusp_a + 1, chain.last()};
@@ -22,7 +22,7 @@ TEST(SearchByLines, FindsTheCrossingOfConvexBranches)
     EXPECT_NEAR(crossing->at.y(), 0.64, 1e-15);
 }
 
-// The end of the first branch is not above the cusp of the second.
+// The end of the first branch does not reach the s of the second cusp.
 TEST(SearchByLines, NeedsBothBranchesToReachTheOthersCusp)
 {
     const std::vector<SectionPoint> points{{-1, 1}, {2, -2}, {0, -1}, {-2, -2}, {6, 6}};
@@ -30,8 +30,8 @@ TEST(SearchByLines, NeedsBothBranchesToReachTheOthersCusp)
     EXPECT_FALSE(search_by_lines(chain, {0, 1, 3, 4}, {}));
 }
 
-// From segment 0 to 5, to 2, to 4, and to 0 again: it gives up, and misses the crossing of
-// the segments 2 and 5.
+// The iteration goes from segment 0 to 5, to 2, to 4 and back to 0. It stops without a
+// result and misses the crossing of the segments 2 and 5.
 TEST(SearchByLines, EndsWhereItDoesNotConverge)
 {
     const std::vector<SectionPoint> points{{-5, 7}, {0, 4},  {1, -5}, {3, -3},
@@ -42,7 +42,7 @@ TEST(SearchByLines, EndsWhereItDoesNotConverge)
     EXPECT_EQ(first_crossed_of_a(chain, branches, 5), 2);
     EXPECT_EQ(first_crossed_of_b(chain, branches, 2), 4);
     EXPECT_EQ(first_crossed_of_a(chain, branches, 4), 0);
-    const auto missed = crossing_of(chain, 2, 5, true);
+    const auto missed = crossing_of(chain, 2, 5, CrossingType::Valley);
     ASSERT_TRUE(missed);
     EXPECT_NEAR(missed->at.x(), 19.0 / 7, 1e-15);
     for (const auto detection : {FoldDetection::Literal, FoldDetection::Guarded})

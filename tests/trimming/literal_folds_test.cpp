@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-// The points that are left and the words of the rules.
+// The points of the result and the words of the rules.
 struct Outcome {
     std::vector<SectionPoint> points;
     std::vector<std::string_view> rules;
@@ -17,7 +17,8 @@ struct Outcome {
 Outcome trim(const std::vector<SectionPoint>& points)
 {
     SectionChain chain{points, 0};
-    trim_literally(chain, 0, scan_segments, {.detection = FoldDetection::Literal});
+    const TrimmingOptions literal{.detection = FoldDetection::Literal};
+    trim_literally(chain, 0, bound(scan_segments, literal), literal.patterns);
     Outcome outcome;
     for (const TrimmedPoint& point : chain.curve().points)
         outcome.points.push_back(point.at);
@@ -41,7 +42,8 @@ TEST(TrimLiterally, FindsATiltedLoopByP3)
     EXPECT_EQ(outcome.rules, std::vector<std::string_view>{"P3"});
 }
 
-// What is left is the part in front of the first change or behind the last.
+// The result is the part in front of the first change of sign, or the part behind the
+// last.
 TEST(TrimLiterally, CutsOffTheShorterPartWhereNothingCrosses)
 {
     const Outcome front = trim({{-4, 2}, {-2, 0}, {0, 1}, {2, 0}, {3, 2}});
@@ -54,7 +56,7 @@ TEST(TrimLiterally, CutsOffTheShorterPartWhereNothingCrosses)
 
 TEST(TrimLiterally, GoesOnBehindACut)
 {
-    // P3 without a crossing, and from its third run on a loop by P3.
+    // P3 without a crossing, then a loop found by P3 from the third run on.
     const Outcome outcome = trim(
         {{-9, 0}, {-8, 2}, {-7, -3}, {2, 1}, {1, 0.25}, {-0.5, -2}, {2, 4}, {30, 7}});
     EXPECT_EQ(outcome.points.front(), SectionPoint(-7, -3));

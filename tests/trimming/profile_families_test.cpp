@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 
 #include <fstream>
 
@@ -15,7 +15,7 @@ namespace {
 
 using test::offset_curves_json;
 
-constexpr int points = 401;  // of the hard and the wavy ones
+constexpr int points = 401;  // number of points of the hard and the wavy profiles
 
 double extent(const SectionCurve& curve)
 {
@@ -28,14 +28,15 @@ double extent(const SectionCurve& curve)
     return (high - low).maxCoeff();
 }
 
-// A method and what its results may be off, in mm and as a share.
+// A method with its options, and the errors up to which its results count as right, in mm
+// and as a share.
 struct Trial {
     const char* method;
     TrimmingOptions options;
     TrimmingTolerance tolerance;
 };
 
-// What the specification asks of 3r: right but for rounding.
+// The tolerance for method 3r: rounding errors only.
 TrimmingTolerance exact(const SectionCurve& curve)
 {
     return {.gouge_mm = 1e-9 * extent(curve), .uncovered = 1e-9};
@@ -68,9 +69,10 @@ bool is_right(const Trial& trial, const SectionCurve& curve)
     return is_right(trimming_quality({&curve, 1}, trimmed), trial.tolerance);
 }
 
-// As listed: 0, 1, 2 for methods 1, 2, 3.
+// In the files the methods 1, 2 and 3 have the indices 0, 1 and 2.
 constexpr std::array methods{"1", "2", "3"};
-constexpr double other_libraries = 2;  // how far the functions' last bits move a count
+// how much a count varies with the last bits of the functions
+constexpr double other_libraries = 2;
 
 TEST(HardProfiles, AreTrimmedAsListed)
 {
@@ -106,7 +108,7 @@ TEST(HardProfiles, HaveTheEndsThatAreListed)
     }
 }
 
-// A polyline file: a header and rows of s and z.
+// The points of a polyline file: a header, then rows of s and z.
 std::vector<SectionPoint> polyline(const std::string& name)
 {
     std::ifstream file{std::string{ENDMILL_SOURCE_DIR} + "/datasets/offset-curves/" +
@@ -167,8 +169,8 @@ TEST(HardProfiles, AreJoinedWhereTheExactAnswerIs)
     }
 }
 
-// Largest distance of the crossings from `smooth`, over some samplings: with one it hangs
-// on where the crossing is between two points.
+// The largest distance of the crossings from `smooth` over several samplings. For a
+// single sampling it would depend on where the crossing lies between two points.
 double worst_distance(const OffsetProfile& profile, int count,
                       const std::vector<SectionPoint>& smooth)
 {
@@ -183,7 +185,7 @@ double worst_distance(const OffsetProfile& profile, int count,
     return worst;
 }
 
-// Chords an eighth as long are off by a 64th.
+// Chords of an eighth of the length have a 64th of the error.
 TEST(HardProfiles, AreJoinedWhereTheSmoothCurvesCrossInTheLimit)
 {
     const auto json = offset_curves_json("hard-cases.json");
@@ -197,7 +199,7 @@ TEST(HardProfiles, AreJoinedWhereTheSmoothCurvesCrossInTheLimit)
         }
         const double coarse = worst_distance(profiles[i], 401, smooth);
         const double fine = worst_distance(profiles[i], 3201, smooth);
-        constexpr double rounding = 1e-10;  // of what is listed
+        constexpr double rounding = 1e-10;  // of the listed numbers
         EXPECT_LE(fine, std::max(coarse / 32, rounding));
     }
 }
@@ -224,7 +226,7 @@ TEST(HardProfiles, WithoutInterferenceComeBackUnchangedButFromThePrint)
     }
 }
 
-// Counts wrong results of methods 1, 2, 3 and 3r in this order.
+// Counts the wrong results of methods 1, 2, 3 and 3r, in this order.
 template <typename MakeTrial>
 std::array<int, 4> count_wrong(const std::vector<OffsetProfile>& profiles, int count,
                                const MakeTrial& make_trial)
@@ -266,7 +268,7 @@ TEST(WavyProfiles, AreAsWrongAsListed)
     }
 }
 
-// Hill and valley are no twist then.
+// Without P3, a hill followed by a valley does not count as a fold.
 TEST(WavyProfiles, AreLessWrongByThePrintWithoutItsThreeRuns)
 {
     const auto family = offset_curves_json("random-families.json")["families"][0];
@@ -274,7 +276,7 @@ TEST(WavyProfiles, AreLessWrongByThePrintWithoutItsThreeRuns)
         count_wrong(wavy_profiles(), points,
                     [&](const char* method, const SectionCurve& curve, double) {
                         auto made = trial(method, FoldDetection::Literal, curve);
-                        made.options.three_runs_twist = false;
+                        made.options.patterns = FoldPatterns::P4;
                         return made;
                     });
     expect_counts(wrong, family["wrong"]["literal without P3"]);

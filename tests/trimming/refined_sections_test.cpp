@@ -15,12 +15,12 @@ namespace {
 
 const DriveFrame along_x{Angle::degrees(0)};
 
-// z = x^2 / 8 cut by a ball too large for its bottom, in the plane y = 3.
+// z = x^2 / 8, cut in the plane y = 3 by a ball that is too large for its bottom.
 struct Trough {
     explicit Trough(BoundaryContact boundary = BoundaryContact::Contact)
         : offset{offset_mesh(part, Cutter::ball(7),
                              {.grid_lines = 21, .boundary = boundary})},
-          section{slice(offset.mesh, DrivePlanes{along_x, {3}}, {offset.own_triangles})
+          section{slice(offset.mesh, DrivePlanes{along_x, {3}}, {offset.part_triangles})
                       .front()},
           curves{envelope_trimming(section.curves, {}).curves}
     {
@@ -41,7 +41,8 @@ struct Trough {
 
 TEST(RefinedSections, PutTheCrossingWhereTheClosedFormHasIt)
 {
-    // Spec of interference, closed forms: q = (0, p / 2 + R^2 / (2 p)) with p = 4, R = 7.
+    // Closed form (docs/mathematics/interference.md, section 11): the crossing is q = (0, p / 2 + R^2 / (2 p)), here with p = 4 and R =
+    // 7.
     const Trough trough;
     const RefinedCurves result = trough.refine(trough.curves);
     int crossings = 0;
@@ -80,7 +81,8 @@ TEST(RefinedSections, StillRunForwards)
 
 TEST(RefinedSections, KeepWhatAMethodLeftInAFold)
 {
-    // Nothing is trimmed: the tails below the crossing are not the cutter's height.
+    // Nothing is trimmed: the tails below the crossing are not at the height of the
+    // cutter.
     const Trough trough;
     std::vector<TrimmedCurve> whole;
     for (std::size_t c = 0; c < trough.section.curves.size(); ++c) {
@@ -109,7 +111,8 @@ TEST(RefinedSections, TouchNoEdgeIfTheOffsetHasNone)
     const Trough bare{BoundaryContact::None};
     const RefinedCurves result = bare.refine(bare.curves);
     EXPECT_GT(result.refined, 10U);
-    // The height over the faces alone, in closed form: contacts at x, 7 from the centre.
+    // Closed form of the height over the faces alone: the contact at x is 7 mm from the
+    // centre.
     for (const TrimmedPoint& point : result.curves[0].points) {
         double least = 1e300;
         for (double x = -12; x <= 12; x += 1e-3)

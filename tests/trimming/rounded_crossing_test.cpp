@@ -10,7 +10,7 @@
 namespace endmill {
 namespace {
 
-// Two segments that cross, their directions as near to each other as `opening` says.
+// Two crossing segments whose directions differ by about `opening`.
 void expect_as_by_integers(test::Random& random, double opening)
 {
     const auto near = [&](double size) { return random.uniform(-size, size); };

@@ -46,7 +46,8 @@ TEST(SectionChain, JoinsAtACrossing)
     EXPECT_EQ(chain.rules()[0].rule, "P4");
 }
 
-// The segments of a crossing that are bounded by crossings are told by the input's.
+// A segment of a crossing that is bounded by crossings is named by its segment of the
+// input.
 TEST(SectionChain, KnowsTheInputsSegmentsBehindCrossings)
 {
     SectionChain chain{row, 0};

@@ -15,7 +15,8 @@ int sign(double value)
     return (value > 0) - (value < 0);
 }
 
-// Segments 0, 2, 4, 6 of points on a grid that leaves many ties, or a rounding off it.
+// Segments 0, 2, 4, 6 of points on a grid with many coincidences; with `off`, one
+// rounding error away.
 SectionCurve random_points(test::Random& random, double off)
 {
     SectionCurve curve;
@@ -30,7 +31,7 @@ SectionCurve random_points(test::Random& random, double off)
     return curve;
 }
 
-// The filters against integers alone.
+// Compares the filtered comparisons with integer arithmetic.
 void expect_exact(const SectionCurve& curve)
 {
     const PlanePoints plane{{&curve, 1}};

@@ -11,7 +11,7 @@
 namespace endmill {
 namespace {
 
-// Of points (i, z_i).
+// The points (i, z_i).
 std::vector<SectionPoint> heights(std::initializer_list<double> z)
 {
     std::vector<SectionPoint> points;
@@ -67,7 +67,7 @@ TEST(RunReader, GoesOnAtACrossing)
               (std::vector<Expected>{{at, 4, true}, {4, 5, false}, {5, 6, true}}));
 }
 
-// By the definition, one segment after the other.
+// Compares with the definition of runs, segment by segment.
 TEST(RunReader, AlternatesOnRandomChains)
 {
     test::Random random{3};

@@ -5,8 +5,8 @@
 
 #include "endmill/trimming/detail/distance_trimming.h"
 #include "endmill/trimming/detail/line_trimming.h"
+#include "endmill/trimming/detail/profile_families.h"
 #include "endmill/trimming/detail/section_runs.h"
-#include "endmill/trimming/profile_families.h"
 #include "trimmed_curves.h"
 
 namespace endmill {
@@ -56,7 +56,7 @@ TEST(March, FindsACrossingInACommonVertex)
     }
 }
 
-// Where two runs forward in s make the first fold of a curve.
+// The two runs forward in s at the first fold of a curve.
 std::optional<Branches> first_fold(const SectionChain& chain, double band)
 {
     std::vector<SectionRun> forward;
@@ -70,7 +70,7 @@ std::optional<Branches> first_fold(const SectionChain& chain, double band)
     return Branches{forward[0].first, forward[0].last, forward[1].first, forward[1].last};
 }
 
-// How far method 1 may be off, for the threshold 1: in s, and in z.
+// The error bound of method 1 for the threshold 1, in s and in z.
 SectionPoint bound(const SectionChain& chain, const ChainCrossing& crossing)
 {
     const auto slope = [&](std::int32_t segment) {
@@ -88,7 +88,7 @@ TEST(Searches, AgreeWhereAllFindACrossing)
     int false_hits = 0;
     for (const Sampled& sampled : all_families()) {
         const SectionChain chain{sampled.curve.points, 0};
-        // On few points the branches bend within the reach of the threshold.
+        // With few points the branches bend within the reach of the threshold.
         constexpr std::size_t many_points = 300;
         if (sampled.curve.points.size() < many_points)
             continue;

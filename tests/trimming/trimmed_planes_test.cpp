@@ -12,7 +12,8 @@
 namespace endmill {
 namespace {
 
-// Spec of interference, vector T1: one symmetric loop, cut at (0, 0).
+// Vector T1 of docs/mathematics/interference.md, section 11: one symmetric loop that is
+// cut at (0, 0).
 PlaneSection looped()
 {
     PlaneSection section;
@@ -41,7 +42,8 @@ TEST(TrimmedPlanes, AreCutOffAtTheEndsOfTheirRanges)
     EXPECT_TRUE(trimmed[1].curves.empty());
 }
 
-// What the range alone cut has its rule, what both cut the last one of it.
+// A stretch cut by the range alone has the range's rule; one cut by both has the last
+// rule.
 TEST(TrimmedPlanes, NameTheRuleOfTheRange)
 {
     std::vector<PlaneSection> planes{looped()};
@@ -67,7 +69,7 @@ TEST(TrimmedPlanes, NameTheRuleOfTheRange)
     EXPECT_EQ(cuts[0].rule, "outside the range");
 }
 
-// Folds without a crossing at s of 2 to 3 and of 6 to 7, which 3r leaves.
+// Folds without a crossing at s of 2 to 3 and of 6 to 7, which method 3r leaves.
 TEST(TrimmedPlanes, CountTheFoldsThatTheRangeLeaves)
 {
     std::vector<PlaneSection> planes(1);
@@ -78,7 +80,7 @@ TEST(TrimmedPlanes, CountTheFoldsThatTheRangeLeaves)
     };
     EXPECT_EQ(unresolved(Interval{0, 10}), 2);
     EXPECT_EQ(unresolved(Interval{4, 10}), 1);
-    EXPECT_EQ(unresolved(Interval{0, 6.5}), 2);  // of the second a part
+    EXPECT_EQ(unresolved(Interval{0, 6.5}), 2);  // a part of the second fold
     EXPECT_EQ(unresolved(Interval{3, 6}), 0);
     EXPECT_EQ(unresolved(Interval{0, 2}), 0);
     EXPECT_EQ(unresolved(std::nullopt), 0);

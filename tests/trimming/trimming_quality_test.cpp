@@ -9,7 +9,7 @@
 namespace endmill {
 namespace {
 
-// A result of these points, wherever they come from.
+// A result with these points, of any origin.
 Trimmed result_of(const std::vector<std::vector<SectionPoint>>& curves)
 {
     Trimmed result;
@@ -40,7 +40,7 @@ TEST(TrimmingQuality, OfTheEnvelopesOfTheVectorsIsFaultless)
 
 TEST(TrimmingQuality, SeesHowDeepALoopGoes)
 {
-    // At s = 2 the tail lies 4 below the other branch, and falls by 1 in 2 there.
+    // At s = 2 the tail lies 4 mm below the other branch, and falls by 1 in 2 there.
     const TrimmingQuality found = quality(loop, loop.points);
     EXPECT_DOUBLE_EQ(found.gouge_mm, 4 * 2 / std::sqrt(5));
     EXPECT_DOUBLE_EQ(found.step_back_mm, 2);
@@ -65,7 +65,7 @@ TEST(TrimmingQuality, TakesCurvesTogether)
     EXPECT_DOUBLE_EQ(found.uncovered, 0.5);
 }
 
-// A vertical link and what begins at its foot are no gouge.
+// A vertical link and a segment that begins at its foot count as no gouge.
 TEST(TrimmingQuality, TakesLimitsFromInsideASegment)
 {
     const SectionCurve step = test::open_curve({{0, 0}, {1, 0}, {1, 5}, {2, 5}});

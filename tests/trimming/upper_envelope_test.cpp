@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Against CGAL's envelope: envelope_by_cgal_test.cpp.
+// envelope_trimming_cgal_test.cpp compares the envelope with that of CGAL.
 #include "endmill/trimming/detail/upper_envelope.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 #include "random.h"
 #include "trimmed_curves.h"
 #include "trimming_vectors.h"
@@ -51,7 +51,8 @@ TEST(UpperEnvelope, LeavesVerticalSegmentsOut)
     EXPECT_EQ(envelope.verticals, (std::vector<std::int32_t>{1}));
 }
 
-// The largest of all segments in the middle of each piece, one after the other.
+// In the middle of each piece, the largest height of all segments, tested one after the
+// other.
 TEST(UpperEnvelope, IsTheHighestSegmentEverywhere)
 {
     test::Random random{11};
@@ -97,7 +98,7 @@ TEST(UpperEnvelope, IsTheHighestSegmentEverywhere)
 
 using Ranges = std::vector<std::array<std::int32_t, 2>>;
 
-// Carriers whose segments follow each other, as first and last of them.
+// The carriers as ranges of consecutive segments: the first and the last of each.
 Ranges carrier_ranges(const UpperEnvelope& envelope)
 {
     Ranges result;
@@ -112,10 +113,10 @@ Ranges carrier_ranges(const UpperEnvelope& envelope)
     return result;
 }
 
-// Of a profile listed with carriers and joints.
+// Whether the envelope of a profile has the listed carriers and joints.
 bool is_as_listed(const UpperEnvelope& envelope, const nlohmann::json& listed)
 {
-    constexpr double last_bits = 1e-9;  // mm, of sine and cosine
+    constexpr double last_bits = 1e-9;  // mm, effect of the last bits of sine and cosine
     if (carrier_ranges(envelope) != listed["carriers"].get<Ranges>())
         return false;
     std::vector<SectionPoint> crossings;
@@ -124,7 +125,7 @@ bool is_as_listed(const UpperEnvelope& envelope, const nlohmann::json& listed)
             crossings.emplace_back(joint[0], joint[1]);
     std::size_t k = 0;
     for (const EnvelopePiece& piece : envelope.pieces) {
-        // The first piece may be what lies left of all segments.
+        // The first piece may be the gap left of all segments.
         if (piece.from >= 0 || piece.segment == no_segment)
             continue;
         const EnvelopeCrossing& found = envelope.crossings.at(~piece.from);
@@ -136,11 +137,12 @@ bool is_as_listed(const UpperEnvelope& envelope, const nlohmann::json& listed)
     return k == crossings.size();
 }
 
-// By rational numbers in another language: scripts/generation/upper_envelope.py.
+// Compares with rational arithmetic in another language:
+// scripts/generation/upper_envelope.py.
 void expect_as_listed(const std::string& family,
                       const std::vector<OffsetProfile>& profiles, int points)
 {
-    constexpr int other_libraries = 2;  // profiles that other last bits change
+    constexpr int other_libraries = 2;  // number of profiles that other last bits change
     const auto listed = test::offset_curves_json("random-families/" + family + ".json");
     ASSERT_EQ(profiles.size(), listed.size());
     int others = 0;

@@ -32,7 +32,7 @@ TEST(WindingBorder, GoesOverTheCrossingOfALoop)
     expect_place(found[0].places[2], TrimmedKind::Vertex, 4, 4);
 }
 
-// The curve goes on to s = 6, and back to its end at s = 4.
+// The curve continues to s = 6 and returns to its end at s = 4.
 TEST(WindingBorder, EndsStraightBelowTheEndOfACurve)
 {
     const auto found = borders({test::open_curve({{0, 0}, {4, 0}, {6, 2}, {4, 4}})});

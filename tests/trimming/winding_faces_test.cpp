@@ -14,7 +14,7 @@ void add_edge(std::vector<FaceStep>& steps, int from, int to, int fall)
     steps.push_back({to, from, -fall});
 }
 
-// Outside, a ring of material, free space in it: three faces, one inside the other.
+// The outside, a ring of material, and free space inside it: three nested faces.
 std::vector<FaceStep> nested()
 {
     std::vector<FaceStep> steps;

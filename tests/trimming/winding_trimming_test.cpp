@@ -8,7 +8,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/trimming/detail/envelope_trimming.h"
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 #include "trimmed_curves.h"
 #include "trimming_vectors.h"
 
@@ -48,7 +48,7 @@ TEST(WindingTrimming, GivesWhatTheVectorsList)
     }
 }
 
-// Between the ends of the curve, where nothing hangs over.
+// Compares with the envelope between the ends of the curve, where nothing overhangs.
 void expect_as_envelope(const SectionCurve& curve)
 {
     const double first = curve.points.front()[0];
@@ -92,7 +92,7 @@ TEST(WindingTrimming, IsTheEnvelopeOfWavyProfiles)
     }
 }
 
-// All with few points; of the others a part, for the time.
+// All profiles with few points; a part of the others, to save time.
 TEST(WindingTrimming, IsTheEnvelopeOfConvexProfiles)
 {
     const std::pair<int, std::size_t> samplings[]{
@@ -106,14 +106,15 @@ TEST(WindingTrimming, IsTheEnvelopeOfConvexProfiles)
     }
 }
 
-// The loop that a cutter makes in the bottom of a slot that widens downwards.
+// The loop that a cutter makes at the bottom of a slot that widens downwards.
 TEST(WindingTrimming, KeepsWhatHangsOver)
 {
     const Points slot{{-5, 0}, {-1, 0}, {-2, -3}, {2, -3}, {1, 0}, {5, 0}};
     EXPECT_EQ(winding({test::open_curve(slot)}), (std::vector<Points>{slot}));
 }
 
-// The vertical step of one curve goes down to where the other passes, not to its own end.
+// The vertical step of one curve ends where the other curve crosses it, not at its own
+// end.
 TEST(WindingTrimming, EndsWhereAVerticalSegmentIsCrossed)
 {
     const SectionCurve stepped = test::open_curve({{0, 1}, {2, 2}, {2, 0}, {2, 2}});
@@ -131,7 +132,7 @@ TEST(WindingTrimming, EndsWhereAVerticalSegmentIsCrossed)
     EXPECT_EQ(last.across, (SegmentNumber{1, 2}));
 }
 
-// Curves on a small grid of whole numbers, which are full of degenerate places.
+// Curves on a small grid of integers, with many degenerate cases.
 std::vector<SectionCurve> whole_number_curves(std::mt19937_64& random)
 {
     const auto below = [&](std::uint64_t bound) {
@@ -171,7 +172,8 @@ bool lies_on_one_segment(const SectionPoint& from, const SectionPoint& to,
     return false;
 }
 
-// The index of a place that has no vertex straight above: what crosses a ray upwards.
+// The index of a point with no vertex vertically above it: the crossings of a ray
+// upwards.
 int index_at(const SectionPoint& place, const std::vector<SectionCurve>& curves)
 {
     int index = 0;
@@ -188,7 +190,7 @@ int index_at(const SectionPoint& place, const std::vector<SectionCurve>& curves)
     return index;
 }
 
-// A little to the left of the middle of a piece, and off the vertical through a vertex.
+// A point slightly left of the middle of a piece, and not vertically below a vertex.
 SectionPoint left_of(const std::pair<SectionPoint, SectionPoint>& piece)
 {
     const SectionPoint way = (piece.second - piece.first).normalized();
@@ -196,7 +198,7 @@ SectionPoint left_of(const std::pair<SectionPoint, SectionPoint>& piece)
     return middle + 1e-5 * SectionPoint{-way.y(), way.x()} + SectionPoint{1e-7, 0};
 }
 
-// Whether two pieces of a result have more than a point in common.
+// Whether two pieces of a result have more than one point in common.
 bool overlap(const std::pair<SectionPoint, SectionPoint>& one,
              const std::pair<SectionPoint, SectionPoint>& other)
 {
@@ -209,8 +211,8 @@ bool overlap(const std::pair<SectionPoint, SectionPoint>& one,
                1e-14;
 }
 
-// Each piece of a result is a piece of a segment, no material is on its left, and none
-// comes out twice.
+// Each piece of a result is a piece of a segment, has no material on its left, and occurs
+// once.
 TEST(WindingTrimming, LeavesPiecesOfSegmentsEachOnce)
 {
     std::mt19937_64 random{20};
@@ -246,11 +248,13 @@ TEST(WindingTrimming, HasTheToolInsideAClosedCurveThatRunsLeftRound)
     const SectionCurve island = closed_curve({{1, 1}, {1, 2}, {2, 2}, {2, 1}});
     EXPECT_EQ(winding({pocket, island}),
               (std::vector<Points>{pocket.points, island.points}));
-    // The other way round there is no tool inside, and two that run alike leave the outer one.
+    // In the opposite direction no tool is inside. Of two curves with the same direction
+    // the outer one remains.
     EXPECT_EQ(winding({closed_curve({{0, 0}, {0, 3}, {4, 3}, {4, 0}})}).size(), 1u);
 }
 
-// The path of a disc of radius 2 inside an L of width 3 and 1: it does not get into the arm.
+// The path of a disc of radius 2 inside an L of widths 3 and 1. The disc does not fit
+// into the narrow arm.
 TEST(WindingTrimming, CutsTheLoopOfAPocketOff)
 {
     const Points raw{{1, 1}, {9, 1}, {9, -1}, {3, -1}, {3, 5}, {1, 5}};
@@ -261,7 +265,7 @@ TEST(WindingTrimming, CutsTheLoopOfAPocketOff)
 
 TEST(WindingTrimming, TakesPiecesThatCancelOut)
 {
-    // There and back again: no material, no border.
+    // A curve that returns on itself has no material and no border.
     const Points there_and_back{{0, 0}, {4, 0}, {2, 0}, {6, 0}};
     EXPECT_EQ(winding({test::open_curve(there_and_back)}),
               (std::vector<Points>{{{0, 0}, {4, 0}, {6, 0}}}));

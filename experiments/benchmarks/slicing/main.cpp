@@ -57,9 +57,9 @@ int main(int argc, char** argv)
         benchmark::ClearRegisteredBenchmarks();
         set_thread_count(2);
         add_benchmark("offset",
-                      [&] { return offset(BoundaryContact::None).own_triangles; });
+                      [&] { return offset(BoundaryContact::None).part_triangles; });
         add_benchmark("strips",
-                      [&] { return offset(BoundaryContact::Contact).own_triangles; });
+                      [&] { return offset(BoundaryContact::Contact).part_triangles; });
         add_benchmark("both", [&] {
             return sliced_points(offset(BoundaryContact::Contact).mesh, over_part);
         });

@@ -11,7 +11,7 @@
 #include "endmill/surface/tool_side.h"
 #include "endmill/trimming/cut_out.h"
 #include "endmill/trimming/trimmed_planes.h"
-#include "endmill/trimming/trimming.h"
+#include "endmill/trimming/trimming_methods.h"
 
 namespace endmill {
 
@@ -35,7 +35,7 @@ public:
             drive_planes(frame, extent_across(part_, frame), planes_);
         const OffsetMesh offset =
             offset_mesh(part_, cutter, OffsetOptions{.grid_lines = grid_lines_});
-        const auto sections = slice(offset.mesh, planes, {offset.own_triangles});
+        const auto sections = slice(offset.mesh, planes, {offset.part_triangles});
         const auto methods = trimming_methods();
         const auto method = std::ranges::find(methods, "envelope", &TrimmingMethod::name);
         const auto trimmed =

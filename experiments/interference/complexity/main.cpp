@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "endmill/core/parallel.h"
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 #include "support/cpu_time.h"
 #include "support/experiment.h"
 #include "support/timed_trimming.h"

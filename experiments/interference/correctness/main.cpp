@@ -44,7 +44,7 @@ public:
         std::vector<CsvCell> found{name, count_cell(trials.size()),
                                    count_cell(crossing_curves(trials))};
         for (TriedMethod method : tried_methods()) {
-            method.three_runs_twist = false;
+            method.patterns = FoldPatterns::P4;
             found.push_back(method.detection == FoldDetection::Literal
                                 ? count_cell(wrong_curves(trials, method))
                                 : CsvCell{});

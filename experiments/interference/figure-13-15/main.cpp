@@ -13,6 +13,7 @@
 #include "endmill/core/text.h"
 #include "endmill/figures/section_svg.h"
 #include "endmill/trimming/cut_out.h"
+#include "endmill/trimming/trimming_methods.h"
 #include "support/experiment.h"
 #include "support/offset_sections.h"
 

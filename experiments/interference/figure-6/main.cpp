@@ -14,7 +14,7 @@
 #include "endmill/figures/section_svg.h"
 #include "endmill/trimming/cut_out.h"
 #include "endmill/trimming/detail/envelope_trimming.h"
-#include "endmill/trimming/profile_families.h"
+#include "endmill/trimming/detail/profile_families.h"
 #include "endmill/trimming/trimming_quality.h"
 #include "support/experiment.h"
 

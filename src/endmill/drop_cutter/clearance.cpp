@@ -17,8 +17,10 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double pieces_per_radius = 2;
-// Places that share what they found; fixed, so that threads change nothing.
+// Positions in a chunk share the smallest gap found so far. The size of a chunk is fixed,
+// so that the result does not depend on the number of threads.
 constexpr std::size_t places_in_a_chunk = 64;
+// Every 256th position is searched first, then every 16th, then all.
 constexpr std::array<std::size_t, 3> steps{256, 16, 1};
 
 void check(std::span<const Vec3> references, double resolution)
@@ -28,8 +30,8 @@ void check(std::span<const Vec3> references, double resolution)
         require(reference.allFinite(), "least_gap: a place is not finite");
 }
 
-// The least of what `search(number, enough)` finds below `enough` for the places `begin`,
-// `begin + step`, ... below `end`.
+// The smallest gap below `enough` that `search(number, enough)` finds at the positions
+// `begin`, `begin + step`, ... below `end`.
 template <typename Search>
 std::optional<LeastGap> least_of_some(const std::array<std::size_t, 3>& begin_end_step,
                                       double enough, Search& search)
@@ -44,8 +46,9 @@ std::optional<LeastGap> least_of_some(const std::array<std::size_t, 3>& begin_en
     return least;
 }
 
-// The least of what `search(number, enough)` finds below `enough` for each place. Few places
-// first, then more between them: who knows a small gap leaves out what is farther away.
+// The smallest gap that `search(number, enough)` finds at any position. Few positions are
+// searched first, then those between them: once a small gap is known, everything farther
+// away is skipped.
 template <typename MakeSearch>
 std::optional<LeastGap> least_of_all(std::size_t count, const MakeSearch& make_search)
 {
@@ -69,8 +72,8 @@ std::optional<LeastGap> least_of_all(std::size_t count, const MakeSearch& make_s
     return least;
 }
 
-// Asks a tree of planes over triangles for the least gap; bounds are negative there, as the
-// tree looks for the greatest.
+// Searches a DropTree for the smallest gap. The tree searches for the largest value, so
+// that all bounds are negated gaps.
 class MeshGapQuery {
 public:
     MeshGapQuery(const DropTree& tree, const Vec3& reference, double resolution,
@@ -84,8 +87,9 @@ public:
 
     float limit() const { return static_cast<float>(resolution_ - found_.gap); }
 
-    // All of a node lies within its box and not above its plane, so that no point of it is
-    // nearer to a supporting plane that looks down than the corners of the plane's piece.
+    // All points of a node lie inside its box and below its plane. Therefore none of them
+    // is nearer to a supporting plane that faces downwards than the corners of the node's
+    // plane over its box.
     FloatLanes bounds(const DropTree::Nodes& nodes, const FloatLanes& /*tops*/) const
     {
         FloatLanes depths;
@@ -118,15 +122,16 @@ public:
         }
     }
 
-    std::optional<SurfaceGap> found() const
+    std::optional<TriangleGap> found() const
     {
         if (!is_found_)
             return std::nullopt;
-        return SurfaceGap{found_.gap, found_.point + tree_.origin()};
+        return TriangleGap{found_.gap, found_.point + tree_.origin()};
     }
 
 private:
-    static constexpr double rounding_share = 1e-6;  // floats', and to spare
+    // more than the rounding errors of floats
+    static constexpr double rounding_share = 1e-6;
 
     const DropTree& tree_;
     CutterCore core_;

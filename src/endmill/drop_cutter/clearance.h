@@ -11,33 +11,43 @@
 
 namespace endmill {
 
-/// Where a cutter comes nearest to the part, or goes deepest into it.
+/// The place at which a cutter is nearest to the part, or deepest in it.
 struct LeastGap {
-    double gap;  ///< mm: 0 contact; negative, how deep a point of the part is inside
-    std::size_t place;  ///< number of the cutter's place
-    Vec3 point;         ///< of the part, mm
+    double gap;  ///< mm; 0: contact; negative: depth of a part point inside the cutter
+    std::size_t place;  ///< number of the cutter's position
+    Vec3 point;         ///< the point of the part, mm
 };
 
-/// To what a gap is found unless another resolution is given, mm: a hundredth of what any
-/// sampling leaves.
+/// The default resolution of a gap in mm. The sampling of a path usually leaves a hundred
+/// times as much.
 inline constexpr double gap_resolution = 1e-5;
 
-/// The least gap between the cutter at any of the places `references` and smooth surfaces:
-/// of a ball the distance of its centre from them less R; of others the signed distance of
-/// their points from the cutter, its shank without end. Against the surfaces themselves:
-/// by the hulls of their control points, halved where they leave it open. At most
-/// `resolution` above the true one, and never below it but for rounding.
-/// On all threads; the result does not depend on their number.
-/// Source: spec of interference, section 1, min_clearance_mm.
+/// The smallest gap between the cutter at any of the positions `references` and smooth
+/// surfaces. For a ball it is the distance of its centre from the surfaces minus R. For
+/// other cutters it is the signed distance of the surfaces' points from the cutter, whose
+/// shank has no upper end. The surfaces are not sampled: convex hulls of their control
+/// points give bounds, and pieces are halved where a bound is not sufficient. The result
+/// exceeds the exact gap by at most `resolution` and is below it by rounding errors only.
+/// Runs on all threads; the result does not depend on their number.
+/// Source: docs/mathematics/interference.md, section 1 (min_clearance_mm).
 ///
-/// \param references reference points (tip + r), mm, finite.
-/// \return nothing without a place.
-/// \throws DomainError unless there is a surface, the places are finite, 0 < resolution.
+/// \param surfaces the part.
+/// \param cutter the cutter.
+/// \param references reference points (tip + r) in mm, finite.
+/// \param resolution in mm.
+/// \return nothing if there is no position.
+/// \throws DomainError unless there is a surface, the positions are finite and 0 <
+///     resolution.
 std::optional<LeastGap> least_gap(std::span<const Surface> surfaces, const Cutter& cutter,
                                   std::span<const Vec3> references,
                                   double resolution = gap_resolution);
 
-/// The same for a mesh and its facets. \return nothing without a place or a triangle.
+/// The same for the facets of a mesh.
+/// \param drop_cutter the mesh and the cutter.
+/// \param references reference points (tip + r) in mm, finite.
+/// \param resolution in mm.
+/// \return nothing if there is no position or no triangle.
+/// \throws DomainError unless the positions are finite and 0 < resolution.
 std::optional<LeastGap> least_gap(const DropCutter& drop_cutter,
                                   std::span<const Vec3> references,
                                   double resolution = gap_resolution);

@@ -12,6 +12,7 @@
 #include "endmill/drop_cutter/detail/concave_bound.h"
 #include "endmill/drop_cutter/detail/drop_tree.h"
 #include "endmill/drop_cutter/detail/hilbert_curve.h"
+#include "endmill/drop_cutter/detail/triangle_drop.h"
 
 namespace endmill {
 namespace {
@@ -19,17 +20,10 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 
 constexpr std::size_t places_in_a_chunk = 256;
-constexpr double float_share = 0x1p-21;  // eight roundings of floats
+// the relative error of eight roundings of floats
+constexpr double float_share = 0x1p-21;
 
-float rounded_down(double value)
-{
-    const auto rounded = static_cast<float>(value);
-    return rounded <= value
-               ? rounded
-               : std::nextafter(rounded, -std::numeric_limits<float>::infinity());
-}
-
-// Keeps the highest contact so far.
+// The search for the highest contact over one position.
 class DropQuery {
 public:
     DropQuery(const DropTree& tree, const TriangleDrop& drop, const Vec2& place,
@@ -52,7 +46,7 @@ public:
         return tree_.tip_bounds(nodes, tops, x_, y_);
     }
 
-    // The tree comes by the hint once more.
+    // The search visits the hint again; it is skipped.
     void look_at(std::size_t triangle)
     {
         if (triangle != first_)
@@ -63,7 +57,7 @@ public:
     {
         if (triangle_ == none)
             return std::nullopt;
-        return DropContact{best_.tip_z, best_.point, triangle_, best_.kind};
+        return DropContact{best_.tip_z, best_.point, triangle_};
     }
 
 private:
@@ -89,10 +83,11 @@ private:
     float limit_ = std::numeric_limits<float>::lowest();
     TriangleContact best_;
     std::size_t triangle_ = none;
-    std::size_t first_;  // that was looked at, or none
+    std::size_t first_;  // the triangle of the hint, or none
 };
 
-// Keeps whether a move of the tip runs above what it passes over, but for a tolerance.
+// The search for a triangle that rises above the tip of a moving cutter by more than a
+// tolerance. It stops at the first one.
 class ClearQuery {
 public:
     ClearQuery(const DropTree& tree, const Vec3& from, const Vec3& to, double tolerance)
@@ -124,7 +119,8 @@ public:
         return tree_.rise_bounds(nodes, tops, move_);
     }
 
-    // The tip on one triangle is concave along the move.
+    // Along the move, the height of the tip on one triangle minus that of the move is a
+    // concave function, so that stays_below can bound it from few values.
     void look_at(std::size_t triangle)
     {
         const auto corners = tree_.mesh().corners(triangle);
@@ -163,8 +159,9 @@ std::optional<DropContact> contact_at(const DropTree& tree, const TriangleDrop& 
     return query.contact();
 }
 
-// The order in which to take the places: as they are, or, where they jump about, such that
-// neighbours follow each other.
+// The order in which the positions are processed. It is the given order if they follow a
+// path. If they jump, they are sorted along the Hilbert curve, so that the contact of one
+// is a good hint for the next.
 std::vector<std::uint32_t> convenient_order(const DropTree& tree,
                                             std::span<const Vec2> places)
 {
@@ -189,7 +186,8 @@ std::vector<std::uint32_t> convenient_order(const DropTree& tree,
     return order;
 }
 
-// Calls keep(number, contact) for all places, on all threads.
+// Calls keep(number, contact) for all positions, on all threads. Within a chunk the last
+// contact is the hint for the next position.
 template <typename Keep>
 void lower_all(const DropTree& tree, std::span<const Vec2> places, const Keep& keep)
 {

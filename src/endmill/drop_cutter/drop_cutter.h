@@ -8,65 +8,80 @@
 #include <vector>
 
 #include "endmill/cutter/cutter.h"
-#include "endmill/drop_cutter/detail/triangle_drop.h"
 #include "endmill/mesh/triangle_mesh.h"
 
 namespace endmill {
 
 class DropTree;
 
-/// Where a cutter comes to rest that is lowered along -z onto a mesh.
+/// The contact of a cutter that was lowered along -z onto a mesh.
 struct DropContact {
-    double tip_z;          ///< mm
-    Vec3 point;            ///< where it touches, mm; one of several if it does so in more
-    std::size_t triangle;  ///< that it touches; of several the one of the lowest number
-    TouchKind kind;        ///< which part of that triangle
+    double tip_z;  ///< height of the tip, mm
+    Vec3 point;    ///< the contact point, mm; one of them if there are several
+    /// number of the touched triangle; the lowest number if there are several
+    std::size_t triangle;
 };
 
-/// Lowers a cutter onto a mesh. Its tip over (x, y) comes to rest at
-///     max of q_z - h(rho) over all points q of the mesh with rho = |q_xy - (x, y)| <= R,
-/// h the cutter's profile: over all facets, sides and corners, whichever way they face, so
-/// that nothing of the mesh is ever within the cutter. Reference points are r higher.
-/// Source: spec of interference, R3.
+/// The drop cutter: lowers a cutter along -z onto a mesh. Over (x, y) its tip comes to
+/// rest at
 ///
-/// Right to 1e-9 mm for coordinates within 1e4 mm and radii within 1e3 mm. Answers depend
-/// on mesh, cutter and place only, not on hints, on the order of questions or on threads.
-/// Some microseconds each; takes about 41 bytes a triangle (5 more unless the cutter is a
-/// ball). An immutable value that refers to the mesh, which must outlive it.
+///     max of q_z - h(rho) over all points q of the mesh with rho = |q_xy - (x, y)| <= R,
+///
+/// where h is the profile of the cutter. Facets of either orientation, their sides and
+/// their corners count, so that no point of the mesh is inside the cutter. The reference
+/// point is r higher than the tip.
+/// Source: docs/mathematics/interference.md, section 6 (R3).
+///
+/// Accuracy: 1e-9 mm for coordinates within 1e4 mm and radii within 1e3 mm. A result
+/// depends on mesh, cutter and position only, not on hints, on the order of calls or on
+/// the number of threads. A call takes a few microseconds. The object takes about 41
+/// bytes per triangle, and 5 more unless the cutter is a ball. It is an immutable value
+/// that refers to the mesh.
 class DropCutter {
 public:
-    /// \throws DomainError if a coordinate of a point is above 1e9 mm, or the cutter's
-    ///         radius is not within 1e-6 … 1e6 mm.
+    /// \param mesh the part; it must outlive this object.
+    /// \param cutter the cutter.
+    /// \throws DomainError if a coordinate exceeds 1e9 mm or the cutter's radius is not
+    ///     within 1e-6 … 1e6 mm.
     DropCutter(const TriangleMesh& mesh, const Cutter& cutter);
-    DropCutter(TriangleMesh&&, const Cutter&) = delete;  // it would not outlive this
+    // the mesh would not outlive this object
+    DropCutter(TriangleMesh&&, const Cutter&) = delete;
 
+    /// The cutter.
     const Cutter& cutter() const;
+    /// The mesh.
     const TriangleMesh& mesh() const;
 
-    /// \param place x and y of the axis, mm. \param hint a triangle that may be touched,
-    ///        such as that of a neighbouring place: the answer comes sooner.
-    /// \return nothing if there is nothing of the mesh beneath the cutter.
-    /// \throws DomainError unless the place is finite and the hint a triangle.
+    /// The contact over one position.
+    /// \param place x and y of the axis, mm.
+    /// \param hint a triangle that the cutter probably touches, such as that of a
+    ///     neighbouring position; it only saves time.
+    /// \return nothing if no point of the mesh is below the cutter.
+    /// \throws DomainError unless the position is finite and the hint is the number of a
+    ///     triangle.
     std::optional<DropContact> contact(const Eigen::Vector2d& place,
                                        std::optional<std::size_t> hint = {}) const;
 
-    /// The same for many places, on all threads; soonest where they follow paths.
+    /// The contacts over many positions, on all threads. Positions along a path are the
+    /// fastest.
     std::vector<std::optional<DropContact>> contacts(
         std::span<const Eigen::Vector2d> places) const;
 
-    /// Heights of the tip over many places, on all threads; minus infinity where nothing
-    /// is beneath the cutter.
+    /// The heights of the tip over many positions, on all threads; minus infinity where
+    /// no point of the mesh is below the cutter.
     std::vector<double> tip_heights(std::span<const Eigen::Vector2d> places) const;
 
-    /// Whether on the straight move of the tip `from` … `to` the mesh nowhere rises into the
-    /// cutter by more than `tolerance`, measured along the axis. Bounded, not sampled: a
-    /// move that is said to be clear is; of one that barely is, the answer may be no.
-    /// \param from, to in mm, over the mesh's box in plan grown by 2 R.
+    /// Whether the mesh rises into the cutter by at most `tolerance`, measured along the
+    /// axis, during a straight move of the tip. The test bounds the rise and does not
+    /// sample it. True is certain; false may also be returned if the rise is just below
+    /// the tolerance.
+    /// \param from start of the tip in mm, within 2 R of the mesh's box in plan.
+    /// \param to end of the tip in mm, within 2 R of the mesh's box in plan.
     /// \param tolerance in mm, > 0.
-    /// \throws DomainError if they are not.
+    /// \throws DomainError unless these conditions hold.
     bool is_clear(const Vec3& from, const Vec3& to, double tolerance) const;
 
-    /// What it keeps of the mesh; for others in this module.
+    /// The search tree over the mesh, for other units of this module.
     const DropTree& tree() const { return *tree_; }
 
 private:

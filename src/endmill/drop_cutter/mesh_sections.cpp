@@ -14,15 +14,16 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-constexpr std::size_t most_points = 5'000'000;  // of a plane: some 100 MB
+constexpr std::size_t most_points = 5'000'000;  // of a plane: about 100 MB
 
-// Where the tip rests over a place of the plane, if there is anything beneath.
+// A sampled position of a plane: the height of the tip, if any point of the mesh is below
+// the cutter.
 struct Sample {
     double s;
     std::optional<double> tip_z;
 };
 
-// Walks along one plane.
+// Samples one plane from its lowest s to its highest.
 class PlaneWalk {
 public:
     PlaneWalk(const DropCutter& drop_cutter, const DriveFrame& frame, double position,
@@ -66,7 +67,8 @@ private:
         return frame_.point(sample.s, position_, *sample.tip_z);
     }
 
-    // Adds what follows `from` up to `to`.
+    // Adds the samples behind `from` up to `to`, halving the step until it is fine
+    // enough.
     void go_on(const Sample& from, const Sample& to)
     {
         const double middle = from.s + (to.s - from.s) / 2;
@@ -102,7 +104,7 @@ private:
         curve_.points.emplace_back(sample.s, *sample.tip_z + r);
     }
 
-    // A lone point is none.
+    // Finishes the current curve; a single point is dropped.
     void end_curve()
     {
         if (curve_.points.size() > 1)
@@ -120,14 +122,10 @@ private:
     std::vector<SectionCurve> curves_;
 };
 
-struct Extent {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-};
-
-Extent extent_along(const TriangleMesh& mesh, const DriveFrame& frame)
+Interval extent_along(const TriangleMesh& mesh, const DriveFrame& frame)
 {
-    Extent extent;
+    Interval extent{std::numeric_limits<double>::infinity(),
+                    -std::numeric_limits<double>::infinity()};
     for (const Vec3& point : mesh.points()) {
         const double s = frame.along(point);
         extent = {std::min(extent.low, s), std::max(extent.high, s)};
@@ -155,7 +153,7 @@ std::vector<std::vector<SectionCurve>> mesh_sections(const DropCutter& drop_cutt
     const TriangleMesh& mesh = drop_cutter.mesh();
     if (mesh.triangles().empty())
         return sections;
-    const Extent extent = extent_along(mesh, planes.frame);
+    const Interval extent = extent_along(mesh, planes.frame);
     parallel_for(sections.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             PlaneWalk walk{drop_cutter, planes.frame, planes.positions[k],

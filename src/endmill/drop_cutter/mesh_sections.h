@@ -9,26 +9,31 @@
 
 namespace endmill {
 
-/// How finely the curves of a mesh are sampled.
+/// The sampling of the curves of a mesh part.
 struct MeshSectionOptions {
-    int samples = 200;        ///< equidistant s over the extent of the mesh, at least 2
-    double tolerance = 0.01;  ///< mm, by which no chord gouges more
+    /// number of equidistant s over the extent of the mesh, at least 2
+    int samples = 200;
+    double tolerance = 0.01;  ///< mm, largest gouge of a chord
 };
 
 /// The curves that the cutter's reference point follows in each of `planes` while the
-/// cutter rests on the mesh: the trimmed curves of a mesh part. A plane's curves are in the
-/// order of their s; where nothing is beneath the cutter they break.
+/// cutter rests on the mesh. They are the trimmed curves of a mesh part. The curves of a
+/// plane are ordered by s. A curve ends where no point of the mesh is below the cutter.
 ///
-/// Steps are halved until no chord gouges by more than the tolerance: until the mesh rises
-/// into the moving cutter by no more, along the axis (see DropCutter::is_clear), or until
-/// the step is no longer than the tolerance. Then the cutter is no farther than that from
-/// where it would hang over the chord's lower end, free of the mesh, and enters no deeper.
-/// The ends of curves are found to the tolerance in s likewise. A gap between two curves
-/// that no step ends in, is passed over.
-/// On all threads; the result does not depend on their number.
-/// \return one a plane.
-/// \throws DomainError if an option is out of its domain or a position not finite;
-///         LimitError if a plane would take over 5 million points.
+/// A step is halved until its chord gouges by at most the tolerance, according to
+/// DropCutter::is_clear, or until the step is no longer than the tolerance. In the second
+/// case the cutter is at most that far from its position over the lower end of the chord,
+/// where it does not gouge, so that the gouge is no deeper than the tolerance. The ends
+/// of curves are found to the tolerance in s in the same way. A gap between two curves is
+/// missed if no step ends in it. Runs on all threads; the result does not depend on their
+/// number.
+/// \param drop_cutter the mesh and the cutter.
+/// \param planes the planes.
+/// \param options the sampling.
+/// \return one list of curves for each plane.
+/// \throws DomainError if an option is outside its domain or a position of a plane is not
+///     finite.
+/// \throws LimitError if a plane would take more than 5 million points.
 std::vector<std::vector<SectionCurve>> mesh_sections(
     const DropCutter& drop_cutter, const DrivePlanes& planes,
     const MeshSectionOptions& options = {});

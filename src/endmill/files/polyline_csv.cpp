@@ -13,7 +13,6 @@
 #include "endmill/core/text.h"
 #include "endmill/files/detail/named_columns.h"
 #include "endmill/files/read_file.h"
-#include "endmill/trimming/detail/curve_arrangement.h"
 
 namespace endmill {
 namespace {

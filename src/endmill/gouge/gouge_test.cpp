@@ -8,24 +8,36 @@
 #include <vector>
 
 #include "endmill/core/error.h"
+#include "endmill/gouge/detail/piece_tree.h"
+#include "endmill/gouge/detail/swept_axis.h"
 
 namespace endmill {
 namespace {
 
-// Of the tolerance: what is nearer to it than that stays undecided.
+// Share of the tolerance: depths nearer to it remain undecided.
 constexpr double undecided_share = 1e-3;
 constexpr double pieces_per_radius = 2;
-// Halvings of a piece: 2^-40 of it is far below any resolution that rounding allows.
+// Halvings of a piece: 2^-40 of its size is far below any resolution that rounding
+// permits.
 constexpr int most_halvings = 80;
-constexpr std::size_t most_finer_pieces = 30'000;
 
-// The search for points of the part that are nearer than `reach_` to the strip.
+// The search for points of the part that are nearer than `reach_` to the swept axis. A
+// branch-and-bound search in the tree of Bezier pieces:
+// 1. The bound of a box or of a piece is its smallest distance from the swept axis. Nodes
+//    whose bound is not below the limit are dropped. Of two children the nearer one is
+//    visited first.
+// 2. The bound of a piece uses the plane at the point of the swept axis nearest to the
+//    piece's middle. The swept axis is convex and stays on one side of the plane; the
+//    control points on the other side give the distance. Where ball and part touch, the
+//    error of this bound is of second order in the piece's size.
+// 3. The corners of a piece are points of the part and give upper bounds of the distance.
+//    A piece that both bounds do not settle is halved.
 class NearSearch {
 public:
-    NearSearch(const PieceTree& tree, const CentreStrip& strip, double radius,
+    NearSearch(const PieceTree& tree, const SweptAxis& swept_axis, double radius,
                FinerPieces& finer)
         : tree_{tree},
-          strip_{strip},
+          swept_axis_{swept_axis},
           radius_{radius},
           finer_{finer}
     {
@@ -71,7 +83,7 @@ private:
         }
     }
 
-    // A patch and what it is halved into.
+    // Searches a patch and its halves that the tree contains.
     void search_pieces(std::int32_t patch)
     {
         std::vector<std::int32_t> open{patch};
@@ -88,14 +100,15 @@ private:
         }
     }
 
-    // What the nearer of two holds may settle the other.
+    // Pushes two children such that the nearer one is visited first. Its points may
+    // settle the other one.
     template <class Middle>
     void push_nearer_last(std::vector<std::int32_t>& open, std::int32_t first,
                           const Middle& middle) const
     {
         const auto square = [&](std::int32_t number) {
             const Vec3 point = middle(number);
-            return (point - strip_.nearest(point)).squaredNorm();
+            return (point - swept_axis_.nearest(point)).squaredNorm();
         };
         const bool swap = square(first + 1) < square(first);
         open.push_back(swap ? first : first + 1);
@@ -104,13 +117,13 @@ private:
 
     bool is_over() const { return stops_at_first_ && found_; }
 
-    // What is no nearer than that is of no interest.
+    // Distances from here on are of no interest.
     double limit() const { return found_ ? reach_ - resolution_ : reach_; }
 
     double box_bound(const Eigen::AlignedBox3d& box) const
     {
         const Vec3 middle = box.center();
-        const Vec3 nearest = strip_.nearest(middle);
+        const Vec3 nearest = swept_axis_.nearest(middle);
         const Vec3 away = middle - nearest;
         const double distance = away.norm();
         if (distance == 0)
@@ -118,10 +131,11 @@ private:
         return distance - away.cwiseAbs().dot(box.sizes()) / (2 * distance);
     }
 
-    // A bound by the plane at the strip's point nearest to the piece's middle.
+    // A lower bound of the distance of a piece, by the plane at the point of the swept
+    // axis nearest to its middle.
     double piece_bound(const BezierPiece& piece, const Vec3& middle) const
     {
-        const Vec3 nearest = strip_.nearest(middle);
+        const Vec3 nearest = swept_axis_.nearest(middle);
         const Vec3 away = middle - nearest;
         const double distance = away.norm();
         if (distance == 0)
@@ -151,7 +165,8 @@ private:
         }
     }
 
-    // Whether nothing of interest is in the piece, but for what it has just told.
+    // Whether the piece needs no halving. Its corners are tested, and may become the
+    // point found.
     bool is_settled(const PieceTree::Piece& whole, int halvings)
     {
         const BezierPiece& piece = whole.bezier;
@@ -163,7 +178,7 @@ private:
         double nearest = std::numeric_limits<double>::infinity();
         std::size_t nearest_corner = 0;
         for (std::size_t k = 0; k < corners.size(); ++k) {
-            const double distance = (corners[k] - strip_.nearest(corners[k])).norm();
+            const double distance = (corners[k] - swept_axis_.nearest(corners[k])).norm();
             if (distance < nearest) {
                 nearest = distance;
                 nearest_corner = k;
@@ -191,7 +206,7 @@ private:
     }
 
     const PieceTree& tree_;
-    const CentreStrip& strip_;
+    const SweptAxis& swept_axis_;
     double radius_;
     FinerPieces& finer_;
     double reach_ = 0;
@@ -203,46 +218,12 @@ private:
 
 }  // namespace
 
-std::int32_t FinerPieces::halves_of_leaf(const PieceTree& tree, std::int32_t leaf)
-{
-    const auto [place, is_new] = of_leaves_.try_emplace(leaf, 0);
-    if (is_new)
-        place->second = add_halves(tree.pieces()[leaf].bezier);
-    return place->second;
-}
-
-std::int32_t FinerPieces::halves_of(std::int32_t number)
-{
-    PieceTree::Piece& piece = pieces_[number];
-    if (piece.halves == 0)
-        piece.halves = add_halves(piece.bezier);
-    return piece.halves;
-}
-
-std::int32_t FinerPieces::add_halves(const BezierPiece& whole)
-{
-    const auto first = static_cast<std::int32_t>(pieces_.size());
-    auto [low, high] = halves(whole, whole.wider());
-    for (BezierPiece* half : {&low, &high}) {
-        const Vec3 middle = half->middle();
-        pieces_.push_back({std::move(*half), middle});
-    }
-    return first;
-}
-
-void FinerPieces::limit_memory()
-{
-    if (pieces_.size() < most_finer_pieces)
-        return;
-    of_leaves_.clear();
-    pieces_.resize(1);
-}
-
 GougeTest::GougeTest(std::span<const Surface> surfaces, const BallCutter& cutter,
                      const Vec3& axis)
     : cutter_{cutter},
       axis_{axis},
-      tree_{surfaces, cutter.radius() / pieces_per_radius}
+      tree_{std::make_shared<const PieceTree>(surfaces,
+                                              cutter.radius() / pieces_per_radius)}
 {
 }
 
@@ -257,18 +238,18 @@ GougeAnswer GougeTest::test(const BallMove& move, double tolerance,
 {
     require(0 < tolerance && tolerance < cutter_.radius(),
             "GougeTest: need 0 < tolerance < cutter radius");
-    const CentreStrip strip{move, axis_};
+    const SweptAxis swept_axis{move.from, move.to, axis_};
     finer.limit_memory();
-    return NearSearch{tree_, strip, cutter_.radius(), finer}.test(tolerance);
+    return NearSearch{*tree_, swept_axis, cutter_.radius(), finer}.test(tolerance);
 }
 
 std::optional<GougePlace> GougeTest::deepest(const BallMove& move,
                                              double resolution) const
 {
     require(resolution > 0, "GougeTest: need 0 < resolution");
-    const CentreStrip strip{move, axis_};
+    const SweptAxis swept_axis{move.from, move.to, axis_};
     FinerPieces finer;
-    return NearSearch{tree_, strip, cutter_.radius(), finer}.deepest(resolution);
+    return NearSearch{*tree_, swept_axis, cutter_.radius(), finer}.deepest(resolution);
 }
 
 }  // namespace endmill

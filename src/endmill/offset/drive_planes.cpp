@@ -10,12 +10,12 @@
 namespace endmill {
 namespace {
 
-// Planes beyond this are a slip of the pen: a path of them would not fit into memory.
+// A larger number is a mistake of the caller: the path would not fit into memory.
 constexpr int most_planes = 10'000'000;
-// A sine or cosine below this is the rounding of a multiple of 90 degrees up to some
-// turns; the angle itself has an error of about 1e-16 a quarter turn.
+// A sine or cosine below this is a rounding error of a multiple of 90 degrees, up to
+// several turns: an angle has an error of about 1e-16 per quarter turn.
 constexpr double zero_sine = 4e-15;
-// Share of a pitch by which the last plane may be too far, for roundings.
+// Share of a pitch by which rounding may enlarge the quotient of extent and pitch.
 constexpr double pitch_rounding = 1e-9;
 
 double snapped(double sine)

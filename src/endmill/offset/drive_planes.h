@@ -18,7 +18,8 @@ namespace endmill {
 /// At multiples of 90 degrees the sine and cosine are exact, and so are s and t.
 class DriveFrame {
 public:
-    /// \param direction of the feed, counter-clockwise from +x.
+    /// \param direction direction of the feed, counter-clockwise from +x.
+    /// \throws DomainError unless the angle is finite.
     explicit DriveFrame(Angle direction);
 
     double along(const Vec3& point) const  ///< s in mm
@@ -34,7 +35,7 @@ public:
     {
         return {s * cosine_ - t * sine_, s * sine_ + t * cosine_, z};
     }
-    /// Unit direction of rising t.
+    /// Unit direction of growing t.
     Vec3 across_direction() const { return {-sine_, cosine_, 0}; }
 
 private:
@@ -42,23 +43,31 @@ private:
     double sine_;
 };
 
-/// Vertical planes t = positions[k] along the feed.
+/// Vertical planes t = positions[k], parallel to the feed.
 struct DrivePlanes {
+    /// The coordinates along and across the feed.
     DriveFrame frame;
-    std::vector<double> positions;  ///< t in mm, rising
+    std::vector<double> positions;  ///< t in mm, ascending
 };
 
-/// `count` planes at lo + (k + 1/2) (hi - lo) / count over `across`, [lo, hi] in mm.
+/// Planes at lo + (k + 1/2) (hi - lo) / count for k = 0 … count - 1.
+/// \param frame the coordinates of the feed.
+/// \param across [lo, hi], the extent across the feed in mm.
+/// \param count number of planes.
 /// \throws DomainError unless 1 <= count <= 10^7, lo <= hi and both are finite.
 DrivePlanes drive_planes(const DriveFrame& frame, const Interval& across, int count);
 
-/// The fewest planes of that rule that stand no further apart than `pitch` mm, one at
-/// least. \throws DomainError unless pitch > 0, or as above.
+/// The fewest planes of the rule of drive_planes, but at least one, whose distance is at
+/// most `pitch`.
+/// \param frame the coordinates of the feed.
+/// \param across the extent across the feed in mm.
+/// \param pitch in mm.
+/// \throws DomainError unless pitch > 0, or as drive_planes does.
 DrivePlanes drive_planes_by_pitch(const DriveFrame& frame, const Interval& across,
                                   double pitch);
 
 /// The extent of `surfaces` across the feed in mm, see extent.h.
-/// \throws DomainError if there are none.
+/// \throws DomainError if there is no surface.
 Interval extent_across(std::span<const Surface> surfaces, const DriveFrame& frame);
 
 }  // namespace endmill

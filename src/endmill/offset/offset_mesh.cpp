@@ -14,8 +14,8 @@
 #include "endmill/cutter/cutter.h"
 #include "endmill/offset/detail/boundary_strips.h"
 #include "endmill/offset/detail/contact_strip.h"
-#include "endmill/offset/detail/offset_sheet.h"
-#include "endmill/offset/detail/sheet_sides.h"
+#include "endmill/offset/detail/grid_sides.h"
+#include "endmill/offset/detail/offset_grid.h"
 #include "endmill/surface/detail/patch_rows.h"
 #include "endmill/surface/detail/patch_sides.h"
 #include "endmill/surface/tool_side.h"
@@ -42,28 +42,28 @@ void check(std::span<const Surface> surfaces, const OffsetOptions& options)
                          std::to_string(options.most_vertices)};
 }
 
-// The vertices of a sheet, row by row.
-class SheetRows {
+// Computes the vertices of a grid, row by row. The columns that belong to one patch share
+// the basis functions in u (PatchRows), which are evaluated once for all rows.
+class GridRows {
 public:
-    SheetRows(const OffsetSheet& sheet, const Surface& surface)
-        : sheet_{sheet},
+    GridRows(const OffsetGrid& grid, const Surface& surface)
+        : grid_{grid},
           surface_{surface}
     {
-        for (Index begin = 0, end = 0; begin < sheet.columns(); begin = end) {
-            const int patch = sheet.u[begin].patch;
-            while (end < sheet.columns() && sheet.u[end].patch == patch)
+        for (Index begin = 0, end = 0; begin < grid.columns(); begin = end) {
+            const int patch = grid.u[begin].patch;
+            while (end < grid.columns() && grid.u[end].patch == patch)
                 ++end;
-            stretches_.push_back(
-                {begin, end, rows_of(begin, end, sheet.v.front().patch)});
+            stretches_.push_back({begin, end, rows_of(begin, end, grid.v.front().patch)});
         }
     }
 
-    // Fills in the vertices of row j.
+    // Sets the points and contacts of the vertices of row j.
     void add_row(Index j, OffsetDraft& draft) const
     {
-        const SheetLine& v = sheet_.v[j];
+        const GridLine& v = grid_.v[j];
         for (const Stretch& stretch : stretches_) {
-            const auto& patch = surface_.patch(sheet_.u[stretch.begin].patch, v.patch);
+            const auto& patch = surface_.patch(grid_.u[stretch.begin].patch, v.patch);
             const double at = local(Parameter::V, v);
             const bool is_its = patch.degree(Parameter::U) == stretch.rows.degree();
             const TangentRow row =
@@ -75,14 +75,14 @@ public:
     }
 
 private:
-    // Columns in one patch.
+    // Consecutive columns within one patch.
     struct Stretch {
         Index begin;
         Index end;
         PatchRows rows;
     };
 
-    double local(Parameter along, const SheetLine& line) const
+    double local(Parameter along, const GridLine& line) const
     {
         const auto breaks = surface_.breaks(along);
         return (line.parameter - breaks[line.patch]) /
@@ -93,8 +93,8 @@ private:
     {
         std::vector<double> u;
         for (Index i = begin; i < end; ++i)
-            u.push_back(local(Parameter::U, sheet_.u[i]));
-        return {surface_.patch(sheet_.u[begin].patch, row).degree(Parameter::U), u};
+            u.push_back(local(Parameter::U, grid_.u[i]));
+        return {surface_.patch(grid_.u[begin].patch, row).degree(Parameter::U), u};
     }
 
     template <typename Row>
@@ -102,48 +102,49 @@ private:
     {
         const SurfaceTangents tangents{
             {row[0], row[1], row[2]}, {row[3], row[4], row[5]}, {row[6], row[7], row[8]}};
-        const Vec3 normal = normal_at(sheet_, surface_, i, j, tangents);
-        const Index vertex = sheet_.vertex(i, j);
+        const Vec3 normal = normal_at(grid_, surface_, i, j, tangents);
+        const Index vertex = grid_.vertex(i, j);
         draft.points[vertex] = tangents.point + control_offset(draft.cutter, normal);
-        draft.contacts[vertex] = {{sheet_.u[i].parameter, sheet_.v[j].parameter},
+        draft.contacts[vertex] = {{grid_.u[i].parameter, grid_.v[j].parameter},
                                   normal,
-                                  sheet_.surface,
+                                  grid_.surface,
                                   ContactKind::Face};
     }
 
-    const OffsetSheet& sheet_;
+    const OffsetGrid& grid_;
     const Surface& surface_;
     std::vector<Stretch> stretches_;
 };
 
-// The rows of all sheets, one after the other.
-std::vector<std::pair<std::size_t, Index>> all_rows(std::span<const OffsetSheet> sheets)
+// The rows of all grids, one after the other: the number of the grid and of its row.
+std::vector<std::pair<std::size_t, Index>> all_rows(std::span<const OffsetGrid> grids)
 {
     std::vector<std::pair<std::size_t, Index>> rows;
-    for (std::size_t number = 0; number < sheets.size(); ++number)
-        for (Index j = 0; j < sheets[number].rows(); ++j)
+    for (std::size_t number = 0; number < grids.size(); ++number)
+        for (Index j = 0; j < grids[number].rows(); ++j)
             rows.emplace_back(number, j);
     return rows;
 }
 
-// Room for all vertices and triangles, with half a turn of the normal over each point of
-// the border: more than that only where corners or the bottom of a cutter that is no ball
-// make up most of the strips. Far more than the sheets have is never asked for at once.
-void make_room(std::span<const OffsetSheet> sheets, std::span<const SheetSide> sides,
+// Reserves memory for all vertices and triangles. The strips along the border are
+// estimated by half a turn of the normal over each border point. They need more only if
+// corners, or the bottom of a flat or bull-nose cutter, make up most of the strips. The
+// estimate is limited to four times the number of the grids' own vertices.
+void make_room(std::span<const OffsetGrid> grids, std::span<const GridSide> sides,
                BoundaryContact boundary, OffsetDraft& draft)
 {
-    constexpr double most_to_sheets = 4;
+    constexpr double most_to_grids = 4;
     double count = 0;
-    for (const OffsetSheet& sheet : sheets)
-        count += static_cast<double>(sheet.u.size() * sheet.v.size());
+    for (const OffsetGrid& grid : grids)
+        count += static_cast<double>(grid.u.size() * grid.v.size());
     if (boundary == BoundaryContact::Contact) {
         const double steps =
             std::numbers::pi / chord_angle(draft.cutter.radius(), draft.arc_tolerance);
         double strips = 0;
-        for (const SheetSide& side : sides)
+        for (const GridSide& side : sides)
             if (side.is_border())
                 strips += steps * static_cast<double>(side.vertices.size());
-        count += std::min(strips, most_to_sheets * count);
+        count += std::min(strips, most_to_grids * count);
     }
     const auto vertices = static_cast<std::size_t>(count);
     reserve_in_large_pages(draft.points, vertices);
@@ -151,31 +152,31 @@ void make_room(std::span<const OffsetSheet> sheets, std::span<const SheetSide> s
     reserve_in_large_pages(draft.triangles, 2 * vertices);
 }
 
-void add_vertices(std::span<const Surface> surfaces, std::span<const OffsetSheet> sheets,
+void add_vertices(std::span<const Surface> surfaces, std::span<const OffsetGrid> grids,
                   OffsetDraft& draft)
 {
-    const OffsetSheet& last = sheets.back();
+    const OffsetGrid& last = grids.back();
     const auto count =
         static_cast<std::size_t>(last.first) + last.u.size() * last.v.size();
     draft.points.resize(count);
     draft.contacts.resize(count);
-    std::vector<SheetRows> vertices;
-    for (const OffsetSheet& sheet : sheets)
-        vertices.emplace_back(sheet, surfaces[sheet.surface]);
-    const auto rows = all_rows(sheets);
+    std::vector<GridRows> vertices;
+    for (const OffsetGrid& grid : grids)
+        vertices.emplace_back(grid, surfaces[grid.surface]);
+    const auto rows = all_rows(grids);
     parallel_for(rows.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
             vertices[rows[k].first].add_row(rows[k].second, draft);
     });
 }
 
-// The triangles of the cells above row j, from `place` on.
-void set_cells(const OffsetSheet& sheet, Index j, std::span<Triangle> place)
+// Sets the triangles of the cells above row j, beginning at `place`.
+void set_cells(const OffsetGrid& grid, Index j, std::span<Triangle> place)
 {
-    const bool is_mirrored = sheet.side < 0;
-    for (Index i = 0; i + 1 < sheet.columns(); ++i) {
-        const Index a = sheet.vertex(i, j);
-        const Index c = sheet.vertex(i, j + 1);
+    const bool is_mirrored = grid.side < 0;
+    for (Index i = 0; i + 1 < grid.columns(); ++i) {
+        const Index a = grid.vertex(i, j);
+        const Index c = grid.vertex(i, j + 1);
         place[2 * i] = {a, a + 1, c + 1};
         place[2 * i + 1] = {a, c + 1, c};
         if (is_mirrored) {
@@ -185,25 +186,26 @@ void set_cells(const OffsetSheet& sheet, Index j, std::span<Triangle> place)
     }
 }
 
-void add_cells(std::span<const OffsetSheet> sheets, OffsetDraft& draft)
+void add_cells(std::span<const OffsetGrid> grids, OffsetDraft& draft)
 {
-    const auto rows = all_rows(sheets);
+    const auto rows = all_rows(grids);
     std::vector<std::size_t> first{0};
-    for (const auto& [sheet, j] : rows) {
-        const bool is_last = j + 1 == sheets[sheet].rows();
-        first.push_back(first.back() + (is_last ? 0 : 2 * sheets[sheet].u.size() - 2));
+    for (const auto& [grid, j] : rows) {
+        const bool is_last = j + 1 == grids[grid].rows();
+        first.push_back(first.back() + (is_last ? 0 : 2 * grids[grid].u.size() - 2));
     }
     draft.triangles.resize(first.back());
     parallel_for(rows.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
             if (first[k + 1] > first[k])
-                set_cells(sheets[rows[k].first], rows[k].second,
+                set_cells(grids[rows[k].first], rows[k].second,
                           std::span{draft.triangles}.subspan(first[k]));
     });
 }
 
-// Makes one the vertices of smooth joints and of collapsed edges.
-void join_vertices(std::span<SheetSide> sides, double same_point, OffsetDraft& draft)
+// Merges the vertices on smooth joints and on collapsed edges that lie within
+// `same_point` mm of each other, and removes the triangles that become degenerate.
+void join_vertices(std::span<GridSide> sides, double same_point, OffsetDraft& draft)
 {
     DisjointSets sets{draft.points.size()};
     bool is_any = false;
@@ -211,18 +213,18 @@ void join_vertices(std::span<SheetSide> sides, double same_point, OffsetDraft& d
         if ((draft.points[one] - draft.points[two]).norm() <= same_point)
             is_any = sets.join(one, two) || is_any;
     };
-    for (const SheetSide& side : sides) {
+    for (const GridSide& side : sides) {
         const std::size_t count = side.vertices.size();
         if (side.is_collapsed)
             for (std::size_t k = 1; k < count; ++k)
                 join(side.vertices[k - 1], side.vertices[k]);
-        else if (side.mate != SheetSide::none)
+        else if (side.mate != GridSide::none)
             for (std::size_t k = 0; k < count; ++k)
                 join(side.vertices[k], sides[side.mate].vertices[count - 1 - k]);
     }
     if (!is_any)
         return;
-    for (SheetSide& side : sides)
+    for (GridSide& side : sides)
         for (Index& vertex : side.vertices)
             vertex = sets.least(vertex);
     for (Triangle& triangle : draft.triangles)
@@ -234,10 +236,10 @@ void join_vertices(std::span<SheetSide> sides, double same_point, OffsetDraft& d
     });
 }
 
-std::vector<std::vector<Index>> outlines_of(std::span<const SheetSide> sides)
+std::vector<std::vector<Index>> outlines_of(std::span<const GridSide> sides)
 {
     std::vector<std::vector<Index>> outlines;
-    for (const SheetSide& side : sides)
+    for (const GridSide& side : sides)
         if (!side.is_collapsed)
             outlines.push_back(side.vertices);
     return outlines;
@@ -245,33 +247,39 @@ std::vector<std::vector<Index>> outlines_of(std::span<const SheetSide> sides)
 
 }  // namespace
 
+// 1. Each surface is divided into grids without creases (offset_grid.h), and the sides of
+//    the grids are matched (grid_sides.h).
+// 2. Vertices and cells of the grids are computed on all threads.
+// 3. Vertices on smooth joints and on collapsed edges are merged.
+// 4. With BoundaryContact::Contact the strips over creases and along the border are added
+//    (boundary_strips.h), so that the mesh is closed but for a rim of level normals.
 OffsetMesh offset_mesh(std::span<const Surface> surfaces, const Cutter& cutter,
                        const OffsetOptions& options)
 {
     check(surfaces, options);
     const auto tool_sides = tool_side_signs(surfaces, Vec3::UnitZ());
     require_reachable(surfaces, Vec3::UnitZ(), tool_sides);
-    const auto sheets = offset_sheets(surfaces, tool_sides, options.grid_lines);
+    const auto grids = offset_grids(surfaces, tool_sides, options.grid_lines);
     OffsetDraft draft{
         with_allowance(cutter, options.allowance), options.arc_tolerance, {}, {}, {}};
     const double same_point = same_end_mm(surfaces);
-    auto sides = sheet_sides(surfaces, sheets, same_point);
-    make_room(sheets, sides, options.boundary, draft);
-    add_vertices(surfaces, sheets, draft);
-    add_cells(sheets, draft);
+    auto sides = grid_sides(surfaces, grids, same_point);
+    make_room(grids, sides, options.boundary, draft);
+    add_vertices(surfaces, grids, draft);
+    add_cells(grids, draft);
     join_vertices(sides, same_point, draft);
-    const std::size_t sheet_triangles = draft.triangles.size();
-    std::size_t own_triangles = sheet_triangles;
+    const std::size_t surface_triangles = draft.triangles.size();
+    std::size_t part_triangles = surface_triangles;
     if (options.boundary == BoundaryContact::Contact) {
         const auto seams = add_crease_strips(sides, draft);
-        own_triangles = draft.triangles.size();
+        part_triangles = draft.triangles.size();
         add_border_strips(sides, seams, draft);
     }
     return {TriangleMesh{std::move(draft.points), std::move(draft.triangles)},
             std::move(draft.contacts),
             draft.cutter,
-            sheet_triangles,
-            own_triangles,
+            surface_triangles,
+            part_triangles,
             outlines_of(sides)};
 }
 
@@ -287,7 +295,7 @@ TriangleMesh contact_mesh(const OffsetMesh& offset)
     std::vector<Vec3> contacts(count);
     for (std::size_t vertex = 0; vertex < count; ++vertex)
         contacts[vertex] = contact_point(offset, static_cast<std::int32_t>(vertex));
-    const auto triangles = offset.mesh.triangles().first(offset.sheet_triangles);
+    const auto triangles = offset.mesh.triangles().first(offset.surface_triangles);
     return {std::move(contacts), {triangles.begin(), triangles.end()}};
 }
 
@@ -298,7 +306,7 @@ std::vector<std::optional<Interval>> path_ranges(const OffsetMesh& offset,
     const DriveFrame& frame = planes.frame;
     std::vector<std::optional<Interval>> ranges;
     for (const PlaneSection& section : sections)
-        ranges.push_back(section.own_range);
+        ranges.push_back(section.part_range);
     const auto extend = [&](std::size_t plane, double s) {
         auto& range = ranges[plane];
         range = range ? Interval{std::min(range->low, s), std::max(range->high, s)}

@@ -1,22 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
 
 namespace endmill {
 
-/// A point of a section: s along the feed and z, in mm, of the cutter's reference point.
+/// A point of a section of an offset: s along the feed and z, both in mm, of the cutter's
+/// reference point.
 using SectionPoint = Eigen::Vector2d;
 
-/// One connected curve of the section of an offset by a drive plane, folds and loops kept.
-/// An open one runs from its end of smaller s, the tool on its left. A closed one keeps its
-/// direction, begins where s is smallest (of equal ones where z is) and ends with that
-/// point once more. No two consecutive points are equal, and there are two at least.
+/// A connected curve of the section of an offset mesh by a drive plane, with its folds
+/// and loops. An open curve begins at its end of smaller s, and the tool is on its left.
+/// A closed curve keeps its direction, begins at its point of smallest s (and smallest z
+/// among those), and repeats that point at its end. A curve has at least two points, and
+/// consecutive points are different.
 struct SectionCurve {
-    std::vector<SectionPoint> points;
+    std::vector<SectionPoint> points;  ///< in their order
     bool is_closed = false;
 };
+
+/// An edge of a mesh that a plane t = c crosses, directed from the vertex with t <= c to
+/// the vertex with t > c.
+struct CrossedEdge {
+    std::int32_t below;  ///< number of the vertex with t <= c
+    std::int32_t above;  ///< number of the vertex with t > c
+    friend bool operator==(const CrossedEdge&, const CrossedEdge&) = default;
+};
+
+/// Brings curves into the form of SectionCurve, and into the order of their smallest s
+/// and, among equal ones, of z there. An open curve whose ends have equal s keeps its
+/// direction.
+/// \param curves curves with at least two points each; the last point of a closed one
+///     equals its first.
+std::vector<SectionCurve> arranged(std::vector<SectionCurve> curves);
 
 }  // namespace endmill

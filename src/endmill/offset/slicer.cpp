@@ -19,7 +19,7 @@ bool is_before(const SectionPoint& one, const SectionPoint& other)
     return std::pair{one.x(), one.y()} < std::pair{other.x(), other.y()};
 }
 
-// A curve that grows; no two consecutive points are equal.
+// A growing curve whose consecutive points are different.
 struct TracedCurve {
     std::vector<SectionPoint> points;
     std::vector<CrossedEdge> edges;
@@ -38,7 +38,7 @@ struct TracedCurve {
         edges.push_back(edge);
     }
 
-    // Lets an open curve run towards larger s.
+    // Reverses an open curve that runs towards smaller s.
     void direct()
     {
         if (points.front().x() <= points.back().x())
@@ -47,8 +47,8 @@ struct TracedCurve {
         std::ranges::reverse(edges);
     }
 
-    // Lets a closed curve begin at its smallest point, and repeats that. Of equal points
-    // only, one is left.
+    // Lets a closed curve begin at its smallest point, which is repeated at its end. If
+    // all points are equal, one point remains.
     void close()
     {
         while (points.size() > 1 && points.back() == points.front()) {
@@ -65,20 +65,22 @@ struct TracedCurve {
     }
 };
 
-// The planes' sections, one after the other; keeps its room between them.
+// Traces the curves of one plane after the other; keeps its buffers between planes.
+// Curves that begin at a segment without predecessor are traced first, since they are
+// open. What remains is closed.
 class SectionTracer {
 public:
     SectionTracer(const TriangleMesh& mesh, const DrivePlanes& planes,
-                  std::size_t own_triangles, const MeshSegments& segments)
+                  std::size_t part_triangles, const MeshSegments& segments)
         : mesh_{mesh},
           planes_{planes},
-          own_triangles_{static_cast<Index>(
-              std::min<std::size_t>(own_triangles, std::numeric_limits<Index>::max()))},
+          part_triangles_{static_cast<Index>(
+              std::min<std::size_t>(part_triangles, std::numeric_limits<Index>::max()))},
           segments_{segments}
     {
     }
 
-    // Of plane `number`, the batch's plane `plane`.
+    // The section by plane `number` of all planes, which is plane `plane` of the batch.
     PlaneSection section(std::size_t number, std::size_t plane)
     {
         first_ = static_cast<std::ptrdiff_t>(segments_.first[plane]);
@@ -98,7 +100,7 @@ public:
     }
 
 private:
-    // Adds the curve that begins with segment `start`.
+    // Traces the curve that begins with segment `start` and adds it to `section`.
     void trace(Index start, bool is_closed, PlaneSection& section)
     {
         order_.clear();
@@ -115,27 +117,27 @@ private:
         TracedCurve curve{order_.size() + 1};
         const auto from = std::span{segments_.from}.subspan(first_);
         const auto triangle = std::span{segments_.triangle}.subspan(first_);
-        bool was_own = false;
+        bool was_part = false;
         for (const Index k : order_) {
             const SectionPoint point = point_of(from[k]);
-            const bool is_own = triangle[k] < own_triangles_;
-            if (is_own || was_own)
+            const bool is_part = triangle[k] < part_triangles_;
+            if (is_part || was_part)
                 extend(point.x());
             curve.add(point, from[k]);
-            was_own = is_own;
+            was_part = is_part;
         }
         if (is_closed) {
             curve.close();
         } else {
             const CrossedEdge& edge = segments_.to[first_ + order_.back()];
             const SectionPoint end = point_of(edge);
-            if (was_own)
+            if (was_part)
                 extend(end.x());
             curve.add(end, edge);
             curve.direct();
         }
         if (own.low <= own.high)
-            section.own_range = hull(section.own_range, own);
+            section.part_range = hull(section.part_range, own);
         if (curve.points.size() < 2)
             return;
         section.curves.push_back({std::move(curve.points), is_closed});
@@ -176,13 +178,13 @@ private:
 
     const TriangleMesh& mesh_;
     const DrivePlanes& planes_;
-    Index own_triangles_;
+    Index part_triangles_;
     const MeshSegments& segments_;
-    std::ptrdiff_t first_ = 0;  // segment of the plane
+    std::ptrdiff_t first_ = 0;  // first segment of the plane
     double position_ = 0;
     SegmentLinks links_;
     std::vector<std::uint8_t> is_traced_;
-    std::vector<Index> order_;  // of the segments of a curve
+    std::vector<Index> order_;  // the segments of the current curve
 };
 
 }  // namespace
@@ -196,7 +198,7 @@ std::vector<PlaneSection> slice(const TriangleMesh& mesh, const DrivePlanes& pla
             begin, std::min(most_planes_a_batch, sections.size() - begin));
         const MeshSegments segments = mesh_segments(mesh, planes.frame, positions);
         parallel_for(positions.size(), [&](std::size_t first, std::size_t last) {
-            SectionTracer tracer{mesh, planes, options.own_triangles, segments};
+            SectionTracer tracer{mesh, planes, options.part_triangles, segments};
             for (std::size_t k = first; k < last; ++k)
                 sections[begin + k] = tracer.section(begin + k, k);
         });

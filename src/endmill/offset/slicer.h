@@ -12,51 +12,49 @@
 
 namespace endmill {
 
-/// An edge of a mesh that a plane t = c crosses: from a vertex with t <= c to one with
-/// t > c.
-struct CrossedEdge {
-    std::int32_t below;  ///< number of the vertex
-    std::int32_t above;  ///< number of the vertex
-    friend bool operator==(const CrossedEdge&, const CrossedEdge&) = default;
-};
-
 /// The section of a mesh by one plane.
 struct PlaneSection {
-    /// In the order of their smallest s, then of z there.
+    /// ordered by their smallest s, then by z there
     std::vector<SectionCurve> curves;
-    /// The edge on which points[k] of curves[i] lies: edges[i][k].
+    /// edges[i][k] is the mesh edge on which points[k] of curves[i] lies
     std::vector<std::vector<CrossedEdge>> edges;
-    /// Least and greatest s in mm of the triangles that count as the part's own, see
-    /// SliceOptions; nothing where the plane meets none of them.
-    std::optional<Interval> own_range;
-    std::size_t crossed_triangles = 0;  ///< that the plane goes through
+    /// Smallest and largest s in mm of the section of the triangles below
+    /// SliceOptions::part_triangles. Empty if the plane crosses none of them.
+    std::optional<Interval> part_range;
+    std::size_t crossed_triangles = 0;  ///< number of triangles that the plane crosses
 };
 
-/// What `slice` may be told.
+/// Options of slice.
 struct SliceOptions {
-    /// Triangles from this number on do not count in PlaneSection::own_range: strips
-    /// along a border.
-    std::size_t own_triangles = SIZE_MAX;
+    /// Triangles from this number on do not count in PlaneSection::part_range. For an
+    /// offset mesh these are the strips along the border.
+    std::size_t part_triangles = SIZE_MAX;
 };
 
-/// The sections of `mesh` by all `planes` in one pass.
+/// The sections of `mesh` by all `planes`.
 ///
-/// A vertex with t > c is above the plane, any other below, so that every crossed
-/// triangle has exactly two crossed edges, no special case. The point on an edge is
-/// below + w (above - below) with w = (c - t_below) / (t_above - t_below): the same bits
-/// from both triangles, and the vertex itself where it lies on the plane. Segments run so
-/// that the triangle's outer side is on their left; they are linked edge to edge. Each
-/// plane's section is the same, bit for bit, whatever the other planes are and however
-/// many threads there are.
+/// 1. A vertex with t > c is above the plane t = c; any other vertex is below it. Every
+///    crossed triangle therefore has exactly two crossed edges, and there are no special
+///    cases.
+/// 2. The point on an edge is below + w (above - below) with w = (c - t_below) / (t_above
+///    - t_below). Both triangles of the edge get the same bits. If a vertex lies on the
+///    plane, the point is that vertex.
+/// 3. The segments of the triangles run with the outer side of the triangle on their
+///    left. They are linked at common edges to open and closed curves.
+/// 4. An open curve whose last end has the smaller s is reversed. Curves without two
+///    different points are dropped.
 ///
-/// Where an edge has more than two triangles, or two that are turned against each other,
-/// a curve ends or begins there: in the order of the triangles. An open curve whose end
-/// has the smaller s is turned round. Curves without two different points are left out.
-///
-/// Only triangles are looked at whose range of t holds a plane, and those only by these
-/// planes; classifying the vertices costs about a look at each.
-/// Source: [JangKimJeong, fig. 7 to 9]; the linking is the spec's, section 3.
-/// \pre planes.positions do not fall; coordinates are within 1e100 mm.
+/// Where an edge has more than two triangles, or two with opposite orientation, curves
+/// end or begin; the order of the triangles decides which segments are linked. The
+/// section by a plane does not depend on the other planes or on the number of threads.
+/// Each triangle is visited only by the planes within its range of t; classifying the
+/// vertices takes about one visit of each.
+/// Source: [JangKimJeong, fig. 7 to 9]; linking: docs/mathematics/interference.md,
+/// section 3.
+/// \param mesh any triangles; coordinates within 1e100 mm.
+/// \param planes positions in ascending order.
+/// \param options the triangles that count in PlaneSection::part_range.
+/// \return one section for each plane.
 std::vector<PlaneSection> slice(const TriangleMesh& mesh, const DrivePlanes& planes,
                                 const SliceOptions& options = {});
 

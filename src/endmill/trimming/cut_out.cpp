@@ -11,14 +11,15 @@ namespace {
 
 constexpr std::int32_t cut = -1;
 
-// Some segments of a curve, one behind the other.
+// Consecutive segments of a curve.
 struct Segments {
     std::int32_t first;
     std::int32_t last;
 };
 
-// Where the points of sections are in a result, whose points are put in one row with a gap
-// between curves.
+// The position of every section point in the result. The points of the result are stored
+// in one row, with an empty entry between curves, so that neighbours in a curve are
+// neighbours in the row.
 class KeptPoints {
 public:
     KeptPoints(std::span<const SectionCurve> curves, const Trimmed& trimmed)
@@ -46,15 +47,16 @@ public:
         return places_[curve][point] != cut;
     }
 
-    // A kept vertex as it is in the result, where it may have been moved.
+    // The coordinates of a kept vertex in the result; a refined result may have moved it.
     const SectionPoint& at(SegmentNumber vertex) const
     {
         return row_[places_[vertex.curve][vertex.point]]->at;
     }
 
-    // The point of `kind` next to the kept `vertex` on one of the segments `first` to
-    // `last` of its curve, or null: on the first or the last one, but that moved crossings
-    // leave out vertices.
+    // The point of `kind` that follows or precedes the kept `vertex` in the result and
+    // lies on one of `segments` of the same curve; null if there is none. As a rule it
+    // lies on the first or on the last of them. Other segments occur because refinement
+    // moves crossings past vertices.
     const TrimmedPoint* beside(SegmentNumber vertex, const Segments& segments,
                                TrimmedKind kind) const
     {
@@ -79,13 +81,13 @@ public:
                         places_[other.curve][other.point]) == 1;
     }
 
-    // One of the crossings on a curve, or null.
+    // The first crossing of the result on a curve, or null.
     const TrimmedPoint* crossing_on(std::int32_t curve) const
     {
         return crossings_[curve];
     }
 
-    // One of the ends and links on a curve, or null.
+    // The first end or link of the result on a curve, or null.
     const TrimmedPoint* end_on(std::int32_t curve) const { return ends_[curve]; }
 
 private:
@@ -106,19 +108,21 @@ private:
         row_.push_back(&point);
     }
 
-    std::vector<std::vector<std::int32_t>> places_;  // in row_, or `cut`
+    std::vector<std::vector<std::int32_t>> places_;  // index in row_, or `cut`
     std::vector<const TrimmedPoint*> row_;
-    std::vector<const TrimmedPoint*> crossings_;  // the first one on each curve
-    std::vector<const TrimmedPoint*> ends_;       // the first end or link on each
+    std::vector<const TrimmedPoint*> crossings_;  // first crossing on each curve
+    std::vector<const TrimmedPoint*> ends_;       // first end or link on each curve
 };
 
-// Where a stretch is bounded.
+// The bound of a stretch: its coordinates, if any point of the curve remains.
 struct Bound {
     std::optional<SectionPoint> place;
     bool is_crossing;
 };
 
-// The ends of the stretch `first` to `last` of a curve, of which points are left.
+// Finds the bound of the stretch `first` to `last` of a curve of which other points
+// remain. A crossing next to the stretch takes precedence over a link, a link over an
+// end.
 class StretchBounds {
 public:
     StretchBounds(const SectionCurve& curve, const KeptPoints& kept, SegmentNumber first,
@@ -157,8 +161,9 @@ private:
                                                 : point;
     }
 
-    // Of a crossing that is a vertex only that is left: the result goes on from one side of
-    // the stretch to the other, and not by a vertical step.
+    // The crossing that bounds the stretch, if that crossing is a vertex of the section.
+    // Then the result connects the points before and behind the stretch directly, and not
+    // by a vertical step.
     std::optional<SectionPoint> crossing_vertex() const
     {
         if (!has_before() || !has_behind() || !kept_.are_neighbours(before_, behind_))
@@ -225,7 +230,8 @@ void append_stretches(const SectionCurve& curve, std::int32_t number,
     }
 }
 
-// What a rule cut lies in one stretch. What none tells, the method's own cut.
+// Assigns a rule to every stretch. A rule's points lie inside one stretch. A stretch
+// without a rule of its own gets the method's general rule.
 void name_rules(const Trimmed& trimmed, std::vector<CutOut>& stretches)
 {
     for (CutOut& piece : stretches)

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/trimming/trimmed_planes.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/core/text.h"
 #include "endmill/trimming/detail/clipped_sections.h"
+#include "endmill/trimming/detail/refined_sections.h"
 #include "endmill/trimming/detail/section_runs.h"
 
 namespace endmill {
@@ -11,13 +18,13 @@ namespace {
 
 constexpr std::string_view range_rule = "outside the range";
 
-// The vertices of curves, by curve and number.
-using HeldVertices = std::vector<std::vector<bool>>;
+// Whether the result contains each vertex, by curve and point.
+using KeptVertices = std::vector<std::vector<bool>>;
 
-HeldVertices held_vertices(const std::vector<TrimmedCurve>& left,
+KeptVertices kept_vertices(const std::vector<TrimmedCurve>& left,
                            std::span<const SectionCurve> curves)
 {
-    HeldVertices held;
+    KeptVertices held;
     for (const SectionCurve& curve : curves)
         held.emplace_back(curve.points.size(), false);
     for (const TrimmedCurve& curve : left)
@@ -25,14 +32,14 @@ HeldVertices held_vertices(const std::vector<TrimmedCurve>& left,
             if (point.kind == TrimmedKind::Vertex)
                 held[point.on.curve][point.on.point] = true;
     for (std::size_t c = 0; c < curves.size(); ++c)
-        if (curves[c].is_closed)  // its ends are one point
+        if (curves[c].is_closed)  // both ends are one point
             held[c].front() = held[c].back() = held[c].front() || held[c].back();
     return held;
 }
 
-// A rule for each stretch of a curve whose vertices went.
-void name_what_went(const HeldVertices& before, const HeldVertices& after,
-                    std::vector<AppliedRule>& rules)
+// Appends a rule for each stretch of vertices that clipping removed.
+void append_range_rules(const KeptVertices& before, const KeptVertices& after,
+                        std::vector<AppliedRule>& rules)
 {
     for (std::size_t c = 0; c < before.size(); ++c) {
         const auto went = [&](std::size_t k) { return before[c][k] && !after[c][k]; };
@@ -50,9 +57,9 @@ void name_what_went(const HeldVertices& before, const HeldVertices& after,
     }
 }
 
-// Of folds that a method left those that are still there.
-int folds_left(const std::vector<TrimmedCurve>& left,
-               std::span<const SectionCurve> curves)
+// Number of folds that a method left and that clipping did not remove.
+int remaining_folds(const std::vector<TrimmedCurve>& left,
+                    std::span<const SectionCurve> curves)
 {
     int count = 0;
     for (const TrimmedCurve& curve : left) {
@@ -65,13 +72,49 @@ int folds_left(const std::vector<TrimmedCurve>& left,
 void cut_off(const std::optional<Interval>& range, std::span<const SectionCurve> curves,
              Trimmed& trimmed)
 {
-    const HeldVertices before = held_vertices(trimmed.curves, curves);
+    const KeptVertices before = kept_vertices(trimmed.curves, curves);
     trimmed.curves =
         range ? clipped(trimmed.curves, *range) : std::vector<TrimmedCurve>{};
-    name_what_went(before, held_vertices(trimmed.curves, curves), trimmed.rules);
+    append_range_rules(before, kept_vertices(trimmed.curves, curves), trimmed.rules);
     if (trimmed.unresolved > 0)
-        trimmed.unresolved = folds_left(trimmed.curves, curves);
+        trimmed.unresolved = remaining_folds(trimmed.curves, curves);
 }
+
+// Calls refine(plane, section, finer) for all planes, on all threads. Each thread has its
+// own `finer`.
+template <typename Refine>
+void for_each_plane(const SectionSource& source, std::span<const Trimmed> trimmed,
+                    const Refine& refine)
+{
+    const std::vector<double>& positions = source.planes.positions;
+    require(trimmed.size() == source.sections.size() &&
+                positions.size() == source.sections.size(),
+            "refine_planes: need as many planes as sections");
+    const SmoothDrop drop{source.surfaces, source.offset.cutter};
+    parallel_for(trimmed.size(), [&](std::size_t begin, std::size_t end) {
+        FinerPieces finer;
+        for (std::size_t k = begin; k < end; ++k)
+            refine(k,
+                   SampledSection{source.sections[k],
+                                  {source.planes.frame, positions[k]},
+                                  source.offset,
+                                  drop},
+                   finer);
+    });
+}
+
+constexpr double bytes_per_gib = 0x1p30;
+// Memory of one vertex of an offset: the grid, the mesh and the slicer's links. While
+// strips are added, it is twice as much.
+constexpr double bytes_a_vertex = 95;
+constexpr double bytes_a_vertex_with_strips = 190;
+// Memory of one section point: the point, its copy in the result, its point of the path,
+// and its text in the files.
+constexpr double bytes_a_section_point = 230;
+// A section crosses each grid line once, and again in its folds. Strips add arcs that are
+// sampled to 1.25e-4 mm.
+constexpr double points_a_grid_line = 2;
+constexpr double points_of_strips = 950;
 
 }  // namespace
 
@@ -92,6 +135,57 @@ std::vector<Trimmed> trim_planes(std::span<const PlaneSection> planes,
         }
     });
     return trimmed;
+}
+
+RefinedPlanes refine_planes(const SectionSource& source, std::span<const Trimmed> trimmed)
+{
+    std::vector<RefinedCurves> all(trimmed.size());
+    for_each_plane(source, trimmed,
+                   [&](std::size_t k, const SampledSection& sampled, FinerPieces& finer) {
+                       all[k] = refined(sampled, trimmed[k].curves, finer);
+                   });
+    RefinedPlanes result;
+    for (RefinedCurves& plane : all) {
+        result.curves.push_back(std::move(plane.curves));
+        result.unrefined += plane.unrefined;
+        result.greatest_shift = std::max(result.greatest_shift, plane.greatest_shift);
+    }
+    return result;
+}
+
+double sampling_error(const SectionSource& source, std::span<const Trimmed> trimmed)
+{
+    std::vector<double> shifts(trimmed.size());
+    for_each_plane(source, trimmed,
+                   [&](std::size_t k, const SampledSection& sampled, FinerPieces& finer) {
+                       shifts[k] = greatest_shift(sampled, trimmed[k].curves, 0, finer);
+                   });
+    return shifts.empty() ? 0 : *std::ranges::max_element(shifts);
+}
+
+double trimming_bytes(const TrimmingSize& size)
+{
+    const bool has_strips = size.boundary == BoundaryContact::Contact;
+    const double lines = size.grid_lines;
+    const auto surfaces = static_cast<double>(size.surfaces);
+    const double vertices = surfaces * lines * lines *
+                            (has_strips ? bytes_a_vertex_with_strips : bytes_a_vertex);
+    const double a_plane =
+        points_a_grid_line * lines + (surfaces > 0 && has_strips ? points_of_strips : 0);
+    return vertices + static_cast<double>(size.planes) * a_plane * bytes_a_section_point;
+}
+
+void require_trimming_memory(const TrimmingSize& size, double memory_gib)
+{
+    const double bytes = trimming_bytes(size);
+    if (bytes / 2 <= memory_gib * bytes_per_gib)
+        return;
+    throw LimitError{
+        std::to_string(size.planes) + " planes over a grid of " +
+        std::to_string(size.grid_lines) + " lines would need about " +
+        to_text(std::ceil(bytes / bytes_per_gib * 10) / 10) + " GiB; expected at most " +
+        to_text(memory_gib) +
+        " GiB (--max-memory), with fewer planes (--planes) or a coarser --grid"};
 }
 
 }  // namespace endmill

@@ -10,80 +10,78 @@
 
 namespace endmill {
 
-/// A segment of a section, by the number of its curve and of its first point; or, where a
-/// vertex is meant, that point.
+/// A segment of a section curve: the numbers of the curve and of the segment's first
+/// point. The same numbers stand for that point where a vertex is meant.
 struct SegmentNumber {
-    std::int32_t curve;
-    std::int32_t point;
+    std::int32_t curve;  ///< number of the curve
+    std::int32_t point;  ///< number of the point in the curve
     friend bool operator==(const SegmentNumber&, const SegmentNumber&) = default;
 };
 
-/// What a point of a trimmed curve is.
+/// The origin of a point of a trimmed curve.
 enum class TrimmedKind : std::uint8_t {
-    Vertex,    ///< the vertex `on`, bit for bit
-    Crossing,  ///< where the segments `on` and `across` cross
-    Link,      ///< on the segment `on`, straight above or below the vertex `across`
-    End        ///< on the segment `on`, where what is left was cut off; `across` is `on`
+    Vertex,    ///< the vertex `on`, with the same bits
+    Crossing,  ///< the crossing of the segments `on` and `across`
+    Link,      ///< on the segment `on`, vertically above or below the vertex `across`
+    End  ///< on the segment `on`, where the result was clipped; `across` equals `on`
 };
 
-/// A point of a trimmed curve and where it comes from.
+/// A point of a trimmed curve with its origin.
 struct TrimmedPoint {
-    SectionPoint at;
-    SegmentNumber on;
-    SegmentNumber across;
-    TrimmedKind kind;
+    SectionPoint at;       ///< s and z in mm
+    SegmentNumber on;      ///< the vertex, or the segment that carries it
+    SegmentNumber across;  ///< see TrimmedKind
+    TrimmedKind kind;      ///< its origin
 };
 
-/// A connected curve that is left.
+/// A connected curve of a trimmed result.
 struct TrimmedCurve {
-    std::vector<TrimmedPoint> points;
-    bool is_closed = false;
+    std::vector<TrimmedPoint> points;  ///< at least two
+    bool is_closed = false;            ///< then the last point repeats the first
 };
 
-/// Why a method cut points out of a curve.
+/// The reason why a method cut points out of a curve.
 struct AppliedRule {
-    std::int32_t curve;
-    std::int32_t first_point;  ///< of those cut out
-    std::int32_t last_point;
-    std::string_view rule;  ///< a word that lives for ever, such as "E1" or "P4"
+    std::int32_t curve;        ///< number of the curve
+    std::int32_t first_point;  ///< first point that was cut out
+    std::int32_t last_point;   ///< last point that was cut out
+    std::string_view rule;     ///< a word with static lifetime, such as "E1" or "P4"
 };
 
-/// What a method leaves of the curves of one plane.
+/// The result of trimming the curves of one plane.
 struct Trimmed {
-    std::vector<TrimmedCurve> curves;  ///< by smallest s, then z there
-    std::vector<AppliedRule> rules;    ///< in the order in which they were applied
-    std::string_view rule;  ///< what cut out all that none of those tells; lives for ever
-    int unresolved = 0;     ///< folds found and left, with no crossing and no end rule
+    std::vector<TrimmedCurve> curves;  ///< ordered by smallest s, then by z there
+    std::vector<AppliedRule> rules;    ///< in the order in which the method applied them
+    /// the rule behind every cut that `rules` does not list; static lifetime
+    std::string_view rule;
+    /// number of folds that remain: no crossing was found and no end rule applies
+    int unresolved = 0;
 };
 
-/// How methods 1, 2 and 3 find folds: as printed, or corrected.
+/// How methods 1, 2 and 3 find folds: by the signs of dz as printed in the paper
+/// (Literal), or by the corrected rules on runs of ds (Guarded).
 enum class FoldDetection : std::uint8_t { Literal, Guarded };
 
-/// How method 3 goes through the segments of two branches; both give the same answer.
+/// The sign patterns of dz that count as a fold with literal detection.
+enum class FoldPatterns : std::uint8_t {
+    P3AndP4,  ///< + - + and - + - +, as the paper prints
+    P4        ///< - + - + only, to show the effect of the other pattern
+};
+
+/// How method 3 compares the segments of two branches: with two pointers in |A| + |B|
+/// steps, or segment by segment in |A| |B| steps. Both find the same crossing.
 enum class BranchSearch : std::uint8_t { March, Scan };
 
-/// What methods take, each what concerns it.
+/// The options of all methods. Each method uses the options that name it and ignores the
+/// others.
 struct TrimmingOptions {
-    FoldDetection detection = FoldDetection::Guarded;  ///< methods 1, 2, 3
-    double scan_step = 0;       ///< mm between the lines of method 1; > 0 there
-    double scan_threshold = 0;  ///< mm of s at which method 1 sees a crossing; > 0 there
-    BranchSearch search = BranchSearch::March;  ///< method 3
-    /// Literal detection: whether the signs + - + of dz are a twist, as the paper prints,
-    /// and not only - + - +. To see what that sentence does; see literal_folds.h.
-    bool three_runs_twist = true;
+    FoldDetection detection = FoldDetection::Guarded;  ///< of methods 1, 2 and 3
+    double scan_step = 0;  ///< mm between the scan lines of method 1, which needs > 0
+    /// mm of s below which method 1 takes two branches to cross; it needs > 0
+    double scan_threshold = 0;
+    BranchSearch search = BranchSearch::March;  ///< of method 3
+    /// of methods 1, 2 and 3 with literal detection
+    FoldPatterns patterns = FoldPatterns::P3AndP4;
 };
-
-/// A way to cut the loops out of the curves of one plane.
-struct TrimmingMethod {
-    std::string_view name;   ///< as on the command line
-    std::string_view title;  ///< for people
-    bool has_detection;      ///< whether it heeds TrimmingOptions::detection
-    /// \pre the curves are as SectionCurve says, finite, in the order of their smallest s.
-    /// \throws DomainError on an option out of its domain.
-    Trimmed (*trim)(std::span<const SectionCurve> curves, const TrimmingOptions& options);
-};
-
-/// All methods, in the order in which tables show them. A new method is a line here.
-std::span<const TrimmingMethod> trimming_methods();
 
 }  // namespace endmill

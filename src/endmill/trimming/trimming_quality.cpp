@@ -9,12 +9,20 @@
 namespace endmill {
 namespace {
 
+// How the errors are measured:
+// 1. All non-vertical segments of the curves are sorted into bins of equal width in s.
+// 2. For each segment of the result the largest height of a curve over its two ends and
+//    its midpoint is looked up in the bins. A vertical segment has depth 0, because its
+//    |ds| is 0.
+// 3. The depth below that height is projected onto the normal of the result's segment.
+// 4. The uncovered share compares two unions of intervals of s: those between the ends of
+//    the open curves, and those under the segments of the result.
 constexpr double nowhere = -std::numeric_limits<double>::infinity();
 
-// From which side a limit is taken.
+// The side from which a limit is taken.
 enum class Side { Left, Right, Both };
 
-// The segments of all curves that are not vertical, in bins by s.
+// The non-vertical segments of all curves, in bins by s.
 class UpperHeights {
 public:
     explicit UpperHeights(std::span<const SectionCurve> curves)
@@ -27,7 +35,8 @@ public:
             low_ = std::min(low_, segment.left.x());
             high_ = std::max(high_, segment.right.x());
         }
-        constexpr std::size_t most_bins = 4096;  // a long segment stands in all of them
+        // bounds the memory: a long segment is in all bins
+        constexpr std::size_t most_bins = 4096;
         bins_.resize(std::clamp<std::size_t>(segments_.size(), 1, most_bins));
         for (std::size_t i = 0; i < segments_.size(); ++i) {
             const std::size_t last = bin_of(segments_[i].right.x());
@@ -36,7 +45,7 @@ public:
         }
     }
 
-    // Largest z of a segment at s, or minus infinity.
+    // Largest z of all segments at s; minus infinity if there is none.
     double at(double s, Side side) const
     {
         double highest = nowhere;
@@ -105,7 +114,7 @@ double depth_of_segment(const UpperHeights& heights, const SectionPoint& from,
     return std::max(depth * ds / length, 0.0);
 }
 
-// Total length of the union.
+// Length of the union of `intervals`.
 double covered_length(std::vector<std::pair<double, double>> intervals)
 {
     std::sort(intervals.begin(), intervals.end());
@@ -131,7 +140,7 @@ Intervals between_ends(std::span<const SectionCurve> curves)
     return result;
 }
 
-// How much longer two sets of intervals are than the second of them.
+// Length of the part of `wanted` that `covering` does not cover.
 double length_not_covered(const Intervals& wanted, const Intervals& covering)
 {
     Intervals both = wanted;

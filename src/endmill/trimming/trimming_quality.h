@@ -5,34 +5,40 @@
 
 namespace endmill {
 
-/// How far a trimmed result is from the upper envelope of the curves that it comes from.
+/// The errors of a trimmed result with respect to the upper envelope of the curves that
+/// were trimmed.
 struct TrimmingQuality {
-    double step_back_mm = 0;  ///< longest step back in s from point to point
-    /// Largest depth of a point below the envelope, across the segment that it is on:
-    /// (envelope(s) - z) |ds| / length, at both ends and the midpoint of every segment. At an
-    /// end it is the envelope's limit from inside the segment that counts, so that a segment
-    /// that begins at the foot of a step of the envelope is none below it.
+    double step_back_mm = 0;  ///< longest step back in s between neighbouring points
+    /// Largest depth of a point below the envelope, measured across the point's segment:
+    /// (envelope(s) - z) |ds| / length, at both ends and at the midpoint of every
+    /// segment. At the end of a segment the envelope's limit from inside the segment
+    /// counts, so that a segment that begins at the foot of a step of the envelope has
+    /// depth 0 there.
     double gouge_mm = 0;
-    /// Share of the s between the two ends of each open curve, taken together, over which
-    /// nothing is left. Elsewhere only tails run, which a method may cut off.
+    /// Share of the s between the two ends of each open curve, over all curves together,
+    /// that the result does not cover. Only tails run outside these intervals, and a
+    /// method may cut tails off.
     double uncovered = 0;
 };
 
-/// What a result may be off and still be called right.
+/// The errors up to which a result counts as right.
 struct TrimmingTolerance {
-    double step_back_mm = 1e-12;  ///< rounding of coordinates of some 10 mm
-    double gouge_mm = 0;
-    double uncovered = 0;  ///< share
+    double step_back_mm = 1e-12;  ///< rounding of coordinates of about 10 mm
+    double gouge_mm = 0;          ///< see TrimmingQuality
+    double uncovered = 0;         ///< a share between 0 and 1
 };
 
-/// Judges `trimmed` by the segments of `curves` themselves: independent of all methods, the
-/// exact ones too. For each segment of the result it looks at those over its ends and its
-/// midpoint, which takes n log n steps for n segments unless many are long.
-/// \pre the curves are as SectionCurve says and finite.
+/// Measures the errors of `trimmed` from the segments of `curves` alone. It shares no
+/// code with the trimming methods, the exact ones included. For each segment of the
+/// result it visits the segments over its ends and its midpoint, which takes about n log
+/// n steps for n segments unless many of them are long.
+/// \param curves of one plane. \pre they satisfy the rules of SectionCurve and are
+///     finite.
+/// \param trimmed the result of a method for these curves.
 TrimmingQuality trimming_quality(std::span<const SectionCurve> curves,
                                  const Trimmed& trimmed);
 
-/// Whether `quality` is within `tolerance`.
+/// Whether all errors of `quality` are within `tolerance`.
 bool is_right(const TrimmingQuality& quality, const TrimmingTolerance& tolerance);
 
 }  // namespace endmill

@@ -10,9 +10,19 @@ namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+// How a concave function is bounded from above by few values:
+// 1. It is evaluated at equidistant places. If one value exceeds the limit, the answer is
+//    no.
+// 2. The line through two neighbouring values lies above the function outside the
+//    interval between them. Over each interval the lines through the two neighbours on
+//    the left and through the two on the right are upper bounds; the lower of both is
+//    taken.
+// 3. While the largest bound exceeds the limit, the function is evaluated in the middle
+//    of that interval.
 constexpr int first_values = 5;
-// Halvings of where the bound is highest; what is then open is so near the limit, or so
-// near an end of the function's interval, that more would hardly help.
+// Limit of the values. After so many halvings the bound is close to the limit, or the
+// interval is at the end of the function's domain; more values would hardly change the
+// answer.
 constexpr int most_values = 24;
 
 struct Value {
@@ -20,8 +30,8 @@ struct Value {
     double height;
 };
 
-// Where the line through two values passes, which the second is nearer to; above all if one
-// of them is no number.
+// The value at `at` of the line through two values, of which `near` is the nearer one;
+// infinite if one of them is infinite.
 double drawn_out(const Value& far, const Value& near, double at)
 {
     if (!std::isfinite(far.height) || !std::isfinite(near.height))
@@ -30,7 +40,7 @@ double drawn_out(const Value& far, const Value& near, double at)
     return near.height + slope * (at - near.at);
 }
 
-// The function is nowhere higher between values k and k + 1.
+// An upper bound of the function between values k and k + 1.
 double bound_between(const std::vector<Value>& values, std::size_t k)
 {
     const Value& low = values[k];
@@ -43,8 +53,8 @@ double bound_between(const std::vector<Value>& values, std::size_t k)
     const auto after = [&](double at) {
         return has_after ? drawn_out(values[k + 2], high, at) : infinite;
     };
-    // Of two lines the lower one at a place; its greatest value is at an end, or where
-    // they cross.
+    // The lower one of the two lines. Its maximum is at an end of the interval, or where
+    // the lines cross.
     const auto lower = [&](double at) { return std::min(before(at), after(at)); };
     double greatest = std::max(lower(low.at), lower(high.at));
     const double at_low = before(low.at) - after(low.at);

@@ -6,19 +6,20 @@
 namespace endmill {
 namespace {
 
-// Of R^2, by which a point may lie beyond the rim of a flat cutter: rounding.
+// Share of R^2 by which a point may lie beyond the rim of a flat cutter, because of
+// rounding.
 constexpr double rim_slack = 1e-12;
 
-// A function of the plan with its first and second derivatives.
+// A function of x and y with its first and second derivatives.
 struct PlanFunction {
     double value;
     Eigen::Vector2d gradient;
     Eigen::Matrix2d hessian;
 };
 
-// The cutter's surface above its tip over `across` from its axis; nothing where it stands
-// upright. With d = rho - (R - r) and w^2 = r^2 - d^2 it is d^2 / (r + w), its derivatives
-// by rho are d / w and r^2 / w^3.
+// The height of the cutter's surface above its tip at the offset `across` from the axis;
+// nothing where the surface is vertical. With d = rho - (R - r) and w^2 = r^2 - d^2 the
+// height is d^2 / (r + w), and its derivatives by rho are d / w and r^2 / w^3.
 std::optional<PlanFunction> profile_at(const Cutter& cutter,
                                        const Eigen::Vector2d& across)
 {
@@ -52,9 +53,10 @@ std::optional<ContactHeight> contact_height(const SurfaceJet& jet, const Cutter&
     const auto profile = profile_at(cutter, across);
     if (!profile)
         return std::nullopt;
-    Eigen::Matrix2d plan;  // of the point, by u and v
+    Eigen::Matrix2d plan;  // derivatives of x and y by u and v
     plan << jet.du.head<2>(), jet.dv.head<2>();
-    // Second partials of a function of the plan with gradient g: those of the point along g.
+    // The second partial derivatives by u and v of the point's component along a vector.
+    // They belong to a function of x and y whose gradient is that vector.
     const auto bent = [&](const Vec3& along) {
         Eigen::Matrix2d second;
         second << along.dot(jet.duu), along.dot(jet.duv), along.dot(jet.duv),

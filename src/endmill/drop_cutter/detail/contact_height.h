@@ -10,28 +10,33 @@
 
 namespace endmill {
 
-/// How high a cutter stands that is lowered onto one point q of a surface, and how that
-/// changes over the surface:
+/// The height of a cutter that is lowered onto one point q of a surface, with its
+/// derivatives over the surface:
 ///
 ///     z = q_z + r - profile(rho),   rho = |q_xy - axis|.
 ///
-/// The cutter's height over the part is the greatest of all of its points.
-/// Source: specification of the interference removal, section 6, R3.
+/// The height of the cutter over the part is the largest over all points.
+/// Source: docs/mathematics/interference.md, section 6 (R3).
 struct ContactHeight {
     Vec3 point;                ///< q, mm
     double value;              ///< z of the reference point, mm
     Eigen::Vector2d gradient;  ///< of the value by u and v
+    /// Second derivatives of the value by u and v.
     Eigen::Matrix2d hessian;
-    double rim;                    ///< (rho^2 - R^2) / 2, mm^2: the bottom ends at 0
+    double rim;  ///< (rho^2 - R^2) / 2 in mm^2; it is 0 at the rim of the cutter
     Eigen::Vector2d rim_gradient;  ///< of `rim` by u and v
+    /// Second derivatives of `rim` by u and v.
     Eigen::Matrix2d rim_hessian;
-    Eigen::Vector2d slope;  ///< of the value by the axis' x and y, the point held
-    Eigen::Vector2d pace;   ///< mm per unit of u and v
+    Eigen::Vector2d slope;  ///< of the value by x and y of the axis, with q fixed
+    Eigen::Vector2d pace;   ///< lengths of the partials in mm per unit of u and v
 };
 
-/// Of a point and its surface's partials there, under `cutter` with its `axis` in plan.
-/// \return nothing where the point is not below the cutter: beyond its radius, and at it
-///         unless it is flat.
+/// The height of `cutter` on a point of a surface.
+/// \param jet the point and the surface's partials there.
+/// \param cutter the cutter.
+/// \param axis x and y of its axis, mm.
+/// \return nothing if the point is not below the cutter: beyond its radius, or at its
+///     radius unless the cutter is flat.
 std::optional<ContactHeight> contact_height(const SurfaceJet& jet, const Cutter& cutter,
                                             const Eigen::Vector2d& axis);
 

@@ -8,37 +8,37 @@
 #include <type_traits>
 
 #include "endmill/core/detail/double_double.h"
+#include "endmill/drop_cutter/detail/triangle_contact.h"
 
 namespace endmill {
 
-/// What rounding may do to a tip that is lowered onto a triangle, in mm: a fifth of what is
-/// promised.
-inline constexpr double tip_accuracy = 2e-10;
-
-/// A number as a double; one of them, or of twice the digits.
+/// A number as a double. A Real is a double or a DoubleDouble.
 inline double value_of(double number)
 {
     return number;
 }
 
+/// The same for a pair of doubles.
 inline double value_of(const DoubleDouble& number)
 {
     return number.value();
 }
 
-/// It, or 0 if it is below.
+/// The value, or 0 if it is negative.
 template <typename Real>
 Real positive(const Real& value)
 {
     return value > Real{0} ? value : Real{0};
 }
 
-/// A cutter, its numbers to the last of their digits: see Cutter.
+/// The radii of a cutter with all digits of Real; see Cutter.
 template <typename Real>
 struct CutterShape {
+    /// mm
     Real R;
+    /// Corner radius, mm.
     Real r;
-    Real c;  ///< R - r
+    Real c;  ///< R - r, mm
 };
 
 /// A line that rises beside a cutter's axis.
@@ -46,30 +46,34 @@ template <typename Real>
 struct RisingLine {
     Real slope;   ///< m >= 0
     Real away2;   ///< square of its distance from the axis, mm^2
-    Real height;  ///< where it is nearest to the axis, mm
+    Real height;  ///< height of the line where it is nearest to the axis, mm
 };
 
-/// Where on a rising line the rounded corner of a bull-nose comes to rest. With t the
-/// distance along the line, in plan, from where it is nearest to the axis, d the distance
-/// from the axis, and a = d - c, the tip m t - h is a concave function of t, greatest at
-/// a t / d = m sqrt(r^2 - a^2).
+/// The contact of the rounded corner of a bull-nose cutter with a rising line. Let t be
+/// the distance in plan along the line from its point nearest to the axis, d the distance
+/// from the axis, and a = d - c. The height of the tip, line minus profile, is a concave
+/// function of t. Its maximum is where a t / d = m sqrt(r^2 - a^2).
 template <typename Real>
 class CornerTouch {
 public:
-    /// \pre all of them outlive this.
+    /// \pre `shape` and `line` outlive this object.
     CornerTouch(const CutterShape<Real>& shape, const RisingLine<Real>& line)
         : shape_{shape},
           line_{line}
     {
     }
 
-    /// The t of the highest tip between `lowest` and `high`, which are below the cutter.
-    /// \return nothing if that tip is below `least`, in mm, or soon would be.
+    /// The t of the highest tip between `lowest` and `high`.
+    /// \param lowest smallest t below the cutter.
+    /// \param high largest t below the cutter.
+    /// \param least mm; lower tips are of no interest.
+    /// \return nothing if a bound shows that the tip is below `least`.
     std::optional<Real> highest(const Real& lowest, const Real& high, double least) const
     {
         using std::sqrt;
         const Real& m = line_.slope;
-        // Below the flat bottom the highest point counts; of a level line the nearest.
+        // Below the flat bottom the tip rises with the line, so that its far end counts;
+        // on a level line the point nearest to the axis is taken.
         const Real flat =
             m > Real{0} ? sqrt(positive(shape_.c * shape_.c - line_.away2)) : Real{0};
         const Real low = lowest < flat ? (flat < high ? flat : high) : lowest;
@@ -85,7 +89,7 @@ public:
         return root({low, t, high}, least);
     }
 
-    /// Height of the cutter's surface over the tip at t, mm.
+    /// Height of the cutter's surface above its tip at t, mm.
     Real profile(const Real& t) const
     {
         using std::sqrt;
@@ -100,7 +104,8 @@ private:
         Real high;
     };
 
-    // At t: a t / d - m root, and how fast that rises; the tip and its slope.
+    // At one t: the function a t / d - m root whose zero is sought, its derivative, the
+    // tip and its slope.
     struct Slopes {
         Real t;
         Real value;
@@ -109,7 +114,7 @@ private:
         Real tip_slope;
         bool is_at_rim;
 
-        // The tip is nowhere above that over low … high: a tangent of a concave function.
+        // An upper bound of the tip over low … high: the tangent of a concave function.
         double bound(const Real& low, const Real& high) const
         {
             if (is_at_rim)
@@ -140,7 +145,8 @@ private:
         return slopes;
     }
 
-    // Newton's iteration in a bracket.
+    // Newton's iteration within a bracket, which is halved where a step would leave it.
+    // Stops early if a bound shows that the tip stays below `least`.
     std::optional<Real> root(Bracket bracket, double least) const
     {
         auto& [low, t, high] = bracket;
@@ -163,12 +169,14 @@ private:
 
     static constexpr double relative_rounding()
     {
-        constexpr double of_twice_the_digits = 1e-28;  // and to spare
+        // a few bits are left for rounding errors
+        constexpr double of_twice_the_digits = 1e-28;
         return std::is_same_v<Real, double> ? std::numeric_limits<double>::epsilon()
                                             : of_twice_the_digits;
     }
 
-    // More than a bracket of either number can be halved, with Newton's steps between.
+    // Enough to halve a bracket of either type down to its last digit, with Newton steps
+    // in between.
     static constexpr int most_iterations = 300;
 
     const CutterShape<Real>& shape_;

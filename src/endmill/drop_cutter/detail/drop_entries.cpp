@@ -14,16 +14,18 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 using Corners = DropEntries::Corners;
 
-// Of a node's plane: steeper ones bound no better, and rounding would tell.
+// Steepest slope of a node's plane. Steeper planes bound no better, and rounding errors
+// would grow.
 constexpr double steepest = 16;
-constexpr double least_slope = 1e-9;  // a plane with less counts as level
-// Long thin triangles lie in boxes that they hardly fill, and are cut for that.
-constexpr double empty_share = 16;  // box over triangle, in plan: from there on
-constexpr int most_cuts = 8;        // one after the other
+constexpr double least_slope = 1e-9;  // planes with smaller slopes count as level
+// Long thin triangles fill their boxes badly and are divided.
+constexpr double empty_share = 16;  // ratio of box to triangle in plan from which on
+constexpr int most_cuts = 8;        // in succession
 constexpr std::size_t spare_pieces = 100'000;
-constexpr std::size_t fitted_entries = 64;  // for a plane's slope, spread over it
-constexpr double last_cell = 65535;         // of Hilbert's curve
-constexpr double least_extent = 1e-6;       // mm, which the curve fills
+constexpr std::size_t fitted_entries = 64;  // sampled to fit a plane's slope
+constexpr double last_cell = 65535;         // of the Hilbert curve
+// mm, smallest extent that the curve is spread over
+constexpr double least_extent = 1e-6;
 
 Vec2 in_plan(const Vec3& point)
 {
@@ -43,7 +45,7 @@ Eigen::AlignedBox2d box_in_plan(const Corners& corners)
     return box;
 }
 
-// Whether the triangle leaves so much of its box empty that it should be cut.
+// Whether the triangle fills so little of its box that it should be divided.
 bool is_long_and_thin(const Corners& corners, double least_size)
 {
     const auto& [a, b, c] = corners;
@@ -54,7 +56,7 @@ bool is_long_and_thin(const Corners& corners, double least_size)
     return 2 * size.prod() > empty_share * area2;
 }
 
-// The corner that faces the longest side in plan.
+// The corner opposite to the longest side in plan.
 int corner_of_longest_side(const Corners& corners)
 {
     double longest = -1;
@@ -70,7 +72,8 @@ int corner_of_longest_side(const Corners& corners)
     return facing;
 }
 
-// Slope of a triangle's plane; of a steep one, that of its longest side along it.
+// The slope of a triangle's plane. For a steep triangle, the slope along its longest
+// side.
 Vec2 slope_of(const Corners& corners)
 {
     const auto& [a, b, c] = corners;
@@ -83,10 +86,12 @@ Vec2 slope_of(const Corners& corners)
     const double length2 = in_plan(side).squaredNorm();
     const Vec2 slope = side.z() / length2 * in_plan(side);
     return slope.squaredNorm() <= steepest * steepest ? slope
-                                                      : Vec2::Zero();  // no NaN is
+                                                      // also if the slope is not a number
+                                                      : Vec2::Zero();
 }
 
-// Sums for the plane that fits points best, about the first of them.
+// The sums for a least-squares plane. Coordinates are taken relative to the first point,
+// which avoids cancellation.
 class PlaneFit {
 public:
     void add(const Vec3& point)
@@ -99,7 +104,7 @@ public:
         products_ += p * p.transpose();
     }
 
-    // Level if the points do not tell, limited to the steepest.
+    // The slope of the plane, limited to `steepest`; level if the points lie on a line.
     Vec2 slope() const
     {
         const Vec3 mean = sum_ / count_;
@@ -108,7 +113,7 @@ public:
         const double xy = spread(0, 1);
         const double yy = spread(1, 1);
         const double determinant = xx * yy - xy * xy;
-        constexpr double on_a_line = 1e-6;  // of the product of the spreads
+        constexpr double on_a_line = 1e-6;  // share of the product of the spreads
         if (!(determinant > on_a_line * (xx + yy) * (xx + yy)))
             return Vec2::Zero();
         Vec2 slope{yy * spread(0, 2) - xy * spread(1, 2),

@@ -12,39 +12,42 @@
 
 namespace endmill {
 
-/// What holds several triangles: a box in plan, and a plane that none is above. mm.
+/// The bounds of several triangles: a box in plan, and a plane above all of them, in mm.
 struct DropEntry {
+    /// Box in plan.
     Eigen::AlignedBox2d box;
     Eigen::Vector2d slope;  ///< of the plane, at most 16
     double height;          ///< of the plane over the origin
-    double top;             ///< greatest z
+    double top;             ///< largest z
 };
 
-/// The triangles of a mesh in the order of Hilbert's curve in plan, their coordinates about
-/// an origin. Long thin ones, which their boxes would leave nearly empty, are cut into
-/// pieces that stand for them.
+/// The triangles of a mesh in the order of the Hilbert curve in plan, with coordinates
+/// relative to an origin. Long thin triangles, which would fill their boxes badly, are
+/// replaced by pieces.
 class DropEntries {
 public:
+    /// The corners of a triangle or a piece, mm.
     using Corners = std::array<Vec3, 3>;
 
-    /// \param origin middle of the mesh, mm. \param piece_size down to which long thin
-    ///        triangles are cut, mm. Both mesh and origin must outlive this.
+    /// \param mesh the triangles; it must outlive this object.
+    /// \param origin middle of the mesh, mm; it must outlive this object.
+    /// \param piece_size mm, size down to which long thin triangles are divided.
     DropEntries(const TriangleMesh& mesh, const Vec3& origin, double piece_size);
 
-    /// Of triangles and pieces.
+    /// Number of entries: undivided triangles and pieces.
     std::size_t count() const { return numbers_.size(); }
 
-    /// The triangle that entry `entry` is, or is a piece of.
+    /// The triangle of an entry, or the triangle that it is a piece of.
     std::size_t triangle(std::size_t entry) const;
 
-    /// Corners of the entry, mm.
+    /// Corners of the entry, mm, relative to the origin.
     Corners corners(std::size_t entry) const;
 
-    /// Box and plane of entries first … last - 1, larger and higher by `margin` mm and what
-    /// that makes of the plane.
+    /// Box and plane of the entries first … last - 1. The box is enlarged by `margin` mm,
+    /// and the plane is raised by what the margin amounts to on it.
     DropEntry whole(std::size_t first, std::size_t last, double margin) const;
 
-    /// The triangle of each entry, in order; of the entries nothing is left.
+    /// The triangle of each entry, in order. The entries themselves are given up.
     std::vector<std::uint32_t> into_triangles() &&;
 
 private:
@@ -61,7 +64,8 @@ private:
     const Vec3& origin_;
     std::size_t most_pieces_;
     std::vector<Piece> pieces_;
-    std::vector<std::uint32_t> numbers_;  // of triangles, then of pieces
+    // numbers of triangles, followed by those of pieces
+    std::vector<std::uint32_t> numbers_;
 };
 
 }  // namespace endmill

@@ -9,21 +9,29 @@
 namespace endmill {
 namespace {
 
-// mm by which the heights over two contacts differ: above their rounding, and far below
-// what is asked of them.
+// mm. Heights on two contacts that differ by more belong to different contacts. It is
+// above rounding and far below the required accuracy.
 constexpr double other_contact = 1e-8;
-// The same of their slopes, mm per mm.
+// mm per mm. The same for the slopes of the height.
 constexpr double other_slope = 1e-5;
-// mm: contacts that near are one.
+// mm. Contacts nearer than this are the same.
 constexpr double same_contact = 1e-6;
-// mm: heights over two contacts that are equal, and places that are one.
+// mm. Heights that differ by less are equal, and positions nearer than same_place are
+// one.
 constexpr double same_height = 1e-12;
 constexpr double same_place = 1e-11;
-// Halvings of any distance between two places down to `same_place`.
+// Enough to halve any distance between two positions down to `same_place`.
 constexpr int most_rounds = 100;
-// Contacts between two places, each higher than those beside it, in a tree of this depth.
+// Depth of the search tree: between two positions at most 2^8 - 1 contacts are found,
+// each higher than its neighbours.
 constexpr int most_depth = 8;
 
+// Searches the kinks of the height between two positions with known contacts:
+// 1. If both contacts become the same halfway, there is no kink (goes_over).
+// 2. Otherwise both contacts are followed along the line, and the position at which their
+//    heights are equal is found by Newton's method within a bracket (kink_of).
+// 3. If no third contact is higher there, that position is a kink. Otherwise the third
+//    contact splits the interval, and both parts are searched in the same way.
 class KinkSearch {
 public:
     KinkSearch(const SmoothDrop& drop, const DriveLine& line, FinerPieces& finer)
@@ -53,15 +61,15 @@ public:
     std::vector<DropRest> found;
 
 private:
-    // The contact that a known one becomes where the cutter has gone to `s`.
+    // The contact that a known contact becomes when the cutter moves to `s`.
     std::optional<PartContact> moved(const PartContact& contact, double s) const
     {
         return drop_.climb({contact.surface, {contact.on.at.x(), contact.on.at.y()}},
                            line_.axis(s));
     }
 
-    // Whether both contacts become the same half way, or one that is as high and goes on as
-    // the other, on a level place: one that ends there slides into the other.
+    // Whether both contacts become the same halfway, or two with equal height and equal
+    // slope on a level place, where one slides into the other.
     bool goes_over(const DropRest& low, const DropRest& high) const
     {
         const double middle = std::midpoint(low.s, high.s);
@@ -71,8 +79,8 @@ private:
                (a->on.slope - b->on.slope).norm() <= other_slope;
     }
 
-    // Where the heights over two contacts are equal. Where one of them slides into the
-    // other, the one that has not moved far is the higher.
+    // The position at which the heights on two contacts are equal. Where one contact has
+    // slid into the other, the one that has moved less counts as the higher.
     std::optional<DropRest> kink_of(const DropRest& low, const DropRest& high) const
     {
         DropRest left = low;
@@ -98,8 +106,8 @@ private:
         return std::nullopt;
     }
 
-    // How much higher the contact `a`, once at `left`, is than `b`, once at `right`. One
-    // that is lost is below all.
+    // How much higher contact `a`, which came from `left`, is than `b`, which came from
+    // `right`. A contact that was lost counts as below all others.
     static double lead_of(const std::optional<PartContact>& a,
                           const std::optional<PartContact>& b, const PartContact& left,
                           const PartContact& right)
@@ -113,6 +121,8 @@ private:
         return from_left < from_right ? infinite : -infinite;
     }
 
+    // The s at which the tangents of the two heights meet: Newton's method for the
+    // equation that both heights are equal.
     double tangents_meet(const DropRest& one, const DropRest& other) const
     {
         const double rise = line_.rise(one.contact.on.slope);

@@ -8,35 +8,40 @@
 
 namespace endmill {
 
-/// A drive plane, seen from above.
+/// A drive plane in plan.
 struct DriveLine {
+    /// The direction of the plane.
     const DriveFrame& frame;
     double across;  ///< t in mm
 
-    /// The cutter's x and y at s, in mm.
+    /// x and y of the cutter's axis at s, in mm.
     Eigen::Vector2d axis(double s) const { return frame.point(s, across, 0).head<2>(); }
-    /// How a height of this slope in x and y rises with s.
+    /// The derivative by s of a height with the given slope in x and y.
     double rise(const Eigen::Vector2d& slope) const
     {
         return slope.dot(frame.point(1, 0, 0).head<2>());
     }
 };
 
-/// The cutter at rest over a place of a drive plane.
+/// The cutter at rest over a position of a drive plane.
 struct DropRest {
     double s;             ///< mm
-    PartContact contact;  ///< the highest one there
+    PartContact contact;  ///< the highest contact there
 };
 
-/// Where between two places the cutter touches twice, so that its height has a kink: the
-/// contact of `low` does not go over into that of `high`, another one takes its place. Looked
-/// for unless both become the same half way: places are to be close to each other, as
-/// neighbouring samples are. Each is found by Newton's method on the heights over both
-/// contacts, which follow the cutter over sheets, borders and corners, between bounds that
-/// close in; if a third contact is higher there, on both sides of it.
-/// \param finer of this drop and this thread alone.
-/// \return those kinks, s rising, with one of their contacts; none if a contact goes over
-///         smoothly.
+/// The positions between two given ones at which the cutter touches the part twice, so
+/// that its height has a kink: one contact is replaced by another as the highest. The
+/// search assumes that there is no kink if both contacts become the same halfway, so that
+/// the positions should be as near to each other as neighbouring samples are. A kink is
+/// found by Newton's method on the heights of both contacts, which are followed over
+/// surfaces, borders and corners, within a bracket. If a third contact is higher there,
+/// the search continues on both sides of it.
+/// \param drop the part and the cutter.
+/// \param line the drive plane.
+/// \param low the cutter at rest at the smaller s.
+/// \param high the cutter at rest at the larger s.
+/// \param finer belongs to `drop` and to this thread alone.
+/// \return the kinks, ordered by s, each with one of its two contacts.
 std::vector<DropRest> kinks_between(const SmoothDrop& drop, const DriveLine& line,
                                     const DropRest& low, const DropRest& high,
                                     FinerPieces& finer);

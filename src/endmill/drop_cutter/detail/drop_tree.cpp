@@ -16,23 +16,17 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-constexpr double largest_length = 1e9;    // mm: squares and their products stay finite
+constexpr double largest_length = 1e9;    // mm; squares and their products stay finite
 constexpr double smallest_radius = 1e-6;  // mm
 constexpr double largest_radius = 1e6;    // mm
-// By which boxes are larger, of the size of the mesh: far above the rounding of doubles.
+// Share of the mesh's size by which boxes are enlarged. It is far above the rounding
+// errors of doubles.
 constexpr double box_margin = 1e-12;
-constexpr float float_share = 1e-6F;  // by which half a move is longer: its roundings
-// At most so many roundings of floats, of half of 2^-23 each, are in any term of a bound.
+// share by which half a move is enlarged, for rounding errors
+constexpr float float_share = 1e-6F;
+// Each term of a bound contains at most eight roundings of floats, each of half of 2^-23.
 constexpr double float_rounding = 8 * 0x1p-24;
 constexpr double piece_radii = 0.5;  // size of a triangle's piece in cutter radii
-
-float rounded_down(double value)
-{
-    const auto rounded = static_cast<float>(value);
-    return rounded <= value
-               ? rounded
-               : std::nextafter(rounded, -std::numeric_limits<float>::infinity());
-}
 
 float rounded_up(double value)
 {
@@ -67,7 +61,7 @@ void DropTree::build(DropEntries entries)
 {
     const double margin =
         box_margin * (origin_.cwiseAbs().sum() + half_.sum() + cutter_.radius());
-    std::size_t span = 1;  // entries of a node
+    std::size_t span = 1;  // number of entries in a node
     std::size_t count = entries.count();
     do {
         count = (entries.count() + span - 1) / span;
@@ -95,7 +89,7 @@ void DropTree::set_node(Level& level, std::size_t number, const DropEntry& whole
     const double R = cutter_.radius();
     const double r = cutter_.corner_radius();
     const double c = cutter_.flat_radius();
-    // A touching point that is off by its rounding stays as far outside.
+    // Boxes are enlarged by the rounding error of a touching point.
     const double rounding = float_rounding * (half_.maxCoeff() + 2 * R);
     nodes.low_x[k] = rounded_down(whole.box.min().x() - rounding);
     nodes.low_y[k] = rounded_down(whole.box.min().y() - rounding);
@@ -111,15 +105,15 @@ void DropTree::set_node(Level& level, std::size_t number, const DropEntry& whole
         rounded_up(height + 2 * float_rounding * std::abs(height) +
                    float_rounding * n * (half_.sum() + whole.box.sizes().sum() + 4 * R));
     if (g == 0 && c > 0)
-        return;  // the plane touches the whole flat bottom: no fall
+        return;  // the plane touches the whole flat bottom, and `fall` stays 0
     const double reach_per_slope = (g > 0 ? c / g : 0) + r / n;
     nodes.offset_x[k] = static_cast<float>(reach_per_slope * whole.slope.x());
     nodes.offset_y[k] = static_cast<float>(reach_per_slope * whole.slope.y());
     nodes.fall[k] = static_cast<float>(1 / (2 * reach_per_slope));
 }
 
-// Over the plane alone the rise is greatest at an end; the boxes grow by half the move, so
-// that they need only be seen from its middle.
+// Over the plane alone the rise is largest at an end of the move. The boxes are enlarged
+// by half the move, so that they are compared with its middle only.
 FloatLanes DropTree::rise_bounds(const Nodes& nodes, const FloatLanes& tops,
                                  const FloatMove& move) const
 {
@@ -152,7 +146,7 @@ FloatLanes DropTree::rise_bounds(const Nodes& nodes, const FloatLanes& tops,
                 -std::numeric_limits<float>::infinity());
 }
 
-// The height is given back what the cutter's shape has added to it.
+// Subtracts from the stored height what the shape of the cutter contributed.
 DropTree::Plane DropTree::plane(const Nodes& nodes, Eigen::Index k) const
 {
     const Vec2 low{nodes.low_x[k], nodes.low_y[k]};

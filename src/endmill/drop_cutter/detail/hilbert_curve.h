@@ -5,10 +5,9 @@
 
 namespace endmill {
 
-/// Number of cell (x, y) along Hilbert's curve through 2^16 by 2^16 cells: cells with near
-/// numbers lie near each other.
-/// Source: J. K. Lawder, Calculation of mappings between one and n-dimensional values using
-/// the Hilbert space-filling curve, 2000.
+/// The number of cell (x, y) along the Hilbert curve through 2^16 by 2^16 cells. Cells
+/// with close numbers are close to each other.
+/// The numbering is that of [Lawder].
 inline std::uint32_t hilbert_number(std::uint32_t x, std::uint32_t y)
 {
     constexpr std::uint32_t last = 0xFFFF;

@@ -17,29 +17,32 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-// Newton's method squares its error; what is slower creeps along a ridge.
+// Newton's method converges quadratically. An iteration that needs more rounds creeps
+// along a ridge.
 constexpr int most_rounds = 100;
 constexpr int most_halvings = 30;
-// mm by which a step is to rise: the height is asked for to 1e-9.
+// mm, smallest rise of a step. The height is needed to 1e-9 mm.
 constexpr double least_rise = 1e-14;
-// Of the cutter's radius: a longer step would leave the hill that it starts on.
+// Share of the cutter's radius. A longer step might leave the hill on which it starts.
 constexpr double longest_step = 0.25;
-// Curvature in 1/mm of height over the surface below which a step is as long as may be.
+// 1/mm. Where the height has a smaller curvature, a step has its largest length.
 constexpr double least_bend = 1e-9;
-// Of R^2: a point that near to the rim is on it.
+// Share of R^2. A point as near to the rim counts as on it.
 constexpr double at_rim = 1e-10;
-// Of R: where a place is moved that is not below the cutter.
+// Share of R. A position that is not below the cutter is moved to this distance from the
+// axis.
 constexpr double below_share = 0.99;
-// Of the patch's own size: a partial that is smaller vanishes.
+// Share of the surface's diagonal. A shorter partial counts as zero.
 constexpr double least_pace = 1e-9;
 
-// A step, in mm along u and v, and by how much it is to rise.
+// A step in mm along u and v, with its predicted rise.
 struct Step {
     Vector2d by = Vector2d::Zero();
     double rise = 0;
 };
 
-// The step to the top of a hill of given slope and bend, made one that rises.
+// The Newton step for a given slope and curvature of the height, with the signs of the
+// eigenvalues changed such that the step rises.
 Step step_up(const Vector2d& slope, const Matrix2d& bend)
 {
     const Eigen::SelfAdjointEigenSolver<Matrix2d> axes{bend};
@@ -49,6 +52,7 @@ Step step_up(const Vector2d& slope, const Matrix2d& bend)
     return {axes.eigenvectors() * by, along.dot(by) / 2};
 }
 
+// The Newton step along a unit direction only.
 Step step_along(const Vector2d& direction, const Vector2d& slope, const Matrix2d& bend)
 {
     const double rise = slope.dot(direction);
@@ -57,13 +61,22 @@ Step step_along(const Vector2d& direction, const Vector2d& slope, const Matrix2d
     return {by * direction, rise * by / 2};
 }
 
-// -1 or +1 where `at` is on the lower or upper end of u or of v, else 0.
+// For u and for v: -1 at the lower end of the patch, +1 at the upper end, otherwise 0.
 Vector2d ends_at(const Vector2d& at, const Vector2d& low, const Vector2d& high)
 {
     return (at.array() >= high.array()).cast<double>() -
            (at.array() <= low.array()).cast<double>();
 }
 
+// Newton's method with an active set, for the highest contact of a cutter with one patch.
+// The unknowns are u and v. Constraints are the four edges of the patch and, for a flat
+// cutter, its rim. In each round:
+// 1. The step with the largest predicted rise is chosen among three kinds: a free Newton
+//    step, a step along an active edge, and a step along the rim. Steps that leave an
+//    active constraint are not allowed.
+// 2. The step is limited in length and cut off at the edges of the patch.
+// 3. For a flat cutter a position beyond the rim is moved back to it.
+// 4. The step is halved until the height grows. The iteration ends when no step rises.
 class PatchClimb {
 public:
     PatchClimb(const Surface& surface, PatchNumber patch, const Cutter& cutter,
@@ -111,14 +124,13 @@ private:
         return cutter_.is_flat() && here_.rim > -at_rim * R * R;
     }
 
-    // The pace, but where a partial vanishes.
+    // The lengths of the partials, at least `least_pace` of the surface's diagonal.
     Vector2d pace() const
     {
         return here_.pace.cwiseMax(least_pace * surface_.diagonal());
     }
 
-    // The best of all steps that lead out of no constraint that holds: a free one, along an
-    // edge, or along the rim.
+    // The allowed step with the largest predicted rise.
     Step best_step() const
     {
         const Vector2d scale = pace().cwiseInverse();
@@ -151,7 +163,8 @@ private:
         return best;
     }
 
-    // How the height would rise with the square of a flat cutter's radius, halved.
+    // The Lagrange multiplier of the rim: the derivative of the height by half the square
+    // of a flat cutter's radius.
     double rim_push() const
     {
         const Vector2d scale = pace().cwiseInverse();
@@ -174,7 +187,7 @@ private:
         return false;
     }
 
-    // Where a step ends, at the latest at the patch's own end.
+    // The end of a step, cut off at the edges of the patch.
     Vector2d ended(const Vector2d& by) const
     {
         double share = 1;
@@ -208,8 +221,8 @@ private:
         return true;
     }
 
-    // A place below a flat cutter: `to`, or where the way to it is back at the rim, along
-    // the edge that it keeps to.
+    // A position below a flat cutter: `to` itself, or the position at which the way to it
+    // is back at the rim. An active edge is kept.
     std::optional<Vector2d> back_to_rim(Vector2d to) const
     {
         const double R = cutter_.radius();
@@ -228,7 +241,8 @@ private:
             const double length2 = out.dot(scale.cwiseProduct(out));
             if (!(length2 > 0))
                 return std::nullopt;
-            // A little too far, so that rounding does not leave it outside.
+            // A little further than the rim, so that rounding does not leave the point
+            // outside.
             const double excess = rim + at_rim / 4 * R * R;
             to = (to - excess / length2 * scale.cwiseProduct(out))
                      .cwiseMax(low_)
@@ -237,6 +251,7 @@ private:
         return std::nullopt;
     }
 
+    // The derivative of the height by x and y of the axis.
     Vector2d slope() const
     {
         if (!cutter_.is_flat())
@@ -246,7 +261,7 @@ private:
         return edge_free_push() * (here_.point.head<2>() - axis_);
     }
 
-    // The rim's own share of what holds the contact, where an edge holds it, too.
+    // The Lagrange multiplier of the rim where an edge of the patch is active as well.
     double edge_free_push() const
     {
         const Vector2d end = ends(at_);
@@ -304,7 +319,7 @@ std::optional<Vector2d> place_below(const Surface& surface, const Vector2d& star
             return std::nullopt;
         Vector2d by = factors.solve(way);
         const Vector2d end = ends_at(at, low, high);
-        for (const int k : {0, 1})  // along the edge if the way leads out of the surface
+        for (const int k : {0, 1})  // along the edge if the way leaves the surface
             if (end[k] * by[k] > 0) {
                 by[k] = 0;
                 by[1 - k] = plan.col(1 - k).dot(way) / plan.col(1 - k).squaredNorm();

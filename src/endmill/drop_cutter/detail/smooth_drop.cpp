@@ -9,18 +9,20 @@ namespace endmill {
 namespace {
 
 constexpr double pieces_per_radius = 2;
-// mm per mm: a rise beyond a patch's end that is more than rounding of a level top.
+// mm per mm. A smaller rise beyond an edge is a rounding error at a level top.
 constexpr double edge_push = 1e-6;
-// mm by which a neighbour is to be higher: above rounding, far below what is asked for.
+// mm, smallest gain for which the climb continues on a neighbouring patch. It is above
+// rounding and far below the required accuracy.
 constexpr double least_gain = 1e-13;
-// Patches that a climb crosses, and hills that are climbed one after the other: each is
-// higher than the one before, so that more than these are a hundredfold of any need.
+// Limits of the patches that one climb crosses and of the climbs of one search. Each
+// contact is higher than the one before. A hundredth of these limits is enough in
+// practice.
 constexpr int most_patches = 1000;
 constexpr int most_hills = 1000;
-// Of rest_gouge, to which the part's depth in the cutter is found.
+// Share of rest_gouge: the resolution to which the part's depth in the cutter is found.
 constexpr double resolution_share = 0.1;
 
-// The patches beyond the ends at which the cutter would rise on.
+// The patches beyond the edges at which the height would grow.
 std::array<PatchNumber, 3> neighbours(const PatchContact& contact)
 {
     const auto sign = [](double push) { return (push > 0) - (push < 0); };

@@ -5,45 +5,61 @@
 #include <span>
 
 #include "endmill/drop_cutter/detail/patch_climb.h"
-#include "endmill/gouge/gouge_test.h"
+#include "endmill/gouge/detail/piece_tree.h"
 
 namespace endmill {
 
-/// A place on a part: a surface by its number, and global parameters.
+/// A position on a part: the number of a surface, and global parameters.
 struct PartPlace {
-    std::size_t surface;
-    SurfacePoint at;
+    std::size_t surface;  ///< number of the surface
+    SurfacePoint at;      ///< global parameters
 };
 
-/// Where a cutter rests on a part that it is lowered onto, one of several such places.
+/// A contact of a cutter that was lowered onto a part. There may be several with equal
+/// height.
 struct PartContact {
-    std::size_t surface;
+    std::size_t surface;  ///< number of the surface
+    /// The contact on the surface.
     PatchContact on;
-    /// Whether it touches with the surface's own normal, and not an edge or a corner.
+    /// True if the cutter touches with the surface's own normal, false on an edge or in a
+    /// corner.
     bool is_inside;
 };
 
-/// How deep in mm a part may enter the cutter where it is said to rest on it: far below
-/// what is asked of its height, 1e-4 mm, also where it touches a slope of 80 degrees.
+/// mm. The part may enter the cutter by this depth at a contact that counts as the
+/// highest. It is far below the required accuracy of the height, 1e-4 mm, also at a
+/// contact on a slope of 80 degrees.
 inline constexpr double rest_gouge = 2e-6;
 
-/// The drop cutter on smooth surfaces: how high a cutter stands that comes down from above,
-/// over all contacts with surfaces, borders, creases and corners, right to `rest_gouge` along
-/// the part's normal. An immutable value, which all threads may ask.
-/// Source: specification of the interference removal, section 6, R3.
+/// The drop cutter on smooth surfaces: the height of a cutter that is lowered onto them,
+/// over contacts on surfaces, borders, creases and corners. Its error is at most
+/// `rest_gouge` along the normal of the part. An immutable value that all threads may
+/// use.
+///
+/// 1. From a known contact the cutter climbs to a local maximum of the height
+///    (patch_climb.h), across the borders of patches.
+/// 2. A point of the part deeper than rest_gouge in the cutter at that height is searched
+///    for in a tree of Bezier pieces. If there is one, the climb starts again from it.
+/// 3. If there is none, the contact is the highest.
+/// Source: docs/mathematics/interference.md, section 6 (R3).
 class SmoothDrop {
 public:
-    /// \param surfaces outlive it, and their N_z > 0. \param cutter with the allowance.
+    /// \param surfaces the part with N_z > 0 everywhere; they must outlive this object.
+    /// \param cutter the cutter with its allowance.
     SmoothDrop(std::span<const Surface> surfaces, const Cutter& cutter);
 
-    /// The contact uphill from `start`, over borders between patches of its surface; nothing
-    /// if no point was found below the cutter.
+    /// The contact reached by climbing from `start`, across the borders of the patches of
+    /// its surface.
+    /// \param start where the climb begins.
     /// \param axis x and y of the cutter in mm.
+    /// \return nothing if no point below the cutter was found.
     std::optional<PartContact> climb(const PartPlace& start,
                                      const Eigen::Vector2d& axis) const;
 
-    /// The highest contact of all, if some contact of that axis is known.
-    /// \param finer of this drop and this thread alone.
+    /// The highest contact of all.
+    /// \param known some contact over `axis`.
+    /// \param axis x and y of the cutter in mm.
+    /// \param finer belongs to this object and to this thread alone.
     PartContact highest(PartContact known, const Eigen::Vector2d& axis,
                         FinerPieces& finer) const;
 

@@ -2,7 +2,6 @@
 #include "endmill/drop_cutter/detail/triangle_drop.h"
 
 #include "endmill/core/detail/double_double.h"
-#include "endmill/drop_cutter/detail/highest_corner.h"
 #include "endmill/drop_cutter/detail/triangle_lowering.h"
 
 namespace endmill {
@@ -19,7 +18,7 @@ std::array<AxisPlace<Real>, 3> around_axis(const std::array<Vec3, 3>& corners, d
     return places;
 }
 
-// With twice the digits; rare, and kept out of the way of the rest.
+// The contact computed with twice the digits. It is rarely needed and kept out of line.
 [[gnu::noinline]] TriangleContact careful_contact(const Cutter& cutter,
                                                   const std::array<Vec3, 3>& corners,
                                                   double x, double y, double least)

@@ -8,48 +8,55 @@
 #include <optional>
 
 #include "endmill/drop_cutter/detail/corner_touch.h"
-#include "endmill/drop_cutter/detail/triangle_drop.h"
+#include "endmill/drop_cutter/detail/triangle_contact.h"
 
 namespace endmill {
 
-/// A point with the cutter's axis as its z axis, mm.
+/// A point relative to the cutter's axis, mm.
 template <typename Real>
 struct AxisPlace {
-    Real x;
-    Real y;
-    Real z;
+    Real x;  ///< horizontal
+    Real y;  ///< horizontal
+    Real z;  ///< height
 };
 
-/// A side of the triangle; shares count from 0 at its start to 1 at its end, in plan.
+/// A side of the triangle. Shares count from 0 at its start to 1 at its end, in plan.
 template <typename Real>
 struct TriangleSide {
-    const AxisPlace<Real>& from;
-    const AxisPlace<Real>& to;
-    Real length2;  ///< in plan, squared
-    Real rise;
-    Real foot;   ///< share of the point nearest to the axis on the whole line
-    Real away2;  ///< its distance from the axis, squared
-    Real half2;  ///< of the chord that the cutter's rim cuts off, squared
+    const AxisPlace<Real>& from;  ///< its start
+    const AxisPlace<Real>& to;    ///< its end
+    Real length2;                 ///< squared length in plan
+    Real rise;                    ///< from start to end, mm
+    Real foot;   ///< share of the point of the whole line that is nearest to the axis
+    Real away2;  ///< squared distance of that point from the axis
+    Real half2;  ///< squared half length of the chord that the rim of the cutter cuts off
 };
 
-/// Lowers a cutter onto a triangle: looks at facet, sides and corners, and keeps the
-/// highest contact. See TriangleDrop for what that is; the digits are those of Real.
-/// Source: derived here.
+/// Lowers a cutter onto a triangle (see TriangleDrop), with the digits of Real:
+/// 1. The touching point of the triangle's plane is computed. If it lies in the triangle,
+///    it is the contact.
+/// 2. Otherwise the contact is on a side that has the touching point on its outer side.
+///    Each such side is tested, with a closed formula for a ball and for a flat cutter,
+///    and by Newton's method for a bull-nose (CornerTouch).
+/// 3. If the contact of a side is beyond its end, the corner counts. Every step that
+///    loses digits adds to is_doubtful.
 template <typename Real>
 class TriangleLowering {
 public:
-    /// \param shape must outlive this. \param least a contact below that, in mm, is of no
-    ///        interest.
+    /// \param shape the cutter; it must outlive this object.
+    /// \param least mm; contacts below it are of no interest.
     TriangleLowering(const CutterShape<Real>& shape, double least)
         : shape_{shape},
           least_{least}
     {
     }
 
-    /// Whether rounding may have moved the contact by more than the accuracy.
+    /// Whether rounding errors may have moved the contact by more than tip_accuracy.
     bool is_doubtful() const { return is_doubtful_; }
 
-    /// What was found; the axis is at (x, y).
+    /// The highest contact found.
+    /// \param x of the axis, mm.
+    /// \param y of the axis, mm.
     TriangleContact contact(double x, double y) const
     {
         if (!is_found_)
@@ -59,7 +66,8 @@ public:
                 kind_};
     }
 
-    /// Once. \param corners about the axis.
+    /// Lowers the cutter; to be called once.
+    /// \param corners relative to the axis.
     void lower_onto(const std::array<AxisPlace<Real>, 3>& corners)
     {
         const auto& [a, b, c] = corners;
@@ -92,12 +100,14 @@ public:
 
 private:
     static constexpr double rounding = std::numeric_limits<double>::epsilon();
-    // Roundings in a height from a normal or from a foot on a line: of few operations.
+    // Bound of the rounding errors in a height that follows from a normal or from a point
+    // of a line in few operations, relative to tip_accuracy.
     static constexpr double doubt = 4 * rounding / tip_accuracy;
 
     static double square(double number) { return number * number; }
 
-    // By how much the normal's rounding tilts the plane, over the length of the triangle.
+    // Doubts the plane if the rounding error of its normal tilts it by too much over the
+    // size of the triangle.
     void doubt_plane(const AxisPlace<Real>& ab, const AxisPlace<Real>& ac,
                      const AxisPlace<Real>& normal)
     {
@@ -113,10 +123,10 @@ private:
     struct PlaneTouch {
         AxisPlace<Real> point;
         Real tip;
-        double highest;  // no less than the tip
+        double highest;  // upper bound of the tip
     };
 
-    // Where the cutter touches the plane through `on`.
+    // The point at which the cutter touches the plane through `on`.
     PlaneTouch touching_point(const AxisPlace<Real>& normal,
                               const AxisPlace<Real>& on) const
     {
@@ -132,7 +142,7 @@ private:
         const Real share = Real{1} / normal.z;
         const AxisPlace<Real> point{x, y, on.z - slant * share};
         const Real tip = point.z - shape_.r * (Real{1} - normal.z / length);
-        // The terms of the slant may cancel; those of the point's place do not.
+        // The terms of the slant may cancel, those of the point's coordinates do not.
         const double lever =
             value_of(shape_.R) + std::abs(value_of(on.x)) + std::abs(value_of(on.y));
         const double steepness = std::abs(value_of(length * share));
@@ -156,7 +166,7 @@ private:
         const Real x = to.x - from.x;
         const Real y = to.y - from.y;
         const Real length2 = x * x + y * y;
-        if (!(length2 > Real{0}))  // a vertical one
+        if (!(length2 > Real{0}))  // a vertical side
             return lower_onto_corner(from.z > to.z ? from : to);
         const Real share = Real{1} / length2;
         const Real area = from.x * y - from.y * x;
@@ -179,7 +189,7 @@ private:
             touch_with_corner(side);
     }
 
-    // The same for a height along the side, and for one at the end of a chord.
+    // Doubts a height along the side, and a height at the end of a chord.
     void doubt_side(const TriangleSide<Real>& side)
     {
         const double length2 = value_of(side.length2);
@@ -206,7 +216,8 @@ private:
         keep(point.z - shape_.R + side.length2 * tilt, point, TouchKind::Edge);
     }
 
-    // Shares of the part that is below the cutter; `low` above `high` if none is.
+    // The shares of the part of a side that is below the cutter. If there is none, `low`
+    // exceeds `high`.
     struct Below {
         Real low;
         Real high;
@@ -232,7 +243,7 @@ private:
         keep_at(side, along, at(side, along).z);
     }
 
-    // Along the side as it rises.
+    // The bull-nose cutter: the side is followed in the direction in which it rises.
     void touch_with_corner(const TriangleSide<Real>& side)
     {
         using std::sqrt;
@@ -253,7 +264,7 @@ private:
             return;
         const Real share = *t / length;
         Real along = rises ? side.foot + share : side.foot - share;
-        if (!(*t > low))  // at an end, to the last bit
+        if (!(*t > low))  // at an end, with the same bits
             along = rises ? below.low : below.high;
         else if (!(*t < high))
             along = rises ? below.high : below.low;
@@ -279,7 +290,7 @@ private:
         return shape_.R * shape_.R - (corner.x * corner.x + corner.y * corner.y);
     }
 
-    // The same for a height at the cutter's rim.
+    // Doubts a height at the rim of the cutter.
     void doubt_corner(const Real& half2)
     {
         is_doubtful_ |=

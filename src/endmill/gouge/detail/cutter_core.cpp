@@ -10,10 +10,11 @@
 namespace endmill {
 namespace {
 
-// Of a triangle's sides, one after the other: 2^-30 of them is below any resolution.
+// Halvings of a triangle: 2^-30 of its sides is below any resolution.
 constexpr int most_halvings = 60;
 
-// A bound of the corners' distances from the core.
+// A lower bound of the distances of the corners from the core, by the plane with the
+// given normal.
 double facet_distance(const CutterCore& core, const Vec3& normal,
                       const std::array<Vec3, 3>& corners)
 {
@@ -43,7 +44,8 @@ SupportingPlane CutterCore::nearest_plane(const Vec3& point) const
     return nearest_plane_below(point);
 }
 
-// Of a ball, the planes of the ray upwards from its centre: it looks down on none of them.
+// For a ball, these are the planes of the ray upwards from its centre, which never faces
+// upwards.
 SupportingPlane CutterCore::nearest_plane_below(const Vec3& point) const
 {
     const Vec3 from = point - reference_;

@@ -8,40 +8,47 @@
 
 namespace endmill {
 
-/// Half a space that holds all of a cutter's core.
+/// A half space that contains the core of a cutter.
 struct SupportingPlane {
     Vec3 normal;      ///< unit, out of the core
-    double distance;  ///< of the point asked about, positive outside, mm
+    double distance;  ///< distance of the given point, positive outside, mm
 };
 
-/// What a cutter at a place is all that is within its corner radius r of: a ball's centre;
-/// of others the cylinder of radius R - r that stands on the reference point, without end
-/// upwards. The signed distance of a point from the cutter is that from its core less r,
-/// inside too. The core is convex: its signed distance is the greatest of those from its
-/// supporting planes.
+/// The core of a cutter at a position: the set such that the cutter is everything within
+/// its corner radius r of it. The core of a ball is its centre. The core of other cutters
+/// is the cylinder of radius R - r on the reference point, without upper end. The signed
+/// distance of a point from the cutter is that from the core minus r, inside the cutter
+/// as well. The core is convex, so that its signed distance is the largest of the
+/// distances from its supporting planes.
 class CutterCore {
 public:
-    /// \param reference in mm.
+    /// \param cutter the cutter.
+    /// \param reference its reference point, mm.
     CutterCore(const Cutter& cutter, const Vec3& reference);
 
-    /// The supporting plane nearest to `point`: its distance is the core's.
+    /// The supporting plane that is nearest to `point`. Its distance is that of the core.
     SupportingPlane nearest_plane(const Vec3& point) const;
 
-    /// A bound of the distance of all points q from the core that have `normal` . q of at
-    /// least `least` (mm): that of the supporting plane with that normal. Inside, where
-    /// the planes of bottom and side count by themselves, of their mean that has it.
-    /// \param normal unit, not upwards unless of a ball.
+    /// A lower bound of the distance from the core of all points q with `normal` . q >=
+    /// `least`: the distance of the supporting plane with that normal. Inside the core,
+    /// where the planes of bottom and side count separately, it is divided by the sum of
+    /// the normal's horizontal and vertical parts.
+    /// \param normal unit, not upwards unless the cutter is a ball.
+    /// \param least in mm.
     double distance_beyond(const Vec3& normal, double least) const;
 
-    /// The normal of a nearly flat piece of the part, turned away from the core as a
-    /// supporting plane's is: bounds by that plane are near the piece's own distance also
-    /// where the core has an edge.
+    /// The unit normal of a nearly flat piece of the part, directed away from the core as
+    /// the normal of a supporting plane is. Bounds by the plane with this normal are
+    /// close to the piece's own distance, also where the core has an edge.
+    /// \param normal of the piece, any length.
+    /// \param point of the piece, mm.
     Vec3 turned_away(const Vec3& normal, const Vec3& point) const;
 
     /// Signed distance of `point` from the cutter, mm.
     double gap(const Vec3& point) const { return nearest_plane(point).distance - r_; }
 
-    /// One of those that do not look upwards: what lies lower is farther from it.
+    /// The nearest supporting plane among those that do not face upwards. Its distance
+    /// does not decrease when the point moves down.
     SupportingPlane nearest_plane_below(const Vec3& point) const;
 
     double corner_radius() const { return r_; }  ///< mm
@@ -53,14 +60,18 @@ private:
     bool is_ball_;
 };
 
-/// The point of a triangle nearest to the cutter, or deepest in it.
+/// The point of a triangle that is nearest to the cutter, or deepest in it.
 struct TriangleGap {
-    double gap;  ///< mm, signed; at most the resolution above the least
+    double gap;  ///< mm, signed; at most the resolution above the exact value
     Vec3 point;  ///< mm
 };
 
-/// Halves the triangle until the least gap is known to `resolution` mm, or known not to be
-/// below `enough`, in mm.
+/// The gap between the cutter and a triangle, by halving the triangle until the gap is
+/// known to `resolution` mm or known not to be below `enough`.
+/// \param core the cutter.
+/// \param corners of the triangle, mm.
+/// \param resolution in mm.
+/// \param enough in mm.
 TriangleGap triangle_gap(const CutterCore& core, const std::array<Vec3, 3>& corners,
                          double resolution, double enough);
 

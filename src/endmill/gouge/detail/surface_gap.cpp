@@ -9,15 +9,18 @@
 namespace endmill {
 namespace {
 
-// Halvings of a piece: 2^-40 of it is below any resolution that rounding allows.
+// Halvings of a piece: 2^-40 of its size is below any resolution that rounding permits.
 constexpr int most_halvings = 80;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// The least of all gaps, or any below what is enough.
+// The point sought: the one with the smallest gap, or any below the limit.
 enum class Aim { Least, Any };
 
-// Boxes, then pieces, nearest first; keeps the least gap so far.
+// A branch-and-bound search over boxes, then over pieces, the nearest first. The smallest
+// gap found so far is the limit. Lower bounds come from supporting planes of the cutter's
+// core, upper bounds from the corners of pieces. A piece that both do not settle is
+// halved.
 class GapSearch {
 public:
     GapSearch(const PieceTree& tree, const CutterCore& core, double resolution,
@@ -67,8 +70,9 @@ private:
         return distance - normal.cwiseAbs().dot(box.sizes()) / 2 - core_.corner_radius();
     }
 
-    // By the plane nearest to the middle; where that does not do, as near an edge of the
-    // core, by the one that is parallel to the piece.
+    // A lower bound of the gap of a piece, by the supporting plane nearest to its middle.
+    // If that is not sufficient, as near an edge of the core, the plane parallel to the
+    // piece is tried as well.
     double piece_bound(const PieceTree::Piece& piece) const
     {
         const BezierPiece& bezier = piece.bezier;
@@ -133,7 +137,7 @@ private:
             std::swap(open[before], open[before + 1]);
     }
 
-    // Whether nothing below the least gap is in the piece, after a look at its corners.
+    // Whether the piece needs no halving. Its corners are tested first.
     bool is_settled(const PieceTree::Piece& piece)
     {
         const double bound = piece_bound(piece);

@@ -5,27 +5,40 @@
 #include <optional>
 
 #include "endmill/gouge/detail/cutter_core.h"
-#include "endmill/gouge/gouge_test.h"
+#include "endmill/gouge/detail/piece_tree.h"
 
 namespace endmill {
 
-/// A point of a surface and its signed distance from a cutter, mm.
+/// A point of a surface with its signed distance from a cutter.
 struct SurfaceGap {
+    /// mm, negative inside the cutter.
     double gap;
+    /// mm
     Vec3 point;
-    std::size_t surface = 0;  ///< number of its surface; of a mesh no more is known
-    SurfacePoint at{};
+    std::size_t surface;  ///< number of the surface
+    /// Parameters on the surface.
+    SurfacePoint at;
 };
 
-/// The point of the surfaces nearest to the cutter, or deepest in it, its gap known to
-/// `resolution` mm, if that is below `enough`.
+/// The point of the surfaces with the smallest gap to the cutter.
+/// \param tree the surfaces.
+/// \param core the cutter.
+/// \param resolution mm, accuracy of the gap.
+/// \param enough mm; gaps from here on are of no interest.
 /// \param finer of the same tree.
+/// \return nothing if no gap is below `enough`.
 std::optional<SurfaceGap> surface_gap(const PieceTree& tree, const CutterCore& core,
                                       double resolution, double enough,
                                       FinerPieces& finer);
 
-/// Any point whose gap is below `limit`; nothing if that of none is by more than
-/// `resolution` mm: quicker to tell than the least where the cutter is deep in the part.
+/// Any point whose gap is below `limit`. Where the cutter is deep in the part, this is
+/// faster than finding the smallest gap.
+/// \param tree the surfaces.
+/// \param core the cutter.
+/// \param resolution mm.
+/// \param limit mm.
+/// \param finer of the same tree.
+/// \return nothing if no gap is below `limit` by more than `resolution`.
 std::optional<SurfaceGap> gap_below(const PieceTree& tree, const CutterCore& core,
                                     double resolution, double limit, FinerPieces& finer);
 

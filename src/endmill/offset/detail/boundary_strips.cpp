@@ -13,11 +13,13 @@ namespace {
 
 using Index = std::int32_t;
 
-// Angle between normals beyond which a joint is a crease, in rad: as in continuity.h.
+// A joint whose normals differ by a larger angle, in rad, is a crease. The same value as
+// in continuity.h.
 constexpr double crease_angle = 1e-6;
 
-// How the part turns over an edge `along` which the side with `normal` is on the left, to
-// the other side, whose normal is `beyond`.
+// The kind of a joint along the edge direction `along`, which has the side with `normal`
+// on its left and the side with normal `beyond` on its right. The sign of the turn of the
+// normal decides.
 ContactKind crease_kind(const Vec3& normal, const Vec3& beyond, const Vec3& along)
 {
     const Vec3 outwards = along.cross(normal).stableNormalized();
@@ -27,8 +29,9 @@ ContactKind crease_kind(const Vec3& normal, const Vec3& beyond, const Vec3& alon
     return turn > 0 ? ContactKind::ConvexCrease : ContactKind::ConcaveCrease;
 }
 
-// The chain over point k of a side, from its vertex to the mate's.
-ContactChain seam_chain(const SheetSide& side, const SheetSide& mate, std::size_t k,
+// The chain of contacts over point k of a side, from the side's vertex to the mate's
+// vertex.
+ContactChain seam_chain(const GridSide& side, const GridSide& mate, std::size_t k,
                         OffsetDraft& draft)
 {
     const Index from = side.vertices[k];
@@ -53,32 +56,34 @@ ContactChain reversed(ContactChain chain)
     return chain;
 }
 
-// Walks around a corner point of the part, clockwise seen from the tool, from the corner
-// at which a side begins to the next.
+// Walks around a corner point of the part, clockwise as seen from the tool. A corner of a
+// grid is denoted by the number of the side that begins there.
 class CornerWalk {
 public:
-    CornerWalk(std::span<const SheetSide> sides, std::span<const ContactChain> seams)
+    CornerWalk(std::span<const GridSide> sides, std::span<const ContactChain> seams)
         : sides_{sides},
           seams_{seams}
     {
     }
 
-    // The first corner clockwise, behind the border; `start` itself inside the part.
+    // The first corner in clockwise order, which lies behind the border. Inside the part,
+    // where no border meets the point, `start` itself.
     Index first_corner(Index start) const
     {
         Index corner = start;
         while (true) {
-            const SheetSide& before = sides_[side_before(corner)];
+            const GridSide& before = sides_[previous_side(corner)];
             if (before.is_border())
                 return corner;
-            corner = before.is_collapsed ? side_before(corner) : before.mate;
+            corner = before.is_collapsed ? previous_side(corner) : before.mate;
             if (corner == start)
                 return start;
         }
     }
 
-    // The vertices over the point from corner `first` on, each once in a row. `end` is
-    // the corner whose side is border, or `first` again.
+    // The vertices over a corner point, without consecutive repetitions, and the corners
+    // of grids that meet there. The ring is closed inside the part. Otherwise the last
+    // corner is the one whose side is border.
     struct Ring {
         std::vector<Index> vertices;
         std::vector<Index> corners;
@@ -91,12 +96,12 @@ public:
         Index corner = first;
         do {
             ring.corners.push_back(corner);
-            const SheetSide& side = sides_[corner];
+            const GridSide& side = sides_[corner];
             if (side.is_border())
                 return ring;
             append(side.is_collapsed ? side.vertices : seams_[corner].vertices,
                    ring.vertices);
-            corner = side_behind(side.is_collapsed ? corner : side.mate);
+            corner = next_side(side.is_collapsed ? corner : side.mate);
         } while (corner != first);
         ring.is_closed = true;
         while (ring.vertices.size() > 1 && ring.vertices.back() == ring.vertices.front())
@@ -112,11 +117,12 @@ private:
                 vertices.push_back(vertex);
     }
 
-    std::span<const SheetSide> sides_;
+    std::span<const GridSide> sides_;
     std::span<const ContactChain> seams_;
 };
 
-// Closes the hole between strips that meet inside the part, all normals to their middle.
+// Closes the hole between the strips that meet at a corner inside the part. A vertex with
+// the mean normal is added, and connected by chains to all vertices of the ring.
 void fill_ring(const std::vector<Index>& ring, OffsetDraft& draft)
 {
     if (ring.size() < 3)
@@ -144,10 +150,11 @@ void fill_ring(const std::vector<Index>& ring, OffsetDraft& draft)
     }
 }
 
-// The chains and strips along the border, before they are made.
+// The chains and strips along the border. They are planned first, so that they can be
+// computed on all threads.
 class BorderPlan {
 public:
-    BorderPlan(std::span<const SheetSide> sides, const OffsetDraft& draft)
+    BorderPlan(std::span<const GridSide> sides, const OffsetDraft& draft)
         : draft_{draft},
           ends_(sides.size())
     {
@@ -156,8 +163,8 @@ public:
     std::span<const ChainPlan> chains() const { return chains_; }
     std::span<const StripPlan> strips() const { return strips_; }
 
-    // A chain over each point of side `number`.
-    void add_side(std::size_t number, const SheetSide& side)
+    // Plans a chain over each point of side `number`, and the strips between them.
+    void add_side(std::size_t number, const GridSide& side)
     {
         ends_[number].first = chains_.size();
         for (std::size_t k = 0; k < side.vertices.size(); ++k) {
@@ -169,9 +176,10 @@ public:
         ends_[number].last = chains_.size() - 1;
     }
 
-    // Strips between the chain over the end of side `before` and that over the beginning
-    // of side `behind`, whose vertices over the corner point are `ring`: the level normals
-    // turn about the axis, by less than half a turn.
+    // Plans the strips around a corner of the border: from the chain over the end of side
+    // `before` to the chain over the beginning of side `behind`. The level normals at the
+    // ends of the chains turn about the z axis by less than half a turn. `ring` holds the
+    // vertices over the corner point.
     void add_corner(std::size_t before, std::size_t behind, std::span<const Index> ring)
     {
         const std::size_t from = ends_[before].last;
@@ -195,7 +203,7 @@ public:
     }
 
 private:
-    // The chains over both ends of a side on the border.
+    // The first and the last chain of a side on the border.
     struct Ends {
         std::size_t first;
         std::size_t last;
@@ -213,15 +221,25 @@ private:
 
 }  // namespace
 
-std::vector<ContactChain> add_crease_strips(std::span<const SheetSide> sides,
+// How the boundary of the grids is closed. A chain is a row of vertices over one contact
+// point, whose normal turns from vertex to vertex; a strip is the triangles between two
+// neighbouring chains (contact_strip.h).
+// 1. Two sides that are mates have a chain over each of their points, from the normal of
+//    one surface to that of the other. On a smooth joint the chain is one vertex.
+// 2. At a corner inside the part the strips of several creases leave a hole. fill_ring
+//    closes it with chains to the mean normal.
+// 3. Each point of the border has a chain that turns outwards until the normal is level.
+// 4. At a corner of the border the level normals of both sides differ. Further chains
+//    between them close the gap.
+std::vector<ContactChain> add_crease_strips(std::span<const GridSide> sides,
                                             OffsetDraft& draft)
 {
     std::vector<ContactChain> seams(sides.size());
     for (Index number = 0; number < std::ssize(sides); ++number) {
-        const SheetSide& side = sides[number];
-        if (side.mate <= number)  // none, or dealt with
+        const GridSide& side = sides[number];
+        if (side.mate <= number)  // without mate, or done with it
             continue;
-        const SheetSide& mate = sides[side.mate];
+        const GridSide& mate = sides[side.mate];
         ContactChain right = seam_chain(side, mate, 0, draft);
         seams[number] = right;
         for (std::size_t k = 1; k < side.vertices.size(); ++k) {
@@ -245,7 +263,7 @@ std::vector<ContactChain> add_crease_strips(std::span<const SheetSide> sides,
     return seams;
 }
 
-void add_border_strips(std::span<const SheetSide> sides,
+void add_border_strips(std::span<const GridSide> sides,
                        std::span<const ContactChain> seams, OffsetDraft& draft)
 {
     BorderPlan plan{sides, draft};
@@ -256,7 +274,7 @@ void add_border_strips(std::span<const SheetSide> sides,
     for (Index number = 0; number < std::ssize(sides); ++number) {
         if (!sides[number].is_border())
             continue;
-        const auto ring = walk.ring_from(side_behind(number));
+        const auto ring = walk.ring_from(next_side(number));
         if (!ring.is_closed)
             plan.add_corner(number, ring.corners.back(), ring.vertices);
     }

@@ -14,8 +14,8 @@
 namespace endmill {
 namespace {
 
-// An arc is not cut finer than this share of it: next to the axis the bottom of a cutter
-// turns faster than any sampling follows.
+// An arc is not divided into shares smaller than this. Near the axis the bottom of a flat
+// or bull-nose cutter turns faster than any sampling can follow.
 constexpr double least_share = 0x1p-16;
 
 double angle_between(const Vec3& one, const Vec3& other)
@@ -23,7 +23,7 @@ double angle_between(const Vec3& one, const Vec3& other)
     return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-// Reference points of a cutter with a flat bottom over an arc of normals.
+// The reference points of a flat or bull-nose cutter while the normal follows an arc.
 class BottomArc {
 public:
     BottomArc(const NormalArc& arc, const Cutter& cutter, double tolerance)
@@ -36,7 +36,8 @@ public:
     {
     }
 
-    // Adds the ends of pieces of `stretch` that keep to their chords, halved until they do.
+    // Divides `stretch` until the reference points of each piece lie within the tolerance
+    // of their chord, and appends the ends of the pieces.
     void add_ends(const Interval& stretch, std::vector<double>& ends) const
     {
         std::vector<Piece> pieces{{place(stretch.low), place(stretch.high)}};
@@ -61,7 +62,7 @@ private:
     struct Place {
         double share;
         Vec3 normal;
-        Vec3 offset;  // of the reference point
+        Vec3 offset;  // from the contact to the reference point
     };
     struct Piece {
         Place low;
@@ -74,8 +75,8 @@ private:
         return {share, normal, control_offset(cutter_, normal)};
     }
 
-    // Whether the bottom circle turns little enough between two normals for the places
-    // between to keep to their chord.
+    // Whether the bottom circle turns so little between two normals that the points
+    // between stay within the tolerance of their chord.
     bool turns_little(const Vec3& one, const Vec3& other) const
     {
         const double along = one.x() * other.x() + one.y() * other.y();
@@ -98,12 +99,13 @@ private:
     const NormalArc& arc_;
     const Cutter& cutter_;
     double tolerance_;
-    double most_turn_;  // of the bottom circle over a chord, rad
+    double most_turn_;  // rad, largest turn of the bottom circle over a chord
     double sine_;
     double cosine_;
 };
 
-// Halves a stretch of an arc until keeps(piece) of its pieces. \return their ends.
+// Halves the interval until keeps(piece) holds for every piece.
+// \return the upper ends of the pieces.
 template <typename Keeps>
 std::vector<double> ends_of_pieces(const Interval& whole, const Keeps& keeps)
 {
@@ -123,11 +125,12 @@ std::vector<double> ends_of_pieces(const Interval& whole, const Keeps& keeps)
     return ends;
 }
 
-// How far the strip between two arcs of normals, which part by `gap` rad and pass the axis
-// at `beside` rad, is from the surface over a fixed contact. At a rad beside the axis the
-// chord between the bottom circle's points, gap / a rad apart on it, errs across the circle
-// by (R - r) (gap / a)^2 / 8, and along the normal by a times that; but no more than the
-// height r a^2 / 2 by which the circle is below the bottom. Both are equal at `worst`.
+// The distance between a strip and the surface of reference points over its fixed
+// contact. The two arcs of normals at the strip's sides are `gap` rad apart and pass the
+// axis at `beside` rad. At an angle a beside the axis, the points on the bottom circle
+// are gap / a rad apart. Their chord errs by (R - r) (gap / a)^2 / 8 across the circle,
+// and by a times that along the normal. The error is at most r a^2 / 2, the height of the
+// disc above the circle. Both bounds are equal at a = `worst`.
 double error_beside_axis(const Cutter& cutter, double gap, double beside)
 {
     const double bend = cutter.flat_radius() * gap * gap / 8;
@@ -135,12 +138,14 @@ double error_beside_axis(const Cutter& cutter, double gap, double beside)
     return bend > 0 ? bend / std::max(beside, worst) : 0;
 }
 
-// Whether the strip between the arcs from `normal` to two level ones keeps to the surface.
+// Whether the strip between the arcs from `normal` to two level normals is within the
+// tolerance.
 bool keeps_beside_axis(const Vec3& normal, const Vec3& one, const Vec3& other,
                        const ArcSampling& sampling)
 {
     if (sampling.cutter.is_ball() || sampling.cutter.corner_radius() == 0)
-        return true;  // no circle, or none below the bottom
+        // a ball has no bottom circle; that of a flat cutter is not below its bottom
+        return true;
     const double tilt = std::hypot(normal.x(), normal.y());
     const Vec3 across = normal.cross(one).stableNormalized();
     const Vec3 beyond = normal.cross(other).stableNormalized();
@@ -154,7 +159,8 @@ bool keeps_beside_axis(const Vec3& normal, const Vec3& one, const Vec3& other,
                              is_between ? 0 : least) <= sampling.tolerance;
 }
 
-// Calls keep(triangle) for the triangles between two chains.
+// Calls keep(triangle) for the triangles between two chains. The chain whose next share
+// is smaller advances.
 template <typename Keep>
 void for_each_triangle(const ContactChain& right, const ContactChain& left,
                        const Keep& keep)
@@ -178,7 +184,8 @@ void for_each_triangle(const ContactChain& right, const ContactChain& left,
         }
 }
 
-// How many triangles there are between two chains that share no vertex but the first.
+// The number of triangles between two chains that share no vertex except possibly the
+// first.
 std::size_t triangles_between(const ContactChain& right, const ContactChain& left)
 {
     const std::size_t steps = right.vertices.size() + left.vertices.size() - 2;
@@ -286,6 +293,10 @@ ContactChain OffsetDraft::add_chain(std::int32_t from, const NormalArc& arc,
     return chain;
 }
 
+// 1. The shares of all chains are computed on all threads.
+// 2. The sums of their numbers give each chain its range of vertex numbers.
+// 3. The vertices are computed on all threads.
+// The result is the same as that of add_chain, called for one chain after the other.
 std::vector<ContactChain> OffsetDraft::add_chains(std::span<const ChainPlan> plans,
                                                   ContactKind kind)
 {

@@ -6,11 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "endmill/offset/offset_mesh.h"
+#include "endmill/cutter/cutter.h"
+#include "endmill/mesh/triangle_mesh.h"
+#include "endmill/offset/offset_contact.h"
 
 namespace endmill {
 
-/// A great arc of unit normals, from `start` towards `heading`, at right angles to it.
+/// A great arc of unit normals. It begins at `start` and turns towards `heading`, which
+/// is perpendicular to `start`.
 struct NormalArc {
     Vec3 start;
     Vec3 heading;  ///< unit
@@ -19,63 +22,73 @@ struct NormalArc {
     Vec3 at(double share) const;  ///< the normal at a share 0 … 1 of the angle
 };
 
-/// The shorter great arc from one normal to another. \pre they are not opposite.
+/// The shorter great arc from one unit normal to another. \pre they are not opposite.
 NormalArc arc_between(const Vec3& start, const Vec3& end);
 
-/// The arc from `normal` about an edge, outwards, until N_z = 0.
-/// \param along direction of the edge, the part on its left seen from the tool, not zero.
-/// \pre normal.z() > 0
+/// The arc along which `normal` turns outwards about an edge of the border until N_z = 0.
+/// \param normal unit, normal.z() > 0.
+/// \param along direction of the edge, not zero; the part is on its left as seen from the
+///     tool.
 NormalArc arc_over_border(const Vec3& normal, const Vec3& along);
 
-/// Greatest angle in rad of an arc of `radius` whose chord lies within `tolerance` of it, both
-/// in mm; half a turn at most.
+/// The largest angle in rad, at most pi, of an arc of `radius` mm whose chord lies within
+/// `tolerance` mm of it.
 double chord_angle(double radius, double tolerance);
 
-/// For which cutter an arc is sampled, and to what chord error.
+/// The cutter and the chord error for the sampling of an arc.
 struct ArcSampling {
+    /// The cutter with the allowance.
     Cutter cutter;
     double tolerance;  ///< mm
 };
 
-/// Shares of `arc`, from 0 to 1, between which the reference points of `cutter` over a
-/// fixed contact lie within `tolerance` mm of their chords. Where the arc passes over the
-/// axis, the bottom of a flat or bull-nose cutter turns by up to half a turn at once: there
-/// a chord goes across the disc.
+/// Divides `arc` such that the reference points of `cutter` over a fixed contact lie
+/// within `tolerance` mm of their chords. Where the arc passes over the axis, the bottom
+/// of a flat or bull-nose cutter turns by up to half a turn at once; there a chord
+/// crosses the disc.
+/// \return the ends of the pieces as shares of the arc, from 0 to 1.
 std::vector<double> arc_shares(const NormalArc& arc, const Cutter& cutter,
                                double tolerance);
 
-/// Vertices of an offset over one contact point, the normal turning from the first on.
+/// A chain of vertices of an offset over one contact point. The normal turns from its
+/// first vertex to its last.
 struct ContactChain {
+    /// Numbers of the vertices.
     std::vector<std::int32_t> vertices;
-    std::vector<double> shares;  ///< of the whole turn, from 0 to 1
+    std::vector<double> shares;  ///< of the whole turn, from 0 to 1, one for each vertex
 
+    /// A chain of a single vertex.
     static ContactChain of(std::int32_t vertex) { return {{vertex}, {0}}; }
 };
 
-/// The same for chains over a corner: shares of the arc `level` of level normals, from 0 to
-/// 1, so that the strips between neighbouring chains, each from the unit `normal` to a level
-/// one, lie within `tolerance` mm of what the cutter rolls over. Beside the axis the middle
-/// of a flat or bull-nose cutter's bottom turns fast: chains that pass it are denser.
-/// \param least of the steps, evenly spaced: these are not left out.
+/// Divides the arc `level` of level normals at a corner. A chain leads from `normal` to
+/// each level normal. The strips between neighbouring chains lie within `tolerance` mm of
+/// the surface that the reference point follows. Near the axis the bottom of a flat or
+/// bull-nose cutter turns fast, so that chains that pass the axis are denser.
+/// \param level the arc of level normals.
+/// \param normal the corner's own unit normal.
+/// \param sampling cutter and tolerance.
+/// \param least number of equal steps that the result contains in any case.
+/// \return shares of `level` from 0 to 1.
 std::vector<double> corner_shares(const NormalArc& level, const Vec3& normal,
                                   const ArcSampling& sampling, std::size_t least);
 
-/// A chain to be: from vertex `from` over its contact point along `arc`.
+/// A chain to be computed: from vertex `from` over its contact point along `arc`.
 struct ChainPlan {
     std::int32_t from;
     NormalArc arc;
 };
 
-/// A strip to be: the numbers of its chains.
+/// A strip to be computed, by the numbers of its two chains.
 struct StripPlan {
     std::size_t right;
     std::size_t left;
 };
 
-/// The normal at the end of an arc over a border: level, to the bit.
+/// The normal at the end of an arc over a border, with z exactly 0.
 Vec3 level_end(const NormalArc& arc);
 
-/// An offset mesh that grows.
+/// An offset mesh under construction.
 struct OffsetDraft {
     Cutter cutter;
     double arc_tolerance;
@@ -83,24 +96,27 @@ struct OffsetDraft {
     std::vector<OffsetContact> contacts;
     std::vector<Triangle> triangles;
 
-    /// Adds the vertex over the contact point `point`. \return its number.
+    /// Adds the vertex over the contact `point`. \return its number.
     std::int32_t add(const Vec3& point, const OffsetContact& contact);
 
-    /// A chain from vertex `from` over its contact point along `arc`; its last vertex is
-    /// `to`, or a new one.
+    /// Adds the vertices of a chain that begins at vertex `from` and follows `arc` over
+    /// the same contact point. The last vertex is `to`, or a new one.
+    /// \return the chain.
     ContactChain add_chain(std::int32_t from, const NormalArc& arc, ContactKind kind,
                            std::optional<std::int32_t> to = std::nullopt);
 
-    /// Chains with new last vertices, as if added one after the other; on all threads.
+    /// Adds several chains on all threads. Their last vertices are new. The result equals
+    /// that of adding one after the other.
     std::vector<ContactChain> add_chains(std::span<const ChainPlan> plans,
                                          ContactKind kind);
 
-    /// Triangles between two chains. Looking along both, `left` is on the left, seen from
-    /// the tool. Those with equal corners are left out.
+    /// Adds the triangles between two chains. Looking along both as seen from the tool,
+    /// `left` is on the left. Degenerate triangles are left out.
     void add_strip(const ContactChain& right, const ContactChain& left);
 
-    /// The same for pairs of chains, one after the other; on all threads.
-    /// \pre they are from add_chains: no two share a vertex but their first.
+    /// Adds the triangles of several strips, one after the other, on all threads.
+    /// \pre the chains are from add_chains, so that two of them share at most their first
+    ///     vertex.
     void add_strips(std::span<const ContactChain> chains,
                     std::span<const StripPlan> plans);
 

@@ -12,13 +12,15 @@ namespace endmill {
 namespace {
 
 using Index = std::int32_t;
-// How many planes of a batch lie below a vertex: the vertex is above plane k if more
-// than k do. 16 bits, so that those of a million vertices stay in the cache.
+// The number of planes of a batch below a vertex; the vertex is above plane k if it is
+// larger than k. It has 16 bits, so that the numbers of a million vertices fit into the
+// cache.
 using PlaneCount = std::uint16_t;
 
 static_assert(most_planes_a_batch == std::numeric_limits<PlaneCount>::max());
 
-// Counts the planes below a place: by the pitch, then exactly.
+// Counts the planes below a position t: a guess from the mean pitch is checked, and a
+// binary search follows if it was wrong.
 class PlaneCounter {
 public:
     explicit PlaneCounter(std::span<const double> positions)
@@ -63,7 +65,7 @@ std::vector<PlaneCount> planes_below(std::span<const Vec3> points,
     return counts;
 }
 
-// The planes first … second - 1 cross a triangle.
+// The first and the last plane (exclusive) that cross a triangle.
 std::pair<PlaneCount, PlaneCount> planes_across(const Triangle& triangle,
                                                 const std::vector<PlaneCount>& below)
 {
@@ -73,10 +75,10 @@ std::pair<PlaneCount, PlaneCount> planes_across(const Triangle& triangle,
     return {std::min(std::min(a, b), c), std::max(std::max(a, b), c)};
 }
 
-// Corners of a triangle at the ends of the crossed edge that a segment comes from and of
-// the one that it goes to, by which corners are above: bit k for corner k.
+// Which corners bound the edge that a segment comes from and the edge that it goes to.
+// The index of the table has bit k set if corner k is above the plane.
 struct SegmentCorners {
-    std::array<int, 2> from;  // below, above
+    std::array<int, 2> from;  // the corner below the plane, then the one above
     std::array<int, 2> to;
 };
 constexpr std::array<SegmentCorners, 7> segment_corners{{{},
@@ -87,7 +89,13 @@ constexpr std::array<SegmentCorners, 7> segment_corners{{{},
                                                          {{1, 0}, {1, 2}},
                                                          {{0, 2}, {0, 1}}}};
 
-// Cuts a mesh by a batch of planes into segments.
+// Cuts a mesh by a batch of planes into segments:
+// 1. The number of planes below each vertex is computed.
+// 2. Each chunk of triangles lists its crossed triangles and counts their segments for
+//    each plane.
+// 3. Prefix sums give each chunk its place in the list of each plane.
+// 4. Each chunk writes its segments there. The order is that of the triangles, for any
+//    number of threads.
 class Cutting {
 public:
     Cutting(const TriangleMesh& mesh, const DriveFrame& frame,
@@ -120,13 +128,14 @@ public:
     }
 
 private:
-    // Triangles that a thread takes at a time; a plane has a number for each chunk.
+    // Triangles that a thread takes at a time. Each chunk has one counter for each plane.
     static constexpr std::size_t least_chunk = 32768;
     static constexpr std::size_t most_chunks = 64;
 
     struct Chunk {
-        std::vector<Index> crossed;       // by any plane
-        std::vector<std::size_t> places;  // a plane's count, then its next place
+        std::vector<Index> crossed;  // crossed by any plane
+        // for each plane the number of segments, later the next free place
+        std::vector<std::size_t> places;
     };
 
     template <class Use>

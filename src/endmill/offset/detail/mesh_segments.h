@@ -8,31 +8,39 @@
 #include "endmill/mesh/triangle_mesh.h"
 #include "endmill/offset/drive_planes.h"
 #include "endmill/offset/section_curve.h"
-#include "endmill/offset/slicer.h"
 
 namespace endmill {
 
-/// Where planes cross triangles, those of a plane together, in the order of the
-/// triangles. Number k of a plane is at [first[plane] + k]. A triangle's outer side is on
-/// the left of its segment.
+/// The segments in which planes cross triangles. Those of one plane are stored together,
+/// in the order of the triangles: segment k of a plane is at index first[plane] + k. The
+/// outer side of a triangle is on the left of its segment.
 struct MeshSegments {
+    /// The edge at which each segment begins.
     std::vector<CrossedEdge> from;
+    /// The edge at which it ends.
     std::vector<CrossedEdge> to;
+    /// The triangle that it crosses.
     std::vector<std::int32_t> triangle;
     std::vector<std::size_t> first;  ///< one more than planes
 };
 
-/// Most planes that `mesh_segments` takes.
+/// The largest number of planes that mesh_segments accepts.
 inline constexpr std::size_t most_planes_a_batch = 65535;
 
-/// The segments of all planes t = positions[k] in two passes over the triangles, of which
-/// the second only looks at those that a plane crosses.
-/// \pre positions do not fall, and there are at most `most_planes_a_batch`.
+/// The segments of all planes t = positions[k], in two passes over the triangles. The
+/// second pass visits only the crossed triangles.
+/// \param mesh the triangles.
+/// \param frame the direction of the planes.
+/// \param positions t in mm, ascending, at most `most_planes_a_batch`.
 MeshSegments mesh_segments(const TriangleMesh& mesh, const DriveFrame& frame,
                            std::span<const double> positions);
 
-/// The point below + w (above - below), w = (c - t_below) / (t_above - t_below), of the
-/// plane t = c = `position` on an edge that it crosses.
+/// The point below + w (above - below), w = (c - t_below) / (t_above - t_below), in which
+/// the plane t = c = `position` meets an edge that it crosses.
+/// \param edge the edge.
+/// \param points of the mesh, mm.
+/// \param frame the direction of the plane.
+/// \param position c in mm.
 inline SectionPoint point_on(const CrossedEdge& edge, std::span<const Vec3> points,
                              const DriveFrame& frame, double position)
 {

@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-// Multiplicative hashing, by odd numbers whose bits are spread.
+// Multiplicative hash with odd factors whose bits are well spread.
 std::uint64_t spread(const CrossedEdge& edge)
 {
     return static_cast<std::uint64_t>(edge.below) * 0x9E3779B97F4A7C15 +
@@ -28,9 +28,10 @@ void SegmentLinks::link(std::span<const CrossedEdge> from,
         look_up(from, to);
 }
 
-// The cells of a grid come row by row, two triangles each, so that the next segment is one
-// or three places away in the list; tried first is what was so at the last one of the same
-// kind of triangle. Leaves the segments that this does not link in open_.
+// Links segments by a guess. The cells of a grid come row by row with two triangles each,
+// so that the next segment is one or three places away in the list. The step that was
+// right for the last segment of the same parity is tried first. Segments that no guess
+// links remain in open_.
 void SegmentLinks::guess(std::span<const CrossedEdge> from,
                          std::span<const CrossedEdge> to)
 {
@@ -57,7 +58,8 @@ void SegmentLinks::guess(std::span<const CrossedEdge> from,
     }
 }
 
-// Links the segments in open_ by a table of the edges where none has been linked yet.
+// Links the segments in open_ with a hash table of the segments that have no predecessor
+// yet.
 void SegmentLinks::look_up(std::span<const CrossedEdge> from,
                            std::span<const CrossedEdge> to)
 {

@@ -5,26 +5,27 @@
 #include <span>
 #include <vector>
 
-#include "endmill/offset/slicer.h"
+#include "endmill/offset/section_curve.h"
 
 namespace endmill {
 
-/// Which segment of a section goes on where each one ends: one that begins on the same
-/// edge, if any. Keeps its room from one section to the next.
+/// The successor of each segment of a section: a segment that begins on the edge on which
+/// it ends. Keeps its buffers from one section to the next.
 class SegmentLinks {
 public:
     using Index = std::int32_t;
+    /// No segment.
     static constexpr Index none = -1;
 
-    /// Links the segments from[k] -> to[k]. No segment is linked to two, and none from
-    /// two; where an edge begins or ends several, who gets whom hangs on nothing but
-    /// their order.
+    /// Links the segments from[k] -> to[k]. Every segment gets at most one successor and
+    /// at most one predecessor. Where several segments end or begin on one edge, their
+    /// order alone decides.
     void link(std::span<const CrossedEdge> from, std::span<const CrossedEdge> to);
 
-    /// The segment that goes on, or `none`.
+    /// The successor of `segment`, or `none`.
     Index next(Index segment) const { return next_[segment]; }
 
-    /// Whether `segment` goes on from another.
+    /// Whether `segment` has a predecessor.
     bool is_entered(Index segment) const { return is_entered_[segment] != 0; }
 
 private:
@@ -34,8 +35,8 @@ private:
 
     std::vector<Index> next_;
     std::vector<std::uint8_t> is_entered_;
-    std::vector<Index> open_;   // segments that are not linked yet
-    std::vector<Index> table_;  // of segments, by the edge on which they begin
+    std::vector<Index> open_;   // segments without a successor so far
+    std::vector<Index> table_;  // hash table of segments by the edge on which they begin
 };
 
 }  // namespace endmill

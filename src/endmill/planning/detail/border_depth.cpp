@@ -71,18 +71,18 @@ double stray_on(const OffsetBounds& bounds, const PatchSide& side, const Interva
 
 // A bound on the distance of the strip from a chord, by the plane at the strip's point
 // nearest to the chord's middle.
-double chord_bound(const Vec3& from, const Vec3& to, const CentreStrip& strip)
+double chord_bound(const Vec3& from, const Vec3& to, const SweptAxis& swept_axis)
 {
     const Vec3 middle = (from + to) / 2;
-    const Vec3 nearest = strip.nearest(middle);
+    const Vec3 nearest = swept_axis.nearest(middle);
     const Vec3 away = (middle - nearest).stableNormalized();
     return std::min(away.dot(from - nearest), away.dot(to - nearest));
 }
 
-double box_bound(const Eigen::AlignedBox3d& box, const CentreStrip& strip)
+double box_bound(const Eigen::AlignedBox3d& box, const SweptAxis& swept_axis)
 {
     const Vec3 middle = box.center();
-    const Vec3 away = middle - strip.nearest(middle);
+    const Vec3 away = middle - swept_axis.nearest(middle);
     const double distance = away.norm();
     if (distance == 0)
         return 0;
@@ -167,18 +167,18 @@ bool BorderDepth::is_kept(const BallMove& move) const
 {
     if (nodes_.empty())
         return true;
-    const CentreStrip strip{move, axis_};
+    const SweptAxis swept_axis{move.from, move.to, axis_};
     std::vector<std::int32_t> open{0};
     while (!open.empty()) {
         const std::int32_t number = open.back();
         open.pop_back();
         const Node& node = nodes_[static_cast<std::size_t>(number)];
-        if (box_bound(node.box, strip) >= radius_)
+        if (box_bound(node.box, swept_axis) >= radius_)
             continue;
         if (node.link >= 0) {
             open.push_back(node.link);
             open.push_back(number + 1);
-        } else if (!is_kept(pieces_[static_cast<std::size_t>(~node.link)], strip)) {
+        } else if (!is_kept(pieces_[static_cast<std::size_t>(~node.link)], swept_axis)) {
             return false;
         }
     }
@@ -187,10 +187,10 @@ bool BorderDepth::is_kept(const BallMove& move) const
 
 // Whether the move clears none of it, or nothing so deep under it. Halved, for one plane
 // tells of a chord to the square of its length only.
-bool BorderDepth::is_kept(const Piece& piece, const CentreStrip& strip) const
+bool BorderDepth::is_kept(const Piece& piece, const SweptAxis& swept_axis) const
 {
     const auto is_outside = [&](const Chord& chord) {
-        return chord_bound(chord.from, chord.to, strip) - chord.stray >=
+        return chord_bound(chord.from, chord.to, swept_axis) - chord.stray >=
                radius_ * (1 - rounding);
     };
     if (is_outside(piece.border) || is_outside(piece.under))
@@ -207,7 +207,7 @@ bool BorderDepth::is_kept(const Piece& piece, const CentreStrip& strip) const
                          : Chord{middle, chord.to, chord.stray};
     };
     return std::ranges::all_of(std::array{0, 1}, [&](int half) {
-        return is_kept({part(piece.border, half), part(piece.under, half)}, strip);
+        return is_kept({part(piece.border, half), part(piece.under, half)}, swept_axis);
     });
 }
 

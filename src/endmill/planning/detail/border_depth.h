@@ -8,7 +8,8 @@
 #include <Eigen/Geometry>
 
 #include "endmill/cutter/cutter.h"
-#include "endmill/gouge/detail/centre_strip.h"
+#include "endmill/gouge/detail/swept_axis.h"
+#include "endmill/gouge/gouge_test.h"
 #include "endmill/planning/detail/offset_bounds.h"
 #include "endmill/planning/detail/pass_march.h"
 #include "endmill/surface/detail/patch_sides.h"
@@ -62,7 +63,7 @@ private:
     void add_pieces(const MarchedSurface& marched, const OffsetBounds& bounds,
                     const PatchSide& side);
     void add_nodes(std::size_t first, std::size_t end);
-    bool is_kept(const Piece& piece, const CentreStrip& strip) const;
+    bool is_kept(const Piece& piece, const SweptAxis& swept_axis) const;
 
     double radius_;
     Vec3 axis_;

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "endmill/gouge/detail/piece_tree.h"
 #include "endmill/gouge/gouge_test.h"
 #include "endmill/planning/detail/border_depth.h"
 

@@ -11,7 +11,8 @@
 namespace endmill {
 namespace {
 
-// Smallest s, then z there. Of a point behind which s steps back that is not the first.
+// The point of smallest s, and of smallest z among those. A curve that steps back in s
+// may have it anywhere, so that all points are visited.
 SectionPoint leftmost(const TrimmedCurve& curve)
 {
     SectionPoint least = curve.points.front().at;
@@ -38,11 +39,11 @@ void sort_by_place(std::vector<TrimmedCurve>& curves)
 void append_trimmed(SectionChain& chain, double dead_band, const BranchMethod& method,
                     const TrimmingOptions& options, Trimmed& trimmed)
 {
+    const CrossingFinder find = bound(method.search, options);
     if (options.detection == FoldDetection::Literal)
-        trim_literally(chain, dead_band, method.search, options);
+        trim_literally(chain, dead_band, find, options.patterns);
     else
-        trimmed.unresolved +=
-            trim_guarded(chain, dead_band, method.search, options, method.pairs);
+        trimmed.unresolved += trim_guarded(chain, dead_band, find, method.pairs);
     TrimmedCurve curve = chain.curve();
     if (!curve.points.empty())
         trimmed.curves.push_back(std::move(curve));
@@ -60,7 +61,7 @@ Trimmed trim_branches(std::span<const SectionCurve> curves, const BranchMethod& 
     for (const SectionCurve& curve : curves)
         dead_bands.push_back(dead_band(curve.points));
 
-    Trimmed result = has_closed ? trim_closed(curves, options) : Trimmed{};
+    Trimmed result = has_closed ? trim_closed(curves) : Trimmed{};
     for (std::size_t number = 0; number < curves.size(); ++number) {
         if (curves[number].is_closed)
             continue;

@@ -35,7 +35,8 @@ double cross(const SectionPoint& a, const SectionPoint& b)
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// Of two segments that cross: within both their boxes, so that s does not step back.
+// The crossing of two segments that cross. It is clamped to the boxes of both segments,
+// so that rounding does not make s step back.
 SectionPoint crossing_point(const Segment& a, const Segment& b)
 {
     const SectionPoint along_a = a.to - a.from;
@@ -48,6 +49,10 @@ SectionPoint crossing_point(const Segment& a, const Segment& b)
     return point.cwiseMax(low).cwiseMin(high);
 }
 
+// The other coordinate at which `segment` meets the line where coordinate `axis` is
+// `value`. The test is half open: an end on the line counts as below it, so that two
+// neighbouring segments never both meet the line in their common vertex, and no division
+// by zero occurs.
 std::optional<double> meeting(const Segment& segment, int axis, double value)
 {
     const double from = segment.from[axis];
@@ -61,15 +66,28 @@ std::optional<double> meeting(const Segment& segment, int axis, double value)
 
 }  // namespace
 
+CrossingFinder bound(CrossingSearch* search, const TrimmingOptions& options)
+{
+    return [search, &options](const SectionChain& chain, const Branches& branches) {
+        return search(chain, branches, options);
+    };
+}
+
+CrossingType crossing_type(FoldDetection detection)
+{
+    return detection == FoldDetection::Guarded ? CrossingType::Valley : CrossingType::Any;
+}
+
 std::optional<ChainCrossing> crossing_of(const SectionChain& chain, std::int32_t a,
-                                         std::int32_t b, bool valley_only)
+                                         std::int32_t b, CrossingType type)
 {
     const Segment on_a = segment_behind(chain, a);
     const Segment on_b = segment_behind(chain, b);
     if (are_apart(on_a, on_b, 0) || are_apart(on_a, on_b, 1))
         return std::nullopt;
     const bool ends_left = on_a.has_left(on_b.to);
-    if (ends_left == on_a.has_left(on_b.from) || (valley_only && !ends_left))
+    if (ends_left == on_a.has_left(on_b.from) ||
+        (type == CrossingType::Valley && !ends_left))
         return std::nullopt;
     if (on_b.has_left(on_a.from) == on_b.has_left(on_a.to))
         return std::nullopt;

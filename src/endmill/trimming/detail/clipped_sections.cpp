@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-// The segments that a point lies on: of a vertex those that meet in it.
+// The segments that a point lies on; for a vertex, the two that meet there.
 std::array<SegmentNumber, 2> segments_at(const TrimmedPoint& point)
 {
     if (point.kind == TrimmedKind::Vertex)
@@ -16,7 +16,7 @@ std::array<SegmentNumber, 2> segments_at(const TrimmedPoint& point)
     return {point.on, point.kind == TrimmedKind::Crossing ? point.across : point.on};
 }
 
-// The segment of the section on which the way from `a` to `b` runs.
+// The segment of the section that carries the piece of the result from `a` to `b`.
 SegmentNumber segment_between(const TrimmedPoint& a, const TrimmedPoint& b)
 {
     const auto candidates = segments_at(b);
@@ -26,6 +26,8 @@ SegmentNumber segment_between(const TrimmedPoint& a, const TrimmedPoint& b)
     return a.on;
 }
 
+// Clips curves to a range, point by point. A curve is walked from its first to its last
+// point; each time it leaves the range, the piece collected so far is finished.
 class Clipper {
 public:
     explicit Clipper(const Interval& range) : range_{range} {}
@@ -52,7 +54,7 @@ private:
         return range_.low <= point.at.x() && point.at.x() <= range_.high;
     }
 
-    // Adds where the way from `a` to `b` enters the range or leaves it.
+    // Adds the points at which the segment from `a` to `b` enters and leaves the range.
     void go(const TrimmedPoint& a, const TrimmedPoint& b)
     {
         const bool rises = a.at.x() < b.at.x();

@@ -8,11 +8,12 @@
 
 namespace endmill {
 
-/// What of `curves` lies within `range` of s, in mm, its ends included: so that a path
-/// which the border's contacts raised stays over the part. A curve that leaves the range
-/// and comes back becomes several, in their order; one that only touches it is left out.
-/// New ends are TrimmedKind::End. A closed curve that is cut becomes open.
-/// Source: specification of the interference removal, section 2.5.
+/// The pieces of `curves` over `range` of s, in mm, its ends included. Contacts on the
+/// border raise the path beyond the part's end; clipping keeps the path over the part. A
+/// curve that leaves the range and returns becomes several curves, in their order. A
+/// curve that only touches the range is dropped. New ends have TrimmedKind::End. A
+/// clipped closed curve becomes open.
+/// Source: docs/mathematics/interference.md, section 2.5.
 std::vector<TrimmedCurve> clipped(const std::vector<TrimmedCurve>& curves,
                                   const Interval& range);
 

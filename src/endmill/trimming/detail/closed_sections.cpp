@@ -14,7 +14,7 @@ bool is_behind(double s, const TrimmedPoint& point)
     return s < point.at.x();
 }
 
-// Whether a curve of an envelope passes at `point` or above it.
+// Whether `curve`, a curve of an upper envelope, passes through `point` or above it.
 bool covers(const TrimmedCurve& curve, const SectionPoint& point)
 {
     const auto& points = curve.points;
@@ -22,7 +22,7 @@ bool covers(const TrimmedCurve& curve, const SectionPoint& point)
         std::upper_bound(points.begin(), points.end(), point.x(), is_behind);
     if (behind == points.begin())
         return false;
-    // All that has the same s, ends of vertical links.
+    // All points of the curve over the same s, which are the ends of vertical links.
     for (auto at = behind; at != points.begin() && (at - 1)->at.x() == point.x(); --at) {
         if ((at - 1)->at.y() >= point.y())
             return true;
@@ -39,11 +39,11 @@ bool has_point_above(const SectionCurve& curve, const Trimmed& open)
     });
 }
 
-// Of one curve, told by its number in the plane.
-void append_envelope(const SectionCurve& curve, std::int32_t number,
-                     const TrimmingOptions& options, Trimmed& trimmed)
+// Appends the upper envelope of one closed curve. `number` is its number in the plane,
+// which replaces the 0 that envelope_trimming uses for a single curve.
+void append_envelope(const SectionCurve& curve, std::int32_t number, Trimmed& trimmed)
 {
-    Trimmed envelope = envelope_trimming({&curve, 1}, options);
+    Trimmed envelope = envelope_trimming({&curve, 1});
     trimmed.rule = envelope.rule;
     for (TrimmedCurve& part : envelope.curves) {
         for (TrimmedPoint& point : part.points)
@@ -54,13 +54,12 @@ void append_envelope(const SectionCurve& curve, std::int32_t number,
 
 }  // namespace
 
-Trimmed trim_closed(std::span<const SectionCurve> curves, const TrimmingOptions& options)
+Trimmed trim_closed(std::span<const SectionCurve> curves)
 {
     std::vector<SectionCurve> open_curves;
     std::copy_if(curves.begin(), curves.end(), std::back_inserter(open_curves),
                  [](const SectionCurve& curve) { return !curve.is_closed; });
-    const Trimmed open =
-        open_curves.empty() ? Trimmed{} : envelope_trimming(open_curves, options);
+    const Trimmed open = open_curves.empty() ? Trimmed{} : envelope_trimming(open_curves);
 
     Trimmed result;
     for (std::size_t number = 0; number < curves.size(); ++number) {
@@ -70,7 +69,7 @@ Trimmed trim_closed(std::span<const SectionCurve> curves, const TrimmingOptions&
         const auto index = static_cast<std::int32_t>(number);
         const auto last = static_cast<std::int32_t>(curve.points.size()) - 1;
         if (has_point_above(curve, open))
-            append_envelope(curve, index, options, result);
+            append_envelope(curve, index, result);
         else
             result.rules.push_back({index, 0, last, "closed"});
     }

@@ -5,9 +5,10 @@
 
 namespace endmill {
 
-/// What the methods that look for crossings of branches make of the closed curves of a
-/// plane: one without a point above the upper envelope of the open ones is dropped (rule
-/// `closed`); of another its own upper envelope is kept, as an open curve.
-Trimmed trim_closed(std::span<const SectionCurve> curves, const TrimmingOptions& options);
+/// Trims the closed curves of a plane for the methods that search for crossings of
+/// branches. A closed curve without a point above the upper envelope of the open curves
+/// is dropped (rule `closed`). For any other closed curve its own upper envelope is kept,
+/// as an open curve.
+Trimmed trim_closed(std::span<const SectionCurve> curves);
 
 }  // namespace endmill

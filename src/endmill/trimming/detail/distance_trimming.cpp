@@ -6,23 +6,21 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/orientation.h"
+#include "endmill/surface/surface_jet.h"
 #include "endmill/trimming/detail/branch_trimming.h"
 
 namespace endmill {
 namespace {
-
-struct Interval {
-    double low;
-    double high;
-};
 
 Interval between(double one, double other)
 {
     return {std::min(one, other), std::max(one, other)};
 }
 
-// The heights that both branches can meet, in mm. A crossing lies above or below both
-// cusps, on a line of constant s that meets the other branch.
+// The interval of heights in mm that the scan lines run over: those that both branches
+// reach. A branch counts from its cusp to where it meets the line of constant s through
+// the other cusp, or to its end. Nothing if neither branch meets that line: then they do
+// not cross.
 std::optional<Interval> heights_to_scan(const SectionChain& chain,
                                         const Branches& branches)
 {
@@ -49,7 +47,7 @@ void check_lines(const TrimmingOptions& options)
 
 void check_count(const Interval& heights, const TrimmingOptions& options)
 {
-    constexpr double most_lines = 1e8;  // seconds to minutes for a fold of some points
+    constexpr double most_lines = 1e8;  // seconds to minutes for a fold of a few points
     if (!(heights.high - heights.low <= most_lines * options.scan_step))
         throw LimitError{"method 1: over a hundred million lines; take a larger step"};
 }
@@ -70,7 +68,7 @@ std::optional<ChainCrossing> search_by_distance(const SectionChain& chain,
     if (!heights)
         return std::nullopt;
     check_count(*heights, options);
-    const bool valley_only = options.detection == FoldDetection::Guarded;
+    const CrossingType type = crossing_type(options.detection);
     for (int line = 0;; ++line) {
         const double z = heights->high - line * options.scan_step;
         if (z < heights->low)
@@ -81,7 +79,7 @@ std::optional<ChainCrossing> search_by_distance(const SectionChain& chain,
         const auto b = first_meeting_of_b(chain, branches, 1, z);
         if (!b || !(std::abs(b->other - a->other) < options.scan_threshold))
             continue;
-        if (valley_only && !is_valley(chain, a->segment, b->segment))
+        if (type == CrossingType::Valley && !is_valley(chain, a->segment, b->segment))
             continue;
         const SectionPoint middle{a->other + (b->other - a->other) / 2, z};
         return ChainCrossing{a->segment, b->segment, middle, false};

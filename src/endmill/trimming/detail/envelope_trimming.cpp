@@ -2,6 +2,7 @@
 #include "endmill/trimming/detail/envelope_trimming.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "endmill/trimming/detail/section_order.h"
@@ -11,14 +12,15 @@
 namespace endmill {
 namespace {
 
-// The vertical segment that reaches highest of those at one s; of equal ones the first.
+// The vertical segment with the highest top among those at one s; among equal ones the
+// first.
 struct Vertical {
     std::int32_t segment;
-    std::int32_t top;  // vertex
+    std::int32_t top;  // vertices
     std::int32_t bottom;
 };
 
-// One for each s at which there is any, by s.
+// The highest vertical segment of each s that has one, ordered by s.
 std::vector<Vertical> highest_verticals(std::span<const SectionPoint> points,
                                         std::span<const std::int32_t> segments)
 {
@@ -44,7 +46,15 @@ std::vector<Vertical> highest_verticals(std::span<const SectionPoint> points,
     return verticals;
 }
 
-// Writes an envelope, and the verticals that rise above it, as curves.
+// Writes the result as curves. upper_envelope returns the pieces of the envelope of all
+// segments that are not vertical. The writer merges two lists that are ordered by s:
+// 1. The places at which the carrier of the envelope changes: vertices and crossings.
+//    Each becomes a crossing, a vertex, or a vertical link between two limits of the
+//    envelope.
+// 2. The vertical segments. One that rises above the envelope becomes a spike: up to its
+//    top and back. One over which no other segment lies becomes a curve of its own. A
+//    curve ends where no segment carries the envelope. All comparisons are exact
+//    (SectionOrder).
 class Writer {
 public:
     explicit Writer(const PlanePoints& plane)
@@ -74,7 +84,7 @@ public:
     }
 
 private:
-    // The carriers left and right of a place.
+    // The segments that carry the envelope left and right of a place.
     struct Sides {
         std::int32_t left;
         std::int32_t right;
@@ -85,7 +95,7 @@ private:
         return place < 0 && envelope_.crossings[~place].p == no_segment;
     }
 
-    // Writes the verticals before `place`, and the place.
+    // Writes the vertical segments in front of `place`, then the place itself.
     void write_place(const Sides& sides, std::int32_t place, std::size_t most_points)
     {
         while (next_vertical_ < verticals_.size() && compare_next_vertical(place) < 0) {
@@ -108,7 +118,8 @@ private:
             write_vertex(sides, place, vertical);
     }
 
-    // The order of the next vertical and a place.
+    // Whether the next vertical segment lies in front of `place` (-1), at its s (0) or
+    // behind it (1).
     int compare_next_vertical(std::int32_t place) const
     {
         const double s = order_.s(verticals_[next_vertical_].top);
@@ -121,7 +132,8 @@ private:
     {
         const TrimmedPoint point = made_.crossing(sides.left, sides.right);
         write(point);
-        // Of the true crossing, which the rounded one may lie above.
+        // The comparison uses the exact crossing; the rounded one may lie above the
+        // vertical's top.
         if (vertical && order_.side(sides.left, vertical->top) > 0) {
             write(made_.vertex(vertical->top));
             write(point);
@@ -143,7 +155,8 @@ private:
             write(made_.vertex(std::min(left.vertex, right.vertex)));
             return;
         }
-        if (left.is_link() && right.is_link()) {  // a vertex of a hidden segment
+        // the place is a vertex of a segment that does not carry the envelope
+        if (left.is_link() && right.is_link()) {
             write(made_.crossing(sides.left, sides.right));
             return;
         }
@@ -154,15 +167,16 @@ private:
             write_limit(right, jump);
     }
 
-    // What the envelope tends to from one side of the s of a vertex.
+    // The limit of the envelope at the s of a vertex, from one side.
     struct Limit {
-        std::int32_t segment;  // or none
-        std::int32_t vertex;   // of the segment there, or negative
+        std::int32_t segment;  // or no_segment
+        std::int32_t vertex;   // the segment's vertex at that s, or negative
         bool is_vertex() const { return vertex >= 0; }
         bool is_link() const { return segment != no_segment && vertex < 0; }
     };
 
-    // The upper end of a vertical link, and what vertical segment there may be.
+    // A vertical step of the envelope: its upper end, and the vertical segment at that s,
+    // if any.
     struct Jump {
         std::int32_t upper;
         const Vertical* vertical;
@@ -210,7 +224,8 @@ private:
         write(made_.vertex(vertical.top));
     }
 
-    // The lower end of a jump: a crossing if a vertical segment makes all of the jump.
+    // The lower end of a step. It is a crossing if a vertical segment spans the whole
+    // step, otherwise a link.
     TrimmedPoint link_point(std::int32_t segment, const Jump& jump) const
     {
         TrimmedPoint point = made_.link(segment, jump.upper);
@@ -243,6 +258,30 @@ Trimmed envelope_trimming(std::span<const SectionCurve> curves,
     Trimmed trimmed = Writer{PlanePoints{curves}}.write();
     trimmed.rule = "below the envelope";
     return trimmed;
+}
+
+EnvelopeHeight::EnvelopeHeight(std::span<const SectionCurve> curves)
+{
+    for (const TrimmedCurve& curve : envelope_trimming(curves).curves)
+        for (std::size_t k = 0; k < curve.points.size(); ++k)
+            points_.push_back({curve.points[k].at, k > 0});
+}
+
+std::optional<double> EnvelopeHeight::at(double s) const
+{
+    const auto is_before = [](const Point& point, double at) {
+        return point.at.x() < at;
+    };
+    auto next = std::lower_bound(points_.begin(), points_.end(), s, is_before);
+    std::optional<double> height;
+    if (next != points_.begin() && next != points_.end() && next->is_joined) {
+        const SectionPoint& before = (next - 1)->at;
+        const double share = (s - before.x()) / (next->at.x() - before.x());
+        height = std::lerp(before.y(), next->at.y(), share);
+    }
+    for (; next != points_.end() && next->at.x() == s; ++next)
+        height = std::max(height.value_or(next->at.y()), next->at.y());
+    return height;
 }
 
 }  // namespace endmill

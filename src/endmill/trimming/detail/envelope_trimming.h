@@ -1,27 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "endmill/trimming/trimming.h"
 
 namespace endmill {
 
-/// Method `envelope`: the upper envelope of all segments of all curves of a plane, vertical
-/// ones included, over [min s, max s] of all their points: no method that trims a section
-/// can give more for a tool that comes from above. Jumps become vertical links; where no
-/// curve lies over an open interval the result breaks.
+/// Method `envelope`: the upper envelope of all segments of all curves of a plane,
+/// vertical segments included, over [min s, max s] of all their points. No path of a tool
+/// that comes from above can be lower without a gouge of the sampled offset. Jumps become
+/// vertical links. The result breaks where no curve lies over an open interval. A
+/// vertical segment that stands alone over its s becomes a curve of its own, directed
+/// upwards. Where segments coincide, the one with the smallest number counts as the
+/// carrier.
 ///
-/// Exact for all finite coordinates: every decision is that of the true geometry of the given
-/// points, and each coordinate of a crossing or link is the double nearest to the true one. A
-/// vertical segment that stands alone over its s is a curve by itself, upwards.
-/// Where segments coincide the one with the smallest number carries. Some 50 ns a segment.
-/// Source: spec of the interference, sections 6 (R1) and 7.
-/// Source: shared specification of interference, R1 of section 6, and section 7.
-/// \param options are not heeded.
-/// \throws DomainError if a coordinate is not finite; LimitError if the curves have 2^31 - 1
-///         points or more.
+/// Exact for all finite coordinates: every decision is that of the exact geometry of the
+/// given points, and each coordinate of a crossing or a link is the double nearest to the
+/// exact value. About 50 ns per segment.
+/// Source: docs/mathematics/interference.md, section 6; exactness: section 7.
+/// \param curves the section curves of one plane.
+/// \param options ignored.
+/// \throws DomainError if a coordinate is not finite.
+/// \throws LimitError if the curves have 2^31 - 1 points or more.
 Trimmed envelope_trimming(std::span<const SectionCurve> curves,
                           const TrimmingOptions& options = {});
+
+/// The upper envelope of section curves as a function of s.
+class EnvelopeHeight {
+public:
+    /// \throws DomainError and LimitError as envelope_trimming does.
+    explicit EnvelopeHeight(std::span<const SectionCurve> curves);
+
+    /// z in mm at `s`; at a vertical step its upper end; nothing where no curve lies.
+    std::optional<double> at(double s) const;
+
+private:
+    struct Point {
+        SectionPoint at;
+        bool is_joined;  ///< with the point before it
+    };
+
+    std::vector<Point> points_;  // ordered by s
+};
 
 }  // namespace endmill

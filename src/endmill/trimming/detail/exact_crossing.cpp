@@ -15,14 +15,23 @@
 namespace endmill {
 namespace {
 
-// 512 bits without allocation: what coordinates of similar size need.
+// 512 bits without allocation, which is enough for coordinates of similar size.
+// How a decision becomes exact:
+// 1. Every double is an integer times a power of two. The Frame of a decision is the
+//    smallest such power among its coordinates, so that all of them are integers in that
+//    unit.
+// 2. A line becomes three integers (HomogeneousLine), and a crossing of two lines their
+//    cross product (HomogeneousPoint). No division occurs.
+// 3. The decision is the sign of a polynomial in these integers.
+// 4. A rounded coordinate is the quotient of two integers, computed with more bits than a
+//    double has and then rounded once (nearest).
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<512>,
                                               boost::multiprecision::et_off>;
 
 constexpr int mantissa_bits = std::numeric_limits<double>::digits;
-constexpr int least_exponent = -1074;  // of the last bit of a double
+constexpr int least_exponent = -1074;  // exponent of the last bit of the smallest double
 
-// value = mantissa * 2^exponent, the mantissa odd or 0.
+// value = mantissa * 2^exponent, with an odd mantissa, or 0.
 struct Binary {
     std::int64_t mantissa;
     int exponent;
@@ -39,21 +48,23 @@ Binary binary(double value)
     return {mantissa / (std::int64_t{1} << zeros), exponent - mantissa_bits + zeros};
 }
 
-// The point (s, z) / w, w > 0, in units of the frame.
+// The point (s, z) / w with w > 0, in units of the frame.
 struct HomogeneousPoint {
     Integer s;
     Integer z;
     Integer w;
 };
 
-// Points above it have s * point.s + z * point.z + w * point.w > 0; z > 0.
+// A point lies above the line if s * point.s + z * point.z + w * point.w > 0. z is
+// positive.
 struct HomogeneousLine {
     Integer s;
     Integer z;
     Integer w;
 };
 
-// The unit of length, 2^exponent, of which all coordinates in question are multiples.
+// The unit of length of a decision, 2^exponent. All coordinates of the decision are
+// multiples of it.
 class Frame {
 public:
     Frame(std::initializer_list<const SectionLine*> lines,
@@ -128,7 +139,8 @@ double nearest(Integer numerator, Integer denominator, int exponent)
     if (sign == 0)
         return 0;
     numerator = abs(numerator);
-    // A quotient of two bits more than a double has, or three; what it leaves only breaks ties.
+    // The quotient has two or three bits more than a double. The remainder only decides
+    // ties.
     const int shift = mantissa_bits + 2 + static_cast<int>(msb(denominator)) -
                       static_cast<int>(msb(numerator));
     if (shift >= 0)
@@ -144,7 +156,7 @@ double nearest(Integer numerator, Integer denominator, int exponent)
         least_exponent, last + static_cast<int>(std::bit_width(bits)) - mantissa_bits);
     const int dropped = kept_last - last;
     if (dropped > static_cast<int>(std::bit_width(bits)))
-        return 0;  // below half of the smallest double
+        return 0;  // less than half of the smallest double
     const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
     const std::uint64_t tail = bits & (2 * half - 1);
     std::uint64_t kept = dropped < 64 ? bits >> dropped : 0;

@@ -10,11 +10,11 @@ namespace {
 
 constexpr std::string_view valley_rule = "valley";
 
-// A run forward in s.
+// A maximal run of the chain with growing s.
 struct ForwardRun {
-    std::int32_t first;  // vertex
+    std::int32_t first;  // vertices
     std::int32_t last;
-    std::size_t tested = 0;  // how many runs behind it are known not to cross it
+    std::size_t tested = 0;  // the first `tested` runs behind this one do not cross it
 };
 
 struct ForwardRuns {
@@ -41,14 +41,15 @@ ForwardRuns forward_runs(const SectionChain& chain, double dead_band)
 
 std::optional<ChainCrossing> crossing_of_runs(const SectionChain& chain,
                                               const ForwardRun& a, const ForwardRun& b,
-                                              CrossingSearch* search,
-                                              const TrimmingOptions& options)
+                                              const CrossingFinder& find)
 {
-    return search(chain, {a.first, a.last, b.first, b.last}, options);
+    return find(chain, {a.first, a.last, b.first, b.last});
 }
 
-// A crossing that is only near the curve can lie behind vertices of A, or in front of
-// vertices of B: they go, so that s does not step back.
+// Cuts the loop between two runs out and joins them at their crossing. A crossing of
+// method 1 lies only near the curve, and may lie behind the last vertices of A or in
+// front of the first vertices of B. These vertices are removed too, so that s does not
+// step back.
 ForwardRun join_runs(SectionChain& chain, const ForwardRun& a, const ForwardRun& b,
                      const ChainCrossing& crossing)
 {
@@ -66,10 +67,11 @@ ForwardRun join_runs(SectionChain& chain, const ForwardRun& a, const ForwardRun&
     return joined;
 }
 
-// What was found of two runs depends on them alone, so that after a splice only the run
-// that it made has to be tested again: the runs in front of it are a stack.
+// Searches each run and its next one. Whether two runs cross depends on these two alone.
+// After a splice only the joined run has to be tested again, against the run in front of
+// it, so that the runs in front form a stack.
 void splice_neighbours(SectionChain& chain, std::vector<ForwardRun>& runs,
-                       CrossingSearch* search, const TrimmingOptions& options)
+                       const CrossingFinder& find)
 {
     std::size_t kept = 0;
     for (const ForwardRun& run : std::vector<ForwardRun>{runs}) {
@@ -77,7 +79,7 @@ void splice_neighbours(SectionChain& chain, std::vector<ForwardRun>& runs,
         while (kept >= 2) {
             const ForwardRun& a = runs[kept - 2];
             const ForwardRun& b = runs[kept - 1];
-            const auto crossing = crossing_of_runs(chain, a, b, search, options);
+            const auto crossing = crossing_of_runs(chain, a, b, find);
             if (!crossing)
                 break;
             runs[kept - 2] = join_runs(chain, a, b, *crossing);
@@ -87,7 +89,8 @@ void splice_neighbours(SectionChain& chain, std::vector<ForwardRun>& runs,
     runs.resize(kept);
 }
 
-// Replaces the runs `first` to `last` by `joined`, which nothing is known of.
+// Replaces the runs `first` to `last` by `joined`, which has not been tested against any
+// run.
 void replace(std::vector<ForwardRun>& runs, std::size_t first, std::size_t last,
              const ForwardRun& joined)
 {
@@ -98,17 +101,17 @@ void replace(std::vector<ForwardRun>& runs, std::size_t first, std::size_t last,
         runs[k].tested = std::min(runs[k].tested, first - k - 1);
 }
 
-// Tries the pairs that are `distance` runs apart and of which nothing is known.
+// Searches the pairs of runs that are `distance` apart and have not been tested. Returns
+// true after the first splice.
 bool splice_at_distance(SectionChain& chain, std::vector<ForwardRun>& runs,
-                        std::size_t distance, CrossingSearch* search,
-                        const TrimmingOptions& options)
+                        std::size_t distance, const CrossingFinder& find)
 {
     for (std::size_t k = 0; k + distance < runs.size(); ++k) {
         ForwardRun& a = runs[k];
         if (a.tested >= distance)
             continue;
         const ForwardRun& b = runs[k + distance];
-        const auto crossing = crossing_of_runs(chain, a, b, search, options);
+        const auto crossing = crossing_of_runs(chain, a, b, find);
         if (crossing) {
             replace(runs, k, k + distance, join_runs(chain, a, b, *crossing));
             return true;
@@ -118,18 +121,20 @@ bool splice_at_distance(SectionChain& chain, std::vector<ForwardRun>& runs,
     return false;
 }
 
+// Searches all pairs of runs, nearest pairs first. After a splice the search restarts
+// with neighbours, because the joined run is new.
 void splice_all(SectionChain& chain, std::vector<ForwardRun>& runs,
-                CrossingSearch* search, const TrimmingOptions& options)
+                const CrossingFinder& find)
 {
     for (std::size_t distance = 1; distance < runs.size();) {
-        const bool has_spliced =
-            splice_at_distance(chain, runs, distance, search, options);
+        const bool has_spliced = splice_at_distance(chain, runs, distance, find);
         distance = has_spliced ? 1 : distance + 1;
     }
 }
 
-// The first fold is that between the first two runs, the last one that between the last.
-// A branch that ends before it meets the other's cusp is cut off with the fold.
+// Applies rule E3 once. The first fold lies between the first two runs, the last fold
+// between the last two. A branch that ends before it reaches the s of the other branch's
+// cusp is cut off together with the fold. Returns whether the rule applied.
 bool cut_short_branch(SectionChain& chain, std::vector<ForwardRun>& runs)
 {
     if (runs.size() < 2)
@@ -158,16 +163,16 @@ bool cut_short_branch(SectionChain& chain, std::vector<ForwardRun>& runs)
 
 }  // namespace
 
-int trim_guarded(SectionChain& chain, double dead_band, CrossingSearch* search,
-                 const TrimmingOptions& options, RunPairs pairs)
+int trim_guarded(SectionChain& chain, double dead_band, const CrossingFinder& find,
+                 RunPairs pairs)
 {
     auto [runs, begins_backward, ends_backward] = forward_runs(chain, dead_band);
     if (runs.empty())
         return begins_backward ? 1 : 0;
     if (pairs == RunPairs::Neighbours)
-        splice_neighbours(chain, runs, search, options);
+        splice_neighbours(chain, runs, find);
     else
-        splice_all(chain, runs, search, options);
+        splice_all(chain, runs, find);
 
     if (ends_backward)
         chain.cut_behind(runs.back().last, "E1");

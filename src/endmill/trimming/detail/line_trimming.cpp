@@ -10,14 +10,19 @@ std::optional<ChainCrossing> search_by_lines(const SectionChain& chain,
                                              const TrimmingOptions& options)
 {
     constexpr int most_rounds =
-        60;  // 1.8 on average where it converges; beyond, it cycles
+        60;  // 1.8 rounds on average where the iteration converges; later it cycles
+    // Each branch must meet the line of constant s through the other's cusp; otherwise
+    // there is no loop. The segment of A on that line is the start of the iteration.
     const auto start =
         first_meeting_of_a(chain, branches, 0, chain.at(branches.cusp_b).x());
     if (!start || !first_meeting_of_b(chain, branches, 0, chain.at(branches.cusp_a).x()))
         return std::nullopt;
 
-    const bool valley_only = options.detection == FoldDetection::Guarded;
+    const CrossingType type = crossing_type(options.detection);
     std::int32_t on_a = start->segment;
+    // The line of a segment of A selects a segment of B, whose line selects a segment of
+    // A. At a fixed point each segment crosses the line of the other, so that the two
+    // segments cross.
     for (int round = 0; round < most_rounds; ++round) {
         const auto on_b = first_crossed_of_b(chain, branches, on_a);
         if (!on_b)
@@ -26,7 +31,7 @@ std::optional<ChainCrossing> search_by_lines(const SectionChain& chain,
         if (!next_on_a)
             return std::nullopt;
         if (*next_on_a == on_a)
-            return crossing_of(chain, on_a, *on_b, valley_only);
+            return crossing_of(chain, on_a, *on_b, type);
         on_a = *next_on_a;
     }
     return std::nullopt;

@@ -6,27 +6,30 @@
 namespace endmill {
 namespace {
 
-// A pattern in the signs of dz, and its words.
+// A fold found by the signs of dz: its two branches, and the rules for a cut with and
+// without a crossing.
 struct Pattern {
     Branches branches;
     std::string_view rule;
     std::string_view cut_rule;
 };
 
-// How the paper's runs are read.
+// How the runs are read.
 struct Reading {
     double dead_band;  // mm
-    bool has_p3;
+    FoldPatterns patterns;
 };
 
-// Signs alternate, so that only the first run behind `from`, without P3 the first that
-// falls, can begin a pattern which no other begins before.
+// The first pattern behind `from`. The signs of successive runs alternate, so that the
+// pattern begins with the first run: P3 if it rises, P4 if it falls. Without P3 it begins
+// with the first falling run. Branch A is the first run of the pattern; branch B is its
+// third run (P3) or its fourth (P4).
 std::optional<Pattern> first_pattern(const SectionChain& chain, const Reading& reading,
                                      std::int32_t from)
 {
     RunReader runs{chain, RunAxis::Z, reading.dead_band, from};
     auto a = runs.next();
-    if (a && a->grows && !reading.has_p3)
+    if (a && a->grows && reading.patterns == FoldPatterns::P4)
         a = runs.next();
     if (!a)
         return std::nullopt;
@@ -41,6 +44,7 @@ std::optional<Pattern> first_pattern(const SectionChain& chain, const Reading& r
                     : Pattern{branches, "P4", "P4 cut"};
 }
 
+// Length in s of the part from one vertex to another.
 double s_between(const SectionChain& chain, std::int32_t from, std::int32_t to)
 {
     return chain.at(to).x() - chain.at(from).x();
@@ -48,14 +52,14 @@ double s_between(const SectionChain& chain, std::int32_t from, std::int32_t to)
 
 }  // namespace
 
-void trim_literally(SectionChain& chain, double dead_band, CrossingSearch* search,
-                    const TrimmingOptions& options)
+void trim_literally(SectionChain& chain, double dead_band, const CrossingFinder& find,
+                    FoldPatterns patterns)
 {
-    const Reading reading{dead_band, options.three_runs_twist};
+    const Reading reading{dead_band, patterns};
     std::int32_t from = chain.first();
     while (const auto pattern = first_pattern(chain, reading, from)) {
         const Branches& branches = pattern->branches;
-        if (const auto crossing = search(chain, branches, options)) {
+        if (const auto crossing = find(chain, branches)) {
             const std::int32_t right = chain.next(crossing->segment_b);
             from = chain.join(crossing->segment_a, right, *crossing, pattern->rule);
         } else if (s_between(chain, chain.first(), branches.cusp_a) >=

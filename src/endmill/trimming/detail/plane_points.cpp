@@ -10,7 +10,8 @@
 namespace endmill {
 namespace {
 
-// Not short-circuited: several at a time. False if one is not a number.
+// Whether all coordinates are at most `bound` in size; false if one is not a number. The
+// loop does not stop early, so that the compiler can test several points at a time.
 bool are_at_most(std::span<const SectionPoint> points, double bound)
 {
     bool is_any_larger = false;
@@ -21,7 +22,8 @@ bool are_at_most(std::span<const SectionPoint> points, double bound)
     return !is_any_larger;
 }
 
-// Any part's coordinates are at most of this size, in mm.
+// mm. The coordinates of every realistic part are smaller, so that the first test
+// decides.
 constexpr double usual_size = 1e12;
 
 }  // namespace

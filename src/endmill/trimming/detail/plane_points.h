@@ -10,30 +10,34 @@
 
 namespace endmill {
 
-/// The points of all curves of a plane in one row. Segment i joins points i and i + 1;
-/// those between two curves are none.
+/// The points of all curves of a plane in one row. Segment i joins points i and i + 1.
+/// There is no segment from the last point of a curve to the first point of the next.
 struct SectionPoints {
-    std::span<const SectionPoint> points;
-    /// Of each curve, the number behind its last point.
+    std::span<const SectionPoint> points;  ///< of all curves
+    /// for each curve the number behind its last point
     std::span<const std::int32_t> ends;
-    double largest_at_most;  ///< bounds the sizes of all coordinates
+    double largest_at_most;  ///< upper bound of the size of all coordinates
 };
 
-/// The curves of a plane as one row of points, and back to their own numbers.
+/// Numbers the points of all curves of a plane in one row, and converts these numbers
+/// back to the curves' own.
 class PlanePoints {
 public:
-    /// Copies nothing if there is one curve.
-    /// \pre the curves outlive it.
-    /// \throws DomainError if a coordinate is not finite; LimitError if there are 2^31 - 1
-    ///         points or more.
+    /// Copies no points if there is a single curve.
+    /// \pre the curves outlive this object.
+    /// \throws DomainError if a coordinate is not finite.
+    /// \throws LimitError if there are 2^31 - 1 points or more.
     explicit PlanePoints(std::span<const SectionCurve> curves);
 
+    // section() refers to the members of this object.
     PlanePoints(const PlanePoints&) = delete;
     PlanePoints& operator=(const PlanePoints&) = delete;
 
+    /// The row of points.
     const SectionPoints& section() const { return section_; }
 
-    /// The segment or vertex `number` of section() by its curve.
+    /// The segment or vertex `number` of section(), as number of its curve and number in
+    /// the curve.
     SegmentNumber number(std::int32_t number) const
     {
         if (ends_.size() == 1)

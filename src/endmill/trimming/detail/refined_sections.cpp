@@ -7,16 +7,17 @@
 #include <optional>
 #include <utility>
 
-#include "endmill/trimming/detail/envelope_height.h"
+#include "endmill/trimming/detail/envelope_trimming.h"
 #include "endmill/trimming/detail/trimmed_points.h"
 
 namespace endmill {
 namespace {
 
-// Of the cutter's radius, by which a point may lie below the envelope and still be meant to
-// be on it: method 1 sees crossings to some hundredths of it.
+// Share of the cutter's radius. A point that lies up to this far below the envelope
+// counts as a point of the envelope: method 1 finds crossings to some hundredths of the
+// radius only.
 constexpr double below_envelope = 0.01;
-// Of the cutter's radius: the farthest that a crossing moves along s.
+// Share of the cutter's radius: a crossing moves at most this far along s.
 constexpr double crossing_reach = 0.5;
 
 std::size_t index(std::int32_t number)
@@ -24,7 +25,7 @@ std::size_t index(std::int32_t number)
     return static_cast<std::size_t>(number);
 }
 
-// Lets the cutter down at points of one section.
+// Finds the height at which the cutter rests over points of one section.
 class SectionDrop {
 public:
     SectionDrop(const SampledSection& sampled, FinerPieces& finer)
@@ -34,9 +35,10 @@ public:
     {
     }
 
-    // Whether the point `k` of a curve stands for the height of a cutter over its s. Of a
-    // vertical step both ends do, but where the offset stands upright: where the cutter
-    // passes by an edge.
+    // Whether point `k` of a curve lies on the upper envelope, so that its z is the
+    // height of a cutter over its s. Both ends of a vertical step count, unless the
+    // offset is vertical there: then the cutter passes the part's edge, and every height
+    // between the ends is possible.
     bool is_height(const TrimmedCurve& curve, std::size_t k) const
     {
         const auto& points = curve.points;
@@ -59,7 +61,8 @@ public:
                               *height - below_envelope * sampled_.offset.cutter.radius());
     }
 
-    // The highest contact that is uphill from where a point was sampled.
+    // The contact found by climbing from the point's sampled contact; for a crossing, the
+    // higher one of two.
     std::optional<PartContact> near_contact(const TrimmedPoint& point) const
     {
         const Eigen::Vector2d axis = sampled_.line.axis(point.at.x());
@@ -71,7 +74,8 @@ public:
                                                                             : contact;
     }
 
-    // The highest of all, if the offset has contacts of its kind.
+    // The highest contact of all over the point's s. Nothing if no contact is known, or
+    // if the contact is on an edge and the offset has no contacts on edges.
     std::optional<DropRest> rest(const TrimmedPoint& point) const
     {
         const auto known = near_contact(point);
@@ -96,7 +100,7 @@ private:
     bool counts(const PartContact& contact) const
     {
         const OffsetMesh& offset = sampled_.offset;
-        const bool has_edges = offset.sheet_triangles < offset.mesh.triangles().size();
+        const bool has_edges = offset.surface_triangles < offset.mesh.triangles().size();
         return contact.is_inside || has_edges;
     }
 
@@ -117,7 +121,8 @@ private:
         return is_level(at.below) && is_level(at.above);
     }
 
-    // Where a point on a segment, or a vertex, touches the part as sampled, about.
+    // The approximate contact of a point of the section: interpolated between the
+    // contacts at the ends of the mesh edge that the plane crosses.
     PartPlace place(SegmentNumber on, const TrimmedPoint& point) const
     {
         const auto& points = sampled_.section.curves[index(on.curve)].points;
@@ -151,12 +156,21 @@ private:
     FinerPieces& finer_;
 };
 
+// The refined position of a point: the reference point of the cutter at rest.
 SectionPoint place_of(const DropRest& rest)
 {
     return {rest.s, rest.contact.on.height};
 }
 
-// A curve on its way to the smooth part: its crossings, and what lies between them.
+// Refines one trimmed curve:
+// 1. Every point that lies on the envelope gets the highest contact over its s. Crossings
+//    and other points are kept in separate lists.
+// 2. Between neighbouring points the search of drop_kinks.h finds the kinks of the
+//    height, at which the highest contact changes.
+// 3. Each crossing is assigned the nearest free kink within crossing_reach; the vertices
+//    between its old and its new position are removed.
+// 4. The curve is written in the order of s. Kinks without a crossing become new
+//    crossings; crossings without a kink keep their s.
 class CurveRefinement {
 public:
     CurveRefinement(const SectionDrop& drop, const TrimmedCurve& curve, double reach)
@@ -216,7 +230,7 @@ private:
 
     struct Crossing {
         TrimmedPoint sampled;
-        std::optional<DropRest> rest;  // over its own s
+        std::optional<DropRest> rest;  // over the crossing's own s
         std::size_t next;
         std::size_t kink;
     };
@@ -231,7 +245,7 @@ private:
             kinks_.push_back({std::move(kink), next, none});
     }
 
-    // Finds where a crossing has moved to, and the vertices that it has passed by.
+    // Assigns a kink to a crossing, and marks the vertices that the crossing passes.
     void match(std::size_t number)
     {
         Crossing& crossing = crossings_[number];
@@ -255,7 +269,7 @@ private:
             points_[k].is_passed = points_[k].sampled.kind == TrimmedKind::Vertex;
     }
 
-    // Crossings, as they are now, between the points k - 1 and k.
+    // The crossings between points k - 1 and k at their refined positions, ordered by s.
     std::vector<std::pair<TrimmedPoint, std::optional<DropRest>>> crossings_in_front_of(
         std::size_t k) const
     {

@@ -11,39 +11,48 @@
 
 namespace endmill {
 
-/// The curves that were trimmed, where they lie, and what they are a sampling of.
+/// A section of a sampled offset, with the smooth part that it approximates.
 struct SampledSection {
-    const PlaneSection& section;  ///< of the offset's mesh
-    DriveLine line;
-    const OffsetMesh& offset;
-    const SmoothDrop& drop;  ///< for offset.cutter
+    const PlaneSection& section;  ///< section of the offset mesh
+    DriveLine line;               ///< its drive plane
+    const OffsetMesh& offset;     ///< the sampled offset
+    const SmoothDrop& drop;       ///< of the part, for offset.cutter
 };
 
-/// Trimmed curves of one plane, their points where the cutter rests on the smooth part.
+/// The trimmed curves of one plane after refinement.
 struct RefinedCurves {
-    std::vector<TrimmedCurve> curves;
-    std::size_t refined = 0;    ///< points at which the cutter now rests on the part
-    std::size_t unrefined = 0;  ///< points kept as sampled
+    std::vector<TrimmedCurve> curves;  ///< in their original order
+    /// number of points at which the cutter now rests on the part
+    std::size_t refined = 0;
+    std::size_t unrefined = 0;  ///< number of points that keep their sampled position
     double greatest_shift =
-        0;  ///< mm in z of a point, or of a crossing over its old place
+        0;  ///< mm, largest change of z of a point; a crossing counts at its old s
 };
 
-/// Lets the cutter down on the smooth part at every point that is left in a plane and
-/// that lies on the upper envelope of its section: over its own s, a crossing where two
-/// contacts are equally high. A crossing that was not sampled is put in. Vertices that a
-/// crossing has passed by are left out.
+/// Moves every point of the trimmed curves of a plane that lies on the upper envelope of
+/// its section to the height at which the cutter rests on the smooth part: over the
+/// point's own s, and for a crossing over the s at which two contacts are equally high.
+/// Crossings that the sampling missed are inserted. Vertices that a crossing has passed
+/// are removed.
 ///
-/// Kept as sampled are points below the envelope, which a method left in a fold; points on
-/// a vertical step and on the upright rim of the offset, where the height over s is
-/// anything; and those where the cutter touches a border, if the offset has none.
-/// Source: specification of the interference removal, section 6.
-/// \param finer of this drop and this thread alone.
+/// Three kinds of points keep their sampled position: points below the envelope, which a
+/// method left in a fold; points on a vertical step or on the vertical rim of the offset,
+/// where the height over s is not unique; and points where the cutter touches a border,
+/// if the offset has no contacts there.
+/// Source: docs/mathematics/interference.md, section 6.
+/// \param sampled the section and the part.
+/// \param curves the trimmed curves of the section.
+/// \param finer belongs to `sampled.drop` and to this thread alone.
 RefinedCurves refined(const SampledSection& sampled,
                       const std::vector<TrimmedCurve>& curves, FinerPieces& finer);
 
-/// The greatest shift in z of the points that `refined` would move, mm, if above `least`;
-/// else `least`. Quicker: contacts far from those sampled are looked for where the shift is
-/// greater only.
+/// The largest change of z in mm that `refined` would make to a point, or `least` if that
+/// is larger. It is faster than `refined`: it searches for contacts far from the sampled
+/// ones only where the change from the nearest contact exceeds the largest so far.
+/// \param sampled the section and the part.
+/// \param curves the trimmed curves of the section.
+/// \param least mm, a change that is known already.
+/// \param finer belongs to `sampled.drop` and to this thread alone.
 double greatest_shift(const SampledSection& sampled,
                       const std::vector<TrimmedCurve>& curves, double least,
                       FinerPieces& finer);

@@ -11,12 +11,14 @@
 namespace endmill {
 namespace {
 
-// The one double to which all numbers within `error` of `value` are rounded.
+// The double to which all numbers within `error` of `value` are rounded, if it is the
+// same one.
 std::optional<double> rounded(const DoubleDouble& value, double error)
 {
     const double low = value.value() + (value.rest() - error);
     const double high = value.value() + (value.rest() + error);
-    // Near the smallest doubles the pairs lose what they should hold; NaN fails, too.
+    // Near the smallest and the largest doubles a pair of doubles loses its low part. NaN
+    // fails the test as well.
     constexpr double smallest = 0x1p-400;
     constexpr double largest = 0x1p+400;
     const double size = std::abs(low);
@@ -25,13 +27,14 @@ std::optional<double> rounded(const DoubleDouble& value, double error)
     return std::nullopt;
 }
 
-// A share of a segment from one end.
+// A share of a segment, counted from its first end, with an error bound.
 struct Share {
     DoubleDouble value;
     double error;
 };
 
-// The point at `share` of the way from a to b, or nothing.
+// The correctly rounded point at `share` of the way from a to b, or nothing if the error
+// bound leaves two candidates.
 std::optional<double> rounded_between(double a, double b, const Share& share)
 {
     const DoubleDouble way = DoubleDouble::sum_of(b, -a);
@@ -45,7 +48,7 @@ std::optional<double> rounded_between(double a, double b, const Share& share)
 
 SectionPoint rounded_crossing(const SectionLine& p, const SectionLine& q)
 {
-    // With f the signed area above p, the crossing divides q as f(a) : -f(b).
+    // Let f be the signed area above p. The crossing divides q as f(a) : -f(b).
     const DoubleDouble ds = DoubleDouble::sum_of(p.b[0], -p.a[0]);
     const DoubleDouble dz = DoubleDouble::sum_of(p.b[1], -p.a[1]);
     const DoubleDouble left_a = ds * DoubleDouble::sum_of(q.a[1], -p.a[1]);

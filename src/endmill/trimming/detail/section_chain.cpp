@@ -71,6 +71,7 @@ TrimmedCurve SectionChain::curve() const
     }
 }
 
+// The last vertex of the unchanged stretch of the input that begins at `vertex`.
 std::int32_t SectionChain::end_of_stretch(std::int32_t vertex) const
 {
     const std::int32_t* next = next_.data();
@@ -88,7 +89,8 @@ void SectionChain::append_input(std::int32_t first, std::int32_t last,
     const SectionPoint* from = &input_[first];
     const std::size_t before = result.points.size();
     result.points.resize(before +
-                         (last - first + 1));  // written once more, but in one go
+                         // entries are written twice, but allocated once
+                         (last - first + 1));
     TrimmedPoint* to = &result.points[before];
     for (std::int32_t vertex = first; vertex <= last; ++vertex, ++from, ++to) {
         to->at = *from;
@@ -98,6 +100,7 @@ void SectionChain::append_input(std::int32_t first, std::int32_t last,
     }
 }
 
+// The segment of the input that carries the chain's segment behind `vertex`.
 std::int32_t SectionChain::input_segment_behind(std::int32_t vertex) const
 {
     const std::int32_t next = next_[vertex];
@@ -105,7 +108,8 @@ std::int32_t SectionChain::input_segment_behind(std::int32_t vertex) const
         return crossings_[next - input_count()].on.point;
     if (vertex >= input_count())
         return crossings_[vertex - input_count()].across.point;
-    // Two vertices of the input, joined where one of them lies on the other's segment.
+    // Two vertices of the input that were joined because one of them lies on the other's
+    // segment.
     const bool is_on_first =
         next == vertex + 1 ||
         orientation(input_[vertex], input_[vertex + 1], input_[next]) == 0;

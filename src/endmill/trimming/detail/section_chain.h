@@ -10,55 +10,63 @@
 
 namespace endmill {
 
-/// Where two segments of a chain cross, or are taken to.
+/// A crossing of two segments of a chain.
 struct ChainCrossing {
-    std::int32_t segment_a;  ///< by its first vertex, on the chain before `segment_b`
-    std::int32_t segment_b;
-    SectionPoint at;
-    bool lies_on_both = true;  ///< but for rounding; if not, it is near them
+    std::int32_t segment_a;  ///< first vertex; in front of `segment_b` on the chain
+    std::int32_t segment_b;  ///< first vertex
+    SectionPoint at;         ///< s and z in mm
+    /// up to rounding; if false, the crossing is only near them
+    bool lies_on_both = true;
 };
 
-/// An open section curve from which stretches are cut and in which crossings are set. Its
-/// vertices have numbers: those of the input their own, crossings the next ones. A segment
-/// is told by its first vertex. Each change takes a time that does not depend on its size.
+/// An open section curve from which stretches are cut and into which crossings are
+/// inserted. It is a doubly linked list of vertices with numbers: vertices of the input
+/// keep their own, crossings get the next ones. A segment is denoted by its first vertex.
+/// Each change takes constant time.
 class SectionChain {
 public:
-    /// \param curve number of the curve in its plane. \pre `input` outlives the chain and
-    /// has two points.
+    /// \param input the points of the curve, at least two. They must outlive the chain.
+    /// \param curve number of the curve in its plane.
     SectionChain(std::span<const SectionPoint> input, std::int32_t curve);
 
-    std::int32_t first() const { return first_; }  ///< vertex
-    std::int32_t last() const { return last_; }    ///< vertex
+    std::int32_t first() const { return first_; }  ///< first vertex
+    std::int32_t last() const { return last_; }    ///< last vertex
 
-    /// The vertex behind `vertex`. \pre it is not the last.
+    /// The vertex behind `vertex`. \pre `vertex` is not the last.
     std::int32_t next(std::int32_t vertex) const { return next_[vertex]; }
 
-    /// The vertex in front of `vertex`. \pre it is not the first.
+    /// The vertex in front of `vertex`. \pre `vertex` is not the first.
     std::int32_t previous(std::int32_t vertex) const { return previous_[vertex]; }
 
-    /// Where `vertex` is: s and z in mm.
+    /// The position of `vertex`: s and z in mm.
     const SectionPoint& at(std::int32_t vertex) const
     {
         return vertex < input_count() ? input_[vertex]
                                       : crossings_[vertex - input_count()].at;
     }
 
-    /// The points that the chain began with: those of its vertices below their number.
+    /// The points of the original curve; point k is vertex k.
     std::span<const SectionPoint> input() const { return input_; }
 
-    /// Cuts out what lies between the vertices `left` and `right` and sets `crossing`
-    /// there, unless one of the two is just there. `left` is in front of `right`.
+    /// Cuts out everything between the vertices `left` and `right` and inserts `crossing`
+    /// there. If `left` or `right` is exactly at the crossing, no vertex is inserted.
+    /// \param left in front of `right`.
+    /// \param right behind `left`.
+    /// \param crossing where the chain continues.
+    /// \param rule the reason for the cut.
     /// \return the vertex at the crossing.
     std::int32_t join(std::int32_t left, std::int32_t right,
                       const ChainCrossing& crossing, std::string_view rule);
 
+    /// Cuts off everything in front of `vertex`, for the reason `rule`.
     void cut_before(std::int32_t vertex, std::string_view rule);
+    /// Cuts off everything behind `vertex`, for the reason `rule`.
     void cut_behind(std::int32_t vertex, std::string_view rule);
 
-    /// What is left; no points if that is only one.
+    /// The curve that remains; without points if only one vertex remains.
     TrimmedCurve curve() const;
 
-    /// What was cut out, in order.
+    /// The cuts, in the order in which they were made.
     const std::vector<AppliedRule>& rules() const { return rules_; }
 
 private:

@@ -4,16 +4,18 @@
 namespace endmill {
 namespace {
 
-// Below it no product of lengths overflows.
+// No product of two lengths below it overflows.
 constexpr double largest_coordinate = 0x1p+250;
+// Added to a bound where underflow may take part of a product.
 constexpr double underflow = std::numeric_limits<double>::min();
 
+// A height with a bound of its error, mm.
 struct BoundedHeight {
     double z;
     double error;
 };
 
-// The height of a line at s, between its points.
+// The height of a line at s, where s lies between the line's points.
 BoundedHeight height(const SectionLine& line, double s)
 {
     const double share = (s - line.a[0]) / (line.b[0] - line.a[0]);
@@ -44,7 +46,7 @@ int SectionOrder::height_order(std::int32_t p, std::int32_t q, double s) const
 
 EnvelopeCrossing SectionOrder::crossing(std::int32_t p, std::int32_t q) const
 {
-    // With f the signed area above p, the crossing divides q as f(a) : -f(b).
+    // Let f be the signed area above p. The crossing divides q as f(a) : -f(b).
     const SectionPoint& a = points_[p];
     const SectionPoint& b = points_[p + 1];
     const SectionPoint& c = points_[q];
@@ -61,7 +63,8 @@ EnvelopeCrossing SectionOrder::crossing(std::int32_t p, std::int32_t q) const
                                             std::abs(left_d) + std::abs(right_d)) +
                          slack_;
     const double share_doubt = doubt / std::abs(span);
-    constexpr double useful = 0x1p-20;  // nearly parallel beyond: better asked exactly
+    // beyond it the lines are nearly parallel, and the exact result is better
+    constexpr double useful = 0x1p-20;
     if (!(share_doubt < useful)) {
         const SectionPoint point = exact_crossing(line(p), line(q));
         const double size = std::max(std::abs(point[0]), std::abs(point[1]));

@@ -9,26 +9,38 @@
 
 #include "endmill/core/orientation.h"
 #include "endmill/trimming/detail/exact_crossing.h"
-#include "endmill/trimming/detail/upper_envelope.h"
+#include "endmill/trimming/detail/plane_points.h"
 
 namespace endmill {
 
-/// What lies above or before what among segments and their crossings. Every answer is exact;
-/// the bounds inside which rounding answers are proved in paper/notes/envelope-filters.md,
-/// with u = 2^-53.
+/// A proper crossing of two segments.
+struct EnvelopeCrossing {
+    double s;        ///< mm, as z
+    double z;        ///< mm
+    double error;    ///< bound of the errors of s and of z, mm
+    std::int32_t p;  ///< number of one segment
+    std::int32_t q;  ///< number of the other
+};
+
+/// Compares segments, vertices and crossings of a plane: above or below, in front or
+/// behind. Every answer is exact. Each comparison is first computed in doubles. If the
+/// result exceeds its error bound, its sign is certain; otherwise exact_crossing.h
+/// decides. The bounds are proved in paper/notes/envelope-filters.md, where u = 2^-53.
 class SectionOrder {
 public:
     /// \pre the coordinates are finite.
     explicit SectionOrder(const SectionPoints& section);
 
-    double s(std::int32_t vertex) const { return points_[vertex][0]; }  ///< mm
+    /// s of a vertex in mm
+    double s(std::int32_t vertex) const { return points_[vertex][0]; }
 
+    /// The line through the ends of `segment`.
     SectionLine line(std::int32_t segment) const
     {
         return {points_[segment], points_[segment + 1]};
     }
 
-    /// Whether a vertex lies above the line of `segment` (1), on it (0) or below (-1).
+    /// Whether a vertex lies above the line of `segment` (1), on it (0) or below it (-1).
     int side(std::int32_t segment, std::int32_t vertex) const
     {
         const SectionPoint& a = points_[segment];
@@ -37,7 +49,8 @@ public:
         return a[0] < b[0] ? turn : -turn;
     }
 
-    /// Whether a crossing lies above the line of `segment` (1), on it (0) or below (-1).
+    /// Whether a crossing lies above the line of `segment` (1), on it (0) or below it
+    /// (-1).
     int side(std::int32_t segment, const EnvelopeCrossing& crossing) const
     {
         const SectionPoint& a = points_[segment];
@@ -53,10 +66,11 @@ public:
         return exact_side(line(segment), line(crossing.p), line(crossing.q));
     }
 
-    /// Whether p runs above q at s (1), meets it there (0), or runs below (-1).
+    /// Whether p runs above q at s (1), meets q there (0), or runs below q (-1).
     int height_order(std::int32_t p, std::int32_t q, double s) const;
 
-    /// Whether a crossing has a larger s (1), this one (0) or a smaller one (-1).
+    /// Whether a crossing has a larger s than the given one (1), the same (0) or a
+    /// smaller one (-1).
     int order(const EnvelopeCrossing& crossing, double s) const
     {
         const double difference = crossing.s - s;
@@ -74,13 +88,13 @@ public:
         return exact_order(line(x.p), line(x.q), line(y.p), line(y.q));
     }
 
-    /// The crossing of p and q. \pre they have just one point in common.
+    /// The crossing of segments p and q. \pre they have exactly one point in common.
     EnvelopeCrossing crossing(std::int32_t p, std::int32_t q) const;
 
 private:
     std::span<const SectionPoint> points_;
-    /// Covers what underflow takes; infinite, so that nothing passes the bounds, where the
-    /// coordinates are so large that a product might overflow.
+    /// Covers the loss by underflow. It is infinite where coordinates are so large that a
+    /// product may overflow, so that the exact functions decide everything.
     double slack_;
 };
 

@@ -12,7 +12,8 @@ namespace endmill {
 double dead_band(std::span<const SectionPoint> points)
 {
     constexpr double share_of_extent = 1e-10;
-    constexpr std::size_t lanes = 4;  // so that one minimum need not wait for the other
+    // independent minima, so that one need not wait for the other
+    constexpr std::size_t lanes = 4;
     require(points.size() >= 2, "a section curve needs two points");
     std::array<SectionPoint, lanes> low;
     low.fill(points[0]);

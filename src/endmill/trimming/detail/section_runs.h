@@ -8,31 +8,38 @@
 
 namespace endmill {
 
-/// Along which coordinate the runs of a chain are told apart.
+/// The coordinate whose growth and fall divide a chain into runs.
 enum class RunAxis : std::uint8_t { S, Z };
 
-/// A maximal run of a chain on which the coordinate grows, or falls.
+/// A maximal run of a chain on which a coordinate grows, or falls.
 struct SectionRun {
-    std::int32_t first;  ///< vertex
-    std::int32_t last;
+    std::int32_t first;  ///< first vertex
+    std::int32_t last;   ///< last vertex
+    /// Whether the coordinate grows.
     bool grows;
 };
 
-/// How much a coordinate changes without being said to, in mm: 1e-10 of the larger extent.
-/// Below it the signs of differences at level places are those of rounding.
-/// \throws DomainError on fewer than two points or one that is not finite.
+/// The largest change of a coordinate, in mm, that counts as no change: 1e-10 of the
+/// larger extent of the curve. Below it, the signs of differences at level places are
+/// those of rounding errors.
+/// \param points of a section curve.
+/// \throws DomainError on fewer than two points or on a point that is not finite.
 double dead_band(std::span<const SectionPoint> points);
 
-/// The runs of a chain, one after the other. A segment that changes by no more than the
-/// dead band joins the run before it; leading ones join none.
+/// Reads the runs of a chain one after the other. A segment that changes by no more than
+/// the dead band belongs to the run before it. Leading segments of this kind belong to no
+/// run.
 class RunReader {
 public:
-    /// \param dead_band in mm. \param from the vertex to begin at.
-    /// \pre behind the vertex behind `from` all are still as in the input.
+    /// \param chain the curve.
+    /// \param axis the coordinate.
+    /// \param dead_band in mm.
+    /// \param from the first vertex.
+    /// \pre from the second vertex on, all vertices behind `from` are as in the input.
     RunReader(const SectionChain& chain, RunAxis axis, double dead_band,
               std::int32_t from);
 
-    /// Nothing behind the last run.
+    /// The next run; nothing after the last one.
     std::optional<SectionRun> next();
 
 private:
@@ -42,11 +49,12 @@ private:
     int axis_;
     double dead_band_;
     std::int32_t from_;
-    std::int32_t vertex_;  // where the next run begins, but for leading segments
+    std::int32_t vertex_;  // start of the next run, or of level segments before it
 };
 
-/// How many maximal runs of a trimmed curve lead back in s: reversals that are left. Runs as
-/// those of a chain.
+/// Number of maximal runs of a trimmed curve that lead back in s. These are folds that
+/// remain. Runs are defined as those of a chain.
+/// \param points of the trimmed curve.
 /// \param dead_band in mm.
 int backward_runs(std::span<const TrimmedPoint> points, double dead_band);
 

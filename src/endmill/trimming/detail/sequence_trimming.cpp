@@ -6,10 +6,11 @@
 namespace endmill {
 namespace {
 
-// The segments of a branch A that is monotone in a coordinate, upwards in it.
+// Visits the segments of branch A in the order in which a coordinate grows. A is monotone
+// in that coordinate.
 class UpwardSegments {
 public:
-    // From the segment that meets `value` on, or from A's lowest.
+    // Starts with the segment that contains `value`, or with the lowest of A.
     UpwardSegments(const SectionChain& chain, const Branches& branches, int axis,
                    double value)
         : chain_{chain},
@@ -41,7 +42,7 @@ private:
     const SectionChain& chain_;
     int axis_;
     bool grows_;
-    std::int32_t vertex_;  // the lower end of the segment
+    std::int32_t vertex_;  // the lower end of the current segment
     std::int32_t end_;
 };
 
@@ -51,23 +52,26 @@ std::optional<ChainCrossing> scan_segments(const SectionChain& chain,
                                            const Branches& branches,
                                            const TrimmingOptions& options)
 {
-    const bool valley_only = options.detection == FoldDetection::Guarded;
+    const CrossingType type = crossing_type(options.detection);
     for (std::int32_t b = branches.cusp_b; b != branches.last_b; b = chain.next(b)) {
         const auto a = first_crossed_of_a(chain, branches, b);
         if (!a)
             continue;
-        if (const auto crossing = crossing_of(chain, *a, b, valley_only))
+        if (const auto crossing = crossing_of(chain, *a, b, type))
             return crossing;
     }
     return std::nullopt;
 }
 
+// Merges A and B like two sorted lists. For each segment of B, segments of A that end
+// below it are passed for good. The segments of A beside it are tested, from a copy of
+// the pointer, because the next segment of B may lie beside them as well.
 std::optional<ChainCrossing> march_segments(const SectionChain& chain,
                                             const Branches& branches,
                                             const TrimmingOptions& options)
 {
-    const bool valley_only = options.detection == FoldDetection::Guarded;
-    const int axis = valley_only ? 0 : 1;
+    const CrossingType type = crossing_type(options.detection);
+    const int axis = type == CrossingType::Valley ? 0 : 1;
     UpwardSegments a{chain, branches, axis, chain.at(branches.cusp_b)[axis]};
     for (std::int32_t b = branches.cusp_b; b != branches.last_b; b = chain.next(b)) {
         const double low = chain.at(b)[axis];
@@ -78,8 +82,7 @@ std::optional<ChainCrossing> march_segments(const SectionChain& chain,
             return std::nullopt;
         for (UpwardSegments beside = a; beside.has_segment() && beside.low() <= high;
              beside.advance()) {
-            if (const auto crossing =
-                    crossing_of(chain, beside.segment(), b, valley_only))
+            if (const auto crossing = crossing_of(chain, beside.segment(), b, type))
                 return crossing;
         }
     }
@@ -99,6 +102,14 @@ Trimmed trim_in_sequence(std::span<const SectionCurve> curves,
                          const TrimmingOptions& options)
 {
     return trim_branches(curves, {search_in_sequence}, options);
+}
+
+Trimmed trim_repaired(std::span<const SectionCurve> curves,
+                      const TrimmingOptions& options)
+{
+    TrimmingOptions guarded = options;
+    guarded.detection = FoldDetection::Guarded;
+    return trim_branches(curves, {march_segments, RunPairs::All}, guarded);
 }
 
 }  // namespace endmill

@@ -7,29 +7,40 @@
 
 namespace endmill {
 
-/// Method 3, segments in sequence: for each segment of B, from the cusp on, the first of A
-/// that its line crosses; the first pair that also crosses the other way is the crossing.
-/// Takes |A| |B| steps where there is none.
+/// Method 3, segments in sequence. For each segment of B, from the cusp outwards, the
+/// first segment of A that its line crosses is found. The first pair in which the line of
+/// A's segment also crosses B's segment is the crossing. Takes |A| |B| steps if there is
+/// no crossing.
 /// Source: [JangKimJeong, section IV.3].
 std::optional<ChainCrossing> scan_segments(const SectionChain& chain,
                                            const Branches& branches,
                                            const TrimmingOptions& options);
 
-/// The same in |A| + |B| steps, by two pointers: both branches are followed upwards in z
-/// (literal detection, whose runs are monotone in z) or in s (guarded), and segments that
-/// are beside each other are tested. Answers the lowest crossing.
+/// Method 3 in |A| + |B| steps, with two pointers. Both branches are followed upwards: in
+/// z with literal detection, whose runs are monotone in z, and in s with guarded
+/// detection. Segments beside each other are tested. Returns the lowest crossing.
 std::optional<ChainCrossing> march_segments(const SectionChain& chain,
                                             const Branches& branches,
                                             const TrimmingOptions& options);
 
-/// One of the two, as TrimmingOptions::search says.
+/// scan_segments or march_segments, as TrimmingOptions::search selects.
 std::optional<ChainCrossing> search_in_sequence(const SectionChain& chain,
                                                 const Branches& branches,
                                                 const TrimmingOptions& options);
 
-/// Trims the curves of a plane by method 3.
-/// \throws DomainError on a curve that is not finite.
+/// Trims the curves of a plane with method 3.
+/// \throws DomainError on a curve with fewer than two points or with a point that is not
+///     finite.
 Trimmed trim_in_sequence(std::span<const SectionCurve> curves,
                          const TrimmingOptions& options);
+
+/// Trims the curves of a plane with the repaired method 3. Not only neighbouring runs
+/// forward in s are searched for a crossing but all pairs, nearest first. This finds
+/// nested loops, and loops with a zigzag at a cusp. Detection is always guarded; no
+/// option has an effect.
+/// \throws DomainError on a curve with fewer than two points or with a point that is not
+///     finite.
+Trimmed trim_repaired(std::span<const SectionCurve> curves,
+                      const TrimmingOptions& options);
 
 }  // namespace endmill

@@ -10,24 +10,27 @@ namespace endmill {
 /// vertices in a plane's row of points.
 class TrimmedPoints {
 public:
-    /// \pre `plane` outlives it.
+    /// \pre `plane` outlives this object.
     explicit TrimmedPoints(const PlanePoints& plane) : plane_{plane} {}
 
+    /// The line through the ends of `segment`.
     SectionLine line(std::int32_t segment) const
     {
         return {points()[segment], points()[segment + 1]};
     }
 
+    /// The vertex itself, with the same bits.
     TrimmedPoint vertex(std::int32_t vertex) const
     {
         const SegmentNumber number = plane_.number(vertex);
         return {points()[vertex], number, number, TrimmedKind::Vertex};
     }
 
-    /// Of two segments with just one point in common.
+    /// The crossing of segments p and q. \pre they have exactly one point in common.
     TrimmedPoint crossing(std::int32_t p, std::int32_t q) const;
 
-    /// On `segment`, straight above or below `vertex`. \pre s of the vertex is in its range.
+    /// The point of `segment` vertically above or below `vertex`.
+    /// \pre s of the vertex lies in the segment's range.
     TrimmedPoint link(std::int32_t segment, std::int32_t vertex) const;
 
 private:
@@ -36,8 +39,8 @@ private:
     const PlanePoints& plane_;
 };
 
-/// Adds `point` to `curve`. Neighbours that rounding made equal are one: the vertex, if one
-/// of them is.
+/// Appends `point` to `curve`. If rounding made it equal to the last point, only one of
+/// the two remains: the vertex, if one of them is a vertex.
 void append(TrimmedCurve& curve, const TrimmedPoint& point);
 
 }  // namespace endmill

@@ -5,26 +5,26 @@
 #include <limits>
 #include <utility>
 
-#include "endmill/trimming/detail/section_order.h"
-
 namespace endmill {
 namespace {
 
-// A chain may be merged into an envelope where it meets up to so many pieces, a segment of
-// the chain and at all: then the work is in proportion to the chain.
+// A chain is merged into an envelope if it overlaps at most this many pieces for each of
+// its segments, or this many in total. Then the work is proportional to the length of the
+// chain.
 constexpr std::size_t pieces_per_segment = 4;
 constexpr std::size_t pieces_at_least = 64;
 
-// Consecutive segments with one sign of ds, from vertex `first` to vertex `last`.
+// Consecutive segments whose ds has the same sign, from vertex `first` to vertex `last`.
 struct Chain {
     std::int32_t first;
     std::int32_t last;
     bool is_rightwards;
 };
 
-// An upper envelope in two halves that meet at the finger, each with its innermost piece
-// last. A piece over the finger is in both. In the right half EnvelopePiece::from tells where
-// a piece ends: in both its end that is farther from the finger.
+// An upper envelope as two stacks that meet at the finger, the position of the last
+// change. The top of each stack is the piece nearest to the finger; a piece over the
+// finger is in both. In the right stack EnvelopePiece::from is the end of a piece, so
+// that in both stacks it is the end farther from the finger.
 struct OpenEnvelope {
     std::vector<EnvelopePiece> left;
     std::vector<EnvelopePiece> right;
@@ -33,14 +33,14 @@ struct OpenEnvelope {
     std::size_t size() const { return left.size() + right.size(); }
 };
 
-// Where to walk, and what from: a chain.
+// The source of a merge: the segments of a chain.
 class ChainFeed {
 public:
     explicit ChainFeed(const Chain& chain) : next_{chain.first}, last_{chain.last} {}
 
     bool is_done() const { return next_ == last_; }
     std::int32_t segment() const { return next_; }
-    std::int32_t end() const { return next_ + 1; }  // of that segment
+    std::int32_t end() const { return next_ + 1; }  // of the current segment
     void advance() { ++next_; }
 
 private:
@@ -48,7 +48,8 @@ private:
     std::int32_t last_;
 };
 
-// Or the pieces to the right of a finger, which are used up.
+// The source of a merge: the pieces right of another envelope's finger, which are
+// consumed.
 class EnvelopeFeed {
 public:
     explicit EnvelopeFeed(std::vector<EnvelopePiece>& pieces) : pieces_{pieces} {}
@@ -73,6 +74,17 @@ bool touches(std::int32_t segment, std::int32_t vertex)
     return segment == vertex || segment + 1 == vertex;
 }
 
+// Builds the envelope (see upper_envelope.h):
+// 1. A curve is cut into chains at its vertical segments and wherever ds changes its
+//    sign.
+// 2. A chain begins where the chain before it ended, which is the finger of the current
+//    envelope. It is merged from there (walk): the pieces that it passes move from one
+//    stack to the other. For a curve with short folds this takes O(1) per segment.
+// 3. A chain that would pass many more pieces than it has segments begins an envelope of
+//    its own (is_costly). Envelopes are merged when the last one is at least half as
+//    large as the one before it, as the runs of a natural merge sort are, so that the
+//    total is O(n log n).
+// 4. At the end all envelopes are merged into one.
 class Builder {
 public:
     explicit Builder(const SectionPoints& section) : section_{section}, order_{section}
@@ -129,7 +141,7 @@ private:
                    2 * open_.back().size() >= open_[open_.size() - 2].size())
                 merge_last();
             open_.emplace_back();
-            if (open_.size() == 1)  // as a rule the only one
+            if (open_.size() == 1)  // in most cases the only one
                 open_.back().left.reserve(section_.points.size());
         }
         OpenEnvelope& envelope = open_.back();
@@ -152,7 +164,7 @@ private:
         return chain.is_rightwards ? reached < end : reached > end;
     }
 
-    // Merges the last open envelope into the one before.
+    // Merges the last open envelope into the one before it.
     void merge_last()
     {
         OpenEnvelope last = std::move(open_.back());
@@ -195,16 +207,18 @@ private:
         return envelope;
     }
 
-    // Merges what `feed` holds into `envelope`, from the finger on, and moves it along. Between
-    // two places where either changes its segment both are linear: the signs of their distance
-    // at both ends tell all.
+    // Merges the segments of `feed` into `envelope`, from the finger on, and moves the
+    // finger along. Between two places where either changes its segment, both are linear,
+    // so that the signs of their difference at both ends decide which is above and
+    // whether they cross.
     template <bool is_rightwards, typename Feed>
     void walk(OpenEnvelope& envelope, Feed feed)
     {
         auto& behind = is_rightwards ? envelope.left : envelope.right;
         auto& ahead = is_rightwards ? envelope.right : envelope.left;
         std::int32_t place = envelope.finger;
-        // Whether the feed is above the envelope (1), at it (0), or below (-1), just ahead.
+        // Whether the feed lies above the envelope (1), on it (0) or below it (-1), just
+        // ahead.
         int above = 0;
         if (!ahead.empty() && place >= 0)
             above = order_at(feed.segment(), ahead.back().segment, place);
@@ -223,7 +237,7 @@ private:
             std::int32_t end = farther < 0 || (farther == 0 && q_end < 0) ? p_end : q_end;
             const int above_at_end = order_at_end(q, p, end, farther);
             if (end < 0 && farther == 0 && above_at_end > 0)
-                end = q_end;  // of two crossings the one on the envelope
+                end = q_end;  // of two coincident crossings, the one on the envelope
             const bool is_above =
                 above > 0 || (above == 0 && (above_at_end > 0 ||
                                              (above_at_end == 0 && is_before(q, p))));
@@ -257,7 +271,8 @@ private:
         envelope.finger = place;
     }
 
-    // Which of two segments that coincide carries.
+    // Whether q counts as the carrier where q and p coincide: the one with the smaller
+    // number.
     static bool is_before(std::int32_t q, std::int32_t p)
     {
         return static_cast<std::uint32_t>(q) < static_cast<std::uint32_t>(p);
@@ -268,7 +283,7 @@ private:
         return place >= 0 ? order_.s(place) : crossings_[~place].s;
     }
 
-    // Whether x has a larger s (1), the same (0) or a smaller one (-1).
+    // Whether x has a larger s than y (1), the same (0) or a smaller one (-1).
     int place_order(std::int32_t x, std::int32_t y) const
     {
         if (x >= 0 && y >= 0) {
@@ -282,8 +297,8 @@ private:
         return order_.order(crossings_[~x], crossings_[~y]);
     }
 
-    // Whether q runs above p (1), meets it (0) or runs below (-1) at `end`, where the first of
-    // them ends: q if `farther` > 0, p if < 0, both if 0.
+    // Whether q runs above p (1), meets it (0) or runs below it (-1) at `end`, where the
+    // first of them ends: q if `farther` > 0, p if `farther` < 0, both if 0.
     int order_at_end(std::int32_t q, std::int32_t p, std::int32_t end, int farther) const
     {
         if (end >= 0 || p == no_segment || q == no_segment)
@@ -292,7 +307,8 @@ private:
                            : -order_.side(q, crossings_[~end]);
     }
 
-    // The same at a vertex; or anywhere, if one of them is none.
+    // The same at a vertex. If one of them is no_segment, the other is above it
+    // everywhere.
     int order_at(std::int32_t q, std::int32_t p, std::int32_t vertex) const
     {
         if (p == no_segment || q == no_segment)

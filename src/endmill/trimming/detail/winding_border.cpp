@@ -21,18 +21,21 @@ using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using ExactPoint = Kernel::Point_2;
 using SegmentTraits = CGAL::Arr_segment_traits_2<Kernel>;
 
-// A segment of a curve (its number), of a closing line, or of a line through an end of an open
-// curve that only divides others.
+// The origin of a segment of the arrangement: a segment of a curve (its number), a
+// closing line, or a dividing line through an end of an open curve, which only cuts other
+// segments there.
 struct Label {
     static constexpr std::int32_t closing = -1;
     static constexpr std::int32_t dividing = -2;
-    std::int32_t number;   // or one of those
-    std::int32_t closes;   // of a closing line: the number of its curve
-    std::int32_t forward;  // 1 if it runs from the smaller point to the larger, -1, or 0
+    std::int32_t number;  // number of the segment, or `closing` or `dividing`
+    // of a closing line of curve k: 3 k, 3 k + 1 or 3 k + 2 for its three parts
+    std::int32_t closes;
+    // 1 if it runs from the smaller point to the larger, -1 if not; 0 if dividing
+    std::int32_t forward;
     friend bool operator==(const Label&, const Label&) = default;
 };
 
-// What is known of a face.
+// The data of a face.
 struct FaceState {
     std::int32_t number = 0;
     bool is_kept = false;
@@ -44,8 +47,8 @@ using Arrangement = CGAL::Arrangement_2<Traits, Dcel>;
 using Halfedge = Arrangement::Halfedge_handle;
 using Vertex = Arrangement::Vertex_handle;
 
-// The interval of s between the ends of an open curve.
-struct Interval {
+// An open curve: its end vertices.
+struct OpenCurve {
     std::int32_t first;  // vertex
     std::int32_t last;
 };
@@ -55,7 +58,7 @@ bool is_forward(const Halfedge& edge)
     return edge->direction() == CGAL::ARR_LEFT_TO_RIGHT;
 }
 
-// By how much the index falls from the left of `edge` to its right.
+// The decrease of the index from the left side of `edge` to its right side.
 int fall(const Halfedge& edge)
 {
     int sum = 0;
@@ -64,7 +67,7 @@ int fall(const Halfedge& edge)
     return is_forward(edge) ? sum : -sum;
 }
 
-// The segment that carries `edge`, or nothing if that is no part of a curve.
+// The smallest segment number on `edge`; nothing if no segment of a curve lies on it.
 std::optional<std::int32_t> carrier(const Halfedge& edge)
 {
     std::optional<std::int32_t> least;
@@ -74,6 +77,17 @@ std::optional<std::int32_t> carrier(const Halfedge& edge)
     return least;
 }
 
+// Computes the borders of the kept region with an exact arrangement:
+// 1. All segments are inserted, with three closing lines for each open curve and a
+//    vertical dividing line through each of its ends. Edges that coincide become one,
+//    with the labels of all.
+// 2. The index of each face follows from a walk over the edges (winding_faces.h), which
+//    also decides which faces are kept.
+// 3. The result's edges are those between a kept face on their left and another face,
+//    without closing lines and without edges outside the intervals of s of the open
+//    curves.
+// 4. The edges are linked along the border. First come borders that begin at an edge
+//    without predecessor, then the closed ones.
 class Winding {
 public:
     Winding(const PlanePoints& plane, std::span<const SectionCurve> curves)
@@ -148,7 +162,9 @@ private:
             edge->set_data(false);
     }
 
-    // The index at infinity where all curves are closed.
+    // The index at infinity if all curves are closed. It is -1 if the index rises inwards
+    // over the leftmost edge of the outer border, because the outermost curve then runs
+    // counter-clockwise; otherwise 0.
     std::int32_t index_outside()
     {
         std::optional<Halfedge> leftmost;
@@ -191,22 +207,23 @@ private:
 
     bool is_result(const Halfedge& edge) const
     {
-        return is_border(edge) && carrier(edge) && is_in_interval(edge);
+        return is_border(edge) && carrier(edge) && is_over_open_curve(edge);
     }
 
-    // The dividing lines keep an edge from being in part outside.
-    bool is_in_interval(const Halfedge& edge) const
+    // An edge lies completely inside or outside, because the dividing lines cut it.
+    bool is_over_open_curve(const Halfedge& edge) const
     {
         const auto ends = std::minmax(edge->source()->point(), edge->target()->point());
-        return open_.empty() || std::ranges::any_of(open_, [&](const Interval& interval) {
-                   const double low = points_[interval.first][0];
-                   const double high = points_[interval.last][0];
+        return open_.empty() || std::ranges::any_of(open_, [&](const OpenCurve& curve) {
+                   const double low = points_[curve.first][0];
+                   const double high = points_[curve.last][0];
                    return std::min(low, high) <= ends.first.x() &&
                           ends.second.x() <= std::max(low, high);
                });
     }
 
-    // The edge of the result that follows the border of what is kept, if any.
+    // The edge of the result that follows `edge` along the border of the kept region, if
+    // any. Edges between two kept faces are passed by.
     std::optional<Halfedge> next(const Halfedge& edge) const
     {
         Halfedge following = edge->next();
@@ -247,7 +264,7 @@ private:
         return border;
     }
 
-    // The vertex of `segment` that lies at `point`.
+    // The end vertex of `segment` that lies at `point`, if any.
     std::optional<std::int32_t> vertex_at(const ExactPoint& point,
                                           std::int32_t segment) const
     {
@@ -273,14 +290,14 @@ private:
         return points_[segment][0] == points_[segment + 1][0];
     }
 
-    // Where the result ends: straight above or below an end of an open curve.
+    // The place where the result ends: vertically above or below an end of an open curve.
     BorderPlace end_place(const Vertex& at, std::int32_t segment) const
     {
         const ExactPoint& point = at->point();
         if (const auto vertex = vertex_at(point, segment))
             return BorderPlace::vertex(*vertex);
-        for (const Interval& interval : open_)
-            for (const std::int32_t end : {interval.first, interval.last}) {
+        for (const OpenCurve& curve : open_)
+            for (const std::int32_t end : {curve.first, curve.last}) {
                 if (exact(end) == point)
                     return BorderPlace::vertex(end);
                 if (!is_vertical(segment) && points_[end][0] == point.x())
@@ -289,7 +306,8 @@ private:
         return place_on_vertical(at, segment);
     }
 
-    // Of another segment's vertex within a vertical one, or of one that crosses it.
+    // The place of an end on a vertical segment: another segment's vertex, or the
+    // crossing with a segment that is not vertical.
     BorderPlace place_on_vertical(const Vertex& at, std::int32_t segment) const
     {
         std::int32_t other = segment;
@@ -311,7 +329,7 @@ private:
     const PlanePoints& plane_;
     std::span<const SectionPoint> points_;
     Arrangement arrangement_;
-    std::vector<Interval> open_;
+    std::vector<OpenCurve> open_;
 };
 
 }  // namespace

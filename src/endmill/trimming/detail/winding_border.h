@@ -9,30 +9,32 @@
 
 namespace endmill {
 
-/// A place on the segments of a plane, which, and its vertices, go by their numbers in the
-/// plane's row of points.
+/// A place on the segments of a plane. Segments and vertices are denoted by their numbers
+/// in the plane's row of points.
 struct BorderPlace {
-    TrimmedKind kind;  ///< no End
-    std::int32_t on;   ///< a vertex, of a Vertex; else a segment
+    TrimmedKind kind;  ///< Vertex, Crossing or Link
+    std::int32_t on;   ///< for a Vertex the vertex, otherwise the segment
     std::int32_t
-        across;  ///< a segment, of a Crossing; a vertex above or below, of a Link
+        /// for a Crossing the other segment; for a Link the vertex above or below
+        across;
 
+    /// The place of a vertex.
     static BorderPlace vertex(std::int32_t number)
     {
         return {TrimmedKind::Vertex, number, number};
     }
 };
 
-/// A stretch of a border, what is kept on its left. A closed one does not repeat its first
-/// place. There can be none, where one segment carries all of it.
+/// A connected part of a border, with the kept region on its left. A closed one does not
+/// repeat its first place. It has no places if a single segment carries all of it.
 struct WindingBorder {
-    std::vector<BorderPlace> places;
-    bool is_closed;
+    std::vector<BorderPlace> places;  ///< in their order
+    bool is_closed;                   ///< whether it has no ends
 };
 
-/// The borders of what method `winding` keeps, as winding_trimming.h tells, in no order
-/// that means anything, but always the same. Exact: CGAL's arrangement, which stays inside.
-/// \pre `plane` is that of `curves`.
+/// The borders of the region that method `winding` keeps (see winding_trimming.h). Their
+/// order has no meaning but does not vary. Exact, by an arrangement of CGAL.
+/// \pre `plane` was made from `curves`.
 std::vector<WindingBorder> winding_borders(const PlanePoints& plane,
                                            std::span<const SectionCurve> curves);
 

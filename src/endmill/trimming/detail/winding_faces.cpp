@@ -6,7 +6,7 @@
 namespace endmill {
 namespace {
 
-// The steps by the face that they leave, and where those of each begin.
+// The steps sorted by the face that they leave, with the first step of each face.
 class StepTable {
 public:
     StepTable(std::span<const FaceStep> steps, std::int32_t count)
@@ -20,7 +20,8 @@ public:
             first_[k] += first_[k - 1];
     }
 
-    // Goes from `start` to all faces that `enter(step)` lets in.
+    // Visits the faces that are reached from `start` by steps for which `enter(step)` is
+    // true.
     template <typename Enter>
     void walk(std::int32_t start, const Enter& enter) const
     {

@@ -29,7 +29,7 @@ TrimmedPoint point_at(const BorderPlace& border_place, const TrimmedPoints& made
     return made.vertex(border_place.on);
 }
 
-// Begins at the smallest point, and ends there.
+// Lets a closed curve begin and end at its smallest point.
 void close(TrimmedCurve& curve)
 {
     auto& points = curve.points;

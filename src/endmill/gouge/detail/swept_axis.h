@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "endmill/core/vec.h"
+
+namespace endmill {
+
+/// The region that the axis of a ball and its shank sweeps during a straight move: all
+/// points c + s P with c on the way of the centre, s >= 0, and P the direction of the
+/// axis. The ball and its shank of the same radius R sweep exactly the points within R of
+/// it. The region is convex and plane. It is a ray if the move is along P, or if the move
+/// across P is shorter than 1e-9 of its coordinates and length.
+class SweptAxis {
+public:
+    /// \param from start of the centre, mm, finite.
+    /// \param to end of the centre, mm, finite.
+    /// \param axis P, unit.
+    SweptAxis(const Vec3& from, const Vec3& to, const Vec3& axis);
+
+    /// The point of the region that is nearest to `point`, accurate to a few roundings.
+    Vec3 nearest(const Vec3& point) const;
+
+private:
+    Vec3 base_;      // start of the move
+    Vec3 axis_;      // unit
+    Vec3 feed_;      // unit, perpendicular to the axis
+    double length_;  // length of the move along feed_
+    double rise_;    // length of the move along axis_
+};
+
+}  // namespace endmill
