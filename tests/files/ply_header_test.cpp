@@ -86,7 +86,7 @@ TEST(PlyHeader, RefusesWhatIsNone)
               "\"end_header\"");
     EXPECT_EQ(
         complaint_with("element camera 1\n", ""),
-        "E_PLY_SYNTAX f.ply:4: a property of nothing; expected an element before it");
+        "E_PLY_SYNTAX f.ply:4: a property before any element; expected an element before it");
     EXPECT_EQ(complaint_with("property float fov\n", ""),
               "E_PLY_SYNTAX f.ply:4: an element without properties; "
               "expected at least one");
@@ -137,7 +137,7 @@ TEST(PlyHeader, HasAtMostAThousandProperties)
     EXPECT_EQ(complaint_about(text + "end_header\n"), "accepted");
     EXPECT_EQ(complaint_about(text + "property int y\nend_header\n"),
               "E_LIMIT f.ply:1003: over 1000 elements and properties; "
-              "expected at most so many");
+              "expected at most 1000");
 }
 
 }  // namespace

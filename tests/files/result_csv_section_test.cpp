@@ -50,11 +50,11 @@ TEST(SectionCsv, WritesWhatWasCutOutAndOnRequestWhy)
         {},
         {{0, 3, 9, CutCause::Fold, SectionPoint{1.5, 2}, "P4"},
          {1, 0, 4, CutCause::Closed, std::nullopt, "closed"}}};
-    EXPECT_EQ(loops_csv(planes, false),
+    EXPECT_EQ(loops_csv(planes, LoopColumns::Cause),
               "plane,curve,s_mm,z_mm,first_point,last_point,cause\n"
               "1,0,1.5,2,3,9,fold\n"
               "1,1,,,0,4,closed\n");
-    EXPECT_EQ(loops_csv(planes, true),
+    EXPECT_EQ(loops_csv(planes, LoopColumns::CauseAndRule),
               "plane,curve,s_mm,z_mm,first_point,last_point,cause,rule\n"
               "1,0,1.5,2,3,9,fold,P4\n"
               "1,1,,,0,4,closed,closed\n");

@@ -99,7 +99,7 @@ TEST(ToolPathReader, NeedsTheTipsOnlyAndSaysWhatItTakes)
     EXPECT_EQ(read.path.points[1].move, Move::Cut);
     EXPECT_EQ(read.path.points[1].point, 1);
     EXPECT_THAT(read.remarks,
-                ElementsAre(HasSubstr("taken for a cut"), HasSubstr("taken for +z")));
+                ElementsAre(HasSubstr("assumed to be a cut"), HasSubstr("assumed to be +z")));
 }
 
 TEST(ToolPathReader, LeavesOutWhatAPathHasNoPlaceForAndSaysSo)
@@ -113,8 +113,8 @@ TEST(ToolPathReader, LeavesOutWhatAPathHasNoPlaceForAndSaysSo)
     EXPECT_FALSE(read.path.points[0].contact);
     EXPECT_THAT(read.path.conditions,
                 ElementsAre(CuttingConditions{100, {}, {}}, CuttingConditions{}));
-    EXPECT_THAT(read.remarks, ElementsAre(HasSubstr("contacts are left out"),
-                                          HasSubstr("limit is left out")));
+    EXPECT_THAT(read.remarks, ElementsAre(HasSubstr("contacts are ignored"),
+                                          HasSubstr("limit is ignored")));
 }
 
 TEST(ToolPathReader, ScalesAnAxisOfFourDecimals)

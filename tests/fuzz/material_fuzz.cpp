@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/files/material_file.h"
+#include "endmill/files/tool_file.h"
 #include "fuzz_program.h"
 
 // A material that is read is sound; or the error is one that the reader promises.

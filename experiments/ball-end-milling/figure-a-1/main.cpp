@@ -8,7 +8,7 @@
 
 #include "endmill/core/angle.h"
 #include "support/experiment.h"
-#include "support/force_frame_drawing.h"
+#include "support/force_frame_table.h"
 
 using namespace endmill;
 

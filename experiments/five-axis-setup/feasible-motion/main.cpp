@@ -9,8 +9,8 @@
 #include <cstdint>
 
 #include "endmill/core/angle.h"
+#include "endmill/figures/direction_figures.h"
 #include "endmill/machine/configuration.h"
-#include "support/direction_sphere.h"
 #include "support/experiment.h"
 #include "support/named_cells.h"
 

@@ -8,9 +8,9 @@
 #include <cstdint>
 
 #include "endmill/core/angle.h"
+#include "endmill/figures/machine_figure.h"
 #include "endmill/machine/kinematics.h"
 #include "support/experiment.h"
-#include "support/machine_drawing.h"
 
 using namespace endmill;
 

@@ -68,6 +68,19 @@ PartSphere sphere_around(const std::vector<Vec3>& points)
     return {centre, farthest > least_radius ? sphere_room * farthest : 1};
 }
 
+std::vector<std::uint8_t> reached_at_zero(const SphereGrid& grid, const VisibilityMap& map,
+                                          const Vec3& tool_axis)
+{
+    const auto nearest = std::ranges::max_element(
+        grid.centres, {}, [&](const Vec3& centre) { return centre.dot(tool_axis); });
+    const auto cell = static_cast<std::size_t>(nearest - grid.centres.begin());
+    std::vector<std::uint8_t> reached;
+    reached.reserve(map.facets());
+    for (std::size_t facet = 0; facet < map.facets(); ++facet)
+        reached.push_back(map.is_accessible(facet, cell) ? 1 : 0);
+    return reached;
+}
+
 std::string axis_label(SetupObject object, const RotaryFrame& machine_directions)
 {
     if (object == SetupObject::ToolAxis)

@@ -261,7 +261,7 @@ private:
     {
         if (figure_->setup) {
             add_setup_legend(picture_, machine_directions(*figure_->setup));
-            add_border_legend(picture_, figure_->setup->limits.has_value());
+            add_border_legend(picture_, *figure_->setup);
         }
         if (!figure_->marked.empty())
             picture_.add_disc_legend("nearest cells, MD", mark_px, mark_colour);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t longest_echo = 40;
 
-// A spreadsheet would run a cell that begins so.
+// Prefixes a text that a spreadsheet would evaluate as a formula with an apostrophe.
 std::string without_formula(std::string text)
 {
     if (!text.empty() &&
@@ -37,7 +37,7 @@ std::string cell_text(const CsvCell& cell)
     return {};
 }
 
-// A cell as RFC 4180 writes it.
+// Appends a cell, quoted as in RFC 4180 if it contains a comma, a quote or a line end.
 void append_quoted(std::string& csv, std::string_view cell)
 {
     if (cell.find_first_of(",\"\r\n") == std::string_view::npos) {
@@ -52,7 +52,7 @@ void append_quoted(std::string& csv, std::string_view cell)
 
 void append_line(std::string& csv, std::span<const std::string> cells)
 {
-    // An empty line would be no row at all.
+    // A row of one empty cell is written as "", because an empty line is not a row.
     if (cells.size() == 1 && cells.front().empty())
         csv += "\"\"";
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -62,7 +62,7 @@ void append_line(std::string& csv, std::span<const std::string> cells)
     csv += '\n';
 }
 
-// Cuts a CSV text into rows of cells.
+// Splits a CSV text into rows of cells.
 class CsvReader {
 public:
     CsvReader(std::string_view text, const std::string& file) : text_{text}, file_{file}
@@ -112,7 +112,7 @@ private:
         return std::string{cell};
     }
 
-    // The rest of a cell after its opening quote; it may go on over several lines.
+    // The rest of a quoted cell after its opening quote. It may span several lines.
     std::string quoted_cell()
     {
         std::string cell;
@@ -120,14 +120,15 @@ private:
         do {
             const std::size_t end = text_.find('"');
             if (end == std::string_view::npos) {
-                // Where it was opened is the place to mend, not the end of the file.
+                // The message states the line of the opening quote, where the file must be
+                // corrected.
                 line_ = first_line;
                 throw complaint("a quote that is never closed", "a closing quote");
             }
             cell += text_.substr(0, end);
             line_ += std::count(text_.begin(), text_.begin() + end, '\n');
             text_.remove_prefix(end + 1);
-            if (text_.starts_with('"'))  // doubled: one that belongs to the cell
+            if (text_.starts_with('"'))  // a doubled quote is a quote in the cell
                 cell += '"';
         } while (accept("\""));
         return cell;
@@ -138,7 +139,7 @@ private:
     std::size_t line_ = 1;
 };
 
-// Why `columns` cannot be a header; empty if they can.
+// The reason why `columns` cannot be a header; empty if they can.
 std::string column_fault(const std::vector<std::string>& columns)
 {
     for (auto column = columns.begin(); column != columns.end(); ++column) {
@@ -165,7 +166,7 @@ void CsvTable::add_row(std::span<const CsvCell> cells)
     std::vector<std::string> texts;
     std::ranges::transform(cells, std::back_inserter(texts), cell_text);
     std::ranges::move(texts, std::back_inserter(cells_));
-    lines_.push_back(lines_.size() + 2);  // from 1, and the header is the first
+    lines_.push_back(lines_.size() + 2);  // the header is line 1
 }
 
 void CsvTable::add_row(std::initializer_list<CsvCell> cells)
@@ -234,7 +235,7 @@ CsvTable parse_csv(std::string_view text, const std::string& file)
 
 CsvTable read_csv(const std::filesystem::path& path, const ReadLimits& limits)
 {
-    // A cell is a string object; one of nothing but its comma takes one byte in the file.
+    // Every cell becomes a std::string; an empty cell takes one byte in the file, its comma.
     constexpr double most_bytes_per_byte = 3 * sizeof(std::string);
     const std::string text = read_file(path, limits);
     const std::string file = shown_path(path);

@@ -5,17 +5,15 @@
 #include <cstddef>
 #include <optional>
 
-#include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/detail/joined_rows.h"
+#include "endmill/files/detail/rounded_degrees.h"
 
 namespace endmill {
 namespace {
 
-// Far finer than an angle is known; keeps 5 from being 5.000000000000001.
-constexpr double angles_per_degree = 1e9;
-
+// Appends a cell; an empty one if there is no number.
 void append(std::string& text, std::optional<double> number)
 {
     require(!number || std::isfinite(*number), "feed_csv: a number is not finite");
@@ -28,8 +26,7 @@ void append_degrees(std::string& text, std::optional<double> radians)
 {
     std::optional<double> degrees;
     if (radians)
-        degrees = std::round(Angle::radians(*radians).degrees() * angles_per_degree) /
-                  angles_per_degree;
+        degrees = rounded_degrees(*radians);
     append(text, degrees);
 }
 
@@ -77,6 +74,27 @@ std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFe
         }
         return text;
     });
+}
+
+std::string force_profile_csv(std::span<const double> angles,
+                              std::span<const CuttingForce> forces)
+{
+    require(angles.size() == forces.size(), "force_profile_csv: need an angle a force");
+    std::string text = "theta_deg,force_x_n,force_y_n,force_z_n,torque_n_m\n";
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        const double degrees = rounded_degrees(angles[i]);
+        for (const double number :
+             {degrees, forces[i].x_n, forces[i].y_n, forces[i].z_n}) {
+            require(std::isfinite(number), "force_profile_csv: a number is not finite");
+            append_text(text, number);
+            text += ',';
+        }
+        require(std::isfinite(forces[i].torque_n_m),
+                "force_profile_csv: a number is not finite");
+        append_text(text, forces[i].torque_n_m);
+        text += '\n';
+    }
+    return text;
 }
 
 }  // namespace endmill

@@ -17,10 +17,11 @@ namespace {
 
 constexpr std::string_view format_name = "endmill-machine/1";
 constexpr std::string_view code = "E_MACHINE";
-constexpr double most_of_all = 1e9;    // rpm, W, N m, mm/min, m/s^2: any machine's
-constexpr double most_turn_deg = 360;  // what is wider is not limited
+// Upper end for rpm, W, N m, mm/min and m/s^2: beyond every machine, and finite.
+constexpr double most_of_all = 1e9;
+constexpr double most_turn_deg = 360;  // a wider range does not limit the axis
 
-// Of the keys in `limits`: the axis and its unit.
+// A key of `limits`, and its axis.
 struct AxisKey {
     std::string_view key;
     char axis;
@@ -54,7 +55,8 @@ std::string configuration(const JsonValue& root, const std::string& otherwise)
     return word;
 }
 
-// Limits of the rotary axis at that place among those of the machine.
+// Checks the limits of a rotary axis.
+// \param place number of the axis among the rotary axes of the machine, from the part.
 void require_rotary_range(const JsonValue& value, std::size_t place, double from_deg,
                           double to_deg)
 {
@@ -82,7 +84,8 @@ AxisTravel travel(const JsonValue& value, const AxisKey& key, std::size_t place,
     return {key.axis, Angle::degrees(from).radians(), Angle::degrees(to).radians()};
 }
 
-// Of the rotary axes the number from the part to the tool; else none.
+// Number of an axis among the rotary axes, from the part to the tool; their count if it is
+// not one of them.
 std::size_t place_of(const MachineConfiguration& machine, char letter)
 {
     const auto axis = std::ranges::find(machine.rotary, letter, &RotaryAxis::letter);
@@ -171,8 +174,9 @@ MachineDescription parse_machine(std::string_view content,
                                                     "spindle",
                                                     "max_feed_mm_per_min",
                                                     "acceleration_m_per_s2"};
-    const FormatDocument document{content, path, limits, {format_name, keys}};
+    const FormatDocument document{content, path, limits, format_name};
     const JsonValue root = document.root();
+    root.allow_only(keys);
 
     const double most = limits.max_extent_mm;
     MachineDescription machine{.name = name_or_stem(root, path),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/files/material_file.h"
+#include "endmill/files/tool_file.h"
 
 #include <array>
 #include <string>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view format_name = "endmill-material/1";
 
-// Upper ends that no material reaches: what is above them is a slip of the unit.
+// Upper ends beyond every material. A larger number is a mistake of the unit.
 constexpr NumberRange resistance_range{.above = 0, .most = 1e6};         // N/mm^2
 constexpr NumberRange edge_range{.above = 0, .most = 10, .from = true};  // mm
 constexpr NumberRange ratio_range{.above = 0, .most = 1000, .from = true};
@@ -34,7 +34,8 @@ std::optional<double> optional_number(const JsonValue& root, std::string_view ke
     return find_number(root, key, range);
 }
 
-// Both ends are open: at 1 a tool that lasts costs nothing.
+// The exponent alpha of tool life. Both ends are excluded: at 1 the economic tool life,
+// proportional to 1 / alpha - 1, would be 0.
 double exponent(const JsonValue& root)
 {
     const JsonValue value = root.member("alpha");
@@ -80,8 +81,9 @@ CuttingMaterial parse_material(std::string_view content,
                                                     "max_feed_per_tooth_mm",
                                                     "min_feed_per_tooth_mm",
                                                     "source"};
-    const FormatDocument document{content, path, limits, {format_name, keys}};
+    const FormatDocument document{content, path, limits, format_name};
     const JsonValue root = document.root();
+    root.allow_only(keys);
 
     CuttingMaterial material{
         .specific_resistance_n_per_mm2 =

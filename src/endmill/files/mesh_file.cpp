@@ -22,10 +22,23 @@
 namespace endmill {
 namespace {
 
+// A mesh file becomes a MeshFile in these steps:
+//
+// 1. The extension selects the format; content of another known format is refused.
+// 2. The reader of the format (detail/) parses the content. STL gives a triangle soup,
+//    the other formats give an indexed mesh. Lengths are converted to mm.
+// 3. Equal points are welded, exactly and without a tolerance. The text is released first,
+//    because it is no longer needed and welding takes much memory.
+// 4. Triangles without area, decided by the exact predicate `are_collinear`, and points
+//    that no triangle uses are left out.
+// 5. The upward axis is turned to +z.
+//
+// Every step that changes something adds a note.
+
 constexpr double mm_per_inch = 25.4;
 constexpr std::array<std::string_view, 4> extensions{".stl", ".obj", ".ply", ".off"};
 
-// The most that exact welding takes while it works (weld.h).
+// Upper bound of the memory that exact welding takes for each point (weld.h).
 constexpr double bytes_per_welded_point = 72;
 
 std::string lower_case(std::string text)
@@ -36,7 +49,7 @@ std::string lower_case(std::string text)
     return text;
 }
 
-// One of `extensions`, of which the content is.
+// The extension of `path` in lower case, after a check that the content is of its format.
 std::string checked_extension(std::string_view content, const std::string& file,
                               const std::filesystem::path& path)
 {
@@ -65,7 +78,7 @@ std::string_view was_or_were(std::size_t count)
     return count == 1 ? " was " : " were ";
 }
 
-// A mesh whose equal points are one, and the notes about how it came to be.
+// A mesh without equal points, and the notes about its reading.
 struct ReadAndWelded {
     WeldedMesh welded;
     std::vector<std::string> notes;
@@ -78,7 +91,7 @@ void require_triangles(std::size_t count, const MeshSource& source)
                           {source.file, "", "mesh has no triangles", "at least one"}};
 }
 
-// \param content is emptied, to have its memory for welding.
+// Reads an STL file. `content` is released before welding to lower the peak memory.
 ReadAndWelded read_soup(std::string& content, const MeshSource& source)
 {
     const std::vector<std::array<Vec3, 3>> soup = parse_stl(source);
@@ -99,7 +112,7 @@ RawMesh parse_indexed(const MeshSource& source, std::string_view extension)
     return extension == ".ply" ? parse_ply(source) : parse_off(source);
 }
 
-// \param content is emptied, to have its memory for welding.
+// Reads an OBJ, PLY or OFF file. `content` is released as in `read_soup`.
 ReadAndWelded read_indexed(std::string& content, const MeshSource& source,
                            std::string_view extension)
 {
@@ -126,7 +139,8 @@ ReadAndWelded read_indexed(std::string& content, const MeshSource& source,
     return result;
 }
 
-// Rotations by quarters about one axis: exact. No coordinate becomes -0.
+// Turns the axis `up` to +z by a quarter or half turn about x or y, which is exact.
+// Subtraction from 0 keeps a zero coordinate from becoming -0.
 Vec3 turned(const Vec3& point, UpAxis up)
 {
     const double x = point.x();
@@ -148,10 +162,10 @@ Vec3 turned(const Vec3& point, UpAxis up)
     }
 }
 
-// The triangles that have an area.
+// The triangles of a mesh by whether they have an area.
 struct SortedTriangles {
-    std::vector<Triangle> sound;
-    std::vector<std::size_t> degenerate;  // by their numbers
+    std::vector<Triangle> sound;          // with an area
+    std::vector<std::size_t> degenerate;  // indices of the others
 };
 
 SortedTriangles sorted_triangles(const TriangleMesh& mesh)
@@ -168,8 +182,8 @@ SortedTriangles sorted_triangles(const TriangleMesh& mesh)
     return sorted;
 }
 
-// The points that triangles name, turned upright; the triangles name them by their new
-// numbers afterwards.
+// The points that the triangles use, with `up` turned to +z. The triangles are renumbered
+// accordingly.
 std::vector<Vec3> used_points(std::span<const Vec3> points,
                               std::vector<Triangle>& triangles, UpAxis up)
 {
@@ -250,6 +264,37 @@ MeshFile parse_mesh(std::string content, const std::filesystem::path& path,
             welded.welded_points,
             std::move(without_area),
             std::move(notes)};
+}
+
+std::string_view mesh_extension(MeshFormat format)
+{
+    switch (format) {
+        case MeshFormat::Obj:
+            return ".obj";
+        case MeshFormat::Ply:
+            return ".ply";
+        case MeshFormat::Off:
+            return ".off";
+        default:
+            return ".stl";
+    }
+}
+
+std::string mesh_text(const TriangleMesh& mesh, MeshFormat format,
+                      std::span<const Vec3> normals)
+{
+    switch (format) {
+        case MeshFormat::Stl:
+            return stl_text(mesh);
+        case MeshFormat::StlAscii:
+            return stl_ascii_text(mesh);
+        case MeshFormat::Obj:
+            return obj_text(mesh);
+        case MeshFormat::Ply:
+            return ply_text(mesh, normals);
+        default:
+            return off_text(mesh);
+    }
 }
 
 }  // namespace endmill

@@ -20,13 +20,25 @@
 #include "endmill/core/error.h"
 #include "endmill/files/read_file.h"
 
+// Life of an output file:
+//
+// 1. `write_pieces` creates a hidden temporary file in the folder of the target, so that
+//    the later rename stays within one file system and is atomic.
+// 2. The content is written and flushed to the disk (fsync).
+// 3. `publish` renames all temporary files to their targets, removes leftovers of an earlier
+//    run, and flushes the folders.
+//
+// Every step first checks whether the process is being interrupted (`abandon_all`). The lists
+// of all OutputFolders are guarded by one mutex in a registry of the process, because the
+// thread that handles the interruption must be able to clean up all of them.
+
 namespace endmill {
 namespace {
 
 namespace fs = std::filesystem;
 
-// What is unpublished in this process. Its mutex guards the lists of all OutputFolders;
-// it is never held while content is written, so that an interruption need not wait.
+// The unpublished OutputFolders of this process. The mutex guards the lists of all of them.
+// It is not held while content is written, so an interruption need not wait for that.
 struct Registry {
     std::mutex mutex;
     std::set<void*> folders;
@@ -35,7 +47,7 @@ struct Registry {
 
 Registry& registry()
 {
-    static auto* const instance = new Registry;  // outlives every thread
+    static auto* const instance = new Registry;  // never destroyed: threads may outlive main
     return *instance;
 }
 
@@ -51,7 +63,7 @@ void require_not_abandoned()
         throw OutputError{"interrupted"};
 }
 
-// What the process gives to a new file.
+// The access mode that the process gives to a new file, 0666 less its umask.
 mode_t new_file_mode()
 {
     static const mode_t mode = [] {
@@ -62,7 +74,8 @@ mode_t new_file_mode()
     return mode;
 }
 
-// Makes a write beyond the size limit of the process fail instead of ending it.
+// While it exists, a write beyond the file size limit of the process returns an error; the
+// signal SIGXFSZ, which would end the process, is blocked and discarded.
 class SizeSignalHeld {
 public:
     SizeSignalHeld()
@@ -86,8 +99,8 @@ private:
     sigset_t before_{};
 };
 
-// A file that did not exist before: a link that somebody put in its place is not
-// followed.
+// A newly created file. O_EXCL refuses an existing file and does not follow a symbolic
+// link.
 class NewFile {
 public:
     explicit NewFile(const fs::path& path)
@@ -104,7 +117,7 @@ public:
 
     bool is_open() const { return descriptor_ >= 0; }
 
-    // 0, or the error number of what failed.
+    // Appends to the file. \return 0, or the error number.
     int append(std::string_view content) const
     {
         const SizeSignalHeld held;
@@ -117,7 +130,8 @@ public:
         return 0;
     }
 
-    // Makes it a file like others, on the disk. 0, or the error number of what failed.
+    // Sets the usual access mode and flushes the file to the disk. \return 0, or the error
+    // number.
     int finish() const
     {
         if (::fchmod(descriptor_, new_file_mode()) != 0 || ::fsync(descriptor_) != 0)
@@ -129,8 +143,8 @@ private:
     int descriptor_;
 };
 
-// Hidden, in the same folder so that a rename suffices, and no other name of this
-// process.
+// A hidden name in the folder of the target; the process number and a counter make it
+// unique.
 fs::path temporary_name(const fs::path& target)
 {
     static std::atomic<unsigned> count = 0;
@@ -140,12 +154,12 @@ fs::path temporary_name(const fs::path& target)
     return target.parent_path() / name;
 }
 
-// Makes renames in `folder` last over a loss of power.
+// Flushes the folder, so that its renames survive a loss of power.
 void flush_folder(const fs::path& folder)
 {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
-        return;  // a folder that may be written but not read keeps its names all the same
+        return;  // a folder without read permission cannot be flushed, only written to
     ::fsync(descriptor);
     ::close(descriptor);
 }
@@ -177,7 +191,7 @@ void require_plain_name(const fs::path& name)
                           " is no name of a file in the folder"};
 }
 
-// Whether `name` lies in `folder` itself: no folder on the way is a link to elsewhere.
+// Whether `name` lies in `folder` itself: no folder on its path is a symbolic link.
 bool lies_inside(const fs::path& folder, const fs::path& name)
 {
     std::error_code error;
@@ -264,7 +278,7 @@ void OutputFolder::write_pieces(const fs::path& name,
         throw;
     }
     lock.lock();
-    // It takes the place of an earlier one.
+    // The new file replaces an earlier one of the same name.
     std::erase_if(pending_, [&](const PendingFile& other) {
         const bool is_earlier = other.target == target && other.temporary != temporary;
         if (is_earlier)
@@ -301,7 +315,7 @@ void OutputFolder::abandon_all()
 {
     const std::scoped_lock lock{registry().mutex};
     registry().abandoned = true;
-    // Only removal: the threads that are writing may go on writing to nameless files.
+    // The files are only unlinked: threads that are writing continue on unnamed files.
     for (void* folder : registry().folders)
         static_cast<OutputFolder*>(folder)->abandon();
 }
@@ -315,7 +329,7 @@ void OutputFolder::make_folders(const fs::path& folder)
         missing.push_back(path);
     const std::scoped_lock lock{registry().mutex};
     require_not_abandoned();
-    // One by one, to know which of them to remove again.
+    // Folders are created one by one, so that exactly the created ones can be removed.
     while (!missing.empty()) {
         const int failure = ::mkdir(missing.back().c_str(), 0777) == 0 ? 0 : errno;
         if (failure == 0)
@@ -364,7 +378,7 @@ void OutputFolder::remove_leftover(const fs::path& name) const
     if (::unlink(target.c_str()) != 0)
         fail("remove", target, errno);
     if (name.has_parent_path())
-        ::rmdir(target.parent_path().c_str());  // fails if something else lies in it
+        ::rmdir(target.parent_path().c_str());  // fails if the folder is not empty
 }
 
 // The caller holds the registry's mutex.

@@ -18,6 +18,7 @@ std::optional<JsonValue> known_member(const JsonValue& object, std::string_view 
     return value && value->shown() != "null" ? value : std::nullopt;
 }
 
+// A positive number; nothing if the key is missing or null.
 std::optional<double> positive_number(const JsonValue& object, std::string_view key)
 {
     const std::optional<JsonValue> value = known_member(object, key);
@@ -46,7 +47,7 @@ std::optional<Cutter> cutter(const JsonValue& object)
     return cutter;
 }
 
-// The choice that `key` names.
+// The enumerator whose name is under `key`. \pre the key is present.
 template <typename Choice, std::size_t count>
 Choice choice(const JsonValue& object, std::string_view key,
               const std::array<std::string_view, count>& names)

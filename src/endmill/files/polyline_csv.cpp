@@ -20,19 +20,21 @@ namespace {
 
 constexpr std::array<std::string_view, 3> names{"s_mm", "z_mm", "curve"};
 
-// At the header; an empty text has no columns.
-CsvLines started(std::string_view text, const std::string& file)
+// The lines of the text, with the header as the current line. The header of an empty text
+// has no columns and is refused by NamedColumns.
+CsvLines lines_at_header(std::string_view text, const std::string& file)
 {
     CsvLines lines{text, file};
     lines.next();
     return lines;
 }
 
+// Reads the rows of one file and groups them into curves.
 class PolylineReader {
 public:
     PolylineReader(std::string_view text, const std::string& file,
                    const ReadLimits& limits)
-        : lines_{started(text, file)},
+        : lines_{lines_at_header(text, file)},
           columns_{lines_, names, 2},
           file_{file},
           limits_{limits}
@@ -71,7 +73,7 @@ private:
             finish_curve();
         if (!numbers_.insert(number).second)
             throw lines_.complaint(
-                "E_CSV", "curve " + std::to_string(number) + " again, after another",
+                "E_CSV", "curve " + std::to_string(number) + " occurs again after another curve",
                 "the rows of a curve together");
         number_ = number;
         first_line_ = lines_.line();
@@ -120,7 +122,7 @@ private:
     std::vector<SectionCurve> curves_;
     std::set<std::int64_t> numbers_;
     std::int64_t number_ = 0;
-    std::size_t first_line_ = 0;  // of the last curve
+    std::size_t first_line_ = 0;  // line of the first point of the current curve
 };
 
 }  // namespace

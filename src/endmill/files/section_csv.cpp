@@ -19,7 +19,7 @@ void append(std::string& text, double number)
     append_text(text, number);
 }
 
-// Writes the rows of one plane after the other.
+// Collects the rows of the planes in order.
 class PointRows {
 public:
     explicit PointRows(const DrivePlanes* placed) : placed_{placed} {}
@@ -86,10 +86,11 @@ std::string trimmed_csv(std::span<const Trimmed> planes, const DrivePlanes* plac
     return rows.take();
 }
 
-std::string loops_csv(std::span<const std::vector<CutOut>> planes, bool explained)
+std::string loops_csv(std::span<const std::vector<CutOut>> planes, LoopColumns columns)
 {
+    const bool has_rule = columns == LoopColumns::CauseAndRule;
     std::string text = "plane,curve,s_mm,z_mm,first_point,last_point,cause";
-    text += explained ? ",rule\n" : "\n";
+    text += has_rule ? ",rule\n" : "\n";
     for (std::size_t p = 0; p < planes.size(); ++p)
         for (const CutOut& cut : planes[p]) {
             text += std::to_string(p) + ',' + std::to_string(cut.curve) + ',';
@@ -101,7 +102,7 @@ std::string loops_csv(std::span<const std::vector<CutOut>> planes, bool explaine
             text += ',' + std::to_string(cut.first_point) + ',' +
                     std::to_string(cut.last_point) + ',';
             text += name(cut.cause);
-            if (explained)
+            if (has_rule)
                 text += ',' + std::string{cut.rule};
             text += '\n';
         }

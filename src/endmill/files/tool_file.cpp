@@ -16,7 +16,7 @@ namespace endmill {
 namespace {
 
 constexpr std::string_view format_name = "endmill-tool/1";
-constexpr int most_flutes = 100;  // more are a mistake: no end mill has them
+constexpr int most_flutes = 100;  // beyond every end mill
 constexpr double right_angle_deg = 90;
 
 Cutter cutter(const JsonValue& root)
@@ -45,7 +45,7 @@ ToolCylinder cylinder(const JsonValue& value, double most_mm)
     const double to = positive(value.member("to_mm"), most_mm);
     if (!(from < to))
         throw value.member("to_mm").complaint(value.member("to_mm").shown(),
-                                              "one above from_mm, " + to_text(from));
+                                              "a number above from_mm, " + to_text(from));
     return {positive(value.member("diameter_mm"), most_mm), from, to};
 }
 
@@ -63,7 +63,7 @@ ToolLimits tool_limits(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 3> keys{"cutting_force_n", "thrust_n",
                                                    "torque_n_m"};
-    constexpr double most = 1e9;  // N or N m: any machine's, and finite
+    constexpr double most = 1e9;  // N or N m: beyond every tool, and finite
     ToolLimits limits;
     const auto value = root.find_member("limits");
     if (!value)
@@ -100,12 +100,13 @@ Tool parse_tool(std::string_view content, const std::filesystem::path& path,
     constexpr std::array<std::string_view, 10> keys{
         "format",    "name",      "source", "cutter", "flutes",
         "helix_deg", "length_mm", "limits", "shank",  "holder"};
-    const FormatDocument document{content, path, limits, {format_name, keys}};
+    const FormatDocument document{content, path, limits, format_name};
     const JsonValue root = document.root();
+    root.allow_only(keys);
 
     Tool tool{.cutter = cutter(root)};
     tool.name = name_or_stem(root, path);
-    remark(root, "source");  // said for a reader; only that it is a text is checked
+    remark(root, "source");  // not stored; this checks that it is a text
     if (const auto flutes = root.find_member("flutes"))
         tool.flutes = static_cast<int>(flutes->whole_number(1, most_flutes));
     tool.helix = helix(root);

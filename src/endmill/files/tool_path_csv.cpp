@@ -23,8 +23,8 @@ constexpr std::string_view contact_columns =
 constexpr std::string_view no_contact_place = ",,,,,";  // u, v, point
 constexpr std::string_view no_normal = ",,,";
 
-// Appends numbers, and copies the text of one that its column had in the row before:
-// an axis or the parameter of an iso-line hardly ever changes.
+// Appends the numbers of one column. A number that equals that of the previous row is copied
+// as text, which is faster: axes and the parameter of an iso-line rarely change.
 class NumberColumn {
 public:
     void append(std::string& text, double value)
@@ -48,7 +48,7 @@ private:
     std::size_t bytes_ = 0;
 };
 
-// The columns that are written only where some point has something for them.
+// Which of the optional columns the file has. A column is written if any point has a value.
 struct OptionalColumns {
     bool tool = false;
     bool patch = false;
@@ -74,7 +74,7 @@ class RowWriter {
 public:
     explicit RowWriter(const OptionalColumns& columns) : columns_{columns} {}
 
-    // Row number `i`.
+    // Appends the row of point `i`.
     void append(std::string& text, const ToolPath& path, std::size_t i,
                 std::string_view limit)
     {
@@ -151,15 +151,15 @@ std::string header(const OptionalColumns& columns)
     return line;
 }
 
-// What is written: a path, and a word a point, or none at all.
+// The content of a file: a path, one word for each point or none, and the columns.
 struct Table {
     const ToolPath& path;
     std::span<const std::string_view> limits;
     OptionalColumns columns;
 };
 
-// The lines of `count` points, beginning without what came before them: chunks are
-// independent of each other.
+// The lines of `count` points from `first` on. Each call has a RowWriter of its own, so the
+// text does not depend on the division into runs.
 std::string rows(const Table& table, std::size_t first, std::size_t count)
 {
     RowWriter writer{table.columns};

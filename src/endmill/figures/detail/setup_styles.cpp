@@ -56,10 +56,10 @@ void add_setup_legend(AxonometricFigure& figure, const RotaryFrame& machine_dire
     }
 }
 
-void add_border_legend(AxonometricFigure& figure, bool has_limits)
+void add_border_legend(AxonometricFigure& figure, const ShownSetup& setup)
 {
     figure.add_legend("motion needed", setup_style(SetupObject::NeededMotion));
-    if (has_limits)
+    if (setup.limits)
         figure.add_legend("machine's limits", setup_style(SetupObject::MachineMotion));
 }
 

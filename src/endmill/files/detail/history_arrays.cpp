@@ -13,9 +13,9 @@ namespace endmill {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "the file says LittleEndian and holds the numbers as memory does");
+              "the file declares LittleEndian and holds the numbers as memory does");
 
-using Size = std::uint64_t;  // of an array, in front of it
+using Size = std::uint64_t;  // number of bytes, in front of each array
 
 constexpr std::string_view runs_key =
     "Name=\"run_tips\" NumberOfComponents=\"2\" NumberOfTuples=\"";
@@ -33,7 +33,7 @@ void append_bytes(std::string& file, const Value& value)
     file.append(bytes, sizeof value);
 }
 
-// The number behind a key; 0, of which no history has, for a word that is none.
+// The number after a key; 0, which no history has, if the text there is not a number.
 std::optional<std::int64_t> named_count(std::string_view head, std::string_view key)
 {
     const std::size_t begin = head.find(key);
@@ -45,7 +45,7 @@ std::optional<std::int64_t> named_count(std::string_view head, std::string_view 
     return count;
 }
 
-// Reads the arrays one after the other.
+// Reads the arrays in order: block, cutters of the runs, tip counts of the runs, tips.
 class HistoryReader {
 public:
     HistoryReader(std::string_view content, std::size_t at, const std::string& file,
@@ -63,7 +63,7 @@ public:
         const Vec3 low = vec();
         const Vec3 high = vec();
         if (!(low.array() < high.array()).all())
-            throw complaint("E_RANGE", "a block that is turned over",
+            throw complaint("E_RANGE", "a block whose corners are exchanged",
                             "low below high along x, y and z");
         StockHistory history{{low, high}, {}};
         const auto runs = static_cast<std::size_t>(counts.runs);
@@ -76,7 +76,7 @@ public:
         for (EarlierRun& run : history.runs)
             left -= read_run(run, left);
         if (left != 0)
-            throw complaint("E_VTI", "more tips than those of the runs", "as many",
+            throw complaint("E_VTI", "more tips than the runs have", "equal numbers",
                             at_runs);
         begin_array(bytes_a_tip * static_cast<double>(counts.tips));
         for (EarlierRun& run : history.runs)
@@ -106,7 +106,7 @@ private:
     {
         const std::size_t before = at_;
         if (static_cast<double>(next<Size>()) != bytes)
-            throw complaint("E_VTI", "an array of another length than the head says",
+            throw complaint("E_VTI", "an array of another length than the head states",
                             to_text(bytes) + " bytes", before);
     }
 
@@ -144,14 +144,14 @@ private:
         return {radius, corner};
     }
 
-    // How many tips it has, at most `most`.
+    // Reads the number of tips of a run, at most `most`, and whether it stands at the first.
     std::int64_t read_run(EarlierRun& run, std::int64_t most)
     {
         const std::size_t before = at_;
         const auto tips = next<std::int64_t>();
         const auto stands = next<std::int64_t>();
         if (!(1 <= tips && tips <= most) || (stands != 0 && stands != 1))
-            throw complaint("E_VTI", "a run that has no tips, or more than there are",
+            throw complaint("E_VTI", "a run without tips, or with more than the file has",
                             "1 to " + std::to_string(most) + ", and 0 or 1", before);
         run.tips.resize(static_cast<std::size_t>(tips));
         run.stands_at_first = stands == 1;

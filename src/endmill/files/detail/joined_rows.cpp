@@ -11,7 +11,7 @@ namespace endmill {
 namespace {
 
 constexpr std::size_t rows_per_chunk = 2048;
-constexpr std::size_t chunks_per_batch = 64;  // bounds the text that is held twice
+constexpr std::size_t chunks_per_batch = 64;  // bounds the text that exists twice
 constexpr std::size_t rows_per_batch = rows_per_chunk * chunks_per_batch;
 
 }  // namespace
@@ -33,7 +33,7 @@ std::string joined_rows(
         });
         for (std::size_t i = 0; i < count; ++i)
             text += chunks[i];
-        if (first == 0)  // the rest will be about as long a row, give or take an eighth
+        if (first == 0)  // later rows have about the same length; an eighth more is reserved
             text.reserve(text.size() / batch * rows / 8 * 9);
     }
     return text;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t longest_echo = 40;
 
+// "a, b and c", for messages.
 std::string needed_words(std::span<const std::string_view> needed)
 {
     std::string words;

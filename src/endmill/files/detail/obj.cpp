@@ -15,12 +15,14 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-// What says nothing of the shape, or of lines and points only.
+// Statements that do not affect the triangles.
 constexpr std::array<std::string_view, 18> ignored_statements{
     "vn",     "vt",       "g",      "o",      "s",          "usemtl",
     "mtllib", "l",        "p",      "mg",     "bevel",      "c_interp",
     "lod",    "d_interp", "maplib", "usemap", "shadow_obj", "trace_obj"};
 
+// Statements of free-form curves and surfaces, which are not supported. They are known here
+// so that the message can say so.
 constexpr std::array<std::string_view, 23> free_form_statements{
     "vp",   "cstype", "deg",  "bmat", "step",  "curv",  "curv2", "surf",
     "parm", "trim",   "hole", "scrv", "sp",    "end",   "con",   "bsp",
@@ -31,7 +33,7 @@ bool is_one_of(Words words, std::string_view word)
     return std::ranges::find(words, word) != words.end();
 }
 
-// The whole number at the beginning of `text`, which it is cut off from.
+// Reads the whole number at the beginning of `text` and removes it from `text`.
 bool take_number(std::string_view& text, std::int64_t& number)
 {
     const auto [end, error] =
@@ -42,7 +44,7 @@ bool take_number(std::string_view& text, std::int64_t& number)
     return true;
 }
 
-// Whether `text` is what follows v in a corner: nothing, /vt, //vn or /vt/vn.
+// Whether `text` may follow v in a corner: it is empty, /vt, //vn or /vt/vn.
 bool is_texture_and_normal(std::string_view text)
 {
     std::int64_t ignored = 0;
@@ -60,6 +62,7 @@ bool is_texture_and_normal(std::string_view text)
     return take_number(text, ignored) && text.empty();
 }
 
+// Reads the statements of one file in order.
 class ObjReader {
 public:
     explicit ObjReader(const MeshSource& source)
@@ -82,7 +85,8 @@ private:
         return {source.content, {source.file, "E_OBJ_SYNTAX", '#'}};
     }
 
-    // OBJ has no counts: they are taken beforehand, so that memory is asked for once.
+    // OBJ files do not state their size. A first pass counts points and faces, so that
+    // memory is allocated once and checked against the limit.
     static RawMeshBuilder sized_builder(const MeshSource& source)
     {
         std::size_t points = 0;
@@ -124,7 +128,7 @@ private:
         mesh_.add_face(corners_, FilePlace::line(scanner_.line()));
     }
 
-    // The number, from 0, of the point that `word` names.
+    // The index, from 0, of the point that a corner refers to.
     std::int32_t corner(std::string_view word) const
     {
         std::string_view rest = word;

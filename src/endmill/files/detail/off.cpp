@@ -9,11 +9,12 @@
 namespace endmill {
 namespace {
 
+// Shortest lines of a point and a face; they bound the counts that a file can hold.
 constexpr std::uint64_t least_point_bytes = 6;  // "0 0 0\n"
 constexpr std::uint64_t least_face_bytes = 8;   // "3 0 1 2\n"
 constexpr int most_colour_numbers = 4;
 
-// Cuts `prefix` off; whether it was there.
+// Removes `prefix` from `word`. \return whether `word` began with it.
 bool take_prefix(std::string_view& word, std::string_view prefix)
 {
     const bool is_there = word.starts_with(prefix);
@@ -22,6 +23,7 @@ bool take_prefix(std::string_view& word, std::string_view prefix)
     return is_there;
 }
 
+// Reads one file: the keyword, the counts, then a line for each point and face.
 class OffReader {
 public:
     explicit OffReader(const MeshSource& source)
@@ -99,7 +101,7 @@ private:
         return count;
     }
 
-    // A claim must fit into the file before any memory is taken for it.
+    // Refuses a count that the file is too short for, before memory is allocated for it.
     void require_room(const std::string& things, std::int64_t count, std::uint64_t most)
     {
         if (static_cast<std::uint64_t>(count) > most)

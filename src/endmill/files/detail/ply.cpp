@@ -12,18 +12,29 @@
 #include "endmill/core/text.h"
 #include "endmill/files/detail/ply_header.h"
 
+// Steps of reading a PLY file:
+//
+// 1. The header declares elements and their properties (ply_header.h).
+// 2. LayoutCheck finds the used properties: x, y, z of "vertex", the list of corners of
+//    "face".
+// 3. BodyReader reads all items in order and skips unused properties. AsciiItems and
+//    BinaryItems give it the numbers, so the reading is the same for all encodings.
+//
+// A count that the header or a list claims is never trusted: memory is allocated only after
+// a check that so many numbers fit into the rest of the file.
+
 namespace endmill {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "numbers are copied between file and memory as they are");
+              "numbers are copied between file and memory without conversion");
 
 constexpr std::size_t longest_echo = 40;
-constexpr std::size_t least_corners = 3;  // of a face that is not refused
-// Of a corner while its face is split: its number twice, and its point (raw_mesh.h).
+constexpr std::size_t least_corners = 3;  // a face with fewer corners is refused
+// Memory for a corner while its face is split: its index twice and its point (raw_mesh.h).
 constexpr double bytes_per_corner = 2 * sizeof(std::int32_t) + sizeof(Vec3);
 
-// The numbers after an ASCII header: an item a line.
+// The numbers after an ASCII header; each item has a line of its own.
 class AsciiItems {
 public:
     AsciiItems(const MeshSource& source, const PlyHeader& header)
@@ -49,14 +60,14 @@ public:
                 throw scanner_.complaint_about({}, "a number");
     }
 
-    // White space and a digit.
+    // A number takes at least one digit and the white space after it.
     static std::size_t least_bytes(PlyType /*type*/) { return 2; }
 
 private:
     TextScanner scanner_;
 };
 
-// The numbers after a binary header, one after the other.
+// The numbers after a binary header, without gaps.
 class BinaryItems {
 public:
     BinaryItems(const MeshSource& source, const PlyHeader& header)
@@ -131,7 +142,7 @@ private:
     std::size_t at_;
 };
 
-// What the reader makes of a property.
+// The use of a property.
 enum class Role { X, Y, Z, Corners, Skipped };
 
 Role role_of(const PlyElement& element, const PlyProperty& property)
@@ -148,6 +159,7 @@ Role role_of(const PlyElement& element, const PlyProperty& property)
     return Role::Skipped;
 }
 
+// Checks that the header declares what a mesh needs, and finds it.
 class LayoutCheck {
 public:
     LayoutCheck(const MeshSource& source, const PlyHeader& header)
@@ -210,6 +222,7 @@ private:
     const PlyHeader& header_;
 };
 
+// Reads the items after the header. `Items` is AsciiItems or BinaryItems.
 template <class Items>
 class BodyReader {
 public:
@@ -232,7 +245,7 @@ public:
     }
 
 private:
-    // No more faces than sound ones that the file can hold, whatever it claims.
+    // Reserves memory for no more faces than the file can hold, whatever the header claims.
     static RawMeshBuilder sized_builder(const MeshSource& source, const PlyHeader& header)
     {
         const LayoutCheck layout{source, header};
@@ -298,7 +311,8 @@ private:
         }
     }
 
-    // Of a list whose numbers fit into what is left of the file or line.
+    // The length of a list, after a check that its numbers fit into the rest of the file or
+    // line.
     std::size_t list_length(const PlyProperty& property)
     {
         const FilePlace place = items_.place();

@@ -8,7 +8,8 @@
 namespace endmill {
 namespace {
 
-constexpr std::size_t most_properties = 1000;  // of all elements; bounds the memory
+// Largest number of elements and properties together; it bounds the memory of the header.
+constexpr std::size_t most_properties = 1000;
 
 struct TypeName {
     std::string_view name;
@@ -25,7 +26,8 @@ constexpr std::array type_names{
     TypeName{"float", PlyType::Float32},  TypeName{"float32", PlyType::Float32},
     TypeName{"double", PlyType::Float64}, TypeName{"float64", PlyType::Float64}};
 
-// What an item takes at least: numbers of its width, or a digit and white space each.
+// Least size of an item in bytes: a binary number has the width of its type, an ASCII
+// number a digit and white space. A list may be empty and counts by its length only.
 std::uint64_t least_item_bytes(const PlyElement& element, PlyEncoding encoding)
 {
     std::uint64_t bytes = 0;
@@ -36,6 +38,7 @@ std::uint64_t least_item_bytes(const PlyElement& element, PlyEncoding encoding)
     return bytes;
 }
 
+// Reads the lines of a header in order.
 class HeaderReader {
 public:
     explicit HeaderReader(const MeshSource& source)
@@ -134,7 +137,8 @@ private:
     {
         count_property();
         if (header_.elements.empty())
-            throw scanner_.complaint("a property of nothing", "an element before it");
+            throw scanner_.complaint("a property before any element",
+                                     "an element before it");
         std::optional<PlyType> count_type;
         std::string_view word = scanner_.word();
         if (word == "list") {
@@ -160,12 +164,12 @@ private:
         properties.push_back(property);
     }
 
-    // Elements are counted too, so that there cannot be a million of them.
+    // Counts elements and properties together, to bound the memory of the header.
     void count_property()
     {
         if (++properties_ > most_properties)
             throw complaint(source_, "E_LIMIT", FilePlace::line(scanner_.line()),
-                            "over 1000 elements and properties", "at most so many");
+                            "over 1000 elements and properties", "at most 1000");
     }
 
     PlyType type(std::string_view word) const
@@ -185,12 +189,13 @@ private:
                                 "an element without properties", "at least one");
     }
 
-    // Claims must fit into the file before any memory is taken for them.
+    // Checks that the claimed items fit into the file, element by element, before memory is
+    // allocated for them.
     void require_room() const
     {
         std::uint64_t bytes = source_.content.size() - header_.bytes;
         if (header_.encoding == PlyEncoding::Ascii)
-            ++bytes;  // the last line may lack its end
+            ++bytes;  // the last line may lack its line feed
         for (const PlyElement& element : header_.elements) {
             const std::uint64_t each = least_item_bytes(element, header_.encoding);
             if (element.count > bytes / each)

@@ -12,7 +12,7 @@ RawMeshBuilder::RawMeshBuilder(const MeshSource& source, std::size_t points,
                                std::size_t faces)
     : source_{source}
 {
-    // What a file claims is refused here, before it is believed with memory.
+    // Counts that a file claims are checked here, before memory is allocated for them.
     require_numbers(source, points);
     require_numbers(source, faces);
     require_memory_for(static_cast<double>(points), static_cast<double>(faces));
@@ -42,7 +42,7 @@ void RawMeshBuilder::require_corners(std::span<const std::int32_t> corners,
                         "a face of " + std::to_string(corners.size()) + " corner" +
                             (corners.size() == 1 ? "" : "s"),
                         "at least 3");
-    // Most faces of most files are triangles: three comparisons, and nothing is sorted.
+    // Most faces are triangles and need three comparisons; only longer faces are sorted.
     bool has_one_twice =
         corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
     if (corners.size() > 3) {
@@ -69,19 +69,20 @@ void RawMeshBuilder::add_fan(std::span<const std::int32_t> corners, FilePlace pl
                         "triangles or convex faces");
     ++split_faces_;
     out_of_plane_mm_ = std::max(out_of_plane_mm_, out_of_plane(polygon_));
-    // Around the hub in the order of the face, so that each triangle is turned as it is.
+    // The triangles follow the order of the corners and so keep the orientation of the face.
     const std::size_t count = corners.size();
     for (std::size_t i = 2; i < count; ++i)
         add_triangle({corners[*hub], corners[(*hub + i - 1) % count],
                       corners[(*hub + i) % count]});
 }
 
-// Faces that are split make more triangles than the header says: the array then grows by
-// halves, each asked for first, for doubling could ask for more than the mesh needs.
+// Split faces make more triangles than faces were announced. The array then grows by half
+// its size, after a check of the memory limit. Doubling, as std::vector does by itself,
+// could exceed the limit although the mesh fits.
 void RawMeshBuilder::add_triangle(const Triangle& triangle)
 {
     if (triangles_.size() == triangles_.capacity()) {
-        // Both the old and the new, larger array are there while one is copied.
+        // The old and the new array exist at the same time while the triangles are copied.
         const std::size_t more = std::max<std::size_t>(1024, triangles_.size() / 2);
         require_numbers(source_, triangles_.size() + more);
         require_memory_for(static_cast<double>(points_.size()),

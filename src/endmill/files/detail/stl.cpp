@@ -13,26 +13,31 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
+// Binary and ASCII STL cannot be told apart by the first word, because many binary files
+// begin with "solid". The length of the file decides first: a binary file of n triangles has
+// 84 + 50 n bytes. Otherwise a file that begins with "solid" and has no NUL byte near its
+// beginning is read as ASCII, and everything else is a damaged binary file.
+
 namespace endmill {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "numbers are copied between file and memory as they are");
+              "numbers are copied between file and memory without conversion");
 
 using Soup = std::vector<std::array<Vec3, 3>>;
 
-constexpr std::size_t count_at = 80;  // after a header of any content
+constexpr std::size_t count_at = 80;  // of the number of triangles, after a free text
 constexpr std::size_t header_bytes = 84;
 constexpr std::size_t triangle_bytes = 50;  // normal, three corners, attributes
 constexpr std::size_t normal_bytes = 12;
 constexpr std::size_t corner_bytes = 12;
 
-// The least that a facet takes in ASCII.
+// The shortest facet in ASCII; it bounds the number of triangles in a file.
 constexpr std::string_view shortest_facet =
     "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 0 vertex 0 0 0 endloop "
     "endfacet ";
 
-// The number of triangles in the header, which is there.
+// The number of triangles in the header. \pre the content has a whole header.
 std::uint32_t claimed_triangles(std::string_view content)
 {
     std::uint32_t count = 0;
@@ -50,13 +55,14 @@ bool is_letter_case_apart(char a, char lower)
     return a == lower || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == lower);
 }
 
-// Some programs write keywords in capitals.
+// Compares without regard to case, because some programs write keywords in capitals.
 bool is_keyword(std::string_view word, std::string_view keyword)
 {
     return std::ranges::equal(word, keyword, is_letter_case_apart);
 }
 
-// Many binary files begin with "solid" too, but none goes on without a zero byte.
+// Whether the content begins like an ASCII file: with "solid", and without a NUL byte in
+// the length of a binary header and one triangle. Binary files have NUL bytes there.
 bool looks_ascii(std::string_view content)
 {
     constexpr std::size_t binary_start = header_bytes + triangle_bytes;
@@ -82,7 +88,7 @@ bool looks_ascii(std::string_view content)
                     "");
 }
 
-// Room for so many triangles, within the limits.
+// An empty soup with memory for `most_triangles`, after a check of the limits.
 Soup empty_soup(const MeshSource& source, std::uint64_t most_triangles)
 {
     require_numbers(source, 3 * most_triangles);
@@ -113,7 +119,7 @@ Soup read_binary(const MeshSource& source)
     return soup;
 }
 
-// The grammar of ASCII STL, whose words may be spread over lines as one likes.
+// Reads ASCII STL word by word; line breaks have no meaning except after a name.
 class AsciiReader {
 public:
     explicit AsciiReader(const MeshSource& source)
@@ -135,7 +141,7 @@ public:
 private:
     void read_solid()
     {
-        scanner_.skip_line();  // the name
+        scanner_.skip_line();  // the name of the solid
         for (;;) {
             const std::string_view word = scanner_.word_across_lines();
             if (is_keyword(word, "endsolid"))
@@ -183,10 +189,11 @@ private:
     Soup soup_;
 };
 
-// Unit normal, or zero if the triangle has no area.
+// Unit normal of a triangle; zero if the triangle has no area.
 Vec3 facet_normal(const std::array<Vec3, 3>& corners)
 {
-    // Of half the edges, in proportion to the longer, so that nothing overflows.
+    // Half the edges, divided by the longest component, so that the cross product neither
+    // overflows nor underflows.
     const Vec3 a = corners[1] / 2 - corners[0] / 2;
     const Vec3 b = corners[2] / 2 - corners[0] / 2;
     const double size =

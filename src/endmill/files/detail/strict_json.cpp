@@ -39,8 +39,8 @@ std::string JsonValue::pointer() const
                                      : "/" + std::to_string(index_));
 }
 
-// A number or a word is shown as it stands; of what may be as long as the file, only its
-// kind is.
+// Numbers and words are shown unchanged. Arrays and objects may be as long as the file and
+// are shown by their kind only.
 std::string JsonValue::shown() const
 {
     constexpr std::size_t longest_echo = 40;
@@ -64,7 +64,7 @@ std::optional<JsonValue> JsonValue::find_member(std::string_view key) const&
     const auto found = value_->find(key);
     if (found == value_->end())
         return std::nullopt;
-    // The document's own key: the view of it must outlive that of the caller.
+    // The key of the document, not `key`: the view must outlive the caller's text.
     return JsonValue{*found, *this, found.key(), 0};
 }
 
@@ -117,7 +117,7 @@ std::string_view JsonValue::word(std::span<const std::string_view> words) const
 
 std::int64_t JsonValue::whole_number(std::int64_t low, std::int64_t high) const
 {
-    // The library calls 2^63 and above unsigned, and would wrap them round.
+    // The library stores 2^63 and above as unsigned; `get` would wrap them to negative.
     const bool too_large = value_->is_number_unsigned() &&
                            !std::in_range<std::int64_t>(value_->get<std::uint64_t>());
     const bool whole = value_->is_number_integer() && !too_large;
@@ -149,7 +149,7 @@ JsonValue JsonDocument::root() const&
     return JsonValue{*root_, file_};
 }
 
-// Names come from files and the command line: bytes that are no UTF-8 are no error here.
+// Names from files and the command line may contain invalid UTF-8, which is replaced.
 std::string json_string(std::string_view text)
 {
     return json(text).dump(-1, ' ', false, json::error_handler_t::replace);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/force_frame_drawing.h"
+#include "endmill/figures/force_figures.h"
 
 #include <array>
 #include <cmath>
@@ -8,10 +8,8 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/angle.h"
-#include "endmill/core/error.h"
 #include "endmill/core/text.h"
-#include "endmill/process/force_profile.h"
-#include "support/named_cells.h"
+#include "endmill/figures/detail/ball_lines.h"
 
 namespace endmill {
 namespace {
@@ -29,40 +27,15 @@ constexpr LineStyle force_style{"#a33b00", 2.2, ""};
 constexpr LineStyle angle_style{"#0b5fa5", 1.3, ""};
 constexpr LineStyle turn_style{"#2e7d32", 2, ""};
 
-constexpr double frame_reach = 1.75;   // of the arrows X and Y, in radii
-constexpr double upright_reach = 1.3;  // of the arrow Z, in radii
-constexpr double force_reach = 0.8;    // of the forces, in radii
-constexpr double shank_top = 0.5;      // of what is drawn of the shank, in radii
+constexpr double frame_reach = 1.75;   // length of the arrows X and Y, in radii
+constexpr double upright_reach = 1.3;  // length of the arrow Z, in radii
+constexpr double force_reach = 0.8;    // length of the force arrows, in radii
+constexpr double shank_top = 0.5;      // height of the drawn shank, in radii
 
-// What bears in a force: one of the ratios of CuttingMaterial, or none but the tangential
-// part that they are ratios to.
-CuttingForce force_with(const EdgeElement& element, Milling milling, double radial,
-                        double axial)
-{
-    const CuttingMaterial material{.specific_resistance_n_per_mm2 = 1000,
-                                   .edge_thickness_mm = 0,
-                                   .r1 = radial,
-                                   .r2 = radial,
-                                   .r3 = axial,
-                                   .r4 = axial,
-                                   .alpha = 0.5,
-                                   .v1_m_per_min = 1};
-    return ForceProfile{{.engagement = element.engagement,
-                         .material = material,
-                         .tool = {.radius = 1, .flutes = 1},
-                         .feed_per_tooth_mm = 1,
-                         .milling = milling}}
-        .at(element.azimuth);
-}
-
-Vec3 vector_of(const CuttingForce& force)
-{
-    return {force.x_n, force.y_n, force.z_n};
-}
-
+// Points and directions that the drawing of an element needs, in the frame.
 struct Places {
-    Vec3 element;  // on the unit ball
-    Vec3 axis;     // on the cutter's axis, at the height of the element
+    Vec3 element;  // the element on the unit ball
+    Vec3 axis;     // the point of the cutter's axis at the height of the element
     Vec3 radial;   // unit, horizontal, from the axis to the element
 };
 
@@ -82,7 +55,7 @@ std::vector<Vec3> meridian(double azimuth, double from, double to)
     return line;
 }
 
-// The ball by its rim, the foot and top of the shank, and its outline across the view.
+// Draws the ball by its rim, the top of the shank, and its outline as the viewer sees it.
 void add_cutter(AxonometricFigure& figure, const BallFrame& frame)
 {
     const std::vector<Vec3> rim = latitude_line(pi / 2, 0, 2 * pi);
@@ -123,7 +96,7 @@ void add_axes(AxonometricFigure& figure, const BallFrame& frame)
                      "uncut stock", frame_style.colour);
 }
 
-// The azimuth, from the parallel of Y through the axis to the element, and the latitude.
+// Draws the azimuth, from the parallel to Y through the axis to the element, and the latitude.
 void add_angles(AxonometricFigure& figure, const BallFrame& frame,
                 const EdgeElement& element)
 {
@@ -185,7 +158,7 @@ void add_forces(AxonometricFigure& figure, const BallFrame& frame,
                         force_style);
 }
 
-// Clockwise seen from above, over the front half of the shank's top.
+// Draws the sense of the spindle: clockwise seen from above, around the front of the shank.
 void add_turn(AxonometricFigure& figure, double radius_mm)
 {
     const Vec3 centre = radius_mm * (shank_top + 0.25) * Vec3::UnitZ();
@@ -200,46 +173,6 @@ void add_turn(AxonometricFigure& figure, double radius_mm)
 }
 
 }  // namespace
-
-ForceDirections force_directions(const EdgeElement& element, const BallFrame& frame)
-{
-    const Vec3 tangential = vector_of(force_with(element, frame.milling, 0, 0));
-    require(tangential.norm() > 0, "force_directions: the edge does not cut");
-    const Vec3 with_radial = vector_of(force_with(element, frame.milling, 1, 0));
-    const Vec3 with_axial = vector_of(force_with(element, frame.milling, 0, 1));
-    return {frame.turned(tangential.normalized()),
-            frame.turned((with_radial - tangential).normalized()),
-            frame.turned((with_axial - tangential).normalized())};
-}
-
-void add_frame_rows(CsvTable& table, const std::string& name, const EdgeElement& element,
-                    const BallFrame& frame)
-{
-    const auto add = [&](const std::string& row, const Vec3& place, NamedCells cells) {
-        cells.insert(cells.begin(),
-                     {{"x", place.x()}, {"y", place.y()}, {"z", place.z()}});
-        add_named(table, name + ", " + row, cells);
-    };
-    add("X", frame.turned(Vec3::UnitX()), {});
-    add("Y", frame.turned(Vec3::UnitY()), {});
-    add("Z", frame.turned(Vec3::UnitZ()), {});
-    const Places places = places_of(element);
-    add("P", frame.in_room(places.element), {});
-    const Vec3 radial = frame.turned(places.radial);
-    const Vec3 motion = radial.cross(Vec3::UnitZ());  // clockwise seen from above
-    const ForceDirections forces = force_directions(element, frame);
-    for (const auto& [direction, row] : {std::pair{forces.tangential, "F_T"},
-                                         {forces.radial, "F_R"},
-                                         {forces.axial, "F_z"}})
-        add(row, direction,
-            {{"along_motion", direction.dot(motion)},
-             {"outwards", direction.dot(radial)}});
-    for (const AzimuthRange& range : engaged_ranges(element.engagement, element.latitude))
-        add_named(table, name + ", theta",
-                  {{"from_deg", Angle::radians(range.from).degrees()},
-                   {"to_deg", Angle::radians(range.to).degrees()},
-                   {"at_deg", Angle::radians(element.azimuth).written_degrees()}});
-}
 
 std::string force_frame_svg(const EdgeElement& element, const BallFrame& frame,
                             const std::string& title)

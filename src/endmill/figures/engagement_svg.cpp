@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/engagement_drawing.h"
+#include "endmill/figures/force_figures.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,15 @@
 
 #include <Eigen/Geometry>
 
-#include "support/engagement_table.h"
+#include "endmill/figures/detail/ball_lines.h"
+
+// The figure is drawn from back to front:
+//
+// 1. The facets of the lower half ball and of the groove that the previous pass left behind
+//    the cutter, sorted by depth, and the disc that closes the half ball.
+// 2. The outline of the previous pass ahead of the cutter, dashed.
+// 3. The engaged part, as narrow bands between latitudes, and its borders.
+// 4. Arrows, angles and names.
 
 namespace endmill {
 namespace {
@@ -30,14 +38,14 @@ constexpr std::string_view ball_fill = "#eef3f9";
 constexpr std::string_view lid_fill = "#dbe4ee";
 constexpr std::string_view pass_fill = "#f8f1e4";
 
-constexpr double pass_behind = 1.7;    // radii of the previous pass that are drawn behind
-constexpr double pass_ahead = 1.35;    // and ahead of the ball's centre
-constexpr double arrow_reach = 1.6;    // of the arrows along the ground, in radii
-constexpr double upright_reach = 1.1;  // of those upwards
-constexpr double angle_reach = 1.32;   // of the arcs that show an angle, in radii
+constexpr double pass_behind = 1.7;    // length of the previous pass behind the ball, radii
+constexpr double pass_ahead = 1.35;    // length of it ahead of the ball, in radii
+constexpr double arrow_reach = 1.6;    // length of the level arrows, in radii
+constexpr double upright_reach = 1.1;  // length of the upright arrows, in radii
+constexpr double angle_reach = 1.32;   // radius of the arcs that show angles, in radii
 
 // Directions of the move in the frame of BallEngagement.
-// Source: spec of ball-end milling, section 3.
+// Source: docs/mathematics/ball-end-milling.md, section 3.
 struct MoveDirections {
     explicit MoveDirections(const BallEngagement& engagement)
         : feed{std::cos(engagement.lambda), 0, std::sin(engagement.lambda)},
@@ -50,8 +58,8 @@ struct MoveDirections {
     {
     }
 
-    // A place on the lower half of the previous pass, `along` the feed and at an angle from
-    // its lowest line towards Y.
+    // A point on the lower half of the previous pass: at a distance along the feed, and at an
+    // angle from its lowest line towards Y.
     Vec3 on_previous(double along, double angle) const
     {
         return previous + along * feed + std::sin(angle) * Vec3::UnitY() -
@@ -66,12 +74,12 @@ struct MoveDirections {
 };
 
 struct Facet {
-    std::vector<Vec3> outline;  // in the room, mm
+    std::vector<Vec3> outline;  // in the axes of the figure, in mm
     std::string_view fill;
     LineStyle style;
 };
 
-// The ball's half, those facets of which the viewer sees something.
+// Adds the facets of the lower half ball of which at least one corner faces the viewer.
 void add_ball_facets(const BallFrame& frame, const Vec3& toward,
                      std::vector<Facet>& facets)
 {
@@ -93,7 +101,7 @@ void add_ball_facets(const BallFrame& frame, const Vec3& toward,
         }
 }
 
-// The groove that the previous pass has left behind the ball's front.
+// Adds the groove that the previous pass left behind the front of the ball.
 void add_pass_facets(const BallFrame& frame, const MoveDirections& move,
                      std::vector<Facet>& facets)
 {
@@ -142,7 +150,7 @@ void add_solids(AxonometricFigure& figure, const BallFrame& frame,
                        rim_style);
 }
 
-// The engaged part that the viewer sees, as narrow bands of latitude.
+// Adds the visible engaged part as narrow bands between latitudes.
 void add_engaged_part(AxonometricFigure& figure, const BallFrame& frame,
                       const BallEngagement& engagement)
 {
@@ -168,7 +176,7 @@ void add_engaged_part(AxonometricFigure& figure, const BallFrame& frame,
     }
 }
 
-// "E" in the middle of the widest engaged range two thirds of the way up.
+// Writes "E" in the middle of the widest engaged range, at two thirds of the height.
 void add_name(AxonometricFigure& figure, const BallFrame& frame,
               const BallEngagement& engagement)
 {
@@ -182,7 +190,7 @@ void add_name(AxonometricFigure& figure, const BallFrame& frame,
                      {0, 0}, "E", "#222222");
 }
 
-// A line of the ball, dashed where the ball itself hides it.
+// Draws a line on the ball, dashed where the ball hides it.
 void add_border(AxonometricFigure& figure, const BallFrame& frame,
                 const std::vector<Vec3>& border)
 {
@@ -256,7 +264,7 @@ std::string engagement_svg(const BallEngagement& engagement, const BallFrame& fr
             pass_ahead_style);
     figure.add_curve(frame.in_room(pass_section(move, pass_ahead)), pass_ahead_style);
     add_engaged_part(figure, frame, engagement);
-    for (const NamedBorder& border : named_borders(engagement))
+    for (const EngagementBorder& border : engagement_borders(engagement))
         add_border(figure, frame, border.points);
     add_arrows(figure, frame, move);
     add_name(figure, frame, engagement);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/ball_drawing.h"
+#include "endmill/figures/detail/ball_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,7 +10,7 @@
 namespace endmill {
 namespace {
 
-// Of a curved line: a step bends it by less than its width.
+// Step along a curved line; the chord is off the arc by less than the width of the line.
 constexpr double step_rad = 2 * std::numbers::pi / 180;
 
 int steps_over(double angle)
@@ -19,23 +20,9 @@ int steps_over(double angle)
 
 }  // namespace
 
-Vec3 BallFrame::turned(const Vec3& place) const
+double highest_latitude(const BallEngagement& engagement)
 {
-    return {place.x(), milling == Milling::Up ? place.y() : -place.y(), place.z()};
-}
-
-Vec3 BallFrame::in_room(const Vec3& place) const
-{
-    return radius_mm * turned(place);
-}
-
-std::vector<Vec3> BallFrame::in_room(const std::vector<Vec3>& line) const
-{
-    std::vector<Vec3> places;
-    places.reserve(line.size());
-    for (const Vec3& place : line)
-        places.push_back(in_room(place));
-    return places;
+    return std::acos(std::clamp(1 - engagement.depth_ratio, 0.0, 1.0));
 }
 
 Vec3 ball_point(double latitude, double azimuth)

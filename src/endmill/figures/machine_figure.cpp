@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/machine_drawing.h"
+#include "endmill/figures/machine_figure.h"
 
 #include <algorithm>
 #include <cctype>
 
-#include "support/solid_drawing.h"
+#include "endmill/figures/detail/solid_shapes.h"
 
 namespace endmill {
 namespace {
 
-// mm, of a machine the size of a hand.
-constexpr double pitch = 24;  // from axis to axis
+// Sizes of the sketch in mm.
+constexpr double pitch = 24;  // from one axis of the stack to the next
 constexpr double half_height = 5;
 constexpr double part_height = 18;
-constexpr double tip_height = 30;  // over the middle of what carries the part
+constexpr double tip_height = 30;  // of the tool tip above the foot of the part
 constexpr double tool_length = 26;
 constexpr double spindle_length = 16;
-constexpr double reach_back = 60;  // of the bed
-constexpr double beam = 5;         // half of the bed's thickness
+constexpr double reach_back = 60;  // depth of the bed behind the axes
+constexpr double beam = 5;         // half the thickness of the bed
 
 constexpr SolidColours bed_colours{"#d9d9d9", "#bfbfbf", "#a6a6a6"};
 constexpr SolidColours slide_colours{"#dce6ef", "#bccddd", "#9fb6cb"};
@@ -46,7 +46,7 @@ std::string capital(char letter)
     return {static_cast<char>(std::toupper(letter))};
 }
 
-// Draws a machine from the bed upwards, so that what is nearer to the viewer covers the rest.
+// Draws a machine from the bed upwards, so that nearer shapes cover the others.
 class MachinePicture {
 public:
     MachinePicture(const MachineConfiguration& machine, const FigureOptions& options)
@@ -135,7 +135,7 @@ private:
                               style.colour);
             return;
         }
-        // The end that is nearer to the viewer.
+        // The pin and its name are drawn at the end that is nearer to the viewer.
         const double side = axis.dot(figure_.view().toward) > 0 ? 1 : -1;
         const Vec3 end = side * axis;
         add_box(figure_, middle, {11, 11, 11}, colours);
@@ -150,7 +150,7 @@ private:
     {
         const Vec3 half{26, 20, half_height};
         add_box(figure_, middle, half, slide_colours);
-        // On the side that the viewer sees best along the axis.
+        // The double arrow is drawn on a side of the box where the axis is visible.
         const bool is_y = letter == 'y';
         const bool is_z = letter == 'z';
         const Vec3 beside{is_y || is_z ? half.x() + 5 : 0,
@@ -183,9 +183,9 @@ private:
     }
 
     MachineConfiguration machine_;
-    std::string letters_;  // between W/ and /T
-    int below_;            // how many axes carry the part
-    int above_;            // and the tool
+    std::string letters_;  // the axes of the configuration word, without W/ and /T
+    int below_;            // number of axes that carry the part
+    int above_;            // number of axes that carry the tool
     double bottom_;
     double top_;
     AxonometricFigure figure_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/direction_chart.h"
+#include "endmill/figures/detail/direction_chart.h"
 
 #include <array>
 #include <cmath>
@@ -21,13 +21,13 @@ constexpr double middle_y_px = 340;
 constexpr double legend_y_px = 650;
 constexpr double legend_line_px = 22;
 constexpr double legend_sample_px = 34;
-constexpr double legend_room_px = 76;  // for three lines
+constexpr double legend_room_px = 76;  // room for three lines
 constexpr double legend_x_px = 60;
 constexpr double text_px = 13;
 constexpr double mark_px = 3.2;
-constexpr double ring_name_px = 14;  // room for one
+constexpr double ring_name_px = 14;  // least distance of the names of two rings
 constexpr int circle_corners = 120;
-constexpr double rounding = 1e-9;  // rad: a direction at the reach is shown
+constexpr double rounding = 1e-9;  // rad; shows directions exactly at the reach
 constexpr LineStyle ring_style{"#cccccc", 1, ""};
 constexpr std::string_view scale_colour = "#666666";
 
@@ -44,7 +44,7 @@ DirectionChart::DirectionChart(std::string_view title, const Frame& frame,
     const double most = projection == ChartProjection::Equidistant ? pi : pi / 2;
     require(0 < reach_ && (projection == ChartProjection::Gnomonic ? reach_ < most
                                                                    : reach_ <= most),
-            "DirectionChart: need a reach that the projection shows");
+            "DirectionChart: the reach is beyond the projection");
     picture_.add_text({side_px / 2, 34}, title, {19, "#111111", true, true});
     add_rings();
     add_azimuths();

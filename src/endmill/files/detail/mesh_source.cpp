@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/files/mesh_file.h"
+#include "endmill/files/detail/mesh_source.h"
 
+#include <cmath>
 #include <limits>
 
 #include "endmill/core/text.h"
@@ -8,8 +9,10 @@
 namespace endmill {
 namespace {
 
+// Points and triangles are indexed by std::int32_t.
 constexpr std::uint64_t most_numbers = std::numeric_limits<std::int32_t>::max();
 
+// A coordinate as messages show it.
 std::string shown(double value)
 {
     if (std::isnan(value))
