@@ -16,8 +16,8 @@ struct DirectionSet {
     std::vector<Vec3> directions;  ///< unit vectors
 };
 
-/// The set that a parameter states: azimuths and polar angles, "0:30 100:40", or turns about x
-/// and y, "50/30 -20/15", all in degrees. The tool axis is +z.
+/// The set that a parameter states: azimuths and polar angles, "0:30 100:40", or turns
+/// about x and y, "50/30 -20/15", all in degrees. The tool axis is +z.
 /// \throws DomainError for another text.
 DirectionSet direction_set(const std::string& text);
 
@@ -25,13 +25,13 @@ DirectionSet direction_set(const std::string& text);
 std::string sector_chart(const std::string& title, const DirectionSet& set,
                          const SectorCandidate& sector);
 
-/// Figures 10, 13 (b): the directions in the gnomonic projection, up to 80 degrees from the tool
-/// axis, and a rectangle.
+/// Figures 10, 13 (b): the directions in the gnomonic projection, up to 80 degrees from
+/// the tool axis, and a rectangle.
 std::string rectangle_chart(const std::string& title, const DirectionSet& set,
                             const RectangleCandidate& rectangle);
 
-/// Figures 9, 14: the hull of the directions and the tool axis, in the gnomonic or orthographic
-/// projection.
+/// Figures 9, 14: the hull of the directions and the tool axis, in the gnomonic or
+/// orthographic projection.
 std::string hull_chart(const std::string& title, const DirectionSet& set,
                        ChartProjection projection);
 

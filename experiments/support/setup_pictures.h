@@ -19,8 +19,8 @@ struct SetupPictureNames {
 /// The ranges that the pose needs, such as "R1 from -76.4° to 74.6°, R2 from ...".
 std::string range_caption(RotaryFamily family, const FittedPose& fit);
 
-/// Writes FILE-setup.svg, the part in its pose, and FILE-sphere.svg, the required directions.
-/// Facets count as reached at zero as in `reached_at_zero`.
+/// Writes FILE-setup.svg, the part in its pose, and FILE-sphere.svg, the required
+/// directions. Facets count as reached at zero as in `reached_at_zero`.
 /// \param marked directions in coordinates of the part, drawn as discs on the sphere.
 void write_setup_pictures(Experiment& run, const SetupPictureNames& names,
                           const StudiedPart& part, const ShownSetup& setup,

@@ -107,8 +107,8 @@ ExitCode run_sample(const SampleOptions& options)
     OutputFolder folder{output_folder(options.surface, "sample", options.common),
                         options.common.force};
     folder.protect(options.surface);
-    folder.write(name, mesh_text(sampling.found.mesh, options.format,
-                                 sampling.found.normals));
+    folder.write(name,
+                 mesh_text(sampling.found.mesh, options.format, sampling.found.normals));
     folder.write("summary.json", summary.dump(2) + "\n");
     for (const char* other : {"mesh.stl", "mesh.obj", "mesh.ply", "mesh.off"})
         folder.remove_unless_written(other);

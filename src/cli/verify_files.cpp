@@ -101,7 +101,8 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
     if (options.write_stock)
         folder.write("stock.vti", stock_vti(verification.rest, history_of_rest(task)));
     if (options.write_mesh)
-        folder.write("rest.stl", mesh_text(stock_mesh(verification.rest), MeshFormat::Stl));
+        folder.write("rest.stl",
+                     mesh_text(stock_mesh(verification.rest), MeshFormat::Stl));
     Json summary =
         verify_summary({input.name, printable(input.part_path), stock_text(result),
                         task.cutter, input.limits, input.program},

@@ -93,8 +93,8 @@ TEST_P(SphereOfGrid, CellsTileTheDisc)
 INSTANTIATE_TEST_SUITE_P(Grids, SphereOfGrid,
                          testing::Values("hex:10", "cube:4", "latlong:12x6", "ico:1"));
 
-// Seen from the spindle, all cells of the north half are in front, each in the colour of its
-// share: hex has them first, so that none reaches fewer than half of the facets.
+// Seen from the spindle, all cells of the north half are in front, each in the colour of
+// its share: hex has them first, so that none reaches fewer than half of the facets.
 TEST(SphereSvg, ShadesCellsByTheFacetsThatTheyReach)
 {
     const SphereGrid grid = sphere_grid("hex:6");

@@ -41,7 +41,9 @@ TEST(SetupStyles, LegendSaysThatTheToolAxisIsAlsoC)
 {
     AxonometricFigure figure{{}, std::array<Vec3, 2>{Vec3{0, 0, 0}, {1, 1, 1}}};
     add_setup_legend(figure, test::axes_of_machine(RotaryFamily::CA));
-    add_border_legend(figure, true);
+    ShownSetup setup;
+    setup.limits = RotaryLimits{};
+    add_border_legend(figure, setup);
     std::set<std::string> texts;
     for (const XmlElement& element : SmallXml::parse(figure.text()))
         texts.insert(element.text);

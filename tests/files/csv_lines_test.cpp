@@ -44,7 +44,7 @@ TEST(CsvLines, TakeQuotesOffCells)
     EXPECT_EQ(all_cells("\"a,b\",,\"c\""), expected);
 }
 
-// The general reader of CSV is another program for the same format.
+// `parse_csv` is an independent reader of the same format.
 TEST(CsvLines, CutAsTheGeneralReaderDoes)
 {
     const std::string text = "a,\"b\",c\n1,\"2,5\",\"\"\r\n,,\n\"x\",y,z";

@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-// The beginnings that the formats' own documents print.
+// First lines as printed in the documents of the formats.
 TEST(RecognizedFormat, SeesTheBeginningsOfTheUsualFiles)
 {
     EXPECT_EQ(recognized_format("solid cube\n facet normal 0 0 1\n"), "STL");

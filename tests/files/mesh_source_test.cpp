@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/files/mesh_file.h"
+#include "endmill/files/detail/mesh_source.h"
 
 #include <limits>
 
@@ -77,7 +77,7 @@ TEST(PointNumber, IsOneOfThePoints)
               "E_INDEX f:9: index 0; expected no index: there are no points");
 }
 
-// The boundaries of 31 and of 32 bits.
+// Around 2^31 and 2^32.
 TEST(RequireNumbers, HasRoomForThirtyOneBits)
 {
     const MeshSource source{"", "f"};

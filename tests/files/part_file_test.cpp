@@ -141,7 +141,7 @@ TEST(PartFile, DoesNotSayThatAnOpenMeshFacesOutwards)
 
 TEST(PartFile, SaysWhichPiecesHaveOneSideOnly)
 {
-    // Five triangles over five points: each point with the two after it.
+    // A Moebius strip of five triangles: each point with the two points after it.
     std::vector<Vec3> points;
     std::vector<Triangle> strip;
     for (int k = 0; k < 5; ++k) {

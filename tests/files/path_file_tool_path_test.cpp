@@ -47,7 +47,7 @@ TEST(ToolPathCsv, OverSeveralSurfacesNamesThePatch)
                                   "1,0,rapid,1,2,3,0,0,1,4,,,,,,,,\n"));
 }
 
-// Columns in the order of the format, each only where some point has something for it.
+// Optional columns stand at their place in the order, if any point has a value.
 TEST(ToolPathCsv, WritesWhatTheMachineIsTold)
 {
     ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 2},
@@ -118,7 +118,7 @@ TEST(ToolPathCsv, EveryNumberReadsBackAsTheSameDouble)
     }
 }
 
-// More points than fit into one batch of chunks, so that the joints are crossed too.
+// More points than one batch of runs, so that the joints between batches are tested.
 TEST(ToolPathCsv, IsTheSameWithAnyNumberOfThreads)
 {
     const ToolPath path = wavy_path(7, 20001);

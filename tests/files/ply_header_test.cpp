@@ -84,9 +84,9 @@ TEST(PlyHeader, RefusesWhatIsNone)
     EXPECT_EQ(complaint_about(ascii_ply.substr(0, ascii_ply.find("end_header"))),
               "E_PLY_SYNTAX f.ply:16: end of file; expected \"element\", \"property\" or "
               "\"end_header\"");
-    EXPECT_EQ(
-        complaint_with("element camera 1\n", ""),
-        "E_PLY_SYNTAX f.ply:4: a property before any element; expected an element before it");
+    EXPECT_EQ(complaint_with("element camera 1\n", ""),
+              "E_PLY_SYNTAX f.ply:4: a property before any element; expected an element "
+              "before it");
     EXPECT_EQ(complaint_with("property float fov\n", ""),
               "E_PLY_SYNTAX f.ply:4: an element without properties; "
               "expected at least one");
@@ -100,7 +100,6 @@ TEST(PlyHeader, RefusesWhatIsNone)
               "E_PLY_SYNTAX f.ply:6: \"4.0\"; expected a whole number");
 }
 
-// Row 41 of the malformed inputs.
 TEST(PlyHeader, RefusesTypesThatDoNotExist)
 {
     const std::string expected =
@@ -114,7 +113,6 @@ TEST(PlyHeader, RefusesTypesThatDoNotExist)
               "expected a type of whole numbers");
 }
 
-// Row 40.
 TEST(PlyHeader, RefusesCountsThatTheFileCannotHold)
 {
     EXPECT_EQ(

@@ -19,7 +19,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Control point in column i and row j of every net below.
+// The control point in column i and row j of every net below.
 Vec3 net_point(int i, int j)
 {
     return {10.0 * i, 7.5 * j, 0.1 * i * j - 1.0 / (1 + i + j)};
@@ -61,7 +61,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
-// "CODE message" of the error that `text` gives; "accepted" if there is none.
+// "CODE message" of the error in `text`; "accepted" if there is none.
 std::string complaint_about(const std::string& text)
 {
     try {

@@ -18,7 +18,7 @@ TextScanner scanner(std::string_view text)
     return {text, {"f.txt", "E_TEXT", '#'}};
 }
 
-// "CODE message" of reading `text`, on the first line, by `read`.
+// "CODE message" of the error when `read` reads the first line of `text`.
 template <class Read>
 std::string complaint_about(std::string_view text, const Read& read)
 {

@@ -62,7 +62,7 @@ TEST(ToolPathReader, ReadsConditionsAndPatchesToTheBit)
     EXPECT_EQ(tool_path_csv(read.path), text);
 }
 
-// Long enough to be read in several runs of lines at once.
+// Long enough to be read in several runs of lines.
 TEST(ToolPathReader, ReadsALongPathToTheBitAndComplainsOfItsFirstFault)
 {
     ToolPath path = wavy_path(30, 400);
@@ -98,8 +98,8 @@ TEST(ToolPathReader, NeedsTheTipsOnlyAndSaysWhatItTakes)
     EXPECT_EQ(read.path.points[1].location.axis, (Vec3{0, 0, 1}));
     EXPECT_EQ(read.path.points[1].move, Move::Cut);
     EXPECT_EQ(read.path.points[1].point, 1);
-    EXPECT_THAT(read.remarks,
-                ElementsAre(HasSubstr("assumed to be a cut"), HasSubstr("assumed to be +z")));
+    EXPECT_THAT(read.remarks, ElementsAre(HasSubstr("assumed to be a cut"),
+                                          HasSubstr("assumed to be +z")));
 }
 
 TEST(ToolPathReader, LeavesOutWhatAPathHasNoPlaceForAndSaysSo)
@@ -230,7 +230,7 @@ TEST(ToolPathReader, KeepsANormalWithoutTheRestOfItsContact)
     EXPECT_EQ(*read.path.normal(1), (Vec3{0, 0.6, 0.8}));
     EXPECT_FALSE(read.path.normal(2));
     EXPECT_FALSE(read.path.points[1].contact);
-    // It is written, and read again, beside whole contacts too.
+    // The normal is also written and read again beside complete contacts.
     const std::string text = tool_path_csv(read.path);
     const Program again = parse_tool_path(text, "f");
     EXPECT_EQ(again.path.normals, read.path.normals);

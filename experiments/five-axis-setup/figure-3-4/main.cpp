@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures 3 and 4 of Kang & Suh: the axes of five-axis machines, and four of the machines.
+// Figures 3 and 4 of Kang & Suh: the axes of five-axis machines, and four of the
+// machines.
 //
 //   five-axis-setup-figure-3-4 OUTPUT_FOLDER
 //
@@ -16,8 +17,8 @@ using namespace endmill;
 
 namespace {
 
-// What each axis turns and where it comes in the order of the rotary ones, and where the part
-// sees the tool when it stands at `position` alone; then the same of both together.
+// What each axis turns and where it comes in the order of the rotary ones, and where the
+// part sees the tool when it stands at `position` alone; then the same of both together.
 void add_machine(CsvTable& table, const std::string& row, const Machine& machine,
                  double position)
 {

@@ -13,9 +13,9 @@
 #include "endmill/core/vec.h"
 
 /// \file
-/// Drawing in SVG: pictures in the plane (`SvgPicture`, lengths in px), and drawings in space
-/// in parallel projection with title, axes and legend (`AxonometricFigure`, lengths in mm).
-/// All other figures of this module are made with these two classes.
+/// Drawing in SVG: pictures in the plane (`SvgPicture`, lengths in px), and drawings in
+/// space in parallel projection with title, axes and legend (`AxonometricFigure`, lengths
+/// in mm). All other figures of this module are made with these two classes.
 
 namespace endmill {
 
@@ -45,8 +45,8 @@ struct PixelBox {
     int height = 1;  ///< in px
 };
 
-/// A picture in SVG 1.1 on a white ground. Elements are added one by one; later ones cover
-/// earlier ones. Texts are escaped; numbers have at most two decimals.
+/// A picture in SVG 1.1 on a white ground. Elements are added one by one; later ones
+/// cover earlier ones. Texts are escaped; numbers have at most two decimals.
 class SvgPicture {
 public:
     /// An empty picture.
@@ -55,9 +55,9 @@ public:
     /// \throws DomainError unless both sizes are finite and positive.
     SvgPicture(double width_px, double height_px, std::string_view title);
 
-    /// Adds straight lines between consecutive points; nothing if there are fewer than two.
-    /// Points that are within 0.1 px of the line through the others are left out, so the
-    /// size of the file depends on what is visible and not on the number of points.
+    /// Adds straight lines between consecutive points; nothing if there are fewer than
+    /// two. Points that are within 0.1 px of the line through the others are left out, so
+    /// the size of the file depends on what is visible and not on the number of points.
     /// \throws DomainError if a coordinate is not finite; so do the functions below.
     void add_polyline(std::span<const PixelPoint> points, const LineStyle& style);
 
@@ -66,8 +66,8 @@ public:
     void add_polygon(std::span<const PixelPoint> points, std::string_view fill,
                      const LineStyle& outline);
 
-    /// Adds rectangles of one colour as one element, without anti-aliasing: no gap is visible
-    /// between rectangles that touch. Nothing is added if there are none.
+    /// Adds rectangles of one colour as one element, without anti-aliasing: no gap is
+    /// visible between rectangles that touch. Nothing is added if there are none.
     void add_boxes(std::span<const PixelBox> boxes, std::string_view fill);
 
     /// Adds a filled disc. \param radius_px in px.
@@ -89,8 +89,9 @@ std::string xml_escaped(std::string_view text);
 /// Title, size and view of a drawing in space.
 struct FigureOptions {
     std::string title{};  ///< above the drawing; cut after 100 characters
-    std::vector<std::string> captions{};  ///< lines below the title; cut after 150 characters
-    double width_px = 900;                ///< of the whole picture, in px; at least 300
+    std::vector<std::string>
+        captions{};         ///< lines below the title; cut after 150 characters
+    double width_px = 900;  ///< of the whole picture, in px; at least 300
     Angle azimuth = Angle::degrees(-60);  ///< direction to the viewer, from +x towards +y
     Angle elevation = Angle::degrees(30);  ///< of the viewer above the xy plane
     std::array<std::string_view, 3> axis_names{"x", "y", "z"};  ///< at the axes' arrows
@@ -107,8 +108,8 @@ struct AxonometricView {
     AxonometricView(Angle azimuth, Angle elevation);
 };
 
-/// A drawing in space in parallel projection: title and captions, the drawing, and below it
-/// the axes x, y, z with their length in mm and a legend.
+/// A drawing in space in parallel projection: title and captions, the drawing, and below
+/// it the axes x, y, z with their length in mm and a legend.
 class AxonometricFigure {
 public:
     /// An empty drawing with its title and axes.
@@ -126,19 +127,22 @@ public:
     /// Adds a disc at `point`, in mm. \param radius_px in px.
     void add_disc(const Vec3& point, double radius_px, std::string_view colour);
 
-    /// Adds an arrow between two points, in mm, with its head at `to`. Nothing is added if
-    /// the arrow appears shorter than its head.
+    /// Adds an arrow between two points, in mm, with its head at `to`. Nothing is added
+    /// if the arrow appears shorter than its head.
     void add_arrow(const Vec3& from, const Vec3& to, const LineStyle& style);
 
-    /// Adds a line of text that is centred at `point`, in mm, moved by `shift_px` to the right
-    /// and down. \param colour as LineStyle::colour.
+    /// Adds a line of text that is centred at `point`, in mm, moved by `shift_px` to the
+    /// right and down. \param colour as LineStyle::colour.
     void add_label(const Vec3& point, const PixelPoint& shift_px, std::string_view text,
                    std::string_view colour);
 
-    const AxonometricView& view() const { return view_; }  ///< directions of the projection
+    const AxonometricView& view() const
+    {
+        return view_;
+    }  ///< directions of the projection
 
-    /// Adds a line of the legend with a sample of the line style. A column has five lines; a
-    /// picture of 900 px has room for three columns.
+    /// Adds a line of the legend with a sample of the line style. A column has five
+    /// lines; a picture of 900 px has room for three columns.
     void add_legend(std::string_view label, const LineStyle& style);
 
     /// Adds a line of the legend with a disc.

@@ -8,6 +8,10 @@
 #include "endmill/core/error.h"
 #include "endmill/figures/detail/direction_chart.h"
 
+// Both charts have the tool axis in the centre. The reach is chosen from the content: the
+// smallest multiple of 5 degrees that contains all directions and borders, within the
+// limit of the projection.
+
 namespace endmill {
 namespace {
 
@@ -22,8 +26,8 @@ constexpr LineStyle hull_style{"#0072b2", 2, ""};
 constexpr LineStyle axis_style{"#b8006b", 1.5, "6 4"};
 constexpr std::string_view mark_colour = "#222222";
 
-// The smallest multiple of 5 degrees beyond the polar angles of all directions and borders, at
-// most `most_deg`.
+// The smallest multiple of 5 degrees beyond the polar angles of all directions and
+// borders, at most `most_deg`.
 Angle reach_of(const ChartedDirections& chart, std::span<const DirectionCurve> borders,
                double most_deg)
 {
@@ -41,8 +45,8 @@ Angle reach_of(const ChartedDirections& chart, std::span<const DirectionCurve> b
     return Angle::degrees(std::min(round_deg, most_deg));
 }
 
-// The line towards the first rotary axis, which is at infinity in a gnomonic chart; it passes
-// through the pole.
+// The line towards the first rotary axis, which is at infinity in a gnomonic chart; it
+// passes through the pole.
 DirectionCurve line_to_first_axis(const Vec3& pole, const Vec3& r1_axis)
 {
     constexpr int farthest_deg = 88;

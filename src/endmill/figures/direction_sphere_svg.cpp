@@ -11,18 +11,19 @@
 
 #include "endmill/figures/axonometric_figure.h"
 
-// The sphere is drawn from back to front: the rotary axes that pass through it, the ground of
-// the sphere, the set as small patches, the circles and borders, then the visible ends of the
-// axes and the names. The parts of lines behind the sphere are dashed.
+// The sphere is drawn from back to front: the rotary axes that pass through it, the
+// ground of the sphere, the set as small patches, the circles and borders, then the
+// visible ends of the axes and the names. The parts of lines behind the sphere are
+// dashed.
 
 namespace endmill {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double step = 0.01;        // step of borders, rad
-constexpr double patch = pi / 45;    // largest side of the patches that fill the set, rad
-constexpr double seam_px = 0.6;      // outline that hides anti-aliased gaps between patches
-constexpr double axis_reach = 1.25;  // length of axes, in radii of the sphere
+constexpr double step = 0.01;      // step of borders, rad
+constexpr double patch = pi / 45;  // largest side of the patches that fill the set, rad
+constexpr double seam_px = 0.6;    // outline that hides anti-aliased gaps between patches
+constexpr double axis_reach = 1.25;   // length of axes, in radii of the sphere
 constexpr double label_reach = 1.36;  // distance of names from the centre, in radii
 constexpr double label_gap_px = 20;
 constexpr std::string_view thin_dashes = "3 4";
@@ -35,11 +36,13 @@ constexpr LineStyle first_axis{"#b8006b", 2, {}};
 constexpr LineStyle second_axis{"#00785a", 2, {}};
 constexpr LineStyle tool_line{"#000000", 2, {}};
 
+// The style of a line behind the sphere: thin and dashed.
 LineStyle behind(const LineStyle& style)
 {
     return {style.colour, std::min(style.width_px, 1.2), thin_dashes};
 }
 
+// The great circle across a direction, closed.
 DirectionCurve great_circle(const Vec3& normal)
 {
     const Vec3 across = normal.unitOrthogonal();
@@ -59,8 +62,10 @@ struct TurningAxis {
     LineStyle style;
 };
 
+// Collects the drawing of one set. Lengths are in radii of the sphere.
 class DirectionSphere {
 public:
+    // An axis whose range is a single position is not drawn, since it does not turn.
     DirectionSphere(const FeasibleDirections& set, const std::string& title)
         : set_{set},
           frame_{set.frame()},
@@ -76,6 +81,7 @@ public:
             axes_.push_back({"R2", frame_.r2_axis, second_axis});
     }
 
+    // Draws everything from back to front.
     std::string text(const std::string& legend)
     {
         for (const TurningAxis& axis : axes_)
@@ -98,6 +104,7 @@ public:
     }
 
 private:
+    // Points that bound the sphere, the axes and their names.
     static std::vector<Vec3> extent()
     {
         const AxonometricView view{FigureOptions{}.azimuth, FigureOptions{}.elevation};
@@ -105,6 +112,7 @@ private:
                 label_reach * view.up};
     }
 
+    // Whether a direction is on the front half of the sphere.
     bool is_front(const Vec3& direction) const
     {
         return direction.dot(figure_.view().toward) >= 0;
@@ -124,7 +132,8 @@ private:
         }
     }
 
-    // Fills the set in front of the outline. Corners behind the outline are moved onto it.
+    // Fills the set in front of the outline. Corners behind the outline are moved onto
+    // it.
     void fill()
     {
         const auto count = [](const RotaryRange& range) {
@@ -160,8 +169,8 @@ private:
                                 {share(limits_.phi, phi), share(limits_.theta, theta)});
     }
 
-    // Draws the basis circle, which the tool follows when only the tilt (C,A) or only R1 (A,B)
-    // moves. For A,B also draws the great circles of E1 and E2.
+    // Draws the basis circle, which the tool follows when only the tilt (C,A) or only R1
+    // (A,B) moves. For A,B also draws the great circles of E1 and E2.
     void add_circles()
     {
         if (axes_.empty())
@@ -181,11 +190,14 @@ private:
         return !is_ca_ && axes_.size() == 2 && !goes_round(limits_.phi);
     }
 
+    // Whether a range is a whole turn, so that it has no ends.
     static bool goes_round(const RotaryRange& range)
     {
         return range.to - range.from >= 2 * pi - 1e-9;
     }
 
+    // Draws the visible ends of an axis and its name, with a minus sign at the negative
+    // end.
     void add_ends(const TurningAxis& axis)
     {
         for (const double side : {-1.0, 1.0}) {
@@ -203,6 +215,7 @@ private:
                               axis.style.colour);
     }
 
+    // Draws the tool axis at zero, P.
     void add_pole()
     {
         const Vec3& pole = frame_.tool_axis;
@@ -246,6 +259,7 @@ private:
         }
     }
 
+    // The legend names only what is drawn.
     void add_legend(const std::string& legend)
     {
         if (axes_.empty())

@@ -9,15 +9,15 @@
 #include "endmill/process/cutting_force.h"
 
 /// \file
-/// Figures of ball-end milling: the engaged part of the ball, and the frame of the cutting
-/// forces on an element of the edge. Both draw in the frame of BallEngagement, whose
-/// lengths are in radii of the ball.
+/// Figures of ball-end milling: the engaged part of the ball, and the frame of the
+/// cutting forces on an element of the edge. Both draw in the frame of BallEngagement,
+/// whose lengths are in radii of the ball.
 
 namespace endmill {
 
-/// The frame of BallEngagement as it is placed in a figure. In the figure x is the feed seen
-/// from above, y is to the left of it and z points upwards. Y of the frame is to the left of
-/// the feed in up milling and to the right of it in down milling.
+/// The frame of BallEngagement as it is placed in a figure. In the figure x is the feed
+/// seen from above, y is to the left of it and z points upwards. Y of the frame is to the
+/// left of the feed in up milling and to the right of it in down milling.
 /// Source: docs/mathematics/ball-end-milling.md, section 1.
 struct BallFrame {
     Milling milling = Milling::Down;  ///< selects the side of Y
@@ -35,8 +35,9 @@ struct BallFrame {
 
 /// A border of the engaged part of the ball.
 struct EngagementBorder {
-    std::string name;  ///< "front", "previous pass", "wall of the previous pass", "edge" or
-                       ///< "stock's top"
+    std::string
+        name;  ///< "front", "previous pass", "wall of the previous pass", "edge" or
+               ///< "stock's top"
     std::vector<Vec3> points;  ///< of the unit ball, in the frame of BallEngagement
 };
 
@@ -44,9 +45,9 @@ struct EngagementBorder {
 /// \throws DomainError if `engagement` is invalid or nothing is cut.
 std::vector<EngagementBorder> engagement_borders(const BallEngagement& engagement);
 
-/// The engaged ball as an SVG file: the engaged part E, the groove of the previous pass, the
-/// feed T, the surface normal N, the pick feed F_p, the frame X, Y, Z and the angles mu and
-/// lambda.
+/// The engaged ball as an SVG file: the engaged part E, the groove of the previous pass,
+/// the feed T, the surface normal N, the pick feed F_p, the frame X, Y, Z and the angles
+/// mu and lambda.
 /// Source: after [ParkMaeng, fig. 2].
 /// \param captions lines below the title.
 /// \throws DomainError as `engagement_borders`.
@@ -57,7 +58,7 @@ std::string engagement_svg(const BallEngagement& engagement, const BallFrame& fr
 struct EdgeElement {
     BallEngagement engagement;  ///< of a level move: mu = lambda = 0
     double latitude;            ///< delta, in rad from the tip
-    double azimuth;             ///< theta, in rad from Y towards X; within an engaged range
+    double azimuth;  ///< theta, in rad from Y towards X; within an engaged range
 };
 
 /// Unit directions of the force components at an element, in the axes of the figure. They

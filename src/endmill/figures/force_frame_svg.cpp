@@ -8,8 +8,14 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/angle.h"
+#include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/detail/ball_lines.h"
+#include "endmill/process/force_profile.h"
+
+// The directions of the force components are not drawn from formulas of this file. They
+// are taken from the force model itself (`ForceProfile`), so the figure shows the signs
+// that the program uses.
 
 namespace endmill {
 namespace {
@@ -32,6 +38,34 @@ constexpr double upright_reach = 1.3;  // length of the arrow Z, in radii
 constexpr double force_reach = 0.8;    // length of the force arrows, in radii
 constexpr double shank_top = 0.5;      // height of the drawn shank, in radii
 
+// The force at the element for a material with the given force ratios: the radial
+// component is `radial` times the tangential one, the axial component `axial` times.
+// Ratios of 0 leave only the tangential component.
+CuttingForce force_with(const EdgeElement& element, Milling milling, double radial,
+                        double axial)
+{
+    const CuttingMaterial material{.specific_resistance_n_per_mm2 = 1000,
+                                   .edge_thickness_mm = 0,
+                                   .r1 = radial,
+                                   .r2 = radial,
+                                   .r3 = axial,
+                                   .r4 = axial,
+                                   .alpha = 0.5,
+                                   .v1_m_per_min = 1};
+    return ForceProfile{{.engagement = element.engagement,
+                         .material = material,
+                         .tool = {.radius = 1, .flutes = 1},
+                         .feed_per_tooth_mm = 1,
+                         .milling = milling}}
+        .at(element.azimuth);
+}
+
+// The force as a vector, in N.
+Vec3 vector_of(const CuttingForce& force)
+{
+    return {force.x_n, force.y_n, force.z_n};
+}
+
 // Points and directions that the drawing of an element needs, in the frame.
 struct Places {
     Vec3 element;  // the element on the unit ball
@@ -39,6 +73,7 @@ struct Places {
     Vec3 radial;   // unit, horizontal, from the axis to the element
 };
 
+// The element, the axis at its height, and the horizontal radius between them.
 Places places_of(const EdgeElement& element)
 {
     const Vec3 at = ball_point(element.latitude, element.azimuth);
@@ -46,6 +81,7 @@ Places places_of(const EdgeElement& element)
     return {at, axis, (at - axis).normalized()};
 }
 
+// Points of the ball at one azimuth between two latitudes, all in rad: a straight edge.
 std::vector<Vec3> meridian(double azimuth, double from, double to)
 {
     constexpr int steps = 60;
@@ -79,6 +115,7 @@ void add_cutter(AxonometricFigure& figure, const BallFrame& frame)
     figure.add_curve(outline, ball_style);
 }
 
+// Draws X, Y and Z with their meaning.
 void add_axes(AxonometricFigure& figure, const BallFrame& frame)
 {
     const auto add = [&](const Vec3& tip, std::string_view name) {
@@ -96,7 +133,8 @@ void add_axes(AxonometricFigure& figure, const BallFrame& frame)
                      "uncut stock", frame_style.colour);
 }
 
-// Draws the azimuth, from the parallel to Y through the axis to the element, and the latitude.
+// Draws the azimuth, from the parallel to Y through the axis to the element, and the
+// latitude.
 void add_angles(AxonometricFigure& figure, const BallFrame& frame,
                 const EdgeElement& element)
 {
@@ -122,6 +160,7 @@ void add_angles(AxonometricFigure& figure, const BallFrame& frame,
                      {0, -10}, "r", angle_style.colour);
 }
 
+// Draws the edge, its element, and the engaged azimuths at the element's latitude.
 void add_edge(AxonometricFigure& figure, const BallFrame& frame,
               const EdgeElement& element)
 {
@@ -144,6 +183,7 @@ void add_edge(AxonometricFigure& figure, const BallFrame& frame,
         element_style);
 }
 
+// Draws the three force components at the element, all of the same length.
 void add_forces(AxonometricFigure& figure, const BallFrame& frame,
                 const EdgeElement& element)
 {
@@ -158,7 +198,8 @@ void add_forces(AxonometricFigure& figure, const BallFrame& frame,
                         force_style);
 }
 
-// Draws the sense of the spindle: clockwise seen from above, around the front of the shank.
+// Draws the sense of the spindle: clockwise seen from above, around the front of the
+// shank.
 void add_turn(AxonometricFigure& figure, double radius_mm)
 {
     const Vec3 centre = radius_mm * (shank_top + 0.25) * Vec3::UnitZ();
@@ -173,6 +214,19 @@ void add_turn(AxonometricFigure& figure, double radius_mm)
 }
 
 }  // namespace
+
+// The force is linear in the ratios of the components, so the difference to the force
+// without a component is that component.
+ForceDirections force_directions(const EdgeElement& element, const BallFrame& frame)
+{
+    const Vec3 tangential = vector_of(force_with(element, frame.milling, 0, 0));
+    require(tangential.norm() > 0, "force_directions: the edge does not cut");
+    const Vec3 with_radial = vector_of(force_with(element, frame.milling, 1, 0));
+    const Vec3 with_axial = vector_of(force_with(element, frame.milling, 0, 1));
+    return {frame.turned(tangential.normalized()),
+            frame.turned((with_radial - tangential).normalized()),
+            frame.turned((with_axial - tangential).normalized())};
+}
 
 std::string force_frame_svg(const EdgeElement& element, const BallFrame& frame,
                             const std::string& title)

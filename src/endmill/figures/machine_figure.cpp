@@ -6,6 +6,12 @@
 
 #include "endmill/figures/detail/solid_shapes.h"
 
+// A configuration word lists the axes from the workpiece W to the tool T with the bed B
+// among them, such as W/caxyBz/T. The axes before B carry the part and are drawn below
+// it, those after B carry the tool and are drawn above it. Axes nearer to the bed are
+// farther from the part or the tool. A C-shaped bed joins the lowest and the highest
+// axis.
+
 namespace endmill {
 namespace {
 
@@ -31,11 +37,13 @@ constexpr LineStyle second_style{"#00785a", 2, ""};
 constexpr std::string_view text_colour = "#333333";
 constexpr double swatch_px = 11;
 
+// Rotary axes are a, b, c; linear axes are x, y, z.
 bool is_rotary(char letter)
 {
     return letter <= 'c';
 }
 
+// The direction of a linear axis, or of the axis that a rotary axis turns about.
 Vec3 axis_of(char letter)
 {
     return Vec3::Unit(is_rotary(letter) ? letter - 'a' : letter - 'x');
@@ -49,6 +57,7 @@ std::string capital(char letter)
 // Draws a machine from the bed upwards, so that nearer shapes cover the others.
 class MachinePicture {
 public:
+    // The stack of axes below the part and the stack above the tool decide the height.
     MachinePicture(const MachineConfiguration& machine, const FigureOptions& options)
         : machine_{machine},
           letters_{machine.word.substr(2, machine.word.size() - 4)},
@@ -60,6 +69,8 @@ public:
     {
     }
 
+    // Draws from the bed upwards: the axes that carry the part, the part, the tool, and
+    // the axes that carry the tool.
     std::string text()
     {
         add_bed();
@@ -82,6 +93,7 @@ public:
     }
 
 private:
+    // Corners of the box in which everything is drawn.
     std::vector<Vec3> extent() const
     {
         std::vector<Vec3> corners;
@@ -92,6 +104,7 @@ private:
         return corners;
     }
 
+    // Draws the column behind the axes and the foot of the bed.
     void add_bed()
     {
         add_box(figure_, {0, reach_back - beam, (bottom_ + top_) / 2},
@@ -100,6 +113,7 @@ private:
                 {30, (reach_back + 14) / 2, beam}, bed_colours);
     }
 
+    // Draws the tool and the spindle.
     void add_tool()
     {
         const Vec3 tip{0, 0, tip_height};
@@ -111,8 +125,10 @@ private:
                           text_colour);
     }
 
+    // Whether the axis is R1, the rotary axis nearest to the part.
     bool is_first(char letter) const { return machine_.rotary.front().letter == letter; }
 
+    // Draws one axis of a stack at the given height, in mm.
     void add_axis(char letter, double height)
     {
         const Vec3 middle{0, 0, height};
@@ -123,6 +139,8 @@ private:
             add_linear(letter, middle, axis);
     }
 
+    // An axis about z is a round table; an axis about x or y is a block on a horizontal
+    // pin.
     void add_rotary(char letter, const Vec3& middle, const Vec3& axis)
     {
         const SolidColours& colours = is_first(letter) ? first_colours : second_colours;
@@ -146,6 +164,7 @@ private:
         figure_.add_label(middle + 48 * end, {0, 0}, std::string{letter}, style.colour);
     }
 
+    // A linear axis is a slide with a double arrow in its direction.
     void add_linear(char letter, const Vec3& middle, const Vec3& axis)
     {
         const Vec3 half{26, 20, half_height};
@@ -166,6 +185,7 @@ private:
                           std::string{letter}, linear_style.colour);
     }
 
+    // The legend says of each rotary axis what it turns.
     void add_legend()
     {
         const auto name = [&](std::size_t k) {
@@ -193,6 +213,7 @@ private:
 
 }  // namespace
 
+// Draws the three linear axes, and on each a circular arrow for the rotary axis about it.
 std::string machine_axes_svg(const std::string& title)
 {
     const std::vector<Vec3> extent{

@@ -21,17 +21,17 @@ struct SectionDrawing {
     std::vector<std::vector<SectionPoint>> part{};  ///< sections of the part itself
 };
 
-/// A section before and after trimming, as an SVG file with s to the right and z upwards at the
-/// same scale. Removed parts are red, the trimmed curves blue, the part black. The cutter is
-/// drawn at the first three crossings, or at the middle of the first trimmed curve if there is
-/// none.
+/// A section before and after trimming, as an SVG file with s to the right and z upwards
+/// at the same scale. Removed parts are red, the trimmed curves blue, the part black. The
+/// cutter is drawn at the first three crossings, or at the middle of the first trimmed
+/// curve if there is none.
 /// Source: after [JangKimJeong, figs. 13 to 15].
 /// \param figure title, captions and width; view and axis names are replaced.
 /// \throws DomainError if there is no point, or one that is not finite.
 std::string section_svg(const SectionDrawing& drawing, FigureOptions figure = {});
 
-/// Curves in space in parallel projection, such as the trimmed sections of an offset, as an SVG
-/// file.
+/// Curves in space in parallel projection, such as the trimmed sections of an offset, as
+/// an SVG file.
 /// Source: after [JangKimJeong, fig. 18].
 /// \throws DomainError if there is no point, or one that is not finite.
 std::string curves_svg(std::span<const std::vector<Vec3>> curves,

@@ -16,8 +16,8 @@
 #include "endmill/visibility/visibility.h"
 
 /// \file
-/// Figures of a five-axis setup: the part in its pose (`setup_svg`), the sphere of directions
-/// (`sphere_svg`), and both in one VTK file (`setup_vtp`).
+/// Figures of a five-axis setup: the part in its pose (`setup_svg`), the sphere of
+/// directions (`sphere_svg`), and both in one VTK file (`setup_vtp`).
 
 namespace endmill {
 
@@ -32,19 +32,20 @@ struct ShownSetup {
 
 /// Accessibility of each facet of a part.
 struct FacetAccess {
-    std::vector<double> visible_fraction;       ///< solid angle of the cone over 4 pi, 0 … 1
+    std::vector<double> visible_fraction;  ///< solid angle of the cone over 4 pi, 0 … 1
     std::vector<std::uint8_t> reached_at_zero;  ///< 1: without a turn of the rotary axes
 };
 
-/// For each facet of the map 1 if the tool reaches it with all rotary axes at zero, else 0. The
-/// cell of the grid that is nearest to the tool axis stands for the tool axis.
+/// For each facet of the map 1 if the tool reaches it with all rotary axes at zero, else
+/// 0. The cell of the grid that is nearest to the tool axis stands for the tool axis.
 /// \param map       of the cells of `grid`.
 /// \param tool_axis unit vector in coordinates of the part.
-std::vector<std::uint8_t> reached_at_zero(const SphereGrid& grid, const VisibilityMap& map,
+std::vector<std::uint8_t> reached_at_zero(const SphereGrid& grid,
+                                          const VisibilityMap& map,
                                           const Vec3& tool_axis);
 
-/// The object that a cell of setup.vtp, or a line of a figure, belongs to. The numbers are
-/// written to files.
+/// The object that a cell of setup.vtp, or a line of a figure, belongs to. The numbers
+/// are written to files.
 enum class SetupObject : std::int32_t {
     Facet = 0,         ///< facet of the part
     ToolAxis = 1,      ///< tool axis at zero
@@ -83,7 +84,8 @@ std::vector<Vec3> posed_points(const TriangleMesh& mesh, const ShownSetup& setup
 /// \throws DomainError if there is no point.
 PartSphere sphere_around(const std::vector<Vec3>& points);
 
-/// The name of an axis in a legend: "tool axis", or "R1 = C" after the nearest machine axis.
+/// The name of an axis in a legend: "tool axis", or "R1 = C" after the nearest machine
+/// axis.
 std::string axis_label(SetupObject object, const RotaryFrame& machine_directions);
 
 /// Title, size and view of the figure of a setup.
@@ -96,21 +98,22 @@ struct SetupFigure {
     std::size_t most_facets = 20'000;      ///< largest number of drawn facets; at least 1
 };
 
-/// A part in its pose on a machine, as an SVG file. Facets that the tool reaches at zero are
-/// blue, those that need a turn yellow, and facets seen from behind grey, shaded by a light from
-/// the viewer. The rotary axes and the tool axis are lines through the centre of the part; the
-/// machine's X, Y and Z are below. Facets are sorted by the depth of their centres, so facets
-/// that intersect may cover each other wrongly. A part with more than `most_facets` is drawn
-/// coarser, and a caption says so.
+/// A part in its pose on a machine, as an SVG file. Facets that the tool reaches at zero
+/// are blue, those that need a turn yellow, and facets seen from behind grey, shaded by a
+/// light from the viewer. The rotary axes and the tool axis are lines through the centre
+/// of the part; the machine's X, Y and Z are below. Facets are sorted by the depth of
+/// their centres, so facets that intersect may cover each other wrongly. A part with more
+/// than `most_facets` is drawn coarser, and a caption says so.
 /// Source: [KangSuh, figure 11].
 /// \param reached_at_zero one for each facet, 1 or 0.
-/// \throws DomainError if the mesh has no facet, `reached_at_zero` has another size, and as
-///         `machine_directions` and `AxonometricFigure`.
+/// \throws DomainError if the mesh has no facet, `reached_at_zero` has another size, and
+///         as `machine_directions` and `AxonometricFigure`.
 std::string setup_svg(const TriangleMesh& mesh,
                       std::span<const std::uint8_t> reached_at_zero,
                       const ShownSetup& setup, const SetupFigure& figure);
 
-/// Largest number of cells of a sphere that are filled; of finer grids only borders are drawn.
+/// Largest number of cells of a sphere that are filled; of finer grids only borders are
+/// drawn.
 inline constexpr std::size_t most_filled_cells = 100'000;
 
 /// Title, size, view and content of the figure of a sphere of directions.
@@ -124,24 +127,25 @@ struct SphereFigure {
     std::vector<Vec3> marked{};  ///< unit vectors of the part, drawn as discs: the set MD
 };
 
-/// The sphere of directions as an SVG file: the front half of its cells, shaded by the number of
-/// facets that a tool reaches along them. With a setup the directions are those of the machine
-/// at zero, and its axes and the borders of its motion are drawn, dashed behind the sphere.
+/// The sphere of directions as an SVG file: the front half of its cells, shaded by the
+/// number of facets that a tool reaches along them. With a setup the directions are those
+/// of the machine at zero, and its axes and the borders of its motion are drawn, dashed
+/// behind the sphere.
 /// Source: [KangSuh, figure 12].
-/// \throws DomainError unless the map has the cells of the grid and at least one facet, and as
-///         `motion_borders` and `AxonometricFigure`.
+/// \throws DomainError unless the map has the cells of the grid and at least one facet,
+///         and as `motion_borders` and `AxonometricFigure`.
 std::string sphere_svg(const SphereGrid& grid, const VisibilityMap& map,
                        const SphereFigure& figure);
 
-/// A part in its pose on a machine, as a VTK XML PolyData file (.vtp) for ParaView and VTK.
-/// Lengths are in mm, in coordinates of the machine with all rotary axes at zero.
+/// A part in its pose on a machine, as a VTK XML PolyData file (.vtp) for ParaView and
+/// VTK. Lengths are in mm, in coordinates of the machine with all rotary axes at zero.
 ///
-/// The cell data `object` are the numbers of SetupObject: 0 the facets, in order; 1 the tool
-/// axis, 2 R1 and 3 R2 as lines through the centre of the part; 4 the border of the needed
-/// directions and 5 that of the machine's, on a sphere around the part (a direction is the point
-/// where a tool axis through the centre leaves the sphere). A border of a single direction is a
-/// vertex. Facets have `visible_fraction` (0 … 1) and `reached_at_zero` (1 or 0); both are 0 for
-/// other cells.
+/// The cell data `object` are the numbers of SetupObject: 0 the facets, in order; 1 the
+/// tool axis, 2 R1 and 3 R2 as lines through the centre of the part; 4 the border of the
+/// needed directions and 5 that of the machine's, on a sphere around the part (a
+/// direction is the point where a tool axis through the centre leaves the sphere). A
+/// border of a single direction is a vertex. Facets have `visible_fraction` (0 … 1) and
+/// `reached_at_zero` (1 or 0); both are 0 for other cells.
 /// \throws DomainError if the mesh has no facet, `access` has another size, and as
 ///         `motion_borders`.
 std::string setup_vtp(const TriangleMesh& mesh, const FacetAccess& access,

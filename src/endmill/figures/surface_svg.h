@@ -15,9 +15,9 @@ struct SurfaceDrawing {
     bool control_net = false;  ///< whether the control net of every patch is drawn
 };
 
-/// A surface in parallel projection, as an SVG file: shaded, with iso-parametric lines at equal
-/// steps in each patch and thicker patch borders. Nearer cells cover farther ones; the control
-/// net covers everything.
+/// A surface in parallel projection, as an SVG file: shaded, with iso-parametric lines at
+/// equal steps in each patch and thicker patch borders. Nearer cells cover farther ones;
+/// the control net covers everything.
 /// Source: after [KimChoi, figs. 2 and 11].
 /// \throws DomainError if `spaces_per_patch` is below 1, and as `AxonometricFigure`.
 std::string surface_svg(const Surface& surface, const SurfaceDrawing& drawing = {});

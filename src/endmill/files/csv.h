@@ -29,7 +29,8 @@ class CsvTable {
 public:
     /// An empty table.
     /// \param columns names of the columns, each with the unit of its numbers.
-    /// \throws DomainError if there is no column, a name is empty, or two names are equal.
+    /// \throws DomainError if there is no column, a name is empty, or two names are
+    ///         equal.
     explicit CsvTable(std::vector<std::string> columns);
 
     /// Appends a row. A text that a spreadsheet would take for a formula (it begins with
@@ -40,7 +41,10 @@ public:
     void add_row(std::initializer_list<CsvCell> cells);  ///< the same for a list of cells
 
     std::span<const std::string> columns() const { return columns_; }  ///< in file order
-    std::size_t rows() const { return lines_.size(); }  ///< number of rows, without header
+    std::size_t rows() const
+    {
+        return lines_.size();
+    }  ///< number of rows, without header
 
     /// The text of a cell; empty if its value is unknown. `row` counts from 0.
     /// \throws FormatError E_CSV if the table has no such column. \pre row < rows()
@@ -63,8 +67,8 @@ private:
     std::vector<std::size_t> lines_;  // line of each row in the file, from 1
 };
 
-/// Reads a CSV text: cells separated by commas, quoted as in RFC 4180, lines that end with
-/// LF or CRLF, with or without a byte order mark. The first line is the header.
+/// Reads a CSV text: cells separated by commas, quoted as in RFC 4180, lines that end
+/// with LF or CRLF, with or without a byte order mark. The first line is the header.
 /// \param file name of the file for messages.
 /// \throws FormatError E_CSV with the line for a row whose number of cells differs from
 ///         the header, a quote that is not closed or stands inside a cell, and a column

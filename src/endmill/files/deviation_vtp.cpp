@@ -13,6 +13,10 @@
 #include "endmill/deviation/detail/deviation_cells.h"
 #include "endmill/files/detail/appended_arrays.h"
 
+// A part has many more cells than a viewer can show. If there are too many, consecutive
+// cells are grouped into runs of equal length and each run is represented by its two
+// extreme cells. Averages would hide the deepest gouge, which is what the file is for.
+
 namespace endmill {
 namespace {
 
@@ -24,8 +28,8 @@ constexpr std::string_view preamble =
     "header_type=\"UInt64\">\n";
 
 // The cells that become points: all cells with an area if they are at most `most_points`.
-// Otherwise the cells are divided into runs of equal length, and each run keeps the cell with
-// the least and the cell with the greatest deviation, in the order of the cells.
+// Otherwise the cells are divided into runs of equal length, and each run keeps the cell
+// with the least and the cell with the greatest deviation, in the order of the cells.
 std::vector<std::size_t> thinned(const Deviation& deviation, std::size_t most_points)
 {
     const auto cells = static_cast<std::size_t>(
@@ -37,7 +41,7 @@ std::vector<std::size_t> thinned(const Deviation& deviation, std::size_t most_po
     kept.reserve(std::min(cells, most_points));
     std::size_t least = 0;
     std::size_t most = 0;
-    std::size_t seen = 0;  // cells of the current run so far
+    std::size_t seen = 0;       // cells of the current run so far
     std::size_t ahead = cells;  // cells with an area that follow
     for (std::size_t i = 0; i < left.size(); ++i) {
         if (!(deviation.area[i] > 0))
@@ -64,6 +68,7 @@ struct PointArrays {
     std::vector<float> left;
 };
 
+// Stores a vector as three floats.
 void store(const Vec3& vector, std::vector<float>& numbers, std::size_t point)
 {
     for (int c = 0; c < 3; ++c) {
@@ -73,6 +78,7 @@ void store(const Vec3& vector, std::vector<float>& numbers, std::size_t point)
     }
 }
 
+// The data of the chosen cells. Each thread writes to the places of its own cells.
 PointArrays points_of(const PartCharts& charts, const Deviation& deviation,
                       const std::vector<std::size_t>& cells)
 {
@@ -91,6 +97,7 @@ PointArrays points_of(const PartCharts& charts, const Deviation& deviation,
     return points;
 }
 
+// `count` consecutive numbers from `first` on.
 std::vector<std::int64_t> counted_from(std::int64_t first, std::size_t count)
 {
     std::vector<std::int64_t> numbers(count);

@@ -22,6 +22,7 @@ void append(std::string& text, std::optional<double> number)
         append_text(text, *number);
 }
 
+// Appends an angle in degrees; an empty cell if it is unknown.
 void append_degrees(std::string& text, std::optional<double> radians)
 {
     std::optional<double> degrees;
@@ -30,6 +31,7 @@ void append_degrees(std::string& text, std::optional<double> radians)
     append(text, degrees);
 }
 
+// Appends the columns of the geometry of a move.
 void append_geometry(std::string& text, const SegmentCut& cut)
 {
     text += std::to_string(cut.pass) + ',' + std::to_string(cut.point);
@@ -41,6 +43,7 @@ void append_geometry(std::string& text, const SegmentCut& cut)
     append(text, cut.depth_mm);
 }
 
+// Appends the columns of the feed and the loads of a move.
 void append_feed(std::string& text, const SegmentFeed& row)
 {
     append_degrees(text, row.engaged_angle);

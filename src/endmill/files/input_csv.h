@@ -18,8 +18,8 @@
 
 namespace endmill {
 
-/// Reads directions from the columns `azimuth_deg` and `polar_deg`, one direction per row.
-/// The azimuth counts counter-clockwise about +z from +x, the polar angle from +z.
+/// Reads directions from the columns `azimuth_deg` and `polar_deg`, one direction per
+/// row. The azimuth counts counter-clockwise about +z from +x, the polar angle from +z.
 /// \param file name of the file for messages.
 /// \return unit vectors; their length is 1 within 1e-15.
 /// \throws FormatError E_CSV with the line for an unknown, missing or repeated column; a
@@ -53,8 +53,8 @@ std::vector<SectionCurve> parse_polylines(std::string_view text, const std::stri
 std::vector<SectionCurve> read_polylines(const std::filesystem::path& path,
                                          const ReadLimits& limits = {});
 
-/// Reads recommended cutting speeds from the columns `phi_over_pi` (engaged angle over pi)
-/// and `v_m_per_min` (cutting speed), one recommendation per row.
+/// Reads recommended cutting speeds from the columns `phi_over_pi` (engaged angle over
+/// pi) and `v_m_per_min` (cutting speed), one recommendation per row.
 /// \param file name of the file for messages.
 /// \throws FormatError E_CSV with the line for an unknown, missing or repeated column; a
 ///         row with another number of cells; a cell that is not a finite number; an angle

@@ -12,6 +12,12 @@
 #include "endmill/machine/axis_limits.h"
 #include "endmill/machine/configuration.h"
 
+// A machine file describes axes in the words of a machine builder: the travel of each
+// axis by its name, in mm or degrees. Reading keeps this description
+// (MachineDescription). `moving_machine` converts it to the kinematic model of the
+// library, which has two rotary angles of the tool against the part, whatever axes
+// produce them.
+
 namespace endmill {
 namespace {
 
@@ -35,11 +41,13 @@ constexpr std::array<AxisKey, 6> axis_keys{{{"x_mm", 'x', false},
                                             {"b_deg", 'b', true},
                                             {"c_deg", 'c', true}}};
 
+// An error with the code of machine files.
 FormatError machine_complaint(const JsonValue& value, const std::string& expected)
 {
     return value.complaint(value.shown(), expected, std::string{code});
 }
 
+// The configuration word in the file, or `otherwise`.
 std::string configuration(const JsonValue& root, const std::string& otherwise)
 {
     const auto value = root.find_member("configuration");
@@ -65,6 +73,7 @@ void require_rotary_range(const JsonValue& value, std::size_t place, double from
                               *expected, std::string{code});
 }
 
+// The range of one axis: [min, max] in mm or degrees; the result is in mm or rad.
 AxisTravel travel(const JsonValue& value, const AxisKey& key, std::size_t place,
                   const ReadLimits& limits)
 {
@@ -84,14 +93,15 @@ AxisTravel travel(const JsonValue& value, const AxisKey& key, std::size_t place,
     return {key.axis, Angle::degrees(from).radians(), Angle::degrees(to).radians()};
 }
 
-// Number of an axis among the rotary axes, from the part to the tool; their count if it is
-// not one of them.
+// Number of an axis among the rotary axes, from the part to the tool; their count if it
+// is not one of them.
 std::size_t place_of(const MachineConfiguration& machine, char letter)
 {
     const auto axis = std::ranges::find(machine.rotary, letter, &RotaryAxis::letter);
     return static_cast<std::size_t>(axis - machine.rotary.begin());
 }
 
+// The ranges of all axes in the order x, y, z, a, b, c.
 std::vector<AxisTravel> travels(const JsonValue& root, std::string_view configuration,
                                 const ReadLimits& limits)
 {
@@ -119,6 +129,7 @@ std::vector<AxisTravel> travels(const JsonValue& root, std::string_view configur
     return all;
 }
 
+// Limits of the spindle and the feed drives; each is optional.
 MachineLimits machine_limits(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 3> keys{"max_rpm", "max_power_w",
@@ -136,6 +147,7 @@ MachineLimits machine_limits(const JsonValue& root)
     return limits;
 }
 
+// The offset of the table, an array of three lengths.
 std::optional<Vec3> table_offset(const JsonValue& root, double most)
 {
     const auto value = root.find_member("table_offset_mm");
@@ -190,6 +202,8 @@ MachineDescription parse_machine(std::string_view content,
     return machine;
 }
 
+// The file has positions of the axes. The kinematic model has turns of the tool against
+// the part, so ranges of axes that carry the part are mirrored.
 Machine moving_machine(const MachineDescription& description)
 {
     Machine machine{.configuration = configuration_from_word(description.configuration),

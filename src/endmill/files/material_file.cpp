@@ -20,6 +20,7 @@ constexpr NumberRange ratio_range{.above = 0, .most = 1000, .from = true};
 constexpr NumberRange speed_range{.above = 0, .most = 1e6};  // m/min
 constexpr NumberRange feed_range{.above = 0, .most = 1000};  // mm
 
+// A required number.
 double number(const JsonValue& root, std::string_view key, NumberRange range)
 {
     range.code = "E_MATERIAL";
@@ -27,6 +28,7 @@ double number(const JsonValue& root, std::string_view key, NumberRange range)
     return number_in(value, range);
 }
 
+// An optional number.
 std::optional<double> optional_number(const JsonValue& root, std::string_view key,
                                       NumberRange range)
 {
@@ -45,6 +47,7 @@ double exponent(const JsonValue& root)
     return alpha;
 }
 
+// Checks that the largest feed per tooth is not below the least.
 void require_order_of_feeds(const JsonValue& root, const CuttingMaterial& material)
 {
     const auto& least = material.min_feed_per_tooth_mm;

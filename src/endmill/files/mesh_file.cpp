@@ -27,8 +27,8 @@ namespace {
 // 1. The extension selects the format; content of another known format is refused.
 // 2. The reader of the format (detail/) parses the content. STL gives a triangle soup,
 //    the other formats give an indexed mesh. Lengths are converted to mm.
-// 3. Equal points are welded, exactly and without a tolerance. The text is released first,
-//    because it is no longer needed and welding takes much memory.
+// 3. Equal points are welded, exactly and without a tolerance. The text is released
+//    first, because it is no longer needed and welding takes much memory.
 // 4. Triangles without area, decided by the exact predicate `are_collinear`, and points
 //    that no triangle uses are left out.
 // 5. The upward axis is turned to +z.
@@ -41,6 +41,7 @@ constexpr std::array<std::string_view, 4> extensions{".stl", ".obj", ".ply", ".o
 // Upper bound of the memory that exact welding takes for each point (weld.h).
 constexpr double bytes_per_welded_point = 72;
 
+// ASCII letters in lower case.
 std::string lower_case(std::string text)
 {
     std::ranges::transform(text, text.begin(), [](unsigned char letter) {
@@ -73,6 +74,7 @@ std::string checked_extension(std::string_view content, const std::string& file,
     return extension;
 }
 
+// The verb of a note about `count` things.
 std::string_view was_or_were(std::size_t count)
 {
     return count == 1 ? " was " : " were ";
@@ -84,6 +86,7 @@ struct ReadAndWelded {
     std::vector<std::string> notes;
 };
 
+// Checks that the mesh is not empty.
 void require_triangles(std::size_t count, const MeshSource& source)
 {
     if (count == 0)
@@ -105,6 +108,7 @@ ReadAndWelded read_soup(std::string& content, const MeshSource& source)
     return {weld(soup), {}};
 }
 
+// Parses a mesh with indexed points.
 RawMesh parse_indexed(const MeshSource& source, std::string_view extension)
 {
     if (extension == ".obj")
@@ -168,6 +172,7 @@ struct SortedTriangles {
     std::vector<std::size_t> degenerate;  // indices of the others
 };
 
+// Divides the triangles by an exact test, so that the result does not depend on rounding.
 SortedTriangles sorted_triangles(const TriangleMesh& mesh)
 {
     SortedTriangles sorted;
@@ -206,12 +211,14 @@ std::vector<Vec3> used_points(std::span<const Vec3> points,
     return used;
 }
 
+// The note about things that were left out.
 std::string left_out(std::size_t count, const std::string& thing, const char* kind)
 {
     return counted(count, thing) + ' ' + kind + std::string{was_or_were(count)} +
            "left out";
 }
 
+// Notes about conversions that the options asked for.
 std::vector<std::string> option_notes(const MeshReadOptions& options)
 {
     std::vector<std::string> notes;

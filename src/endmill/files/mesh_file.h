@@ -45,8 +45,8 @@ struct MeshFile {
     TriangleMesh mesh;  ///< in mm; no two points are equal, every point is used, every
                         ///< triangle has an area. Its topology is not checked.
     std::size_t welded_points;  ///< number of points that were merged with an equal point
-    /// Indices, from 0 and rising, of the triangles of the file that were left out because
-    /// their corners are collinear.
+    /// Indices, from 0 and rising, of the triangles of the file that were left out
+    /// because their corners are collinear.
     std::vector<std::size_t> degenerate_triangles;
     std::vector<std::string> notes;  ///< one sentence for each kind of change
 };

@@ -25,38 +25,43 @@
 // 1. `write_pieces` creates a hidden temporary file in the folder of the target, so that
 //    the later rename stays within one file system and is atomic.
 // 2. The content is written and flushed to the disk (fsync).
-// 3. `publish` renames all temporary files to their targets, removes leftovers of an earlier
-//    run, and flushes the folders.
+// 3. `publish` renames all temporary files to their targets, removes leftovers of an
+//    earlier run, and flushes the folders.
 //
-// Every step first checks whether the process is being interrupted (`abandon_all`). The lists
-// of all OutputFolders are guarded by one mutex in a registry of the process, because the
-// thread that handles the interruption must be able to clean up all of them.
+// Every step first checks whether the process is being interrupted (`abandon_all`). The
+// lists of all OutputFolders are guarded by one mutex in a registry of the process,
+// because the thread that handles the interruption must be able to clean up all of them.
 
 namespace endmill {
 namespace {
 
 namespace fs = std::filesystem;
 
-// The unpublished OutputFolders of this process. The mutex guards the lists of all of them.
-// It is not held while content is written, so an interruption need not wait for that.
+// The unpublished OutputFolders of this process. The mutex guards the lists of all of
+// them. It is not held while content is written, so an interruption need not wait for
+// that.
 struct Registry {
     std::mutex mutex;
     std::set<void*> folders;
     bool abandoned = false;
 };
 
+// The registry of this process.
 Registry& registry()
 {
-    static auto* const instance = new Registry;  // never destroyed: threads may outlive main
+    static auto* const instance =
+        new Registry;  // never destroyed: threads may outlive main
     return *instance;
 }
 
+// Throws an OutputError with the reason of the operating system.
 [[noreturn]] void fail(const std::string& act, const fs::path& path, int error)
 {
     throw OutputError{"cannot " + act + " " + shown_path(path) + ": " +
                       std::generic_category().message(error)};
 }
 
+// Throws if the process is being interrupted. The caller holds the registry's mutex.
 void require_not_abandoned()
 {
     if (registry().abandoned)
@@ -74,8 +79,8 @@ mode_t new_file_mode()
     return mode;
 }
 
-// While it exists, a write beyond the file size limit of the process returns an error; the
-// signal SIGXFSZ, which would end the process, is blocked and discarded.
+// While it exists, a write beyond the file size limit of the process returns an error;
+// the signal SIGXFSZ, which would end the process, is blocked and discarded.
 class SizeSignalHeld {
 public:
     SizeSignalHeld()
@@ -130,8 +135,8 @@ public:
         return 0;
     }
 
-    // Sets the usual access mode and flushes the file to the disk. \return 0, or the error
-    // number.
+    // Sets the usual access mode and flushes the file to the disk. \return 0, or the
+    // error number.
     int finish() const
     {
         if (::fchmod(descriptor_, new_file_mode()) != 0 || ::fsync(descriptor_) != 0)
@@ -164,6 +169,7 @@ void flush_folder(const fs::path& folder)
     ::close(descriptor);
 }
 
+// Checks an existing folder before anything is created.
 void require_usable(const fs::path& path, bool force)
 {
     std::error_code error;
@@ -181,6 +187,7 @@ void require_usable(const fs::path& path, bool force)
                           " is not empty; expected a new or empty folder, or --force"};
 }
 
+// Refuses names that are absolute or lead out of the folder.
 void require_plain_name(const fs::path& name)
 {
     const bool plain = name.is_relative() && name.has_filename() &&
@@ -206,6 +213,8 @@ bool lies_inside(const fs::path& folder, const fs::path& name)
 
 }  // namespace
 
+// The folder registers itself before it creates anything, so that an interruption at any
+// time can clean up.
 OutputFolder::OutputFolder(fs::path path, bool force) : path_{std::move(path)}
 {
     require(!path_.empty(), "the output folder has an empty name");
@@ -226,6 +235,8 @@ OutputFolder::OutputFolder(fs::path path, bool force) : path_{std::move(path)}
     }
 }
 
+// The destructor and `abandon_all` use the same mutex, so a folder is never cleaned up
+// twice at once.
 OutputFolder::~OutputFolder()
 {
     const std::scoped_lock lock{registry().mutex};
@@ -249,6 +260,8 @@ void OutputFolder::write(const fs::path& name, std::string_view content)
     write_pieces(name, [&](const Sink& sink) { sink(content); });
 }
 
+// The mutex is released while the content is produced and written. The temporary file is
+// in the list of pending files during this time, so an interruption removes it.
 void OutputFolder::write_pieces(const fs::path& name,
                                 const std::function<void(const Sink&)>& produce)
 {
@@ -287,6 +300,9 @@ void OutputFolder::write_pieces(const fs::path& name,
     });
 }
 
+// All renames happen under the mutex: an interruption comes before the first or after the
+// last. A failed rename leaves the remaining files pending, and the destructor removes
+// them.
 void OutputFolder::publish()
 {
     std::set<fs::path> folders;
@@ -320,6 +336,7 @@ void OutputFolder::abandon_all()
         static_cast<OutputFolder*>(folder)->abandon();
 }
 
+// Creates the missing folders of a path, the outermost first.
 void OutputFolder::make_folders(const fs::path& folder)
 {
     std::error_code error;
@@ -348,6 +365,7 @@ void OutputFolder::forget(const fs::path& temporary)
                   [&](const PendingFile& file) { return file.temporary == temporary; });
 }
 
+// Refuses a target that is a folder or a protected input.
 void OutputFolder::check_target(const fs::path& target) const
 {
     std::error_code error;
@@ -358,6 +376,7 @@ void OutputFolder::check_target(const fs::path& target) const
                           " is the input file; expected another output folder"};
 }
 
+// Inputs are compared by identity of the file and not by path, so links are recognised.
 bool OutputFolder::is_input(const fs::path& target) const
 {
     std::error_code error;
@@ -366,6 +385,7 @@ bool OutputFolder::is_input(const fs::path& target) const
     });
 }
 
+// Removes a file of an earlier run if it is a plain file below the folder.
 void OutputFolder::remove_leftover(const fs::path& name) const
 {
     std::error_code error;

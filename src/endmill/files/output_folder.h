@@ -12,9 +12,9 @@ namespace endmill {
 /// An output folder whose files appear complete and all at once, or not at all.
 ///
 /// `write` stores a file beside its final place under a temporary name; `publish` renames
-/// all of them. An `OutputFolder` that is destroyed before `publish` removes its temporary
-/// files and the folders that it created. All output of the library goes through this
-/// class.
+/// all of them. An `OutputFolder` that is destroyed before `publish` removes its
+/// temporary files and the folders that it created. All output of the library goes
+/// through this class.
 class OutputFolder {
 public:
     /// Creates the folder and missing parent folders.
@@ -30,27 +30,30 @@ public:
 
     const std::filesystem::path& path() const { return path_; }  ///< as given
 
-    /// Protects an input file: `write` refuses to replace it and `publish` never removes it.
+    /// Protects an input file: `write` refuses to replace it and `publish` never removes
+    /// it.
     void protect(const std::filesystem::path& input);
 
-    /// Makes `publish` remove a file of an earlier run of the same command, unless this run
-    /// writes it. Only a regular file that is reached through no symbolic link below
+    /// Makes `publish` remove a file of an earlier run of the same command, unless this
+    /// run writes it. Only a regular file that is reached through no symbolic link below
     /// `path()` is removed, and then its folder if that is empty.
     /// \throws DomainError for a name that `write` would refuse.
     void remove_unless_written(const std::filesystem::path& name);
 
     /// Writes a file and flushes it to the disk; `publish` makes it visible. A later file
     /// of the same name replaces it.
-    /// \param name relative path without "..", such as "summary.json" or "u/toolpath.csv".
+    /// \param name relative path without "..", such as "summary.json" or
+    ///         "u/toolpath.csv".
     /// \throws DomainError for another name, or if it names a protected file.
-    /// \throws OutputError if the file cannot be written (no space, a folder of that name).
+    /// \throws OutputError if the file cannot be written (no space, a folder of that
+    ///         name).
     void write(const std::filesystem::path& name, std::string_view content);
 
     /// Receives the next piece of a file.
     using Sink = std::function<void(std::string_view piece)>;
 
-    /// Writes a file that need not fit into memory as a whole. `produce` passes the pieces
-    /// in order to the sink that it receives. If it throws, no file is written.
+    /// Writes a file that need not fit into memory as a whole. `produce` passes the
+    /// pieces in order to the sink that it receives. If it throws, no file is written.
     /// \throws as `write`, and whatever `produce` throws.
     void write_pieces(const std::filesystem::path& name,
                       const std::function<void(const Sink&)>& produce);
@@ -62,7 +65,8 @@ public:
 
     /// For a program that is being interrupted: removes the temporary files and created
     /// folders of every unpublished `OutputFolder` of this process. Afterwards every
-    /// `OutputFolder` throws OutputError. Any thread may call it, a signal handler may not.
+    /// `OutputFolder` throws OutputError. Any thread may call it, a signal handler may
+    /// not.
     static void abandon_all();
 
 private:

@@ -13,9 +13,15 @@
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/mesh/mesh_repair.h"
 
+// A mesh from a file may have triangles with inconsistent orientation, or closed pieces
+// that are inside out. Every later step needs normals that point out of the material, so
+// such meshes are corrected here, with a note. The check that a correction is needed is
+// cheap; the correction is not, so the memory limit is checked in between.
+
 namespace endmill {
 namespace {
 
+// Reads a surface file. Units and an upward axis are options of meshes only.
 PartFile surface_part(const std::string& content, const std::filesystem::path& path,
                       const MeshReadOptions& options)
 {
@@ -28,6 +34,7 @@ PartFile surface_part(const std::string& content, const std::filesystem::path& p
             std::move(file.notes)};
 }
 
+// "1 triangle was ", "2 triangles were ".
 std::string counted_that_were(std::size_t count, const std::string& thing)
 {
     return std::to_string(count) + ' ' + thing + (count == 1 ? " was " : "s were ");
@@ -47,8 +54,8 @@ double bytes_to_orient(const TriangleMesh& mesh, const MeshReport& report)
     constexpr double bytes_per_point = 64;
     constexpr double bytes_per_triangle = 160;
     constexpr double bytes_per_piece = 700;
-    // Pieces end at edges of more than two triangles, components do not: there are at most
-    // two more pieces than components for each such edge.
+    // Pieces end at edges of more than two triangles, components do not: there are at
+    // most two more pieces than components for each such edge.
     const auto pieces = std::min<std::size_t>(
         report.components + 2 * report.non_manifold_edges, mesh.triangles().size());
     return bytes_per_point * static_cast<double>(mesh.points().size()) +
@@ -56,7 +63,8 @@ double bytes_to_orient(const TriangleMesh& mesh, const MeshReport& report)
            bytes_per_piece * static_cast<double>(pieces);
 }
 
-// Turns triangles over until neighbours agree and closed pieces face outwards, and adds notes.
+// Turns triangles over until neighbours agree and closed pieces face outwards, and adds
+// notes.
 void orient(MeshFile& file)
 {
     OrientedMesh upright = oriented(file.mesh);
@@ -75,6 +83,8 @@ void orient(MeshFile& file)
                              "left as read, of one side only, like a Moebius strip");
 }
 
+// Reads a mesh file. The orientation is examined first, because most meshes need no
+// change and orienting takes much memory.
 PartFile mesh_part(std::string content, const std::filesystem::path& path,
                    const MeshReadOptions& options)
 {
@@ -90,13 +100,14 @@ PartFile mesh_part(std::string content, const std::filesystem::path& path,
             file.welded_points,   std::move(file.notes)};
 }
 
+// Whether two characters are equal without regard to case.
 bool is_letter_case_apart(unsigned char a, unsigned char b)
 {
     return std::tolower(a) == std::tolower(b);
 }
 
-// Whether the file is a surface file. A file named .json is read as one even if its content
-// is damaged, so that the messages are about JSON.
+// Whether the file is a surface file. A file named .json is read as one even if its
+// content is damaged, so that the messages are about JSON.
 bool is_surface(const std::string& content, const std::filesystem::path& path)
 {
     const std::string extension = path.extension().string();

@@ -22,18 +22,19 @@ struct PartFile {
     /// Indices, from 0 and rising, of the degenerate triangles of a mesh file that were
     /// left out; empty for a surface file.
     std::vector<std::size_t> degenerate_triangles;
-    std::size_t welded_points;       ///< merged points of a mesh file; 0 for a surface file
-    std::vector<std::string> notes;  ///< one sentence for each change and each peculiarity
+    std::size_t welded_points;  ///< merged points of a mesh file; 0 for a surface file
+    std::vector<std::string>
+        notes;  ///< one sentence for each change and each peculiarity
 };
 
-/// Reads a surface file if the content is JSON or the extension is .json (in either case),
-/// else a mesh file. In a mesh, triangles whose orientation contradicts their neighbours
-/// and closed pieces that are inside out are turned over (`oriented`); a note states how
-/// many, and how many pieces cannot be oriented.
+/// Reads a surface file if the content is JSON or the extension is .json (in either
+/// case), else a mesh file. In a mesh, triangles whose orientation contradicts their
+/// neighbours and closed pieces that are inside out are turned over (`oriented`); a note
+/// states how many, and how many pieces cannot be oriented.
 /// \throws FormatError, LimitError as `read_surface` and `read_mesh`; LimitError also if
 ///         the orientation needs more memory than the limit.
-/// \throws DomainError if `options` give units or an upward axis for a surface file, which
-///         states its own unit.
+/// \throws DomainError if `options` give units or an upward axis for a surface file,
+///         which states its own unit.
 PartFile read_part(const std::filesystem::path& path,
                    const MeshReadOptions& options = {});
 

@@ -84,7 +84,8 @@ bool begins_as_gcode(std::string_view content)
 }  // namespace
 
 // The content decides where it is clear, because extensions may be wrong. The extension
-// decides where the content is damaged, so that the reader of the format can report the place.
+// decides where the content is damaged, so that the reader of the format can report the
+// place.
 //
 // 1. A header with a column of tips: CSV.
 // 2. Content of a mesh, an image or another known format, or binary content: refused.

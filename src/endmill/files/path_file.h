@@ -31,14 +31,15 @@ enum class PathFormat {
 
 /// What a file with a tool path does not state itself.
 struct PathReadOptions {
-    ReadLimits limits = {};       ///< on coordinates and memory; they replace those of `gcode`
+    ReadLimits limits = {};  ///< on coordinates and memory; they replace those of `gcode`
     GcodeReadOptions gcode = {};  ///< for machine programs
 };
 
-/// The format of a file. The content decides if it is clear, else the extension, in either
-/// case: .csv; .apt, .cl, .cls; .ngc, .nc, .gcode, .tap, .cnc, .mpf.
+/// The format of a file. The content decides if it is clear, else the extension, in
+/// either case: .csv; .apt, .cl, .cls; .ngc, .nc, .gcode, .tap, .cnc, .mpf.
 /// \param path for the extension and for messages.
-/// \throws FormatError E_FORMAT for any other file; the message names a recognised format.
+/// \throws FormatError E_FORMAT for any other file; the message names a recognised
+///         format.
 PathFormat path_format(std::string_view content, const std::filesystem::path& path);
 
 /// `options.gcode` with the limits of `options.limits`.
@@ -62,23 +63,26 @@ Program parse_program(std::string_view content, const std::filesystem::path& pat
 Program read_program(const std::filesystem::path& path,
                      const PathReadOptions& options = {});
 
-/// The line, from 1, of a row of a CSV tool path, for messages about a path that was read.
+/// The line, from 1, of a row of a CSV tool path, for messages about a path that was
+/// read.
 /// \param row index of the point, from 0. \pre the text has that row.
 std::size_t line_of_row(std::string_view text, std::size_t row);
 
-/// The tool path as a CSV file, one line for each point, with the columns pass, point, move,
-/// tip_x_mm … tip_z_mm, axis_x … axis_z, tool (if any point has one), patch (if the path
-/// covers several), u, v, contact_x_mm … contact_z_mm, normal_x … normal_z,
+/// The tool path as a CSV file, one line for each point, with the columns pass, point,
+/// move, tip_x_mm … tip_z_mm, axis_x … axis_z, tool (if any point has one), patch (if the
+/// path covers several), u, v, contact_x_mm … contact_z_mm, normal_x … normal_z,
 /// feed_mm_per_min and spindle_rpm (each if any point has one). A number is the shortest
-/// text that reads back to the same double; an unknown value is an empty cell. The bytes do
-/// not depend on the number of threads.
-/// \throws DomainError if a number is not finite, or if the path has conditions or normals
-///         for some points only.
+/// text that reads back to the same double; an unknown value is an empty cell. The bytes
+/// do not depend on the number of threads.
+/// \throws DomainError if a number is not finite, or if the path has conditions or
+///         normals for some points only.
 std::string tool_path_csv(const ToolPath& path);
 
 /// The same with a last column `limit`, which states what limits the feed of each move.
-/// \param limits one word for each point, without commas and quotes; empty if there is none.
-/// \throws DomainError as the other overload, and unless there is one word for each point.
+/// \param limits one word for each point, without commas and quotes; empty if there is
+///         none.
+/// \throws DomainError as the other overload, and unless there is one word for each
+///         point.
 std::string tool_path_csv(const ToolPath& path, std::span<const std::string_view> limits);
 
 /// The part that a path was planned for.
@@ -91,15 +95,17 @@ struct PartReference {
 /// The content of the summary.json beside a tool path. A value that is missing or null in
 /// the file is empty.
 struct PathSummary {
-    std::optional<std::string> name;           ///< of the part
-    std::optional<PartReference> part;         ///< that the path was planned for
-    std::optional<Cutter> cutter;              ///< that the path was planned for
-    std::optional<double> chord_tolerance_mm;  ///< largest distance of chords from the path
+    std::optional<std::string> name;    ///< of the part
+    std::optional<PartReference> part;  ///< that the path was planned for
+    std::optional<Cutter> cutter;       ///< that the path was planned for
+    std::optional<double>
+        chord_tolerance_mm;  ///< largest distance of chords from the path
     std::optional<double> inner_tolerance_mm;  ///< largest depth of a gouge
-    std::optional<double> outer_tolerance_mm;  ///< largest excess beside the scallop height
-    std::optional<double> scallop_mm;          ///< scallop height
-    std::optional<double> feed_mm_per_min;     ///< programmed feed
-    std::optional<double> spindle_rpm;         ///< programmed spindle speed
+    std::optional<double>
+        outer_tolerance_mm;                 ///< largest excess beside the scallop height
+    std::optional<double> scallop_mm;       ///< scallop height
+    std::optional<double> feed_mm_per_min;  ///< programmed feed
+    std::optional<double> spindle_rpm;      ///< programmed spindle speed
 
     /// The smallest of the three tolerances; nothing if none is known.
     std::optional<double> tolerance_mm() const;

@@ -15,6 +15,11 @@
 #include "endmill/files/read_file.h"
 #include "endmill/trimming/detail/curve_arrangement.h"
 
+// The rows of a curve stand together, so one pass over the file is enough: a change of
+// the column `curve` ends a curve and starts the next one. At the end the curves are
+// oriented and sorted (`arranged`), so that the order of curves in the file does not
+// matter.
+
 namespace endmill {
 namespace {
 
@@ -41,6 +46,7 @@ public:
     {
     }
 
+    // Reads all rows. The memory is checked before, from the number of lines.
     std::vector<SectionCurve> read_all()
     {
         require_memory(
@@ -55,6 +61,7 @@ public:
     }
 
 private:
+    // Adds the current row to its curve. A point that equals the previous one is merged.
     void add_row()
     {
         columns_.check_row(lines_);
@@ -67,19 +74,22 @@ private:
             points.push_back(point);
     }
 
+    // Starts a new curve; its number must not have occurred before.
     void begin_curve(std::int64_t number)
     {
         if (!curves_.empty())
             finish_curve();
         if (!numbers_.insert(number).second)
             throw lines_.complaint(
-                "E_CSV", "curve " + std::to_string(number) + " occurs again after another curve",
+                "E_CSV",
+                "curve " + std::to_string(number) + " occurs again after another curve",
                 "the rows of a curve together");
         number_ = number;
         first_line_ = lines_.line();
         curves_.emplace_back();
     }
 
+    // Checks the last curve and decides whether it is closed.
     void finish_curve()
     {
         SectionCurve& curve = curves_.back();
@@ -92,6 +102,7 @@ private:
         curve.is_closed = curve.points.front() == curve.points.back();
     }
 
+    // The number of the current row's curve.
     std::int64_t curve_number() const
     {
         const std::string_view text = columns_.cell(lines_, 2);
@@ -103,6 +114,7 @@ private:
         return number;
     }
 
+    // A coordinate of the current row, within the limit.
     double length(std::size_t column) const
     {
         const auto number = number_from_text(columns_.cell(lines_, column));

@@ -40,12 +40,14 @@ constexpr std::array compressed_beginnings{
     "\x28\xb5\x2f\xfd"sv,  // zstd
 };
 
+// Throws the error that a file cannot be opened or read.
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& found,
                          const std::string& expected = {})
 {
     throw FormatError{"E_OPEN", {shown_path(path), "", found, expected}};
 }
 
+// The same for an error number of the operating system.
 [[noreturn]] void refuse_for(const std::filesystem::path& path, int error)
 {
     if (error == EACCES)
@@ -68,6 +70,7 @@ public:
     InputFile& operator=(const InputFile&) = delete;
     ~InputFile() { ::close(descriptor_); }
 
+    // Size of the file in bytes. Folders, devices and pipes are refused here.
     std::size_t size() const
     {
         struct stat status = {};
@@ -128,8 +131,8 @@ std::string read_file(const std::filesystem::path& path, const ReadLimits& limit
             throw FormatError{
                 "E_COMPRESSED",
                 {file, "", "compressed input is not accepted; decompress it first", ""}};
-    // A file that exceeds the limit is refused before it is read. Readers check the memory
-    // of the data that they build from the text separately.
+    // A file that exceeds the limit is refused before it is read. Readers check the
+    // memory of the data that they build from the text separately.
     require_memory(file, static_cast<double>(size), limits);
     if (size > text.size())
         input.append_to(text, size - text.size());

@@ -15,6 +15,7 @@ namespace {
 // Large enough that writing piece by piece is as fast as writing the whole text at once.
 constexpr std::size_t piece_bytes = std::size_t{1} << 20U;
 
+// Appends a cell with a number.
 void append(std::string& text, double number)
 {
     require(std::isfinite(number), "removal_csv: a number is not finite");
@@ -61,6 +62,7 @@ EngagementCsv::EngagementCsv(OutputFolder::Sink sink)
 {
 }
 
+// The first four columns are the same for all intervals of a ring and are formatted once.
 void EngagementCsv::add(std::size_t number, const Engagement& engagement)
 {
     std::string row;

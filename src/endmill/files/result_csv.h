@@ -29,20 +29,20 @@ namespace endmill {
 /// `from_mm`, `to_mm` and `area_mm2`.
 ///
 /// Bins have the width (scallop limit + tolerance) / 100 and cover -2 tolerances to
-/// 2 scallop limits; values outside fall into the first or last bin. Only bins between the
-/// least and the greatest value are written, and these two values replace the outer edges.
-/// A value on an edge belongs to the upper bin. The areas sum to the measured area within
-/// rounding.
+/// 2 scallop limits; values outside fall into the first or last bin. Only bins between
+/// the least and the greatest value are written, and these two values replace the outer
+/// edges. A value on an edge belongs to the upper bin. The areas sum to the measured area
+/// within rounding.
 /// \throws DomainError unless both limits are finite and positive, and every cell has a
 ///         finite value and area.
 std::string deviation_histogram_csv(const Deviation& deviation,
                                     const DeviationLimits& limits);
 
-/// Geometry and allowed feed of each cutting move, as a CSV file with one row for each move
-/// and the columns pass, point, length_mm, mu_deg, lambda_deg, pick_feed_mm,
+/// Geometry and allowed feed of each cutting move, as a CSV file with one row for each
+/// move and the columns pass, point, length_mm, mu_deg, lambda_deg, pick_feed_mm,
 /// pick_feed_horizontal_mm, depth_mm, engaged_angle_deg, feed_per_tooth_mm, peak_factor,
-/// limit, speed_limit, cutting_force_n, thrust_n, torque_n_m, power_w. Angles are rounded to
-/// 1e-9 degrees.
+/// limit, speed_limit, cutting_force_n, thrust_n, torque_n_m, power_w. Angles are rounded
+/// to 1e-9 degrees.
 /// \throws DomainError unless there is one row for each of `cuts` and every number is
 ///         finite.
 std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows);
@@ -51,23 +51,24 @@ std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFe
 /// theta_deg, force_x_n, force_y_n, force_z_n, torque_n_m, in the frame of CuttingForce.
 /// \param angles of the cutter in rad, one for each force; written in degrees, rounded to
 ///               1e-9 degrees.
-/// \throws DomainError unless there is one angle for each force and every number is finite.
+/// \throws DomainError unless there is one angle for each force and every number is
+///         finite.
 std::string force_profile_csv(std::span<const double> angles,
                               std::span<const CuttingForce> forces);
 
 /// Removed volume of each move, as a CSV file with one row for each point and the columns
 /// `point` (from 0 in the whole path), `length_mm` of the move that ends there (0 for the
-/// first), `removed_mm3` and `rate_mm3_per_min`. The rate is empty for a move without feed,
-/// a rapid and a move of length 0.
-/// \throws DomainError unless there is a volume for each point, conditions for every point
-///         or none, and every number is finite.
+/// first), `removed_mm3` and `rate_mm3_per_min`. The rate is empty for a move without
+/// feed, a rapid and a move of length 0.
+/// \throws DomainError unless there is a volume for each point, conditions for every
+///         point or none, and every number is finite.
 std::string removal_csv(const Removal& removal, const ToolPath& path);
 
 /// Writes the engagement of the cutter on each move as a CSV file, with one row for each
 /// engaged interval of each ring and the columns `point` (from 0 in the whole path),
-/// `latitude_deg`, `radius_mm`, `above_tip_mm`, `from_deg` and `to_deg`, as in `Engagement`.
-/// Angles are rounded to 1e-9 degrees. The text is passed on in pieces of a few MiB,
-/// because that of a long path need not fit into memory.
+/// `latitude_deg`, `radius_mm`, `above_tip_mm`, `from_deg` and `to_deg`, as in
+/// `Engagement`. Angles are rounded to 1e-9 degrees. The text is passed on in pieces of a
+/// few MiB, because that of a long path need not fit into memory.
 class EngagementCsv {
 public:
     /// \param sink receives the pieces in order; the first begins with the header.
@@ -88,7 +89,8 @@ private:
 /// The curves of each plane before trimming, as a CSV file of reference points with the
 /// columns plane, curve, point (numbers from 0), s_mm, x_mm, y_mm, z_mm.
 /// \param placed positions of the planes in space; if null, x and y are empty.
-/// \throws DomainError if a number is not finite, or there are fewer positions than planes.
+/// \throws DomainError if a number is not finite, or there are fewer positions than
+///         planes.
 std::string sections_csv(std::span<const std::vector<SectionCurve>> planes,
                          const DrivePlanes* placed);
 
@@ -101,21 +103,21 @@ enum class LoopColumns {
     CauseAndRule,  ///< also the rule of the trimming method that made the cut
 };
 
-/// The stretches that trimming removed, as a CSV file with the columns plane, curve, s_mm,
-/// z_mm, first_point, last_point, cause and perhaps rule. `curve` and the points are those
-/// of `sections_csv`; s and z are empty if nothing remains of the curve.
+/// The stretches that trimming removed, as a CSV file with the columns plane, curve,
+/// s_mm, z_mm, first_point, last_point, cause and perhaps rule. `curve` and the points
+/// are those of `sections_csv`; s and z are empty if nothing remains of the curve.
 /// \throws DomainError if a number is not finite.
 std::string loops_csv(std::span<const std::vector<CutOut>> planes, LoopColumns columns);
 
 /// Writes a visibility map as the binary matrix of the paper: the column `facet`, then
-/// `cell_0`, `cell_1`, ...; one row for each facet; 0 if the facet is accessible along the
-/// cell's direction, else 1.
+/// `cell_0`, `cell_1`, ...; one row for each facet; 0 if the facet is accessible along
+/// the cell's direction, else 1.
 /// Source: [KangSuh, section 2].
 void write_visibility_csv(const VisibilityMap& map, const OutputFolder::Sink& sink);
 
-/// The visibility cones as a CSV file with the columns `facet` and `visible_fraction`: the
-/// solid angle of the accessible cells over that of the sphere; empty for a facet without
-/// area.
+/// The visibility cones as a CSV file with the columns `facet` and `visible_fraction`:
+/// the solid angle of the accessible cells over that of the sphere; empty for a facet
+/// without area.
 /// \param solid_angles_sr solid angle of each cell, in sr.
 /// \throws DomainError unless there is one solid angle for each cell.
 std::string cones_csv(const PartVisibility& visibility,

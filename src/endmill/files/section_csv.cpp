@@ -8,11 +8,16 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
+// A section has coordinates (s, z) in its drive plane. The rows also have x and y if the
+// position of the planes in space is known, so that the file can be drawn in space
+// without the frame.
+
 namespace endmill {
 namespace {
 
 constexpr std::string_view point_header = "plane,curve,point,s_mm,x_mm,y_mm,z_mm\n";
 
+// Appends a number.
 void append(std::string& text, double number)
 {
     require(std::isfinite(number), "section CSV: a number is not finite");
@@ -24,6 +29,7 @@ class PointRows {
 public:
     explicit PointRows(const DrivePlanes* placed) : placed_{placed} {}
 
+    // Starts the rows of a plane.
     void begin_plane(std::size_t plane)
     {
         require(!placed_ || plane < placed_->positions.size(),
@@ -31,6 +37,8 @@ public:
         plane_ = plane;
     }
 
+    // Appends the row of a point. Its place in space follows from the position of the
+    // plane.
     void add(std::size_t curve, std::size_t point, const SectionPoint& at)
     {
         text_ += std::to_string(plane_) + ',' + std::to_string(curve) + ',' +
@@ -51,6 +59,7 @@ public:
         text_ += '\n';
     }
 
+    // The whole text.
     std::string take() { return std::move(text_); }
 
 private:

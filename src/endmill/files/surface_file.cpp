@@ -18,6 +18,19 @@
 #include "endmill/files/read_file.h"
 #include "endmill/surface/detail/collapsed_edge.h"
 
+// A surface file is read in these steps:
+//
+// 1. The format and its version are checked before all other keys (json_format.h).
+// 2. The type selects a Kind, which has the allowed keys and the reader
+//    (surface_kinds.h).
+// 3. The reader builds the surfaces; rules of the library that it does not check are
+//    reported as errors in the file.
+// 4. Poles are found: borders that are a single point, and corners without a normal. Such
+//    surfaces are valid, but a tool cannot be placed there, so a note states each pole.
+//
+// Writing is possible for composite bicubic surfaces only. The control points that
+// neighbouring patches share are written once, after a check that they are equal.
+
 namespace endmill {
 namespace {
 
@@ -40,6 +53,7 @@ struct Kind {
     KindReader read;
 };
 
+// All types of surfaces. A new type is one more entry.
 const std::array<Kind, 4>& kinds()
 {
     static const std::array<Kind, 4> all{
@@ -63,6 +77,7 @@ std::vector<Surface> read_kind(const Kind& kind, const SurfaceSource& source)
     }
 }
 
+// The type of the file, after a check that it has no keys of another type.
 const Kind& kind_of(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 7> common_keys{
@@ -82,6 +97,7 @@ const Kind& kind_of(const JsonValue& root)
     return kind;
 }
 
+// The text of a key, made printable and shortened, or `otherwise`.
 std::string text_or(const JsonValue& root, std::string_view key, std::size_t longest,
                     const std::string& otherwise)
 {
@@ -96,12 +112,14 @@ std::string_view word_or_first(const JsonValue& root, std::string_view key, Word
     return value ? value->word(words) : words.front();
 }
 
+// Conversion factor of the length unit of the file; the default is mm.
 double mm_per_unit(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 2> units{"mm", "inch"};
     return word_or_first(root, "units", units) == "inch" ? mm_per_inch : 1;
 }
 
+// The side of the surface on which the tool is; the default is above.
 ToolSide tool_side(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 3> sides{"up", "du_cross_dv", "dv_cross_du"};
@@ -133,8 +151,8 @@ bool is_pole(const Surface& surface, Parameter along, int end)
     return true;
 }
 
-// The note about a border that is a single point. Such a surface is valid but has no normal
-// there.
+// The note about a border that is a single point. Such a surface is valid but has no
+// normal there.
 std::string pole_note(const Surface& surface, Parameter along, int end,
                       const std::string& of_patch)
 {
@@ -165,6 +183,7 @@ std::vector<std::string> corner_notes(const Surface& surface, const std::string&
     return notes;
 }
 
+// Notes about all poles. With several surfaces each note names its patch.
 std::vector<std::string> pole_notes(std::span<const Surface> surfaces)
 {
     std::vector<std::string> notes;
@@ -181,6 +200,7 @@ std::vector<std::string> pole_notes(std::span<const Surface> surfaces)
     return notes;
 }
 
+// Whether the breaks are 0, 1, 2, …
 bool counts_up_from_zero(std::span<const double> breaks)
 {
     for (std::size_t i = 0; i < breaks.size(); ++i)
@@ -199,6 +219,7 @@ Vec3 net_point(const Surface& surface, int i, int j)
         .control_point(i - 3 * patch_i, j - 3 * patch_j);
 }
 
+// Whether all patches are bicubic and polynomial.
 bool is_bicubic(const Surface& surface)
 {
     for (int j = 0; j < surface.patches(Parameter::V); ++j)
@@ -225,6 +246,7 @@ bool shares_borders(const Surface& surface)
     return true;
 }
 
+// Appends a point as a JSON array.
 void append_point(std::string& text, const Vec3& point)
 {
     text += '[';
@@ -236,6 +258,7 @@ void append_point(std::string& text, const Vec3& point)
     text += ']';
 }
 
+// The composite control net as a JSON array of rows, one row on a line.
 std::string net_json(const Surface& surface)
 {
     const int columns = 3 * surface.patches(Parameter::U) + 1;
@@ -252,6 +275,7 @@ std::string net_json(const Surface& surface)
     return text + " ]";
 }
 
+// The word of a tool side in files.
 std::string_view tool_side_name(ToolSide side)
 {
     if (side == ToolSide::Up)
@@ -275,8 +299,8 @@ SurfaceFile parse_surface(std::string_view content, const std::filesystem::path&
     const Kind& kind = kind_of(root);
 
     const double unit = mm_per_unit(root);
-    std::vector<Surface> surfaces =
-        read_kind(kind, {root, {unit, limits.max_extent_mm}, tool_side(root), file, limits});
+    std::vector<Surface> surfaces = read_kind(
+        kind, {root, {unit, limits.max_extent_mm}, tool_side(root), file, limits});
     std::vector<std::string> notes = pole_notes(surfaces);
     if (unit != 1)
         notes.emplace_back("lengths were converted from inch to mm");

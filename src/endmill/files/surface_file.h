@@ -18,18 +18,18 @@ namespace endmill {
 struct SurfaceFile {
     std::string name;    ///< name in the file, or the file's stem
     std::string source;  ///< where the numbers come from; empty if the file does not say
-    std::vector<Surface> surfaces;   ///< in mm; several only for the type "bezier-patches"
+    std::vector<Surface> surfaces;  ///< in mm; several only for the type "bezier-patches"
     std::vector<std::string> notes;  ///< one sentence for a converted unit and each pole
 };
 
 /// Reads a file of format "endmill-surface/1" and checks every key. Texts of the file
 /// (`name`, `source`) are made `printable`.
-/// \throws FormatError as `read_file` and `JsonDocument`. E_FORMAT if the content is not of
-///         this format; E_JSON for a wrong type, a missing or unknown key, a count outside
-///         1 … 10000, or a newer version of the format; E_RANGE for a coordinate beyond the
-///         limit, after conversion to mm; E_SURFACE for rows of a wrong number or length, a
-///         degree outside 1 … 25, invalid knots or grid lines, a weight that is not
-///         positive, and a control net whose points are all equal.
+/// \throws FormatError as `read_file` and `JsonDocument`. E_FORMAT if the content is not
+///         of this format; E_JSON for a wrong type, a missing or unknown key, a count
+///         outside 1 … 10000, or a newer version of the format; E_RANGE for a coordinate
+///         beyond the limit, after conversion to mm; E_SURFACE for rows of a wrong number
+///         or length, a degree outside 1 … 25, invalid knots or grid lines, a weight that
+///         is not positive, and a control net whose points are all equal.
 /// \throws LimitError if the file needs more memory than the limit.
 SurfaceFile read_surface(const std::filesystem::path& path,
                          const ReadLimits& limits = {});
@@ -39,8 +39,8 @@ SurfaceFile read_surface(const std::filesystem::path& path,
 SurfaceFile parse_surface(std::string_view content, const std::filesystem::path& path,
                           const ReadLimits& limits = {});
 
-/// The content of a file of type "bezier" from which `read_surface` reads the same doubles,
-/// except that minus zero becomes zero. The notes are not written.
+/// The content of a file of type "bezier" from which `read_surface` reads the same
+/// doubles, except that minus zero becomes zero. The notes are not written.
 /// \throws DomainError unless there is one surface, its breaks are 0, 1, 2, …, and its
 ///         patches are bicubic, without weights, and share the control points of their
 ///         borders.

@@ -19,6 +19,7 @@ constexpr std::string_view format_name = "endmill-tool/1";
 constexpr int most_flutes = 100;  // beyond every end mill
 constexpr double right_angle_deg = 90;
 
+// The cutter that the cutter word describes.
 Cutter cutter(const JsonValue& root)
 {
     const JsonValue value = root.member("cutter");
@@ -27,16 +28,19 @@ Cutter cutter(const JsonValue& root)
     throw value.complaint(value.shown(), expected_cutter(value.text()));
 }
 
+// A number above 0, at most `most`.
 double positive(const JsonValue& value, double most)
 {
     return number_in(value, {.above = 0, .most = most});
 }
 
+// A number from 0 to `most`.
 double not_negative(const JsonValue& value, double most)
 {
     return number_in(value, {.above = 0, .most = most, .from = true});
 }
 
+// A cylinder of the shank or holder; its upper end must be above its lower end.
 ToolCylinder cylinder(const JsonValue& value, double most_mm)
 {
     constexpr std::array<std::string_view, 3> keys{"diameter_mm", "from_mm", "to_mm"};
@@ -49,6 +53,7 @@ ToolCylinder cylinder(const JsonValue& value, double most_mm)
     return {positive(value.member("diameter_mm"), most_mm), from, to};
 }
 
+// The cylinders under `key`; none if the key is missing.
 std::vector<ToolCylinder> cylinders(const JsonValue& root, std::string_view key,
                                     double most_mm)
 {
@@ -59,6 +64,7 @@ std::vector<ToolCylinder> cylinders(const JsonValue& root, std::string_view key,
     return all;
 }
 
+// The loads that the tool bears; each is optional.
 ToolLimits tool_limits(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 3> keys{"cutting_force_n", "thrust_n",
@@ -76,6 +82,7 @@ ToolLimits tool_limits(const JsonValue& root)
     return {limit(keys[0]), limit(keys[1]), limit(keys[2])};
 }
 
+// The helix angle, between -90 and 90 degrees; nothing if it is not stated.
 std::optional<Angle> helix(const JsonValue& root)
 {
     const auto value = root.find_member("helix_deg");

@@ -16,10 +16,11 @@ namespace endmill {
 
 /// Reads a file of format "endmill-tool/1". The key `cutter` is a cutter word as on the
 /// command line. Optional keys: `name`, `source`, `flutes`, `helix_deg`, `length_mm`,
-/// `limits` {`cutting_force_n`, `thrust_n`, `torque_n_m`}, and `shank` and `holder`, lists
-/// of cylinders {`diameter_mm`, `from_mm`, `to_mm`} whose heights count from the tip.
-/// \throws FormatError as `JsonDocument` and, with the JSON pointer, for an unknown key or
-///         a value out of its range; E_FORMAT for another format; also as `read_file`.
+/// `limits` {`cutting_force_n`, `thrust_n`, `torque_n_m`}, and `shank` and `holder`,
+/// lists of cylinders {`diameter_mm`, `from_mm`, `to_mm`} whose heights count from the
+/// tip.
+/// \throws FormatError as `JsonDocument` and, with the JSON pointer, for an unknown key
+///         or a value out of its range; E_FORMAT for another format; also as `read_file`.
 Tool read_tool(const std::filesystem::path& path, const ReadLimits& limits = {});
 
 /// Parses the content of a tool file as `read_tool` does.
@@ -32,8 +33,8 @@ Tool parse_tool(std::string_view content, const std::filesystem::path& path,
 /// `v1_m_per_min`. Optional keys: `name` (default: the file's stem), `source`,
 /// `max_feed_per_tooth_mm`, `min_feed_per_tooth_mm`.
 /// \throws FormatError as `JsonDocument` and, with the JSON pointer, for an unknown or
-///         missing key; E_MATERIAL for a value out of its range and for a largest feed per
-///         tooth below the least; E_FORMAT for another format; also as `read_file`.
+///         missing key; E_MATERIAL for a value out of its range and for a largest feed
+///         per tooth below the least; E_FORMAT for another format; also as `read_file`.
 CuttingMaterial read_material(const std::filesystem::path& path,
                               const ReadLimits& limits = {});
 

@@ -27,10 +27,12 @@ constexpr std::size_t longest_grid = 64;
 constexpr std::size_t longest_tool = 1000;
 constexpr std::size_t word_bytes = sizeof(std::uint64_t);
 
-// A checksum of 64-bit words in order. Every step is invertible, so a change of a single word
-// always changes the sum; random sequences have equal sums with a probability of 2^-64.
+// A checksum of 64-bit words in order. Every step is invertible, so a change of a single
+// word always changes the sum; random sequences have equal sums with a probability of
+// 2^-64.
 class WordChecksum {
 public:
+    // One step: exclusive or, product with an odd number, shift. Each part is invertible.
     void add(std::uint64_t word)
     {
         sum_ = (sum_ ^ word) * 0x9e3779b97f4a7c15U;  // odd: 2^64 over the golden ratio
@@ -106,6 +108,7 @@ class Writer {
 public:
     explicit Writer(const OutputFolder::Sink& sink) : sink_{sink} {}
 
+    // Writes a part of the file.
     void write(std::string_view bytes)
     {
         std::string piece{bytes};
@@ -114,6 +117,7 @@ public:
         sink_(piece);
     }
 
+    // Writes the checksum of all parts.
     void write_sum()
     {
         const std::uint64_t sum = sum_.sum();
@@ -125,8 +129,9 @@ private:
     WordChecksum sum_;
 };
 
-// Reads and checks one file. The sizes in the header are checked against the length of the
-// file before any memory is allocated; the checksum is compared before the content is used.
+// Reads and checks one file. The sizes in the header are checked against the length of
+// the file before any memory is allocated; the checksum is compared before the content is
+// used.
 class Reader {
 public:
     Reader(std::string_view content, const std::string& file)
@@ -135,6 +140,8 @@ public:
     {
     }
 
+    // Reads the whole file. The order of the checks matters: sizes first, since they
+    // protect the memory; then the checksum, since it protects everything else.
     StoredVisibility read(const ReadLimits& limits)
     {
         read_header();
@@ -154,12 +161,14 @@ public:
     }
 
 private:
+    // Throws an error at byte `at`.
     [[noreturn]] void refuse(std::size_t at, const std::string& found,
                              const std::string& expected) const
     {
         throw FormatError{"E_BSM", {file_, '@' + std::to_string(at), found, expected}};
     }
 
+    // Reads the header and checks each value that does not depend on another.
     void read_header()
     {
         if (!content_.starts_with(magic))
@@ -189,11 +198,13 @@ private:
             refuse(zero_at, std::to_string(header_.zero), "0");
     }
 
+    // Size of the two names with their padding, in bytes.
     std::size_t name_bytes() const
     {
         return whole_words(std::size_t{header_.grid_bytes} + header_.tool_bytes);
     }
 
+    // Size of the list of facets without area with its padding, in bytes.
     std::size_t dropped_bytes() const
     {
         return whole_words(std::size_t{header_.dropped} * sizeof(std::uint32_t));
@@ -205,6 +216,8 @@ private:
         return header_.cells * ((header_.facets + 63) / 64) * word_bytes;
     }
 
+    // Checks the counts in the header against each other, the length of the file and the
+    // grid.
     void check_sizes()
     {
         constexpr std::uint64_t most_facets = (std::uint64_t{1} << 31U) - 1;
@@ -239,6 +252,7 @@ private:
                    std::to_string(cells) + " of " + grid_);
     }
 
+    // Compares the stored checksum with that of the content.
     void check_sum() const
     {
         const std::size_t at = content_.size() - word_bytes;
@@ -256,6 +270,7 @@ private:
                 refuse(at, "a byte without meaning", "zero");
     }
 
+    // The facets without area, which must be rising and within the part.
     std::vector<std::size_t> dropped() const
     {
         const std::size_t begin = names_at + name_bytes();
@@ -275,6 +290,8 @@ private:
         return facets;
     }
 
+    // The map. The file has 0 for accessible, as the paper has, and the map has 1, so
+    // words are inverted; the bits beyond the last facet must be zero in both.
     VisibilityMap map(std::size_t bits_at) const
     {
         VisibilityMap map{header_.facets, header_.cells};
@@ -301,6 +318,7 @@ private:
 
 }  // namespace
 
+// The number of points is included, so that points and triangles cannot be confused.
 std::uint64_t part_checksum(const TriangleMesh& part)
 {
     WordChecksum sum;

@@ -20,17 +20,17 @@ namespace endmill {
 
 /// A visibility map and the inputs that it depends on.
 struct StoredVisibility {
-    std::string grid;                          ///< name of the grid, as `sphere_grid` reads it
-    Angle incidence = Angle::degrees(90);      ///< largest angle of tool axis and normal
+    std::string grid;  ///< name of the grid, as `sphere_grid` reads it
+    Angle incidence = Angle::degrees(90);  ///< largest angle of tool axis and normal
     VisibilityKind kind = VisibilityKind::Global;  ///< local or global
-    std::string tool;                 ///< word of the tool whose body must pass; empty: none
+    std::string tool;  ///< word of the tool whose body must pass; empty: none
     std::uint64_t part_checksum = 0;  ///< of the part, see `part_checksum`
     PartVisibility visibility;        ///< the map and the facets without area
 };
 
 /// Checksum of a part: of the coordinates of the points and the triangles, in order. A
-/// change of one coordinate or one corner always changes it; two different parts have equal
-/// checksums with a probability of about 2^-64.
+/// change of one coordinate or one corner always changes it; two different parts have
+/// equal checksums with a probability of about 2^-64.
 std::uint64_t part_checksum(const TriangleMesh& part);
 
 /// Writes the file to `sink`, piece by piece. Numbers are little-endian, in this order:
@@ -44,30 +44,31 @@ std::uint64_t part_checksum(const TriangleMesh& part);
 ///     uint32   facets without area      uint32   0
 ///     the grid's name and the tool's, then zeros to a multiple of 8 bytes
 ///     uint32   each facet without area, rising; then zeros to a multiple of 8 bytes
-///     uint64   ceil(n / 64) for each cell: bit j % 64 of word j / 64 is 0 where facet j is
+///     uint64   ceil(n / 64) for each cell: bit j % 64 of word j / 64 is 0 where facet j
+///     is
 ///              accessible, as in [KangSuh], and 0 beyond the last facet
 ///     uint64   checksum of all preceding bytes (`visibility_checksum`)
 ///
-/// \throws DomainError if the grid's name is invalid or has another number of cells, or if
-///         the tool's name is longer than 1000 bytes.
+/// \throws DomainError if the grid's name is invalid or has another number of cells, or
+///         if the tool's name is longer than 1000 bytes.
 void write_visibility(const StoredVisibility& stored, const OutputFolder::Sink& sink);
 
-/// Checksum of the content of a visibility file: of its 64-bit words in order. A change of
-/// any one word changes it. It detects damage; it is not cryptographic.
+/// Checksum of the content of a visibility file: of its 64-bit words in order. A change
+/// of any one word changes it. It detects damage; it is not cryptographic.
 /// \throws DomainError unless the number of bytes is a multiple of 8.
 std::uint64_t visibility_checksum(std::string_view bytes);
 
 /// Parses the content of a file that `write_visibility` wrote.
 /// \param file name of the file for messages.
-/// \throws FormatError E_BSM with the byte for a damaged or truncated file, a newer version,
-///         or a header that contradicts itself or the length of the file.
+/// \throws FormatError E_BSM with the byte for a damaged or truncated file, a newer
+///         version, or a header that contradicts itself or the length of the file.
 /// \throws LimitError if it needs more memory than the limit.
 StoredVisibility parse_visibility(std::string_view content, const std::string& file,
                                   const ReadLimits& limits = {});
 
 /// Reads the visibility of `part` from a file.
-/// \throws FormatError, LimitError as `read_file` and `parse_visibility`; FormatError E_BSM
-///         also if the file is of another part.
+/// \throws FormatError, LimitError as `read_file` and `parse_visibility`; FormatError
+///         E_BSM also if the file is of another part.
 StoredVisibility read_visibility(const std::filesystem::path& path,
                                  const TriangleMesh& part, const ReadLimits& limits = {});
 

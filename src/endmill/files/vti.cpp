@@ -16,13 +16,15 @@
 #include "endmill/files/detail/history_arrays.h"
 #include "endmill/files/read_file.h"
 
-// A stock file is read only if this library wrote it. That makes the reader short and strict:
+// A stock file is read only if this library wrote it. That makes the reader short and
+// strict:
 //
-// 1. The grid and the counts of the history are taken from the head without much checking.
+// 1. The grid and the counts of the history are taken from the head without much
+//    checking.
 // 2. `head_of` writes the head for these numbers again. The file must begin with exactly
 //    these bytes, so every other deviation from the format is refused at once.
-// 3. The length of the file must be the length that the numbers require. Only then is memory
-//    allocated.
+// 3. The length of the file must be the length that the numbers require. Only then is
+//    memory allocated.
 // 4. Heights and history are read and checked number by number.
 
 namespace endmill {
@@ -42,6 +44,7 @@ constexpr std::size_t longest_head = 3000;
 // More than any file holds; their size in bytes still fits into 64 bits.
 constexpr std::int64_t most_tips = std::int64_t{1} << 40;
 
+// Number of cells of a grid.
 std::size_t cells_of(const StockGrid& grid)
 {
     return static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
@@ -53,8 +56,8 @@ std::size_t bytes_before_history(const StockGrid& grid)
     return 2 * sizeof(Size) + sizeof(double) + cells_of(grid) * sizeof(double);
 }
 
-// The XML before the arrays. The bottom is also the z of the origin, so that the head states
-// it.
+// The XML before the arrays. The bottom is also the z of the origin, so that the head
+// states it.
 std::string head_of(const StockGrid& grid, const std::optional<HistoryCounts>& history)
 {
     const std::string extent =
@@ -102,6 +105,8 @@ Value value_at(std::string_view content, std::size_t at)
 // Reads the words of an XML attribute in order.
 class Attribute {
 public:
+    // Finds the attribute whose name and opening quote are `key`. If there is none, all
+    // its words are empty.
     Attribute(std::string_view head, std::string_view key)
     {
         const std::size_t begin = head.find(key);
@@ -111,6 +116,7 @@ public:
         rest_ = rest_.substr(0, rest_.find('"'));
     }
 
+    // The next word; empty at the end.
     std::string_view word()
     {
         const std::size_t end = std::min(rest_.find(' '), rest_.size());
@@ -121,7 +127,8 @@ public:
 
     double number() { return number_from_text(word()).value_or(std::nan("")); }
 
-    // A whole number; 0 for another word, which makes a grid without cells that is refused.
+    // A whole number; 0 for another word, which makes a grid without cells that is
+    // refused.
     int count()
     {
         const std::string_view text = word();
@@ -165,6 +172,7 @@ public:
     {
     }
 
+    // Reads the whole file in the order of the steps above.
     KeptStock stock() const
     {
         const StockGrid grid = checked_grid();
@@ -194,12 +202,14 @@ public:
     }
 
 private:
+    // An error at a place; the place is empty if the whole file is meant.
     FormatError complaint(const std::string& code, const std::string& place,
                           const std::string& found, const std::string& expected) const
     {
         return {code, {file_, place, found, expected}};
     }
 
+    // Throws an error at byte `at` unless `holds`.
     void check(bool holds, std::size_t at, const std::string& found) const
     {
         if (!holds)
@@ -223,6 +233,7 @@ private:
         return history;
     }
 
+    // The grid of the head, after a check that the content is VTK and the grid is valid.
     StockGrid checked_grid() const
     {
         const auto format = recognized_format(content_);
@@ -266,7 +277,8 @@ private:
                                 std::to_string(grid.rows) + " cells, the file has " +
                                 std::to_string(content_.size()) + " bytes",
                             to_text(expected) + " bytes");
-        // Memory for the file, the heights, and the stock, whose last tiles are partly empty.
+        // Memory for the file, the heights, and the stock, whose last tiles are partly
+        // empty.
         constexpr double most_beyond = HeightStock::tile_side - 1;
         const double tiled = (grid.columns + most_beyond) * (grid.rows + most_beyond);
         require_memory(file_,
@@ -275,6 +287,7 @@ private:
                        limits_);
     }
 
+    // The heights, each checked against the bottom and the limit.
     std::vector<double> heights(const StockGrid& grid, std::size_t at) const
     {
         std::vector<double> values(cells_of(grid));
@@ -284,6 +297,7 @@ private:
         return values;
     }
 
+    // Checks one height.
     void check_height(double z, const StockGrid& grid, std::size_t at) const
     {
         if (!std::isfinite(z))

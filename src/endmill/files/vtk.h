@@ -20,32 +20,32 @@ namespace endmill {
 
 /// The tool path as a VTK XML PolyData file (.vtp).
 ///
-/// Points are the tips. Each run of moves of one kind in one pass is a polyline that starts
-/// at the point before its first move; its cell data are `pass` and `move` (0 cut, 1 link,
-/// 2 rapid, 3 plunge, 4 retract). Point data are `axis`, `has_contact` (1 or 0), `contact`,
-/// `normal`, `u` and `v`. A point without contact repeats its tip and axis, and its u and v
-/// are 0. Numbers are stored in binary and exactly.
+/// Points are the tips. Each run of moves of one kind in one pass is a polyline that
+/// starts at the point before its first move; its cell data are `pass` and `move` (0 cut,
+/// 1 link, 2 rapid, 3 plunge, 4 retract). Point data are `axis`, `has_contact` (1 or 0),
+/// `contact`, `normal`, `u` and `v`. A point without contact repeats its tip and axis,
+/// and its u and v are 0. Numbers are stored in binary and exactly.
 /// \throws DomainError if a number is not finite.
 std::string tool_path_vtp(const ToolPath& path);
 
 /// The stock as a VTK XML ImageData file (.vti), which `read_stock` reads back.
 ///
-/// The cells of the image are the cells of the stock. Cell data `height_mm` are its heights,
-/// x running fastest; field data are the bottom, `bottom_z_mm`, and the arrays of the
-/// history, if there is one: `block_mm`, `run_cutters_mm`, `run_tips` and `tips_mm`. Numbers
-/// are stored in binary and exactly; those of the grid as the shortest text that reads back
-/// to the same double.
+/// The cells of the image are the cells of the stock. Cell data `height_mm` are its
+/// heights, x running fastest; field data are the bottom, `bottom_z_mm`, and the arrays
+/// of the history, if there is one: `block_mm`, `run_cutters_mm`, `run_tips` and
+/// `tips_mm`. Numbers are stored in binary and exactly; those of the grid as the shortest
+/// text that reads back to the same double.
 std::string stock_vti(const HeightStock& stock,
                       const std::optional<StockHistory>& history = {});
 
-/// Reads a file that `stock_vti` wrote; the stock is the same to the last bit. The head of
-/// the file must equal, byte for byte, the head that `stock_vti` writes for its numbers, and
-/// the file must have the length that these numbers require.
-/// \throws FormatError E_VTI for another head, an invalid history, or a history of another
-///         block than the heights; E_VTI_SIZE for a file of another length, before any
-///         memory is allocated; E_NONFINITE for a number that is not finite; E_RANGE for a
-///         coordinate beyond the limit, a height below the bottom, or a pitch that is not
-///         positive; also as `read_file`.
+/// Reads a file that `stock_vti` wrote; the stock is the same to the last bit. The head
+/// of the file must equal, byte for byte, the head that `stock_vti` writes for its
+/// numbers, and the file must have the length that these numbers require.
+/// \throws FormatError E_VTI for another head, an invalid history, or a history of
+///         another block than the heights; E_VTI_SIZE for a file of another length,
+///         before any memory is allocated; E_NONFINITE for a number that is not finite;
+///         E_RANGE for a coordinate beyond the limit, a height below the bottom, or a
+///         pitch that is not positive; also as `read_file`.
 /// \throws LimitError if it needs more memory than the limit.
 KeptStock read_stock(const std::filesystem::path& path, const ReadLimits& limits = {});
 
@@ -59,12 +59,12 @@ inline constexpr std::size_t usual_deviation_points = 500'000;
 
 /// The deviation of a part as a VTK XML PolyData file (.vtp).
 ///
-/// Points are the centres of the part's cells, in order, each with a vertex cell. Point data
-/// are `left_mm` (remaining stock along the normal; negative in a gouge) and `normal`. All
-/// numbers are Float32, as the deviation is. Cells without area have no normal and are left
-/// out. If there are more than `most_points`, runs of consecutive cells are represented by
-/// their least and their greatest value, so the deepest gouge and the largest excess are
-/// kept.
+/// Points are the centres of the part's cells, in order, each with a vertex cell. Point
+/// data are `left_mm` (remaining stock along the normal; negative in a gouge) and
+/// `normal`. All numbers are Float32, as the deviation is. Cells without area have no
+/// normal and are left out. If there are more than `most_points`, runs of consecutive
+/// cells are represented by their least and their greatest value, so the deepest gouge
+/// and the largest excess are kept.
 /// \param charts      those that the deviation was measured on.
 /// \param most_points largest number of points; at least 2.
 /// \throws DomainError if `most_points` is less than 2, the deviation does not belong to

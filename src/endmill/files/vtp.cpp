@@ -71,16 +71,19 @@ std::vector<double> per_point(const std::vector<PathPoint>& points, Function val
     return numbers;
 }
 
+// The contact point; the tip where there is no contact.
 Vec3 contact_point(const PathPoint& point)
 {
     return point.contact ? point.contact->contact.point : point.location.tip;
 }
 
+// The normal at the contact; the axis where there is no contact.
 Vec3 contact_normal(const PathPoint& point)
 {
     return point.contact ? point.contact->contact.normal : point.location.axis;
 }
 
+// The elements of the point data; their arrays are appended.
 std::string point_data(const std::vector<PathPoint>& points, AppendedArrays& arrays)
 {
     std::vector<std::uint8_t> has_contact;
@@ -106,6 +109,7 @@ std::string point_data(const std::vector<PathPoint>& points, AppendedArrays& arr
     return xml + "   </PointData>\n";
 }
 
+// The elements of the polylines and their cell data; their arrays are appended.
 std::string polyline_data(const Polylines& lines, AppendedArrays& arrays)
 {
     std::string xml = "   <Lines>\n";

@@ -13,12 +13,32 @@ namespace {
 // Step along a curved line; the chord is off the arc by less than the width of the line.
 constexpr double step_rad = 2 * std::numbers::pi / 180;
 
+// Number of steps along an arc of this angle.
 int steps_over(double angle)
 {
     return 1 + static_cast<int>(std::abs(angle) / step_rad);
 }
 
 }  // namespace
+
+Vec3 BallFrame::turned(const Vec3& place) const
+{
+    return {place.x(), milling == Milling::Up ? place.y() : -place.y(), place.z()};
+}
+
+Vec3 BallFrame::in_room(const Vec3& place) const
+{
+    return radius_mm * turned(place);
+}
+
+std::vector<Vec3> BallFrame::in_room(const std::vector<Vec3>& line) const
+{
+    std::vector<Vec3> places;
+    places.reserve(line.size());
+    for (const Vec3& place : line)
+        places.push_back(in_room(place));
+    return places;
+}
 
 double highest_latitude(const BallEngagement& engagement)
 {
@@ -31,6 +51,8 @@ Vec3 ball_point(double latitude, double azimuth)
             std::sin(latitude) * std::cos(azimuth), -std::cos(latitude)};
 }
 
+// The arc is spanned by `from` and the unit vector across it in the plane of both
+// directions.
 std::vector<Vec3> arc_between(const Vec3& centre, const Vec3& from, const Vec3& to,
                               double radius)
 {
@@ -55,6 +77,7 @@ std::vector<Vec3> latitude_line(double latitude, double from, double to)
     return line;
 }
 
+// The name is moved along the arrow, farther for longer names if the arrow is level.
 void add_named_arrow(AxonometricFigure& figure, const BallFrame& frame,
                      std::span<const Vec3, 2> ends, std::string_view name,
                      const LineStyle& style)

@@ -10,17 +10,17 @@
 #include "endmill/figures/force_figures.h"
 
 /// \file
-/// Points and lines on the unit ball, for the figures of ball-end milling. The frame is that
-/// of BallEngagement: the tip of the ball is at (0, 0, -1).
+/// Points and lines on the unit ball, for the figures of ball-end milling. The frame is
+/// that of BallEngagement: the tip of the ball is at (0, 0, -1).
 
 namespace endmill {
 
-/// Latitude of the stock's top on the ball, in rad from the tip; pi / 2 if the top is above
-/// the equator. \pre the engagement cuts something.
+/// Latitude of the stock's top on the ball, in rad from the tip; pi / 2 if the top is
+/// above the equator. \pre the engagement cuts something.
 double highest_latitude(const BallEngagement& engagement);
 
-/// The point of the unit ball at a latitude from the tip and an azimuth from Y towards X, both
-/// in rad.
+/// The point of the unit ball at a latitude from the tip and an azimuth from Y towards X,
+/// both in rad.
 Vec3 ball_point(double latitude, double azimuth);
 
 /// The shorter arc of a circle around `centre`, as points.

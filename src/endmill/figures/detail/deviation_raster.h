@@ -20,7 +20,8 @@ struct DeviationRaster {
     double side = 1;            ///< side of a square, in mm
     int columns = 1;            ///< number of squares along x
     int rows = 1;               ///< number of squares along y
-    std::vector<float> left;    ///< deviation in mm, row by row from the least y, or `nothing`
+    std::vector<float>
+        left;  ///< deviation in mm, row by row from the least y, or `nothing`
 
     /// The deviation of a square. \pre 0 <= column < columns, 0 <= row < rows.
     float at(int column, int row) const
@@ -30,15 +31,17 @@ struct DeviationRaster {
     }
 };
 
-/// A deviation as a share of its limit: the tolerance for a gouge, else the scallop limit.
+/// A deviation as a share of its limit: the tolerance for a gouge, else the scallop
+/// limit.
 double share_of_limit(double left, const DeviationLimits& limits);
 
-/// The raster of a part. A square has the deviation of the cell with the largest share of its
-/// limit, among all cells that reach half a square into it or have their centre in it. If two
-/// shares are equal, the gouge counts.
-/// \param squares number of squares along the longer side of the part's extent in x and y.
-/// \throws DomainError unless `squares` > 0, limits are positive, the deviation belongs to
-///         `charts`, and all numbers are finite.
+/// The raster of a part. A square has the deviation of the cell with the largest share of
+/// its limit, among all cells that reach half a square into it or have their centre in
+/// it. If two shares are equal, the gouge counts.
+/// \param squares number of squares along the longer side of the part's extent in x and
+///         y.
+/// \throws DomainError unless `squares` > 0, limits are positive, the deviation belongs
+///         to `charts`, and all numbers are finite.
 DeviationRaster deviation_raster(const PartCharts& charts, const Deviation& deviation,
                                  const DeviationLimits& limits, int squares);
 

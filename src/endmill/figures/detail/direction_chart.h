@@ -12,8 +12,8 @@
 
 namespace endmill {
 
-/// A chart of directions in a plane around a pole. The azimuth counts counter-clockwise from
-/// the right; rings are at equal polar angles.
+/// A chart of directions in a plane around a pole. The azimuth counts counter-clockwise
+/// from the right; rings are at equal polar angles.
 class DirectionChart {
 public:
     /// The axes of the chart.
@@ -23,13 +23,15 @@ public:
     };
 
     /// An empty chart with its rings and azimuths.
-    /// \param reach largest polar angle in the chart: below 90 degrees in the gnomonic, at
-    ///              most 90 in the orthographic, at most 180 in the equidistant projection.
+    /// \param reach largest polar angle in the chart: below 90 degrees in the gnomonic,
+    ///              at most 90 in the orthographic, at most 180 in the equidistant
+    ///              projection.
     /// \throws DomainError for another reach.
     DirectionChart(std::string_view title, const Frame& frame, ChartProjection projection,
                    Angle reach);
 
-    /// Draws the parts of a curve that are within reach, as straight lines between points.
+    /// Draws the parts of a curve that are within reach, as straight lines between
+    /// points.
     void add_curve(std::span<const Vec3> directions, const LineStyle& style);
 
     /// Draws a disc at each direction within reach, and a line of the legend.

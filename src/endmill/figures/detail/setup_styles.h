@@ -32,7 +32,8 @@ LineStyle hidden_style(SetupObject object);
 /// Adds the axes to the legend.
 void add_setup_legend(AxonometricFigure& figure, const RotaryFrame& machine_directions);
 
-/// Adds the borders of the motion to the legend; that of the machine if its limits are known.
+/// Adds the borders of the motion to the legend; that of the machine if its limits are
+/// known.
 void add_border_legend(AxonometricFigure& figure, const ShownSetup& setup);
 
 }  // namespace endmill

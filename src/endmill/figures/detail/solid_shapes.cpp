@@ -50,6 +50,8 @@ std::vector<Vec3> circle(const Vec3& middle, const Vec3& axis, double radius)
 
 }  // namespace
 
+// Each of the six faces is drawn if the viewer sees its outer side; a convex solid needs
+// no sorting.
 void add_box(AxonometricFigure& figure, const Vec3& middle, const Vec3& half_size,
              const SolidColours& colours)
 {
@@ -68,6 +70,7 @@ void add_box(AxonometricFigure& figure, const Vec3& middle, const Vec3& half_siz
         }
 }
 
+// The side is drawn as narrow facets, then the two ends.
 void add_cylinder(AxonometricFigure& figure, const Vec3& from, const Vec3& to,
                   double radius, const SolidColours& colours)
 {
@@ -83,10 +86,13 @@ void add_cylinder(AxonometricFigure& figure, const Vec3& from, const Vec3& to,
     add_face(figure, last, axis, colours);
 }
 
+// The arc starts and ends symmetrically to the point nearest to the viewer. Its last
+// pieces are drawn as a straight arrow, which gives the head.
 void add_turn_arrow(AxonometricFigure& figure, const TurnArrow& arrow,
                     const LineStyle& style)
 {
-    // Cosine between the axis and the line of sight, beyond which the whole circle is visible.
+    // Cosine between the axis and the line of sight, beyond which the whole circle is
+    // visible.
     constexpr double seen_along_axis = 0.45;
     const Vec3& toward = figure.view().toward;
     const bool is_whole = std::abs(arrow.axis.dot(toward)) > seen_along_axis;

@@ -6,8 +6,8 @@
 #include "endmill/figures/axonometric_figure.h"
 
 /// \file
-/// Simple solids and arrows in an axonometric figure. Only visible faces are drawn, and later
-/// shapes cover earlier ones, so a scene is drawn from back to front.
+/// Simple solids and arrows in an axonometric figure. Only visible faces are drawn, and
+/// later shapes cover earlier ones, so a scene is drawn from back to front.
 
 namespace endmill {
 
@@ -33,8 +33,8 @@ struct TurnArrow {
     double radius;  ///< in mm
 };
 
-/// Draws a circular arrow: three quarters of a turn if the viewer looks along the axis, else
-/// the half turn in front of it.
+/// Draws a circular arrow: three quarters of a turn if the viewer looks along the axis,
+/// else the half turn in front of it.
 void add_turn_arrow(AxonometricFigure& figure, const TurnArrow& arrow,
                     const LineStyle& style);
 

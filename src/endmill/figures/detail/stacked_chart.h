@@ -16,9 +16,10 @@ namespace endmill {
 
 /// A curve of a chart.
 struct ChartLine {
-    std::string_view label;                     ///< in the legend of the panel
-    LineStyle style;                            ///< of the curve
-    std::vector<std::optional<double>> values;  ///< one for each place; a gap where unknown
+    std::string_view label;  ///< in the legend of the panel
+    LineStyle style;         ///< of the curve
+    std::vector<std::optional<double>>
+        values;  ///< one for each place; a gap where unknown
 };
 
 /// A panel: curves with a common ordinate.
@@ -34,16 +35,16 @@ struct ChartFrame {
     std::string_view abscissa;               ///< label of the abscissa, with its unit
 };
 
-/// The chart as an SVG file. Where several places fall on one column of pixels, the first and
-/// last, least and greatest values in it are drawn.
+/// The chart as an SVG file. Where several places fall on one column of pixels, the first
+/// and last, least and greatest values in it are drawn.
 /// \param places abscissas of the values, not decreasing.
-/// \throws DomainError unless there is a panel, each line has one value or gap for each place,
-///         places do not decrease, and all numbers are finite.
+/// \throws DomainError unless there is a panel, each line has one value or gap for each
+///         place, places do not decrease, and all numbers are finite.
 std::string stacked_chart(const ChartFrame& frame, std::span<const double> places,
                           std::span<const ChartPanel> panels);
 
-/// Round numbers that cover `low` to `high`: multiples of 1, 2 or 5 times a power of ten, about
-/// `count` of them; the first is at or below `low`, the last at or above `high`.
+/// Round numbers that cover `low` to `high`: multiples of 1, 2 or 5 times a power of ten,
+/// about `count` of them; the first is at or below `low`, the last at or above `high`.
 /// \pre finite, low <= high, count > 0.
 std::vector<double> round_ticks(double low, double high, int count);
 

@@ -28,8 +28,8 @@ constexpr inline std::string_view vtk_type<std::int32_t> = "Int32";
 template <>
 constexpr inline std::string_view vtk_type<std::uint8_t> = "UInt8";
 
-/// The raw arrays at the end of a VTK XML file. In front of each array stands the number of
-/// its bytes as UInt64.
+/// The raw arrays at the end of a VTK XML file. In front of each array stands the number
+/// of its bytes as UInt64.
 class AppendedArrays {
 public:
     /// Appends an array.

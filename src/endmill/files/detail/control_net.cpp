@@ -7,9 +7,14 @@
 
 #include "endmill/core/text.h"
 
+// Arrays are read row by row. The expected numbers of rows and columns come from other
+// keys of the file, so an error states both numbers and the keys that they follow from.
+
 namespace endmill {
 namespace {
 
+// The length in `value` in mm. The limit applies after the conversion; the message states
+// the number in the file and, if it was converted, the length in mm.
 double read_length(const JsonValue& value, const LengthRule& rule)
 {
     const double length = rule.mm_per_unit * value.number();
@@ -22,6 +27,7 @@ double read_length(const JsonValue& value, const LengthRule& rule)
     return length;
 }
 
+// The point in `value`, an array of three lengths.
 Vec3 read_point(const JsonValue& value, const LengthRule& rule)
 {
     if (value.size() != 3)
@@ -33,6 +39,7 @@ Vec3 read_point(const JsonValue& value, const LengthRule& rule)
     return point;
 }
 
+// Checks the length of a row. `thing` names the items in the message.
 void require_columns(const JsonValue& row, const ExpectedCount& columns,
                      const char* thing)
 {
@@ -42,6 +49,7 @@ void require_columns(const JsonValue& row, const ExpectedCount& columns,
                             "E_SURFACE");
 }
 
+// Checks the number of rows. `thing` names the array in the message.
 void require_rows(const JsonValue& value, const ExpectedCount& rows, const char* thing)
 {
     if (value.size() != rows.count)
@@ -74,7 +82,8 @@ ControlNet read_net(const JsonValue& value, const LengthRule& rule,
 {
     if (rows)
         require_rows(value, *rows, "net");
-    // Memory grows as points are read; nothing is reserved for the counts that a file claims.
+    // Memory grows as points are read; nothing is reserved for the counts that a file
+    // claims.
     ControlNet net{0, value.size(), {}};
     for (std::size_t j = 0; j < net.rows; ++j) {
         const JsonValue row = value.item(j);
@@ -100,8 +109,7 @@ std::vector<double> read_lengths(const JsonValue& value, const LengthRule& rule)
     return lengths;
 }
 
-std::vector<double> read_length_rows(const JsonValue& value,
-                                     const LengthRule& rule,
+std::vector<double> read_length_rows(const JsonValue& value, const LengthRule& rule,
                                      const ExpectedCount& columns,
                                      const ExpectedCount& rows)
 {

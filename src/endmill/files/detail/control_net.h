@@ -52,10 +52,10 @@ std::vector<double> read_length_rows(const JsonValue& value, const LengthRule& r
                                      const ExpectedCount& columns,
                                      const ExpectedCount& rows);
 
-/// Reads an array of rows of weights. The result is row by row, scaled by one power of two
-/// so that the largest weight lies in 1 … 2.
-/// \throws FormatError E_SURFACE for a weight that is not positive, weights that differ by
-///         more than a factor of 10 000, or a wrong count; E_JSON for a wrong type.
+/// Reads an array of rows of weights. The result is row by row, scaled by one power of
+/// two so that the largest weight lies in 1 … 2.
+/// \throws FormatError E_SURFACE for a weight that is not positive, weights that differ
+///         by more than a factor of 10 000, or a wrong count; E_JSON for a wrong type.
 std::vector<double> read_weights(const JsonValue& value, const ExpectedCount& columns,
                                  const ExpectedCount& rows);
 

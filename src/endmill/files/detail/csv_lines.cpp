@@ -4,20 +4,29 @@
 #include <algorithm>
 #include <utility>
 
+// Large tables are read without copying: a cell is a view into the text. That is possible
+// because cells with numbers and words never contain quotes or line ends; other cells are
+// refused. Tables with free texts are read by `parse_csv`.
+
 namespace endmill {
 namespace {
 
-// Large enough that a run outweighs the cost of starting it, small enough to balance threads.
+// Large enough that a run outweighs the cost of starting it, small enough to balance
+// threads.
 constexpr std::size_t run_bytes = 1U << 18;
 
 }  // namespace
 
+// Counts line feeds. Lines of quoted cells with line feeds would be counted too often,
+// but such cells are refused by CsvLines.
 std::size_t line_count(std::string_view text)
 {
     const auto ends = static_cast<std::size_t>(std::ranges::count(text, '\n'));
     return ends + (text.empty() || text.ends_with('\n') ? 0 : 1);
 }
 
+// Each run ends at the first line feed after `run_bytes` bytes; the division depends on
+// the text only.
 std::vector<CsvRun> csv_runs(std::string_view text)
 {
     std::vector<CsvRun> runs;
@@ -39,8 +48,8 @@ CsvLines::CsvLines(std::string_view text, std::string file, std::size_t lines_be
         rest_.remove_prefix(byte_order_mark.size());
 }
 
-// An empty line has one empty cell, so a blank line in a table is reported as a row with too
-// few cells.
+// An empty line has one empty cell, so a blank line in a table is reported as a row with
+// too few cells.
 bool CsvLines::next()
 {
     if (rest_.empty())
@@ -80,8 +89,8 @@ void CsvLines::split(std::string_view line)
     }
 }
 
-// Splits a line with at least one quoted cell. A doubled quote, by which RFC 4180 represents
-// a quote in a text, is refused as text after the end of a cell.
+// Splits a line with at least one quoted cell. A doubled quote, by which RFC 4180
+// represents a quote in a text, is refused as text after the end of a cell.
 void CsvLines::split_quoted(std::string_view line)
 {
     std::size_t at = 0;

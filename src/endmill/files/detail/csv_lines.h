@@ -25,8 +25,8 @@ std::vector<CsvRun> csv_runs(std::string_view text);
 std::size_t line_count(std::string_view text);
 
 /// Reads the lines of a CSV text and splits each into cells, without copying. A line ends
-/// with LF or CRLF; a byte order mark at the beginning is skipped. A quoted cell ends in its
-/// line and contains no quote, which is enough for numbers and words.
+/// with LF or CRLF; a byte order mark at the beginning is skipped. A quoted cell ends in
+/// its line and contains no quote, which is enough for numbers and words.
 class CsvLines {
 public:
     /// \param text         outlives this object.
@@ -35,8 +35,8 @@ public:
     CsvLines(std::string_view text, std::string file, std::size_t lines_before = 0);
 
     /// Goes to the next line. \return false if there is none.
-    /// \throws FormatError E_CSV for a quote that is not closed in its line or stands inside
-    ///         a cell, and for a carriage return inside a line.
+    /// \throws FormatError E_CSV for a quote that is not closed in its line or stands
+    ///         inside a cell, and for a carriage return inside a line.
     bool next();
 
     /// The cells of the current line, as views into the text.

@@ -52,6 +52,7 @@ std::string_view first_statement(std::string_view content)
     return {};
 }
 
+// Whether the first statement is one of OBJ. OBJ files have no signature.
 bool is_obj(std::string_view content)
 {
     constexpr std::array words{"v "sv, "vn "sv, "vt "sv,    "f "sv,

@@ -9,6 +9,13 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
+// Layout of the arrays, each with its size in bytes as UInt64 in front:
+//
+//     block_mm        6 doubles: low x, y, z, high x, y, z
+//     run_cutters_mm  2 doubles for each run: radius, corner radius
+//     run_tips        2 int64 for each run: number of tips, 1 if the cutter stands at the
+//     first tips_mm         3 doubles for each tip, run by run
+
 namespace endmill {
 namespace {
 
@@ -48,6 +55,7 @@ std::optional<std::int64_t> named_count(std::string_view head, std::string_view 
 // Reads the arrays in order: block, cutters of the runs, tip counts of the runs, tips.
 class HistoryReader {
 public:
+    // Starts at byte `at`, where the size of the first array stands.
     HistoryReader(std::string_view content, std::size_t at, const std::string& file,
                   const ReadLimits& limits)
         : content_{content},
@@ -57,6 +65,8 @@ public:
     {
     }
 
+    // Reads all four arrays. Numbers of tips are checked against the rest before memory
+    // is allocated for the tips of a run, so a damaged count cannot exhaust the memory.
     StockHistory history(const HistoryCounts& counts)
     {
         begin_array(bytes_of_block);
@@ -86,6 +96,7 @@ public:
     }
 
 private:
+    // An error at byte `at`, by default at the current position.
     FormatError complaint(const std::string& code, const std::string& found,
                           const std::string& expected,
                           std::optional<std::size_t> at = {}) const
@@ -102,6 +113,7 @@ private:
         return value;
     }
 
+    // Reads the size in front of an array and compares it with the expected size.
     void begin_array(double bytes)
     {
         const std::size_t before = at_;
@@ -110,6 +122,7 @@ private:
                             to_text(bytes) + " bytes", before);
     }
 
+    // The next number, a finite coordinate or length within the limit.
     double coordinate()
     {
         const std::size_t before = at_;
@@ -123,6 +136,8 @@ private:
         return value;
     }
 
+    // The next three numbers. They are read one after the other, because the order of
+    // evaluation of arguments is not defined.
     Vec3 vec()
     {
         const double x = coordinate();
@@ -131,6 +146,7 @@ private:
         return {x, y, z};
     }
 
+    // The radius and the corner radius of a cutter.
     Cutter cutter()
     {
         const std::size_t before = at_;
@@ -144,7 +160,8 @@ private:
         return {radius, corner};
     }
 
-    // Reads the number of tips of a run, at most `most`, and whether it stands at the first.
+    // Reads the number of tips of a run, at most `most`, and whether it stands at the
+    // first.
     std::int64_t read_run(EarlierRun& run, std::int64_t most)
     {
         const std::size_t before = at_;
@@ -174,6 +191,8 @@ HistoryCounts counts_of(const StockHistory& history)
     return counts;
 }
 
+// Searches the head for the two elements with counts. Other content of the head is
+// compared byte for byte by the caller.
 std::optional<HistoryCounts> named_history(std::string_view head)
 {
     const auto runs = named_count(head, runs_key);
@@ -183,6 +202,7 @@ std::optional<HistoryCounts> named_history(std::string_view head)
     return HistoryCounts{*runs, *tips};
 }
 
+// The arrays follow each other without gaps; each has its size in front.
 std::string history_elements(const HistoryCounts& counts, std::uint64_t offset)
 {
     const std::string runs = std::to_string(counts.runs);
@@ -213,6 +233,7 @@ double history_bytes(const HistoryCounts& counts)
            bytes_a_tip * static_cast<double>(counts.tips);
 }
 
+// Writes the arrays in the order of `history_elements`.
 void append_history(std::string& file, const StockHistory& history)
 {
     const HistoryCounts counts = counts_of(history);

@@ -10,8 +10,8 @@
 #include "endmill/stock/stock_history.h"
 
 /// \file
-/// The history of a stock (its block and the earlier runs of cutters) as arrays of a VTK XML
-/// file: the XML elements that refer to the arrays, and the arrays themselves.
+/// The history of a stock (its block and the earlier runs of cutters) as arrays of a VTK
+/// XML file: the XML elements that refer to the arrays, and the arrays themselves.
 
 namespace endmill {
 
@@ -24,13 +24,13 @@ struct HistoryCounts {
 /// The size of `history`.
 HistoryCounts counts_of(const StockHistory& history);
 
-/// The counts in the head of a stock's file; nothing if the head has no history. The counts
-/// may be any numbers and must be checked by the caller.
+/// The counts in the head of a stock's file; nothing if the head has no history. The
+/// counts may be any numbers and must be checked by the caller.
 std::optional<HistoryCounts> named_history(std::string_view head);
 
-/// The XML elements of the field data: `block_mm`, six numbers; `run_cutters_mm`, radius and
-/// corner radius of each run; `run_tips`, the number of tips of each run and 1 if the cutter
-/// stands at the first, else 0; and `tips_mm`.
+/// The XML elements of the field data: `block_mm`, six numbers; `run_cutters_mm`, radius
+/// and corner radius of each run; `run_tips`, the number of tips of each run and 1 if the
+/// cutter stands at the first, else 0; and `tips_mm`.
 /// \param offset of the first array behind the XML, in bytes.
 std::string history_elements(const HistoryCounts& counts, std::uint64_t offset);
 

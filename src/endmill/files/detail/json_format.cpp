@@ -14,6 +14,7 @@ namespace {
 constexpr std::size_t longest_name = 200;
 constexpr std::size_t longest_remark = 2000;
 
+// A word in quotes, for messages.
 std::string quoted(std::string_view word)
 {
     return '"' + std::string{word} + '"';
@@ -87,6 +88,7 @@ std::string remark(const JsonValue& root, std::string_view key)
     return value ? printable(value->text(), longest_remark) : std::string{};
 }
 
+// The message states the range in words, with "from" or "above" for the lower end.
 double number_in(const JsonValue& value, const NumberRange& range)
 {
     const double number = value.number();

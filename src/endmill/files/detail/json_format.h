@@ -22,8 +22,8 @@ public:
     /// \param path   for messages.
     /// \param format name and version, such as "endmill-tool/1".
     /// \throws FormatError E_FORMAT if the content is not JSON (the message names a
-    ///         recognised format) or of another format; E_JSON if the format is missing or
-    ///         of a newer version. FormatError and LimitError as `JsonDocument`.
+    ///         recognised format) or of another format; E_JSON if the format is missing
+    ///         or of a newer version. FormatError and LimitError as `JsonDocument`.
     FormatDocument(std::string_view content, const std::filesystem::path& path,
                    const ReadLimits& limits, std::string_view format);
 

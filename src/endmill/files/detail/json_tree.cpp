@@ -13,12 +13,12 @@
 
 // The JSON library parses; this file adds what it does not check.
 //
-// 1. OutlineReader passes over the text once. It counts brackets, commas and strings, which
-//    bounds the memory of the tree, and refuses deep nesting and NUL bytes.
+// 1. OutlineReader passes over the text once. It counts brackets, commas and strings,
+//    which bounds the memory of the tree, and refuses deep nesting and NUL bytes.
 // 2. The memory bound is compared with the limit before the tree is built.
-// 3. TreeBuilder receives the events of the parser and builds the tree. It refuses repeated
-//    keys and numbers that underflow, and turns parser errors into FormatErrors with line
-//    and column.
+// 3. TreeBuilder receives the events of the parser and builds the tree. It refuses
+//    repeated keys and numbers that underflow, and turns parser errors into FormatErrors
+//    with line and column.
 
 namespace endmill {
 namespace {
@@ -60,8 +60,8 @@ std::size_t end_of_string(std::string_view text, std::size_t begin)
     return std::min(at + 1, text.size());
 }
 
-// Reads the outline. It refuses nesting that would overflow the stack, and NUL bytes, which
-// the parser takes for the end of the text.
+// Reads the outline. It refuses nesting that would overflow the stack, and NUL bytes,
+// which the parser takes for the end of the text.
 class OutlineReader {
 public:
     OutlineReader(std::string_view text, const std::string& file)
@@ -70,6 +70,8 @@ public:
     {
     }
 
+    // Passes over the text. Strings are skipped as a whole, because brackets in them do
+    // not count.
     Outline read()
     {
         for (std::size_t at = 0; at < text_.size();)
@@ -78,12 +80,14 @@ public:
     }
 
 private:
+    // Counts a string. \return the position after it.
     std::size_t skip_string(std::size_t at)
     {
         ++outline_.strings;
         return end_of_string(text_, at);
     }
 
+    // Counts the character at `at` and checks the nesting. \return the next position.
     std::size_t count(std::size_t at)
     {
         const char character = text_[at];
@@ -99,6 +103,7 @@ private:
         return at + 1;
     }
 
+    // Throws an error at the line and column of `at`.
     [[noreturn]] void refuse(std::size_t at, const char* found,
                              const char* expected) const
     {
@@ -111,10 +116,10 @@ private:
     int depth_ = 0;
 };
 
-// Upper bound of the memory of the tree while it grows, in bytes, on a 64-bit machine with
-// the allocator of glibc. A value has 16 bytes and is stored in a vector that may have twice
-// the capacity, plus half of it while the vector grows. An empty vector takes 32 bytes, a
-// map 64, a map node 96, a string 48.
+// Upper bound of the memory of the tree while it grows, in bytes, on a 64-bit machine
+// with the allocator of glibc. A value has 16 bytes and is stored in a vector that may
+// have twice the capacity, plus half of it while the vector grows. An empty vector takes
+// 32 bytes, a map 64, a map node 96, a string 48.
 double tree_bytes(const Outline& outline, std::size_t text_bytes)
 {
     const auto values =
@@ -172,6 +177,8 @@ public:
     bool string(string_t& value) override { return add(std::move(value)); }
     bool binary(binary_t& /*value*/) override { return false; }
 
+    // The parser turns numbers that are too small into zero without an error. They are
+    // refused, because a zero would be silently wrong.
     bool number_float(number_float_t value, const string_t& spelling) override
     {
         add(value);
@@ -186,6 +193,7 @@ public:
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
 
+    // The library keeps the last of several equal keys; here a repeated key is an error.
     bool key(string_t& name) override
     {
         open_.back().key = std::move(name);
@@ -195,6 +203,7 @@ public:
         return true;
     }
 
+    // NaN and infinity get a message of their own, because they are a common mistake.
     bool parse_error(std::size_t position, const std::string& /*last_token*/,
                      const json::exception& error) override
     {
@@ -216,14 +225,15 @@ private:
         string_t key;  // of the last member, if it is an object
     };
 
+    // The two parts of an error message.
     struct Complaint {
         std::string found;
         std::string expected;
     };
 
-    // Splits the message of the library, "[json.exception…] parse error at … - FOUND; last
-    // read: '…'; expected EXPECTED". The last read token is left out, because the message
-    // has line and column instead.
+    // Splits the message of the library, "[json.exception…] parse error at … - FOUND;
+    // last read: '…'; expected EXPECTED". The last read token is left out, because the
+    // message has line and column instead.
     static Complaint without_preamble(std::string message)
     {
         constexpr std::string_view before_echo = "; last read: '";
@@ -245,6 +255,7 @@ private:
                 printable(message.substr(split + before_expected.size()), longest_echo)};
     }
 
+    // Throws an error at the line and column of `offset`.
     [[noreturn]] void refuse_at(std::size_t offset, const Complaint& complaint) const
     {
         throw FormatError{
@@ -286,12 +297,14 @@ private:
         return true;
     }
 
+    // Adds an empty object or array and makes it the open one.
     bool open(json&& container)
     {
         open_.push_back({place(std::move(container)), {}});
         return true;
     }
 
+    // Closes the open object or array.
     bool close()
     {
         open_.pop_back();
@@ -304,6 +317,8 @@ private:
     std::vector<Container> open_;
 };
 
+// Some editors begin a UTF-8 file with a byte order mark, which RFC 8259 lets a reader
+// ignore.
 std::string_view without_byte_order_mark(std::string_view text)
 {
     constexpr std::string_view mark = "\xef\xbb\xbf";
@@ -325,6 +340,7 @@ std::unique_ptr<const json> json_tree(std::string_view text, const std::string& 
     return std::make_unique<const json>(builder.take());
 }
 
+// In a pointer, "~" is written "~0" and "/" is written "~1".
 std::string json_pointer_step(std::string_view key)
 {
     constexpr std::size_t longest_key = 64;

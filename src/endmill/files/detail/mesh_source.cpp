@@ -22,11 +22,13 @@ std::string shown(double value)
     return to_text(value);
 }
 
+// Whether a coordinate in mm is finite and within the limit.
 bool is_within(double mm, const ReadLimits& limits)
 {
     return std::isfinite(mm) && std::abs(mm) <= limits.max_extent_mm;
 }
 
+// Throws the error about a coordinate. A converted coordinate is stated in both units.
 [[noreturn]] void refuse_coordinate(const MeshSource& source, double value,
                                     FilePlace place)
 {
@@ -42,6 +44,7 @@ bool is_within(double mm, const ReadLimits& limits)
 
 }  // namespace
 
+// The fast path is one comparison for each coordinate; the error is made separately.
 Vec3 point_mm(const MeshSource& source, const Vec3& coordinates, FilePlace place)
 {
     Vec3 point = source.mm_per_unit * coordinates;

@@ -23,6 +23,8 @@ std::string needed_words(std::span<const std::string_view> needed)
 
 }  // namespace
 
+// Finds the position of each known column. Unknown columns are refused instead of
+// ignored: they are usually misspelt.
 NamedColumns::NamedColumns(const CsvLines& lines, std::span<const std::string_view> names,
                            std::size_t needed)
     : names_{names},

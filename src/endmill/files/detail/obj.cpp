@@ -10,6 +10,10 @@
 
 #include "endmill/core/text.h"
 
+// OBJ has no header, and statements come in any order. Only points and faces are used.
+// Known statements that do not affect triangles are skipped; unknown ones are errors,
+// because a damaged file would otherwise lose faces silently.
+
 namespace endmill {
 namespace {
 
@@ -21,13 +25,14 @@ constexpr std::array<std::string_view, 18> ignored_statements{
     "mtllib", "l",        "p",      "mg",     "bevel",      "c_interp",
     "lod",    "d_interp", "maplib", "usemap", "shadow_obj", "trace_obj"};
 
-// Statements of free-form curves and surfaces, which are not supported. They are known here
-// so that the message can say so.
+// Statements of free-form curves and surfaces, which are not supported. They are known
+// here so that the message can say so.
 constexpr std::array<std::string_view, 23> free_form_statements{
     "vp",   "cstype", "deg",  "bmat", "step",  "curv",  "curv2", "surf",
     "parm", "trim",   "hole", "scrv", "sp",    "end",   "con",   "bsp",
     "bzp",  "cdc",    "cdp",  "res",  "ctech", "stech", "csh"};
 
+// Whether `word` is one of `words`.
 bool is_one_of(Words words, std::string_view word)
 {
     return std::ranges::find(words, word) != words.end();
@@ -72,6 +77,7 @@ public:
     {
     }
 
+    // Reads all statements. The mesh is complete at the end of the file.
     RawMesh read()
     {
         while (scanner_.next_line())
@@ -80,6 +86,7 @@ public:
     }
 
 private:
+    // The lines of the file, without comments.
     static TextScanner scanner(const MeshSource& source)
     {
         return {source.content, {source.file, "E_OBJ_SYNTAX", '#'}};
@@ -100,6 +107,7 @@ private:
         return {source, points, faces};
     }
 
+    // Reads the rest of a line whose first word is `word`.
     void read_statement(std::string_view word)
     {
         if (word == "v")
@@ -113,6 +121,7 @@ private:
             throw scanner_.complaint_about(word, "an OBJ statement, such as v or f");
     }
 
+    // Numbers after x, y, z (a weight or a colour) are checked to be numbers and ignored.
     void read_point()
     {
         mesh_.add_point(scan_point_mm(scanner_, source_));
@@ -120,6 +129,7 @@ private:
             scanner_.number();
     }
 
+    // The corners are indices or index triples; only the point's index is used.
     void read_face()
     {
         corners_.clear();

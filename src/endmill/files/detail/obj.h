@@ -10,11 +10,11 @@ namespace endmill {
 
 /// Parses a Wavefront OBJ file.
 ///
-/// Used are the statements `v` (point) and `f` (face). A corner of a face is written as v,
-/// v/vt, v//vn or v/vt/vn; v counts from 1, or backwards from -1, and refers to a point
-/// above the face. A face of more than three corners is split (`fan_corner`). Ignored are
-/// numbers after z (a weight or a colour), texture coordinates, normals, groups, materials,
-/// points, lines and display attributes.
+/// Used are the statements `v` (point) and `f` (face). A corner of a face is written as
+/// v, v/vt, v//vn or v/vt/vn; v counts from 1, or backwards from -1, and refers to a
+/// point above the face. A face of more than three corners is split (`fan_corner`).
+/// Ignored are numbers after z (a weight or a colour), texture coordinates, normals,
+/// groups, materials, points, lines and display attributes.
 /// \throws FormatError E_OBJ_SYNTAX for an unknown statement and for free-form curves and
 ///         surfaces; E_INDEX for a corner that does not exist; E_DEGENERATE and E_POLYGON
 ///         as `RawMeshBuilder::add_face`; E_NONFINITE, E_RANGE for coordinates; E_LIMIT

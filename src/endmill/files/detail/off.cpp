@@ -6,6 +6,10 @@
 
 #include "endmill/core/text.h"
 
+// The header states the counts, and each point and face has a line of its own. Comments
+// and empty lines may stand anywhere. The keyword announces additional numbers of points;
+// whether a colour follows a face can only be seen from its line.
+
 namespace endmill {
 namespace {
 
@@ -32,6 +36,7 @@ public:
     {
     }
 
+    // Reads the whole file. Content after the last face is an error.
     RawMesh read()
     {
         read_keyword();
@@ -54,11 +59,14 @@ public:
     }
 
 private:
+    // The counts of the header. The number of edges is not used.
     struct Counts {
         std::size_t points;
         std::size_t faces;
     };
 
+    // Reads the keyword, which announces further numbers after each point by its
+    // prefixes.
     void read_keyword()
     {
         const std::string_view word = scanner_.word_across_lines();
@@ -73,6 +81,8 @@ private:
         has_more_of_point_ = has_texture || has_colour || has_normal;
     }
 
+    // Reads the three counts and checks that the file is long enough for points and
+    // faces.
     Counts read_counts()
     {
         if (scanner_.at_line_end() && !scanner_.next_line())
@@ -91,6 +101,7 @@ private:
         return {static_cast<std::size_t>(points), static_cast<std::size_t>(faces)};
     }
 
+    // Reads one count, which must not be negative.
     std::int64_t read_count(const std::string& things)
     {
         const std::int64_t count = scanner_.whole_number();
@@ -112,6 +123,7 @@ private:
                             "");
     }
 
+    // Goes to the line of the next item. If there is none, the header claimed too many.
     void go_to_next_line(const char* things, std::size_t number, std::size_t count)
     {
         if (!scanner_.next_line())
@@ -121,6 +133,7 @@ private:
                             "");
     }
 
+    // Reads one point. Numbers after it are allowed if the keyword announced them.
     void read_point(RawMeshBuilder& mesh)
     {
         mesh.add_point(scan_point_mm(scanner_, source_));
@@ -129,6 +142,8 @@ private:
         scanner_.expect_line_end();
     }
 
+    // Reads one face: the number of corners, their indices, and up to four colour
+    // numbers.
     void read_face(RawMeshBuilder& mesh)
     {
         const std::int64_t count = scanner_.whole_number();
@@ -146,6 +161,7 @@ private:
         scanner_.expect_line_end();
     }
 
+    // The current line.
     FilePlace place() const { return FilePlace::line(scanner_.line()); }
 
     const MeshSource& source_;

@@ -20,8 +20,8 @@
 // 3. BodyReader reads all items in order and skips unused properties. AsciiItems and
 //    BinaryItems give it the numbers, so the reading is the same for all encodings.
 //
-// A count that the header or a list claims is never trusted: memory is allocated only after
-// a check that so many numbers fit into the rest of the file.
+// A count that the header or a list claims is never trusted: memory is allocated only
+// after a check that so many numbers fit into the rest of the file.
 
 namespace endmill {
 namespace {
@@ -31,12 +31,14 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr std::size_t longest_echo = 40;
 constexpr std::size_t least_corners = 3;  // a face with fewer corners is refused
-// Memory for a corner while its face is split: its index twice and its point (raw_mesh.h).
+// Memory for a corner while its face is split: its index twice and its point
+// (raw_mesh.h).
 constexpr double bytes_per_corner = 2 * sizeof(std::int32_t) + sizeof(Vec3);
 
 // The numbers after an ASCII header; each item has a line of its own.
 class AsciiItems {
 public:
+    // Skips the lines of the header.
     AsciiItems(const MeshSource& source, const PlyHeader& header)
         : scanner_{source.content, {source.file, "E_PLY_SYNTAX"}}
     {
@@ -53,6 +55,7 @@ public:
     std::int64_t whole_number(PlyType /*type*/) { return scanner_.whole_number(); }
     std::size_t bytes_left() const { return scanner_.bytes_left_in_line(); }
 
+    // Skips `count` numbers without converting them.
     void skip(PlyType /*type*/, std::size_t count)
     {
         for (std::size_t i = 0; i < count; ++i)
@@ -70,6 +73,7 @@ private:
 // The numbers after a binary header, without gaps.
 class BinaryItems {
 public:
+    // Starts after the header.
     BinaryItems(const MeshSource& source, const PlyHeader& header)
         : source_{source},
           is_reversed_{header.encoding == PlyEncoding::BigEndian},
@@ -84,6 +88,7 @@ public:
     std::size_t bytes_left() const { return source_.content.size() - at_; }
     static std::size_t least_bytes(PlyType type) { return size_of(type); }
 
+    // The next number as a double, whatever its type is.
     double number(PlyType type)
     {
         if (type == PlyType::Float32)
@@ -93,6 +98,7 @@ public:
         return static_cast<double>(whole_number(type));
     }
 
+    // The next number of a whole type. All these types fit into 64 bits.
     std::int64_t whole_number(PlyType type)
     {
         switch (type) {
@@ -111,6 +117,7 @@ public:
         }
     }
 
+    // Skips `count` numbers, after a check that the file has them.
     void skip(PlyType type, std::size_t count)
     {
         require_bytes(size_of(type) * count);
@@ -130,6 +137,7 @@ private:
         return std::bit_cast<Number>(bytes);
     }
 
+    // Checks that the file has `count` more bytes.
     void require_bytes(std::size_t count) const
     {
         if (count > bytes_left())
@@ -145,6 +153,7 @@ private:
 // The use of a property.
 enum class Role { X, Y, Z, Corners, Skipped };
 
+// The role of a property by the names of its element and its own.
 Role role_of(const PlyElement& element, const PlyProperty& property)
 {
     if (element.name == "vertex" && property.name == "x")
@@ -168,6 +177,7 @@ public:
     {
     }
 
+    // Checks the elements, their order, and the types of the used properties.
     void run() const
     {
         const PlyElement& points = element("vertex");
@@ -184,6 +194,7 @@ public:
                                   "such as property list uchar int vertex_indices");
     }
 
+    // The element of this name, which must exist.
     const PlyElement& element(std::string_view name) const
     {
         const auto found = std::ranges::find(header_.elements, name, &PlyElement::name);
@@ -193,6 +204,7 @@ public:
         return *found;
     }
 
+    // The property with this role, which must occur exactly once.
     const PlyProperty& property(const PlyElement& element, Role role) const
     {
         const PlyProperty* found = nullptr;
@@ -234,6 +246,7 @@ public:
     {
     }
 
+    // Reads the items of all elements in the order of the header.
     RawMesh read()
     {
         for (const PlyElement& element : header_.elements)
@@ -245,7 +258,8 @@ public:
     }
 
 private:
-    // Reserves memory for no more faces than the file can hold, whatever the header claims.
+    // Reserves memory for no more faces than the file can hold, whatever the header
+    // claims.
     static RawMeshBuilder sized_builder(const MeshSource& source, const PlyHeader& header)
     {
         const LayoutCheck layout{source, header};
@@ -257,6 +271,7 @@ private:
                 std::min<std::size_t>(faces.count, most)};
     }
 
+    // Reads all items of one element. The roles of its properties are found once.
     void read_element(const PlyElement& element)
     {
         std::vector<Role> roles;
@@ -274,6 +289,7 @@ private:
         }
     }
 
+    // Reads one item property by property, then adds the point or face that it is.
     void read_item(const PlyElement& element, std::span<const Role> roles)
     {
         const FilePlace place = items_.place();
@@ -294,6 +310,8 @@ private:
             mesh_.add_face(corners_, place);
     }
 
+    // Reads the indices of a face. The memory for a single face is checked too: one face
+    // can have as many corners as the file has bytes.
     void read_corners(const PlyProperty& property)
     {
         const std::size_t count = list_length(property);
@@ -311,8 +329,8 @@ private:
         }
     }
 
-    // The length of a list, after a check that its numbers fit into the rest of the file or
-    // line.
+    // The length of a list, after a check that its numbers fit into the rest of the file
+    // or line.
     std::size_t list_length(const PlyProperty& property)
     {
         const FilePlace place = items_.place();
@@ -353,6 +371,8 @@ void append_doubles(std::string& text, const Vec3& vector)
 
 }  // namespace
 
+// The loop over items is compiled separately for ASCII and binary files, because the type
+// of a number is looked up for every number.
 RawMesh parse_ply(const MeshSource& source)
 {
     const PlyHeader header = parse_ply_header(source);

@@ -16,9 +16,9 @@ namespace endmill {
 /// "vertex_indices" or "vertex_index" of the element "face", which must follow "vertex".
 /// All other elements and properties are skipped. In ASCII every item has a line of its
 /// own. A face of more than three corners is split (`fan_corner`).
-/// \throws FormatError as `parse_ply_header`; E_PLY_SYNTAX if a used element or property is
-///         missing or of a wrong type; E_COUNT if items or a list exceed the file, or the
-///         file continues after the items; E_INDEX for a corner that does not exist;
+/// \throws FormatError as `parse_ply_header`; E_PLY_SYNTAX if a used element or property
+///         is missing or of a wrong type; E_COUNT if items or a list exceed the file, or
+///         the file continues after the items; E_INDEX for a corner that does not exist;
 ///         E_DEGENERATE and E_POLYGON as `RawMeshBuilder::add_face`; E_NONFINITE, E_RANGE
 ///         for coordinates.
 /// \throws LimitError if it needs more memory than the limit.

@@ -11,6 +11,7 @@ namespace {
 // Largest number of elements and properties together; it bounds the memory of the header.
 constexpr std::size_t most_properties = 1000;
 
+// A name of a type. Every type has two names, an old one and one with its width.
 struct TypeName {
     std::string_view name;
     PlyType type;
@@ -47,6 +48,7 @@ public:
     {
     }
 
+    // Reads the whole header and checks that its claims fit into the file.
     PlyHeader read()
     {
         expect_word("ply", next_statement());
@@ -74,12 +76,14 @@ private:
         return {};
     }
 
+    // Checks that `word`, which was read, is `expected`.
     void expect_word(const std::string& expected, std::string_view word)
     {
         if (word != expected)
             throw scanner_.complaint_about(word, '"' + expected + '"');
     }
 
+    // Reads the rest of the format line: the encoding and the version 1.0.
     void read_format()
     {
         const std::string_view word = scanner_.word();
@@ -110,6 +114,7 @@ private:
         return word != "end_header";
     }
 
+    // Reads the rest of an element line: its name and the number of items.
     void read_element()
     {
         count_property();
@@ -123,6 +128,7 @@ private:
         header_.elements.push_back(std::move(element));
     }
 
+    // Reads the number of items, which must not be negative.
     std::uint64_t read_count()
     {
         const std::int64_t count = scanner_.whole_number();
@@ -133,6 +139,7 @@ private:
         return static_cast<std::uint64_t>(count);
     }
 
+    // Reads the rest of a property line, of a number or a list, for the last element.
     void read_property()
     {
         count_property();
@@ -152,6 +159,7 @@ private:
         add_property({scanner_.word(), number_type, count_type});
     }
 
+    // Adds a property to the last element; its name must be new there.
     void add_property(const PlyProperty& property)
     {
         std::vector<PlyProperty>& properties = header_.elements.back().properties;
@@ -172,6 +180,7 @@ private:
                             "over 1000 elements and properties", "at most 1000");
     }
 
+    // The type with this name.
     PlyType type(std::string_view word) const
     {
         const auto found = std::ranges::find(type_names, word, &TypeName::name);
@@ -181,6 +190,8 @@ private:
         return found->type;
     }
 
+    // An element without properties would have items of no bytes, whose number is
+    // unlimited.
     void require_properties() const
     {
         for (const PlyElement& element : header_.elements)
@@ -189,8 +200,8 @@ private:
                                 "an element without properties", "at least one");
     }
 
-    // Checks that the claimed items fit into the file, element by element, before memory is
-    // allocated for them.
+    // Checks that the claimed items fit into the file, element by element, before memory
+    // is allocated for them.
     void require_room() const
     {
         std::uint64_t bytes = source_.content.size() - header_.bytes;

@@ -33,7 +33,7 @@ struct PlyElement {
     std::string_view name;                ///< as in the header
     std::uint64_t count;                  ///< number of items that the header claims
     std::vector<PlyProperty> properties;  ///< at least one; their names differ
-    std::size_t line;                     ///< line of the header that declares the element
+    std::size_t line;  ///< line of the header that declares the element
 };
 
 /// The header of a PLY file. Names are views into the content of the file.

@@ -10,8 +10,8 @@
 //
 // 1. The mean normal of the polygon is half its vector area; it does not depend on the
 //    order of summation and is defined for polygons that are not planar.
-// 2. For a hub, every triangle of the fan is compared with the mean normal: a triangle with
-//    a negative component along it would fold the surface over.
+// 2. For a hub, every triangle of the fan is compared with the mean normal: a triangle
+//    with a negative component along it would fold the surface over.
 // 3. Hubs are tried in the order of corners. A hub that gives triangles without area is
 //    used only if no other qualifies; such triangles are left out later.
 
@@ -34,6 +34,8 @@ Vec3 mean_normal(std::span<const Vec3> polygon)
 // Quality of a fan: all triangles have an area; some have none; some are reversed.
 enum class Fan { Sound, WithoutAreaInPlaces, Folded };
 
+// The quality of the fan from corner `start`. Areas are compared by their component along
+// the mean normal, so the polygon need not be planar.
 Fan fan_from(std::size_t start, std::span<const Vec3> polygon, const Vec3& normal)
 {
     const std::size_t corners = polygon.size();

@@ -34,6 +34,7 @@ RawMesh RawMeshBuilder::take()
     return {{std::move(points_), std::move(triangles_)}, split_faces_, out_of_plane_mm_};
 }
 
+// Checks that a face has at least three corners and no corner twice.
 void RawMeshBuilder::require_corners(std::span<const std::int32_t> corners,
                                      FilePlace place)
 {
@@ -55,6 +56,7 @@ void RawMeshBuilder::require_corners(std::span<const std::int32_t> corners,
                         "different corners");
 }
 
+// Splits a face of more than three corners around the hub that `fan_corner` finds.
 void RawMeshBuilder::add_fan(std::span<const std::int32_t> corners, FilePlace place)
 {
     polygon_.clear();
@@ -69,7 +71,8 @@ void RawMeshBuilder::add_fan(std::span<const std::int32_t> corners, FilePlace pl
                         "triangles or convex faces");
     ++split_faces_;
     out_of_plane_mm_ = std::max(out_of_plane_mm_, out_of_plane(polygon_));
-    // The triangles follow the order of the corners and so keep the orientation of the face.
+    // The triangles follow the order of the corners and so keep the orientation of the
+    // face.
     const std::size_t count = corners.size();
     for (std::size_t i = 2; i < count; ++i)
         add_triangle({corners[*hub], corners[(*hub + i - 1) % count],
@@ -82,7 +85,8 @@ void RawMeshBuilder::add_fan(std::span<const std::int32_t> corners, FilePlace pl
 void RawMeshBuilder::add_triangle(const Triangle& triangle)
 {
     if (triangles_.size() == triangles_.capacity()) {
-        // The old and the new array exist at the same time while the triangles are copied.
+        // The old and the new array exist at the same time while the triangles are
+        // copied.
         const std::size_t more = std::max<std::size_t>(1024, triangles_.size() / 2);
         require_numbers(source_, triangles_.size() + more);
         require_memory_for(static_cast<double>(points_.size()),
@@ -92,6 +96,7 @@ void RawMeshBuilder::add_triangle(const Triangle& triangle)
     triangles_.push_back(triangle);
 }
 
+// Checks the memory for the content of the file and the mesh together.
 void RawMeshBuilder::require_memory_for(double points, double triangles) const
 {
     require_memory(source_.file,

@@ -12,12 +12,14 @@
 
 namespace endmill {
 
-/// A mesh with the points and triangles of its file: points may coincide or be unused, and
-/// triangles may be degenerate.
+/// A mesh with the points and triangles of its file: points may coincide or be unused,
+/// and triangles may be degenerate.
 struct RawMesh {
-    TriangleMesh mesh;        ///< in mm
-    std::size_t split_faces;  ///< number of faces with more than three corners in the file
-    double out_of_plane_mm;   ///< largest distance of a corner of these from its face's plane
+    TriangleMesh mesh;  ///< in mm
+    std::size_t
+        split_faces;  ///< number of faces with more than three corners in the file
+    double
+        out_of_plane_mm;  ///< largest distance of a corner of these from its face's plane
 };
 
 /// Collects a RawMesh while a file with indexed points is read.
@@ -54,7 +56,7 @@ private:
     std::vector<Triangle> triangles_;
     std::size_t split_faces_ = 0;
     double out_of_plane_mm_ = 0;
-    std::vector<Vec3> polygon_;         // scratch: corners of the face that is being split
+    std::vector<Vec3> polygon_;  // scratch: corners of the face that is being split
     std::vector<std::int32_t> sorted_;  // scratch: their indices, sorted
 };
 

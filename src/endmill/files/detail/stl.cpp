@@ -14,9 +14,9 @@
 #include "endmill/core/text.h"
 
 // Binary and ASCII STL cannot be told apart by the first word, because many binary files
-// begin with "solid". The length of the file decides first: a binary file of n triangles has
-// 84 + 50 n bytes. Otherwise a file that begins with "solid" and has no NUL byte near its
-// beginning is read as ASCII, and everything else is a damaged binary file.
+// begin with "solid". The length of the file decides first: a binary file of n triangles
+// has 84 + 50 n bytes. Otherwise a file that begins with "solid" and has no NUL byte near
+// its beginning is read as ASCII, and everything else is a damaged binary file.
 
 namespace endmill {
 namespace {
@@ -45,11 +45,13 @@ std::uint32_t claimed_triangles(std::string_view content)
     return count;
 }
 
+// Size of a binary file in bytes.
 std::uint64_t binary_size(std::uint64_t triangles)
 {
     return header_bytes + triangle_bytes * triangles;
 }
 
+// Whether `a` is the lower-case letter `lower` or its capital.
 bool is_letter_case_apart(char a, char lower)
 {
     return a == lower || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == lower);
@@ -71,6 +73,8 @@ bool looks_ascii(std::string_view content)
            content.substr(0, binary_start).find('\0') == std::string_view::npos;
 }
 
+// Reports a binary file whose length contradicts its header, or that is too short to have
+// one.
 [[noreturn]] void refuse_size(const MeshSource& source)
 {
     const std::size_t size = source.content.size();
@@ -101,6 +105,7 @@ Soup empty_soup(const MeshSource& source, std::uint64_t most_triangles)
     return soup;
 }
 
+// The length of the file has been checked, so every triangle is within the content.
 Soup read_binary(const MeshSource& source)
 {
     const std::uint32_t count = claimed_triangles(source.content);
@@ -129,6 +134,7 @@ public:
     {
     }
 
+    // Reads all solids of the file into one soup.
     Soup read()
     {
         expect("solid");
@@ -139,6 +145,7 @@ public:
     }
 
 private:
+    // Reads a solid after its keyword: the name, the facets, and the name again.
     void read_solid()
     {
         scanner_.skip_line();  // the name of the solid
@@ -153,6 +160,7 @@ private:
         scanner_.skip_line();  // the name again
     }
 
+    // Whether another solid follows. Anything else after a solid is an error.
     bool another_solid()
     {
         const std::string_view word = scanner_.word_across_lines();
@@ -161,6 +169,8 @@ private:
         return !word.empty();
     }
 
+    // Reads a facet after its keyword. The normal is read and ignored: the order of the
+    // corners determines the orientation.
     void read_facet()
     {
         expect("normal");
@@ -177,6 +187,7 @@ private:
         expect("endfacet");
     }
 
+    // Reads the next word, which must be `keyword`.
     void expect(std::string_view keyword)
     {
         const std::string_view word = scanner_.word_across_lines();
@@ -203,6 +214,7 @@ Vec3 facet_normal(const std::array<Vec3, 3>& corners)
     return (a / size).cross(b / size).stableNormalized();
 }
 
+// Appends three coordinates as floats.
 void append_floats(std::string& text, const Vec3& vector)
 {
     for (int c = 0; c < 3; ++c) {
@@ -215,6 +227,7 @@ void append_floats(std::string& text, const Vec3& vector)
     }
 }
 
+// Appends a line with a keyword and three numbers.
 void append_numbers(std::string& text, const char* keyword, const Vec3& vector)
 {
     text += keyword;

@@ -12,8 +12,8 @@
 
 namespace endmill {
 
-/// Whether `content` has the length of a binary STL with its number of triangles: 84 bytes
-/// and 50 for each triangle. Such a file is binary even if it begins with "solid".
+/// Whether `content` has the length of a binary STL with its number of triangles: 84
+/// bytes and 50 for each triangle. Such a file is binary even if it begins with "solid".
 bool is_binary_stl(std::string_view content);
 
 /// Parses an STL file, binary or ASCII.
@@ -25,13 +25,13 @@ bool is_binary_stl(std::string_view content);
 /// \throws LimitError if it needs more memory than the limit.
 std::vector<std::array<Vec3, 3>> parse_stl(const MeshSource& source);
 
-/// The content of a binary STL file. Coordinates are rounded to float, with a relative error
-/// of at most 2^-24.
+/// The content of a binary STL file. Coordinates are rounded to float, with a relative
+/// error of at most 2^-24.
 /// \throws DomainError if a coordinate is beyond the range of float.
 std::string stl_text(const TriangleMesh& mesh);
 
-/// The text of an ASCII STL file. Numbers are the shortest texts that read back to the same
-/// doubles.
+/// The text of an ASCII STL file. Numbers are the shortest texts that read back to the
+/// same doubles.
 std::string stl_ascii_text(const TriangleMesh& mesh);
 
 }  // namespace endmill

@@ -10,6 +10,11 @@
 #include "endmill/core/text.h"
 #include "endmill/files/detail/json_tree.h"
 
+// A JsonValue is a pointer into the tree of the JSON library and a pointer to the
+// JsonValue of its parent. The chain of parents gives the JSON pointer for error messages
+// without storing a path for each value. The price is that a parent must outlive its
+// children; deleted overloads for temporaries catch most violations at compile time.
+
 namespace endmill {
 
 using nlohmann::json;
@@ -30,6 +35,7 @@ JsonValue::JsonValue(const json& value, const JsonValue& parent, std::string_vie
 {
 }
 
+// The path is built only for messages, from the chain of parents.
 std::string JsonValue::pointer() const
 {
     if (parent_ == nullptr)
@@ -39,8 +45,8 @@ std::string JsonValue::pointer() const
                                      : "/" + std::to_string(index_));
 }
 
-// Numbers and words are shown unchanged. Arrays and objects may be as long as the file and
-// are shown by their kind only.
+// Numbers and words are shown unchanged. Arrays and objects may be as long as the file
+// and are shown by their kind only.
 std::string JsonValue::shown() const
 {
     constexpr std::size_t longest_echo = 40;
@@ -57,6 +63,7 @@ FormatError JsonValue::complaint(const std::string& found, const std::string& ex
     return FormatError{code, {*file_, pointer(), found, expected}};
 }
 
+// A missing key is not an error here; a value that is not an object is.
 std::optional<JsonValue> JsonValue::find_member(std::string_view key) const&
 {
     if (!value_->is_object())
@@ -76,6 +83,7 @@ JsonValue JsonValue::member(std::string_view key) const&
     return *found;
 }
 
+// The error is placed at the unknown key itself.
 void JsonValue::allow_only(std::span<const std::string_view> keys) const
 {
     if (!value_->is_object())

@@ -15,8 +15,8 @@
 #include "endmill/files/read_file.h"
 
 /// \file
-/// Access to a JSON document that checks every type and knows the place of every value, so
-/// that error messages can state both.
+/// Access to a JSON document that checks every type and knows the place of every value,
+/// so that error messages can state both.
 
 namespace endmill {
 
@@ -94,8 +94,8 @@ public:
     /// \param file name of the file for messages.
     /// \throws FormatError and LimitError as `json_tree`.
     JsonDocument(std::string_view text, std::string file, const ReadLimits& limits = {});
-    ~JsonDocument();                                        ///< invalidates its JsonValues
-    JsonDocument(const JsonDocument&) = delete;             ///< JsonValues refer to it
+    ~JsonDocument();                             ///< invalidates its JsonValues
+    JsonDocument(const JsonDocument&) = delete;  ///< JsonValues refer to it
     JsonDocument& operator=(const JsonDocument&) = delete;  ///< JsonValues refer to it
 
     JsonValue root() const&;            ///< the outermost value

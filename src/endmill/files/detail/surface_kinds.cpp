@@ -19,6 +19,7 @@ namespace {
 // Largest number of patches along u or v.
 constexpr std::int64_t most_patches = 10000;
 
+// The degree in `value`. Numbers beyond a million are reported by `whole_number`.
 int read_degree(const JsonValue& value)
 {
     const std::int64_t degree = value.whole_number(-1'000'000, 1'000'000);
@@ -28,6 +29,8 @@ int read_degree(const JsonValue& value)
     return static_cast<int>(degree);
 }
 
+// The degree and the knot vector of u or v. Falling knots are reported at their place;
+// `flaw` finds everything else.
 SplineParameter read_parameter(const JsonValue& root, const std::string& name)
 {
     const JsonValue knots = root.member("knots_" + name);
@@ -47,9 +50,9 @@ SplineParameter read_parameter(const JsonValue& root, const std::string& name)
     return parameter;
 }
 
-// Memory of the Bezier patches of a spline surface, in bytes. Every knot interval becomes a
-// patch with (degree + 1) points along each parameter, so the patches can be far larger than
-// the file.
+// Memory of the Bezier patches of a spline surface, in bytes. Every knot interval becomes
+// a patch with (degree + 1) points along each parameter, so the patches can be far larger
+// than the file.
 double patch_bytes(const SplineParameter& u, const SplineParameter& v)
 {
     const auto along = [](const SplineParameter& parameter) {
@@ -58,14 +61,15 @@ double patch_bytes(const SplineParameter& u, const SplineParameter& v)
     return along(u) * along(v) * 4 * sizeof(double);
 }
 
-// Memory of a height grid in bytes. Each cell becomes a bicubic patch of 440 bytes; the rest
-// is for the heights as JSON values, numbers and control points.
+// Memory of a height grid in bytes. Each cell becomes a bicubic patch of 440 bytes; the
+// rest is for the heights as JSON values, numbers and control points.
 double grid_bytes(std::size_t columns, std::size_t rows)
 {
     constexpr double bytes_per_height = 560;
     return bytes_per_height * static_cast<double>(columns) * static_cast<double>(rows);
 }
 
+// The number of control points that a knot vector requires.
 ExpectedCount points_along(const SplineParameter& parameter, const std::string& name)
 {
     return {static_cast<std::size_t>(parameter.points()),
@@ -119,8 +123,8 @@ std::vector<Surface> read_bezier(const SurfaceSource& source)
                                     points(patches_u, "3 patches_u + 1"),
                                     points(patches_v, "3 patches_v + 1"));
     return single(composite_bezier(static_cast<int>(patches_u),
-                                  static_cast<int>(patches_v), net.points,
-                                  source.tool_side));
+                                   static_cast<int>(patches_v), net.points,
+                                   source.tool_side));
 }
 
 std::vector<Surface> read_nurbs(const SurfaceSource& source)
@@ -130,7 +134,8 @@ std::vector<Surface> read_nurbs(const SurfaceSource& source)
     const ExpectedCount columns = points_along(nurbs.u, "u");
     const ExpectedCount rows = points_along(nurbs.v, "v");
     nurbs.control_points =
-        read_net(source.root.member("control_points"), source.lengths, columns, rows).points;
+        read_net(source.root.member("control_points"), source.lengths, columns, rows)
+            .points;
     if (const auto weights = source.root.find_member("weights"))
         nurbs.weights = read_weights(*weights, columns, rows);
     require_memory(source.file, patch_bytes(nurbs.u, nurbs.v), source.limits);
@@ -145,7 +150,8 @@ std::vector<Surface> read_bezier_patches(const SurfaceSource& source)
     std::vector<Surface> surfaces;
     for (std::size_t number = 0; number < patches.size(); ++number) {
         const JsonValue value = patches.item(number);
-        const ControlNet net = read_net(value, source.lengths, std::nullopt, std::nullopt);
+        const ControlNet net =
+            read_net(value, source.lengths, std::nullopt, std::nullopt);
         require_degree(value, net.rows, "row");
         require_degree(value, net.columns, "column");
         surfaces.push_back(
@@ -167,8 +173,8 @@ std::vector<Surface> read_height_grid(const SurfaceSource& source)
     require_rising(x_value, x);
     require_rising(y_value, y);
     const std::vector<double> z =
-        read_length_rows(source.root.member("z"), source.lengths, {x.size(), "length of x"},
-                         {y.size(), "length of y"});
+        read_length_rows(source.root.member("z"), source.lengths,
+                         {x.size(), "length of x"}, {y.size(), "length of y"});
     require_memory(source.file, grid_bytes(x.size(), y.size()), source.limits);
     Surface surface = height_grid(x, y, z, source.tool_side);
     const double most = source.lengths.max_extent_mm;

@@ -49,6 +49,7 @@ bool TextScanner::next_line()
     return false;
 }
 
+// Makes the next line the current one. The comment, if any, is cut off.
 void TextScanner::take_line()
 {
     const char* const text_end = text_.data() + text_.size();
@@ -124,6 +125,7 @@ FormatError TextScanner::complaint(const std::string& found,
                        {kind_.file, std::to_string(line_), found, expected}};
 }
 
+// An empty word stands for the end of the line, or of the file if that is reached.
 FormatError TextScanner::complaint_about(std::string_view word,
                                          const std::string& expected) const
 {

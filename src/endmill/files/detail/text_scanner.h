@@ -14,8 +14,8 @@ namespace endmill {
 
 /// Reads a text file line by line and word by word, and knows the current line for error
 /// messages. A line ends with LF; CR and other white space separate words, like blanks. A
-/// byte order mark at the beginning is skipped. The functions for numbers are inline because
-/// they dominate the time of reading a mesh.
+/// byte order mark at the beginning is skipped. The functions for numbers are inline
+/// because they dominate the time of reading a mesh.
 class TextScanner {
 public:
     /// The name of a text, and its syntax.
@@ -86,8 +86,8 @@ public:
     }
 
     /// The next word of the current line as a whole number.
-    /// \throws FormatError with the syntax code if it is not a whole number; E_RANGE if it
-    ///         needs more than 64 bits.
+    /// \throws FormatError with the syntax code if it is not a whole number; E_RANGE if
+    ///         it needs more than 64 bits.
     std::int64_t whole_number()
     {
         skip_blanks();
@@ -106,7 +106,8 @@ public:
     /// An error at the current line, with the syntax code.
     FormatError complaint(const std::string& found, const std::string& expected) const;
 
-    /// The same for an unexpected `word`; an empty word means the end of the line or file.
+    /// The same for an unexpected `word`; an empty word means the end of the line or
+    /// file.
     FormatError complaint_about(std::string_view word, const std::string& expected) const;
 
 private:

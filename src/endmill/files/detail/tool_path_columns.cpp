@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, path_column_count> names{
 // Units at the end of the names of lengths, feeds and speeds.
 constexpr std::array<std::string_view, 3> units{"_mm", "_mm_per_min", "_rpm"};
 
+// Neighbouring columns that form a vector or a pair.
 struct Vector {
     PathColumn first;
     int columns;
@@ -31,11 +32,13 @@ using enum PathColumn;
 constexpr std::array vectors{Vector{TipX, 3}, Vector{AxisX, 3}, Vector{U, 2},
                              Vector{ContactX, 3}, Vector{NormalX, 3}};
 
+// A name in quotes, for messages.
 std::string quoted(std::string_view name)
 {
     return '"' + printable(name, longest_echo) + '"';
 }
 
+// The column of this name; nothing if there is none.
 std::optional<PathColumn> column_named(std::string_view name)
 {
     const auto found = std::ranges::find(names, name);
@@ -53,7 +56,8 @@ bool is_without_unit(std::string_view name, std::string_view known)
     });
 }
 
-// Refuses an unknown name and suggests a known one: the name with its unit, or a close name.
+// Refuses an unknown name and suggests a known one: the name with its unit, or a close
+// name.
 [[noreturn]] void refuse_name(const CsvLines& lines, std::string_view name)
 {
     if (name.empty())

@@ -76,8 +76,8 @@ private:
 };
 
 /// Reads the header, which is the current line of `lines`.
-/// \throws FormatError E_CSV for an unknown or repeated name, a missing column of the tip,
-///         and a vector that lacks a column.
+/// \throws FormatError E_CSV for an unknown or repeated name, a missing column of the
+///         tip, and a vector that lacks a column.
 PathColumns path_columns(const CsvLines& lines);
 
 }  // namespace endmill

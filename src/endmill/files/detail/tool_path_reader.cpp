@@ -18,8 +18,8 @@
 // A path may have millions of rows, so the text is read in place and by several threads.
 //
 // 1. The header is read and checked (`path_columns`).
-// 2. Memory for all points is allocated at once, after counting the lines and a check of the
-//    limit. Row i of the file becomes point i of the path, whichever thread reads it.
+// 2. Memory for all points is allocated at once, after counting the lines and a check of
+//    the limit. Row i of the file becomes point i of the path, whichever thread reads it.
 // 3. The text is divided into runs of whole lines; each thread reads runs with a
 //    PathRowReader, which converts the cells in place.
 // 4. Normals of rows without a contact are collected for each run and stored in the path
@@ -56,8 +56,8 @@ public:
 
     bool next() { return lines_.next(); }
 
-    // The current row. `number` is its index in the file, which numbers the points of a file
-    // without the column point.
+    // The current row. `number` is its index in the file, which numbers the points of a
+    // file without the column point.
     PathRow row(std::size_t number) const
     {
         if (lines_.cells().size() != columns_.count())
@@ -83,6 +83,8 @@ private:
                                     : std::string_view{};
     }
 
+    // Reports the cell of a column: the name of the column, its text, and what is
+    // expected.
     [[noreturn]] void refuse(PathColumn column, const std::string& expected) const
     {
         const std::string_view text = cell(column);
@@ -92,6 +94,7 @@ private:
                                expected);
     }
 
+    // The whole number in a cell; nothing if it is empty.
     std::optional<int> whole_number(PathColumn column) const
     {
         const std::string_view text = cell(column);
@@ -117,6 +120,7 @@ private:
         return number;
     }
 
+    // The positive number in a cell; nothing if it is empty.
     std::optional<double> positive(PathColumn column) const
     {
         const std::optional<double> value = number(column);
@@ -141,7 +145,8 @@ private:
         return last_move_ = *move;
     }
 
-    // The vector in the three columns from `first` on; nothing if all its cells are empty.
+    // The vector in the three columns from `first` on; nothing if all its cells are
+    // empty.
     std::optional<Vec3> vector(PathColumn first) const
     {
         Vec3 vector;
@@ -155,7 +160,8 @@ private:
             return std::nullopt;
         for (int c = 0; known < 3 && c < 3; ++c)
             if (cell(following(first, c)).empty())
-                refuse(following(first, c), "a number, as in the other columns of the vector");
+                refuse(following(first, c),
+                       "a number, as in the other columns of the vector");
         return vector;
     }
 
@@ -180,7 +186,8 @@ private:
         if (!read)
             return std::nullopt;
         std::optional<Vec3> unit = unit_axis(*read);
-        const std::string_view name = column_name(first);  // without "_x": the name of the vector
+        const std::string_view name =
+            column_name(first);  // without "_x": the name of the vector
         if (!unit)
             throw lines_.complaint("E_CSV",
                                    std::string{name.substr(0, name.size() - 2)} +
@@ -189,12 +196,14 @@ private:
         return unit;
     }
 
+    // The length of a vector for a message; it may overflow.
     static std::string shown_length(const Vec3& vector)
     {
         const double length = vector.norm();
         return std::isfinite(length) ? to_text(length) : "infinity";
     }
 
+    // The tip, which must be known, and the axis, by default +z.
     CutterLocation location() const
     {
         const std::optional<Vec3> tip = place(TipX);
@@ -203,6 +212,7 @@ private:
         return {*tip, direction(AxisX).value_or(Vec3::UnitZ())};
     }
 
+    // The contact of the row: all of u, v, point and normal, or none of u, v and point.
     std::optional<SurfaceContact> contact() const
     {
         if (!columns_.has_contacts())
@@ -241,6 +251,7 @@ public:
         has_conditions_ = columns_.has(Tool) || columns_.has(Feed) || columns_.has(Speed);
     }
 
+    // Reads the whole file.
     Program read_all()
     {
         make_room();
@@ -273,8 +284,8 @@ private:
         program_.path.conditions.resize(has_conditions_ ? rows : 0);
     }
 
-    // Reads a run. \return the normals of its rows without a contact, zero for a row without
-    // normal; empty if no row has one.
+    // Reads a run. \return the normals of its rows without a contact, zero for a row
+    // without normal; empty if no row has one.
     std::vector<Vec3> read(const CsvRun& run)
     {
         PathRowReader reader{run, columns_, file_, limits_, header_.line()};
@@ -316,7 +327,8 @@ private:
         if (!columns_.has_contacts() && (columns_.has(U) || columns_.has(ContactX)))
             remarks.emplace_back(
                 columns_.has(NormalX)
-                    ? "only the normals of contacts are kept: contacts need u, v, contact "
+                    ? "only the normals of contacts are kept: contacts need u, v, "
+                      "contact "
                       "and normal"
                     : "contacts are ignored: they need u, v, contact and normal");
         if (columns_.has(Limit))
@@ -333,6 +345,8 @@ private:
 
 }  // namespace
 
+// The rule is generous, so that a header with a misspelt column is still read as CSV and
+// reported by the CSV reader.
 bool is_tool_path_csv(std::string_view text)
 {
     const std::string_view line = text.substr(0, text.find('\n'));
