@@ -196,7 +196,7 @@ TEST(AxonometricFigure, ALabelStandsWhereItsPointIs)
     EXPECT_EQ(seen, 2);
 }
 
-TEST(AxonometricFigure, SaysNoLengthWhereItIsNotAsked)
+TEST(AxonometricFigure, OmitsTheLengthIfNotRequested)
 {
     const AxonometricFigure figure{{.has_length = false}, box_corners({200, 120, 50})};
     EXPECT_EQ(figure.text().find("each arm"), std::string::npos);
@@ -245,7 +245,7 @@ TEST(AxonometricFigure, DiscsOfTheLegendStandBesideTheirNames)
     EXPECT_GT(sample[0].y() - disc.y(), 14);
 }
 
-TEST(AxonometricFigure, RefusesNothingAndWhatIsNotFinite)
+TEST(AxonometricFigure, RefusesAnEmptyOrNonFiniteExtent)
 {
     EXPECT_THROW((AxonometricFigure{{}, {}}), DomainError);
     EXPECT_THROW((AxonometricFigure{{}, std::array<Vec3, 1>{Vec3{0, NAN, 0}}}),

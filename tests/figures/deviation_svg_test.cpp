@@ -76,7 +76,7 @@ std::array<int, 3> channels(std::string_view colour)
     return values;
 }
 
-TEST(DeviationColour, SaysWhatTheVerdictDoes)
+TEST(DeviationColour, AgreesWithTheVerdict)
 {
     const std::string_view within = deviation_colour(0.1, limits);
     EXPECT_EQ(deviation_colour(0.1 + verdict_slack, limits), within);
@@ -213,7 +213,7 @@ TEST(DeviationMap, OfNothingAndOfAWallAreDrawn)
     EXPECT_GT(boxes.at(std::string{deviation_colour(0.2, limits)}).size(), 100U);
 }
 
-TEST(DeviationMap, RefusesSizesThatNobodyCanLookAt)
+TEST(DeviationMap, RefusesSizesOutOfRange)
 {
     const Part part = std::vector<Surface>{test::plane(1, 1)};
     const PartCharts charts = part_charts(part);

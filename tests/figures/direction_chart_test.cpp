@@ -84,7 +84,7 @@ TEST(DirectionChart, DrawsGreatCirclesStraightInTheGnomonicProjection)
     EXPECT_LT(distance(places[2], {places[0], places[1]}), 0.05);
 }
 
-TEST(DirectionChart, LeavesOutWhatIsBeyondItsReach)
+TEST(DirectionChart, LeavesOutDirectionsBeyondItsReach)
 {
     EXPECT_EQ(marks(ChartProjection::Equidistant, 40,
                     {direction(0, 39.9), direction(0, 40), direction(0, 40.1)})

@@ -115,7 +115,7 @@ TEST(DirectionSphere, HasOneDirectionWithoutTurningAxes)
 
 // The border that is drawn solid lies within the sphere's outline, and dashed parts exist
 // only for a set that reaches behind it.
-TEST(DirectionSphere, DashesWhatIsBehindTheSphere)
+TEST(DirectionSphere, DashesLinesBehindTheSphere)
 {
     const auto dashed = [](double phi_deg) {
         int count = 0;

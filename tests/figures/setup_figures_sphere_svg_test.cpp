@@ -116,7 +116,7 @@ TEST(SphereSvg, ShadesCellsByTheFacetsThatTheyReach)
     EXPECT_EQ(drawn, expected);
 }
 
-// The legend's numbers against the colours of cells that reach so many.
+// Compares the numbers in the legend with the colours of cells that have so many facets.
 TEST(SphereSvg, NamesTheNumbersOfEachShade)
 {
     const SphereGrid grid = sphere_grid("hex:4");
@@ -171,7 +171,7 @@ TEST(SphereSvg, DrawsTheNeededMotionWhereItIs)
                     1e-3);
 }
 
-TEST(SphereSvg, DashesWhatIsBehind)
+TEST(SphereSvg, DashesLinesBehindTheSphere)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     SphereFigure figure{.elevation = Angle::degrees(90)};
@@ -208,7 +208,7 @@ TEST(SphereSvg, MarksDirectionsOfThePart)
     EXPECT_GT(marks[1].y(), disc.centre.y() + disc.radius);
 }
 
-TEST(SphereSvg, LeavesOutCellsThatNobodyCouldSee)
+TEST(SphereSvg, LeavesOutCellsThatAreTooSmallToSee)
 {
     const SphereGrid grid = sphere_grid("hex:100");
     const std::string svg = sphere_svg(grid, VisibilityMap{3, grid.centres.size()}, {});

@@ -182,7 +182,7 @@ TEST(SetupVtp, ASetupWithoutTurnsHasAVertexAtThePole)
     EXPECT_NEAR((read.places(0).at(0) - middle).normalized().z(), 1, 1e-14);
 }
 
-TEST(SetupVtp, RefusesWhatIsNotOfTheFacets)
+TEST(SetupVtp, RefusesAnotherNumberOfFacets)
 {
     const ShownSetup setup = some_setup(RotaryFamily::CA);
     FacetAccess access = access_of(part);

@@ -89,7 +89,7 @@ TEST(StackedChart, OfNothingIsAFrame)
                 testing::HasSubstr("</svg>"));
 }
 
-TEST(StackedChart, RefusesWhatIsNoCurve)
+TEST(StackedChart, RefusesInvalidCurves)
 {
     const std::vector<double> places{0, 1};
     const auto chart = [&](std::vector<std::optional<double>> values,

@@ -67,7 +67,7 @@ TEST(CsvLines, RefuseQuotesThatDoNotEncloseACellOfOneLine)
     EXPECT_THAT(complaint_about("a\rb\n"), testing::HasSubstr("f:1: a carriage return"));
 }
 
-TEST(CsvLines, TellWhatFollowsTheLine)
+TEST(CsvLines, ReturnTheTextAfterTheLine)
 {
     const std::string text = "a\nb\r\nc";
     CsvLines reader{text, "f"};

@@ -35,7 +35,7 @@ TEST(RecognizedFormat, KnowsABinaryStlByItsSizeWhateverItBeginsWith)
     EXPECT_EQ(recognized_format(stl), "JSON");
 }
 
-TEST(RecognizedFormat, SaysNothingOfWhatItDoesNotKnow)
+TEST(RecognizedFormat, IsNothingForUnknownContent)
 {
     EXPECT_EQ(recognized_format("hello"), std::nullopt);
     EXPECT_EQ(recognized_format(""), std::nullopt);

@@ -36,7 +36,7 @@ TEST(PolylineCsv, TurnsMergesClosesAndOrders)
     EXPECT_EQ(curves[1].points, (Points{{2, 1}, {5, 0}}));
 }
 
-TEST(PolylineCsv, NamesTheLineOfWhatIsWrong)
+TEST(PolylineCsv, StatesTheLineOfAnError)
 {
     EXPECT_THAT(complaint_about(""), HasSubstr("f.csv:1: no column s_mm"));
     EXPECT_THAT(complaint_about("s_mm\n"), HasSubstr("no column z_mm"));

@@ -25,7 +25,7 @@ std::string complaint_of_format(const std::string& text)
     });
 }
 
-TEST(JsonFormat, IsTheOneOrSaysWhy)
+TEST(JsonFormat, IsTheExpectedFormatOrAnError)
 {
     EXPECT_EQ(complaint_of_format(R"({"format": "endmill-thing/2"})"), "accepted");
     EXPECT_THAT(complaint_of_format(R"({"format": "endmill-thing/3"})"),

@@ -38,7 +38,7 @@ TEST(ReadMesh, ReadsEveryFormatByItsExtension)
     EXPECT_EQ(read_mesh(folder.put("BOX.OBJ", obj)).mesh.triangles().size(), 2U);
 }
 
-TEST(ReadMesh, TellsOfFilesThatCannotBeRead)
+TEST(ReadMesh, ReportsFilesThatCannotBeRead)
 {
     const TemporaryFolder folder;
     EXPECT_THAT(complaint_of([&] { read_mesh(folder.path() / "none.stl"); }),
@@ -91,7 +91,7 @@ TEST(ReadMesh, RefusesAMeshWithoutATriangle)
               "E_EMPTY a.stl: mesh has no triangles; expected at least one");
 }
 
-TEST(ReadMesh, WeldsAndDropsAndSaysSo)
+TEST(ReadMesh, WeldsAndLeavesOutWithNotes)
 {
     EXPECT_THAT(parse_mesh(obj, "a.obj").notes, ElementsAre());
     const MeshFile file =
@@ -133,7 +133,7 @@ TEST(ReadMesh, DropsNoTriangleThatHasTheLeastArea)
     EXPECT_EQ(degenerate("0.30000000000000004"), 0U);
 }
 
-TEST(ReadMesh, ConvertsInchAndSaysSo)
+TEST(ReadMesh, ConvertsInchesAndAddsANote)
 {
     const MeshFile file = parse_mesh(obj, "a.obj", {.units = LengthUnit::Inch});
     EXPECT_EQ(file.mesh.points()[3], Vec3(0, 25.4, 50.8));

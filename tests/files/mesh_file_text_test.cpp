@@ -72,7 +72,7 @@ TEST(MeshText, ReadsBackToTheSameTrianglesWhereTheyStandAlone)
 }
 
 // A mesh that was read from STL is written and read without a change in every format.
-TEST(MeshText, WhatWasReadFromStlStaysAsItIs)
+TEST(MeshText, KeepsAMeshThatWasReadFromStl)
 {
     const TriangleMesh mesh = read_back(uneven_mesh(), MeshFormat::Stl);
     for (const MeshFormat format : {MeshFormat::Stl, MeshFormat::StlAscii,

@@ -25,7 +25,7 @@ TEST(FilePlace, IsALineOrAByte)
     EXPECT_EQ(FilePlace::byte(0).text(), "@0");
 }
 
-TEST(PointMm, ConvertsAndKeepsWhatIsWithinTheLimit)
+TEST(PointMm, ConvertsCoordinatesWithinTheLimit)
 {
     const MeshSource inch{"", "f", {}, 25.4};
     EXPECT_EQ(point_mm(inch, {1, -2, 0}, FilePlace::line(1)), Vec3(25.4, -50.8, 0));
@@ -33,7 +33,7 @@ TEST(PointMm, ConvertsAndKeepsWhatIsWithinTheLimit)
     EXPECT_EQ(complaint_about({1e7, 0, 0}, 1, 1e7), "accepted");
 }
 
-TEST(PointMm, RefusesWhatIsNotFiniteOrBeyondTheLimit)
+TEST(PointMm, RefusesCoordinatesThatAreNotFiniteOrBeyondTheLimit)
 {
     EXPECT_EQ(complaint_about({0, std::numeric_limits<double>::quiet_NaN(), 0}),
               "E_NONFINITE f@96: coordinate NaN; expected a finite number");

@@ -63,7 +63,7 @@ TEST(ParseObj, SplitsFacesOfMoreCorners)
     EXPECT_GT(raw.out_of_plane_mm, 0);
 }
 
-TEST(ParseObj, IgnoresWhatSaysNothingOfTheShape)
+TEST(ParseObj, IgnoresStatementsThatDoNotAffectTheShape)
 {
     EXPECT_THAT(
         triangles_of("# by hand\r\nmtllib a b.mtl\r\no part # one\ng side top\ns off\n"
@@ -72,7 +72,7 @@ TEST(ParseObj, IgnoresWhatSaysNothingOfTheShape)
         ElementsAre(Triangle{0, 1, 2}));
 }
 
-TEST(ParseObj, RefusesWhatIsNoMesh)
+TEST(ParseObj, RefusesOtherContent)
 {
     EXPECT_EQ(complaint_about("cstype bezier\n" + points),
               "E_OBJ_SYNTAX f.obj:1: free-form statement \"cstype\"; "

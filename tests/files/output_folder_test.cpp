@@ -57,7 +57,7 @@ TEST(OutputFolder, LeavesNothingUnlessPublished)
     EXPECT_EQ(names_in(place.path()), Names{});
 }
 
-TEST(OutputFolder, KeepsWhatWasThereUnlessPublished)
+TEST(OutputFolder, KeepsExistingFilesUnlessPublished)
 {
     const TemporaryFolder place;
     place.put("old.csv", "old");
@@ -106,7 +106,7 @@ TEST(OutputFolder, RefusesAFolderThatIsNotEmptyOrAFile)
     EXPECT_THAT([&] { OutputFolder{""}; }, refuses("an empty name"));
 }
 
-TEST(OutputFolder, SaysWhyAFolderCannotBeCreated)
+TEST(OutputFolder, StatesWhyAFolderCannotBeCreated)
 {
     const TemporaryFolder place;
     const fs::path file = place.put("a", "x");
@@ -143,7 +143,7 @@ TEST(OutputFolder, RefusesNamesThatLeaveTheFolder)
     for (const char* name : {"", ".", "..", "../x", "/tmp/x", "u/../../x", "u/"})
         EXPECT_THAT([&] { output.write(name, "x"); },
                     testing::ThrowsMessage<DomainError>(
-                        HasSubstr(name + " is no name of a file in the folder"s)));
+                        HasSubstr(name + " is not the name of a file in the folder"s)));
 }
 
 TEST(OutputFolder, DoesNotReplaceAProtectedInput)
@@ -342,7 +342,7 @@ TEST(OutputFolder, HasNoFileWhosePiecesFailHalfway)
 }
 
 // Runs in a separate process, because nothing can be written after `abandon_all`.
-TEST(OutputFolderDeathTest, AbandonAllClearsWhatIsUnpublishedAndStopsTheRest)
+TEST(OutputFolderDeathTest, AbandonAllRemovesUnpublishedFilesAndStopsFurtherWrites)
 {
     const TemporaryFolder place;
     const auto interrupted = [&] {

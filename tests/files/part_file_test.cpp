@@ -139,7 +139,7 @@ TEST(PartFile, DoesNotSayThatAnOpenMeshFacesOutwards)
                             "same side and closed pieces outwards"));
 }
 
-TEST(PartFile, SaysWhichPiecesHaveOneSideOnly)
+TEST(PartFile, ReportsPiecesWithOneSideOnly)
 {
     // A Moebius strip of five triangles: each point with the two points after it.
     std::vector<Vec3> points;

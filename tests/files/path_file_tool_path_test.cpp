@@ -48,7 +48,7 @@ TEST(ToolPathCsv, OverSeveralSurfacesNamesThePatch)
 }
 
 // Optional columns stand at their place in the order, if any point has a value.
-TEST(ToolPathCsv, WritesWhatTheMachineIsTold)
+TEST(ToolPathCsv, WritesToolFeedAndSpeed)
 {
     ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 2},
                    {0, 1, Move::Rapid, {{1, 2, 4}, {0, 0, 1}}, {}, 0}},
@@ -66,7 +66,7 @@ TEST(ToolPathCsv, WritesWhatTheMachineIsTold)
     EXPECT_EQ(tool_path_csv(path), tool_path_csv({path.points}));
 }
 
-TEST(ToolPathCsv, SaysLastWhatLimitsEachMove)
+TEST(ToolPathCsv, WritesTheLimitOfEachMoveLast)
 {
     const ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 0},
                          {0, 1, Move::Cut, {{1, 5, 3}, {0, 0, 1}}, {}, 0}},

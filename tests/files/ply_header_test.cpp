@@ -67,7 +67,7 @@ TEST(PlyHeader, TakesCommentsAndCarriageReturns)
     EXPECT_EQ(text.size() - header.bytes, 1U);
 }
 
-TEST(PlyHeader, RefusesWhatIsNone)
+TEST(PlyHeader, RefusesInvalidHeaders)
 {
     EXPECT_EQ(complaint_about("plyx\n"),
               "E_PLY_SYNTAX f.ply:1: \"plyx\"; expected \"ply\"");
@@ -109,7 +109,7 @@ TEST(PlyHeader, RefusesTypesThatDoNotExist)
     EXPECT_EQ(complaint_with("list uchar int", "list int64 int"),
               "E_PLY_SYNTAX f.ply:13: \"int64\"" + expected);
     EXPECT_EQ(complaint_with("list uchar int", "list float int"),
-              "E_PLY_SYNTAX f.ply:13: the length of a list is no whole number; "
+              "E_PLY_SYNTAX f.ply:13: the length of a list is not a whole number; "
               "expected a type of whole numbers");
 }
 

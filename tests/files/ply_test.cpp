@@ -93,11 +93,11 @@ TEST(ParsePly, RefusesAHeaderWithoutAMesh)
     EXPECT_EQ(complaint_with("vertex_indices", "corners"),
               "E_PLY_SYNTAX f.ply:12: a property is missing; expected vertex_indices");
     EXPECT_EQ(complaint_with("list uchar int vertex_indices", "int vertex_indices"),
-              "E_PLY_SYNTAX f.ply:12: the corners are no list of whole numbers; "
+              "E_PLY_SYNTAX f.ply:12: the corners are not a list of whole numbers; "
               "expected such as property list uchar int vertex_indices");
     EXPECT_EQ(complaint_with("list uchar int vertex_indices",
                              "list uchar float vertex_indices"),
-              "E_PLY_SYNTAX f.ply:12: the corners are no list of whole numbers; "
+              "E_PLY_SYNTAX f.ply:12: the corners are not a list of whole numbers; "
               "expected such as property list uchar int vertex_indices");
     EXPECT_EQ(complaint_with("float quality", "list uchar int vertex_index"),
               "E_PLY_SYNTAX f.ply:12: two lists of corners; expected one");

@@ -59,7 +59,7 @@ TEST(FanCorner, AvoidsTrianglesWithoutAnAreaWhereItCan)
     EXPECT_EQ(fan_corner(line), 0U);
 }
 
-TEST(FanCorner, ThereIsNoneForWhatIsFoldedOrFarFromConvex)
+TEST(FanCorner, DoesNotExistForPolygonsThatAreFoldedOrFarFromConvex)
 {
     const Polygon bow_tie{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
     EXPECT_EQ(fan_corner(bow_tie), std::nullopt);

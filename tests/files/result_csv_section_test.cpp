@@ -32,7 +32,7 @@ TEST(SectionCsv, LeavesPlacesEmptyThatAreNotKnown)
               "1,0,1,3,,,1.5\n");
 }
 
-TEST(SectionCsv, WritesWhatIsLeft)
+TEST(SectionCsv, WritesTheTrimmedCurves)
 {
     Trimmed plane;
     plane.curves.resize(1);
@@ -44,7 +44,7 @@ TEST(SectionCsv, WritesWhatIsLeft)
               "0,0,1,7,,,8\n");
 }
 
-TEST(SectionCsv, WritesWhatWasCutOutAndOnRequestWhy)
+TEST(SectionCsv, WritesRemovedStretchesAndOnRequestTheRule)
 {
     const std::vector<std::vector<CutOut>> planes{
         {},
@@ -60,7 +60,7 @@ TEST(SectionCsv, WritesWhatWasCutOutAndOnRequestWhy)
               "1,1,,,0,4,closed,closed\n");
 }
 
-TEST(SectionCsv, RefusesWhatIsNoNumberAndPlanesThatStandNowhere)
+TEST(SectionCsv, RefusesNonFiniteNumbersAndPlanesWithoutAPosition)
 {
     const Planes odd{{{{{0, NAN}, {1, 0}}, false}}};
     EXPECT_THROW(sections_csv(odd, nullptr), DomainError);

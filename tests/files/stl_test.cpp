@@ -84,7 +84,7 @@ TEST(ParseStl, ReadsAsciiHoweverItsWordsAreSpread)
 }
 
 // A valid file with an unusual header.
-TEST(ParseStl, TellsBinaryByItsSizeAlsoIfItBeginsWithSolid)
+TEST(ParseStl, RecognisesBinaryFilesByTheirLengthEvenIfTheyBeginWithSolid)
 {
     const std::string text = binary(2, 2, some_corners, "solid facet normal");
     EXPECT_TRUE(is_binary_stl(text));
@@ -94,7 +94,7 @@ TEST(ParseStl, TellsBinaryByItsSizeAlsoIfItBeginsWithSolid)
     EXPECT_FALSE(is_binary_stl(""));
 }
 
-TEST(ParseStl, RefusesABinaryFileThatIsNotAsLongAsItsHeaderSays)
+TEST(ParseStl, RefusesABinaryFileWhoseLengthContradictsItsHeader)
 {
     EXPECT_EQ(complaint_about("binary"s + std::string(44, '\0')),
               "E_STL_SIZE f.stl: file has 50 bytes and does not begin with \"solid\"; "

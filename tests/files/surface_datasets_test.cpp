@@ -46,12 +46,12 @@ void for_points_of(const Surface& surface, int parts,
 struct HeightGridFile {
     std::string name;
     std::function<double(double x, double y)> height;
-    double error;  // mm, as its README says, rounded up in its last digit
+    double error;  // mm, as stated in the README, rounded up in its last digit
 };
 
 class HeightGridFiles : public testing::TestWithParam<HeightGridFile> {};
 
-TEST_P(HeightGridFiles, AreAsFarFromTheirFormulaAsTheReadmeSays)
+TEST_P(HeightGridFiles, DifferFromTheirFormulaByTheErrorInTheReadme)
 {
     double farthest = 0;
     for_points_of(only_surface(GetParam().name), 16, [&](const SurfaceJet& jet) {

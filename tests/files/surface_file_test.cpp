@@ -72,7 +72,7 @@ std::string complaint_about(const std::string& text)
     }
 }
 
-TEST(ReadSurface, PutsEveryControlPointWhereTheFormatSays)
+TEST(ReadSurface, PlacesEveryControlPointByTheRuleOfTheFormat)
 {
     const TemporaryFolder folder;
     const auto path = folder.put("wave.json", surface_text());
@@ -103,7 +103,7 @@ TEST(ReadSurface, TakesNameSourceAndToolSide)
     EXPECT_EQ(file.surfaces.front().tool_side(), ToolSide::DvCrossDu);
 }
 
-TEST(ReadSurface, ConvertsInchAndSaysSo)
+TEST(ReadSurface, ConvertsInchesAndAddsANote)
 {
     const SurfaceFile inch = parse_surface(surface_text("\"units\": \"inch\", "), "f");
     EXPECT_EQ(inch.surfaces.front().patch(1, 0).control_point(3, 3),
@@ -125,7 +125,7 @@ TEST(ReadSurface, RefusesRowsOfTheWrongNumberOrLength)
                 HasSubstr("/control_points/2: row has 8 points"));
 }
 
-TEST(ReadSurface, TellsOfAHugeDeclaredSizeWithoutTakingMemory)
+TEST(ReadSurface, ReportsAHugeDeclaredSizeWithoutAllocatingMemory)
 {
     const std::string big =
         replaced(surface_text(), "\"patches_u\": 2", "\"patches_u\": 10000");
@@ -176,7 +176,7 @@ TEST(ReadSurface, MeasuresTheExtentInMmAndAgainstTheLimitGiven)
                 testing::ThrowsMessage<FormatError>(HasSubstr("at most 59 mm")));
 }
 
-TEST(ReadSurface, RefusesWhatIsNoSurfaceFile)
+TEST(ReadSurface, RefusesOtherFiles)
 {
     EXPECT_THAT(complaint_about("solid a\n"), HasSubstr("content looks like STL"));
     EXPECT_THAT(complaint_about("v 0 0 0\n"), HasSubstr("content looks like OBJ"));

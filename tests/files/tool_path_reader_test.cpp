@@ -40,7 +40,7 @@ ToolPath path_with_conditions()
     return path;
 }
 
-TEST(ToolPathReader, ReadsWhatIsWrittenToTheBit)
+TEST(ToolPathReader, ReadsAWrittenPathToTheLastBit)
 {
     const ToolPath path = wavy_path(5, 400);
     const Program read = parse_tool_path(tool_path_csv(path), "f");
@@ -88,7 +88,7 @@ TEST(ToolPathReader, ReadsALongPathToTheBitAndComplainsOfItsFirstFault)
     }
 }
 
-TEST(ToolPathReader, NeedsTheTipsOnlyAndSaysWhatItTakes)
+TEST(ToolPathReader, NeedsOnlyTipsAndStatesItsAssumptions)
 {
     const Program read =
         parse_tool_path("tip_z_mm,tip_x_mm,tip_y_mm\r\n3,1,2\r\n6,+4,5e0\r\n", "f");
@@ -102,7 +102,7 @@ TEST(ToolPathReader, NeedsTheTipsOnlyAndSaysWhatItTakes)
                                           HasSubstr("assumed to be +z")));
 }
 
-TEST(ToolPathReader, LeavesOutWhatAPathHasNoPlaceForAndSaysSo)
+TEST(ToolPathReader, IgnoresColumnsThatAPathCannotHoldWithARemark)
 {
     const Program read = parse_tool_path(
         header +

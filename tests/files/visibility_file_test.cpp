@@ -126,7 +126,7 @@ std::string summed(const std::string& bytes)
     return with(bytes, end, visibility_checksum(std::string_view{bytes}.substr(0, end)));
 }
 
-TEST(VisibilityFile, SaysAtWhichByteItContradictsItself)
+TEST(VisibilityFile, StatesTheByteOfAContradiction)
 {
     const std::string bytes = bytes_of(some_visibility());
     EXPECT_EQ(place(summed(bytes)), "none");
@@ -138,7 +138,7 @@ TEST(VisibilityFile, SaysAtWhichByteItContradictsItself)
     EXPECT_EQ(place(summed(with(bytes, dropped + 16 + 15, '\xff'))), "@104");
 }
 
-TEST(VisibilityFile, SaysAtWhichByteAHeaderIsWrong)
+TEST(VisibilityFile, StatesTheByteOfAWrongHeader)
 {
     const std::string bytes = bytes_of(some_visibility());
     EXPECT_EQ(place(with(bytes, 0, 'X')), "@0");

@@ -118,7 +118,7 @@ TEST(DeviationVtp, OfNothingIsAFileWithoutPoints)
     EXPECT_TRUE(reader.array<float>("left_mm", "Float32").empty());
 }
 
-TEST(DeviationVtp, RefusesWhatIsNotFiniteAndLessThanTwoPoints)
+TEST(DeviationVtp, RefusesNonFiniteNumbersAndFewerThanTwoPoints)
 {
     const PartCharts charts = part_charts(slope);
     Deviation deviation = made_deviation(charts, 0.5, wavy);

@@ -43,7 +43,7 @@ std::optional<double> degrees(const std::optional<double>& radians)
 std::string feed_svg(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows,
                      const FeedFigure& figure)
 {
-    require(cuts.size() == rows.size(), "feed_svg: need a row a move");
+    require(cuts.size() == rows.size(), "feed_svg: need one row for each move");
     std::vector<double> places;
     double along = 0;
     for (const SegmentCut& cut : cuts)

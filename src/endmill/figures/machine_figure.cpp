@@ -185,7 +185,7 @@ private:
                           std::string{letter}, linear_style.colour);
     }
 
-    // The legend says of each rotary axis what it turns.
+    // The legend states what each rotary axis turns.
     void add_legend()
     {
         const auto name = [&](std::size_t k) {

@@ -103,7 +103,7 @@ struct SetupFigure {
 /// light from the viewer. The rotary axes and the tool axis are lines through the centre
 /// of the part; the machine's X, Y and Z are below. Facets are sorted by the depth of
 /// their centres, so facets that intersect may cover each other wrongly. A part with more
-/// than `most_facets` is drawn coarser, and a caption says so.
+/// than `most_facets` is drawn coarser, and a caption states it.
 /// Source: [KangSuh, figure 11].
 /// \param reached_at_zero one for each facet, 1 or 0.
 /// \throws DomainError if the mesh has no facet, `reached_at_zero` has another size, and

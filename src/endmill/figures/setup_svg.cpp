@@ -195,7 +195,7 @@ std::string setup_svg(const TriangleMesh& mesh,
 {
     require(!mesh.triangles().empty(), "setup_svg: need a facet");
     require(reached_at_zero.size() == mesh.triangles().size(),
-            "setup_svg: need what is known of each facet");
+            "setup_svg: need the access of each facet");
     return SetupPicture{mesh, setup, figure}.text(reached_at_zero);
 }
 

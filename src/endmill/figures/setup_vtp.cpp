@@ -168,7 +168,7 @@ std::string setup_vtp(const TriangleMesh& mesh, const FacetAccess& access,
     require(facets > 0, "setup_vtp: need a facet");
     require(access.visible_fraction.size() == facets &&
                 access.reached_at_zero.size() == facets,
-            "setup_vtp: need what is known of each facet");
+            "setup_vtp: need the access of each facet");
     require(std::ranges::all_of(access.visible_fraction,
                                 [](double share) { return 0 <= share && share <= 1; }),
             "setup_vtp: need visible fractions within [0, 1]");

@@ -177,7 +177,7 @@ CsvTable::CsvTable(std::vector<std::string> columns) : columns_{std::move(column
 
 void CsvTable::add_row(std::span<const CsvCell> cells)
 {
-    require(cells.size() == columns_.size(), "CsvTable: need one cell a column");
+    require(cells.size() == columns_.size(), "CsvTable: need one cell for each column");
     std::vector<std::string> texts;
     std::ranges::transform(cells, std::back_inserter(texts), cell_text);
     std::ranges::move(texts, std::back_inserter(cells_));

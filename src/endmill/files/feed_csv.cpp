@@ -63,7 +63,7 @@ void append_feed(std::string& text, const SegmentFeed& row)
 
 std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows)
 {
-    require(cuts.size() == rows.size(), "feed_csv: need a row a move");
+    require(cuts.size() == rows.size(), "feed_csv: need one row for each move");
     const std::string header =
         "pass,point,length_mm,mu_deg,lambda_deg,pick_feed_mm,pick_feed_horizontal_mm,"
         "depth_mm,engaged_angle_deg,feed_per_tooth_mm,peak_factor,limit,speed_limit,"
@@ -82,7 +82,8 @@ std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFe
 std::string force_profile_csv(std::span<const double> angles,
                               std::span<const CuttingForce> forces)
 {
-    require(angles.size() == forces.size(), "force_profile_csv: need an angle a force");
+    require(angles.size() == forces.size(),
+            "force_profile_csv: need one angle for each force");
     std::string text = "theta_deg,force_x_n,force_y_n,force_z_n,torque_n_m\n";
     for (std::size_t i = 0; i < forces.size(); ++i) {
         const double degrees = rounded_degrees(angles[i]);

@@ -195,7 +195,7 @@ void require_plain_name(const fs::path& name)
                            name, [](const fs::path& p) { return p == "." || p == ".."; });
     if (!plain)
         throw DomainError{"OutputFolder: " + shown_path(name) +
-                          " is no name of a file in the folder"};
+                          " is not the name of a file in the folder"};
 }
 
 // Whether `name` lies in `folder` itself: no folder on its path is a symbolic link.

@@ -214,7 +214,7 @@ private:
     {
         if (!holds)
             throw complaint("E_VTI", "@" + std::to_string(at), found,
-                            "what endmill wrote there");
+                            "the bytes that endmill writes there");
     }
 
     // The history, after a check that its block is the block of the heights.

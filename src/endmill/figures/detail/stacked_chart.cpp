@@ -209,7 +209,7 @@ void check(std::span<const double> places, std::span<const ChartPanel> panels)
     for (const ChartPanel& panel : panels)
         for (const ChartLine& line : panel.lines) {
             require(line.values.size() == places.size(),
-                    "stacked_chart: need a value a place");
+                    "stacked_chart: need one value for each place");
             for (const auto& value : line.values)
                 require(!value || std::isfinite(*value),
                         "stacked_chart: a number is not finite");

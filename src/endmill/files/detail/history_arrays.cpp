@@ -13,8 +13,9 @@
 //
 //     block_mm        6 doubles: low x, y, z, high x, y, z
 //     run_cutters_mm  2 doubles for each run: radius, corner radius
-//     run_tips        2 int64 for each run: number of tips, 1 if the cutter stands at the
-//     first tips_mm         3 doubles for each tip, run by run
+//     run_tips        2 int64 for each run: number of tips; 1 if the cutter stands at the
+//                     first tip, else 0
+//     tips_mm         3 doubles for each tip, run by run
 
 namespace endmill {
 namespace {

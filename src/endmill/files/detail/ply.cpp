@@ -190,7 +190,7 @@ public:
                 throw complaint_about(points, "a coordinate is a list", "a number");
         const PlyProperty& corners = property(faces, Role::Corners);
         if (!corners.count_type || !is_whole(corners.type))
-            throw complaint_about(faces, "the corners are no list of whole numbers",
+            throw complaint_about(faces, "the corners are not a list of whole numbers",
                                   "such as property list uchar int vertex_indices");
     }
 

@@ -151,7 +151,7 @@ private:
         if (word == "list") {
             count_type = type(scanner_.word());
             if (!is_whole(*count_type))
-                throw scanner_.complaint("the length of a list is no whole number",
+                throw scanner_.complaint("the length of a list is not a whole number",
                                          "a type of whole numbers");
             word = scanner_.word();
         }
