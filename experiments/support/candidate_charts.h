@@ -1,38 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
+#include "endmill/figures/direction_figures.h"
 #include "endmill/setup/detail/rectangle_candidate.h"
 #include "endmill/setup/detail/sector_fit.h"
-#include "support/direction_chart.h"
 
 namespace endmill {
 
-/// Directions that a machine is to reach from a tool axis at zero.
+/// Directions that a machine has to reach from a tool axis at zero.
 struct DirectionSet {
-    Vec3 tool_axis;                ///< unit
-    std::vector<Vec3> directions;  ///< unit
+    Vec3 tool_axis;                ///< unit vector
+    std::vector<Vec3> directions;  ///< unit vectors
 };
 
-/// The set of azimuths and polar angles written "0:30 100:40", or turns about x and y written
-/// "50/30 -20/15", in degrees; the tool axis is +z.
-/// \throws DomainError for anything else.
+/// The set that a parameter states: azimuths and polar angles, "0:30 100:40", or turns
+/// about x and y, "50/30 -20/15", all in degrees. The tool axis is +z.
+/// \throws DomainError for another text.
 DirectionSet direction_set(const std::string& text);
 
 /// Figures 7, 8, 13 (a): the directions by azimuth and polar angle, and a double sector.
 std::string sector_chart(const std::string& title, const DirectionSet& set,
                          const SectorCandidate& sector);
 
-/// Figures 10, 13 (b): the directions in the gnomonic projection as far as 80 degrees from the
-/// tool axis, and a rectangle.
+/// Figures 10, 13 (b): the directions in the gnomonic projection, up to 80 degrees from
+/// the tool axis, and a rectangle.
 std::string rectangle_chart(const std::string& title, const DirectionSet& set,
                             const RectangleCandidate& rectangle);
 
-/// Figures 9, 14: the hull of the directions and the tool axis in a projection, gnomonic or
-/// orthographic.
+/// Figures 9, 14: the hull of the directions and the tool axis, in the gnomonic or
+/// orthographic projection.
 std::string hull_chart(const std::string& title, const DirectionSet& set,
                        ChartProjection projection);
 

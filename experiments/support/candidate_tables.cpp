@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "endmill/core/angle.h"
 #include "endmill/setup/detail/pole_points.h"
 #include "endmill/setup/spherical_hull.h"
 #include "support/setup_cells.h"

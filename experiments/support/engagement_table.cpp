@@ -1,34 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/engagement_table.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <utility>
 
 #include "endmill/core/angle.h"
-#include "endmill/core/error.h"
-#include "endmill/process/ball_engagement.h"
-#include "support/ball_drawing.h"
+#include "endmill/figures/detail/ball_lines.h"
 
 namespace endmill {
 namespace {
 
 using std::numbers::pi;
-
-std::string border_name(BorderKind kind, PreviousPass previous)
-{
-    switch (kind) {
-        case BorderKind::Front:
-            return "front";
-        case BorderKind::PreviousBall:
-            return "previous pass";
-        case BorderKind::Wall:
-            break;
-    }
-    return previous == PreviousPass::Edge ? "edge" : "wall of the previous pass";
-}
 
 double latitude_of(const Vec3& point)
 {
@@ -37,38 +20,12 @@ double latitude_of(const Vec3& point)
 
 }  // namespace
 
-double highest_latitude(const BallEngagement& engagement)
-{
-    return std::acos(std::clamp(1 - engagement.depth_ratio, 0.0, 1.0));
-}
-
-std::vector<NamedBorder> named_borders(const BallEngagement& engagement)
-{
-    constexpr int steps = 60;  // an arc
-    require_sound(engagement);
-    require(!is_air(engagement), "named_borders: nothing is cut");
-    const EngagedRegion region{engagement};
-    std::vector<NamedBorder> borders;
-    for (const BorderArc& arc : region.borders(false)) {
-        NamedBorder border{border_name(arc.kind, region.previous), {}};
-        for (int k = 0; k <= steps; ++k) {
-            const double p = arc.from + (arc.to - arc.from) * k / steps;
-            border.points.push_back(region.point(arc.kind, p));
-        }
-        borders.push_back(std::move(border));
-    }
-    const double top = std::atan2(region.top_sine, region.top_cosine);
-    for (const AzimuthRange& range : engaged_ranges(engagement, top))
-        borders.push_back({"stock's top", latitude_line(top, range.from, range.to)});
-    return borders;
-}
-
-CsvTable border_table(const std::vector<NamedBorder>& borders, double radius_mm)
+CsvTable border_table(const std::vector<EngagementBorder>& borders, double radius_mm)
 {
     CsvTable table{
         {"border", "piece", "x_mm", "y_mm", "z_mm", "latitude_deg", "azimuth_deg"}};
     std::int64_t piece = 0;
-    for (const NamedBorder& border : borders) {
+    for (const EngagementBorder& border : borders) {
         for (const Vec3& point : border.points) {
             const Vec3 place = radius_mm * point;
             table.add_row({border.name, piece, place.x(), place.y(), place.z(),

@@ -2,7 +2,6 @@
 #include "support/milling_jobs.h"
 
 #include "endmill/files/machine_file.h"
-#include "endmill/files/material_file.h"
 #include "endmill/files/tool_file.h"
 
 namespace endmill {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/setup_pictures.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "endmill/core/text.h"
@@ -33,13 +32,8 @@ void write_setup_pictures(Experiment& run, const SetupPictureNames& names,
                           const StudiedPart& part, const ShownSetup& setup,
                           const std::vector<Vec3>& marked)
 {
-    const auto nearest = std::ranges::max_element(
-        part.grid.centres, {},
-        [&](const Vec3& centre) { return centre.dot(setup.frame.tool_axis); });
-    const auto cell = static_cast<std::size_t>(nearest - part.grid.centres.begin());
-    std::vector<std::uint8_t> reached;
-    for (std::size_t j = 0; j < part.mesh.triangles().size(); ++j)
-        reached.push_back(part.visibility.map.is_accessible(j, cell) ? 1 : 0);
+    const std::vector<std::uint8_t> reached =
+        reached_at_zero(part.grid, part.visibility.map, setup.frame.tool_axis);
     run.write(names.file + "-setup.svg",
               setup_svg(part.mesh, reached, setup,
                         {.title = names.title, .captions = names.captions}));

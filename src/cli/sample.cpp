@@ -13,7 +13,6 @@
 #include "cli/console.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/text.h"
-#include "endmill/files/detail/ply.h"
 #include "endmill/files/mesh_file.h"
 #include "endmill/files/output_folder.h"
 #include "endmill/surface/sampling.h"
@@ -65,12 +64,6 @@ double float_rounding_mm(const TriangleMesh& mesh)
     return std::sqrt(3.0) * 0x1p-24 * farthest;
 }
 
-std::string file_text(const SampledSurface& sampled, MeshFormat format)
-{
-    return format == MeshFormat::Ply ? ply_text(sampled.mesh, sampled.normals)
-                                     : mesh_text(sampled.mesh, format);
-}
-
 std::string summary_text(const Json& s, const OutputFolder& folder)
 {
     const std::string how =
@@ -114,7 +107,8 @@ ExitCode run_sample(const SampleOptions& options)
     OutputFolder folder{output_folder(options.surface, "sample", options.common),
                         options.common.force};
     folder.protect(options.surface);
-    folder.write(name, file_text(sampling.found, options.format));
+    folder.write(name,
+                 mesh_text(sampling.found.mesh, options.format, sampling.found.normals));
     folder.write("summary.json", summary.dump(2) + "\n");
     for (const char* other : {"mesh.stl", "mesh.obj", "mesh.ply", "mesh.off"})
         folder.remove_unless_written(other);

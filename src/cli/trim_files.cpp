@@ -214,7 +214,9 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
 {
     const DrivePlanes* placed = input.planes ? &*input.planes : nullptr;
     folder.write(prefix + "trimmed.csv", trimmed_csv(result.trimmed, placed));
-    folder.write(prefix + "loops.csv", loops_csv(result.loops, options.explain));
+    folder.write(prefix + "loops.csv",
+                 loops_csv(result.loops, options.explain ? LoopColumns::CauseAndRule
+                                                         : LoopColumns::Cause));
     if (input.part)
         folder.write(prefix + "toolpath.csv", tool_path_csv(result.path));
     if (options.figure) {

@@ -5,7 +5,7 @@
 
 #include "endmill/core/text.h"
 #include "endmill/figures/deviation_svg.h"
-#include "endmill/files/detail/stl.h"
+#include "endmill/files/mesh_file.h"
 #include "endmill/files/result_csv.h"
 #include "endmill/files/vtk.h"
 #include "endmill/stock/mesh_stock.h"
@@ -101,7 +101,8 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
     if (options.write_stock)
         folder.write("stock.vti", stock_vti(verification.rest, history_of_rest(task)));
     if (options.write_mesh)
-        folder.write("rest.stl", stl_text(stock_mesh(verification.rest)));
+        folder.write("rest.stl",
+                     mesh_text(stock_mesh(verification.rest), MeshFormat::Stl));
     Json summary =
         verify_summary({input.name, printable(input.part_path), stock_text(result),
                         task.cutter, input.limits, input.program},

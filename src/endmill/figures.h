@@ -6,7 +6,10 @@
 
 #include "endmill/figures/axonometric_figure.h"
 #include "endmill/figures/deviation_svg.h"
+#include "endmill/figures/direction_figures.h"
 #include "endmill/figures/feed_svg.h"
+#include "endmill/figures/force_figures.h"
+#include "endmill/figures/machine_figure.h"
 #include "endmill/figures/section_svg.h"
 #include "endmill/figures/setup_figures.h"
 #include "endmill/figures/surface_svg.h"

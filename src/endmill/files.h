@@ -7,7 +7,6 @@
 #include "endmill/files/csv.h"
 #include "endmill/files/input_csv.h"
 #include "endmill/files/machine_file.h"
-#include "endmill/files/material_file.h"
 #include "endmill/files/mesh_file.h"
 #include "endmill/files/output_folder.h"
 #include "endmill/files/part_file.h"

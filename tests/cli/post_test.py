@@ -86,8 +86,8 @@ class Post(ProgramTest):
     def test_tips_alone_do_and_it_says_what_it_takes(self):
         done = endmill("post", self.file(TIPS, "p.csv"), "--feed", "100", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("every move is taken for a cut", done.stderr)
-        self.assertIn("taken for +z", done.stderr)
+        self.assertIn("every move is assumed to be a cut", done.stderr)
+        self.assertIn("assumed to be +z", done.stderr)
         self.assertIn("M3 stands without S; --spindle-rpm", done.stderr)
         self.assertIn("X10.0000", blocks(self.folder / "p-post/p.ngc"))
 

@@ -374,7 +374,7 @@ class Origins(VerifyTest):
             self.assertEqual(facts["verdict"], found[0]["verdict"])
             for key in ("removed_mm3", "max_gouge_mm", "max_scallop_mm"):
                 self.assertAlmostEqual(facts[key], found[0][key], delta=1e-4 * max(1, found[0][key]))
-        self.assertIn("no column move: every move is taken for a cut", found[3]["remarks"])
+        self.assertIn("no column move: every move is assumed to be a cut", found[3]["remarks"])
 
     def test_apt_brings_its_cutter(self):
         self.summary("post", self.planned("--mode", "verified"), "--format", "apt", "--feed", "1", "-o", "apt")

@@ -25,7 +25,7 @@ std::vector<PixelPoint> drawn(const std::vector<PixelPoint>& points)
 // Half a hundredth in x and y, by which a coordinate is rounded.
 constexpr double rounding = 0.0071;
 
-TEST(SvgPicture, IsWellFormedWhateverTheTextSays)
+TEST(SvgPicture, IsWellFormedForAnyText)
 {
     const std::string hostile = "</text><script>alert('1')</script> & \"q\" \x1b[0m\xff";
     SvgPicture picture{640, 480.5, hostile};
@@ -109,7 +109,7 @@ TEST(SvgPicture, DrawsNothingWhereThereIsNothing)
     EXPECT_EQ(drawn({{5, 5}, {5, 5}}).size(), 2U);
 }
 
-TEST(SvgPicture, RefusesWhatIsNotFinite)
+TEST(SvgPicture, RefusesNonFiniteCoordinates)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     SvgPicture picture{100, 100, ""};

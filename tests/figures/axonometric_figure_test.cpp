@@ -40,7 +40,7 @@ TEST(AxonometricView, HasThreeUnitDirectionsAtRightAngles)
         }
 }
 
-// What one sees of the axes from the front, from the right and from above.
+// The directions of the picture for views from the front, from the right and from above.
 TEST(AxonometricView, FacesThePartFromWhereTheViewerStands)
 {
     const AxonometricView front{Angle::degrees(-90), Angle::degrees(0)};
@@ -54,7 +54,7 @@ TEST(AxonometricView, FacesThePartFromWhereTheViewerStands)
     EXPECT_TRUE(above.toward.isApprox(Vec3::UnitZ(), 1e-15));
 }
 
-// Lengths in the picture against the lengths in space, seen straight from the front.
+// Compares lengths in the picture with lengths in space, seen from the front.
 TEST(AxonometricFigure, KeepsOneScaleInTheWholeDrawing)
 {
     const FigureOptions from_front{.azimuth = Angle::degrees(-90),
@@ -126,7 +126,7 @@ TEST(AxonometricFigure, TextsStandBelowEachOther)
     EXPECT_GE(heights[2] - heights[1], 14);
 }
 
-// The arm drawn for x, measured in the scale of the drawing, has the length it states.
+// The arm of the x axis, measured in the scale of the drawing, has the stated length.
 TEST(AxonometricFigure, TheAxesStateTheirLength)
 {
     AxonometricFigure figure{
@@ -143,7 +143,8 @@ TEST(AxonometricFigure, TheAxesStateTheirLength)
                 testing::Contains(testing::Field(&XmlElement::text, "each arm 10 mm")));
 }
 
-// The shaft of an arrow against the curve between the same points; the head's tip is at its end.
+// The shaft of an arrow equals the curve between the same points; the tip of the head is
+// its end.
 TEST(AxonometricFigure, AnArrowGoesFromPointToPoint)
 {
     const std::array<Vec3, 2> ends{Vec3{10, 20, 5}, {150, 80, 40}};
@@ -195,7 +196,7 @@ TEST(AxonometricFigure, ALabelStandsWhereItsPointIs)
     EXPECT_EQ(seen, 2);
 }
 
-TEST(AxonometricFigure, SaysNoLengthWhereItIsNotAsked)
+TEST(AxonometricFigure, OmitsTheLengthIfNotRequested)
 {
     const AxonometricFigure figure{{.has_length = false}, box_corners({200, 120, 50})};
     EXPECT_EQ(figure.text().find("each arm"), std::string::npos);
@@ -227,7 +228,7 @@ TEST(AxonometricFigure, LinesOfTheLegendStandApartAndWithinThePicture)
     }
 }
 
-// Discs stand where lines have the middle of their sample.
+// Discs of the legend are at the middle of the samples of lines.
 TEST(AxonometricFigure, DiscsOfTheLegendStandBesideTheirNames)
 {
     AxonometricFigure figure{{}, box_corners({2, 1, 1})};
@@ -244,7 +245,7 @@ TEST(AxonometricFigure, DiscsOfTheLegendStandBesideTheirNames)
     EXPECT_GT(sample[0].y() - disc.y(), 14);
 }
 
-TEST(AxonometricFigure, RefusesNothingAndWhatIsNotFinite)
+TEST(AxonometricFigure, RefusesAnEmptyOrNonFiniteExtent)
 {
     EXPECT_THROW((AxonometricFigure{{}, {}}), DomainError);
     EXPECT_THROW((AxonometricFigure{{}, std::array<Vec3, 1>{Vec3{0, NAN, 0}}}),

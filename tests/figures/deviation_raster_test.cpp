@@ -20,7 +20,7 @@ Part plane_part()
     return std::vector<Surface>{test::plane(20, 10)};
 }
 
-// 32 cells a mm in tiles of 8 by 8: 4 by 4 in each square of an eighth.
+// 32 cells per mm in tiles of 8 by 8: 4 by 4 cells in each square of 1/8 mm.
 TEST(DeviationRaster, ShowsTheWorstCellOfEachSquare)
 {
     const Part part = plane_part();
@@ -31,8 +31,8 @@ TEST(DeviationRaster, ShowsTheWorstCellOfEachSquare)
     EXPECT_EQ(raster.columns, 80);
     EXPECT_EQ(raster.rows, 40);
     EXPECT_EQ(raster.side, 0.25);
-    // What grows with x and y is worst in the last cell of a square: it is at most a cell's
-    // side from its far corner.
+    // A deviation that grows with x and y is largest in the last cell of a square, whose
+    // centre is at most the side of a cell away from the far corner.
     for (int row = 0; row < raster.rows; ++row)
         for (int column = 0; column < raster.columns; ++column) {
             const double most = 0.001 * 0.25 * (column + 1) + 0.0001 * 0.25 * (row + 1);

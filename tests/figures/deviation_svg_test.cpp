@@ -76,7 +76,7 @@ std::array<int, 3> channels(std::string_view colour)
     return values;
 }
 
-TEST(DeviationColour, SaysWhatTheVerdictDoes)
+TEST(DeviationColour, AgreesWithTheVerdict)
 {
     const std::string_view within = deviation_colour(0.1, limits);
     EXPECT_EQ(deviation_colour(0.1 + verdict_slack, limits), within);
@@ -177,16 +177,16 @@ TEST(DeviationMap, NamesVerdictAndExtremesWhereTheyAre)
     figure.captions = {"ball:10 & more"};
     const std::string svg = deviation_svg(charts, deviation, figure);
     const auto texts = texts_of(svg);
-    EXPECT_TRUE(holds(texts, "gouged: deepest gouge 0.02 mm"));
+    EXPECT_TRUE(holds(texts, "gouged: gouge 0.02 mm"));
     EXPECT_TRUE(holds(texts, "gouge 0.02"));
-    EXPECT_TRUE(holds(texts, "rest 0.08"));
+    EXPECT_TRUE(holds(texts, "remaining 0.08"));
     EXPECT_TRUE(holds(texts, "A <part>"));
     EXPECT_TRUE(holds(texts, "ball:10 & more"));
 
     deviation.max_gouge_mm = 1e-9;  // rounding is not named
     deviation.deepest->left = -1e-9;
     const auto clean = texts_of(deviation_svg(charts, deviation, figure));
-    EXPECT_TRUE(holds(clean, "clean: deepest gouge 0 mm"));
+    EXPECT_TRUE(holds(clean, "clean: gouge 0 mm"));
     EXPECT_TRUE(std::ranges::none_of(
         clean, [](const std::string& text) { return text.starts_with("gouge "); }));
 }
@@ -213,7 +213,7 @@ TEST(DeviationMap, OfNothingAndOfAWallAreDrawn)
     EXPECT_GT(boxes.at(std::string{deviation_colour(0.2, limits)}).size(), 100U);
 }
 
-TEST(DeviationMap, RefusesSizesThatNobodyCanLookAt)
+TEST(DeviationMap, RefusesSizesOutOfRange)
 {
     const Part part = std::vector<Surface>{test::plane(1, 1)};
     const PartCharts charts = part_charts(part);

@@ -31,7 +31,7 @@ TEST(DrawnMesh, IsTheMeshWhereThereIsRoom)
         EXPECT_EQ(drawn.facets[k], k);
 }
 
-// Of a finely cut torus the shape stays: its area is that of the torus.
+// A finely triangulated torus keeps its shape: the area stays that of the torus.
 TEST(DrawnMesh, KeepsTheShapeWithFewerTriangles)
 {
     const TriangleMesh mesh = test::torus_mesh(500, 200);
@@ -61,7 +61,7 @@ TEST(DrawnMesh, NamesAFacetNearby)
     EXPECT_EQ(facets.size(), drawn.facets.size());
 }
 
-// Tiny triangles far from each other, all smaller than any cube.
+// Tiny triangles far from each other, all smaller than a cube of any grid.
 TEST(DrawnMesh, LeavesSomeWhereAllWouldVanish)
 {
     std::vector<Vec3> points;

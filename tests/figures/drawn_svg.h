@@ -12,7 +12,7 @@
 
 namespace endmill {
 
-/// The points of a path's data "M x y l dx dy …", as SVG defines them.
+/// The points of the data of a path element, "M x y l dx dy …", as defined by SVG.
 inline std::vector<PixelPoint> points_of(const std::string& data)
 {
     std::vector<PixelPoint> points;
@@ -50,8 +50,8 @@ inline double distance(const PixelPoint& point, const std::vector<PixelPoint>& l
     return least;
 }
 
-/// The polylines and polygons of a picture, those with the stroke `colour` if it is
-/// given.
+/// The polylines and polygons of a picture; if `colour` is given, only those with this
+/// stroke.
 inline std::vector<std::vector<PixelPoint>> lines_of(const std::string& svg,
                                                      const std::string& colour = "")
 {

@@ -32,7 +32,7 @@ TEST(FeedSvg, HasAPanelForEachOfTheFigures)
         EXPECT_THAT(text, testing::HasSubstr(label));
 }
 
-TEST(FeedSvg, RefusesWhatIsNotFiniteOrNotARowAMove)
+TEST(FeedSvg, RefusesNonFiniteNumbersAndAnotherNumberOfRows)
 {
     const std::vector<SegmentCut> cuts{{.length_mm = 10}};
     EXPECT_THROW(feed_svg(cuts, {}, {}), DomainError);

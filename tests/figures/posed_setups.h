@@ -7,7 +7,7 @@
 
 #include "endmill/figures/setup_figures.h"
 
-// Setups of which everything is known.
+// Setups with known axes and ranges.
 namespace endmill::test {
 
 inline double rad(double degrees)
@@ -20,7 +20,7 @@ inline RotaryRange range_deg(double from, double to)
     return {rad(from), rad(to)};
 }
 
-/// A rotation without a special direction.
+/// A rotation about a general axis.
 inline Eigen::Matrix3d some_turn()
 {
     return (Eigen::AngleAxisd{0.7, Vec3{1, 2, -1}.normalized()} *
@@ -28,7 +28,7 @@ inline Eigen::Matrix3d some_turn()
         .toRotationMatrix();
 }
 
-/// The machine's axes, words ca and ab.
+/// The axes of a machine with the configuration ca or ab.
 inline RotaryFrame axes_of_machine(RotaryFamily family)
 {
     if (family == RotaryFamily::CA)
@@ -36,7 +36,7 @@ inline RotaryFrame axes_of_machine(RotaryFamily family)
     return {family, Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitY()};
 }
 
-/// A part that is turned by `turn`, so that its axes become the machine's.
+/// The setup of a part that `turn` rotates so that its axes become the machine's.
 inline ShownSetup setup_turned(RotaryFamily family, const Eigen::Matrix3d& turn,
                                const RotaryLimits& needed)
 {

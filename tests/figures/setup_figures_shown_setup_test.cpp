@@ -30,7 +30,7 @@ TEST_P(SetupOfBothFamilies, HasTheMachinesAxes)
     EXPECT_LT((frame.r2_axis - machine.r2_axis).norm(), 1e-14);
 }
 
-// A point of the border has one of its turns at a limit, in one of its two solutions.
+// For a direction of the border one of the two rotary solutions has an angle at a limit.
 TEST_P(SetupOfBothFamilies, HasBordersAtTheLimits)
 {
     ShownSetup setup = setup_turned(GetParam(), test::some_turn(), needed);
@@ -43,7 +43,7 @@ TEST_P(SetupOfBothFamilies, HasBordersAtTheLimits)
         const RotaryLimits& limits = is_machine ? *setup.limits : needed;
         for (const Vec3& direction : line.directions) {
             const RotaryFrame machine = test::axes_of_machine(GetParam());
-            // The pole is a corner of both sectors.
+            // The pole, a corner of both sectors, has no unique angle.
             if (distance_from_singular(machine, direction) < 1e-12)
                 continue;
             const RotaryAngles one = rotary_angles(machine, direction);
@@ -106,6 +106,20 @@ TEST(ShownSetup, NamesAxesByTheMachines)
     EXPECT_EQ(axis_label(SetupObject::SecondAxis, ca), "R2 = A");
     const RotaryFrame ba{RotaryFamily::AB, Vec3::UnitZ(), Vec3::UnitY(), Vec3::UnitX()};
     EXPECT_EQ(axis_label(SetupObject::FirstAxis, ba), "R1 = B");
+}
+
+// Facet 0 is accessible along the cell nearest to the tool axis only, facet 1 along all
+// others.
+TEST(ReachedAtZero, LooksAtTheCellNearestToTheToolAxis)
+{
+    const SphereGrid grid = sphere_grid("hex:3");
+    const std::size_t cell = 17;
+    VisibilityMap map{2, grid.centres.size()};
+    for (std::size_t k = 0; k < grid.centres.size(); ++k)
+        map.column(k)[0] = k == cell ? 0b01 : 0b10;
+    const Vec3 near = (grid.centres[cell] + Vec3{0.01, -0.01, 0.005}).normalized();
+    EXPECT_EQ(reached_at_zero(grid, map, near), (std::vector<std::uint8_t>{1, 0}));
+    EXPECT_EQ(reached_at_zero(grid, map, -near), (std::vector<std::uint8_t>{0, 1}));
 }
 
 TEST(ShownSetup, RefusesAMirror)

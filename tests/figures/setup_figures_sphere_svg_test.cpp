@@ -93,8 +93,8 @@ TEST_P(SphereOfGrid, CellsTileTheDisc)
 INSTANTIATE_TEST_SUITE_P(Grids, SphereOfGrid,
                          testing::Values("hex:10", "cube:4", "latlong:12x6", "ico:1"));
 
-// Seen from the spindle, all cells of the north half are in front, each in the colour of its
-// share: hex has them first, so that none reaches fewer than half of the facets.
+// Seen from the spindle, all cells of the north half are in front, each in the colour of
+// its share: hex has them first, so that none reaches fewer than half of the facets.
 TEST(SphereSvg, ShadesCellsByTheFacetsThatTheyReach)
 {
     const SphereGrid grid = sphere_grid("hex:6");
@@ -116,7 +116,7 @@ TEST(SphereSvg, ShadesCellsByTheFacetsThatTheyReach)
     EXPECT_EQ(drawn, expected);
 }
 
-// The legend's numbers against the colours of cells that reach so many.
+// Compares the numbers in the legend with the colours of cells that have so many facets.
 TEST(SphereSvg, NamesTheNumbersOfEachShade)
 {
     const SphereGrid grid = sphere_grid("hex:4");
@@ -171,7 +171,7 @@ TEST(SphereSvg, DrawsTheNeededMotionWhereItIs)
                     1e-3);
 }
 
-TEST(SphereSvg, DashesWhatIsBehind)
+TEST(SphereSvg, DashesLinesBehindTheSphere)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     SphereFigure figure{.elevation = Angle::degrees(90)};
@@ -208,7 +208,7 @@ TEST(SphereSvg, MarksDirectionsOfThePart)
     EXPECT_GT(marks[1].y(), disc.centre.y() + disc.radius);
 }
 
-TEST(SphereSvg, LeavesOutCellsThatNobodyCouldSee)
+TEST(SphereSvg, LeavesOutCellsThatAreTooSmallToSee)
 {
     const SphereGrid grid = sphere_grid("hex:100");
     const std::string svg = sphere_svg(grid, VisibilityMap{3, grid.centres.size()}, {});

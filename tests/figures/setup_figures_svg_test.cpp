@@ -106,7 +106,7 @@ TEST(SetupSvg, DrawsTheAxesThroughTheMiddle)
     EXPECT_GT(runs[1].back().x(), high.x());
 }
 
-TEST(SetupSvg, SaysThatALargePartIsDrawnCoarser)
+TEST(SetupSvg, StatesThatALargePartIsDrawnCoarser)
 {
     const TriangleMesh torus = test::torus_mesh(100, 40);
     const std::vector<std::uint8_t> reached(torus.triangles().size(), 1);
@@ -121,7 +121,7 @@ TEST(SetupSvg, SaysThatALargePartIsDrawnCoarser)
               std::string::npos);
 }
 
-TEST(SetupSvg, RefusesWhatIsNotOfTheFacets)
+TEST(SetupSvg, RefusesAnotherNumberOfFacets)
 {
     const TriangleMesh box = test::box_mesh({0, 0, 0}, {3, 2, 1});
     EXPECT_THROW(setup_svg({}, {}, upright(), {}), DomainError);

@@ -37,7 +37,7 @@ ShownSetup some_setup(RotaryFamily family)
     return setup;
 }
 
-// All cells, in VTK's order: vertices, lines, polygons.
+// All cells in the order of VTK: vertices, lines, polygons.
 struct ReadCells {
     std::vector<std::vector<std::int64_t>> cells;
     std::vector<std::int32_t> objects;
@@ -87,7 +87,8 @@ struct ReadCells {
     }
 };
 
-// Heights along the tool axis, in the part's coordinates, are Z in the machine's.
+// The height of a point along the tool axis, in the part's coordinates, is its Z in the
+// machine's.
 TEST(SetupVtp, HasThePartsFacetsInItsPose)
 {
     const ShownSetup setup = some_setup(RotaryFamily::CA);
@@ -132,8 +133,9 @@ TEST(SetupVtp, HasTheMachinesAxesThroughTheMiddle)
 
 class SetupVtpOfBoth : public testing::TestWithParam<RotaryFamily> {};
 
-// Seen from the middle of the sphere, a point of the border is a direction that the tool takes,
-// and one a little further from the pole's side is not always: the border is not inside.
+// A point of the border, seen from the centre of the sphere, is a feasible direction;
+// some directions slightly farther from the pole are not, so the border is not in the
+// interior.
 TEST_P(SetupVtpOfBoth, HasBordersOfDirectionsOnASphereAroundThePart)
 {
     const ShownSetup setup = some_setup(GetParam());
@@ -180,7 +182,7 @@ TEST(SetupVtp, ASetupWithoutTurnsHasAVertexAtThePole)
     EXPECT_NEAR((read.places(0).at(0) - middle).normalized().z(), 1, 1e-14);
 }
 
-TEST(SetupVtp, RefusesWhatIsNotOfTheFacets)
+TEST(SetupVtp, RefusesAnotherNumberOfFacets)
 {
     const ShownSetup setup = some_setup(RotaryFamily::CA);
     FacetAccess access = access_of(part);

@@ -25,7 +25,7 @@ TEST(SetupStyles, ShowEachLineOnce)
     EXPECT_EQ(ab[2].axis, Vec3(0, 1, 0));
 }
 
-TEST(SetupStyles, TellObjectsApart)
+TEST(SetupStyles, DistinguishObjects)
 {
     std::set<std::string_view> colours;
     for (const SetupObject object :
@@ -37,11 +37,13 @@ TEST(SetupStyles, TellObjectsApart)
     }
 }
 
-TEST(SetupStyles, LegendSaysThatTheToolAxisIsAlsoC)
+TEST(SetupStyles, LegendNamesTheToolAxisAndCTogether)
 {
     AxonometricFigure figure{{}, std::array<Vec3, 2>{Vec3{0, 0, 0}, {1, 1, 1}}};
     add_setup_legend(figure, test::axes_of_machine(RotaryFamily::CA));
-    add_border_legend(figure, true);
+    ShownSetup setup;
+    setup.limits = RotaryLimits{};
+    add_border_legend(figure, setup);
     std::set<std::string> texts;
     for (const XmlElement& element : SmallXml::parse(figure.text()))
         texts.insert(element.text);

@@ -51,7 +51,8 @@ TEST(StackedChart, HasGapsWhereThereIsNoValue)
     EXPECT_THAT(text, testing::Not(testing::HasSubstr("nan")));
 }
 
-// A picture has so many columns; a wave of any number of points keeps its height in it.
+// The size of the file is bounded by the columns of pixels; a wave of many points keeps
+// its height.
 TEST(StackedChart, OfVeryManyPointsStaysSmallAndKeepsExtremes)
 {
     std::vector<double> places;
@@ -63,7 +64,7 @@ TEST(StackedChart, OfVeryManyPointsStaysSmallAndKeepsExtremes)
     const std::vector<ChartPanel> panels{{"y", {line}}};
     const std::string text = stacked_chart({"many", {}, "x"}, places, panels);
     EXPECT_LT(text.size(), 100'000u);
-    // 50 of a scale from 0 to 60 in 150 px; drawn from place to place.
+    // The value 50 on a scale from 0 to 60 over 150 px.
     EXPECT_NE(text.find("-125 "), std::string::npos);
 }
 
@@ -88,7 +89,7 @@ TEST(StackedChart, OfNothingIsAFrame)
                 testing::HasSubstr("</svg>"));
 }
 
-TEST(StackedChart, RefusesWhatIsNoCurve)
+TEST(StackedChart, RefusesInvalidCurves)
 {
     const std::vector<double> places{0, 1};
     const auto chart = [&](std::vector<std::optional<double>> values,

@@ -73,7 +73,7 @@ TEST(SurfaceSvg, CoversTheSurfaceWithItsCells)
 }
 
 // The last thing drawn at a place is what the viewer sees: cells come from far to near.
-TEST(SurfaceSvg, DrawsWhatIsNearerLater)
+TEST(SurfaceSvg, DrawsNearerCellsLater)
 {
     SurfaceDrawing drawing;
     drawing.figure.elevation = Angle::degrees(0);

@@ -56,7 +56,7 @@ TEST(ToolPathSvg, ShowsLinksApartAndMovesClearOfThePartDashed)
     EXPECT_EQ(dashed, 1 + 1);  // retract and rapid in one line, and the legend's sample
 }
 
-TEST(ToolPathSvg, TheLegendNamesWhatIsThere)
+TEST(ToolPathSvg, LegendNamesTheDrawnMoves)
 {
     const std::set<std::string> whole = texts_of(tool_path_svg(wavy_path(2, 5)));
     for (const char* label : {"cut", "link", "rapid, plunge, retract", "x", "y", "z"})

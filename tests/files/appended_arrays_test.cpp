@@ -8,7 +8,8 @@
 namespace endmill {
 namespace {
 
-// An array's offset is all that stands before it: sizes of 8 bytes, and numbers.
+// The offset of an array is the size of everything before it: sizes of 8 bytes, and
+// numbers.
 TEST(AppendedArrays, StandBehindEachOther)
 {
     AppendedArrays arrays;

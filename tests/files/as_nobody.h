@@ -8,7 +8,7 @@
 
 namespace endmill {
 
-/// While it lives, root is another user, whom permissions do stop.
+/// While it exists, root acts as another user, so that file permissions apply.
 class AsNobody {
 public:
     AsNobody() : was_root_{::geteuid() == 0}

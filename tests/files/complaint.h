@@ -7,8 +7,8 @@
 
 namespace endmill {
 
-/// "CODE message" of the complaint about a file, or that a limit is reached, which `read`
-/// throws; "accepted" if it throws nothing.
+/// "CODE message" of the FormatError or LimitError that `read` throws; "accepted" if it
+/// throws nothing.
 template <class Read>
 std::string complaint_of(const Read& read)
 {
@@ -22,7 +22,7 @@ std::string complaint_of(const Read& read)
     }
 }
 
-/// `text` with the first `from` in it replaced by `to`; empty if there is none.
+/// `text` with its first `from` replaced by `to`; empty if it has none.
 inline std::string replaced(std::string text, const std::string& from,
                             const std::string& to)
 {

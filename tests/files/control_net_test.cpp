@@ -11,22 +11,20 @@ using testing::ElementsAre;
 using testing::StartsWith;
 using testing::ThrowsMessage;
 
-// Calls `read(root, numbers)` on a document in inches, with a limit of 100 mm.
+// Calls `read(root, rule)` on a document in inches, with a limit of 100 mm.
 template <class Read>
 auto read_text(std::string_view text, const Read& read)
 {
-    const ReadLimits limits{.max_extent_mm = 100};
-    const std::string file = "f.json";
-    const JsonDocument document{text, file, limits};
+    const JsonDocument document{text, "f.json"};
     const JsonValue root = document.root();
-    return read(root, SurfaceNumbers{root, 25.4, ToolSide::Up, file, limits});
+    return read(root, LengthRule{.mm_per_unit = 25.4, .max_extent_mm = 100});
 }
 
 ControlNet net_of(std::string_view text, const std::optional<ExpectedCount>& columns = {},
                   const std::optional<ExpectedCount>& rows = {})
 {
-    return read_text(text, [&](const JsonValue& root, const SurfaceNumbers& numbers) {
-        return read_net(root, numbers, columns, rows);
+    return read_text(text, [&](const JsonValue& root, const LengthRule& rule) {
+        return read_net(root, rule, columns, rows);
     });
 }
 
@@ -60,8 +58,8 @@ TEST(ControlNet, RefusesOtherCountsThanAskedFor)
 TEST(ControlNet, LengthsAreConvertedBeforeTheyAreMeasured)
 {
     const auto lengths = [](std::string_view text) {
-        return read_text(text, [](const JsonValue& root, const SurfaceNumbers& numbers) {
-            return read_lengths(root, numbers);
+        return read_text(text, [](const JsonValue& root, const LengthRule& rule) {
+            return read_lengths(root, rule);
         });
     };
     EXPECT_THAT(lengths("[1, -3.5]"), ElementsAre(25.4, -3.5 * 25.4));

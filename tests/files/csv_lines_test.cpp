@@ -44,7 +44,7 @@ TEST(CsvLines, TakeQuotesOffCells)
     EXPECT_EQ(all_cells("\"a,b\",,\"c\""), expected);
 }
 
-// The general reader of CSV is another program for the same format.
+// `parse_csv` is an independent reader of the same format.
 TEST(CsvLines, CutAsTheGeneralReaderDoes)
 {
     const std::string text = "a,\"b\",c\n1,\"2,5\",\"\"\r\n,,\n\"x\",y,z";
@@ -67,7 +67,7 @@ TEST(CsvLines, RefuseQuotesThatDoNotEncloseACellOfOneLine)
     EXPECT_THAT(complaint_about("a\rb\n"), testing::HasSubstr("f:1: a carriage return"));
 }
 
-TEST(CsvLines, TellWhatFollowsTheLine)
+TEST(CsvLines, ReturnTheTextAfterTheLine)
 {
     const std::string text = "a\nb\r\nc";
     CsvLines reader{text, "f"};

@@ -114,7 +114,7 @@ std::string complaint_about(const std::string& text)
     }
 }
 
-TEST(ParseCsv, NamesTheLineOfWhatIsWrong)
+TEST(ParseCsv, StatesTheLineOfAnError)
 {
     EXPECT_EQ(complaint_about("a,b\n1,2\n3\n"), "f:3: row has 1 cells; expected 2");
     EXPECT_EQ(complaint_about("a,b\n1,2,3\n"), "f:2: row has 3 cells; expected 2");
@@ -131,7 +131,7 @@ TEST(ParseCsv, NamesTheLineOfWhatIsWrong)
     EXPECT_THAT(complaint_about("a\nnan\n"), HasSubstr("expected a number"));
 }
 
-TEST(ParseCsv, SaysWhichColumnIsMissing)
+TEST(ParseCsv, StatesWhichColumnIsMissing)
 {
     try {
         static_cast<void>(parse_csv("a\n1\n", "f").number(0, "b"));

@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-// The beginnings that the formats' own documents print.
+// First lines as printed in the documents of the formats.
 TEST(RecognizedFormat, SeesTheBeginningsOfTheUsualFiles)
 {
     EXPECT_EQ(recognized_format("solid cube\n facet normal 0 0 1\n"), "STL");
@@ -35,7 +35,7 @@ TEST(RecognizedFormat, KnowsABinaryStlByItsSizeWhateverItBeginsWith)
     EXPECT_EQ(recognized_format(stl), "JSON");
 }
 
-TEST(RecognizedFormat, SaysNothingOfWhatItDoesNotKnow)
+TEST(RecognizedFormat, IsNothingForUnknownContent)
 {
     EXPECT_EQ(recognized_format("hello"), std::nullopt);
     EXPECT_EQ(recognized_format(""), std::nullopt);

@@ -36,7 +36,7 @@ TEST(PolylineCsv, TurnsMergesClosesAndOrders)
     EXPECT_EQ(curves[1].points, (Points{{2, 1}, {5, 0}}));
 }
 
-TEST(PolylineCsv, NamesTheLineOfWhatIsWrong)
+TEST(PolylineCsv, StatesTheLineOfAnError)
 {
     EXPECT_THAT(complaint_about(""), HasSubstr("f.csv:1: no column s_mm"));
     EXPECT_THAT(complaint_about("s_mm\n"), HasSubstr("no column z_mm"));
@@ -64,7 +64,7 @@ TEST(PolylineCsv, RefusesACurveWithoutTwoDifferentPoints)
 TEST(PolylineCsv, RefusesACurveThatComesAgain)
 {
     EXPECT_THAT(complaint_about("s_mm,z_mm,curve\n0,0,1\n1,0,1\n0,1,2\n1,1,2\n0,3,1\n"),
-                HasSubstr("f.csv:6: curve 1 again, after another"));
+                HasSubstr("f.csv:6: curve 1 occurs again after another curve"));
 }
 
 TEST(PolylineCsv, MeasuresMemoryBeforeItReads)

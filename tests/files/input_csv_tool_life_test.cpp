@@ -33,7 +33,7 @@ TEST(ToolLifeCsv, ReadsColumnsInAnyOrder)
     EXPECT_EQ(complaint_about_rows("0.1,64\n0.1,60\n0.5,37"), "accepted");
 }
 
-TEST(ToolLifeCsv, NamesTheLineOfWhatIsWrong)
+TEST(ToolLifeCsv, StatesTheLineOfAnError)
 {
     EXPECT_THAT(complaint_about(""), HasSubstr("f.csv:1: no column phi_over_pi"));
     EXPECT_THAT(complaint_about("phi_over_pi\n0.1\n"),

@@ -15,7 +15,7 @@ namespace {
 using std::string_literals::operator""s;
 using testing::HasSubstr;
 
-// What is wrong with `text`, as "PLACE: …"; "accepted" if nothing.
+// The error in `text` as "PLACE: …"; "accepted" if there is none.
 std::string complaint_about(const std::string& text)
 {
     try {
@@ -122,7 +122,7 @@ TEST(JsonTree, RefusesATreeThatWouldNotFit)
     for (int i = 0; i < 100000; ++i)
         text += "{},";
     text += "0]";
-    // 100 000 values of 16 bytes and as many empty maps of 48.
+    // 100 000 values of 16 bytes and as many empty maps of 48 bytes.
     const double least_gib = 1e5 * (16 + 48) / (1 << 30);
     EXPECT_THAT([&] { json_tree(text, "f", {.max_memory_gib = least_gib}); },
                 testing::ThrowsMessage<LimitError>(HasSubstr("f: reading it needs")));

@@ -119,7 +119,8 @@ TEST(MachineFile, TheExamplesAreRead)
                 HasSubstr("E_OPEN"));
 }
 
-// A table's positions are mirrored turns; what the file does not say is 0 or not limited.
+// Positions of a table axis are turns with the opposite sign. Missing values become 0 or
+// no limit.
 TEST(MovingMachine, HasTheLimitsOfTheFile)
 {
     const Machine machine = moving_machine(parse_machine(whole, "m.json"));
@@ -139,7 +140,8 @@ TEST(MovingMachine, HasTheLimitsOfTheFile)
     EXPECT_EQ(plain.table_offset, Vec3(0, 0, 0));
 }
 
-// One file for each of the twelve words that turn the tool two ways.
+// One file for each of the twelve configurations whose tool axis has two rotary degrees
+// of freedom.
 TEST(MovingMachine, OfEveryValidWordIsAmongTheExamples)
 {
     const std::filesystem::path folder =

@@ -38,7 +38,7 @@ TEST(ReadMesh, ReadsEveryFormatByItsExtension)
     EXPECT_EQ(read_mesh(folder.put("BOX.OBJ", obj)).mesh.triangles().size(), 2U);
 }
 
-TEST(ReadMesh, TellsOfFilesThatCannotBeRead)
+TEST(ReadMesh, ReportsFilesThatCannotBeRead)
 {
     const TemporaryFolder folder;
     EXPECT_THAT(complaint_of([&] { read_mesh(folder.path() / "none.stl"); }),
@@ -48,7 +48,6 @@ TEST(ReadMesh, TellsOfFilesThatCannotBeRead)
                 testing::StartsWith("E_EMPTY"));
 }
 
-// Row 6 of the malformed inputs.
 TEST(ReadMesh, RefusesUnknownExtensions)
 {
     EXPECT_EQ(
@@ -60,7 +59,6 @@ TEST(ReadMesh, RefusesUnknownExtensions)
               "expected \".stl\", \".obj\", \".ply\" or \".off\"");
 }
 
-// Row 7.
 TEST(ReadMesh, RefusesContentThatContradictsTheExtension)
 {
     EXPECT_EQ(complaint_about(obj, "part.stl"),
@@ -76,7 +74,7 @@ TEST(ReadMesh, RefusesContentThatContradictsTheExtension)
               "E_OFF_SYNTAX a.off:1: \"hello\"; expected \"OFF\"");
 }
 
-// Row 24, and files that hold no triangle at all.
+// Files without triangles, and files whose triangles are all degenerate.
 TEST(ReadMesh, RefusesAMeshWithoutATriangle)
 {
     EXPECT_EQ(complaint_about("v 0 0 0\nv 1 0 0\nv 3 0 0\nf 1 2 3\n", "a.obj"),
@@ -93,8 +91,7 @@ TEST(ReadMesh, RefusesAMeshWithoutATriangle)
               "E_EMPTY a.stl: mesh has no triangles; expected at least one");
 }
 
-// Rows 25 and 30.
-TEST(ReadMesh, WeldsAndDropsAndSaysSo)
+TEST(ReadMesh, WeldsAndLeavesOutWithNotes)
 {
     EXPECT_THAT(parse_mesh(obj, "a.obj").notes, ElementsAre());
     const MeshFile file =
@@ -122,8 +119,8 @@ TEST(ReadMesh, WeldsAndDropsAndSaysSo)
                     "corners 0 mm out of plane at most"));
 }
 
-// A triangle is dropped only if its corners are on one line exactly: the tenth part of 1
-// and the double next to it are not.
+// A triangle is left out only if its corners are exactly collinear. Corners at 0.1 and at
+// the next double are not.
 TEST(ReadMesh, DropsNoTriangleThatHasTheLeastArea)
 {
     const auto degenerate = [](const std::string& y) {
@@ -136,7 +133,7 @@ TEST(ReadMesh, DropsNoTriangleThatHasTheLeastArea)
     EXPECT_EQ(degenerate("0.30000000000000004"), 0U);
 }
 
-TEST(ReadMesh, ConvertsInchAndSaysSo)
+TEST(ReadMesh, ConvertsInchesAndAddsANote)
 {
     const MeshFile file = parse_mesh(obj, "a.obj", {.units = LengthUnit::Inch});
     EXPECT_EQ(file.mesh.points()[3], Vec3(0, 25.4, 50.8));
@@ -150,7 +147,7 @@ TEST(ReadMesh, ConvertsInchAndSaysSo)
         "(--max-extent)");
 }
 
-// A rotation keeps volume and its sign; a mirror would turn the sign.
+// A rotation keeps the sign of the volume; a reflection would change it.
 TEST(ReadMesh, TurnsTheNamedAxisUprightWithoutMirroring)
 {
     const TriangleMesh box = test::box_mesh({0, 0, 0}, {1, 2, 3});

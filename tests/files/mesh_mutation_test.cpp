@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Damaged mesh files: whatever a reader makes of them, it is a sound mesh or an error that
-// endmill throws on purpose, and it takes memory in proportion to the file.
+// Damaged mesh files: a reader returns a valid mesh or throws one of endmill's own
+// errors, and its memory is proportional to the size of the file.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@
 
 namespace {
 
-// Bytes that `new` gave and `delete` did not take back yet, and the most since a reset.
+// Bytes that are allocated now, and the maximum since the last reset.
 std::size_t bytes_in_use = 0;
 std::size_t most_bytes_in_use = 0;
 
@@ -49,7 +49,7 @@ void* operator new(std::size_t size)
 {
     return counted_allocation(size);
 }
-// The address sanitizer's own would not go together with the `delete` below.
+// The address sanitizer has its own operators, which must not be mixed with these.
 void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept
 {
     try {
@@ -134,7 +134,7 @@ void expect_sound(const MeshFile& file)
     }
 }
 
-// The most memory that reading `content` took beside it.
+// Peak memory of reading `content`, without the content itself.
 std::size_t memory_of_reading(const std::string& content, const std::string& path)
 {
     std::string copy = content;
@@ -149,8 +149,8 @@ std::size_t memory_of_reading(const std::string& content, const std::string& pat
     return most_bytes_in_use - before;
 }
 
-// What a reader may take: the shortest face of a format has a few bytes, and its triangle
-// and three points of their own, welded, some hundreds.
+// Allowed memory: the shortest face of a format has a few bytes in the file; its triangle
+// and three points take some hundred bytes in memory.
 std::size_t memory_bound(std::size_t file_bytes)
 {
     return 100 * file_bytes + 100000;
@@ -195,7 +195,7 @@ TEST(LyingMesh, IsGivenNoMemoryForWhatItClaims)
         EXPECT_LT(memory_of_reading(lie.content, lie.path), 20000U) << lie.content;
 }
 
-// A file that takes far more memory than it has bytes.
+// A file whose mesh takes far more memory than the file has bytes.
 struct Greedy {
     const char* name;
     std::string path;

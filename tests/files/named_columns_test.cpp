@@ -54,7 +54,7 @@ TEST(NamedColumns, MayLackThoseThatAreNotNeeded)
     EXPECT_FALSE((NamedColumns{lines, names, 2}.has(2)));
 }
 
-TEST(NamedColumns, SayWhatIsWrongWithAHeaderOrARow)
+TEST(NamedColumns, ReportErrorsOfHeadersAndRows)
 {
     EXPECT_THAT(complaint_about("s_mm,zmm\n"), HasSubstr("f:1: unknown column \"zmm\""));
     EXPECT_THAT(complaint_about("s_mm,zmm\n"), HasSubstr("did you mean \"z_mm\"?"));

@@ -39,7 +39,7 @@ TEST(ParseObj, ReadsPointsAndFaces)
     EXPECT_EQ(raw.split_faces, 0U);
 }
 
-// The four ways in which the format's document writes a corner.
+// The four notations of a corner in the document of the format.
 TEST(ParseObj, TakesTextureAndNormalsOfCornersAsGiven)
 {
     EXPECT_THAT(triangles_of(points + "vt 0 0\nvn 0 0 1\n"
@@ -63,7 +63,7 @@ TEST(ParseObj, SplitsFacesOfMoreCorners)
     EXPECT_GT(raw.out_of_plane_mm, 0);
 }
 
-TEST(ParseObj, IgnoresWhatSaysNothingOfTheShape)
+TEST(ParseObj, IgnoresStatementsThatDoNotAffectTheShape)
 {
     EXPECT_THAT(
         triangles_of("# by hand\r\nmtllib a b.mtl\r\no part # one\ng side top\ns off\n"
@@ -72,7 +72,7 @@ TEST(ParseObj, IgnoresWhatSaysNothingOfTheShape)
         ElementsAre(Triangle{0, 1, 2}));
 }
 
-TEST(ParseObj, RefusesWhatIsNoMesh)
+TEST(ParseObj, RefusesOtherContent)
 {
     EXPECT_EQ(complaint_about("cstype bezier\n" + points),
               "E_OBJ_SYNTAX f.obj:1: free-form statement \"cstype\"; "
@@ -99,7 +99,6 @@ TEST(ParseObj, RefusesWhatIsNoMesh)
     }
 }
 
-// Rows 31 to 33 of the malformed inputs.
 TEST(ParseObj, RefusesIndicesOfNoPoint)
 {
     const auto with = [](const std::string& index) {
@@ -114,7 +113,6 @@ TEST(ParseObj, RefusesIndicesOfNoPoint)
               "E_INDEX f.obj:1: index 1; expected points (v) above the faces");
 }
 
-// Rows 34 to 36.
 TEST(ParseObj, RefusesFacesThatAreNoneAndEndlessLines)
 {
     EXPECT_EQ(complaint_about(points + "f 1 2\n"),
@@ -129,7 +127,6 @@ TEST(ParseObj, RefusesFacesThatAreNoneAndEndlessLines)
               "expected lines of at most 1048576 bytes");
 }
 
-// Rows 20 to 23.
 TEST(ParseObj, RefusesCoordinatesThatAreNone)
 {
     EXPECT_EQ(complaint_about("v 0 0 0\nv 0 nan 0\n"),

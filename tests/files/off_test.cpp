@@ -98,7 +98,6 @@ TEST(ParseOff, RefusesOtherKindsOfOff)
               "E_OFF_SYNTAX f.off:2: \"4.0\"; expected a whole number");
 }
 
-// Rows 37 and 38 of the malformed inputs.
 TEST(ParseOff, RefusesCountsThatTheFileCannotHold)
 {
     EXPECT_EQ(complaint_with("4 2 5", "4000000000 2 5"),
@@ -123,7 +122,6 @@ TEST(ParseOff, RefusesCountsThatTheFileCannotHold)
               "E_COUNT f.off:43: header claims 4 points, file ends after 1");
 }
 
-// Row 39.
 TEST(ParseOff, RefusesIndicesOfNoPoint)
 {
     EXPECT_EQ(complaint_with("3 0 2 3", "3 0 2 4"),
@@ -149,7 +147,6 @@ TEST(ParseOff, RefusesFacesThatAreNone)
               "E_OFF_SYNTAX f.off:8: \"5\"; expected the end of the line");
 }
 
-// Rows 20 to 23.
 TEST(ParseOff, RefusesCoordinatesThatAreNone)
 {
     EXPECT_EQ(complaint_with("0.5", "NaN"),

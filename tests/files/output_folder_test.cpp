@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using std::string_literals::operator""s;
 using testing::HasSubstr;
 
-// All that lies in a folder, by path relative to it.
+// All files in a folder, by relative path.
 std::set<std::string> names_in(const fs::path& folder)
 {
     std::set<std::string> names;
@@ -57,7 +57,7 @@ TEST(OutputFolder, LeavesNothingUnlessPublished)
     EXPECT_EQ(names_in(place.path()), Names{});
 }
 
-TEST(OutputFolder, KeepsWhatWasThereUnlessPublished)
+TEST(OutputFolder, KeepsExistingFilesUnlessPublished)
 {
     const TemporaryFolder place;
     place.put("old.csv", "old");
@@ -106,7 +106,7 @@ TEST(OutputFolder, RefusesAFolderThatIsNotEmptyOrAFile)
     EXPECT_THAT([&] { OutputFolder{""}; }, refuses("an empty name"));
 }
 
-TEST(OutputFolder, SaysWhyAFolderCannotBeCreated)
+TEST(OutputFolder, StatesWhyAFolderCannotBeCreated)
 {
     const TemporaryFolder place;
     const fs::path file = place.put("a", "x");
@@ -143,7 +143,7 @@ TEST(OutputFolder, RefusesNamesThatLeaveTheFolder)
     for (const char* name : {"", ".", "..", "../x", "/tmp/x", "u/../../x", "u/"})
         EXPECT_THAT([&] { output.write(name, "x"); },
                     testing::ThrowsMessage<DomainError>(
-                        HasSubstr(name + " is no name of a file in the folder"s)));
+                        HasSubstr(name + " is not the name of a file in the folder"s)));
 }
 
 TEST(OutputFolder, DoesNotReplaceAProtectedInput)
@@ -171,7 +171,8 @@ TEST(OutputFolder, DoesNotReplaceAFolder)
 
 class LeftoverTest : public testing::Test {
 protected:
-    // Publishes a run that writes the first of two files and may have left the second.
+    // Publishes a run that writes the first of two files; an earlier run may have left
+    // the second.
     void publish_first(const fs::path& input = {})
     {
         OutputFolder output{place.path(), /*force=*/true};
@@ -254,7 +255,7 @@ TEST_F(LeftoverTest, MustHaveAPlainName)
         EXPECT_THROW(output.remove_unless_written(name), DomainError) << name;
 }
 
-// A limit on the size of files stands for a full disk.
+// A limit on the size of files simulates a full disk.
 class FileSizeLimit {
 public:
     explicit FileSizeLimit(rlim_t bytes)
@@ -340,8 +341,8 @@ TEST(OutputFolder, HasNoFileWhosePiecesFailHalfway)
     EXPECT_EQ(content_of(place.path() / "a.csv"), "sound");
 }
 
-// In a process of its own, because nothing can be written after `abandon_all`.
-TEST(OutputFolderDeathTest, AbandonAllClearsWhatIsUnpublishedAndStopsTheRest)
+// Runs in a separate process, because nothing can be written after `abandon_all`.
+TEST(OutputFolderDeathTest, AbandonAllRemovesUnpublishedFilesAndStopsFurtherWrites)
 {
     const TemporaryFolder place;
     const auto interrupted = [&] {

@@ -139,9 +139,9 @@ TEST(PartFile, DoesNotSayThatAnOpenMeshFacesOutwards)
                             "same side and closed pieces outwards"));
 }
 
-TEST(PartFile, SaysWhichPiecesHaveOneSideOnly)
+TEST(PartFile, ReportsPiecesWithOneSideOnly)
 {
-    // Five triangles over five points: each point with the two after it.
+    // A Moebius strip of five triangles: each point with the two points after it.
     std::vector<Vec3> points;
     std::vector<Triangle> strip;
     for (int k = 0; k < 5; ++k) {

@@ -22,7 +22,7 @@ constexpr const char* canonical =
     "    4 N2     STRAIGHT_FEED(1.0000, 0.0000, 5.0000, 0.0000, 0.0000, 0.0000)\n"
     "    5 N..... PROGRAM_END()\n";
 
-TEST(PathFile, KindIsToldByTheContentWhateverTheName)
+TEST(PathFile, FormatFollowsTheContentWhateverTheName)
 {
     const ToolPath path = wavy_path(2, 3);
     for (const char* name : {"x", "x.txt", "x.ngc", "x.apt", "x.csv"}) {
@@ -44,7 +44,7 @@ TEST(PathFile, KindIsToldByTheContentWhateverTheName)
     }
 }
 
-TEST(PathFile, KindIsToldByTheNameWhereTheContentIsDamaged)
+TEST(PathFile, FormatFollowsTheNameIfTheContentIsDamaged)
 {
     EXPECT_EQ(path_format("x,y,z\n1,2,3\n", "x.csv"), PathFormat::Csv);
     EXPECT_EQ(path_format("FROM/1,2,3\n", "x.CL"), PathFormat::Apt);

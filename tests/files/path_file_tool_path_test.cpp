@@ -47,8 +47,8 @@ TEST(ToolPathCsv, OverSeveralSurfacesNamesThePatch)
                                   "1,0,rapid,1,2,3,0,0,1,4,,,,,,,,\n"));
 }
 
-// Columns in the order of the format, each only where some point has something for it.
-TEST(ToolPathCsv, WritesWhatTheMachineIsTold)
+// Optional columns stand at their place in the order, if any point has a value.
+TEST(ToolPathCsv, WritesToolFeedAndSpeed)
 {
     ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 2},
                    {0, 1, Move::Rapid, {{1, 2, 4}, {0, 0, 1}}, {}, 0}},
@@ -66,7 +66,7 @@ TEST(ToolPathCsv, WritesWhatTheMachineIsTold)
     EXPECT_EQ(tool_path_csv(path), tool_path_csv({path.points}));
 }
 
-TEST(ToolPathCsv, SaysLastWhatLimitsEachMove)
+TEST(ToolPathCsv, WritesTheLimitOfEachMoveLast)
 {
     const ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 0},
                          {0, 1, Move::Cut, {{1, 5, 3}, {0, 0, 1}}, {}, 0}},
@@ -118,7 +118,7 @@ TEST(ToolPathCsv, EveryNumberReadsBackAsTheSameDouble)
     }
 }
 
-// More points than fit into one batch of chunks, so that the joints are crossed too.
+// More points than one batch of runs, so that the joints between batches are tested.
 TEST(ToolPathCsv, IsTheSameWithAnyNumberOfThreads)
 {
     const ToolPath path = wavy_path(7, 20001);

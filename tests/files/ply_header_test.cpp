@@ -67,7 +67,7 @@ TEST(PlyHeader, TakesCommentsAndCarriageReturns)
     EXPECT_EQ(text.size() - header.bytes, 1U);
 }
 
-TEST(PlyHeader, RefusesWhatIsNone)
+TEST(PlyHeader, RefusesInvalidHeaders)
 {
     EXPECT_EQ(complaint_about("plyx\n"),
               "E_PLY_SYNTAX f.ply:1: \"plyx\"; expected \"ply\"");
@@ -84,9 +84,9 @@ TEST(PlyHeader, RefusesWhatIsNone)
     EXPECT_EQ(complaint_about(ascii_ply.substr(0, ascii_ply.find("end_header"))),
               "E_PLY_SYNTAX f.ply:16: end of file; expected \"element\", \"property\" or "
               "\"end_header\"");
-    EXPECT_EQ(
-        complaint_with("element camera 1\n", ""),
-        "E_PLY_SYNTAX f.ply:4: a property of nothing; expected an element before it");
+    EXPECT_EQ(complaint_with("element camera 1\n", ""),
+              "E_PLY_SYNTAX f.ply:4: a property before any element; expected an element "
+              "before it");
     EXPECT_EQ(complaint_with("property float fov\n", ""),
               "E_PLY_SYNTAX f.ply:4: an element without properties; "
               "expected at least one");
@@ -100,7 +100,6 @@ TEST(PlyHeader, RefusesWhatIsNone)
               "E_PLY_SYNTAX f.ply:6: \"4.0\"; expected a whole number");
 }
 
-// Row 41 of the malformed inputs.
 TEST(PlyHeader, RefusesTypesThatDoNotExist)
 {
     const std::string expected =
@@ -110,11 +109,10 @@ TEST(PlyHeader, RefusesTypesThatDoNotExist)
     EXPECT_EQ(complaint_with("list uchar int", "list int64 int"),
               "E_PLY_SYNTAX f.ply:13: \"int64\"" + expected);
     EXPECT_EQ(complaint_with("list uchar int", "list float int"),
-              "E_PLY_SYNTAX f.ply:13: the length of a list is no whole number; "
+              "E_PLY_SYNTAX f.ply:13: the length of a list is not a whole number; "
               "expected a type of whole numbers");
 }
 
-// Row 40.
 TEST(PlyHeader, RefusesCountsThatTheFileCannotHold)
 {
     EXPECT_EQ(
@@ -137,7 +135,7 @@ TEST(PlyHeader, HasAtMostAThousandProperties)
     EXPECT_EQ(complaint_about(text + "end_header\n"), "accepted");
     EXPECT_EQ(complaint_about(text + "property int y\nend_header\n"),
               "E_LIMIT f.ply:1003: over 1000 elements and properties; "
-              "expected at most so many");
+              "expected at most 1000");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace endmill {
 
-/// Four points and two faces behind other properties and elements.
+/// Four points and two faces among other properties and elements.
 inline const std::string ply_header_without_format =
     "comment made by a test\n"
     "element camera 1\n"
@@ -38,7 +38,7 @@ inline const std::string ascii_ply = "ply\nformat ascii 1.0\n" +
                                      "3 0 2 3 0.8\n"
                                      "7\n";
 
-/// Appends the bytes of `number`, the first last if `is_big_endian`.
+/// Appends the bytes of `number`, in reverse order if `is_big_endian`.
 template <class Number>
 void append_number(std::string& text, Number number, bool is_big_endian)
 {
@@ -48,7 +48,7 @@ void append_number(std::string& text, Number number, bool is_big_endian)
     text.append(bytes.data(), bytes.size());
 }
 
-/// The same items as in `ascii_ply`.
+/// The items of `ascii_ply` in binary.
 inline std::string binary_ply(bool is_big_endian)
 {
     std::string text = "ply\nformat binary_";

@@ -32,7 +32,7 @@ std::string complaint_with(const std::string& from, const std::string& to)
     return complaint_about(replaced(ascii_ply, from, to));
 }
 
-// A binary file whose only face is `face`, over three points.
+// A binary file with three points whose only face has the bytes `face`.
 std::string binary_with_face(const std::string& list, const std::string& face)
 {
     std::string text =
@@ -42,7 +42,7 @@ std::string binary_with_face(const std::string& list, const std::string& face)
     return text + std::string{"\0\0\0\1\0\0\0\1\0", 9} + face;
 }
 
-// Row 45 of the malformed inputs is none: big endian is accepted.
+// Both byte orders are accepted.
 TEST(ParsePly, ReadsAllEncodingsAndSkipsTheRest)
 {
     for (const std::string& text : {ascii_ply, binary_ply(false), binary_ply(true)}) {
@@ -93,11 +93,11 @@ TEST(ParsePly, RefusesAHeaderWithoutAMesh)
     EXPECT_EQ(complaint_with("vertex_indices", "corners"),
               "E_PLY_SYNTAX f.ply:12: a property is missing; expected vertex_indices");
     EXPECT_EQ(complaint_with("list uchar int vertex_indices", "int vertex_indices"),
-              "E_PLY_SYNTAX f.ply:12: the corners are no list of whole numbers; "
+              "E_PLY_SYNTAX f.ply:12: the corners are not a list of whole numbers; "
               "expected such as property list uchar int vertex_indices");
     EXPECT_EQ(complaint_with("list uchar int vertex_indices",
                              "list uchar float vertex_indices"),
-              "E_PLY_SYNTAX f.ply:12: the corners are no list of whole numbers; "
+              "E_PLY_SYNTAX f.ply:12: the corners are not a list of whole numbers; "
               "expected such as property list uchar int vertex_indices");
     EXPECT_EQ(complaint_with("float quality", "list uchar int vertex_index"),
               "E_PLY_SYNTAX f.ply:12: two lists of corners; expected one");
@@ -112,7 +112,6 @@ TEST(ParsePly, RefusesAHeaderWithoutAMesh)
         "expected element vertex, then element face");
 }
 
-// Row 40.
 TEST(ParsePly, RefusesMoreOrFewerItemsThanClaimed)
 {
     EXPECT_EQ(complaint_with("7\n", ""),
@@ -133,7 +132,6 @@ TEST(ParsePly, RefusesMoreOrFewerItemsThanClaimed)
     }
 }
 
-// Row 42.
 TEST(ParsePly, RefusesListsThatGoOnPastTheEnd)
 {
     const std::string text =
@@ -162,7 +160,6 @@ TEST(ParsePly, RefusesListsThatGoOnPastTheEnd)
               "E_PLY_SYNTAX f.ply:24: \"0.7\"; expected the end of the line");
 }
 
-// Rows 43 and 44.
 TEST(ParsePly, RefusesIndicesOfNoPoint)
 {
     EXPECT_EQ(complaint_with("3 0 2 3 0.8", "3 0 2 -5 0.8"),
@@ -181,7 +178,6 @@ TEST(ParsePly, RefusesIndicesOfNoPoint)
               "expected different corners");
 }
 
-// Rows 20 to 23.
 TEST(ParsePly, RefusesCoordinatesThatAreNone)
 {
     EXPECT_EQ(complaint_with("255 0.5 0", "255 nan 0"),
@@ -211,7 +207,8 @@ TEST(ParsePly, RefusesWhatNeedsMoreMemoryThanTheLimit)
 
 TEST(ParsePly, RefusesAFaceWhoseCornersNeedMoreMemoryThanTheLimit)
 {
-    // A byte a corner, of which each takes several numbers while the face is looked at.
+    // Each corner has one byte in the file and several numbers in memory while its face
+    // is split.
     constexpr std::uint32_t corners = 1'000'000;
     std::string text =
         "ply\nformat binary_little_endian 1.0\n"

@@ -21,7 +21,7 @@ Vec3 triangle_area(const Vec3& a, const Vec3& b, const Vec3& c)
     return (b - a).cross(c - a) / 2;
 }
 
-// The shoelace formula, projected along z.
+// Area by the shoelace formula, projected along z.
 double signed_area(const Polygon& polygon)
 {
     double area = 0;
@@ -43,7 +43,7 @@ TEST(FanCorner, IsTheFirstOfAConvexPolygon)
     EXPECT_EQ(fan_corner(circle), 0U);
 }
 
-// A quadrangle with a reflex corner is covered only from it or the one opposite.
+// A quadrangle with a reflex corner is covered only from that corner or the opposite one.
 TEST(FanCorner, AvoidsTheDiagonalOutsideAQuadrangle)
 {
     EXPECT_EQ(fan_corner(Polygon{{0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {1, 3, 0}}), 1U);
@@ -59,7 +59,7 @@ TEST(FanCorner, AvoidsTrianglesWithoutAnAreaWhereItCan)
     EXPECT_EQ(fan_corner(line), 0U);
 }
 
-TEST(FanCorner, ThereIsNoneForWhatIsFoldedOrFarFromConvex)
+TEST(FanCorner, DoesNotExistForPolygonsThatAreFoldedOrFarFromConvex)
 {
     const Polygon bow_tie{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
     EXPECT_EQ(fan_corner(bow_tie), std::nullopt);
@@ -68,8 +68,8 @@ TEST(FanCorner, ThereIsNoneForWhatIsFoldedOrFarFromConvex)
     EXPECT_EQ(fan_corner(comb), std::nullopt);
 }
 
-// The triangles of a fan that does not fold have together the polygon's area, each having
-// a positive one: they cover it once.
+// The triangles of a fan cover the polygon once if all areas are positive and sum to the
+// area of the polygon.
 TEST(FanCorner, TheFanCoversAStarShapedPolygonOnce)
 {
     test::Random random{7};

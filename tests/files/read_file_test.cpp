@@ -34,7 +34,7 @@ TEST(ReadFile, GivesEveryByteAsItStands)
     EXPECT_EQ(read_file(folder.put("b", "x")), "x");
 }
 
-TEST(ReadFile, TellsWhyAFileCannotBeOpened)
+TEST(ReadFile, StatesWhyAFileCannotBeOpened)
 {
     const TemporaryFolder folder;
     EXPECT_THAT(code_and_message(folder.path() / "none"),
@@ -45,7 +45,7 @@ TEST(ReadFile, TellsWhyAFileCannotBeOpened)
                                testing::HasSubstr("is a directory")));
 }
 
-TEST(ReadFile, TellsOfAMissingPermission)
+TEST(ReadFile, ReportsAMissingPermission)
 {
     const TemporaryFolder folder;
     const auto path = folder.put("secret", "text");
@@ -69,7 +69,7 @@ TEST(ReadFile, DoesNotWaitForAPipeOrADevice)
     EXPECT_THAT(code_and_message("/dev/zero"), testing::HasSubstr("a device or a pipe"));
 }
 
-TEST(ReadFile, RefusesWhatIsEmptyOrWhiteSpace)
+TEST(ReadFile, RefusesFilesThatAreEmptyOrWhiteSpace)
 {
     const TemporaryFolder folder;
     for (const auto content : {""sv, " \n\t\r\n"sv})

@@ -32,7 +32,7 @@ std::vector<Bin> bins_of(const Deviation& deviation)
     return bins;
 }
 
-// Cells in one tile of a unit square; a histogram asks for no more.
+// Cells in one tile of a unit square, which is all that a histogram needs.
 Deviation of_values(const std::vector<float>& left, const std::vector<float>& area)
 {
     Deviation deviation;

@@ -88,7 +88,7 @@ TEST(FeedCsv, IsReadBackAsItWas)
     }
 }
 
-TEST(FeedCsv, RefusesWhatIsNotFinite)
+TEST(FeedCsv, RefusesNumbersThatAreNotFinite)
 {
     SegmentCut wrong = cut();
     wrong.mu = std::numeric_limits<double>::quiet_NaN();

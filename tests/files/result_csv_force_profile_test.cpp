@@ -23,7 +23,7 @@ TEST(ForceProfileCsv, HasARowAnAngle)
     EXPECT_EQ(force_profile_csv({}, {}), header);
 }
 
-TEST(ForceProfileCsv, RefusesWhatIsNotFinite)
+TEST(ForceProfileCsv, RefusesNumbersThatAreNotFinite)
 {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<double> angle{1};

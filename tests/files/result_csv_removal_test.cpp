@@ -26,7 +26,7 @@ Removal removal_of(std::vector<double> removed)
     return removal;
 }
 
-TEST(RemovalCsv, TellsLengthVolumeAndRateOfEachMove)
+TEST(RemovalCsv, HasLengthVolumeAndRateOfEachMove)
 {
     ToolPath path;
     path.points = {point_at({0, 0, 0}, Move::Plunge), point_at({3, 4, 0}),
@@ -39,7 +39,7 @@ TEST(RemovalCsv, TellsLengthVolumeAndRateOfEachMove)
               "0,0,0.5,\n"
               "1,5,2,240\n"  // 2 mm^3 in 5 mm at 600 mm/min: half a second
               "2,0,0,\n"     // takes no time
-              "3,2,0,\n"     // no feed is told
+              "3,2,0,\n"     // the feed is unknown
               "4,5,0,\n");   // a rapid goes at no feed
 }
 

@@ -32,7 +32,7 @@ TEST(SectionCsv, LeavesPlacesEmptyThatAreNotKnown)
               "1,0,1,3,,,1.5\n");
 }
 
-TEST(SectionCsv, WritesWhatIsLeft)
+TEST(SectionCsv, WritesTheTrimmedCurves)
 {
     Trimmed plane;
     plane.curves.resize(1);
@@ -44,23 +44,23 @@ TEST(SectionCsv, WritesWhatIsLeft)
               "0,0,1,7,,,8\n");
 }
 
-TEST(SectionCsv, WritesWhatWasCutOutAndOnRequestWhy)
+TEST(SectionCsv, WritesRemovedStretchesAndOnRequestTheRule)
 {
     const std::vector<std::vector<CutOut>> planes{
         {},
         {{0, 3, 9, CutCause::Fold, SectionPoint{1.5, 2}, "P4"},
          {1, 0, 4, CutCause::Closed, std::nullopt, "closed"}}};
-    EXPECT_EQ(loops_csv(planes, false),
+    EXPECT_EQ(loops_csv(planes, LoopColumns::Cause),
               "plane,curve,s_mm,z_mm,first_point,last_point,cause\n"
               "1,0,1.5,2,3,9,fold\n"
               "1,1,,,0,4,closed\n");
-    EXPECT_EQ(loops_csv(planes, true),
+    EXPECT_EQ(loops_csv(planes, LoopColumns::CauseAndRule),
               "plane,curve,s_mm,z_mm,first_point,last_point,cause,rule\n"
               "1,0,1.5,2,3,9,fold,P4\n"
               "1,1,,,0,4,closed,closed\n");
 }
 
-TEST(SectionCsv, RefusesWhatIsNoNumberAndPlanesThatStandNowhere)
+TEST(SectionCsv, RefusesNonFiniteNumbersAndPlanesWithoutAPosition)
 {
     const Planes odd{{{{{0, NAN}, {1, 0}}, false}}};
     EXPECT_THROW(sections_csv(odd, nullptr), DomainError);

@@ -17,7 +17,7 @@ namespace {
 using Corners = std::array<Vec3, 3>;
 using std::string_literals::operator""s;
 
-// A binary STL put together byte by byte; all triangles have the corners given.
+// A binary STL built byte by byte; all triangles have the given corners.
 std::string binary(std::uint32_t claimed, int triangles, std::array<float, 9> corners,
                    const std::string& header = "made by a test")
 {
@@ -83,8 +83,8 @@ TEST(ParseStl, ReadsAsciiHoweverItsWordsAreSpread)
     EXPECT_TRUE(read("solid\nendsolid\n").empty());
 }
 
-// Row 14 of the malformed inputs: not one.
-TEST(ParseStl, TellsBinaryByItsSizeAlsoIfItBeginsWithSolid)
+// A valid file with an unusual header.
+TEST(ParseStl, RecognisesBinaryFilesByTheirLengthEvenIfTheyBeginWithSolid)
 {
     const std::string text = binary(2, 2, some_corners, "solid facet normal");
     EXPECT_TRUE(is_binary_stl(text));
@@ -94,8 +94,7 @@ TEST(ParseStl, TellsBinaryByItsSizeAlsoIfItBeginsWithSolid)
     EXPECT_FALSE(is_binary_stl(""));
 }
 
-// Rows 9 to 13.
-TEST(ParseStl, RefusesABinaryFileThatIsNotAsLongAsItsHeaderSays)
+TEST(ParseStl, RefusesABinaryFileWhoseLengthContradictsItsHeader)
 {
     EXPECT_EQ(complaint_about("binary"s + std::string(44, '\0')),
               "E_STL_SIZE f.stl: file has 50 bytes and does not begin with \"solid\"; "
@@ -113,7 +112,6 @@ TEST(ParseStl, RefusesABinaryFileThatIsNotAsLongAsItsHeaderSays)
               "E_STL_SIZE f.stl@80: header says 2 triangles (184 bytes), file has 183");
 }
 
-// Rows 15 to 19.
 TEST(ParseStl, RefusesAsciiThatIsNotStl)
 {
     EXPECT_EQ(complaint_about(replaced(ascii, "  endfacet\n", "")),
@@ -140,7 +138,6 @@ TEST(ParseStl, RefusesAsciiThatIsNotStl)
               "E_STL_SYNTAX f.stl:3: \"inner\"; expected \"outer\"");
 }
 
-// Rows 20 to 23.
 TEST(ParseStl, RefusesCoordinatesThatAreNone)
 {
     const auto with = [](float z) {

@@ -8,7 +8,7 @@
 #include "endmill/files/vtk.h"
 #include "random.h"
 
-// Stock, and the numbers in the files that are made of it.
+// A stock, and access to the numbers in its files.
 namespace endmill::test {
 
 inline HeightStock rough_stock()
@@ -21,7 +21,7 @@ inline HeightStock rough_stock()
     return stock;
 }
 
-// Where in the file the array behind `offset` begins, after its size.
+// Position in the file of the array with this offset, after its size.
 inline std::size_t array_at(const std::string& file, std::size_t offset)
 {
     const std::string opening = "<AppendedData encoding=\"raw\">\n_";

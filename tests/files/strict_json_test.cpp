@@ -18,7 +18,7 @@ class JsonValueOf {
 public:
     explicit JsonValueOf(const std::string& text) : document_{text, "f"} {}
 
-    // What the reader says of member "x" when `read` takes it.
+    // The message about member "x" when `read` reads it.
     template <class Read>
     std::string complaint(Read read) const
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of datasets/surfaces that have a formula, beside the formula itself. Their
-// README and the numbers in it are held together by tests/scripts and tests/cli.
+// Compares the files of datasets/surfaces that have a formula with the formula itself.
+// The numbers in their README are checked by tests/scripts and tests/cli.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -24,7 +24,8 @@ Surface only_surface(const std::string& name)
     return read_surface(folder + name + ".json").surfaces.at(0);
 }
 
-// Calls `look` on a grid over a surface, a side of a patch in `parts` equal parts.
+// Calls `look` at the points of a grid over a surface; each side of a patch has `parts`
+// intervals.
 void for_points_of(const Surface& surface, int parts,
                    const std::function<void(const SurfaceJet&)>& look)
 {
@@ -45,12 +46,12 @@ void for_points_of(const Surface& surface, int parts,
 struct HeightGridFile {
     std::string name;
     std::function<double(double x, double y)> height;
-    double error;  // mm, as its README says, rounded up in its last digit
+    double error;  // mm, as stated in the README, rounded up in its last digit
 };
 
 class HeightGridFiles : public testing::TestWithParam<HeightGridFile> {};
 
-TEST_P(HeightGridFiles, AreAsFarFromTheirFormulaAsTheReadmeSays)
+TEST_P(HeightGridFiles, DifferFromTheirFormulaByTheErrorInTheReadme)
 {
     double farthest = 0;
     for_points_of(only_surface(GetParam().name), 16, [&](const SurfaceJet& jet) {

@@ -19,7 +19,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Control point in column i and row j of every net below.
+// The control point in column i and row j of every net below.
 Vec3 net_point(int i, int j)
 {
     return {10.0 * i, 7.5 * j, 0.1 * i * j - 1.0 / (1 + i + j)};
@@ -61,7 +61,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
-// "CODE message" of the error that `text` gives; "accepted" if there is none.
+// "CODE message" of the error in `text`; "accepted" if there is none.
 std::string complaint_about(const std::string& text)
 {
     try {
@@ -72,7 +72,7 @@ std::string complaint_about(const std::string& text)
     }
 }
 
-TEST(ReadSurface, PutsEveryControlPointWhereTheFormatSays)
+TEST(ReadSurface, PlacesEveryControlPointByTheRuleOfTheFormat)
 {
     const TemporaryFolder folder;
     const auto path = folder.put("wave.json", surface_text());
@@ -103,7 +103,7 @@ TEST(ReadSurface, TakesNameSourceAndToolSide)
     EXPECT_EQ(file.surfaces.front().tool_side(), ToolSide::DvCrossDu);
 }
 
-TEST(ReadSurface, ConvertsInchAndSaysSo)
+TEST(ReadSurface, ConvertsInchesAndAddsANote)
 {
     const SurfaceFile inch = parse_surface(surface_text("\"units\": \"inch\", "), "f");
     EXPECT_EQ(inch.surfaces.front().patch(1, 0).control_point(3, 3),
@@ -125,7 +125,7 @@ TEST(ReadSurface, RefusesRowsOfTheWrongNumberOrLength)
                 HasSubstr("/control_points/2: row has 8 points"));
 }
 
-TEST(ReadSurface, TellsOfAHugeDeclaredSizeWithoutTakingMemory)
+TEST(ReadSurface, ReportsAHugeDeclaredSizeWithoutAllocatingMemory)
 {
     const std::string big =
         replaced(surface_text(), "\"patches_u\": 2", "\"patches_u\": 10000");
@@ -176,7 +176,7 @@ TEST(ReadSurface, MeasuresTheExtentInMmAndAgainstTheLimitGiven)
                 testing::ThrowsMessage<FormatError>(HasSubstr("at most 59 mm")));
 }
 
-TEST(ReadSurface, RefusesWhatIsNoSurfaceFile)
+TEST(ReadSurface, RefusesOtherFiles)
 {
     EXPECT_THAT(complaint_about("solid a\n"), HasSubstr("content looks like STL"));
     EXPECT_THAT(complaint_about("v 0 0 0\n"), HasSubstr("content looks like OBJ"));

@@ -10,7 +10,7 @@
 
 namespace endmill {
 
-/// A folder of its own for a test, removed with all that is in it.
+/// A temporary folder for a test; the destructor removes it with its content.
 class TemporaryFolder {
 public:
     TemporaryFolder()
@@ -24,7 +24,7 @@ public:
 
     const std::filesystem::path& path() const { return path_; }
 
-    /// Writes a file by the standard library.
+    /// Writes a file with the standard library.
     std::filesystem::path put(const std::string& name, std::string_view content) const
     {
         std::ofstream{path_ / name, std::ios::binary} << content;
@@ -35,7 +35,7 @@ private:
     std::filesystem::path path_;
 };
 
-/// What a file holds, by the standard library.
+/// The content of a file, read with the standard library.
 inline std::string content_of(const std::filesystem::path& path)
 {
     std::ostringstream content;

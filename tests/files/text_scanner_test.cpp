@@ -18,7 +18,7 @@ TextScanner scanner(std::string_view text)
     return {text, {"f.txt", "E_TEXT", '#'}};
 }
 
-// "CODE message" of reading `text`, on the first line, by `read`.
+// "CODE message" of the error when `read` reads the first line of `text`.
 template <class Read>
 std::string complaint_about(std::string_view text, const Read& read)
 {
@@ -105,7 +105,7 @@ TEST(TextScanner, ReadsNumbersAsTheyAreSpelled)
     EXPECT_NO_THROW(words.expect_line_end());
 }
 
-TEST(TextScanner, RefusesWhatIsNoNumber)
+TEST(TextScanner, RefusesWordsThatAreNotNumbers)
 {
     EXPECT_EQ(complaint_about_number("\nabc"),
               "E_TEXT f.txt:2: \"abc\"; expected a number");
@@ -129,7 +129,7 @@ TEST(TextScanner, RefusesWhatIsNoNumber)
         EXPECT_TRUE(complaint_about_number(word).starts_with("E_TEXT f.txt:1: ")) << word;
 }
 
-TEST(TextScanner, RefusesWhatIsNoWholeNumber)
+TEST(TextScanner, RefusesWordsThatAreNotWholeNumbers)
 {
     EXPECT_EQ(complaint_about_whole_number("2.9"),
               "E_TEXT f.txt:1: \"2.9\"; expected a whole number");

@@ -74,7 +74,7 @@ TEST(PathColumns, RefuseUnknownNamesWithASuggestion)
     EXPECT_THAT(complaint_about("1,2,3"), HasSubstr("unknown column \"1\""));
 }
 
-TEST(PathColumns, RefuseWhatIsMissingOrTwice)
+TEST(PathColumns, RefuseMissingAndRepeatedColumns)
 {
     EXPECT_EQ(
         complaint_about("tip_x_mm,tip_z_mm"),

@@ -40,7 +40,7 @@ ToolPath path_with_conditions()
     return path;
 }
 
-TEST(ToolPathReader, ReadsWhatIsWrittenToTheBit)
+TEST(ToolPathReader, ReadsAWrittenPathToTheLastBit)
 {
     const ToolPath path = wavy_path(5, 400);
     const Program read = parse_tool_path(tool_path_csv(path), "f");
@@ -62,7 +62,7 @@ TEST(ToolPathReader, ReadsConditionsAndPatchesToTheBit)
     EXPECT_EQ(tool_path_csv(read.path), text);
 }
 
-// Long enough to be read in several runs of lines at once.
+// Long enough to be read in several runs of lines.
 TEST(ToolPathReader, ReadsALongPathToTheBitAndComplainsOfItsFirstFault)
 {
     ToolPath path = wavy_path(30, 400);
@@ -88,7 +88,7 @@ TEST(ToolPathReader, ReadsALongPathToTheBitAndComplainsOfItsFirstFault)
     }
 }
 
-TEST(ToolPathReader, NeedsTheTipsOnlyAndSaysWhatItTakes)
+TEST(ToolPathReader, NeedsOnlyTipsAndStatesItsAssumptions)
 {
     const Program read =
         parse_tool_path("tip_z_mm,tip_x_mm,tip_y_mm\r\n3,1,2\r\n6,+4,5e0\r\n", "f");
@@ -98,11 +98,11 @@ TEST(ToolPathReader, NeedsTheTipsOnlyAndSaysWhatItTakes)
     EXPECT_EQ(read.path.points[1].location.axis, (Vec3{0, 0, 1}));
     EXPECT_EQ(read.path.points[1].move, Move::Cut);
     EXPECT_EQ(read.path.points[1].point, 1);
-    EXPECT_THAT(read.remarks,
-                ElementsAre(HasSubstr("taken for a cut"), HasSubstr("taken for +z")));
+    EXPECT_THAT(read.remarks, ElementsAre(HasSubstr("assumed to be a cut"),
+                                          HasSubstr("assumed to be +z")));
 }
 
-TEST(ToolPathReader, LeavesOutWhatAPathHasNoPlaceForAndSaysSo)
+TEST(ToolPathReader, IgnoresColumnsThatAPathCannotHoldWithARemark)
 {
     const Program read = parse_tool_path(
         header +
@@ -113,8 +113,8 @@ TEST(ToolPathReader, LeavesOutWhatAPathHasNoPlaceForAndSaysSo)
     EXPECT_FALSE(read.path.points[0].contact);
     EXPECT_THAT(read.path.conditions,
                 ElementsAre(CuttingConditions{100, {}, {}}, CuttingConditions{}));
-    EXPECT_THAT(read.remarks, ElementsAre(HasSubstr("contacts are left out"),
-                                          HasSubstr("limit is left out")));
+    EXPECT_THAT(read.remarks, ElementsAre(HasSubstr("contacts are ignored"),
+                                          HasSubstr("limit is ignored")));
 }
 
 TEST(ToolPathReader, ScalesAnAxisOfFourDecimals)
@@ -230,7 +230,7 @@ TEST(ToolPathReader, KeepsANormalWithoutTheRestOfItsContact)
     EXPECT_EQ(*read.path.normal(1), (Vec3{0, 0.6, 0.8}));
     EXPECT_FALSE(read.path.normal(2));
     EXPECT_FALSE(read.path.points[1].contact);
-    // It is written, and read again, beside whole contacts too.
+    // The normal is also written and read again beside complete contacts.
     const std::string text = tool_path_csv(read.path);
     const Program again = parse_tool_path(text, "f");
     EXPECT_EQ(again.path.normals, read.path.normals);

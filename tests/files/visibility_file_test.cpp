@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -54,7 +55,7 @@ TEST(VisibilityFile, ComesBackTheSame)
     EXPECT_EQ(bytes_of(back), bytes);
 }
 
-// 9.12 of the specification: a cell from which all is seen is a column of zeros.
+// A cell along which all facets are accessible is a column of zeros, as in [KangSuh].
 TEST(VisibilityFile, HasZeroForAccessible)
 {
     StoredVisibility stored{.grid = "hex:1", .tool = {}, .visibility = {{70, 12}, {}}};
@@ -106,7 +107,7 @@ std::string with(std::string bytes, std::size_t at, Number number)
     return bytes;
 }
 
-// Where the reader finds a fault.
+// The place that the error message states.
 std::string place(const std::string& damaged)
 {
     try {
@@ -118,14 +119,14 @@ std::string place(const std::string& damaged)
     return "none";
 }
 
-// With the checksum that belongs to the rest.
+// The file with a checksum that matches its content.
 std::string summed(const std::string& bytes)
 {
     const std::size_t end = bytes.size() - 8;
     return with(bytes, end, visibility_checksum(std::string_view{bytes}.substr(0, end)));
 }
 
-TEST(VisibilityFile, SaysAtWhichByteItContradictsItself)
+TEST(VisibilityFile, StatesTheByteOfAContradiction)
 {
     const std::string bytes = bytes_of(some_visibility());
     EXPECT_EQ(place(summed(bytes)), "none");
@@ -137,7 +138,7 @@ TEST(VisibilityFile, SaysAtWhichByteItContradictsItself)
     EXPECT_EQ(place(summed(with(bytes, dropped + 16 + 15, '\xff'))), "@104");
 }
 
-TEST(VisibilityFile, SaysAtWhichByteAHeaderIsWrong)
+TEST(VisibilityFile, StatesTheByteOfAWrongHeader)
 {
     const std::string bytes = bytes_of(some_visibility());
     EXPECT_EQ(place(with(bytes, 0, 'X')), "@0");
@@ -154,7 +155,7 @@ TEST(VisibilityFile, SaysAtWhichByteAHeaderIsWrong)
     EXPECT_EQ(place(with(bytes, 60, std::uint32_t{1})), "@60");
     EXPECT_EQ(place(with(bytes, 64, 'H')), "@64");
     EXPECT_EQ(place(with(bytes, 68, '1')), "@24");
-    // As many words, of more facets or of another grid.
+    // The same number of words, but more facets or another grid.
     EXPECT_EQ(place(with(bytes, 16, std::uint64_t{91})),
               "@" + std::to_string(bytes.size() - 8));
     EXPECT_EQ(place(with(bytes, bytes.size() - 9, '\x1')),
@@ -198,6 +199,35 @@ TEST(PartChecksum, ChangesWithEachCoordinateAndCorner)
     EXPECT_TRUE(std::ranges::adjacent_find(sums) == sums.end());
     EXPECT_EQ(part_checksum(test::box_mesh({-0.0, -0.0, -0.0}, {1, 2, 3})),
               part_checksum(part));
+}
+
+std::uint64_t checksum_of(const std::vector<std::uint64_t>& words)
+{
+    return visibility_checksum(
+        {reinterpret_cast<const char*>(words.data()), 8 * words.size()});
+}
+
+TEST(VisibilityChecksum, DependsOnEachBitOfEachWordAndOnTheirOrderAndNumber)
+{
+    const std::vector<std::uint64_t> words{0, 1, 2, 0, 0};
+    std::set<std::uint64_t> sums{checksum_of(words)};
+    for (std::size_t k = 0; k < words.size(); ++k)
+        for (int bit = 0; bit < 64; ++bit) {
+            std::vector<std::uint64_t> changed = words;
+            changed[k] ^= std::uint64_t{1} << bit;
+            sums.insert(checksum_of(changed));
+        }
+    sums.insert(checksum_of({1, 0, 2, 0, 0}));
+    sums.insert(checksum_of({0, 1, 2, 0}));
+    sums.insert(checksum_of({0, 1, 2, 0, 0, 0}));
+    sums.insert(checksum_of({}));
+    EXPECT_EQ(sums.size(), 1 + 5 * 64 + 4U);
+}
+
+TEST(VisibilityChecksum, NeedsWholeWords)
+{
+    EXPECT_THROW(visibility_checksum("1234567"), DomainError);
+    EXPECT_THROW(visibility_checksum("123456789"), DomainError);
 }
 
 }  // namespace

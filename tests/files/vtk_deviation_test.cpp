@@ -76,7 +76,7 @@ TEST_P(ThinnedDeviation, KeepsBothExtremesWhateverIsLeftOut)
     EXPECT_GE(left.size(), std::min(most, deviation.left.size()) / 2);
     EXPECT_EQ(std::ranges::min(left), -0.5);
     EXPECT_EQ(std::ranges::max(left), 0.7F);
-    // In their order: each is found behind the one before.
+    // The points keep their order: each is found after the one before.
     auto at = deviation.left.begin();
     for (const float value : left) {
         at = std::find(at, deviation.left.end(), value);
@@ -118,7 +118,7 @@ TEST(DeviationVtp, OfNothingIsAFileWithoutPoints)
     EXPECT_TRUE(reader.array<float>("left_mm", "Float32").empty());
 }
 
-TEST(DeviationVtp, RefusesWhatIsNotFiniteAndLessThanTwoPoints)
+TEST(DeviationVtp, RefusesNonFiniteNumbersAndFewerThanTwoPoints)
 {
     const PartCharts charts = part_charts(slope);
     Deviation deviation = made_deviation(charts, 0.5, wavy);

@@ -57,7 +57,7 @@ TEST(StockVti, IsReadFromAFile)
     expect_same(read_stock(path).heights, stock);
 }
 
-// As VTK reads it: the cells of the extent, the array behind its offset, x first.
+// The file as VTK reads it: the cells of the extent, the array at its offset, x fastest.
 TEST(StockVti, IsAnImageOfVtk)
 {
     const HeightStock stock = rough_stock();
@@ -106,7 +106,7 @@ TEST(StockVti, RefusesAFileOfAnotherLength)
     const std::string file = stock_vti(rough_stock());
     EXPECT_THAT(complaint(file.substr(0, file.size() - 200)), StartsWith("E_VTI_SIZE"));
     EXPECT_THAT(complaint(file + "x"), StartsWith("E_VTI_SIZE"));
-    // Counts that nobody has memory for are not believed.
+    // Counts that exceed any memory are refused before anything is allocated.
     std::string huge = replaced(file, "WholeExtent=\"0 12 0 15",
                                 "WholeExtent=\"0 2147483647 0 2147483647");
     huge = replaced(huge, "Piece Extent=\"0 12 0 15",
@@ -141,8 +141,8 @@ TEST(StockVti, RefusesAnotherHead)
     EXPECT_THAT(complaint("<?xml version=\"1.0\"?>\n<VTKFile"), StartsWith("E_VTI"));
 }
 
-// What is cut off anywhere is refused. A changed byte of the head is refused too, unless
-// it makes another number of the origin: nothing is read that a stock cannot be.
+// A truncated file is refused. A file with a changed byte in the head is refused unless
+// the byte makes another valid number of the origin.
 TEST(StockVti, SurvivesDamage)
 {
     const HeightStock stock = rough_stock();
@@ -161,7 +161,7 @@ TEST(StockVti, SurvivesDamage)
     }
 }
 
-// A stock, and how a flat and a ball have left it.
+// A stock after cuts with a flat and a ball-end cutter.
 KeptStock kept_stock()
 {
     const Block box{{-1.1, 0.3, -2.7}, {2.35, 4.8, 9}};
@@ -195,7 +195,7 @@ std::string kept_file()
     return stock_vti(kept.heights, kept.history);
 }
 
-// Where the arrays of the history begin: block, cutters, tips of runs, tips.
+// Positions of the arrays of the history: block, cutters, tips of runs, tips.
 std::size_t history_at(const std::string& file)
 {
     return array_at(file, 16) + 12 * 15 * 8;
@@ -213,7 +213,8 @@ TEST(StockVtiWithHistory, IsReadBackToTheLastBit)
     EXPECT_FALSE(parse_stock(stock_vti(kept.heights), "stock.vti").history);
 }
 
-// As VTK reads it: every array lies where its offset says, as long as its tuples say.
+// The file as VTK reads it: every array is at its offset and has the length of its
+// tuples.
 TEST(StockVtiWithHistory, IsAnImageOfVtk)
 {
     const std::string file = kept_file();
@@ -270,7 +271,7 @@ TEST(StockVtiWithHistory, RefusesRunsThatAreNone)
     EXPECT_THAT(with_count(runs, -1), StartsWith("E_VTI "));
     EXPECT_THAT(with_count(runs + 8, 2), StartsWith("E_VTI "));
     EXPECT_THAT(with_count(tips - 8, 7), StartsWith("E_VTI "));
-    // Another block than that of the heights, or one that they are higher than.
+    // A block that differs from that of the heights, or is lower than they are.
     EXPECT_THAT(complaint(with_number_at(file, block, -1.2)), StartsWith("E_VTI "));
     EXPECT_THAT(complaint(with_number_at(file, block + 5 * 8, 1)), StartsWith("E_VTI "));
     EXPECT_THAT(complaint(with_number_at(file, block, 3)), StartsWith("E_RANGE"));

@@ -49,7 +49,8 @@ TEST(ToolPathVtp, HoldsEveryPointExactly)
     }
 }
 
-// Each move of the path must lie in exactly one polyline, which says its kind and pass.
+// Each move of the path is in exactly one polyline, whose cell data are its kind and
+// pass.
 TEST(ToolPathVtp, PolylinesCoverEveryMoveOnce)
 {
     const ToolPath path = wavy_path(4, 6);

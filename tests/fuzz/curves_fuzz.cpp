@@ -52,7 +52,7 @@ void check_trimmed(const std::vector<SectionCurve>& curves, const Trimmed& trimm
     }
 }
 
-// As `endmill trim --polyline` does it, by whatever is in the table.
+// The steps of `endmill trim --polyline`, with every method of the table.
 void trim_all(const std::vector<SectionCurve>& curves)
 {
     const double extent = height(curves);
@@ -72,7 +72,7 @@ void trim_all(const std::vector<SectionCurve>& curves)
 }  // namespace
 }  // namespace endmill
 
-// Curves that are read are as SectionCurve says, and every method trims them.
+// Curves that are read satisfy the contract of SectionCurve, and every method trims them.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     using namespace endmill;

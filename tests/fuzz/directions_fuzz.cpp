@@ -9,10 +9,10 @@
 namespace endmill {
 namespace {
 
-/// What a machine with limits is tried with, in rad.
+/// The rotary limits of the machine, in rad.
 constexpr RotaryLimits some_limits{{-0.5, 1.9}, {-0.7, 0.6}};
 
-/// Few enough that the slowest fit takes some ms.
+/// Largest number of directions; the slowest fit then takes some ms.
 constexpr std::size_t most_fitted = 40;
 
 void check_range(const RotaryRange& range)
@@ -31,7 +31,7 @@ void check_fit(const FittedPose& fit)
         program_must(std::abs(axis.norm() - 1) < 1e-9);
 }
 
-// As `endmill setup --points` does it.
+// The steps of `endmill setup --points`.
 void fit_all(const std::vector<Vec3>& directions)
 {
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB})
@@ -58,8 +58,8 @@ void fit_all(const std::vector<Vec3>& directions)
 }  // namespace
 }  // namespace endmill
 
-// Directions that are read have unit length, and every mode fits them: none in corrected more
-// than in paper.
+// Directions that are read are unit vectors, and every mode fits them; the range of the
+// corrected mode is never larger than that of the paper's.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     using namespace endmill;

@@ -12,7 +12,7 @@
 
 namespace endmill {
 
-/// Stops the fuzzer with a finding unless `holds`.
+/// Aborts, which the fuzzer reports as a finding, unless `holds`.
 inline void must(bool holds)
 {
     if (!holds)
@@ -25,8 +25,8 @@ inline bool are_same(const TriangleMesh& a, const TriangleMesh& b)
            std::ranges::equal(a.triangles(), b.triangles());
 }
 
-/// Reads the bytes as the content of the file `path`. Either the mesh is sound, and comes
-/// back the same after it is written, or the error is one that readers promise.
+/// Parses the bytes as the content of the file `path`. The mesh is valid and survives
+/// writing and reading, or the reader throws a documented error.
 inline int fuzz_mesh(const std::uint8_t* bytes, std::size_t size, const char* path)
 {
     const MeshReadOptions options{.limits = {.max_memory_gib = 0.25}};

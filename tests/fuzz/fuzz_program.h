@@ -13,7 +13,7 @@
 
 namespace endmill {
 
-/// Stops the fuzzer with a finding unless `holds`.
+/// Aborts, which the fuzzer reports as a finding, unless `holds`.
 inline void program_must(bool holds)
 {
     if (!holds)
@@ -25,7 +25,7 @@ inline bool is_fit_for_a_terminal(const std::string& text)
     return text.find_first_of("\n\x1b") == std::string::npos;
 }
 
-/// Stops the fuzzer unless `program` is what the readers promise.
+/// Aborts unless `program` satisfies the documented guarantees of the readers.
 inline void check_program(const Program& program, const GcodeReadOptions& options)
 {
     const auto& points = program.path.points;
@@ -52,8 +52,8 @@ inline void check_program(const Program& program, const GcodeReadOptions& option
         program_must(is_fit_for_a_terminal(remark));
 }
 
-/// Reads the bytes by `parse`. Either the path is sound, or the error is one that the
-/// readers promise.
+/// Parses the bytes by `parse`. The path is valid, or the reader throws a documented
+/// error.
 template <class Parse>
 int fuzz_program(const std::uint8_t* bytes, std::size_t size, const Parse& parse)
 {

@@ -3,7 +3,7 @@
 #include "endmill/machine/feasible_directions.h"
 #include "fuzz_program.h"
 
-// A machine that is read is sound; or the error is one that the reader promises.
+// A machine that is read is valid, or the reader throws a documented error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     using namespace endmill;

@@ -3,7 +3,7 @@
 #include "endmill/machine/configuration.h"
 #include "fuzz_program.h"
 
-// A word that is read says the same of itself; or the fault is told as it was promised.
+// A configuration that is read has the same word; another word is refused with its fault.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     using namespace endmill;

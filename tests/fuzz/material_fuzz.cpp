@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/files/material_file.h"
+#include "endmill/files/tool_file.h"
 #include "fuzz_program.h"
 
-// A material that is read is sound; or the error is one that the reader promises.
+// A material that is read is valid, or the reader throws a documented error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     using namespace endmill;

@@ -4,8 +4,8 @@
 #include "endmill/files/vtk.h"
 #include "fuzz_program.h"
 
-// A stock that is read is sound and written as the very bytes that were read, or the error
-// is one that the reader promises.
+// A stock that is read is valid and is written as the same bytes, or the reader throws a
+// documented error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     using namespace endmill;

@@ -7,8 +7,8 @@
 #include "endmill/core/error.h"
 #include "endmill/files/surface_file.h"
 
-// A surface comes back the same after it is written, or the error is one that the reader
-// promises.
+// A surface that is written and read again is the same, or the reader throws a documented
+// error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     using namespace endmill;

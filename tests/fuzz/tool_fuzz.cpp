@@ -2,8 +2,8 @@
 #include "endmill/files/tool_file.h"
 #include "fuzz_program.h"
 
-// A tool that is read is sound, and a word spells its cutter; or the
-// error is one that the reader promises.
+// A tool that is read is valid and its cutter has a word, or the reader throws a
+// documented error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     using namespace endmill;

@@ -2,8 +2,8 @@
 #include "endmill/files/input_csv.h"
 #include "fuzz_program.h"
 
-// From speeds that are read a line is fitted whose numbers are sound, or the data do not fall
-// as speeds do; or the error is one that the reader promises.
+// A line is fitted to speeds that are read and its numbers are valid, or the fit refuses
+// data that do not decrease, or the reader throws a documented error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     using namespace endmill;

@@ -3,7 +3,7 @@
 #include "endmill/files/path_file.h"
 #include "fuzz_program.h"
 
-// A path that is read can be written, and is then read as the same path.
+// A path that is read, written and read again is the same path.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
     using namespace endmill;

@@ -4,8 +4,8 @@
 #include "endmill/files/visibility_file.h"
 #include "fuzz_program.h"
 
-// A map that is read is written as the same bytes; or the error is one that the reader
-// promises. Also behind the checksum, which no fuzzer hits.
+// A map that is read is written as the same bytes, or the reader throws a documented
+// error. The checksum is also corrected, because a fuzzer would never find it.
 namespace {
 
 void read_and_write(std::string_view content)

@@ -9,17 +9,18 @@
 
 namespace endmill {
 
-/// An element of an XML text, with the text directly in it, entities resolved.
+/// An element of an XML text.
 struct XmlElement {
-    std::string name;
-    std::map<std::string, std::string> attributes;
-    std::string text;
+    std::string name;                               ///< of the tag
+    std::map<std::string, std::string> attributes;  ///< values with entities resolved
+    std::string text;  ///< text directly in the element, with entities resolved
 };
 
-/// A small XML parser of its own for the tests: elements in the order in which they open.
-/// Throws std::runtime_error if the text is not well-formed.
+/// A small XML parser for the tests, independent of the library.
 class SmallXml {
 public:
+    /// All elements in the order of their opening tags.
+    /// \throws std::runtime_error if the text is not well-formed.
     static std::vector<XmlElement> parse(std::string_view text)
     {
         SmallXml parser{text};

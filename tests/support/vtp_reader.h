@@ -13,8 +13,8 @@
 
 namespace endmill {
 
-/// Reads a file as VTK's description of its XML formats says: the elements name offsets
-/// into the bytes after '_', where each array follows its size in bytes.
+/// Reads a file by the definition of VTK's XML formats: elements have offsets into the
+/// bytes after '_', where each array follows its size in bytes.
 class VtpReader {
 public:
     explicit VtpReader(const std::string& file)
@@ -36,7 +36,7 @@ public:
         throw std::runtime_error{"no element " + element};
     }
 
-    /// \param skipped arrays of that name before the one that is wanted.
+    /// \param skipped number of arrays of that name before the wanted one.
     template <class Number>
     std::vector<Number> array(const std::string& name, const std::string& type,
                               int skipped = 0) const

@@ -7,9 +7,9 @@
 
 namespace endmill {
 
-/// A zig-zag path over a wavy plate of 200 x 120 mm with every kind of move: it plunges
-/// from the safe height, cuts `passes` passes of `points` points with links between them,
-/// retracts, and goes back by a rapid. Points clear of the part have no contact.
+/// A zig-zag path over a wavy plate of 200 x 120 mm with every kind of move: a plunge
+/// from the safe height, `passes` passes of `points` points with links between them, a
+/// retract, and a rapid back. Points clear of the part have no contact.
 inline ToolPath wavy_path(int passes, int points)
 {
     const Vec3 axis{0, 0, 1};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 2 of Park & Maeng: what a ball-end cutter engages, the part E of its half sphere that
-// faces the feed and that the previous pass has left; for one case.
+// Figure 2 of Park & Maeng: what a ball-end cutter engages, the part E of its half sphere
+// that faces the feed and that the previous pass has left; for one case.
 //
 //   ball-end-milling-figure-2 OUTPUT_FOLDER
 //
@@ -8,8 +8,8 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/core/text.h"
+#include "endmill/figures/force_figures.h"
 #include "endmill/process/cutting_coefficients.h"
-#include "support/engagement_drawing.h"
 #include "support/engagement_table.h"
 #include "support/experiment.h"
 
@@ -38,7 +38,7 @@ int main(int argc, char** argv)
               i6_by_ranges(engagement, static_cast<int>(run.number("latitude_steps")))}});
         run.write_result(result);
         run.write("borders.csv",
-                  border_table(named_borders(engagement), frame.radius_mm).text());
+                  border_table(engagement_borders(engagement), frame.radius_mm).text());
         run.write("engagement.svg",
                   engagement_svg(
                       engagement, frame,

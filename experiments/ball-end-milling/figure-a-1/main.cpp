@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure A.1 of Park & Maeng: the frame in which the forces are summed up, an element of the
-// edge in it, and where its forces point, milling down and up.
+// Figure A.1 of Park & Maeng: the frame in which the forces are summed up, an element of
+// the edge in it, and where its forces point, milling down and up.
 //
 //   ball-end-milling-figure-a-1 OUTPUT_FOLDER
 //
@@ -8,7 +8,7 @@
 
 #include "endmill/core/angle.h"
 #include "support/experiment.h"
-#include "support/force_frame_drawing.h"
+#include "support/force_frame_table.h"
 
 using namespace endmill;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures 3 and 4 of Kang & Suh: the axes of five-axis machines, and four of the machines.
+// Figures 3 and 4 of Kang & Suh: the axes of five-axis machines, and four of the
+// machines.
 //
 //   five-axis-setup-figure-3-4 OUTPUT_FOLDER
 //
@@ -8,16 +9,16 @@
 #include <cstdint>
 
 #include "endmill/core/angle.h"
+#include "endmill/figures/machine_figure.h"
 #include "endmill/machine/kinematics.h"
 #include "support/experiment.h"
-#include "support/machine_drawing.h"
 
 using namespace endmill;
 
 namespace {
 
-// What each axis turns and where it comes in the order of the rotary ones, and where the part
-// sees the tool when it stands at `position` alone; then the same of both together.
+// What each axis turns and where it comes in the order of the rotary ones, and where the
+// part sees the tool when it stands at `position` alone; then the same of both together.
 void add_machine(CsvTable& table, const std::string& row, const Machine& machine,
                  double position)
 {

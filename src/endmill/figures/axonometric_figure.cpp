@@ -10,10 +10,15 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
+// The page has four parts from top to bottom: title and captions, the drawing, and a
+// footer with the axes to the left and the legend to the right. The width of the page is
+// given; the height follows from the drawing, which is as wide as the page but at most
+// 640 px high.
+
 namespace endmill {
 namespace {
 
-// The page, in px.
+// Layout of the page, in px.
 constexpr double least_width = 300;
 constexpr double margin = 32;
 constexpr double title_size = 21;
@@ -28,24 +33,26 @@ constexpr double legend_line = 24;
 constexpr double legend_sample = 38;
 constexpr double legend_offset = 190;
 constexpr double legend_column = 222;
-constexpr int legend_column_lines = 5;  // as many as the footer has room for
+constexpr int legend_column_lines = 5;  // the footer has room for five
 
-constexpr std::size_t longest_title = 100;    // characters: more would be too small
-constexpr std::size_t longest_caption = 150;  // to read
+// Largest numbers of characters; longer texts would be too small to read.
+constexpr std::size_t longest_title = 100;
+constexpr std::size_t longest_caption = 150;
 
 constexpr std::string_view axis_colour = "#444444";
 
-// The widest letters of a sans-serif text take on average this part of its size.
+// Upper bound of the average width of a letter in a sans-serif font, as a share of its
+// size.
 constexpr double letter_width = 0.62;
 
-// The size at most `size_px` at which `text` fits into `room_px`.
+// The largest font size up to `size_px` at which `text` fits into `room_px`.
 double fitting_size(std::string_view text, double size_px, double room_px)
 {
     const double width = letter_width * static_cast<double>(text.size());
     return std::min(size_px, room_px / std::max(width, 1.0));
 }
 
-// The place of `point` in the picture plane, in mm, y upwards.
+// The projection of `point` to the picture plane, in mm, y upwards.
 Eigen::Vector2d projected(const AxonometricView& view, const Vec3& point)
 {
     return {view.right.dot(point), view.up.dot(point)};
@@ -61,7 +68,7 @@ double round_length(double length)
     return power;
 }
 
-// Height of the title and captions, margin included, in px.
+// Height of the title and captions with the margin, in px.
 double heading_height(const FigureOptions& options)
 {
     const double title = options.title.empty() ? 0 : title_line;
@@ -89,6 +96,8 @@ AxonometricFigure::AxonometricFigure(const FigureOptions& options,
     add_axes(options);
 }
 
+// The scale is the largest at which the drawing fits into the width and the largest
+// height. A drawing that is a single point has the scale 1.
 AxonometricFigure::Layout AxonometricFigure::layout_for(const FigureOptions& options,
                                                         const AxonometricView& view,
                                                         std::span<const Vec3> extent)
@@ -115,6 +124,7 @@ AxonometricFigure::Layout AxonometricFigure::layout_for(const FigureOptions& opt
             scale, origin};
 }
 
+// The place of a point in the picture, in px.
 PixelPoint AxonometricFigure::pixels(const Vec3& point) const
 {
     const Eigen::Vector2d place = layout_.scale * projected(view_, point);
@@ -147,6 +157,8 @@ void AxonometricFigure::add_disc(const Vec3& point, double radius_px,
     picture_.add_disc(pixels(point), radius_px, colour);
 }
 
+// Draws an arrow between two places in px. \return false if it would be shorter than its
+// head, and is not drawn.
 bool AxonometricFigure::add_pixel_arrow(const PixelPoint& from, const PixelPoint& to,
                                         const LineStyle& style)
 {
@@ -172,7 +184,7 @@ void AxonometricFigure::add_arrow(const Vec3& from, const Vec3& to,
 void AxonometricFigure::add_label(const Vec3& point, const PixelPoint& shift_px,
                                   std::string_view text, std::string_view colour)
 {
-    const PixelPoint base{0, 0.36 * caption_size};  // so that the middle is at the point
+    const PixelPoint base{0, 0.36 * caption_size};  // centres the letters vertically
     picture_.add_text(pixels(point) + shift_px + base, text,
                       {caption_size, colour, false, true});
 }
@@ -193,6 +205,7 @@ void AxonometricFigure::add_disc_legend(std::string_view label, double radius_px
     name_legend(label);
 }
 
+// Lines of the legend fill a column before the next one begins.
 PixelPoint AxonometricFigure::next_legend() const
 {
     const int column = legend_lines_ / legend_column_lines;
@@ -201,6 +214,7 @@ PixelPoint AxonometricFigure::next_legend() const
             layout_.footer_px + legend_line * (line + 1)};
 }
 
+// Writes the label beside the sample that was just drawn.
 void AxonometricFigure::name_legend(std::string_view label)
 {
     picture_.add_text(next_legend() + PixelPoint{legend_sample + 10, 0.36 * caption_size},
@@ -208,6 +222,7 @@ void AxonometricFigure::name_legend(std::string_view label)
     ++legend_lines_;
 }
 
+// Long titles and captions get a smaller font, so that they fit between the margins.
 void AxonometricFigure::add_heading(const FigureOptions& options)
 {
     const double room = options.width_px - 2 * margin;
@@ -228,6 +243,8 @@ void AxonometricFigure::add_heading(const FigureOptions& options)
     }
 }
 
+// The arms of the axes have a round length in mm that is at most about 58 px. An axis
+// that points to the viewer is left out.
 void AxonometricFigure::add_axes(const FigureOptions& options)
 {
     const double arm_mm = round_length(axis_arm / layout_.scale);

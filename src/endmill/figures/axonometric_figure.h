@@ -12,130 +12,144 @@
 #include "endmill/core/angle.h"
 #include "endmill/core/vec.h"
 
+/// \file
+/// Drawing in SVG: pictures in the plane (`SvgPicture`, lengths in px), and drawings in
+/// space in parallel projection with title, axes and legend (`AxonometricFigure`, lengths
+/// in mm). All other figures of this module are made with these two classes.
+
 namespace endmill {
 
-/// A place in a picture, in px: x to the right, y down.
+/// A point in a picture, in px: x to the right, y down.
 using PixelPoint = Eigen::Vector2d;
 
-/// How a line is drawn.
+/// Style of a line.
 struct LineStyle {
-    std::string_view colour = "#000000";  ///< as SVG writes it; never from a file
+    std::string_view colour = "#000000";  ///< in the notation of SVG; never from a file
     double width_px = 1;                  ///< in px
-    std::string_view dashes{};  ///< SVG's stroke-dasharray in px; empty: unbroken
+    std::string_view dashes{};  ///< stroke-dasharray of SVG, in px; empty: a solid line
 };
 
-/// How a line of text is set.
+/// Style of a text.
 struct TextStyle {
-    double size_px = 14;                  ///< height of the letters' em, in px
-    std::string_view colour = "#222222";  ///< as SVG writes it; never from a file
+    double size_px = 14;                  ///< font size in px
+    std::string_view colour = "#222222";  ///< in the notation of SVG; never from a file
     bool bold = false;                    ///< bold or regular
-    bool centred = false;  ///< its middle or its beginning at the place given
+    bool centred = false;                 ///< placed by its middle or by its beginning
 };
 
-/// An upright rectangle in a picture, in whole px.
+/// A rectangle with sides parallel to the axes of a picture, in whole px.
 struct PixelBox {
-    int x = 0;  ///< of its left side
-    int y = 0;  ///< of its upper side
-    int width = 1;
-    int height = 1;
+    int x = 0;       ///< left side
+    int y = 0;       ///< upper side
+    int width = 1;   ///< in px
+    int height = 1;  ///< in px
 };
 
-/// A picture in SVG 1.1 on white, built element by element. All text is escaped; all
-/// numbers have at most two decimals.
+/// A picture in SVG 1.1 on a white ground. Elements are added one by one; later ones
+/// cover earlier ones. Texts are escaped; numbers have at most two decimals.
 class SvgPicture {
 public:
-    /// \param title what a screen reader says. \param width_px, height_px in px.
-    /// \throws DomainError unless both are finite and positive.
+    /// An empty picture.
+    /// \param width_px,height_px size in px.
+    /// \param title the title element, which screen readers read aloud.
+    /// \throws DomainError unless both sizes are finite and positive.
     SvgPicture(double width_px, double height_px, std::string_view title);
 
-    /// Points joined by straight lines; fewer than two draw nothing. Those that the rest
-    /// passes within 0.1 px are left out, so that the size follows what can be seen.
+    /// Adds straight lines between consecutive points; nothing if there are fewer than
+    /// two. Points that are within 0.1 px of the line through the others are left out, so
+    /// the size of the file depends on what is visible and not on the number of points.
+    /// \throws DomainError if a coordinate is not finite; so do the functions below.
     void add_polyline(std::span<const PixelPoint> points, const LineStyle& style);
 
-    /// A filled outline, closed from its last point to its first. \param fill as
-    /// LineStyle::colour. Fewer than three points draw nothing.
+    /// Adds a filled polygon; nothing if there are fewer than three points.
+    /// \param fill as LineStyle::colour.
     void add_polygon(std::span<const PixelPoint> points, std::string_view fill,
                      const LineStyle& outline);
 
-    /// Rectangles of one colour, as one element, with sharp sides: between two that touch
-    /// nothing shows through. None draw nothing.
+    /// Adds rectangles of one colour as one element, without anti-aliasing: no gap is
+    /// visible between rectangles that touch. Nothing is added if there are none.
     void add_boxes(std::span<const PixelBox> boxes, std::string_view fill);
 
-    /// A filled disc. \param radius_px in px.
+    /// Adds a filled disc. \param radius_px in px.
     void add_disc(const PixelPoint& centre, double radius_px, std::string_view colour);
 
-    /// One line of text on the base line through `place`.
+    /// Adds one line of text whose base line passes through `place`.
     void add_text(const PixelPoint& place, std::string_view text, const TextStyle& style);
 
-    /// The whole file.
+    /// The whole SVG file.
     std::string text() const;
 
 private:
     std::string text_;
 };
 
-/// `text` for XML: & < > " ' as entities, without control characters.
+/// `text` for use in XML: & < > " ' as entities, without control characters.
 std::string xml_escaped(std::string_view text);
 
-/// What surrounds a drawing in space, and from where it is seen.
+/// Title, size and view of a drawing in space.
 struct FigureOptions {
-    std::string title{};  ///< above the drawing; at most 100 characters show
-    std::vector<std::string> captions{};  ///< lines below the title; 150 characters show
-    double width_px = 900;                ///< of the whole picture, in px, at least 300
-    Angle azimuth = Angle::degrees(-60);  ///< where the viewer stands, from +x towards +y
-    Angle elevation = Angle::degrees(30);  ///< of the viewer over the xy plane
-    std::array<std::string_view, 3> axis_names{"x", "y", "z"};  ///< at their arrows
-    bool has_length = true;  ///< whether the length of the axes is told, in mm
+    std::string title{};  ///< above the drawing; cut after 100 characters
+    std::vector<std::string>
+        captions{};         ///< lines below the title; cut after 150 characters
+    double width_px = 900;  ///< of the whole picture, in px; at least 300
+    Angle azimuth = Angle::degrees(-60);  ///< direction to the viewer, from +x towards +y
+    Angle elevation = Angle::degrees(30);  ///< of the viewer above the xy plane
+    std::array<std::string_view, 3> axis_names{"x", "y", "z"};  ///< at the axes' arrows
+    bool has_length = true;  ///< whether the length of the axes' arrows is written, in mm
 };
 
-/// Directions of a parallel projection: mm in space to mm in the picture.
+/// Directions of a parallel projection from space to a picture plane, mm to mm.
 struct AxonometricView {
-    Vec3 right;   ///< unit, to the right in the picture
-    Vec3 up;      ///< unit, upwards in the picture
-    Vec3 toward;  ///< unit, to the viewer
+    Vec3 right;   ///< unit vector to the right in the picture
+    Vec3 up;      ///< unit vector upwards in the picture
+    Vec3 toward;  ///< unit vector to the viewer
 
-    /// The view of somebody who stands in direction (azimuth, elevation) of the part.
+    /// The view from the direction with this azimuth and elevation.
     AxonometricView(Angle azimuth, Angle elevation);
 };
 
-/// A drawing in space, in parallel projection: title and captions, the drawing, and below
-/// it the axes x, y, z with their length in mm, and a legend.
+/// A drawing in space in parallel projection: title and captions, the drawing, and below
+/// it the axes x, y, z with their length in mm and a legend.
 class AxonometricFigure {
 public:
-    /// \param extent points in mm that the drawing must have room for.
+    /// An empty drawing with its title and axes.
+    /// \param extent points in mm for which the drawing has room.
     /// \throws DomainError if `extent` is empty or not finite, or the width is below 300.
     AxonometricFigure(const FigureOptions& options, std::span<const Vec3> extent);
 
-    /// A line through `points`, in mm.
+    /// Adds straight lines between consecutive points, in mm.
     void add_curve(std::span<const Vec3> points, const LineStyle& style);
 
-    /// A filled outline, in mm, over what was drawn before it.
+    /// Adds a filled polygon, in mm. It covers what was added before.
     void add_polygon(std::span<const Vec3> points, std::string_view fill,
                      const LineStyle& outline);
 
-    /// A small disc at `point`, in mm. \param radius_px in px.
+    /// Adds a disc at `point`, in mm. \param radius_px in px.
     void add_disc(const Vec3& point, double radius_px, std::string_view colour);
 
-    /// A straight line between two points, in mm, with a head at `to`; one that is seen from
-    /// its end, and so shorter than its head, draws nothing.
+    /// Adds an arrow between two points, in mm, with its head at `to`. Nothing is added
+    /// if the arrow appears shorter than its head.
     void add_arrow(const Vec3& from, const Vec3& to, const LineStyle& style);
 
-    /// A line of text with its middle at `point`, in mm, moved by `shift_px` to the right and
-    /// down: a name for what is drawn there. \param colour as LineStyle::colour.
+    /// Adds a line of text that is centred at `point`, in mm, moved by `shift_px` to the
+    /// right and down. \param colour as LineStyle::colour.
     void add_label(const Vec3& point, const PixelPoint& shift_px, std::string_view text,
                    std::string_view colour);
 
-    const AxonometricView& view() const { return view_; }  ///< from where it is seen
+    const AxonometricView& view() const
+    {
+        return view_;
+    }  ///< directions of the projection
 
-    /// A line of the legend, in the order added; after every five begins a column, of
-    /// which a picture of 900 px has room for three.
+    /// Adds a line of the legend with a sample of the line style. A column has five
+    /// lines; a picture of 900 px has room for three columns.
     void add_legend(std::string_view label, const LineStyle& style);
 
-    /// The same for discs.
+    /// Adds a line of the legend with a disc.
     void add_disc_legend(std::string_view label, double radius_px,
                          std::string_view colour);
 
-    /// The whole file, SVG 1.1.
+    /// The whole SVG file.
     std::string text() const { return picture_.text(); }
 
 private:
@@ -155,7 +169,7 @@ private:
     bool add_pixel_arrow(const PixelPoint& from, const PixelPoint& to,
                          const LineStyle& style);
     void add_axes(const FigureOptions& options);
-    PixelPoint next_legend() const;  // where its sample begins
+    PixelPoint next_legend() const;  // where the sample of the next line begins
     void name_legend(std::string_view label);
 
     AxonometricView view_;

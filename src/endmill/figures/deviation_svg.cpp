@@ -13,41 +13,50 @@
 #include "endmill/figures/axonometric_figure.h"
 #include "endmill/figures/detail/deviation_raster.h"
 
+// The map has three layers: the squares of the raster, each in the colour of its class;
+// the marks of the deepest gouge and the largest remaining stock; and beside them a scale
+// with all classes. Classes are shares of the limits, so the same colours mean the same
+// verdict in every map.
+
 namespace endmill {
 namespace {
 
 constexpr double margin_px = 24;
 constexpr double title_px = 20;
 constexpr double caption_px = 13;
-constexpr double line_px = 20;            // from one caption to the next
-constexpr double legend_px = 130;         // room for the scale to the right of the map
+constexpr double line_px = 20;            // distance between captions
+constexpr double legend_px = 130;         // width of the scale to the right of the map
 constexpr int swatch_px = 22;             // height of a colour on the scale
-constexpr std::size_t shown_title = 100;  // characters
+constexpr std::size_t shown_title = 100;  // largest number of characters
 constexpr std::size_t shown_caption = 150;
 constexpr LineStyle frame_style{"#9aa2ab", 1, ""};
 constexpr LineStyle mark_style{"#000000", 1.5, ""};
 constexpr double mark_radius_px = 7;
 constexpr int mark_corners = 24;
 constexpr double label_shift_px = 11;
-constexpr int label_room_px = 130;  // beside a part that is a narrow strip from above
-// Less is rounding: shown as 0.
+constexpr int label_room_px = 130;  // least width of the map with its labels
+// Smaller deviations are rounding errors and are shown as 0.
 constexpr double least_shown = 1e-6;  // mm
 
-// Above edge k of `class_edges` begins colour k + 1.
+// Colours of the classes, from the deepest gouge to the most remaining stock. Class k + 1
+// begins above edge k of `class_edges`.
 constexpr std::array<std::string_view, 12> colours{
     "#5c0a5c", "#c2259f", "#2456b0", "#6f9fdc", "#bcd6f2", "#ececec",
     "#c9e6b4", "#86c76b", "#f6e04b", "#f29a2e", "#c0241c", "#6b0d0d"};
-constexpr std::size_t neutral = 5;
+constexpr std::size_t neutral = 5;  // class of deviations below a tenth of a limit
 
+// Edges of the classes in mm. The edges at the limits include the slack of the verdict.
 std::array<double, colours.size() - 1> class_edges(const DeviationLimits& limits)
 {
     const double gouge = limits.tolerance + verdict_slack;
-    const double rest = limits.scallop + verdict_slack;
-    return {-2 * gouge, -gouge,     -0.6 * gouge, -0.3 * gouge, -0.1 * gouge, 0.1 * rest,
-            0.3 * rest, 0.6 * rest, 0.8 * rest,   rest,         2 * rest};
+    const double excess = limits.scallop + verdict_slack;
+    return {-2 * gouge,   -gouge,       -0.6 * gouge, -0.3 * gouge,
+            -0.1 * gouge, 0.1 * excess, 0.3 * excess, 0.6 * excess,
+            0.8 * excess, excess,       2 * excess};
 }
 
-// What is just a limit is within it.
+// The class of a deviation. A deviation equal to an edge belongs to the class nearer to
+// zero.
 std::size_t class_of(double left, const DeviationLimits& limits)
 {
     const auto edges = class_edges(limits);
@@ -56,7 +65,7 @@ std::size_t class_of(double left, const DeviationLimits& limits)
     return static_cast<std::size_t>(above - edges.begin());
 }
 
-// Three digits.
+// A length with three significant digits.
 std::string shown(double mm)
 {
     if (std::abs(mm) < least_shown)
@@ -67,27 +76,28 @@ std::string shown(double mm)
     return {digits.data(), end.ptr};
 }
 
+// The first line is the verdict with both maxima and their limits.
 std::vector<std::string> caption_lines(const Deviation& deviation,
                                        const DeviationFigure& figure)
 {
     const DeviationLimits& limits = figure.limits;
-    std::vector<std::string> lines{std::string{verdict_name(verdict(deviation, limits))} +
-                                   ": deepest gouge " + shown(deviation.max_gouge_mm) +
-                                   " mm (tolerance " + shown(limits.tolerance) +
-                                   "), highest rest " + shown(deviation.max_scallop_mm) +
-                                   " mm (limit " + shown(limits.scallop) + ")"};
+    std::vector<std::string> lines{
+        std::string{verdict_name(verdict(deviation, limits))} + ": gouge " +
+        shown(deviation.max_gouge_mm) + " mm (tolerance " + shown(limits.tolerance) +
+        "), remaining stock " + shown(deviation.max_scallop_mm) + " mm (limit " +
+        shown(limits.scallop) + ")"};
     for (const std::string& caption : figure.captions)
         lines.push_back(printable(caption, shown_caption));
     return lines;
 }
 
-// Where things are. Squares are whole px, so that their sides are sharp.
+// Positions and sizes in px. Squares have whole px, so that their sides are sharp.
 struct Layout {
     double width;   // of the picture
-    double height;  // ditto
+    double height;  // of the picture
     int left;       // of the map
-    int top;        // ditto
-    int square;     // px a square
+    int top;        // of the map
+    int square;     // side of a square
     int map_width;
     int map_height;
     int scale_left;
@@ -112,6 +122,7 @@ struct Layout {
     }
 };
 
+// Draws the map, its frame, the scale and the marks.
 class DeviationMap {
 public:
     DeviationMap(const Deviation& deviation, const DeviationFigure& figure,
@@ -125,6 +136,7 @@ public:
     {
     }
 
+    // The whole picture. The marks are last, so that they cover the squares.
     std::string text()
     {
         add_heading();
@@ -136,6 +148,7 @@ public:
     }
 
 private:
+    // Draws the title and the captions.
     void add_heading()
     {
         double y = margin_px + title_px / 2;
@@ -146,7 +159,7 @@ private:
                               {caption_px, "#222222", false, false});
     }
 
-    // Neighbours of one colour in a row become one box.
+    // Neighbouring squares of one colour in a row are drawn as one box.
     void add_squares()
     {
         std::array<std::vector<PixelBox>, colours.size()> boxes;
@@ -168,6 +181,7 @@ private:
             picture_.add_boxes(boxes[k], colours[k]);
     }
 
+    // The class of a square; nothing if the part is not visible there.
     std::optional<std::size_t> class_at(int column, int row) const
     {
         const float left = raster_.at(column, row);
@@ -176,6 +190,7 @@ private:
         return class_of(left, figure_.limits);
     }
 
+    // Draws the frame of the map and states its extent below.
     void add_frame()
     {
         const double x = layout_.left;
@@ -200,11 +215,11 @@ private:
                           {caption_px, "#555555", false, false});
     }
 
-    // Rests above, gouges below, as on the part.
+    // Draws the scale: remaining stock above, gouges below.
     void add_scale()
     {
         const int x = layout_.scale_left;
-        picture_.add_text({x + 0.0, layout_.top + caption_px}, "material left, mm",
+        picture_.add_text({x + 0.0, layout_.top + caption_px}, "remaining stock, mm",
                           {caption_px, "#222222", true, false});
         const auto edges = class_edges(figure_.limits);
         for (std::size_t k = 0; k < colours.size(); ++k) {
@@ -217,8 +232,8 @@ private:
         }
     }
 
-    // The label of the upper one is raised and that of the lower one lowered, so that they
-    // do not meet.
+    // Marks the extreme places. The label of the upper mark is raised and that of the
+    // lower mark lowered, so that they do not overlap.
     void add_marks()
     {
         const auto& rest = deviation_.highest;
@@ -226,11 +241,13 @@ private:
         const bool is_gouge_above =
             rest && gouge && gouge->ray.point.y() > rest->ray.point.y();
         if (rest)
-            add_mark(*rest, "rest ", is_gouge_above ? label_shift_px : -label_shift_px);
+            add_mark(*rest, "remaining ",
+                     is_gouge_above ? label_shift_px : -label_shift_px);
         if (gouge)
             add_mark(*gouge, "gouge ", is_gouge_above ? -label_shift_px : label_shift_px);
     }
 
+    // Circles a place and labels it, unless its deviation is below a tenth of the limit.
     void add_mark(const DeviationPlace& place, std::string_view name, double shift_px)
     {
         if (class_of(place.left, figure_.limits) == neutral)
@@ -247,7 +264,7 @@ private:
                   std::string{name} + shown(std::abs(place.left)));
     }
 
-    // On white, beside the mark, on the side where there is room.
+    // Draws a label on a white plate beside its mark, on the side that has room.
     void add_label(const PixelPoint& at, const std::string& label)
     {
         constexpr double letter_px = 0.62 * caption_px;
@@ -267,6 +284,7 @@ private:
                           {caption_px, "#222222", false, true});
     }
 
+    // The place of a point on the map; points outside are moved to the border of the map.
     PixelPoint pixels(const Vec3& point) const
     {
         const double px_per_mm = layout_.square / raster_.side;

@@ -8,6 +8,9 @@
 #include "endmill/core/error.h"
 #include "endmill/figures/detail/stacked_chart.h"
 
+// The abscissa is the length of cut at the end of each move. Moves in the air have no
+// geometry; their values are unknown and leave gaps in the curves.
+
 namespace endmill {
 namespace {
 
@@ -16,6 +19,7 @@ constexpr LineStyle second_style{"#d1402f", 1.2, ""};
 
 using Values = std::vector<std::optional<double>>;
 
+// The values `value_of(row)` of all rows.
 template <class Row, class ValueOf>
 Values values(std::span<const Row> rows, const ValueOf& value_of)
 {
@@ -26,6 +30,7 @@ Values values(std::span<const Row> rows, const ValueOf& value_of)
     return all;
 }
 
+// An angle in degrees, if it is known.
 std::optional<double> degrees(const std::optional<double>& radians)
 {
     if (!radians)
@@ -38,7 +43,7 @@ std::optional<double> degrees(const std::optional<double>& radians)
 std::string feed_svg(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows,
                      const FeedFigure& figure)
 {
-    require(cuts.size() == rows.size(), "feed_svg: need a row a move");
+    require(cuts.size() == rows.size(), "feed_svg: need one row for each move");
     std::vector<double> places;
     double along = 0;
     for (const SegmentCut& cut : cuts)

@@ -10,17 +10,18 @@
 
 namespace endmill {
 
-/// What a picture of a feed plan says above its curves.
+/// Title and captions of the chart of a feed plan.
 struct FeedFigure {
-    std::string title = "Feed";              ///< at most 150 characters show
-    std::vector<std::string> captions = {};  ///< ditto, each
+    std::string title = "Feed";  ///< above the curves; cut after 150 characters
+    std::vector<std::string> captions = {};  ///< lines below the title; cut after 150
 };
 
-/// Geometry and feed of each cutting move over the length of the cuts before and in it, as an
-/// SVG file: mu and lambda; the pick feed and its horizontal part; the depth; the feed; the
-/// spindle's speed.
-/// Source: [ParkMaeng, fig. 8, 9].
-/// \throws DomainError unless there is a row for each of `cuts`, and every number is finite.
+/// Geometry and feed of each cutting move over the length of cut, as an SVG file with
+/// five panels: the angles mu and lambda, the pick feed and its horizontal part, the
+/// depth, the feed, the spindle speed.
+/// Source: after [ParkMaeng, fig. 8, 9].
+/// \throws DomainError unless there is one row for each of `cuts` and every number is
+///         finite.
 std::string feed_svg(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows,
                      const FeedFigure& figure);
 

@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <numbers>
 
+// The curves before trimming are drawn in red, then the trimmed curves in blue and wider
+// on top. Where trimming removed a part, the red curve remains visible.
+
 namespace endmill {
 namespace {
 
@@ -14,10 +17,11 @@ constexpr LineStyle part_style{"#222222", 1.4, ""};
 constexpr LineStyle cutter_style{"#8a6d1f", 1, "5 3"};
 constexpr LineStyle curve_style{"#1d4f91", 0.8, ""};
 constexpr std::size_t most_cutters = 3;
-constexpr double shank_share = 0.5;  // of the radius, above the corner
+constexpr double shank_share = 0.5;  // height of the drawn shank over the radius
 constexpr int arc_pieces = 24;
 
-// Seen along the drive plane's normal.
+// A point of the drive plane in the axes of the figure, which looks along the plane's
+// normal.
 Vec3 placed(const SectionPoint& at)
 {
     return {at.x(), 0, at.y()};
@@ -39,7 +43,7 @@ std::vector<Vec3> placed(const std::vector<SectionPoint>& points)
                   [](const SectionPoint& at) -> const SectionPoint& { return at; });
 }
 
-// From the shank on the left, round the bottom, to the shank on the right.
+// The outline of the cutter from the left of the shank around the bottom to its right.
 std::vector<Vec3> outline(const Cutter& cutter, const SectionPoint& reference)
 {
     const double top = shank_share * cutter.radius();
@@ -58,6 +62,8 @@ std::vector<Vec3> outline(const Cutter& cutter, const SectionPoint& reference)
     return points;
 }
 
+// Points at which the cutter is drawn: the first crossings, or the middle of the first
+// curve.
 std::vector<SectionPoint> cutter_places(std::span<const TrimmedCurve> curves)
 {
     std::vector<SectionPoint> places;
@@ -72,7 +78,7 @@ std::vector<SectionPoint> cutter_places(std::span<const TrimmedCurve> curves)
     return places;
 }
 
-// All that is drawn, so that the picture has room for it.
+// All points of the drawing, for its extent.
 std::vector<Vec3> extent(const SectionDrawing& drawing,
                          std::span<const SectionPoint> cutters)
 {
@@ -92,6 +98,7 @@ std::vector<Vec3> extent(const SectionDrawing& drawing,
 
 }  // namespace
 
+// The section is drawn as a figure in space that is seen from the front; s becomes x.
 std::string section_svg(const SectionDrawing& drawing, FigureOptions figure)
 {
     figure.azimuth = Angle::degrees(-90);
@@ -103,15 +110,15 @@ std::string section_svg(const SectionDrawing& drawing, FigureOptions figure)
         picture.add_curve(placed(line), part_style);
     for (const SectionCurve& curve : drawing.before)
         picture.add_curve(placed(curve.points), before_style);
-    // On top and wider: red is what was cut out.
+    // The trimmed curves cover the others; red remains visible where a part was removed.
     for (const TrimmedCurve& curve : drawing.after)
         picture.add_curve(
             placed(curve.points, [](const TrimmedPoint& p) { return p.at; }),
             after_style);
     if (!drawing.part.empty())
         picture.add_legend("part", part_style);
-    picture.add_legend("cut out of the section (reference points)", before_style);
-    picture.add_legend("what is left of it", after_style);
+    picture.add_legend("removed from the section (reference points)", before_style);
+    picture.add_legend("trimmed section", after_style);
     if (drawing.cutter && !cutters.empty()) {
         for (const SectionPoint& at : cutters)
             picture.add_curve(outline(*drawing.cutter, at), cutter_style);

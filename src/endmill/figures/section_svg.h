@@ -13,25 +13,27 @@
 
 namespace endmill {
 
-/// What is drawn of one drive plane.
+/// The curves of one drive plane to be drawn. All coordinates are (s, z) in mm.
 struct SectionDrawing {
-    std::span<const SectionCurve> before;  ///< the offset's curves, reference points
-    std::span<const TrimmedCurve> after;   ///< what is left of them
-    std::optional<Cutter> cutter{};        ///< drawn where curves cross, if known
-    std::vector<std::vector<SectionPoint>> part{};  ///< lines of the part itself, (s, z)
+    std::span<const SectionCurve> before;  ///< sections of the offset, reference points
+    std::span<const TrimmedCurve> after;   ///< the same after trimming
+    std::optional<Cutter> cutter{};        ///< drawn at a few crossings
+    std::vector<std::vector<SectionPoint>> part{};  ///< sections of the part itself
 };
 
-/// A section before and after trimming as an SVG file, s to the right and z upwards in one
-/// scale: what is cut out red, what is left blue, the part black; the cutter stands at the
-/// first few crossings, or at the middle of the first curve that is left.
-/// Source: the manner of [JangKimJeong, figs. 13 to 15].
-/// \param figure title, captions and width; view and axes are this function's.
-/// \throws DomainError if there is no point to draw, or one that is not finite.
+/// A section before and after trimming, as an SVG file with s to the right and z upwards
+/// at the same scale. Removed parts are red, the trimmed curves blue, the part black. The
+/// cutter is drawn at the first three crossings, or at the middle of the first trimmed
+/// curve if there is none.
+/// Source: after [JangKimJeong, figs. 13 to 15].
+/// \param figure title, captions and width; view and axis names are replaced.
+/// \throws DomainError if there is no point, or one that is not finite.
 std::string section_svg(const SectionDrawing& drawing, FigureOptions figure = {});
 
-/// Curves in space as an SVG file in parallel projection, as what is left of an offset.
-/// Source: the manner of [JangKimJeong, fig. 18].
-/// \throws DomainError as above.
+/// Curves in space in parallel projection, such as the trimmed sections of an offset, as
+/// an SVG file.
+/// Source: after [JangKimJeong, fig. 18].
+/// \throws DomainError if there is no point, or one that is not finite.
 std::string curves_svg(std::span<const std::vector<Vec3>> curves,
                        const FigureOptions& figure = {});
 

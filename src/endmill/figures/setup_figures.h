@@ -15,124 +15,138 @@
 #include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"
 
+/// \file
+/// Figures of a five-axis setup: the part in its pose (`setup_svg`), the sphere of
+/// directions (`sphere_svg`), and both in one VTK file (`setup_vtp`).
+
 namespace endmill {
 
-/// A part as it is set up on a machine, for pictures.
+/// The pose of a part on a machine, and the ranges of the rotary axes.
 struct ShownSetup {
-    /// A rotation: its rows are the machine's X, Y and Z in coordinates of the part.
+    /// A rotation; its rows are the machine's X, Y and Z in coordinates of the part.
     Eigen::Matrix3d part_to_machine = Eigen::Matrix3d::Identity();
-    RotaryFrame frame;    ///< the axes in coordinates of the part, at zero
-    RotaryLimits needed;  ///< turns that the part asks for; each range holds 0
-    std::optional<RotaryLimits> limits{};  ///< the machine's; none: not shown
+    RotaryFrame frame;    ///< axes in coordinates of the part, all at zero
+    RotaryLimits needed;  ///< ranges that the part needs; each contains 0
+    std::optional<RotaryLimits> limits{};  ///< ranges of the machine; nothing: not drawn
 };
 
-/// What is known of each facet of a part.
+/// Accessibility of each facet of a part.
 struct FacetAccess {
-    std::vector<double> visible_fraction;       ///< share of the sphere, 0 … 1
+    std::vector<double> visible_fraction;  ///< solid angle of the cone over 4 pi, 0 … 1
     std::vector<std::uint8_t> reached_at_zero;  ///< 1: without a turn of the rotary axes
 };
 
-/// What a cell of setup.vtp belongs to, and a line of the pictures. The numbers stand in files.
+/// For each facet of the map 1 if the tool reaches it with all rotary axes at zero, else
+/// 0. The cell of the grid that is nearest to the tool axis stands for the tool axis.
+/// \param map       of the cells of `grid`.
+/// \param tool_axis unit vector in coordinates of the part.
+std::vector<std::uint8_t> reached_at_zero(const SphereGrid& grid,
+                                          const VisibilityMap& map,
+                                          const Vec3& tool_axis);
+
+/// The object that a cell of setup.vtp, or a line of a figure, belongs to. The numbers
+/// are written to files.
 enum class SetupObject : std::int32_t {
-    Facet = 0,  ///< of the part
-    ToolAxis = 1,
-    FirstAxis = 2,     ///< R1
-    SecondAxis = 3,    ///< R2
-    NeededMotion = 4,  ///< border of the directions within the needed turns
-    MachineMotion = 5  ///< border of those within the machine's limits
+    Facet = 0,         ///< facet of the part
+    ToolAxis = 1,      ///< tool axis at zero
+    FirstAxis = 2,     ///< rotary axis R1
+    SecondAxis = 3,    ///< rotary axis R2
+    NeededMotion = 4,  ///< border of the directions within the needed ranges
+    MachineMotion = 5  ///< border of the directions within the machine's limits
 };
 
-/// A line of a picture, by directions from the middle of a sphere.
+/// A line on the sphere of directions.
 struct SetupLine {
-    SetupObject object;
-    DirectionCurve directions;  ///< unit, in the machine's directions
+    SetupObject object;         ///< that the line belongs to
+    DirectionCurve directions;  ///< unit vectors in coordinates of the machine
 };
 
 /// A sphere around a part.
 struct PartSphere {
-    Vec3 centre;    ///< mm: the middle of the part's box
-    double radius;  ///< mm: a tenth more than the farthest point is away; above 0
+    Vec3 centre;    ///< centre of the part's bounding box, in mm
+    double radius;  ///< 1.1 times the largest distance of a point, in mm; positive
 };
 
-/// The axes of a setup in the machine's directions.
-/// \throws DomainError unless `part_to_machine` is a rotation, to 1e-9.
+/// The axes of a setup in coordinates of the machine.
+/// \throws DomainError unless `part_to_machine` is a rotation within 1e-9.
 RotaryFrame machine_directions(const ShownSetup& setup);
 
-/// The borders of the needed and, where they are known, of the machine's directions.
+/// The borders of the needed directions and, if the limits are known, of the machine's.
 /// Source: [KangSuh, figures 5 and 12].
-/// \param step as `FeasibleDirections::border`. \throws DomainError as that and
-///        `machine_directions`.
+/// \param step as in `FeasibleDirections::border`.
+/// \throws DomainError as `FeasibleDirections::border` and `machine_directions`.
 std::vector<SetupLine> motion_borders(const ShownSetup& setup, double step);
 
-/// The points of `mesh` in the machine's directions, the part's origin staying where it is.
+/// The points of `mesh` in coordinates of the machine; the origin of the part is fixed.
 std::vector<Vec3> posed_points(const TriangleMesh& mesh, const ShownSetup& setup);
 
-/// The sphere around points. A single place has a radius of 1 mm.
-/// \throws DomainError without a point.
+/// The sphere around points; its radius is 1 mm if all points coincide.
+/// \throws DomainError if there is no point.
 PartSphere sphere_around(const std::vector<Vec3>& points);
 
-/// What a picture calls an axis: "tool axis", or "R1 = C" after the machine's axis that it is
-/// nearest to.
+/// The name of an axis in a legend: "tool axis", or "R1 = C" after the nearest machine
+/// axis.
 std::string axis_label(SetupObject object, const RotaryFrame& machine_directions);
 
-/// What surrounds the picture of a setup.
+/// Title, size and view of the figure of a setup.
 struct SetupFigure {
-    std::string title = "Setup";           ///< above it; at most 100 characters show
-    std::vector<std::string> captions{};   ///< lines below the title; 150 characters show
+    std::string title = "Setup";           ///< above the figure; cut after 100 characters
+    std::vector<std::string> captions{};   ///< lines below the title; cut after 150
     double width_px = 900;                 ///< of the whole picture, at least 300
-    Angle azimuth = Angle::degrees(-60);   ///< where the viewer stands, from X towards Y
-    Angle elevation = Angle::degrees(25);  ///< of the viewer over the XY plane
-    std::size_t most_facets = 20'000;      ///< drawn; at least 1
+    Angle azimuth = Angle::degrees(-60);   ///< direction to the viewer, from X towards Y
+    Angle elevation = Angle::degrees(25);  ///< of the viewer above the XY plane
+    std::size_t most_facets = 20'000;      ///< largest number of drawn facets; at least 1
 };
 
-/// A part as it is set up on a machine, as an SVG file: shaded by the light from behind the
-/// viewer, in blue where the tool reaches it without a turn of the rotary axes, in yellow where
-/// it must turn, grey where one looks at the back of a facet; the rotary axes and the tool axis
-/// as lines through its middle, and below it the machine's X, Y and Z. What lies further back
-/// is drawn first, by the middles of facets, so that facets that pass through each other may
-/// show in the wrong order. Of more than `most_facets` a coarser mesh is drawn, and a line
-/// below the title says so.
+/// A part in its pose on a machine, as an SVG file. Facets that the tool reaches at zero
+/// are blue, those that need a turn yellow, and facets seen from behind grey, shaded by a
+/// light from the viewer. The rotary axes and the tool axis are lines through the centre
+/// of the part; the machine's X, Y and Z are below. Facets are sorted by the depth of
+/// their centres, so facets that intersect may cover each other wrongly. A part with more
+/// than `most_facets` is drawn coarser, and a caption states it.
 /// Source: [KangSuh, figure 11].
-/// \param reached_at_zero one a facet, 1 or 0.
-/// \throws DomainError if the mesh has no facet, `reached_at_zero` is not of its facets, or as
-///         `machine_directions` and `AxonometricFigure`.
+/// \param reached_at_zero one for each facet, 1 or 0.
+/// \throws DomainError if the mesh has no facet, `reached_at_zero` has another size, and
+///         as `machine_directions` and `AxonometricFigure`.
 std::string setup_svg(const TriangleMesh& mesh,
                       std::span<const std::uint8_t> reached_at_zero,
                       const ShownSetup& setup, const SetupFigure& figure);
 
-/// Cells of a sphere that are filled one by one; of a finer one only the outlines show.
+/// Largest number of cells of a sphere that are filled; of finer grids only borders are
+/// drawn.
 inline constexpr std::size_t most_filled_cells = 100'000;
 
-/// What is drawn on a sphere of directions, and what surrounds it.
+/// Title, size, view and content of the figure of a sphere of directions.
 struct SphereFigure {
-    std::string title = "Directions";      ///< above it; at most 100 characters show
-    std::vector<std::string> captions{};   ///< lines below the title; 150 characters show
+    std::string title = "Directions";      ///< above the figure; cut after 100 characters
+    std::vector<std::string> captions{};   ///< lines below the title; cut after 150
     double width_px = 900;                 ///< of the whole picture, at least 300
-    Angle azimuth = Angle::degrees(-60);   ///< where the viewer stands, from X towards Y
-    Angle elevation = Angle::degrees(30);  ///< of the viewer over the XY plane
-    std::optional<ShownSetup> setup{};  ///< axes and borders; none: the part's directions
-    std::vector<Vec3> marked{};  ///< unit, the part's: discs, such as the paper's MD
+    Angle azimuth = Angle::degrees(-60);   ///< direction to the viewer, from X towards Y
+    Angle elevation = Angle::degrees(30);  ///< of the viewer above the XY plane
+    std::optional<ShownSetup> setup{};     ///< its axes and borders are drawn
+    std::vector<Vec3> marked{};  ///< unit vectors of the part, drawn as discs: the set MD
 };
 
-/// The sphere of directions as an SVG file: the front half of its cells, shaded by how many
-/// facets a tool reaches along them; with a setup in the machine's directions at zero,
-/// with its axes and the borders of its motion, dashed where they are behind.
+/// The sphere of directions as an SVG file: the front half of its cells, shaded by the
+/// number of facets that a tool reaches along them. With a setup the directions are those
+/// of the machine at zero, and its axes and the borders of its motion are drawn, dashed
+/// behind the sphere.
 /// Source: [KangSuh, figure 12].
-/// \throws DomainError unless the map has the grid's cells and at least one facet, or as
-///         `motion_borders` and `AxonometricFigure`.
+/// \throws DomainError unless the map has the cells of the grid and at least one facet,
+///         and as `motion_borders` and `AxonometricFigure`.
 std::string sphere_svg(const SphereGrid& grid, const VisibilityMap& map,
                        const SphereFigure& figure);
 
-/// A part as it is set up on a machine, as a VTK XML PolyData file (.vtp), for ParaView and
-/// VTK: lengths in mm, in the machine's directions with all rotary axes at zero.
+/// A part in its pose on a machine, as a VTK XML PolyData file (.vtp) for ParaView and
+/// VTK. Lengths are in mm, in coordinates of the machine with all rotary axes at zero.
 ///
-/// Cells, by `object`: 0 the part's facets, in their order; 1 the tool axis, 2 R1 and 3 R2 as
-/// lines through the middle of the part; 4 the border of the directions that the part asks for
-/// and 5 that of the machine's, on a sphere around the part, a direction standing where a tool
-/// along it leaves the sphere. A border that is one direction is a vertex. Facets have
-/// `visible_fraction` (share of the sphere, 0 … 1) and `reached_at_zero` (1 or 0), other cells
-/// 0 of both.
-/// \throws DomainError if the mesh has no facet, `access` is not of its facets, or as
+/// The cell data `object` are the numbers of SetupObject: 0 the facets, in order; 1 the
+/// tool axis, 2 R1 and 3 R2 as lines through the centre of the part; 4 the border of the
+/// needed directions and 5 that of the machine's, on a sphere around the part (a
+/// direction is the point where a tool axis through the centre leaves the sphere). A
+/// border of a single direction is a vertex. Facets have `visible_fraction` (0 … 1) and
+/// `reached_at_zero` (1 or 0); both are 0 for other cells.
+/// \throws DomainError if the mesh has no facet, `access` has another size, and as
 ///         `motion_borders`.
 std::string setup_vtp(const TriangleMesh& mesh, const FacetAccess& access,
                       const ShownSetup& setup);

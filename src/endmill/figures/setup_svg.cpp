@@ -11,28 +11,40 @@
 #include "endmill/figures/detail/drawn_mesh.h"
 #include "endmill/figures/detail/setup_styles.h"
 
+// The figure is drawn in these steps:
+//
+// 1. The part is turned to the directions of the machine and made coarser if it has too
+//    many facets (drawn_mesh.h).
+// 2. Each facet gets a colour: by its access, and by the angle between its normal and the
+//    direction to the viewer.
+// 3. Facets are drawn from back to front in the order of the depth of their centres.
+// 4. The axes are divided into short pieces. A piece is drawn if no facet lies between
+//    its middle and the viewer.
+
 namespace endmill {
 namespace {
 
-constexpr double axis_reach = 1.2;    // in radii of the sphere around the part
-constexpr double label_share = 1.07;  // of that, where its name stands
-constexpr int axis_pieces = 80;       // so that a facet hides what is behind it
+constexpr double axis_reach =
+    1.2;  // length of axes, in radii of the sphere around the part
+constexpr double label_share = 1.07;  // distance of the name over the length of the axis
+constexpr int axis_pieces = 80;       // of an axis, tested for visibility one by one
 constexpr double swatch_px = 11;
-constexpr double seam_px = 0.7;  // hides the gaps that smoothing leaves between facets
+constexpr double seam_px = 0.7;  // outline that hides anti-aliased gaps between facets
 
-// From dark to light: a facet seen edge on, and one that faces the viewer.
+// From dark to light: from a facet seen edge-on to one that faces the viewer.
 using Shades = std::array<std::string_view, 5>;
 constexpr Shades reached_shades{"#33607f", "#457b9f", "#5b96bd", "#7bb3d6", "#a3cfea"};
 constexpr Shades turned_shades{"#8a6a14", "#ac8722", "#cba338", "#e3be5b", "#f3d98c"};
 constexpr Shades back_shades{"#6e6e6e", "#868686", "#9c9c9c", "#b2b2b2", "#c6c6c6"};
 
-// A facet in the order in which facets are drawn.
+// A facet with its depth and colour.
 struct ShadedFacet {
     double depth;  // mm, towards the viewer
     std::array<Vec3, 3> corners;
     std::string_view colour;
 };
 
+// The shade for a facet whose normal has this cosine with the direction to the viewer.
 std::string_view shade(const Shades& shades, double cosine)
 {
     constexpr auto count = static_cast<double>(std::tuple_size_v<Shades>);
@@ -40,8 +52,10 @@ std::string_view shade(const Shades& shades, double cosine)
     return shades.at(std::min(step, shades.size() - 1));
 }
 
+// Draws one setup.
 class SetupPicture {
 public:
+    // The part is posed first, because the extent of the figure depends on it.
     SetupPicture(const TriangleMesh& mesh, const ShownSetup& setup,
                  const SetupFigure& figure)
         : points_{posed_points(mesh, setup)},
@@ -53,6 +67,8 @@ public:
     {
     }
 
+    // Draws the facets from back to front, then the visible parts of the axes, then the
+    // legend.
     std::string text(std::span<const std::uint8_t> reached_at_zero)
     {
         for (std::size_t k = 0; k < drawn_.triangles.size(); ++k)
@@ -70,6 +86,7 @@ public:
     }
 
 private:
+    // Adds a caption if the part is drawn coarser than it is.
     FigureOptions options_for(const SetupFigure& figure, std::size_t facets) const
     {
         FigureOptions options{.title = figure.title,
@@ -85,6 +102,7 @@ private:
         return options;
     }
 
+    // The points of the part and the ends of the axes with their names.
     std::vector<Vec3> extent() const
     {
         std::vector<Vec3> points = points_;
@@ -96,12 +114,13 @@ private:
         return points;
     }
 
-    // \param share of the axis's length from the middle of the part.
+    // The point of an axis at a share of its length from the centre of the part.
     Vec3 on_axis(const SetupAxis& axis, double share) const
     {
         return sphere_.centre + share * axis_reach * sphere_.radius * axis.axis;
     }
 
+    // Stores a facet with its depth and its colour.
     void add_facet(const Triangle& triangle, bool is_reached)
     {
         const std::array<Vec3, 3> corners{points_[triangle[0]], points_[triangle[1]],
@@ -115,7 +134,7 @@ private:
         facets_.push_back({depth, corners, shade(shades, cosine)});
     }
 
-    // Its runs of pieces that no facet hides, and its name.
+    // Draws the visible runs of pieces of an axis, and its name.
     void add_axis(const SetupAxis& axis)
     {
         const auto end_of = [&](int k) {
@@ -138,7 +157,8 @@ private:
                            setup_style(axis.object).colour);
     }
 
-    // Whether a facet is between the point and the viewer.
+    // Whether a facet lies between the point and the viewer: the line to the viewer
+    // passes the three sides of the triangle on the same side, and the facet is nearer.
     bool is_hidden(const Vec3& point) const
     {
         return std::ranges::any_of(facets_, [&](const ShadedFacet& facet) {
@@ -175,7 +195,7 @@ std::string setup_svg(const TriangleMesh& mesh,
 {
     require(!mesh.triangles().empty(), "setup_svg: need a facet");
     require(reached_at_zero.size() == mesh.triangles().size(),
-            "setup_svg: need what is known of each facet");
+            "setup_svg: need the access of each facet");
     return SetupPicture{mesh, setup, figure}.text(reached_at_zero);
 }
 

@@ -9,11 +9,16 @@
 #include "endmill/core/error.h"
 #include "endmill/files/detail/appended_arrays.h"
 
+// The file holds three kinds of cells: the facets of the part, lines for the axes, and
+// lines on a sphere around the part for the borders of the motion. One integer for each
+// cell, `object`, distinguishes them, so that a viewer can colour or hide them by a
+// threshold.
+
 namespace endmill {
 namespace {
 
-constexpr double border_step = 0.02;  // rad: chords within 5e-5 of the sphere's radius
-constexpr double axis_reach = 1.3;    // of the sphere's radius
+constexpr double border_step = 0.02;  // rad; chords are within 5e-5 radii of the sphere
+constexpr double axis_reach = 1.3;    // length of axes, in radii of the sphere
 
 constexpr std::string_view preamble =
     "<?xml version=\"1.0\"?>\n"
@@ -22,12 +27,13 @@ constexpr std::string_view preamble =
     "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
     "header_type=\"UInt64\">\n";
 
-// Cells of one kind: VTK counts vertices, then lines, then polygons.
+// Cells of one kind. VTK numbers vertices first, then lines, then polygons.
 struct VtkCells {
     std::vector<std::int64_t> connectivity;
     std::vector<std::int64_t> offsets;
     std::vector<std::int32_t> objects;
 
+    // Ends a cell whose points have been added.
     void close(SetupObject object)
     {
         offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
@@ -35,8 +41,10 @@ struct VtkCells {
     }
 };
 
+// Collects the points and cells of the file.
 class SetupScene {
 public:
+    // Points of axes and borders are added after those of the part.
     SetupScene(const TriangleMesh& mesh, const FacetAccess& access,
                const ShownSetup& setup)
         : access_{&access},
@@ -52,6 +60,7 @@ public:
             add_line(line);
     }
 
+    // The whole file. VTK expects vertices, lines and polygons in this order.
     std::string text() const
     {
         AppendedArrays arrays;
@@ -72,6 +81,7 @@ public:
     }
 
 private:
+    // Adds the triangles of the part.
     void add_facets(const TriangleMesh& mesh)
     {
         for (const Triangle& triangle : mesh.triangles()) {
@@ -81,7 +91,7 @@ private:
         }
     }
 
-    // From `from` to `axis_reach` times the sphere's radius.
+    // Adds an axis from `from` to `axis_reach`, in radii of the sphere.
     void add_axis(SetupObject object, const Vec3& axis, double from)
     {
         add_point(lines_, from * axis);
@@ -89,6 +99,7 @@ private:
         lines_.close(object);
     }
 
+    // Adds a border; one of a single direction becomes a vertex.
     void add_line(const SetupLine& line)
     {
         VtkCells& cells = line.directions.size() == 1 ? verts_ : lines_;
@@ -97,12 +108,14 @@ private:
         cells.close(line.object);
     }
 
+    // Adds a point on the sphere around the part, given on the unit sphere.
     void add_point(VtkCells& cells, const Vec3& on_unit_sphere)
     {
         cells.connectivity.push_back(static_cast<std::int64_t>(points_.size()));
         points_.emplace_back(sphere_.centre + sphere_.radius * on_unit_sphere);
     }
 
+    // The coordinates of all points, in mm.
     std::vector<double> coordinates() const
     {
         std::vector<double> numbers;
@@ -112,6 +125,7 @@ private:
         return numbers;
     }
 
+    // The data of all cells; axes and borders have 0 for the data of facets.
     std::string cell_data(AppendedArrays& arrays) const
     {
         std::vector<std::int32_t> objects = verts_.objects;
@@ -128,6 +142,7 @@ private:
                arrays.append("reached_at_zero", 1, reached);
     }
 
+    // The XML element of one kind of cells.
     static std::string cells(const std::string& element, const VtkCells& cells,
                              AppendedArrays& arrays)
     {
@@ -153,7 +168,7 @@ std::string setup_vtp(const TriangleMesh& mesh, const FacetAccess& access,
     require(facets > 0, "setup_vtp: need a facet");
     require(access.visible_fraction.size() == facets &&
                 access.reached_at_zero.size() == facets,
-            "setup_vtp: need what is known of each facet");
+            "setup_vtp: need the access of each facet");
     require(std::ranges::all_of(access.visible_fraction,
                                 [](double share) { return 0 <= share && share <= 1; }),
             "setup_vtp: need visible fractions within [0, 1]");

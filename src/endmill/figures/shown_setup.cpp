@@ -8,14 +8,18 @@
 
 #include "endmill/core/error.h"
 
+// Directions of the tool are known in coordinates of the part. Figures show them in
+// coordinates of the machine, where the axes are fixed: every direction and point is
+// multiplied by the rotation `part_to_machine`.
+
 namespace endmill {
 namespace {
 
-constexpr double rotation_tolerance =
-    1e-9;                               // of products of rows that come from a search
-constexpr double sphere_room = 1.1;     // so that borders do not touch the part
-constexpr double least_radius = 1e-12;  // mm: below, the part is a single place
+constexpr double rotation_tolerance = 1e-9;  // of products of rows; searches round them
+constexpr double sphere_room = 1.1;          // keeps borders away from the part
+constexpr double least_radius = 1e-12;       // mm; a smaller part is a single point
 
+// Adds the border of a set as lines of an object.
 void add_borders(std::vector<SetupLine>& lines, SetupObject object,
                  const FeasibleDirections& set, double step)
 {
@@ -25,6 +29,7 @@ void add_borders(std::vector<SetupLine>& lines, SetupObject object,
 
 }  // namespace
 
+// Directions are normalised, because the rotation may be rounded.
 RotaryFrame machine_directions(const ShownSetup& setup)
 {
     const Eigen::Matrix3d& turn = setup.part_to_machine;
@@ -55,6 +60,8 @@ std::vector<Vec3> posed_points(const TriangleMesh& mesh, const ShownSetup& setup
     return points;
 }
 
+// The centre is that of the bounding box, which does not depend on the density of the
+// points.
 PartSphere sphere_around(const std::vector<Vec3>& points)
 {
     require(!points.empty(), "sphere_around: need a point");
@@ -66,6 +73,19 @@ PartSphere sphere_around(const std::vector<Vec3>& points)
     for (const Vec3& point : points)
         farthest = std::max(farthest, (point - centre).norm());
     return {centre, farthest > least_radius ? sphere_room * farthest : 1};
+}
+
+std::vector<std::uint8_t> reached_at_zero(const SphereGrid& grid,
+                                          const VisibilityMap& map, const Vec3& tool_axis)
+{
+    const auto nearest = std::ranges::max_element(
+        grid.centres, {}, [&](const Vec3& centre) { return centre.dot(tool_axis); });
+    const auto cell = static_cast<std::size_t>(nearest - grid.centres.begin());
+    std::vector<std::uint8_t> reached;
+    reached.reserve(map.facets());
+    for (std::size_t facet = 0; facet < map.facets(); ++facet)
+        reached.push_back(map.is_accessible(facet, cell) ? 1 : 0);
+    return reached;
 }
 
 std::string axis_label(SetupObject object, const RotaryFrame& machine_directions)

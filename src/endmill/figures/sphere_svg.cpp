@@ -12,21 +12,25 @@
 #include "endmill/figures/axonometric_figure.h"
 #include "endmill/figures/detail/setup_styles.h"
 
+// The sphere is drawn from back to front: the parts of the axes inside and behind the
+// sphere, the ground, the cells in front, the borders of the motion (dashed behind the
+// sphere), the marked directions, then the visible ends of the axes with their names.
+
 namespace endmill {
 namespace {
 
-constexpr double longest_chord = 0.1;  // rad, of a cell's side: 1/800 of it off the arc
+constexpr double longest_chord = 0.1;  // rad; it is off the arc by 1/800 of its length
 constexpr double border_step = 0.01;   // rad
-// In radii: less in front of the outline is the rounding of a corner on it.
+// In radii. A corner with less depth is on the outline, but for rounding.
 constexpr double least_depth = 1e-9;
-constexpr double axis_reach = 1.2;   // in radii of the sphere, as everything here
-constexpr double label_reach = 1.3;  // of its name
+constexpr double axis_reach = 1.2;   // length of axes, in radii of the sphere
+constexpr double label_reach = 1.3;  // distance of names from the centre, in radii
 constexpr int outline_corners = 180;
 constexpr double mark_px = 3.2;
 constexpr double pole_px = 5;
 constexpr double swatch_px = 11;
 
-// Of cells that reach nothing, then of five classes from few facets to many.
+// Colours of cells: without accessible facets, then five classes from few facets to many.
 constexpr std::array<std::string_view, 6> colours{"#f2f2f2", "#e6f1f9", "#cfe3f2",
                                                   "#b3d3ea", "#90bfe0", "#68a8d3"};
 constexpr std::size_t classes = colours.size() - 1;
@@ -34,9 +38,11 @@ constexpr std::string_view rim_colour = "#8a8a8a";
 constexpr LineStyle cell_style{"#ffffff", 0.6, ""};
 constexpr std::string_view mark_colour = "#222222";
 
-// How many facets each cell reaches, and the classes that this range is cut into.
+// The number of accessible facets of each cell, and the division of these numbers into
+// classes of equal width.
 class ReachClasses {
 public:
+    // Counts the accessible facets of each cell by the bits of its column.
     explicit ReachClasses(const VisibilityMap& map) : low_{map.facets()}
     {
         for (std::size_t cell = 0; cell < map.cells(); ++cell) {
@@ -50,14 +56,14 @@ public:
         }
     }
 
-    // 0 for none.
+    // The class of a cell; 0 for a cell without accessible facets.
     std::size_t of(std::size_t cell) const
     {
         const std::size_t count = counts_[cell];
         return count == 0 ? 0 : classes - classes * (high_ - count) / (high_ - low_ + 1);
     }
 
-    // Empty if no number of facets falls into the class, or no cell reaches none.
+    // The name of a class in the legend; empty if no cell can be in it.
     std::string name(std::size_t shade) const
     {
         if (shade == 0)
@@ -72,7 +78,8 @@ public:
     }
 
 private:
-    // How far below the most the classes from there on are, if k are above them.
+    // Distance below the largest number at which the class begins that has k classes
+    // above it.
     std::size_t below(std::size_t k) const
     {
         return (k * (high_ - low_ + 1) + classes - 1) / classes;
@@ -83,7 +90,9 @@ private:
     std::size_t high_ = 0;
 };
 
-// The part of a spherical polygon in front of the outline: what is behind moves onto it.
+// The part of a spherical polygon in front of the outline; corners behind it are moved
+// onto it.
+// \return nothing if no corner is in front.
 std::vector<Vec3> in_front(std::vector<Vec3> polygon, const Vec3& toward)
 {
     const auto depth = [&](const Vec3& point) { return point.dot(toward); };
@@ -96,8 +105,10 @@ std::vector<Vec3> in_front(std::vector<Vec3> polygon, const Vec3& toward)
     return polygon;
 }
 
+// Draws one sphere. Lengths are in radii of the sphere.
 class SpherePicture {
 public:
+    // With a setup all directions are turned to the machine.
     SpherePicture(const SphereGrid& grid, const VisibilityMap& map,
                   const SphereFigure& figure)
         : grid_{&grid},
@@ -110,6 +121,7 @@ public:
     {
     }
 
+    // Draws everything from back to front.
     std::string text()
     {
         if (figure_->setup)
@@ -127,6 +139,7 @@ public:
     }
 
 private:
+    // The axes are X, Y, Z of the machine if there is a setup, else x, y, z of the part.
     static FigureOptions options_for(const SphereFigure& figure)
     {
         FigureOptions options{.title = figure.title,
@@ -140,7 +153,7 @@ private:
         return options;
     }
 
-    // What the sphere, the axes and their names need at most.
+    // Points that bound the sphere, the axes and their names.
     static std::vector<Vec3> extent(const SphereFigure& figure)
     {
         const AxonometricView view{figure.azimuth, figure.elevation};
@@ -148,6 +161,7 @@ private:
                 -label_reach * view.up, label_reach * view.up};
     }
 
+    // Fills the disc that the sphere is seen as, with the colour of cells without facets.
     void add_ground()
     {
         const AxonometricView& view = picture_.view();
@@ -159,6 +173,7 @@ private:
         picture_.add_polygon(rim, colours[0], {rim_colour, 1.2, ""});
     }
 
+    // Fills the cells on the front half.
     void add_cells()
     {
         for (std::size_t cell = 0; cell < grid_->cells.size(); ++cell) {
@@ -169,6 +184,8 @@ private:
         }
     }
 
+    // The outline of a cell in the drawn directions. Sides are arcs of great circles and
+    // are divided into short chords.
     std::vector<Vec3> outline(std::size_t cell) const
     {
         std::vector<Vec3> polygon;
@@ -185,16 +202,17 @@ private:
         return polygon;
     }
 
+    // Draws the borders of the needed motion and of the machine's motion.
     void add_borders()
     {
-        // The machine's first, so that the needed ones are seen where both are the same.
+        // The border of the machine is drawn first, so that the needed one covers it.
         std::vector<SetupLine> lines = motion_borders(*figure_->setup, border_step);
         std::ranges::reverse(lines);
         for (const SetupLine& line : lines)
             add_border(line);
     }
 
-    // The pieces before and behind the sphere's outline.
+    // Draws a border; the pieces behind the sphere are dashed.
     void add_border(const SetupLine& line)
     {
         const DirectionCurve& curve = line.directions;
@@ -213,6 +231,7 @@ private:
         }
     }
 
+    // Draws the marked directions on the front half.
     void add_marks()
     {
         for (const Vec3& direction : figure_->marked) {
@@ -222,6 +241,8 @@ private:
         }
     }
 
+    // Draws the axes as lines through the sphere; what is added later covers their hidden
+    // parts.
     void add_axes_behind(const RotaryFrame& frame)
     {
         for (const SetupAxis& axis : setup_axes(frame))
@@ -232,6 +253,7 @@ private:
                 setup_style(axis.object));
     }
 
+    // Draws the ends of the axes that come out of the front half.
     void add_axes_in_front(const RotaryFrame& frame)
     {
         for (const SetupAxis& axis : setup_axes(frame))
@@ -247,7 +269,7 @@ private:
             add_name(axis);
     }
 
-    // At the end that is seen, if it has two.
+    // Writes the name of an axis at its visible end.
     void add_name(const SetupAxis& axis)
     {
         const bool is_turned = axis.axis.dot(toward_) < 0 && !axis.is_half_line;
@@ -257,11 +279,12 @@ private:
                            setup_style(axis.object).colour);
     }
 
+    // The legend names axes, borders, marks and the classes of cells.
     void add_legend()
     {
         if (figure_->setup) {
             add_setup_legend(picture_, machine_directions(*figure_->setup));
-            add_border_legend(picture_, figure_->setup->limits.has_value());
+            add_border_legend(picture_, *figure_->setup);
         }
         if (!figure_->marked.empty())
             picture_.add_disc_legend("nearest cells, MD", mark_px, mark_colour);
@@ -271,6 +294,7 @@ private:
             picture_.add_legend("cells too fine to draw", {colours[0], swatch_px, ""});
     }
 
+    // Names the classes that occur.
     void add_classes()
     {
         for (std::size_t k = 0; k < colours.size(); ++k)

@@ -12,6 +12,10 @@
 
 #include "endmill/core/error.h"
 
+// The surface is drawn by the painter's algorithm. Each patch is divided into cells
+// between neighbouring iso-parametric lines; the cells are sorted by the depth of their
+// centres and filled from back to front, each with its own outline and patch borders.
+
 namespace endmill {
 namespace {
 
@@ -20,16 +24,17 @@ constexpr LineStyle iso_line_style{"#5f8fc0", 0.7, ""};
 constexpr LineStyle net_style{"#c2702a", 0.9, "4 3"};
 constexpr double net_point_radius_px = 2.2;
 
-// Straight pieces of a cell's side: the line between them strays less than its width.
+// Chords of a side of a cell; they are off the curve by less than the width of the line.
 constexpr int steps_per_side = 8;
 
 // A piece of the surface between neighbouring iso-parametric lines.
 struct Cell {
     static constexpr std::size_t points = 4 * steps_per_side;
     std::array<Vec3, points>
-        outline;                    // counter-clockwise in (u, v) from its lowest corner
-    std::array<bool, 4> is_border;  // of the sides v low, u high, v high, u low
+        outline;  // counter-clockwise in (u, v) from the corner (u low, v low)
+    std::array<bool, 4> is_border;  // for the sides v low, u high, v high, u low
 
+    // The mean of the four corners, by which cells are sorted.
     Vec3 middle() const
     {
         return (outline[0] + outline[points / 4] + outline[points / 2] +
@@ -38,13 +43,14 @@ struct Cell {
     }
 };
 
-// Part `number` of `count` of an interval.
+// The point that divides an interval in the ratio number : count - number.
 double part_of(const Interval& interval, int number, int count)
 {
     const double t = static_cast<double>(number) / count;
     return (1 - t) * interval.low + t * interval.high;
 }
 
+// The parameter interval of column or row `number`, counted through all patches.
 Interval sub_interval(std::span<const double> breaks, int number, int spaces)
 {
     const auto patch = static_cast<std::size_t>(number / spaces);
@@ -53,6 +59,8 @@ Interval sub_interval(std::span<const double> breaks, int number, int spaces)
             part_of(whole, number % spaces + 1, spaces)};
 }
 
+// The cell in a column and row. Points are evaluated in the cell's own patch, since
+// neighbouring patches need not join smoothly.
 Cell cell(const Surface& surface, int column, int row, int spaces)
 {
     const Interval u = sub_interval(surface.breaks(Parameter::U), column, spaces);
@@ -78,6 +86,7 @@ Cell cell(const Surface& surface, int column, int row, int spaces)
     return cell;
 }
 
+// All cells of the surface.
 std::vector<Cell> cells_of(const Surface& surface, int spaces)
 {
     std::vector<Cell> cells;
@@ -89,7 +98,7 @@ std::vector<Cell> cells_of(const Surface& surface, int spaces)
 
 using Polyline = std::vector<Vec3>;
 
-// Rows and columns of the net of each patch.
+// The rows and columns of the control net of each patch.
 std::vector<Polyline> net_lines(const Surface& surface)
 {
     std::vector<Polyline> lines;
@@ -112,7 +121,8 @@ std::vector<Polyline> net_lines(const Surface& surface)
     return lines;
 }
 
-// A light grey blue, darker where the cell is seen or lit at a slant.
+// The colour of a cell: light grey blue, darker the more the cell is inclined to the
+// light.
 std::string shade(const Cell& cell, const AxonometricView& view)
 {
     constexpr std::array<int, 3> darkest{166, 186, 212};
@@ -134,6 +144,7 @@ std::string shade(const Cell& cell, const AxonometricView& view)
     return colour;
 }
 
+// Fills a cell and draws its sides that are patch borders.
 void add_cell(AxonometricFigure& figure, const Cell& cell)
 {
     figure.add_polygon(cell.outline, shade(cell, figure.view()), iso_line_style);
@@ -147,6 +158,7 @@ void add_cell(AxonometricFigure& figure, const Cell& cell)
     }
 }
 
+// The legend names only lines that are drawn.
 void add_legend(AxonometricFigure& figure, const SurfaceDrawing& drawing)
 {
     figure.add_legend("patch border", border_style);

@@ -8,18 +8,18 @@
 
 namespace endmill {
 
-/// How a surface is drawn.
+/// Title, view and content of the figure of a surface.
 struct SurfaceDrawing {
-    FigureOptions figure{};    ///< what surrounds it
-    int spaces_per_patch = 8;  ///< between iso-parametric lines, at least 1
-    bool control_net = false;  ///< whether the Bezier net of every patch is drawn
+    FigureOptions figure{};    ///< title, captions, size and view
+    int spaces_per_patch = 8;  ///< intervals between iso-parametric lines; at least 1
+    bool control_net = false;  ///< whether the control net of every patch is drawn
 };
 
-/// A surface in parallel projection, as an SVG file: shaded, with iso-parametric lines of
-/// equal steps in each patch and patch borders thicker; what is nearer to the viewer
-/// covers what is behind. The control net lies over everything.
-/// Source: the manner of [KimChoi, figs. 2 and 11].
-/// \throws DomainError if `spaces_per_patch` is below 1.
+/// A surface in parallel projection, as an SVG file: shaded, with iso-parametric lines at
+/// equal steps in each patch and thicker patch borders. Nearer cells cover farther ones;
+/// the control net covers everything.
+/// Source: after [KimChoi, figs. 2 and 11].
+/// \throws DomainError if `spaces_per_patch` is below 1, and as `AxonometricFigure`.
 std::string surface_svg(const Surface& surface, const SurfaceDrawing& drawing = {});
 
 }  // namespace endmill

@@ -9,33 +9,45 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
+// Polylines are simplified while they are written (`visible_points`). From a start point
+// the algorithm keeps the sector of directions in which a straight segment passes all
+// points so far within a tolerance. Each further point narrows the sector. A point
+// outside the sector, or one that turns back, ends the segment at the point before and
+// starts a new sector there. Every point is examined once, so the time is linear.
+//
+// Coordinates are written as whole hundredths of a pixel, relative to the rounded point
+// before, so rounding errors do not accumulate along a path.
+
 namespace endmill {
 namespace {
 
-// Tenths of a pixel cannot be seen: what a polyline may move by when points are dropped.
+// Largest distance of a dropped point from the simplified polyline: invisible on a
+// screen.
 constexpr double invisible_px = 0.1;
-// The same across a segment and beyond its end, which together make invisible_px.
+// Tolerance across a segment and beyond its end; the two together are below invisible_px.
 constexpr double leeway_px = 0.7 * invisible_px;
 
+// Cross product of two vectors in the plane.
 double cross(const PixelPoint& a, const PixelPoint& b)
 {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-// The directions in which a segment from its apex passes all points so far within
-// `leeway_px`, none of them further beyond its end.
-class Sleeve {
+// The sector of directions in which a segment from the apex passes all points so far
+// within `leeway_px`.
+class DirectionSector {
 public:
-    explicit Sleeve(const PixelPoint& apex) : apex_{apex} {}
+    explicit DirectionSector(const PixelPoint& apex) : apex_{apex} {}
 
-    // Whether a segment to `point` serves all points so far; if so, `point` joins them.
+    // Adds `point` if a segment to it passes all points so far. \return whether it does.
     bool take(const PixelPoint& point)
     {
         const PixelPoint arm = point - apex_;
         const double length = arm.norm();
         if (length < reach_ - leeway_px)
             return false;
-        if (open_ && (cross(low_, arm) < 0 || cross(arm, high_) < 0 || low_.dot(arm) < 0))
+        if (has_bounds_ &&
+            (cross(low_, arm) < 0 || cross(arm, high_) < 0 || low_.dot(arm) < 0))
             return false;
         reach_ = std::max(reach_, length);
         if (length > leeway_px)
@@ -44,49 +56,53 @@ public:
     }
 
 private:
+    // Intersects the sector with the directions that pass the point within the tolerance.
+    // `sine` is the tolerance over the distance of the point.
     void narrow(const PixelPoint& direction, double sine)
     {
         const double cosine = std::sqrt(1 - sine * sine);
         const PixelPoint across{-direction.y(), direction.x()};
         const PixelPoint low = cosine * direction - sine * across;
         const PixelPoint high = cosine * direction + sine * across;
-        if (!open_ || cross(low_, low) > 0)
+        if (!has_bounds_ || cross(low_, low) > 0)
             low_ = low;
-        if (!open_ || cross(high, high_) > 0)
+        if (!has_bounds_ || cross(high, high_) > 0)
             high_ = high;
-        open_ = true;
+        has_bounds_ = true;
     }
 
     PixelPoint apex_;
     PixelPoint low_{0, 0};   // clockwise end of the directions
     PixelPoint high_{0, 0};  // counter-clockwise end
     double reach_ = 0;
-    bool open_ = false;  // whether low_ and high_ are set
+    bool has_bounds_ = false;  // false while all directions are allowed
 };
 
-// The points that must stay; each dropped one is within `invisible_px` of the rest.
+// The points of the simplified polyline. Every dropped point is within `invisible_px` of
+// it.
 std::vector<PixelPoint> visible_points(std::span<const PixelPoint> points)
 {
     std::vector<PixelPoint> kept{points.front()};
-    Sleeve sleeve{points.front()};
+    DirectionSector sector{points.front()};
     for (std::size_t i = 1; i < points.size(); ++i) {
-        if (sleeve.take(points[i]))
+        if (sector.take(points[i]))
             continue;
         kept.push_back(points[i - 1]);
-        sleeve = Sleeve{points[i - 1]};
-        sleeve.take(points[i]);
+        sector = DirectionSector{points[i - 1]};
+        sector.take(points[i]);
     }
     kept.push_back(points.back());
     return kept;
 }
 
+// A coordinate in whole hundredths of a pixel.
 long hundredths(double value)
 {
     require(std::isfinite(value), "SvgPicture: a coordinate is not finite");
     return std::lround(100 * value);
 }
 
-// A number of hundredths as a decimal without needless digits.
+// Appends a number of hundredths as a decimal without trailing zeros.
 void append_hundredths(std::string& text, long number)
 {
     if (number < 0)
@@ -103,6 +119,7 @@ void append_hundredths(std::string& text, long number)
         text += static_cast<char>('0' + fraction % 10);
 }
 
+// Appends an attribute with a number.
 void append_attribute(std::string& text, std::string_view name, double value)
 {
     text += ' ';
@@ -112,6 +129,7 @@ void append_attribute(std::string& text, std::string_view name, double value)
     text += '"';
 }
 
+// Appends an attribute with an escaped text.
 void append_attribute(std::string& text, std::string_view name, std::string_view value)
 {
     text += ' ';
@@ -119,7 +137,7 @@ void append_attribute(std::string& text, std::string_view name, std::string_view
     text += "=\"" + xml_escaped(value) + "\"";
 }
 
-// The attributes of a line; its colours are ours, so nothing of a file gets in here.
+// Appends the attributes of a line. Colours come from the program and never from a file.
 void append_style(std::string& text, const LineStyle& line, std::string_view fill)
 {
     append_attribute(text, "fill", fill);
@@ -130,8 +148,7 @@ void append_style(std::string& text, const LineStyle& line, std::string_view fil
         append_attribute(text, "stroke-dasharray", line.dashes);
 }
 
-// The data of a path, each point relative to the rounded one before, so that roundings
-// do not add up.
+// The data of a path element, with each point relative to the rounded point before.
 std::string path_data(std::span<const PixelPoint> points)
 {
     std::string data = "M";
@@ -150,6 +167,7 @@ std::string path_data(std::span<const PixelPoint> points)
     return data;
 }
 
+// The XML entity of a character; empty if it needs none.
 std::string_view entity(char character)
 {
     switch (character) {
@@ -207,6 +225,7 @@ void SvgPicture::add_polygon(std::span<const PixelPoint> points, std::string_vie
     text_ += " d=\"" + path_data(visible_points(points)) + "z\"/>\n";
 }
 
+// All boxes are one path element, which keeps maps with many squares small.
 void SvgPicture::add_boxes(std::span<const PixelBox> boxes, std::string_view fill)
 {
     if (boxes.empty())
@@ -235,6 +254,7 @@ void SvgPicture::add_disc(const PixelPoint& centre, double radius_px,
     text_ += "/>\n";
 }
 
+// xml:space keeps blanks in the text as they are.
 void SvgPicture::add_text(const PixelPoint& place, std::string_view text,
                           const TextStyle& style)
 {

@@ -7,22 +7,26 @@
 #include <span>
 #include <vector>
 
+// Moves are grouped by style: cuts, links, and moves clear of the part. Each style is
+// drawn as a whole, so that links are visible above the cuts that they join.
+
 namespace endmill {
 namespace {
 
-// Moves that are drawn alike.
+// A style, and its name in the legend.
 struct Stroke {
     std::string_view label;
     LineStyle style;
 };
 
-// In the order in which they are drawn, the last on top.
+// In the order of drawing; the last is on top.
 constexpr std::array<Stroke, 3> strokes{
     Stroke{"cut", {"#1d4f91", 0.7, ""}},
     Stroke{"link", {"#d1402f", 1.5, ""}},
     Stroke{"rapid, plunge, retract", {"#7d8590", 1, "5 3"}},
 };
 
+// The index in `strokes` of the style for a move.
 std::size_t stroke_of(Move move)
 {
     if (move == Move::Cut)
@@ -30,6 +34,7 @@ std::size_t stroke_of(Move move)
     return move == Move::Link ? 1 : 2;
 }
 
+// The drawn point of each path point: the contact, or the tip where there is none.
 std::vector<Vec3> drawn_points(const ToolPath& path)
 {
     std::vector<Vec3> points;
@@ -40,8 +45,8 @@ std::vector<Vec3> drawn_points(const ToolPath& path)
     return points;
 }
 
-// Draws the runs of moves that belong to `stroke`, each from the point where it begins;
-// tells whether there is one.
+// Draws the runs of consecutive moves that belong to `stroke`. A run starts at the point
+// before its first move. \return whether there is one.
 bool add_runs(AxonometricFigure& figure, const ToolPath& path,
               std::span<const Vec3> places, std::size_t stroke)
 {

@@ -9,9 +9,9 @@
 namespace endmill {
 
 /// A tool path in parallel projection, as an SVG file: contact points (tips where there
-/// is none) joined in the order in which the cutter passes, links in another colour,
-/// moves clear of the part dashed.
-/// Source: the manner of [KimChoi, figs. 12 and 13].
+/// is no contact) joined in the order of the path. Links have another colour; rapids,
+/// plunges and retracts are dashed.
+/// Source: after [KimChoi, figs. 12 and 13].
 /// \throws DomainError if the path has no points or one that is not finite.
 std::string tool_path_svg(const ToolPath& path, const FigureOptions& options = {});
 

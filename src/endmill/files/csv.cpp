@@ -10,12 +10,19 @@
 #include "endmill/core/text.h"
 #include "endmill/files/read_file.h"
 
+// A CSV file is split into cells by CsvReader and stored as texts. Numbers are converted
+// only when they are asked for, because most readers need a few columns of a table. RFC
+// 4180 decides what a valid file is: a cell may be quoted; a quote in a quoted cell is
+// doubled; quoted cells may contain commas and line ends.
+// Writing is the reverse. Cells that a spreadsheet would run as a formula are prefixed,
+// since result files are often opened in one.
+
 namespace endmill {
 namespace {
 
 constexpr std::size_t longest_echo = 40;
 
-// A spreadsheet would run a cell that begins so.
+// Prefixes a text that a spreadsheet would evaluate as a formula with an apostrophe.
 std::string without_formula(std::string text)
 {
     if (!text.empty() &&
@@ -24,6 +31,8 @@ std::string without_formula(std::string text)
     return text;
 }
 
+// The text that a cell is stored as. Numbers get the shortest text that reads back to the
+// same double.
 std::string cell_text(const CsvCell& cell)
 {
     if (const auto* number = std::get_if<double>(&cell)) {
@@ -37,7 +46,7 @@ std::string cell_text(const CsvCell& cell)
     return {};
 }
 
-// A cell as RFC 4180 writes it.
+// Appends a cell, quoted as in RFC 4180 if it contains a comma, a quote or a line end.
 void append_quoted(std::string& csv, std::string_view cell)
 {
     if (cell.find_first_of(",\"\r\n") == std::string_view::npos) {
@@ -50,9 +59,10 @@ void append_quoted(std::string& csv, std::string_view cell)
     csv += '"';
 }
 
+// Appends a row with its line end.
 void append_line(std::string& csv, std::span<const std::string> cells)
 {
-    // An empty line would be no row at all.
+    // A row of one empty cell is written as "", because an empty line is not a row.
     if (cells.size() == 1 && cells.front().empty())
         csv += "\"\"";
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -62,9 +72,10 @@ void append_line(std::string& csv, std::span<const std::string> cells)
     csv += '\n';
 }
 
-// Cuts a CSV text into rows of cells.
+// Splits a CSV text into rows of cells.
 class CsvReader {
 public:
+    // Skips a byte order mark, which spreadsheets write at the beginning.
     CsvReader(std::string_view text, const std::string& file) : text_{text}, file_{file}
     {
         constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -75,6 +86,7 @@ public:
     bool at_end() const { return text_.empty(); }
     std::size_t line() const { return line_; }
 
+    // Reads one row up to and including its line end. The last row need not have one.
     std::vector<std::string> row()
     {
         std::vector<std::string> cells{cell()};
@@ -89,12 +101,14 @@ public:
         return cells;
     }
 
+    // An error at the current line.
     FormatError complaint(const std::string& found, const std::string& expected) const
     {
         return FormatError{"E_CSV", {file_, std::to_string(line_), found, expected}};
     }
 
 private:
+    // Skips `word` if the rest of the text begins with it. \return whether it does.
     bool accept(std::string_view word)
     {
         const bool found = text_.starts_with(word);
@@ -103,6 +117,7 @@ private:
         return found;
     }
 
+    // Reads one cell and stops before the comma or line end after it.
     std::string cell()
     {
         if (accept("\""))
@@ -112,7 +127,7 @@ private:
         return std::string{cell};
     }
 
-    // The rest of a cell after its opening quote; it may go on over several lines.
+    // The rest of a quoted cell after its opening quote. It may span several lines.
     std::string quoted_cell()
     {
         std::string cell;
@@ -120,14 +135,15 @@ private:
         do {
             const std::size_t end = text_.find('"');
             if (end == std::string_view::npos) {
-                // Where it was opened is the place to mend, not the end of the file.
+                // The message states the line of the opening quote, where the file must
+                // be corrected.
                 line_ = first_line;
                 throw complaint("a quote that is never closed", "a closing quote");
             }
             cell += text_.substr(0, end);
             line_ += std::count(text_.begin(), text_.begin() + end, '\n');
             text_.remove_prefix(end + 1);
-            if (text_.starts_with('"'))  // doubled: one that belongs to the cell
+            if (text_.starts_with('"'))  // a doubled quote is a quote in the cell
                 cell += '"';
         } while (accept("\""));
         return cell;
@@ -138,7 +154,7 @@ private:
     std::size_t line_ = 1;
 };
 
-// Why `columns` cannot be a header; empty if they can.
+// The reason why `columns` cannot be a header; empty if they can.
 std::string column_fault(const std::vector<std::string>& columns)
 {
     for (auto column = columns.begin(); column != columns.end(); ++column) {
@@ -161,11 +177,11 @@ CsvTable::CsvTable(std::vector<std::string> columns) : columns_{std::move(column
 
 void CsvTable::add_row(std::span<const CsvCell> cells)
 {
-    require(cells.size() == columns_.size(), "CsvTable: need one cell a column");
+    require(cells.size() == columns_.size(), "CsvTable: need one cell for each column");
     std::vector<std::string> texts;
     std::ranges::transform(cells, std::back_inserter(texts), cell_text);
     std::ranges::move(texts, std::back_inserter(cells_));
-    lines_.push_back(lines_.size() + 2);  // from 1, and the header is the first
+    lines_.push_back(lines_.size() + 2);  // the header is line 1
 }
 
 void CsvTable::add_row(std::initializer_list<CsvCell> cells)
@@ -173,6 +189,7 @@ void CsvTable::add_row(std::initializer_list<CsvCell> cells)
     add_row(std::span<const CsvCell>{cells.begin(), cells.size()});
 }
 
+// Columns are found by a linear search: tables read this way have a few dozen columns.
 const std::string& CsvTable::cell(std::size_t row, std::string_view column) const
 {
     assert(row < rows());
@@ -208,6 +225,7 @@ std::string CsvTable::text() const
     return csv;
 }
 
+// The header is checked first, because every later message names columns.
 CsvTable parse_csv(std::string_view text, const std::string& file)
 {
     CsvReader reader{text, file};
@@ -232,9 +250,11 @@ CsvTable parse_csv(std::string_view text, const std::string& file)
     return table;
 }
 
+// The memory is estimated from the size of the file, before any cell is made.
 CsvTable read_csv(const std::filesystem::path& path, const ReadLimits& limits)
 {
-    // A cell is a string object; one of nothing but its comma takes one byte in the file.
+    // Every cell becomes a std::string; an empty cell takes one byte in the file, its
+    // comma.
     constexpr double most_bytes_per_byte = 3 * sizeof(std::string);
     const std::string text = read_file(path, limits);
     const std::string file = shown_path(path);

@@ -13,20 +13,29 @@
 #include "endmill/deviation/detail/deviation_cells.h"
 #include "endmill/files/csv.h"
 
+// The histogram adds the areas of the cells. Floating-point sums depend on the order of
+// the terms, so the cells are divided into blocks of fixed size; each block has a
+// histogram of its own, and the histograms are added in the order of the blocks. The
+// result is the same with any number of threads.
+
 namespace endmill {
 namespace {
 
-constexpr std::size_t bins = 200;  // two limits either way, a hundredth of their sum each
+// 200 bins from -2 tolerances to 2 scallop limits: each has a hundredth of the sum of
+// both.
+constexpr std::size_t bins = 200;
 
-// Enough that a histogram of its own is little beside them.
+// Cells of a block. A block is large compared with the histogram that it needs.
 constexpr std::size_t cells_a_block = 65536;
 
+// Area of the part for each bin of the deviation.
 struct Histogram {
     std::array<double, bins + 1> edges;
     std::array<double, bins> areas{};
     double least = std::numeric_limits<double>::infinity();
     double greatest = -std::numeric_limits<double>::infinity();
 
+    // The edges divide the range from -2 tolerances to 2 scallop limits into equal parts.
     explicit Histogram(const DeviationLimits& limits)
     {
         for (std::size_t k = 0; k <= bins; ++k) {
@@ -35,9 +44,11 @@ struct Histogram {
         }
     }
 
+    // The bin of a value. A value on an edge belongs to the upper bin.
     std::size_t bin_of(double left) const
     {
-        // All are equally wide, but for rounding; beyond them are the outermost.
+        // Bins are equally wide except for rounding, so the estimate is corrected by the
+        // edges. Values outside belong to the first or last bin.
         const double share = (left - edges.front()) / (edges.back() - edges.front());
         auto bin = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * (bins - 1));
         while (bin > 0 && left < edges[bin])
@@ -47,6 +58,7 @@ struct Histogram {
         return bin;
     }
 
+    // Adds a cell.
     void add(double left, double area)
     {
         areas[bin_of(left)] += area;
@@ -54,6 +66,7 @@ struct Histogram {
         greatest = std::max(greatest, left);
     }
 
+    // Adds the cells of another histogram with the same edges.
     void add(const Histogram& other)
     {
         for (std::size_t k = 0; k < bins; ++k)
@@ -63,7 +76,8 @@ struct Histogram {
     }
 };
 
-// A fixed number of cells at a time, so that the sums hang on no number of threads.
+// The histogram of all cells. Blocks have a fixed number of cells and are added in order,
+// so the sums do not depend on the number of threads.
 Histogram histogram_of(const Deviation& deviation, const DeviationLimits& limits)
 {
     const std::size_t cells = deviation.left.size();

@@ -13,6 +13,10 @@
 #include "endmill/deviation/detail/deviation_cells.h"
 #include "endmill/files/detail/appended_arrays.h"
 
+// A part has many more cells than a viewer can show. If there are too many, consecutive
+// cells are grouped into runs of equal length and each run is represented by its two
+// extreme cells. Averages would hide the deepest gouge, which is what the file is for.
+
 namespace endmill {
 namespace {
 
@@ -23,8 +27,9 @@ constexpr std::string_view preamble =
     "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
     "header_type=\"UInt64\">\n";
 
-// Cells with an area: of every so many in a row the one with the least and the one with the
-// most left, in the order of the cells, so that there are no more than `most_points`.
+// The cells that become points: all cells with an area if they are at most `most_points`.
+// Otherwise the cells are divided into runs of equal length, and each run keeps the cell
+// with the least and the cell with the greatest deviation, in the order of the cells.
 std::vector<std::size_t> thinned(const Deviation& deviation, std::size_t most_points)
 {
     const auto cells = static_cast<std::size_t>(
@@ -36,8 +41,8 @@ std::vector<std::size_t> thinned(const Deviation& deviation, std::size_t most_po
     kept.reserve(std::min(cells, most_points));
     std::size_t least = 0;
     std::size_t most = 0;
-    std::size_t seen = 0;  // of the run
-    std::size_t ahead = cells;
+    std::size_t seen = 0;       // cells of the current run so far
+    std::size_t ahead = cells;  // cells with an area that follow
     for (std::size_t i = 0; i < left.size(); ++i) {
         if (!(deviation.area[i] > 0))
             continue;
@@ -56,12 +61,14 @@ std::vector<std::size_t> thinned(const Deviation& deviation, std::size_t most_po
     return kept;
 }
 
+// The point data of the file.
 struct PointArrays {
     std::vector<float> place;  // three a point, like the normals
     std::vector<float> normal;
     std::vector<float> left;
 };
 
+// Stores a vector as three floats.
 void store(const Vec3& vector, std::vector<float>& numbers, std::size_t point)
 {
     for (int c = 0; c < 3; ++c) {
@@ -71,6 +78,7 @@ void store(const Vec3& vector, std::vector<float>& numbers, std::size_t point)
     }
 }
 
+// The data of the chosen cells. Each thread writes to the places of its own cells.
 PointArrays points_of(const PartCharts& charts, const Deviation& deviation,
                       const std::vector<std::size_t>& cells)
 {
@@ -89,6 +97,7 @@ PointArrays points_of(const PartCharts& charts, const Deviation& deviation,
     return points;
 }
 
+// `count` consecutive numbers from `first` on.
 std::vector<std::int64_t> counted_from(std::int64_t first, std::size_t count)
 {
     std::vector<std::int64_t> numbers(count);

@@ -16,6 +16,8 @@ constexpr std::array<std::string_view, 2> names{"azimuth_deg", "polar_deg"};
 constexpr double whole_turn_deg = 360;
 constexpr double most_polar_deg = 180;
 
+// The unit vector of the current row. The azimuth is reduced to half a turn either way
+// first, which is exact and keeps the accuracy of large angles.
 Vec3 direction(const CsvLines& lines, const NamedColumns& columns)
 {
     const auto azimuth_deg = number_from_text(columns.cell(lines, 0));
@@ -37,7 +39,7 @@ std::vector<Vec3> parse_directions(std::string_view text, const std::string& fil
                                    const ReadLimits& limits)
 {
     CsvLines lines{text, file};
-    lines.next();  // an empty text has no columns
+    lines.next();  // the header of an empty text has no columns and is refused below
     const NamedColumns columns{lines, names, names.size()};
     require_memory(file, static_cast<double>(line_count(lines.rest())) * sizeof(Vec3),
                    limits);

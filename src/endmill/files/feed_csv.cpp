@@ -5,17 +5,15 @@
 #include <cstddef>
 #include <optional>
 
-#include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/detail/joined_rows.h"
+#include "endmill/files/detail/rounded_degrees.h"
 
 namespace endmill {
 namespace {
 
-// Far finer than an angle is known; keeps 5 from being 5.000000000000001.
-constexpr double angles_per_degree = 1e9;
-
+// Appends a cell; an empty one if there is no number.
 void append(std::string& text, std::optional<double> number)
 {
     require(!number || std::isfinite(*number), "feed_csv: a number is not finite");
@@ -24,15 +22,16 @@ void append(std::string& text, std::optional<double> number)
         append_text(text, *number);
 }
 
+// Appends an angle in degrees; an empty cell if it is unknown.
 void append_degrees(std::string& text, std::optional<double> radians)
 {
     std::optional<double> degrees;
     if (radians)
-        degrees = std::round(Angle::radians(*radians).degrees() * angles_per_degree) /
-                  angles_per_degree;
+        degrees = rounded_degrees(*radians);
     append(text, degrees);
 }
 
+// Appends the columns of the geometry of a move.
 void append_geometry(std::string& text, const SegmentCut& cut)
 {
     text += std::to_string(cut.pass) + ',' + std::to_string(cut.point);
@@ -44,6 +43,7 @@ void append_geometry(std::string& text, const SegmentCut& cut)
     append(text, cut.depth_mm);
 }
 
+// Appends the columns of the feed and the loads of a move.
 void append_feed(std::string& text, const SegmentFeed& row)
 {
     append_degrees(text, row.engaged_angle);
@@ -63,7 +63,7 @@ void append_feed(std::string& text, const SegmentFeed& row)
 
 std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows)
 {
-    require(cuts.size() == rows.size(), "feed_csv: need a row a move");
+    require(cuts.size() == rows.size(), "feed_csv: need one row for each move");
     const std::string header =
         "pass,point,length_mm,mu_deg,lambda_deg,pick_feed_mm,pick_feed_horizontal_mm,"
         "depth_mm,engaged_angle_deg,feed_per_tooth_mm,peak_factor,limit,speed_limit,"
@@ -77,6 +77,28 @@ std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFe
         }
         return text;
     });
+}
+
+std::string force_profile_csv(std::span<const double> angles,
+                              std::span<const CuttingForce> forces)
+{
+    require(angles.size() == forces.size(),
+            "force_profile_csv: need one angle for each force");
+    std::string text = "theta_deg,force_x_n,force_y_n,force_z_n,torque_n_m\n";
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        const double degrees = rounded_degrees(angles[i]);
+        for (const double number :
+             {degrees, forces[i].x_n, forces[i].y_n, forces[i].z_n}) {
+            require(std::isfinite(number), "force_profile_csv: a number is not finite");
+            append_text(text, number);
+            text += ',';
+        }
+        require(std::isfinite(forces[i].torque_n_m),
+                "force_profile_csv: a number is not finite");
+        append_text(text, forces[i].torque_n_m);
+        text += '\n';
+    }
+    return text;
 }
 
 }  // namespace endmill

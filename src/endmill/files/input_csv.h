@@ -11,54 +11,62 @@
 #include "endmill/offset/section_curve.h"
 #include "endmill/process/tool_life.h"
 
+/// \file
+/// Readers of small CSV inputs: directions, curves of one plane, and cutting speeds. Each
+/// input has a `parse_...` function for a text in memory and a `read_...` function for a
+/// file. Columns may stand in any order; unknown columns are refused.
+
 namespace endmill {
 
-/// Reads directions: columns `azimuth_deg` and `polar_deg`, in any order, a row a direction;
-/// the azimuth counts counter-clockwise about +z from +x, the polar angle from +z.
-/// \param file the name for messages.
-/// \return unit vectors, to 1e-15.
-/// \throws FormatError E_CSV with the line for an unknown column, one that is missing or named
-///         twice; a row with another number of cells; what is no finite number; a polar angle
-///         that is not from 0 to 180; no row.
+/// Reads directions from the columns `azimuth_deg` and `polar_deg`, one direction per
+/// row. The azimuth counts counter-clockwise about +z from +x, the polar angle from +z.
+/// \param file name of the file for messages.
+/// \return unit vectors; their length is 1 within 1e-15.
+/// \throws FormatError E_CSV with the line for an unknown, missing or repeated column; a
+///         row with another number of cells; a cell that is not a finite number; a polar
+///         angle outside 0 to 180; a table without rows.
 /// \throws LimitError if the data need more memory than the limit.
 std::vector<Vec3> parse_directions(std::string_view text, const std::string& file,
                                    const ReadLimits& limits = {});
 
-/// The same from a file. \throws FormatError and LimitError also as `read_file`.
+/// Reads the file and parses it as `parse_directions` does.
+/// \throws FormatError, LimitError also as `read_file`.
 std::vector<Vec3> read_directions(const std::filesystem::path& path,
                                   const ReadLimits& limits = {});
 
-/// Reads curves of one plane: columns s_mm and z_mm, and optionally `curve`, a whole number
-/// whose rows stand together; without it all rows are one curve. Consecutive equal points
-/// are merged. A curve whose last point equals its first is closed. Each is turned and
-/// begins as SectionCurve says, and they are in the order of their smallest s, then z.
-/// \param file the name for messages.
-/// \throws FormatError E_CSV with the line for an unknown column, one that is missing or
-///         named twice; a row with another number of cells; what is no number where one
-///         belongs, NaN and infinity included; a curve that comes again after another; a
-///         curve without two different points; if there is no row. E_RANGE for a length
-///         beyond the limit.
+/// Reads curves of one plane from the columns s_mm and z_mm and the optional column
+/// `curve`, a whole number. The rows of a curve stand together; without the column all
+/// rows are one curve. Consecutive equal points are merged. A curve is closed if its last
+/// point equals its first. Orientation and first point are those of SectionCurve; curves
+/// are sorted by their smallest s, then z.
+/// \param file name of the file for messages.
+/// \throws FormatError E_CSV with the line for an unknown, missing or repeated column; a
+///         row with another number of cells; a cell that is not a finite number; rows of
+///         one curve that are separated by another curve; a curve without two different
+///         points; a table without rows. E_RANGE for a coordinate beyond the limit.
 /// \throws LimitError if the curves need more memory than the limit.
 std::vector<SectionCurve> parse_polylines(std::string_view text, const std::string& file,
                                           const ReadLimits& limits = {});
 
-/// The same from a file. \throws FormatError and LimitError also as `read_file`.
+/// Reads the file and parses it as `parse_polylines` does.
+/// \throws FormatError, LimitError also as `read_file`.
 std::vector<SectionCurve> read_polylines(const std::filesystem::path& path,
                                          const ReadLimits& limits = {});
 
-/// Reads recommended cutting speeds: columns `phi_over_pi` and `v_m_per_min`, in any order,
-/// a row a datum.
-/// \param file the name for messages.
-/// \throws FormatError E_CSV with the line for an unknown column, one that is missing or
-///         named twice; a row with another number of cells; what is no number where one
-///         belongs, NaN and infinity included; an angle that is not above 0 and at most 1; a
-///         speed that is not above 0; unless two rows have different angles.
+/// Reads recommended cutting speeds from the columns `phi_over_pi` (engaged angle over
+/// pi) and `v_m_per_min` (cutting speed), one recommendation per row.
+/// \param file name of the file for messages.
+/// \throws FormatError E_CSV with the line for an unknown, missing or repeated column; a
+///         row with another number of cells; a cell that is not a finite number; an angle
+///         outside 0 < phi / pi <= 1; a speed that is not positive; a table without two
+///         different angles.
 /// \throws LimitError if the data need more memory than the limit.
 std::vector<CuttingSpeedDatum> parse_cutting_speeds(std::string_view text,
                                                     const std::string& file,
                                                     const ReadLimits& limits = {});
 
-/// The same from a file. \throws FormatError and LimitError also as `read_file`.
+/// Reads the file and parses it as `parse_cutting_speeds` does.
+/// \throws FormatError, LimitError also as `read_file`.
 std::vector<CuttingSpeedDatum> read_cutting_speeds(const std::filesystem::path& path,
                                                    const ReadLimits& limits = {});
 

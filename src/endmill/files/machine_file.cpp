@@ -12,15 +12,22 @@
 #include "endmill/machine/axis_limits.h"
 #include "endmill/machine/configuration.h"
 
+// A machine file describes axes in the words of a machine builder: the travel of each
+// axis by its name, in mm or degrees. Reading keeps this description
+// (MachineDescription). `moving_machine` converts it to the kinematic model of the
+// library, which has two rotary angles of the tool against the part, whatever axes
+// produce them.
+
 namespace endmill {
 namespace {
 
 constexpr std::string_view format_name = "endmill-machine/1";
 constexpr std::string_view code = "E_MACHINE";
-constexpr double most_of_all = 1e9;    // rpm, W, N m, mm/min, m/s^2: any machine's
-constexpr double most_turn_deg = 360;  // what is wider is not limited
+// Upper end for rpm, W, N m, mm/min and m/s^2: beyond every machine, and finite.
+constexpr double most_of_all = 1e9;
+constexpr double most_turn_deg = 360;  // a wider range does not limit the axis
 
-// Of the keys in `limits`: the axis and its unit.
+// A key of `limits`, and its axis.
 struct AxisKey {
     std::string_view key;
     char axis;
@@ -34,11 +41,13 @@ constexpr std::array<AxisKey, 6> axis_keys{{{"x_mm", 'x', false},
                                             {"b_deg", 'b', true},
                                             {"c_deg", 'c', true}}};
 
+// An error with the code of machine files.
 FormatError machine_complaint(const JsonValue& value, const std::string& expected)
 {
     return value.complaint(value.shown(), expected, std::string{code});
 }
 
+// The configuration word in the file, or `otherwise`.
 std::string configuration(const JsonValue& root, const std::string& otherwise)
 {
     const auto value = root.find_member("configuration");
@@ -54,7 +63,8 @@ std::string configuration(const JsonValue& root, const std::string& otherwise)
     return word;
 }
 
-// Limits of the rotary axis at that place among those of the machine.
+// Checks the limits of a rotary axis.
+// \param place number of the axis among the rotary axes of the machine, from the part.
 void require_rotary_range(const JsonValue& value, std::size_t place, double from_deg,
                           double to_deg)
 {
@@ -63,6 +73,7 @@ void require_rotary_range(const JsonValue& value, std::size_t place, double from
                               *expected, std::string{code});
 }
 
+// The range of one axis: [min, max] in mm or degrees; the result is in mm or rad.
 AxisTravel travel(const JsonValue& value, const AxisKey& key, std::size_t place,
                   const ReadLimits& limits)
 {
@@ -82,13 +93,15 @@ AxisTravel travel(const JsonValue& value, const AxisKey& key, std::size_t place,
     return {key.axis, Angle::degrees(from).radians(), Angle::degrees(to).radians()};
 }
 
-// Of the rotary axes the number from the part to the tool; else none.
+// Number of an axis among the rotary axes, from the part to the tool; their count if it
+// is not one of them.
 std::size_t place_of(const MachineConfiguration& machine, char letter)
 {
     const auto axis = std::ranges::find(machine.rotary, letter, &RotaryAxis::letter);
     return static_cast<std::size_t>(axis - machine.rotary.begin());
 }
 
+// The ranges of all axes in the order x, y, z, a, b, c.
 std::vector<AxisTravel> travels(const JsonValue& root, std::string_view configuration,
                                 const ReadLimits& limits)
 {
@@ -116,6 +129,7 @@ std::vector<AxisTravel> travels(const JsonValue& root, std::string_view configur
     return all;
 }
 
+// Limits of the spindle and the feed drives; each is optional.
 MachineLimits machine_limits(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 3> keys{"max_rpm", "max_power_w",
@@ -133,6 +147,7 @@ MachineLimits machine_limits(const JsonValue& root)
     return limits;
 }
 
+// The offset of the table, an array of three lengths.
 std::optional<Vec3> table_offset(const JsonValue& root, double most)
 {
     const auto value = root.find_member("table_offset_mm");
@@ -171,8 +186,9 @@ MachineDescription parse_machine(std::string_view content,
                                                     "spindle",
                                                     "max_feed_mm_per_min",
                                                     "acceleration_m_per_s2"};
-    const FormatDocument document{content, path, limits, {format_name, keys}};
+    const FormatDocument document{content, path, limits, format_name};
     const JsonValue root = document.root();
+    root.allow_only(keys);
 
     const double most = limits.max_extent_mm;
     MachineDescription machine{.name = name_or_stem(root, path),
@@ -186,6 +202,8 @@ MachineDescription parse_machine(std::string_view content,
     return machine;
 }
 
+// The file has positions of the axes. The kinematic model has turns of the tool against
+// the part, so ranges of axes that carry the part are mirrored.
 Machine moving_machine(const MachineDescription& description)
 {
     Machine machine{.configuration = configuration_from_word(description.configuration),

@@ -12,49 +12,56 @@
 #include "endmill/machine/kinematics.h"
 #include "endmill/process/milling_data.h"
 
+/// \file
+/// Machine files ("endmill-machine/1"): the content of a file as data, and the kinematic
+/// model that follows from it.
+
 namespace endmill {
 
-/// How far an axis of a machine goes: of a rotary axis its own positions, the right-hand turns of
-/// what it carries.
+/// Travel range of one machine axis. The positions of a rotary axis are right-hand turns
+/// of what the axis carries.
 struct AxisTravel {
-    char axis;    ///< 'x', 'y', 'z', linear; 'a', 'b', 'c', rotary about them
-    double from;  ///< mm, or rad
-    double to;    ///< mm, or rad; at least `from`
+    char axis;    ///< 'x', 'y', 'z': linear; 'a', 'b', 'c': rotary about x, y, z
+    double from;  ///< mm for a linear axis, rad for a rotary one
+    double to;    ///< same unit as `from`; at least `from`
 
-    /// Whether both say the same.
+    /// Member by member.
     friend bool operator==(const AxisTravel&, const AxisTravel&) = default;
 };
 
-/// A machine as its file describes it. What the file does not say is none.
+/// A machine as its file describes it. A value that the file does not state is empty.
 struct MachineDescription {
-    std::string name;
-    std::string source = {};
-    std::string configuration = "W/xyBz/T";  ///< axes from workpiece to tool, B the bed
-    MachineLimits limits = {};               ///< of spindle and feed drives
-    std::vector<AxisTravel> travels = {};    ///< of the axes, in the order x y z a b c
-    std::optional<double> pivot_mm = {};
-    std::optional<Vec3> table_offset_mm = {};
+    std::string name;                          ///< from the file, or the file's stem
+    std::string source = {};                   ///< where the numbers come from
+    std::string configuration = "W/xyBz/T";    ///< axes from workpiece to tool, B the bed
+    MachineLimits limits = {};                 ///< of spindle and feed drives
+    std::vector<AxisTravel> travels = {};      ///< of the axes, in the order x y z a b c
+    std::optional<double> pivot_mm = {};       ///< as `Machine::pivot`
+    std::optional<Vec3> table_offset_mm = {};  ///< as `Machine::table_offset`
 };
 
-/// The machine in a file of format "endmill-machine/1": as far as it says so `name` (else the
-/// file's), `source`, `configuration`, `limits` {`x_mm`, ..., `c_deg`: [min, max]},
-/// `pivot_mm`, `table_offset_mm`, `spindle` {`max_rpm`, `max_power_w`, `max_torque_n_m`},
+/// Reads a file of format "endmill-machine/1". Every key is optional: `name`, `source`,
+/// `configuration`, `limits` {`x_mm`, ..., `c_deg`: [min, max]}, `pivot_mm`,
+/// `table_offset_mm`, `spindle` {`max_rpm`, `max_power_w`, `max_torque_n_m`},
 /// `max_feed_mm_per_min`, `acceleration_m_per_s2`.
-/// \throws FormatError as `JsonDocument`, with the JSON pointer, for a key that is unknown;
-///         E_MACHINE for a word that is no configuration, limits of an axis that the
-///         configuration does not have, of which there are not two, in falling order, or
-///         that `expected_rotary_range` objects to, and a value out of its range; E_FORMAT for another format; and as `read_file`.
+/// \throws FormatError as `JsonDocument` and, with the JSON pointer, for an unknown key.
+///         E_MACHINE for an invalid configuration; for limits of an axis that the
+///         configuration lacks, limits that are not a rising pair, and limits that
+///         `expected_rotary_range` refuses; for a value out of its range. E_FORMAT for
+///         another format. Also as `read_file`.
 MachineDescription read_machine(const std::filesystem::path& path,
                                 const ReadLimits& limits = {});
 
-/// The same from what the file holds; `path` is named in messages.
+/// Parses the content of a machine file as `read_machine` does.
+/// \param path used in messages and for the default name.
 MachineDescription parse_machine(std::string_view content,
                                  const std::filesystem::path& path,
                                  const ReadLimits& limits = {});
 
-/// The same as far as it moves: without a pivot or a table offset these are 0, axes without
-/// limits are not limited. The rotary limits are of use for a valid configuration only.
-/// \throws DomainError unless the configuration is one.
+/// The kinematic model of the machine. A missing pivot or table offset is 0; an axis
+/// without limits is unlimited. The rotary limits are set for a valid five-axis
+/// configuration only.
+/// \throws DomainError if `description.configuration` is invalid.
 Machine moving_machine(const MachineDescription& description);
 
 }  // namespace endmill

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/files/material_file.h"
+#include "endmill/files/tool_file.h"
 
 #include <array>
 #include <string>
@@ -13,13 +13,14 @@ namespace {
 
 constexpr std::string_view format_name = "endmill-material/1";
 
-// Upper ends that no material reaches: what is above them is a slip of the unit.
+// Upper ends beyond every material. A larger number is a mistake of the unit.
 constexpr NumberRange resistance_range{.above = 0, .most = 1e6};         // N/mm^2
 constexpr NumberRange edge_range{.above = 0, .most = 10, .from = true};  // mm
 constexpr NumberRange ratio_range{.above = 0, .most = 1000, .from = true};
 constexpr NumberRange speed_range{.above = 0, .most = 1e6};  // m/min
 constexpr NumberRange feed_range{.above = 0, .most = 1000};  // mm
 
+// A required number.
 double number(const JsonValue& root, std::string_view key, NumberRange range)
 {
     range.code = "E_MATERIAL";
@@ -27,6 +28,7 @@ double number(const JsonValue& root, std::string_view key, NumberRange range)
     return number_in(value, range);
 }
 
+// An optional number.
 std::optional<double> optional_number(const JsonValue& root, std::string_view key,
                                       NumberRange range)
 {
@@ -34,7 +36,8 @@ std::optional<double> optional_number(const JsonValue& root, std::string_view ke
     return find_number(root, key, range);
 }
 
-// Both ends are open: at 1 a tool that lasts costs nothing.
+// The exponent alpha of tool life. Both ends are excluded: at 1 the economic tool life,
+// proportional to 1 / alpha - 1, would be 0.
 double exponent(const JsonValue& root)
 {
     const JsonValue value = root.member("alpha");
@@ -44,6 +47,7 @@ double exponent(const JsonValue& root)
     return alpha;
 }
 
+// Checks that the largest feed per tooth is not below the least.
 void require_order_of_feeds(const JsonValue& root, const CuttingMaterial& material)
 {
     const auto& least = material.min_feed_per_tooth_mm;
@@ -80,8 +84,9 @@ CuttingMaterial parse_material(std::string_view content,
                                                     "max_feed_per_tooth_mm",
                                                     "min_feed_per_tooth_mm",
                                                     "source"};
-    const FormatDocument document{content, path, limits, {format_name, keys}};
+    const FormatDocument document{content, path, limits, format_name};
     const JsonValue root = document.root();
+    root.allow_only(keys);
 
     CuttingMaterial material{
         .specific_resistance_n_per_mm2 =

@@ -22,12 +22,26 @@
 namespace endmill {
 namespace {
 
+// A mesh file becomes a MeshFile in these steps:
+//
+// 1. The extension selects the format; content of another known format is refused.
+// 2. The reader of the format (detail/) parses the content. STL gives a triangle soup,
+//    the other formats give an indexed mesh. Lengths are converted to mm.
+// 3. Equal points are welded, exactly and without a tolerance. The text is released
+//    first, because it is no longer needed and welding takes much memory.
+// 4. Triangles without area, decided by the exact predicate `are_collinear`, and points
+//    that no triangle uses are left out.
+// 5. The upward axis is turned to +z.
+//
+// Every step that changes something adds a note.
+
 constexpr double mm_per_inch = 25.4;
 constexpr std::array<std::string_view, 4> extensions{".stl", ".obj", ".ply", ".off"};
 
-// The most that exact welding takes while it works (weld.h).
+// Upper bound of the memory that exact welding takes for each point (weld.h).
 constexpr double bytes_per_welded_point = 72;
 
+// ASCII letters in lower case.
 std::string lower_case(std::string text)
 {
     std::ranges::transform(text, text.begin(), [](unsigned char letter) {
@@ -36,7 +50,7 @@ std::string lower_case(std::string text)
     return text;
 }
 
-// One of `extensions`, of which the content is.
+// The extension of `path` in lower case, after a check that the content is of its format.
 std::string checked_extension(std::string_view content, const std::string& file,
                               const std::filesystem::path& path)
 {
@@ -60,17 +74,19 @@ std::string checked_extension(std::string_view content, const std::string& file,
     return extension;
 }
 
+// The verb of a note about `count` things.
 std::string_view was_or_were(std::size_t count)
 {
     return count == 1 ? " was " : " were ";
 }
 
-// A mesh whose equal points are one, and the notes about how it came to be.
+// A mesh without equal points, and the notes about its reading.
 struct ReadAndWelded {
     WeldedMesh welded;
     std::vector<std::string> notes;
 };
 
+// Checks that the mesh is not empty.
 void require_triangles(std::size_t count, const MeshSource& source)
 {
     if (count == 0)
@@ -78,7 +94,7 @@ void require_triangles(std::size_t count, const MeshSource& source)
                           {source.file, "", "mesh has no triangles", "at least one"}};
 }
 
-// \param content is emptied, to have its memory for welding.
+// Reads an STL file. `content` is released before welding to lower the peak memory.
 ReadAndWelded read_soup(std::string& content, const MeshSource& source)
 {
     const std::vector<std::array<Vec3, 3>> soup = parse_stl(source);
@@ -92,6 +108,7 @@ ReadAndWelded read_soup(std::string& content, const MeshSource& source)
     return {weld(soup), {}};
 }
 
+// Parses a mesh with indexed points.
 RawMesh parse_indexed(const MeshSource& source, std::string_view extension)
 {
     if (extension == ".obj")
@@ -99,7 +116,7 @@ RawMesh parse_indexed(const MeshSource& source, std::string_view extension)
     return extension == ".ply" ? parse_ply(source) : parse_off(source);
 }
 
-// \param content is emptied, to have its memory for welding.
+// Reads an OBJ, PLY or OFF file. `content` is released as in `read_soup`.
 ReadAndWelded read_indexed(std::string& content, const MeshSource& source,
                            std::string_view extension)
 {
@@ -126,7 +143,8 @@ ReadAndWelded read_indexed(std::string& content, const MeshSource& source,
     return result;
 }
 
-// Rotations by quarters about one axis: exact. No coordinate becomes -0.
+// Turns the axis `up` to +z by a quarter or half turn about x or y, which is exact.
+// Subtraction from 0 keeps a zero coordinate from becoming -0.
 Vec3 turned(const Vec3& point, UpAxis up)
 {
     const double x = point.x();
@@ -148,12 +166,13 @@ Vec3 turned(const Vec3& point, UpAxis up)
     }
 }
 
-// The triangles that have an area.
+// The triangles of a mesh by whether they have an area.
 struct SortedTriangles {
-    std::vector<Triangle> sound;
-    std::vector<std::size_t> degenerate;  // by their numbers
+    std::vector<Triangle> sound;          // with an area
+    std::vector<std::size_t> degenerate;  // indices of the others
 };
 
+// Divides the triangles by an exact test, so that the result does not depend on rounding.
 SortedTriangles sorted_triangles(const TriangleMesh& mesh)
 {
     SortedTriangles sorted;
@@ -168,8 +187,8 @@ SortedTriangles sorted_triangles(const TriangleMesh& mesh)
     return sorted;
 }
 
-// The points that triangles name, turned upright; the triangles name them by their new
-// numbers afterwards.
+// The points that the triangles use, with `up` turned to +z. The triangles are renumbered
+// accordingly.
 std::vector<Vec3> used_points(std::span<const Vec3> points,
                               std::vector<Triangle>& triangles, UpAxis up)
 {
@@ -192,12 +211,14 @@ std::vector<Vec3> used_points(std::span<const Vec3> points,
     return used;
 }
 
+// The note about things that were left out.
 std::string left_out(std::size_t count, const std::string& thing, const char* kind)
 {
     return counted(count, thing) + ' ' + kind + std::string{was_or_were(count)} +
            "left out";
 }
 
+// Notes about conversions that the options asked for.
 std::vector<std::string> option_notes(const MeshReadOptions& options)
 {
     std::vector<std::string> notes;
@@ -250,6 +271,37 @@ MeshFile parse_mesh(std::string content, const std::filesystem::path& path,
             welded.welded_points,
             std::move(without_area),
             std::move(notes)};
+}
+
+std::string_view mesh_extension(MeshFormat format)
+{
+    switch (format) {
+        case MeshFormat::Obj:
+            return ".obj";
+        case MeshFormat::Ply:
+            return ".ply";
+        case MeshFormat::Off:
+            return ".off";
+        default:
+            return ".stl";
+    }
+}
+
+std::string mesh_text(const TriangleMesh& mesh, MeshFormat format,
+                      std::span<const Vec3> normals)
+{
+    switch (format) {
+        case MeshFormat::Stl:
+            return stl_text(mesh);
+        case MeshFormat::StlAscii:
+            return stl_ascii_text(mesh);
+        case MeshFormat::Obj:
+            return obj_text(mesh);
+        case MeshFormat::Ply:
+            return ply_text(mesh, normals);
+        default:
+            return off_text(mesh);
+    }
 }
 
 }  // namespace endmill

@@ -20,38 +20,55 @@
 #include "endmill/core/error.h"
 #include "endmill/files/read_file.h"
 
+// Life of an output file:
+//
+// 1. `write_pieces` creates a hidden temporary file in the folder of the target, so that
+//    the later rename stays within one file system and is atomic.
+// 2. The content is written and flushed to the disk (fsync).
+// 3. `publish` renames all temporary files to their targets, removes leftovers of an
+//    earlier run, and flushes the folders.
+//
+// Every step first checks whether the process is being interrupted (`abandon_all`). The
+// lists of all OutputFolders are guarded by one mutex in a registry of the process,
+// because the thread that handles the interruption must be able to clean up all of them.
+
 namespace endmill {
 namespace {
 
 namespace fs = std::filesystem;
 
-// What is unpublished in this process. Its mutex guards the lists of all OutputFolders;
-// it is never held while content is written, so that an interruption need not wait.
+// The unpublished OutputFolders of this process. The mutex guards the lists of all of
+// them. It is not held while content is written, so an interruption need not wait for
+// that.
 struct Registry {
     std::mutex mutex;
     std::set<void*> folders;
     bool abandoned = false;
 };
 
+// The registry of this process.
 Registry& registry()
 {
-    static auto* const instance = new Registry;  // outlives every thread
+    static auto* const instance =
+        new Registry;  // never destroyed: threads may outlive main
     return *instance;
 }
 
+// Throws an OutputError with the reason of the operating system.
 [[noreturn]] void fail(const std::string& act, const fs::path& path, int error)
 {
     throw OutputError{"cannot " + act + " " + shown_path(path) + ": " +
                       std::generic_category().message(error)};
 }
 
+// Throws if the process is being interrupted. The caller holds the registry's mutex.
 void require_not_abandoned()
 {
     if (registry().abandoned)
         throw OutputError{"interrupted"};
 }
 
-// What the process gives to a new file.
+// The access mode that the process gives to a new file, 0666 less its umask.
 mode_t new_file_mode()
 {
     static const mode_t mode = [] {
@@ -62,7 +79,8 @@ mode_t new_file_mode()
     return mode;
 }
 
-// Makes a write beyond the size limit of the process fail instead of ending it.
+// While it exists, a write beyond the file size limit of the process returns an error;
+// the signal SIGXFSZ, which would end the process, is blocked and discarded.
 class SizeSignalHeld {
 public:
     SizeSignalHeld()
@@ -86,8 +104,8 @@ private:
     sigset_t before_{};
 };
 
-// A file that did not exist before: a link that somebody put in its place is not
-// followed.
+// A newly created file. O_EXCL refuses an existing file and does not follow a symbolic
+// link.
 class NewFile {
 public:
     explicit NewFile(const fs::path& path)
@@ -104,7 +122,7 @@ public:
 
     bool is_open() const { return descriptor_ >= 0; }
 
-    // 0, or the error number of what failed.
+    // Appends to the file. \return 0, or the error number.
     int append(std::string_view content) const
     {
         const SizeSignalHeld held;
@@ -117,7 +135,8 @@ public:
         return 0;
     }
 
-    // Makes it a file like others, on the disk. 0, or the error number of what failed.
+    // Sets the usual access mode and flushes the file to the disk. \return 0, or the
+    // error number.
     int finish() const
     {
         if (::fchmod(descriptor_, new_file_mode()) != 0 || ::fsync(descriptor_) != 0)
@@ -129,8 +148,8 @@ private:
     int descriptor_;
 };
 
-// Hidden, in the same folder so that a rename suffices, and no other name of this
-// process.
+// A hidden name in the folder of the target; the process number and a counter make it
+// unique.
 fs::path temporary_name(const fs::path& target)
 {
     static std::atomic<unsigned> count = 0;
@@ -140,16 +159,17 @@ fs::path temporary_name(const fs::path& target)
     return target.parent_path() / name;
 }
 
-// Makes renames in `folder` last over a loss of power.
+// Flushes the folder, so that its renames survive a loss of power.
 void flush_folder(const fs::path& folder)
 {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
-        return;  // a folder that may be written but not read keeps its names all the same
+        return;  // a folder without read permission cannot be flushed, only written to
     ::fsync(descriptor);
     ::close(descriptor);
 }
 
+// Checks an existing folder before anything is created.
 void require_usable(const fs::path& path, bool force)
 {
     std::error_code error;
@@ -167,6 +187,7 @@ void require_usable(const fs::path& path, bool force)
                           " is not empty; expected a new or empty folder, or --force"};
 }
 
+// Refuses names that are absolute or lead out of the folder.
 void require_plain_name(const fs::path& name)
 {
     const bool plain = name.is_relative() && name.has_filename() &&
@@ -174,10 +195,10 @@ void require_plain_name(const fs::path& name)
                            name, [](const fs::path& p) { return p == "." || p == ".."; });
     if (!plain)
         throw DomainError{"OutputFolder: " + shown_path(name) +
-                          " is no name of a file in the folder"};
+                          " is not the name of a file in the folder"};
 }
 
-// Whether `name` lies in `folder` itself: no folder on the way is a link to elsewhere.
+// Whether `name` lies in `folder` itself: no folder on its path is a symbolic link.
 bool lies_inside(const fs::path& folder, const fs::path& name)
 {
     std::error_code error;
@@ -192,6 +213,8 @@ bool lies_inside(const fs::path& folder, const fs::path& name)
 
 }  // namespace
 
+// The folder registers itself before it creates anything, so that an interruption at any
+// time can clean up.
 OutputFolder::OutputFolder(fs::path path, bool force) : path_{std::move(path)}
 {
     require(!path_.empty(), "the output folder has an empty name");
@@ -212,6 +235,8 @@ OutputFolder::OutputFolder(fs::path path, bool force) : path_{std::move(path)}
     }
 }
 
+// The destructor and `abandon_all` use the same mutex, so a folder is never cleaned up
+// twice at once.
 OutputFolder::~OutputFolder()
 {
     const std::scoped_lock lock{registry().mutex};
@@ -235,6 +260,8 @@ void OutputFolder::write(const fs::path& name, std::string_view content)
     write_pieces(name, [&](const Sink& sink) { sink(content); });
 }
 
+// The mutex is released while the content is produced and written. The temporary file is
+// in the list of pending files during this time, so an interruption removes it.
 void OutputFolder::write_pieces(const fs::path& name,
                                 const std::function<void(const Sink&)>& produce)
 {
@@ -264,7 +291,7 @@ void OutputFolder::write_pieces(const fs::path& name,
         throw;
     }
     lock.lock();
-    // It takes the place of an earlier one.
+    // The new file replaces an earlier one of the same name.
     std::erase_if(pending_, [&](const PendingFile& other) {
         const bool is_earlier = other.target == target && other.temporary != temporary;
         if (is_earlier)
@@ -273,6 +300,9 @@ void OutputFolder::write_pieces(const fs::path& name,
     });
 }
 
+// All renames happen under the mutex: an interruption comes before the first or after the
+// last. A failed rename leaves the remaining files pending, and the destructor removes
+// them.
 void OutputFolder::publish()
 {
     std::set<fs::path> folders;
@@ -301,11 +331,12 @@ void OutputFolder::abandon_all()
 {
     const std::scoped_lock lock{registry().mutex};
     registry().abandoned = true;
-    // Only removal: the threads that are writing may go on writing to nameless files.
+    // The files are only unlinked: threads that are writing continue on unnamed files.
     for (void* folder : registry().folders)
         static_cast<OutputFolder*>(folder)->abandon();
 }
 
+// Creates the missing folders of a path, the outermost first.
 void OutputFolder::make_folders(const fs::path& folder)
 {
     std::error_code error;
@@ -315,7 +346,7 @@ void OutputFolder::make_folders(const fs::path& folder)
         missing.push_back(path);
     const std::scoped_lock lock{registry().mutex};
     require_not_abandoned();
-    // One by one, to know which of them to remove again.
+    // Folders are created one by one, so that exactly the created ones can be removed.
     while (!missing.empty()) {
         const int failure = ::mkdir(missing.back().c_str(), 0777) == 0 ? 0 : errno;
         if (failure == 0)
@@ -334,6 +365,7 @@ void OutputFolder::forget(const fs::path& temporary)
                   [&](const PendingFile& file) { return file.temporary == temporary; });
 }
 
+// Refuses a target that is a folder or a protected input.
 void OutputFolder::check_target(const fs::path& target) const
 {
     std::error_code error;
@@ -344,6 +376,7 @@ void OutputFolder::check_target(const fs::path& target) const
                           " is the input file; expected another output folder"};
 }
 
+// Inputs are compared by identity of the file and not by path, so links are recognised.
 bool OutputFolder::is_input(const fs::path& target) const
 {
     std::error_code error;
@@ -352,6 +385,7 @@ bool OutputFolder::is_input(const fs::path& target) const
     });
 }
 
+// Removes a file of an earlier run if it is a plain file below the folder.
 void OutputFolder::remove_leftover(const fs::path& name) const
 {
     std::error_code error;
@@ -364,7 +398,7 @@ void OutputFolder::remove_leftover(const fs::path& name) const
     if (::unlink(target.c_str()) != 0)
         fail("remove", target, errno);
     if (name.has_parent_path())
-        ::rmdir(target.parent_path().c_str());  // fails if something else lies in it
+        ::rmdir(target.parent_path().c_str());  // fails if the folder is not empty
 }
 
 // The caller holds the registry's mutex.

@@ -9,56 +9,64 @@
 
 namespace endmill {
 
-/// A folder whose files appear whole and together, or not at all: each is written beside
-/// its place under a temporary name, and `publish` renames them all. One that is never
-/// published leaves nothing behind. Nothing else in the project opens a file for writing.
+/// An output folder whose files appear complete and all at once, or not at all.
+///
+/// `write` stores a file beside its final place under a temporary name; `publish` renames
+/// all of them. An `OutputFolder` that is destroyed before `publish` removes its
+/// temporary files and the folders that it created. All output of the library goes
+/// through this class.
 class OutputFolder {
 public:
-    /// Creates the folder, and those above it, if missing.
-    /// \param force write also into a folder that is not empty.
-    /// \throws DomainError if `path` is a file, or not empty without `force`.
+    /// Creates the folder and missing parent folders.
+    /// \param force accept a folder that is not empty.
+    /// \throws DomainError if `path` is a file, or a non-empty folder without `force`.
     /// \throws OutputError if the folder cannot be created, read or written to.
     explicit OutputFolder(std::filesystem::path path, bool force = false);
 
     /// Unless published, removes the temporary files and the folders that it created.
     ~OutputFolder();
-    OutputFolder(const OutputFolder&) = delete;             ///< one folder, one owner
-    OutputFolder& operator=(const OutputFolder&) = delete;  ///< ditto
+    OutputFolder(const OutputFolder&) = delete;             ///< it owns temporary files
+    OutputFolder& operator=(const OutputFolder&) = delete;  ///< it owns temporary files
 
     const std::filesystem::path& path() const { return path_; }  ///< as given
 
-    /// Makes `write` refuse to replace `input`, and keeps it from being removed.
+    /// Protects an input file: `write` refuses to replace it and `publish` never removes
+    /// it.
     void protect(const std::filesystem::path& input);
 
-    /// Makes `publish` remove a file that an earlier run of the same command may have
-    /// left, unless this one writes it. Only a plain file, reached through no symbolic
-    /// link below `path()`, is removed; then its folder, if that is left empty.
-    /// \throws DomainError as `write`, for a name that it would refuse.
+    /// Makes `publish` remove a file of an earlier run of the same command, unless this
+    /// run writes it. Only a regular file that is reached through no symbolic link below
+    /// `path()` is removed, and then its folder if that is empty.
+    /// \throws DomainError for a name that `write` would refuse.
     void remove_unless_written(const std::filesystem::path& name);
 
-    /// Writes a file, flushed to the disk, that `publish` will show; a later one of the
-    /// same name replaces it.
-    /// \param name relative, without "..", such as "summary.json" or "u/toolpath.csv".
-    /// \throws DomainError for another name, or if it is a protected file.
-    /// \throws OutputError if it cannot be written: no space, a folder in its place.
+    /// Writes a file and flushes it to the disk; `publish` makes it visible. A later file
+    /// of the same name replaces it.
+    /// \param name relative path without "..", such as "summary.json" or
+    ///         "u/toolpath.csv".
+    /// \throws DomainError for another name, or if it names a protected file.
+    /// \throws OutputError if the file cannot be written (no space, a folder of that
+    ///         name).
     void write(const std::filesystem::path& name, std::string_view content);
 
-    /// Takes the next piece of a file.
+    /// Receives the next piece of a file.
     using Sink = std::function<void(std::string_view piece)>;
 
-    /// The same for a file that need never be in memory as a whole: `produce` hands its
-    /// pieces, in order, to the sink that it is given. If it throws, there is no file.
+    /// Writes a file that need not fit into memory as a whole. `produce` passes the
+    /// pieces in order to the sink that it receives. If it throws, no file is written.
+    /// \throws as `write`, and whatever `produce` throws.
     void write_pieces(const std::filesystem::path& name,
                       const std::function<void(const Sink&)>& produce);
 
-    /// Renames every file to its own name, in the order written, then removes what is
-    /// left of an earlier run.
+    /// Renames every file to its final name, in the order of writing, then removes the
+    /// files named by `remove_unless_written`.
     /// \throws OutputError if that fails, or after `abandon_all`.
     void publish();
 
     /// For a program that is being interrupted: removes the temporary files and created
-    /// folders of all that is unpublished. From then on every `OutputFolder` of this
-    /// process throws OutputError. May be called by any thread, not by a signal handler.
+    /// folders of every unpublished `OutputFolder` of this process. Afterwards every
+    /// `OutputFolder` throws OutputError. Any thread may call it, a signal handler may
+    /// not.
     static void abandon_all();
 
 private:
@@ -75,13 +83,14 @@ private:
     void abandon();
 
     std::filesystem::path path_;
-    std::vector<std::filesystem::path> inputs_;
+    std::vector<std::filesystem::path> inputs_;           // protected files
     std::vector<std::filesystem::path> created_folders_;  // outermost first
-    std::vector<PendingFile> pending_;
-    std::vector<std::filesystem::path> leftovers_;  // names, unless they are written
+    std::vector<PendingFile> pending_;                    // written, not yet renamed
+    std::vector<std::filesystem::path> leftovers_;        // to be removed unless written
 };
 
-/// Writes one file, whole or not at all, replacing what was there; creates its folder.
+/// Writes one file, complete or not at all, and replaces an existing one. Creates the
+/// folder of the file if it is missing.
 /// \throws OutputError if that fails.
 void write_file(const std::filesystem::path& path, std::string_view content);
 

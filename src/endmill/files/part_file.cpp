@@ -13,41 +13,49 @@
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/mesh/mesh_repair.h"
 
+// A mesh from a file may have triangles with inconsistent orientation, or closed pieces
+// that are inside out. Every later step needs normals that point out of the material, so
+// such meshes are corrected here, with a note. The check that a correction is needed is
+// cheap; the correction is not, so the memory limit is checked in between.
+
 namespace endmill {
 namespace {
 
+// Reads a surface file. Units and an upward axis are options of meshes only.
 PartFile surface_part(const std::string& content, const std::filesystem::path& path,
                       const MeshReadOptions& options)
 {
     SurfaceFile file = parse_surface(content, path, options.limits);
     if (options.units != LengthUnit::Mm || options.up != UpAxis::Z)
         throw DomainError{shown_path(path) +
-                          ": --units and --up are for meshes; a surface file says its "
-                          "unit itself"};
+                          ": --units and --up are for meshes; a surface file states its "
+                          "own unit"};
     return {std::move(file.name), std::move(file.source), std::move(file.surfaces), {}, 0,
             std::move(file.notes)};
 }
 
+// "1 triangle was ", "2 triangles were ".
 std::string counted_that_were(std::size_t count, const std::string& thing)
 {
     return std::to_string(count) + ' ' + thing + (count == 1 ? " was " : "s were ");
 }
 
-// Whether `oriented` may find something to turn. Bodies beside each other, or that touch
-// along an edge, may each be inside out whatever the sign of their common volume.
+// Whether `oriented` may have to turn triangles over. With several components, or bodies
+// that touch along an edge, one may be inside out although the total volume is positive.
 bool may_be_turned(const MeshReport& report)
 {
     return report.inconsistent_edges > 0 || report.components > 1 ||
            report.non_manifold_edges > 0 || (report.volume && *report.volume < 0);
 }
 
-// What `oriented` takes at most, the mesh and its copy included.
+// Upper bound of the memory of `oriented` in bytes, including the mesh and its copy.
 double bytes_to_orient(const TriangleMesh& mesh, const MeshReport& report)
 {
     constexpr double bytes_per_point = 64;
     constexpr double bytes_per_triangle = 160;
     constexpr double bytes_per_piece = 700;
-    // Pieces end at edges of more than two triangles; components do not.
+    // Pieces end at edges of more than two triangles, components do not: there are at
+    // most two more pieces than components for each such edge.
     const auto pieces = std::min<std::size_t>(
         report.components + 2 * report.non_manifold_edges, mesh.triangles().size());
     return bytes_per_point * static_cast<double>(mesh.points().size()) +
@@ -55,7 +63,9 @@ double bytes_to_orient(const TriangleMesh& mesh, const MeshReport& report)
            bytes_per_piece * static_cast<double>(pieces);
 }
 
-void put_right(MeshFile& file)
+// Turns triangles over until neighbours agree and closed pieces face outwards, and adds
+// notes.
+void orient(MeshFile& file)
 {
     OrientedMesh upright = oriented(file.mesh);
     file.mesh = std::move(upright.mesh);
@@ -73,6 +83,8 @@ void put_right(MeshFile& file)
                              "left as read, of one side only, like a Moebius strip");
 }
 
+// Reads a mesh file. The orientation is examined first, because most meshes need no
+// change and orienting takes much memory.
 PartFile mesh_part(std::string content, const std::filesystem::path& path,
                    const MeshReadOptions& options)
 {
@@ -81,19 +93,21 @@ PartFile mesh_part(std::string content, const std::filesystem::path& path,
     if (may_be_turned(report)) {
         require_memory(shown_path(path), bytes_to_orient(file.mesh, report),
                        options.limits);
-        put_right(file);
+        orient(file);
     }
     return {std::move(file.name), {},
             std::move(file.mesh), std::move(file.degenerate_triangles),
             file.welded_points,   std::move(file.notes)};
 }
 
+// Whether two characters are equal without regard to case.
 bool is_letter_case_apart(unsigned char a, unsigned char b)
 {
     return std::tolower(a) == std::tolower(b);
 }
 
-// A file named for a surface is read as one, so that its faults are told as such.
+// Whether the file is a surface file. A file named .json is read as one even if its
+// content is damaged, so that the messages are about JSON.
 bool is_surface(const std::string& content, const std::filesystem::path& path)
 {
     const std::string extension = path.extension().string();

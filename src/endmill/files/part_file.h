@@ -9,26 +9,32 @@
 #include "endmill/files/mesh_file.h"
 #include "endmill/surface/part.h"
 
+/// \file
+/// The part of a machining task, read from a surface file or from a mesh file.
+
 namespace endmill {
 
-/// A part and what its file says about it.
+/// A part, and a report of every change to the content of its file.
 struct PartFile {
-    std::string name;    ///< the file's, or else its path without folder and extension
-    std::string source;  ///< where the numbers come from; empty if the file is silent
-    Part part;           ///< in mm
-    /// Of a mesh: numbers, rising from 0, of those left out when it was read.
+    std::string name;    ///< name in the file, or the file's stem
+    std::string source;  ///< where the numbers come from; empty if the file does not say
+    Part part;           ///< lengths in mm
+    /// Indices, from 0 and rising, of the degenerate triangles of a mesh file that were
+    /// left out; empty for a surface file.
     std::vector<std::size_t> degenerate_triangles;
-    std::size_t welded_points;       ///< of a mesh, that were others' equal
-    std::vector<std::string> notes;  ///< what a reader should know
+    std::size_t welded_points;  ///< merged points of a mesh file; 0 for a surface file
+    std::vector<std::string>
+        notes;  ///< one sentence for each change and each peculiarity
 };
 
-/// Reads a surface file, told by its content or the extension .json, in capitals or not;
-/// or else a mesh file. Pieces of a mesh that are turned over, or of which triangles are,
-/// are put right (`oriented`); a note says so, and how many have one side only.
+/// Reads a surface file if the content is JSON or the extension is .json (in either
+/// case), else a mesh file. In a mesh, triangles whose orientation contradicts their
+/// neighbours and closed pieces that are inside out are turned over (`oriented`); a note
+/// states how many, and how many pieces cannot be oriented.
 /// \throws FormatError, LimitError as `read_surface` and `read_mesh`; LimitError also if
-/// putting right needs more memory than the limit.
-/// \throws DomainError if units or an upward axis are given for a surface, whose file
-/// speaks for itself.
+///         the orientation needs more memory than the limit.
+/// \throws DomainError if `options` give units or an upward axis for a surface file,
+///         which states its own unit.
 PartFile read_part(const std::filesystem::path& path,
                    const MeshReadOptions& options = {});
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "endmill/core/error.h"
+#include "endmill/files/detail/csv_lines.h"
 #include "endmill/files/detail/file_format.h"
 #include "endmill/files/detail/tool_path_reader.h"
 #include "endmill/files/read_file.h"
@@ -26,6 +27,7 @@ constexpr std::array gcode_extensions{".ngc"sv, ".nc"sv,  ".gcode"sv,
                                       ".tap"sv, ".cnc"sv, ".mpf"sv};
 constexpr std::array apt_extensions{".apt"sv, ".cl"sv, ".cls"sv};
 
+// The extension of the path, in lower case.
 std::string lower_case_extension(const std::filesystem::path& path)
 {
     std::string extension = path.extension().string();
@@ -41,21 +43,22 @@ bool contains(const Words& words, std::string_view word)
     return std::ranges::find(words, word) != words.end();
 }
 
-// The kind of the content if it is plainly no tool path.
+// A description of the content if it clearly is not a tool path; else nothing.
 std::optional<std::string> foreign_format(std::string_view content, bool is_gcode_name)
 {
-    constexpr std::size_t looked_at = 4096;
+    constexpr std::size_t searched_bytes = 4096;  // for NUL bytes
     const auto format = recognized_format(content);
-    // In small letters and with blanks, G and F words begin as the lines of an OBJ file.
+    // Lines such as "g 1" and "f 100" are valid in both G-code and OBJ.
     const bool is_doubtful = format == "OBJ" && is_gcode_name;
     if (format && format != "G-code" && format != "CSV" && !is_doubtful)
         return "content looks like " + std::string{*format};
-    if (content.substr(0, looked_at).find('\0') != std::string_view::npos)
+    if (content.substr(0, searched_bytes).find('\0') != std::string_view::npos)
         return "content is binary";
     return std::nullopt;
 }
 
-// Whether a program may begin so: %, a comment, a skipped block, or a letter and a number.
+// Whether the content begins like a G-code program: with %, a comment, a block delete, a
+// parameter, or a letter and a number.
 bool begins_as_gcode(std::string_view content)
 {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -80,8 +83,15 @@ bool begins_as_gcode(std::string_view content)
 
 }  // namespace
 
-// Content decides where it is plain, since names lie; the name decides where content is
-// damaged, so that the reader of that kind can say where.
+// The content decides where it is clear, because extensions may be wrong. The extension
+// decides where the content is damaged, so that the reader of the format can report the
+// place.
+//
+// 1. A header with a column of tips: CSV.
+// 2. Content of a mesh, an image or another known format, or binary content: refused.
+// 3. The extension .csv: CSV.
+// 4. Content in the form of canonical commands or APT; the extensions of APT.
+// 5. The extensions of G-code; content that begins like G-code.
 PathFormat path_format(std::string_view content, const std::filesystem::path& path)
 {
     const std::string extension = lower_case_extension(path);
@@ -126,6 +136,15 @@ Program parse_program(std::string_view content, const std::filesystem::path& pat
             break;
     }
     return parse_gcode(content, file, gcode);
+}
+
+std::size_t line_of_row(std::string_view text, std::size_t row)
+{
+    CsvLines lines{text, {}};
+    bool is_there = lines.next();  // the header
+    for (std::size_t k = 0; is_there && k <= row; ++k)
+        is_there = lines.next();
+    return lines.line();
 }
 
 Program read_program(const std::filesystem::path& path, const PathReadOptions& options)

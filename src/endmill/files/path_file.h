@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -14,87 +15,106 @@
 #include "endmill/post/gcode_reader.h"
 #include "endmill/post/program.h"
 
+/// \file
+/// Tool paths in files: recognition of the format, reading of all formats, writing of the
+/// CSV format, and the summary.json that stands beside a planned path.
+
 namespace endmill {
 
-/// The kinds of files that hold a tool path.
+/// The formats of files that hold a tool path.
 enum class PathFormat {
-    Csv,        ///< with the columns of `tool_path_csv`
-    Gcode,      ///< RS-274
-    Canonical,  ///< what `rs274 -g` prints
+    Csv,        ///< the columns of `tool_path_csv`
+    Gcode,      ///< RS-274 (G-code)
+    Canonical,  ///< canonical commands as printed by `rs274 -g`
     Apt,        ///< APT CL data
 };
 
-/// What a file that holds a path does not say of itself.
+/// What a file with a tool path does not state itself.
 struct PathReadOptions {
-    ReadLimits limits = {};       ///< on coordinates and memory; they rule over `gcode`'s
+    ReadLimits limits = {};  ///< on coordinates and memory; they replace those of `gcode`
     GcodeReadOptions gcode = {};  ///< for machine programs
 };
 
-/// The kind of a file, by its content, or else by its extension: .csv; .apt, .cl, .cls;
-/// .ngc, .nc, .gcode, .tap, .cnc, .mpf, in capitals or not.
-/// \param path for its extension and messages.
-/// \throws FormatError E_FORMAT for another kind of file, which is named if it is known.
+/// The format of a file. The content decides if it is clear, else the extension, in
+/// either case: .csv; .apt, .cl, .cls; .ngc, .nc, .gcode, .tap, .cnc, .mpf.
+/// \param path for the extension and for messages.
+/// \throws FormatError E_FORMAT for any other file; the message names a recognised
+///         format.
 PathFormat path_format(std::string_view content, const std::filesystem::path& path);
 
-/// `options.gcode` as the limits bound it.
+/// `options.gcode` with the limits of `options.limits`.
 GcodeReadOptions gcode_reading(const PathReadOptions& options);
 
-/// The tool path in the content of a file of any of these kinds.
-/// \param path for its extension and messages.
-/// \throws as `read_program`, which reads the file first.
+/// Parses the content of a file of any of these formats.
+/// \param path for the extension and for messages.
+/// \throws as `read_program`, except for errors of opening the file.
 Program parse_program(std::string_view content, const std::filesystem::path& path,
                       const PathReadOptions& options = {});
 
-/// Reads a tool path from a file of any of these kinds.
+/// Reads a tool path from a file of any of these formats.
 /// \throws FormatError, LimitError as `read_file`, `path_format` and the reader of the
-///         kind: `parse_tool_path`, `parse_gcode`, `parse_canonical`, `parse_apt`.
+///         format: `parse_gcode`, `parse_canonical`, `parse_apt`, or for CSV:
+///         E_CSV with the line for a column that is unknown, lacks its unit or occurs
+///         twice; for a vector with a missing column or, in a row, a missing component;
+///         for a row with another number of cells than the header, an unknown tip, a cell
+///         that is not a finite number, an unknown move, an axis or normal that is not a
+///         unit vector, a feed or speed that is not positive, a negative tool number, and
+///         a file without rows; E_RANGE for a coordinate beyond the limit.
 Program read_program(const std::filesystem::path& path,
                      const PathReadOptions& options = {});
 
-/// The tool path as a CSV file of the columns pass, point, move, tip_x_mm … tip_z_mm,
-/// axis_x … axis_z, tool (if any point has one), patch (if the path is over several), u, v,
-/// contact_x_mm … contact_z_mm, normal_x … normal_z, feed_mm_per_min and spindle_rpm (each
-/// if any point has one), a line a point. Numbers have the shortest text that reads back
-/// to the same double; what a point does not have is an empty cell. The same bytes with
-/// any number of threads.
-/// \throws DomainError if a number is not finite, or there are conditions or normals for some
-/// points and not for all.
+/// The line, from 1, of a row of a CSV tool path, for messages about a path that was
+/// read.
+/// \param row index of the point, from 0. \pre the text has that row.
+std::size_t line_of_row(std::string_view text, std::size_t row);
+
+/// The tool path as a CSV file, one line for each point, with the columns pass, point,
+/// move, tip_x_mm … tip_z_mm, axis_x … axis_z, tool (if any point has one), patch (if the
+/// path covers several), u, v, contact_x_mm … contact_z_mm, normal_x … normal_z,
+/// feed_mm_per_min and spindle_rpm (each if any point has one). A number is the shortest
+/// text that reads back to the same double; an unknown value is an empty cell. The bytes
+/// do not depend on the number of threads.
+/// \throws DomainError if a number is not finite, or if the path has conditions or
+///         normals for some points only.
 std::string tool_path_csv(const ToolPath& path);
 
-/// The same with a last column, limit: what keeps the feed of each move from being higher.
-/// \param limits words without commas and quotes, one a point; empty where there is none.
-/// \throws DomainError as above, or unless there is a word for each point.
+/// The same with a last column `limit`, which states what limits the feed of each move.
+/// \param limits one word for each point, without commas and quotes; empty if there is
+///         none.
+/// \throws DomainError as the other overload, and unless there is one word for each
+///         point.
 std::string tool_path_csv(const ToolPath& path, std::span<const std::string_view> limits);
 
-/// The part that a path was made for.
+/// The part that a path was planned for.
 struct PartReference {
-    std::filesystem::path file;         ///< from where the summary stands
-    LengthUnit units = LengthUnit::Mm;  ///< of a mesh
-    UpAxis up = UpAxis::Z;              ///< likewise
+    std::filesystem::path file;         ///< path of the part's file
+    LengthUnit units = LengthUnit::Mm;  ///< of a mesh file
+    UpAxis up = UpAxis::Z;              ///< of a mesh file
 };
 
-/// What the summary.json beside a tool path says that the path itself does not. What it
-/// does not say, or says is null, is none.
+/// The content of the summary.json beside a tool path. A value that is missing or null in
+/// the file is empty.
 struct PathSummary {
-    std::optional<std::string> name;
-    std::optional<PartReference> part;
-    std::optional<Cutter> cutter;
-    std::optional<double> chord_tolerance_mm;
-    std::optional<double> inner_tolerance_mm;  ///< gouge
-    std::optional<double> outer_tolerance_mm;  ///< material left, beside the scallop
-    std::optional<double> scallop_mm;
-    std::optional<double> feed_mm_per_min;
-    std::optional<double> spindle_rpm;
+    std::optional<std::string> name;    ///< of the part
+    std::optional<PartReference> part;  ///< that the path was planned for
+    std::optional<Cutter> cutter;       ///< that the path was planned for
+    std::optional<double>
+        chord_tolerance_mm;  ///< largest distance of chords from the path
+    std::optional<double> inner_tolerance_mm;  ///< largest depth of a gouge
+    std::optional<double>
+        outer_tolerance_mm;                 ///< largest excess beside the scallop height
+    std::optional<double> scallop_mm;       ///< scallop height
+    std::optional<double> feed_mm_per_min;  ///< programmed feed
+    std::optional<double> spindle_rpm;      ///< programmed spindle speed
 
-    /// The narrowest of the tolerances that the path was planned to.
+    /// The smallest of the three tolerances; nothing if none is known.
     std::optional<double> tolerance_mm() const;
 };
 
-/// Reads the summary.json in the folder of `tool_path`.
-/// \return nothing if there is none.
+/// Reads the summary.json in the folder of `tool_path`. Unknown keys are ignored.
+/// \return nothing if there is no such file.
 /// \throws FormatError, LimitError as `read_file` and `JsonDocument`; FormatError E_JSON
-///         for a cutter that is no word of one, a number that is not above 0, or another
-///         type. Keys that are not read may hold anything.
+///         for an invalid cutter word, a number that is not positive, or a wrong type.
 std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_path,
                                              const ReadLimits& limits = {});
 

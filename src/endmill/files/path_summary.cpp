@@ -8,6 +8,10 @@
 #include "endmill/files/detail/strict_json.h"
 #include "endmill/files/read_file.h"
 
+// The summary.json beside a tool path is written by the commands that plan paths. Its
+// reader takes only the keys that verification and feed planning need and ignores all
+// others, because later versions may add keys. A wrong value of a known key is an error.
+
 namespace endmill {
 namespace {
 
@@ -18,6 +22,7 @@ std::optional<JsonValue> known_member(const JsonValue& object, std::string_view 
     return value && value->shown() != "null" ? value : std::nullopt;
 }
 
+// A positive number; nothing if the key is missing or null.
 std::optional<double> positive_number(const JsonValue& object, std::string_view key)
 {
     const std::optional<JsonValue> value = known_member(object, key);
@@ -29,12 +34,14 @@ std::optional<double> positive_number(const JsonValue& object, std::string_view 
     return number;
 }
 
+// A text; nothing if the key is missing or null.
 std::optional<std::string> text(const JsonValue& object, std::string_view key)
 {
     const std::optional<JsonValue> value = known_member(object, key);
     return value ? std::optional{value->text()} : std::nullopt;
 }
 
+// The cutter of a cutter word; nothing if the key is missing or null.
 std::optional<Cutter> cutter(const JsonValue& object)
 {
     const std::optional<JsonValue> value = known_member(object, "cutter");
@@ -46,7 +53,7 @@ std::optional<Cutter> cutter(const JsonValue& object)
     return cutter;
 }
 
-// The choice that `key` names.
+// The enumerator whose name is under `key`. \pre the key is present.
 template <typename Choice, std::size_t count>
 Choice choice(const JsonValue& object, std::string_view key,
               const std::array<std::string_view, count>& names)
@@ -62,6 +69,7 @@ Choice choice(const JsonValue& object, std::string_view key,
     return static_cast<Choice>(found - names.begin());
 }
 
+// The part; its path in the file is relative to the folder of the summary.
 std::optional<PartReference> part(const JsonValue& root,
                                   const std::filesystem::path& folder)
 {

@@ -14,30 +14,38 @@
 #include "endmill/files/detail/named_columns.h"
 #include "endmill/files/read_file.h"
 
+// The rows of a curve stand together, so one pass over the file is enough: a change of
+// the column `curve` ends a curve and starts the next one. At the end the curves are
+// oriented and sorted (`arranged`), so that the order of curves in the file does not
+// matter.
+
 namespace endmill {
 namespace {
 
 constexpr std::array<std::string_view, 3> names{"s_mm", "z_mm", "curve"};
 
-// At the header; an empty text has no columns.
-CsvLines started(std::string_view text, const std::string& file)
+// The lines of the text, with the header as the current line. The header of an empty text
+// has no columns and is refused by NamedColumns.
+CsvLines lines_at_header(std::string_view text, const std::string& file)
 {
     CsvLines lines{text, file};
     lines.next();
     return lines;
 }
 
+// Reads the rows of one file and groups them into curves.
 class PolylineReader {
 public:
     PolylineReader(std::string_view text, const std::string& file,
                    const ReadLimits& limits)
-        : lines_{started(text, file)},
+        : lines_{lines_at_header(text, file)},
           columns_{lines_, names, 2},
           file_{file},
           limits_{limits}
     {
     }
 
+    // Reads all rows. The memory is checked before, from the number of lines.
     std::vector<SectionCurve> read_all()
     {
         require_memory(
@@ -52,6 +60,7 @@ public:
     }
 
 private:
+    // Adds the current row to its curve. A point that equals the previous one is merged.
     void add_row()
     {
         columns_.check_row(lines_);
@@ -64,19 +73,22 @@ private:
             points.push_back(point);
     }
 
+    // Starts a new curve; its number must not have occurred before.
     void begin_curve(std::int64_t number)
     {
         if (!curves_.empty())
             finish_curve();
         if (!numbers_.insert(number).second)
             throw lines_.complaint(
-                "E_CSV", "curve " + std::to_string(number) + " again, after another",
+                "E_CSV",
+                "curve " + std::to_string(number) + " occurs again after another curve",
                 "the rows of a curve together");
         number_ = number;
         first_line_ = lines_.line();
         curves_.emplace_back();
     }
 
+    // Checks the last curve and decides whether it is closed.
     void finish_curve()
     {
         SectionCurve& curve = curves_.back();
@@ -89,6 +101,7 @@ private:
         curve.is_closed = curve.points.front() == curve.points.back();
     }
 
+    // The number of the current row's curve.
     std::int64_t curve_number() const
     {
         const std::string_view text = columns_.cell(lines_, 2);
@@ -100,6 +113,7 @@ private:
         return number;
     }
 
+    // A coordinate of the current row, within the limit.
     double length(std::size_t column) const
     {
         const auto number = number_from_text(columns_.cell(lines_, column));
@@ -119,7 +133,7 @@ private:
     std::vector<SectionCurve> curves_;
     std::set<std::int64_t> numbers_;
     std::int64_t number_ = 0;
-    std::size_t first_line_ = 0;  // of the last curve
+    std::size_t first_line_ = 0;  // line of the first point of the current curve
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstdio>
 #include <string_view>
 #include <system_error>
 
@@ -20,6 +21,17 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
+constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
+
+// The number with two significant digits, for messages.
+std::string two_digits(double value)
+{
+    std::array<char, 32> buffer{};
+    const int length = std::snprintf(buffer.data(), buffer.size(), "%.2g", value);
+    return {buffer.data(), static_cast<std::size_t>(length)};
+}
+
+// First bytes of compressed files.
 constexpr std::array compressed_beginnings{
     "\x1f\x8b"sv,          // gzip
     "PK\x03\x04"sv,        // zip
@@ -28,12 +40,14 @@ constexpr std::array compressed_beginnings{
     "\x28\xb5\x2f\xfd"sv,  // zstd
 };
 
+// Throws the error that a file cannot be opened or read.
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& found,
                          const std::string& expected = {})
 {
     throw FormatError{"E_OPEN", {shown_path(path), "", found, expected}};
 }
 
+// The same for an error number of the operating system.
 [[noreturn]] void refuse_for(const std::filesystem::path& path, int error)
 {
     if (error == EACCES)
@@ -41,7 +55,8 @@ constexpr std::array compressed_beginnings{
     refuse(path, "cannot open: " + std::generic_category().message(error));
 }
 
-// A regular file, open for reading. Opening does not wait for the other end of a pipe.
+// A regular file that is open for reading. O_NONBLOCK keeps `open` from waiting for the
+// other end of a pipe, so that a pipe can be refused.
 class InputFile {
 public:
     explicit InputFile(const std::filesystem::path& path)
@@ -55,6 +70,7 @@ public:
     InputFile& operator=(const InputFile&) = delete;
     ~InputFile() { ::close(descriptor_); }
 
+    // Size of the file in bytes. Folders, devices and pipes are refused here.
     std::size_t size() const
     {
         struct stat status = {};
@@ -67,7 +83,7 @@ public:
         return static_cast<std::size_t>(status.st_size);
     }
 
-    // Up to `wanted` more bytes at the end of `text`; fewer only at the end of the file.
+    // Appends the next `wanted` bytes to `text`; fewer at the end of the file.
     void append_to(std::string& text, std::size_t wanted) const
     {
         const std::size_t before = text.size();
@@ -92,6 +108,15 @@ private:
 
 }  // namespace
 
+void require_memory(const std::string& file, double bytes, const ReadLimits& limits)
+{
+    const double gib = bytes / bytes_per_gib;
+    if (gib > limits.max_memory_gib)
+        throw LimitError{file + ": reading it needs about " + two_digits(gib) +
+                         " GiB; the limit is " + two_digits(limits.max_memory_gib) +
+                         " GiB (--max-memory)"};
+}
+
 std::string read_file(const std::filesystem::path& path, const ReadLimits& limits)
 {
     constexpr std::size_t beginning_bytes = 16;
@@ -106,7 +131,8 @@ std::string read_file(const std::filesystem::path& path, const ReadLimits& limit
             throw FormatError{
                 "E_COMPRESSED",
                 {file, "", "compressed input is not accepted; decompress it first", ""}};
-    // The size decides before anything is read; the tree or table comes on top of it.
+    // A file that exceeds the limit is refused before it is read. Readers check the
+    // memory of the data that they build from the text separately.
     require_memory(file, static_cast<double>(size), limits);
     if (size > text.size())
         input.append_to(text, size - text.size());

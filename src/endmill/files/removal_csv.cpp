@@ -4,19 +4,18 @@
 #include <cmath>
 #include <utility>
 
-#include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/detail/joined_rows.h"
+#include "endmill/files/detail/rounded_degrees.h"
 
 namespace endmill {
 namespace {
 
-// Far finer than an interval's ends are known; keeps 5 from being 5.000000000000001.
-constexpr double angles_per_degree = 1e9;
-// Large enough that writing it costs as little a byte as writing all at once.
+// Large enough that writing piece by piece is as fast as writing the whole text at once.
 constexpr std::size_t piece_bytes = std::size_t{1} << 20U;
 
+// Appends a cell with a number.
 void append(std::string& text, double number)
 {
     require(std::isfinite(number), "removal_csv: a number is not finite");
@@ -24,12 +23,7 @@ void append(std::string& text, double number)
     append_text(text, number);
 }
 
-double rounded_degrees(double radians)
-{
-    return std::round(Angle::radians(radians).degrees() * angles_per_degree) /
-           angles_per_degree;
-}
-
+// Appends the row of the move that ends at point `i`.
 void append_row(std::string& text, const Removal& removal, const ToolPath& path,
                 std::size_t i)
 {
@@ -62,12 +56,13 @@ std::string removal_csv(const Removal& removal, const ToolPath& path)
                        });
 }
 
-EngagementCsv::EngagementCsv(Sink sink)
+EngagementCsv::EngagementCsv(OutputFolder::Sink sink)
     : sink_{std::move(sink)},
       text_{"point,latitude_deg,radius_mm,above_tip_mm,from_deg,to_deg\n"}
 {
 }
 
+// The first four columns are the same for all intervals of a ring and are formatted once.
 void EngagementCsv::add(std::size_t number, const Engagement& engagement)
 {
     std::string row;

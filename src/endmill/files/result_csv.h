@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,92 +19,107 @@
 #include "endmill/trimming/trimming.h"
 #include "endmill/visibility/visibility.h"
 
+/// \file
+/// Results as CSV files, one function for each kind of result. Every column name carries
+/// the unit of its numbers; an unknown value is an empty cell.
+
 namespace endmill {
 
-/// How much of the part has how much left on it, as a CSV file with the columns `from_mm`,
-/// `to_mm` and `area_mm2`.
+/// Histogram of the deviation over the area of the part, as a CSV file with the columns
+/// `from_mm`, `to_mm` and `area_mm2`.
 ///
-/// Bins have the width (scallop limit + tolerance) / 100 and go from -2 tolerances to 2
-/// scallop limits; beyond it all is in the outermost. Rows are those from the least to the
-/// greatest value, where the first begins and the last ends. A value between two bins is
-/// in the upper one. The areas sum to `area_mm2` within rounding.
-/// \throws DomainError unless both limits are finite and positive, and the deviation has
-///         a finite value and area for each cell.
+/// Bins have the width (scallop limit + tolerance) / 100 and cover -2 tolerances to
+/// 2 scallop limits; values outside fall into the first or last bin. Only bins between
+/// the least and the greatest value are written, and these two values replace the outer
+/// edges. A value on an edge belongs to the upper bin. The areas sum to the measured area
+/// within rounding.
+/// \throws DomainError unless both limits are finite and positive, and every cell has a
+///         finite value and area.
 std::string deviation_histogram_csv(const Deviation& deviation,
                                     const DeviationLimits& limits);
 
-/// The geometry of each cutting move and the feed that it allows, as a CSV file with a row a
+/// Geometry and allowed feed of each cutting move, as a CSV file with one row for each
 /// move and the columns pass, point, length_mm, mu_deg, lambda_deg, pick_feed_mm,
-/// pick_feed_horizontal_mm, depth_mm, engaged_angle_deg, feed_per_tooth_mm, peak_factor, limit,
-/// speed_limit, cutting_force_n, thrust_n, torque_n_m, power_w; a cell is empty where there
-/// is nothing to tell. Angles are rounded to 1e-9 degrees.
-/// \throws DomainError unless there is a row for each of `cuts`, and every number is finite.
+/// pick_feed_horizontal_mm, depth_mm, engaged_angle_deg, feed_per_tooth_mm, peak_factor,
+/// limit, speed_limit, cutting_force_n, thrust_n, torque_n_m, power_w. Angles are rounded
+/// to 1e-9 degrees.
+/// \throws DomainError unless there is one row for each of `cuts` and every number is
+///         finite.
 std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows);
 
-/// Forces over a turn as a CSV file with a row an angle and the columns theta_deg,
-/// force_x_n, force_y_n, force_z_n, torque_n_m, in the frame of CuttingForce.
-/// \param angles of the cutter, rad, one a force; written in degrees, rounded to 1e-9.
-/// \throws DomainError unless there is an angle for each force, and every number is finite.
+/// Cutting forces over a turn, as a CSV file with one row for each angle and the columns
+/// theta_deg, force_x_n, force_y_n, force_z_n, torque_n_m, in the frame of CuttingForce.
+/// \param angles of the cutter in rad, one for each force; written in degrees, rounded to
+///               1e-9 degrees.
+/// \throws DomainError unless there is one angle for each force and every number is
+///         finite.
 std::string force_profile_csv(std::span<const double> angles,
                               std::span<const CuttingForce> forces);
 
-/// What each move took, as a CSV file with a row a point and the columns `point` (from 0
-/// in the whole path), `length_mm` of the move that leads to it (0 for the first),
-/// `removed_mm3` and `rate_mm3_per_min`. The rate is empty without a feed, for a rapid,
-/// which does not go at it, and for a move without length.
-/// \throws DomainError unless there is a volume for each point, conditions for none or
-///         for all, and every number is finite.
+/// Removed volume of each move, as a CSV file with one row for each point and the columns
+/// `point` (from 0 in the whole path), `length_mm` of the move that ends there (0 for the
+/// first), `removed_mm3` and `rate_mm3_per_min`. The rate is empty for a move without
+/// feed, a rapid and a move of length 0.
+/// \throws DomainError unless there is a volume for each point, conditions for every
+///         point or none, and every number is finite.
 std::string removal_csv(const Removal& removal, const ToolPath& path);
 
-/// The engaged part of the cutter on each move, as a CSV file with a row for each interval
-/// of each ring and the columns `point` (from 0 in the whole path), `latitude_deg`,
-/// `radius_mm`, `above_tip_mm`, `from_deg` and `to_deg`, as in `Engagement`. Angles are
-/// rounded to 1e-9 degrees. Handed out in pieces of a few MiB at most: the rows of a long
-/// path need not fit the memory.
+/// Writes the engagement of the cutter on each move as a CSV file, with one row for each
+/// engaged interval of each ring and the columns `point` (from 0 in the whole path),
+/// `latitude_deg`, `radius_mm`, `above_tip_mm`, `from_deg` and `to_deg`, as in
+/// `Engagement`. Angles are rounded to 1e-9 degrees. The text is passed on in pieces of a
+/// few MiB, because that of a long path need not fit into memory.
 class EngagementCsv {
 public:
-    /// Takes the next piece of the file.
-    using Sink = std::function<void(std::string_view piece)>;
+    /// \param sink receives the pieces in order; the first begins with the header.
+    explicit EngagementCsv(OutputFolder::Sink sink);
 
-    /// \param sink takes the pieces in order; the first begins with the header.
-    explicit EngagementCsv(Sink sink);
-
-    /// Adds the rows of the move to point `number`; none if nothing is engaged.
+    /// Adds the rows of the move that ends at point `number`; none if nothing is engaged.
     /// \throws DomainError if a number is not finite.
     void add(std::size_t number, const Engagement& engagement);
 
-    /// Hands out what is left, after the last move.
+    /// Passes on the rest of the text; to be called after the last move.
     void finish();
 
 private:
-    Sink sink_;
-    std::string text_;  // not handed out yet
+    OutputFolder::Sink sink_;
+    std::string text_;  // not passed on yet
 };
 
-/// The curves of each plane before trimming as a CSV file of the columns plane, curve,
-/// point, s_mm, x_mm, y_mm, z_mm: reference points, a row a point, numbers from 0.
-/// \param placed where the planes stand; null leaves x and y empty.
-/// \throws DomainError if a number is not finite, or the planes are fewer than the curves'.
+/// The curves of each plane before trimming, as a CSV file of reference points with the
+/// columns plane, curve, point (numbers from 0), s_mm, x_mm, y_mm, z_mm.
+/// \param placed positions of the planes in space; if null, x and y are empty.
+/// \throws DomainError if a number is not finite, or there are fewer positions than
+///         planes.
 std::string sections_csv(std::span<const std::vector<SectionCurve>> planes,
                          const DrivePlanes* placed);
 
-/// The same of what is left.
+/// The same for the curves after trimming.
 std::string trimmed_csv(std::span<const Trimmed> planes, const DrivePlanes* placed);
 
-/// What was cut out as a CSV file of the columns plane, curve, s_mm, z_mm, first_point,
-/// last_point, cause and, if `explained`, rule, a row a stretch; curve and points are
-/// those of `sections_csv`, s and z empty where the stretch ends in no place.
-/// \throws DomainError if a number is not finite.
-std::string loops_csv(std::span<const std::vector<CutOut>> planes, bool explained);
+/// Columns of `loops_csv`.
+enum class LoopColumns {
+    Cause,         ///< up to the cause of each cut
+    CauseAndRule,  ///< also the rule of the trimming method that made the cut
+};
 
-/// Writes the map as the paper has it, to `sink`: after `facet` the columns `cell_0`, `cell_1`
-/// and so on, a row a facet; 0 where the facet is accessible, else 1. Source: [KangSuh,
-/// section 2].
+/// The stretches that trimming removed, as a CSV file with the columns plane, curve,
+/// s_mm, z_mm, first_point, last_point, cause and perhaps rule. `curve` and the points
+/// are those of `sections_csv`; s and z are empty if nothing remains of the curve.
+/// \throws DomainError if a number is not finite.
+std::string loops_csv(std::span<const std::vector<CutOut>> planes, LoopColumns columns);
+
+/// Writes a visibility map as the binary matrix of the paper: the column `facet`, then
+/// `cell_0`, `cell_1`, ...; one row for each facet; 0 if the facet is accessible along
+/// the cell's direction, else 1.
+/// Source: [KangSuh, section 2].
 void write_visibility_csv(const VisibilityMap& map, const OutputFolder::Sink& sink);
 
-/// The columns `facet` and `visible_fraction`: the share of the sphere that its cone has,
-/// cells by their solid angles; unknown for a facet without area.
-/// \param solid_angles_sr of the cells. \throws DomainError unless there is one a cell.
+/// The visibility cones as a CSV file with the columns `facet` and `visible_fraction`:
+/// the solid angle of the accessible cells over that of the sphere; empty for a facet
+/// without area.
+/// \param solid_angles_sr solid angle of each cell, in sr.
+/// \throws DomainError unless there is one solid angle for each cell.
 std::string cones_csv(const PartVisibility& visibility,
                       std::span<const double> solid_angles_sr);
 

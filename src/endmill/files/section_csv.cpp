@@ -8,22 +8,28 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
+// A section has coordinates (s, z) in its drive plane. The rows also have x and y if the
+// position of the planes in space is known, so that the file can be drawn in space
+// without the frame.
+
 namespace endmill {
 namespace {
 
 constexpr std::string_view point_header = "plane,curve,point,s_mm,x_mm,y_mm,z_mm\n";
 
+// Appends a number.
 void append(std::string& text, double number)
 {
     require(std::isfinite(number), "section CSV: a number is not finite");
     append_text(text, number);
 }
 
-// Writes the rows of one plane after the other.
+// Collects the rows of the planes in order.
 class PointRows {
 public:
     explicit PointRows(const DrivePlanes* placed) : placed_{placed} {}
 
+    // Starts the rows of a plane.
     void begin_plane(std::size_t plane)
     {
         require(!placed_ || plane < placed_->positions.size(),
@@ -31,6 +37,8 @@ public:
         plane_ = plane;
     }
 
+    // Appends the row of a point. Its place in space follows from the position of the
+    // plane.
     void add(std::size_t curve, std::size_t point, const SectionPoint& at)
     {
         text_ += std::to_string(plane_) + ',' + std::to_string(curve) + ',' +
@@ -51,6 +59,7 @@ public:
         text_ += '\n';
     }
 
+    // The whole text.
     std::string take() { return std::move(text_); }
 
 private:
@@ -86,10 +95,11 @@ std::string trimmed_csv(std::span<const Trimmed> planes, const DrivePlanes* plac
     return rows.take();
 }
 
-std::string loops_csv(std::span<const std::vector<CutOut>> planes, bool explained)
+std::string loops_csv(std::span<const std::vector<CutOut>> planes, LoopColumns columns)
 {
+    const bool has_rule = columns == LoopColumns::CauseAndRule;
     std::string text = "plane,curve,s_mm,z_mm,first_point,last_point,cause";
-    text += explained ? ",rule\n" : "\n";
+    text += has_rule ? ",rule\n" : "\n";
     for (std::size_t p = 0; p < planes.size(); ++p)
         for (const CutOut& cut : planes[p]) {
             text += std::to_string(p) + ',' + std::to_string(cut.curve) + ',';
@@ -101,7 +111,7 @@ std::string loops_csv(std::span<const std::vector<CutOut>> planes, bool explaine
             text += ',' + std::to_string(cut.first_point) + ',' +
                     std::to_string(cut.last_point) + ',';
             text += name(cut.cause);
-            if (explained)
+            if (has_rule)
                 text += ',' + std::string{cut.rule};
             text += '\n';
         }

@@ -12,66 +12,48 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
-#include "endmill/files/detail/file_format.h"
+#include "endmill/files/detail/json_format.h"
 #include "endmill/files/detail/strict_json.h"
 #include "endmill/files/detail/surface_kinds.h"
 #include "endmill/files/read_file.h"
 #include "endmill/surface/detail/collapsed_edge.h"
+
+// A surface file is read in these steps:
+//
+// 1. The format and its version are checked before all other keys (json_format.h).
+// 2. The type selects a Kind, which has the allowed keys and the reader
+//    (surface_kinds.h).
+// 3. The reader builds the surfaces; rules of the library that it does not check are
+//    reported as errors in the file.
+// 4. Poles are found: borders that are a single point, and corners without a normal. Such
+//    surfaces are valid, but a tool cannot be placed there, so a note states each pole.
+//
+// Writing is possible for composite bicubic surfaces only. The control points that
+// neighbouring patches share are written once, after a check that they are equal.
 
 namespace endmill {
 namespace {
 
 using Words = std::span<const std::string_view>;
 
-constexpr std::string_view format_family = "endmill-surface/";
-constexpr int format_version = 1;
-constexpr double same_point_share = 1e-12;  // of the surface's diagonal
+constexpr std::string_view format_name = "endmill-surface/1";
+// Corners of a collapsed border that are closer than this share of the surface's diagonal
+// count as one point; the share allows for rounding of the coordinates.
+constexpr double same_point_share = 1e-12;
 constexpr double mm_per_inch = 25.4;
 constexpr std::size_t longest_name = 200;
 constexpr std::size_t longest_source = 2000;
 
-// Tells a mesh or a program from a surface before complaining of its syntax.
-void check_content(std::string_view content, const std::string& file)
-{
-    const auto format = recognized_format(content);
-    if (format == "JSON")
-        return;
-    const std::string found =
-        format ? "content looks like " + std::string{*format} : "content is not JSON";
-    throw FormatError{"E_FORMAT",
-                      {file, "", found, "JSON of format \"endmill-surface/1\""}};
-}
+using KindReader = std::vector<Surface> (*)(const SurfaceSource&);
 
-// The version that follows `format_family`, if it is a number.
-std::optional<double> version_of(std::string_view format)
-{
-    if (!format.starts_with(format_family))
-        return std::nullopt;
-    return number_from_text(format.substr(format_family.size()));
-}
-
-// First of all keys, since a newer version may have others.
-void check_format(const JsonValue& root)
-{
-    const JsonValue value = root.member("format");
-    const std::string format = value.text();
-    if (format == std::string{format_family} + std::to_string(format_version))
-        return;
-    const std::string expected = "\"endmill-surface/1\"";
-    if (const auto version = version_of(format); version && *version > format_version)
-        throw value.complaint("made by a newer version: " + value.shown(), expected);
-    throw value.complaint(value.shown(), expected, "E_FORMAT");
-}
-
-using KindReader = std::vector<Surface> (*)(const SurfaceNumbers&);
-
-// A kind of surface by its word in files, with the keys that it has beside `common_keys`.
+// A type of surface: its word in files, its keys beside `common_keys`, and its reader.
 struct Kind {
     std::string_view word;
     std::vector<std::string_view> keys;
     KindReader read;
 };
 
+// All types of surfaces. A new type is one more entry.
 const std::array<Kind, 4>& kinds()
 {
     static const std::array<Kind, 4> all{
@@ -84,16 +66,18 @@ const std::array<Kind, 4>& kinds()
     return all;
 }
 
-// What the file holds breaks a rule of the library that the reader did not look for.
-std::vector<Surface> read_kind(const Kind& kind, const SurfaceNumbers& numbers)
+// Reads the surfaces. A rule of the library that the reader does not check itself is
+// reported as an error in the file.
+std::vector<Surface> read_kind(const Kind& kind, const SurfaceSource& source)
 {
     try {
-        return kind.read(numbers);
+        return kind.read(source);
     } catch (const DomainError& error) {
-        throw numbers.root.complaint(error.what(), "sound numbers", "E_SURFACE");
+        throw source.root.complaint(error.what(), "a valid surface", "E_SURFACE");
     }
 }
 
+// The type of the file, after a check that it has no keys of another type.
 const Kind& kind_of(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 7> common_keys{
@@ -113,6 +97,7 @@ const Kind& kind_of(const JsonValue& root)
     return kind;
 }
 
+// The text of a key, made printable and shortened, or `otherwise`.
 std::string text_or(const JsonValue& root, std::string_view key, std::size_t longest,
                     const std::string& otherwise)
 {
@@ -120,19 +105,21 @@ std::string text_or(const JsonValue& root, std::string_view key, std::size_t lon
     return value ? printable(value->text(), longest) : otherwise;
 }
 
-// The first of `words` is the default.
+// The word under `key`; the first of `words` if the key is missing.
 std::string_view word_or_first(const JsonValue& root, std::string_view key, Words words)
 {
     const auto value = root.find_member(key);
     return value ? value->word(words) : words.front();
 }
 
+// Conversion factor of the length unit of the file; the default is mm.
 double mm_per_unit(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 2> units{"mm", "inch"};
     return word_or_first(root, "units", units) == "inch" ? mm_per_inch : 1;
 }
 
+// The side of the surface on which the tool is; the default is above.
 ToolSide tool_side(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 3> sides{"up", "du_cross_dv", "dv_cross_du"};
@@ -142,7 +129,8 @@ ToolSide tool_side(const JsonValue& root)
     return side == "du_cross_dv" ? ToolSide::DuCrossDv : ToolSide::DvCrossDu;
 }
 
-// Whether the end of `along`'s range is one point.
+// Whether the border at one end of the range of `along` is a single point: the border of
+// every patch is collapsed, and all of them to the same point.
 bool is_pole(const Surface& surface, Parameter along, int end)
 {
     const Parameter other = along == Parameter::U ? Parameter::V : Parameter::U;
@@ -163,7 +151,8 @@ bool is_pole(const Surface& surface, Parameter along, int end)
     return true;
 }
 
-// A border whose control points are one is a pole: sound, but without a normal there.
+// The note about a border that is a single point. Such a surface is valid but has no
+// normal there.
 std::string pole_note(const Surface& surface, Parameter along, int end,
                       const std::string& of_patch)
 {
@@ -173,8 +162,8 @@ std::string pole_note(const Surface& surface, Parameter along, int end,
            " is a single point, without a normal";
 }
 
-// A corner whose partials are parallel, or one of them vanishes, though both sides have
-// a length.
+// Notes about corners without a normal: the partials are parallel or one of them is zero,
+// although both borders at the corner have a length.
 std::vector<std::string> corner_notes(const Surface& surface, const std::string& of_patch)
 {
     std::vector<std::string> notes;
@@ -194,6 +183,7 @@ std::vector<std::string> corner_notes(const Surface& surface, const std::string&
     return notes;
 }
 
+// Notes about all poles. With several surfaces each note names its patch.
 std::vector<std::string> pole_notes(std::span<const Surface> surfaces)
 {
     std::vector<std::string> notes;
@@ -210,6 +200,7 @@ std::vector<std::string> pole_notes(std::span<const Surface> surfaces)
     return notes;
 }
 
+// Whether the breaks are 0, 1, 2, …
 bool counts_up_from_zero(std::span<const double> breaks)
 {
     for (std::size_t i = 0; i < breaks.size(); ++i)
@@ -218,7 +209,8 @@ bool counts_up_from_zero(std::span<const double> breaks)
     return true;
 }
 
-// The control point in column i and row j of the composite net, from the patch below it.
+// The control point in column i and row j of the composite net. A shared point is taken
+// from the patch with the larger indices, except at the last border.
 Vec3 net_point(const Surface& surface, int i, int j)
 {
     const int patch_i = std::min(i / 3, surface.patches(Parameter::U) - 1);
@@ -227,6 +219,7 @@ Vec3 net_point(const Surface& surface, int i, int j)
         .control_point(i - 3 * patch_i, j - 3 * patch_j);
 }
 
+// Whether all patches are bicubic and polynomial.
 bool is_bicubic(const Surface& surface)
 {
     for (int j = 0; j < surface.patches(Parameter::V); ++j)
@@ -239,7 +232,7 @@ bool is_bicubic(const Surface& surface)
     return true;
 }
 
-// Whether the one net that `net_point` reads gives back every patch.
+// Whether the composite net of `net_point` reproduces every patch.
 bool shares_borders(const Surface& surface)
 {
     for (int patch_j = 0; patch_j < surface.patches(Parameter::V); ++patch_j)
@@ -253,6 +246,7 @@ bool shares_borders(const Surface& surface)
     return true;
 }
 
+// Appends a point as a JSON array.
 void append_point(std::string& text, const Vec3& point)
 {
     text += '[';
@@ -264,6 +258,7 @@ void append_point(std::string& text, const Vec3& point)
     text += ']';
 }
 
+// The composite control net as a JSON array of rows, one row on a line.
 std::string net_json(const Surface& surface)
 {
     const int columns = 3 * surface.patches(Parameter::U) + 1;
@@ -280,6 +275,7 @@ std::string net_json(const Surface& surface)
     return text + " ]";
 }
 
+// The word of a tool side in files.
 std::string_view tool_side_name(ToolSide side)
 {
     if (side == ToolSide::Up)
@@ -298,15 +294,13 @@ SurfaceFile parse_surface(std::string_view content, const std::filesystem::path&
                           const ReadLimits& limits)
 {
     const std::string file = shown_path(path);
-    check_content(content, file);
-    const JsonDocument document{content, file, limits};
+    const FormatDocument document{content, path, limits, format_name};
     const JsonValue root = document.root();
-    check_format(root);
     const Kind& kind = kind_of(root);
 
     const double unit = mm_per_unit(root);
-    std::vector<Surface> surfaces =
-        read_kind(kind, {root, unit, tool_side(root), file, limits});
+    std::vector<Surface> surfaces = read_kind(
+        kind, {root, {unit, limits.max_extent_mm}, tool_side(root), file, limits});
     std::vector<std::string> notes = pole_notes(surfaces);
     if (unit != 1)
         notes.emplace_back("lengths were converted from inch to mm");

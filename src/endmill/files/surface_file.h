@@ -9,38 +9,41 @@
 #include "endmill/files/read_file.h"
 #include "endmill/surface/surface.h"
 
+/// \file
+/// Surface files ("endmill-surface/1"): four types of free-form surface in JSON.
+
 namespace endmill {
 
-/// A surface and what its file says about it.
+/// The surfaces of a file, and what its reader has to report.
 struct SurfaceFile {
-    std::string name;    ///< the file's, or else its path without folder and extension
-    std::string source;  ///< where the numbers come from; empty if the file is silent
-    std::vector<Surface> surfaces;  ///< in mm; one, but for the type "bezier-patches"
-    std::vector<std::string>
-        notes;  ///< what a reader should know: a unit converted, a pole
+    std::string name;    ///< name in the file, or the file's stem
+    std::string source;  ///< where the numbers come from; empty if the file does not say
+    std::vector<Surface> surfaces;  ///< in mm; several only for the type "bezier-patches"
+    std::vector<std::string> notes;  ///< one sentence for a converted unit and each pole
 };
 
-/// Reads a file of format "endmill-surface/1"; every key of the format is checked, and
-/// `name` and `source` come out as `printable` makes them.
-/// \throws FormatError as `read_file` and `JsonDocument`, and
-///         E_FORMAT if the content is something else;
-///         E_JSON for a wrong type, a missing or unknown key, a count outside 1 … 10000
-///         or a newer version of the format; E_RANGE for a coordinate beyond the limit,
-///         after conversion to mm; E_SURFACE for rows of the wrong number or length, a
-///         degree outside 1 … 25, unsound knots or grid lines, a weight that is not above
-///         zero, and a net that is one point.
+/// Reads a file of format "endmill-surface/1" and checks every key. Texts of the file
+/// (`name`, `source`) are made `printable`.
+/// \throws FormatError as `read_file` and `JsonDocument`. E_FORMAT if the content is not
+///         of this format; E_JSON for a wrong type, a missing or unknown key, a count
+///         outside 1 … 10000, or a newer version of the format; E_RANGE for a coordinate
+///         beyond the limit, after conversion to mm; E_SURFACE for rows of a wrong number
+///         or length, a degree outside 1 … 25, invalid knots or grid lines, a weight that
+///         is not positive, and a control net whose points are all equal.
 /// \throws LimitError if the file needs more memory than the limit.
 SurfaceFile read_surface(const std::filesystem::path& path,
                          const ReadLimits& limits = {});
 
-/// The same from `content`; `path` serves for messages and for the name.
+/// Parses the content of a surface file as `read_surface` does.
+/// \param path used in messages and for the default name.
 SurfaceFile parse_surface(std::string_view content, const std::filesystem::path& path,
                           const ReadLimits& limits = {});
 
-/// The text of a file of type "bezier" from which `read_surface` gets the same doubles
-/// (minus zero excepted, which becomes zero). The notes are left out.
-/// \throws DomainError unless the breaks are 0, 1, 2, …, and the patches are bicubic,
-/// without weights, and share the control points of their borders.
+/// The content of a file of type "bezier" from which `read_surface` reads the same
+/// doubles, except that minus zero becomes zero. The notes are not written.
+/// \throws DomainError unless there is one surface, its breaks are 0, 1, 2, …, and its
+///         patches are bicubic, without weights, and share the control points of their
+///         borders.
 std::string surface_json(const SurfaceFile& file);
 
 }  // namespace endmill

@@ -16,9 +16,10 @@ namespace endmill {
 namespace {
 
 constexpr std::string_view format_name = "endmill-tool/1";
-constexpr int most_flutes = 100;  // more are a mistake: no end mill has them
+constexpr int most_flutes = 100;  // beyond every end mill
 constexpr double right_angle_deg = 90;
 
+// The cutter that the cutter word describes.
 Cutter cutter(const JsonValue& root)
 {
     const JsonValue value = root.member("cutter");
@@ -27,16 +28,19 @@ Cutter cutter(const JsonValue& root)
     throw value.complaint(value.shown(), expected_cutter(value.text()));
 }
 
+// A number above 0, at most `most`.
 double positive(const JsonValue& value, double most)
 {
     return number_in(value, {.above = 0, .most = most});
 }
 
+// A number from 0 to `most`.
 double not_negative(const JsonValue& value, double most)
 {
     return number_in(value, {.above = 0, .most = most, .from = true});
 }
 
+// A cylinder of the shank or holder; its upper end must be above its lower end.
 ToolCylinder cylinder(const JsonValue& value, double most_mm)
 {
     constexpr std::array<std::string_view, 3> keys{"diameter_mm", "from_mm", "to_mm"};
@@ -45,10 +49,11 @@ ToolCylinder cylinder(const JsonValue& value, double most_mm)
     const double to = positive(value.member("to_mm"), most_mm);
     if (!(from < to))
         throw value.member("to_mm").complaint(value.member("to_mm").shown(),
-                                              "one above from_mm, " + to_text(from));
+                                              "a number above from_mm, " + to_text(from));
     return {positive(value.member("diameter_mm"), most_mm), from, to};
 }
 
+// The cylinders under `key`; none if the key is missing.
 std::vector<ToolCylinder> cylinders(const JsonValue& root, std::string_view key,
                                     double most_mm)
 {
@@ -59,11 +64,12 @@ std::vector<ToolCylinder> cylinders(const JsonValue& root, std::string_view key,
     return all;
 }
 
+// The loads that the tool bears; each is optional.
 ToolLimits tool_limits(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 3> keys{"cutting_force_n", "thrust_n",
                                                    "torque_n_m"};
-    constexpr double most = 1e9;  // N or N m: any machine's, and finite
+    constexpr double most = 1e9;  // N or N m: beyond every tool, and finite
     ToolLimits limits;
     const auto value = root.find_member("limits");
     if (!value)
@@ -76,6 +82,7 @@ ToolLimits tool_limits(const JsonValue& root)
     return {limit(keys[0]), limit(keys[1]), limit(keys[2])};
 }
 
+// The helix angle, between -90 and 90 degrees; nothing if it is not stated.
 std::optional<Angle> helix(const JsonValue& root)
 {
     const auto value = root.find_member("helix_deg");
@@ -100,12 +107,13 @@ Tool parse_tool(std::string_view content, const std::filesystem::path& path,
     constexpr std::array<std::string_view, 10> keys{
         "format",    "name",      "source", "cutter", "flutes",
         "helix_deg", "length_mm", "limits", "shank",  "holder"};
-    const FormatDocument document{content, path, limits, {format_name, keys}};
+    const FormatDocument document{content, path, limits, format_name};
     const JsonValue root = document.root();
+    root.allow_only(keys);
 
     Tool tool{.cutter = cutter(root)};
     tool.name = name_or_stem(root, path);
-    remark(root, "source");  // said for a reader; only that it is a text is checked
+    remark(root, "source");  // not stored; this checks that it is a text
     if (const auto flutes = root.find_member("flutes"))
         tool.flutes = static_cast<int>(flutes->whole_number(1, most_flutes));
     tool.helix = helix(root);

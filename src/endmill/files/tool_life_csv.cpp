@@ -13,8 +13,9 @@ namespace endmill {
 namespace {
 
 constexpr std::array<std::string_view, 2> names{"phi_over_pi", "v_m_per_min"};
-constexpr double most_speed = 1e6;  // m/min: beyond any, and its powers are finite
+constexpr double most_speed = 1e6;  // m/min: beyond every speed; its powers are finite
 
+// The number in a cell, from 0 (excluded) to `most`.
 double number(const CsvLines& lines, const NamedColumns& columns, std::size_t column,
               double most)
 {
@@ -24,6 +25,7 @@ double number(const CsvLines& lines, const NamedColumns& columns, std::size_t co
     throw columns.complaint(lines, column, "a number above 0, at most " + to_text(most));
 }
 
+// Checks that there are two different angles, which a line through the data needs.
 void require_spread(const std::vector<CuttingSpeedDatum>& data, const CsvLines& lines)
 {
     const auto is_other = [&](const CuttingSpeedDatum& other) {
@@ -44,7 +46,7 @@ std::vector<CuttingSpeedDatum> parse_cutting_speeds(std::string_view text,
                                                     const ReadLimits& limits)
 {
     CsvLines lines{text, file};
-    lines.next();  // an empty text has no columns
+    lines.next();  // the header of an empty text has no columns and is refused below
     const NamedColumns columns{lines, names, names.size()};
     require_memory(
         file, static_cast<double>(line_count(lines.rest())) * sizeof(CuttingSpeedDatum),

@@ -13,6 +13,11 @@
 #include "endmill/core/text.h"
 #include "endmill/files/detail/joined_rows.h"
 
+// A path may have millions of points, so the rows are written in parallel and without
+// temporary strings (joined_rows.h). Each run of rows has a writer of its own. The text
+// of a row depends on the row only, although a writer copies the text of a repeated
+// number, so the file does not depend on the number of threads.
+
 namespace endmill {
 namespace {
 
@@ -23,10 +28,11 @@ constexpr std::string_view contact_columns =
 constexpr std::string_view no_contact_place = ",,,,,";  // u, v, point
 constexpr std::string_view no_normal = ",,,";
 
-// Appends numbers, and copies the text of one that its column had in the row before:
-// an axis or the parameter of an iso-line hardly ever changes.
+// Appends the numbers of one column. A number that equals that of the previous row is
+// copied as text, which is faster: axes and the parameter of an iso-line rarely change.
 class NumberColumn {
 public:
+    // Appends the number after a comma.
     void append(std::string& text, double value)
     {
         text += ',';
@@ -48,7 +54,8 @@ private:
     std::size_t bytes_ = 0;
 };
 
-// The columns that are written only where some point has something for them.
+// Which of the optional columns the file has. A column is written if any point has a
+// value.
 struct OptionalColumns {
     bool tool = false;
     bool patch = false;
@@ -57,6 +64,7 @@ struct OptionalColumns {
     bool limit = false;
 };
 
+// The optional columns that the path needs.
 OptionalColumns optional_columns(const ToolPath& path)
 {
     OptionalColumns columns;
@@ -70,11 +78,12 @@ OptionalColumns optional_columns(const ToolPath& path)
     return columns;
 }
 
+// Writes rows of one run. It remembers the last number of each column (NumberColumn).
 class RowWriter {
 public:
     explicit RowWriter(const OptionalColumns& columns) : columns_{columns} {}
 
-    // Row number `i`.
+    // Appends the row of point `i`.
     void append(std::string& text, const ToolPath& path, std::size_t i,
                 std::string_view limit)
     {
@@ -119,12 +128,14 @@ public:
     }
 
 private:
+    // Appends the three numbers of a vector from `column` on.
     void append(std::string& text, const Vec3& vector, std::size_t column)
     {
         for (int c = 0; c < 3; ++c)
             numbers_[column + c].append(text, vector[c]);
     }
 
+    // Appends a number, or an empty cell if it is unknown.
     void append(std::string& text, const std::optional<double>& number,
                 std::size_t column)
     {
@@ -138,6 +149,7 @@ private:
     std::array<NumberColumn, 16> numbers_;
 };
 
+// The first line of the file.
 std::string header(const OptionalColumns& columns)
 {
     std::string line{location_columns};
@@ -151,15 +163,15 @@ std::string header(const OptionalColumns& columns)
     return line;
 }
 
-// What is written: a path, and a word a point, or none at all.
+// The content of a file: a path, one word for each point or none, and the columns.
 struct Table {
     const ToolPath& path;
     std::span<const std::string_view> limits;
     OptionalColumns columns;
 };
 
-// The lines of `count` points, beginning without what came before them: chunks are
-// independent of each other.
+// The lines of `count` points from `first` on. Each call has a RowWriter of its own, so
+// the text does not depend on the division into runs.
 std::string rows(const Table& table, std::size_t first, std::size_t count)
 {
     RowWriter writer{table.columns};
@@ -170,6 +182,7 @@ std::string rows(const Table& table, std::size_t first, std::size_t count)
     return text;
 }
 
+// Checks the path and writes all rows in parallel.
 std::string table_text(const Table& table)
 {
     require(table.path.conditions.empty() ||

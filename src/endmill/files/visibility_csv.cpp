@@ -15,7 +15,8 @@ void write_visibility_csv(const VisibilityMap& map, const OutputFolder::Sink& si
     for (std::size_t cell = 0; cell < map.cells(); ++cell)
         header += ",cell_" + std::to_string(cell);
     sink(header + '\n');
-    // The rows of a word at a time: columns are read once, and no more is kept than they.
+    // The map is stored by columns (cells), the file by rows (facets). A word of a column
+    // holds 64 facets, so 64 rows are written at a time and every word is read once.
     std::vector<std::uint64_t> blocked(map.cells());
     for (std::size_t word = 0; word < map.words(); ++word) {
         for (std::size_t cell = 0; cell < map.cells(); ++cell)

@@ -12,7 +12,6 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
-#include "endmill/files/detail/word_checksum.h"
 #include "endmill/files/read_file.h"
 #include "endmill/visibility/sphere_grid.h"
 
@@ -20,15 +19,51 @@ namespace endmill {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "numbers are copied between file and memory as they are");
+              "numbers are copied between file and memory without conversion");
 
 constexpr std::string_view magic = "EMILLBSM";
 constexpr std::uint32_t version = 1;
 constexpr std::size_t longest_grid = 64;
 constexpr std::size_t longest_tool = 1000;
-constexpr std::size_t word_bytes = WordChecksum::word_bytes;
+constexpr std::size_t word_bytes = sizeof(std::uint64_t);
 
-// As it stands in the file; every member is where its size wants it.
+// A checksum of 64-bit words in order. Every step is invertible, so a change of a single
+// word always changes the sum; random sequences have equal sums with a probability of
+// 2^-64.
+class WordChecksum {
+public:
+    // One step: exclusive or, product with an odd number, shift. Each part is invertible.
+    void add(std::uint64_t word)
+    {
+        sum_ = (sum_ ^ word) * 0x9e3779b97f4a7c15U;  // odd: 2^64 over the golden ratio
+        sum_ ^= sum_ >> 29U;
+    }
+
+    // Adds bytes as words in the order of the machine.
+    // \throws DomainError unless their number is a multiple of 8.
+    void add(std::string_view bytes)
+    {
+        require(bytes.size() % word_bytes == 0, "visibility_checksum: need whole words");
+        for (std::size_t at = 0; at < bytes.size(); at += word_bytes) {
+            std::uint64_t word = 0;
+            std::memcpy(&word, bytes.data() + at, word_bytes);
+            add(word);
+        }
+    }
+
+    std::uint64_t sum() const { return sum_; }
+
+private:
+    std::uint64_t sum_ = 0x243f6a8885a308d3U;  // digits of pi: no words have a sum, too
+};
+
+// `bytes` rounded up to a multiple of 8.
+constexpr std::size_t whole_words(std::size_t bytes)
+{
+    return (bytes + word_bytes - 1) / word_bytes * word_bytes;
+}
+
+// The header as bytes of the file; its layout has no gaps.
 struct Header {
     std::array<char, 8> magic{};
     std::uint32_t version = 0;
@@ -56,7 +91,7 @@ constexpr std::size_t dropped_at = 56;
 constexpr std::size_t zero_at = 60;
 constexpr std::size_t names_at = sizeof(Header);
 
-// Bits of the last word of a column that stand for facets.
+// Mask of the bits in the last word of a column that stand for facets.
 std::uint64_t last_word_mask(std::size_t facets)
 {
     return facets % 64 == 0 ? ~std::uint64_t{0} : (std::uint64_t{1} << (facets % 64)) - 1;
@@ -68,10 +103,12 @@ std::string_view bytes_of(const Item* items, std::size_t count)
     return {reinterpret_cast<const char*>(items), count * sizeof(Item)};
 }
 
+// Writes parts of the file, each filled up to whole words, and their checksum.
 class Writer {
 public:
     explicit Writer(const OutputFolder::Sink& sink) : sink_{sink} {}
 
+    // Writes a part of the file.
     void write(std::string_view bytes)
     {
         std::string piece{bytes};
@@ -80,6 +117,7 @@ public:
         sink_(piece);
     }
 
+    // Writes the checksum of all parts.
     void write_sum()
     {
         const std::uint64_t sum = sum_.sum();
@@ -91,6 +129,9 @@ private:
     WordChecksum sum_;
 };
 
+// Reads and checks one file. The sizes in the header are checked against the length of
+// the file before any memory is allocated; the checksum is compared before the content is
+// used.
 class Reader {
 public:
     Reader(std::string_view content, const std::string& file)
@@ -99,6 +140,8 @@ public:
     {
     }
 
+    // Reads the whole file. The order of the checks matters: sizes first, since they
+    // protect the memory; then the checksum, since it protects everything else.
     StoredVisibility read(const ReadLimits& limits)
     {
         read_header();
@@ -118,12 +161,14 @@ public:
     }
 
 private:
+    // Throws an error at byte `at`.
     [[noreturn]] void refuse(std::size_t at, const std::string& found,
                              const std::string& expected) const
     {
         throw FormatError{"E_BSM", {file_, '@' + std::to_string(at), found, expected}};
     }
 
+    // Reads the header and checks each value that does not depend on another.
     void read_header()
     {
         if (!content_.starts_with(magic))
@@ -153,11 +198,13 @@ private:
             refuse(zero_at, std::to_string(header_.zero), "0");
     }
 
+    // Size of the two names with their padding, in bytes.
     std::size_t name_bytes() const
     {
         return whole_words(std::size_t{header_.grid_bytes} + header_.tool_bytes);
     }
 
+    // Size of the list of facets without area with its padding, in bytes.
     std::size_t dropped_bytes() const
     {
         return whole_words(std::size_t{header_.dropped} * sizeof(std::uint32_t));
@@ -169,6 +216,8 @@ private:
         return header_.cells * ((header_.facets + 63) / 64) * word_bytes;
     }
 
+    // Checks the counts in the header against each other, the length of the file and the
+    // grid.
     void check_sizes()
     {
         constexpr std::uint64_t most_facets = (std::uint64_t{1} << 31U) - 1;
@@ -182,7 +231,7 @@ private:
         if (header_.dropped > header_.facets)
             refuse(dropped_at, counted(header_.dropped, "facet") + " without area",
                    "at most " + std::to_string(header_.facets));
-        // Below 2^31 / 64 * 10^7 * 8 bytes: no overflow.
+        // At most 2^31 / 64 * 10^7 * 8 bytes, which does not overflow.
         const std::size_t needed =
             names_at + name_bytes() + dropped_bytes() + column_bytes() + word_bytes;
         if (content_.size() != needed)
@@ -203,23 +252,25 @@ private:
                    std::to_string(cells) + " of " + grid_);
     }
 
+    // Compares the stored checksum with that of the content.
     void check_sum() const
     {
         const std::size_t at = content_.size() - word_bytes;
         std::uint64_t stored = 0;
         std::memcpy(&stored, content_.data() + at, word_bytes);
         if (stored != visibility_checksum(content_.substr(0, at)))
-            refuse(at, "the checksum is not that of the content", "a file as written");
+            refuse(at, "the checksum does not match the content", "an undamaged file");
     }
 
-    // What fills up to a multiple of 8 bytes.
+    // Checks the zeros that fill a part up to whole words.
     void check_zeros(std::size_t begin, std::size_t end) const
     {
         for (std::size_t at = begin; at < end; ++at)
             if (content_[at] != '\0')
-                refuse(at, "a byte that means nothing", "zero");
+                refuse(at, "a byte without meaning", "zero");
     }
 
+    // The facets without area, which must be rising and within the part.
     std::vector<std::size_t> dropped() const
     {
         const std::size_t begin = names_at + name_bytes();
@@ -239,6 +290,8 @@ private:
         return facets;
     }
 
+    // The map. The file has 0 for accessible, as the paper has, and the map has 1, so
+    // words are inverted; the bits beyond the last facet must be zero in both.
     VisibilityMap map(std::size_t bits_at) const
     {
         VisibilityMap map{header_.facets, header_.cells};
@@ -265,13 +318,14 @@ private:
 
 }  // namespace
 
+// The number of points is included, so that points and triangles cannot be confused.
 std::uint64_t part_checksum(const TriangleMesh& part)
 {
     WordChecksum sum;
     sum.add(part.points().size());
     for (const Vec3& point : part.points())
         for (const double coordinate : point)
-            sum.add(std::bit_cast<std::uint64_t>(coordinate + 0.0));  // one zero
+            sum.add(std::bit_cast<std::uint64_t>(coordinate + 0.0));  // -0 becomes 0
     for (const auto& [a, b, c] : part.triangles()) {
         sum.add(static_cast<std::uint64_t>(a) << 32U | static_cast<std::uint32_t>(b));
         sum.add(static_cast<std::uint64_t>(c));

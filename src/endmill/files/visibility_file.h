@@ -12,24 +12,28 @@
 #include "endmill/mesh/triangle_mesh.h"
 #include "endmill/visibility/visibility.h"
 
+/// \file
+/// Visibility files (.bsm): a visibility map and everything that it was computed from, so
+/// that a later run can use it without computing it again.
+
 namespace endmill {
 
-/// A visibility map with all that it depends on.
+/// A visibility map and the inputs that it depends on.
 struct StoredVisibility {
-    std::string grid;  ///< as `sphere_grid` reads it
-    Angle incidence = Angle::degrees(90);
-    VisibilityKind kind = VisibilityKind::Global;
-    std::string tool;                 ///< whose body must pass, as given; empty: none
-    std::uint64_t part_checksum = 0;  ///< see `part_checksum`
-    PartVisibility visibility;
+    std::string grid;  ///< name of the grid, as `sphere_grid` reads it
+    Angle incidence = Angle::degrees(90);  ///< largest angle of tool axis and normal
+    VisibilityKind kind = VisibilityKind::Global;  ///< local or global
+    std::string tool;  ///< word of the tool whose body must pass; empty: none
+    std::uint64_t part_checksum = 0;  ///< of the part, see `part_checksum`
+    PartVisibility visibility;        ///< the map and the facets without area
 };
 
-/// A number that tells parts apart: of the points' coordinates and the triangles, in their
-/// order. A change of any one coordinate or corner changes it; parts at random share it once
-/// in 2^64 pairs.
+/// Checksum of a part: of the coordinates of the points and the triangles, in order. A
+/// change of one coordinate or one corner always changes it; two different parts have
+/// equal checksums with a probability of about 2^-64.
 std::uint64_t part_checksum(const TriangleMesh& part);
 
-/// Writes the file to `sink`, piece by piece. Little-endian, in this order:
+/// Writes the file to `sink`, piece by piece. Numbers are little-endian, in this order:
 ///
 ///     8 bytes  "EMILLBSM"
 ///     uint32   version, 1
@@ -40,27 +44,31 @@ std::uint64_t part_checksum(const TriangleMesh& part);
 ///     uint32   facets without area      uint32   0
 ///     the grid's name and the tool's, then zeros to a multiple of 8 bytes
 ///     uint32   each facet without area, rising; then zeros to a multiple of 8 bytes
-///     uint64   ceil(n / 64) for each cell: bit j % 64 of word j / 64 is 0 where facet j is
+///     uint64   ceil(n / 64) for each cell: bit j % 64 of word j / 64 is 0 where facet j
+///     is
 ///              accessible, as in [KangSuh], and 0 beyond the last facet
-///     uint64   checksum of all before
+///     uint64   checksum of all preceding bytes (`visibility_checksum`)
 ///
-/// \throws DomainError if the grid's name is none or has another number of cells, or the
-///         tool's is longer than 1000 bytes.
+/// \throws DomainError if the grid's name is invalid or has another number of cells, or
+///         if the tool's name is longer than 1000 bytes.
 void write_visibility(const StoredVisibility& stored, const OutputFolder::Sink& sink);
 
-/// The number that stands at the end of a file for all before. A change of any one word of 8
-/// bytes changes it. \throws DomainError unless there is a multiple of 8 bytes.
+/// Checksum of the content of a visibility file: of its 64-bit words in order. A change
+/// of any one word changes it. It detects damage; it is not cryptographic.
+/// \throws DomainError unless the number of bytes is a multiple of 8.
 std::uint64_t visibility_checksum(std::string_view bytes);
 
-/// Reads what `write_visibility` writes. \param file the name for messages.
-/// \throws FormatError E_BSM with the byte for a damaged or truncated file, one of a newer
-///         version, or a header that contradicts itself or the file's length.
+/// Parses the content of a file that `write_visibility` wrote.
+/// \param file name of the file for messages.
+/// \throws FormatError E_BSM with the byte for a damaged or truncated file, a newer
+///         version, or a header that contradicts itself or the length of the file.
 /// \throws LimitError if it needs more memory than the limit.
 StoredVisibility parse_visibility(std::string_view content, const std::string& file,
                                   const ReadLimits& limits = {});
 
-/// The same from a file, which must be of this part.
-/// \throws FormatError also as `read_file`, and if it is another part's.
+/// Reads the visibility of `part` from a file.
+/// \throws FormatError, LimitError as `read_file` and `parse_visibility`; FormatError
+///         E_BSM also if the file is of another part.
 StoredVisibility read_visibility(const std::filesystem::path& path,
                                  const TriangleMesh& part, const ReadLimits& limits = {});
 

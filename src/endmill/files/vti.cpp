@@ -16,13 +16,24 @@
 #include "endmill/files/detail/history_arrays.h"
 #include "endmill/files/read_file.h"
 
+// A stock file is read only if this library wrote it. That makes the reader short and
+// strict:
+//
+// 1. The grid and the counts of the history are taken from the head without much
+//    checking.
+// 2. `head_of` writes the head for these numbers again. The file must begin with exactly
+//    these bytes, so every other deviation from the format is refused at once.
+// 3. The length of the file must be the length that the numbers require. Only then is
+//    memory allocated.
+// 4. Heights and history are read and checked number by number.
+
 namespace endmill {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "the file says LittleEndian and holds the numbers as memory does");
+              "the file declares LittleEndian and holds the numbers as memory does");
 
-using Size = std::uint64_t;  // of an array, in front of it
+using Size = std::uint64_t;  // number of bytes, in front of each array
 
 constexpr std::string_view tail = "\n </AppendedData>\n</VTKFile>\n";
 constexpr std::string_view extent_key = "WholeExtent=\"0 ";
@@ -30,22 +41,23 @@ constexpr std::string_view origin_key = "Origin=\"";
 constexpr std::string_view spacing_key = "Spacing=\"";
 // Longer than any head that `head_of` writes.
 constexpr std::size_t longest_head = 3000;
-// More than any file holds; the bytes of so many can be counted.
+// More than any file holds; their size in bytes still fits into 64 bits.
 constexpr std::int64_t most_tips = std::int64_t{1} << 40;
 
+// Number of cells of a grid.
 std::size_t cells_of(const StockGrid& grid)
 {
     return static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows);
 }
 
-// Of the arrays of the bottom and the heights, which come first.
+// Size of the arrays of the bottom and the heights, which come first.
 std::size_t bytes_before_history(const StockGrid& grid)
 {
     return 2 * sizeof(Size) + sizeof(double) + cells_of(grid) * sizeof(double);
 }
 
-// All that stands before the arrays. The bottom is the origin's z too, so that the head
-// tells it.
+// The XML before the arrays. The bottom is also the z of the origin, so that the head
+// states it.
 std::string head_of(const StockGrid& grid, const std::optional<HistoryCounts>& history)
 {
     const std::string extent =
@@ -90,9 +102,11 @@ Value value_at(std::string_view content, std::size_t at)
     return value;
 }
 
-// Takes the next words of an attribute, one after the other.
+// Reads the words of an XML attribute in order.
 class Attribute {
 public:
+    // Finds the attribute whose name and opening quote are `key`. If there is none, all
+    // its words are empty.
     Attribute(std::string_view head, std::string_view key)
     {
         const std::size_t begin = head.find(key);
@@ -102,6 +116,7 @@ public:
         rest_ = rest_.substr(0, rest_.find('"'));
     }
 
+    // The next word; empty at the end.
     std::string_view word()
     {
         const std::size_t end = std::min(rest_.find(' '), rest_.size());
@@ -112,7 +127,8 @@ public:
 
     double number() { return number_from_text(word()).value_or(std::nan("")); }
 
-    // 0 for a word that is no number: a grid without cells, which is refused.
+    // A whole number; 0 for another word, which makes a grid without cells that is
+    // refused.
     int count()
     {
         const std::string_view text = word();
@@ -125,8 +141,8 @@ private:
     std::string_view rest_;
 };
 
-// The grid that the head names; numbers that are missing are 0 or NaN. It may be read
-// carelessly: the head must afterwards be, byte for byte, the one that this grid gets.
+// The grid in the head; missing numbers become 0 or NaN. The reading need not be strict,
+// because the head is compared byte for byte with the head of this grid afterwards.
 StockGrid named_grid(std::string_view head)
 {
     Attribute extent{head, extent_key};
@@ -146,7 +162,7 @@ StockGrid named_grid(std::string_view head)
             .bottom_z = z};
 }
 
-// The checks of one file.
+// Reads and checks one file.
 class StockReader {
 public:
     StockReader(std::string_view content, std::string file, const ReadLimits& limits)
@@ -156,6 +172,7 @@ public:
     {
     }
 
+    // Reads the whole file in the order of the steps above.
     KeptStock stock() const
     {
         const StockGrid grid = checked_grid();
@@ -172,10 +189,10 @@ public:
         std::size_t at = head.size();
         check(value_at<Size>(content_, at) == sizeof(double) &&
                   value_at<double>(content_, at + sizeof(Size)) == grid.bottom_z,
-              at, "another bottom than the origin's z");
+              at, "a bottom that differs from the z of the origin");
         at += sizeof(Size) + sizeof(double);
         check(value_at<Size>(content_, at) == cells_of(grid) * sizeof(double), at,
-              "another number of heights than of cells");
+              "a number of heights that differs from the number of cells");
         at += sizeof(Size);
         KeptStock stock{stock_of_heights(grid, heights(grid, at))};
         if (counts)
@@ -185,35 +202,38 @@ public:
     }
 
 private:
+    // An error at a place; the place is empty if the whole file is meant.
     FormatError complaint(const std::string& code, const std::string& place,
                           const std::string& found, const std::string& expected) const
     {
         return {code, {file_, place, found, expected}};
     }
 
+    // Throws an error at byte `at` unless `holds`.
     void check(bool holds, std::size_t at, const std::string& found) const
     {
         if (!holds)
             throw complaint("E_VTI", "@" + std::to_string(at), found,
-                            "what endmill wrote there");
+                            "the bytes that endmill writes there");
     }
 
-    // Heights and history must be of one block.
+    // The history, after a check that its block is the block of the heights.
     StockHistory history_of(const HeightStock& heights, std::size_t at,
                             const HistoryCounts& counts) const
     {
         StockHistory history = parse_history(content_, at, counts, file_, limits_);
         const StockGrid& grid = heights.grid();
         const Vec3 size = history.block.high - history.block.low;
-        // So few cells are there that those of the block can be counted.
+        // The first condition keeps the number of cells of the block within an int.
         const bool is_same = size.head<2>().maxCoeff() / grid.pitch < 2e9 &&
                              grid_over(history.block, grid.pitch) == grid;
         const auto range = height_range(heights);
         check(is_same && !(range && range->high > history.block.high.z()), at,
-              "a block that the heights are not of");
+              "a history whose block is not that of the heights");
         return history;
     }
 
+    // The grid of the head, after a check that the content is VTK and the grid is valid.
     StockGrid checked_grid() const
     {
         const auto format = recognized_format(content_);
@@ -257,7 +277,8 @@ private:
                                 std::to_string(grid.rows) + " cells, the file has " +
                                 std::to_string(content_.size()) + " bytes",
                             to_text(expected) + " bytes");
-        // The file, the heights in a row, and the stock, whose last tiles are half empty.
+        // Memory for the file, the heights, and the stock, whose last tiles are partly
+        // empty.
         constexpr double most_beyond = HeightStock::tile_side - 1;
         const double tiled = (grid.columns + most_beyond) * (grid.rows + most_beyond);
         require_memory(file_,
@@ -266,6 +287,7 @@ private:
                        limits_);
     }
 
+    // The heights, each checked against the bottom and the limit.
     std::vector<double> heights(const StockGrid& grid, std::size_t at) const
     {
         std::vector<double> values(cells_of(grid));
@@ -275,6 +297,7 @@ private:
         return values;
     }
 
+    // Checks one height.
     void check_height(double z, const StockGrid& grid, std::size_t at) const
     {
         if (!std::isfinite(z))
@@ -307,7 +330,7 @@ std::string stock_vti(const HeightStock& stock,
                  (counts ? static_cast<std::size_t>(history_bytes(*counts)) : 0));
     file += head;
     append_bytes(file, Size{sizeof(double)});
-    // The head has it as text, which knows no negative zero.
+    // The text in the head has no negative zero, so the array must not have one either.
     append_bytes(file, grid.bottom_z == 0 ? 0.0 : grid.bottom_z);
     append_bytes(file, Size{cells_of(grid) * sizeof(double)});
     for (int row = 0; row < grid.rows; ++row)

@@ -18,7 +18,7 @@ static_assert(static_cast<int>(Move::Cut) == 0 && static_cast<int>(Move::Link) =
                   static_cast<int>(Move::Rapid) == 2 &&
                   static_cast<int>(Move::Plunge) == 3 &&
                   static_cast<int>(Move::Retract) == 4,
-              "the file explains the numbers of the moves");
+              "the comment in the file explains these numbers");
 
 constexpr std::string_view preamble =
     "<?xml version=\"1.0\"?>\n"
@@ -35,6 +35,7 @@ struct Polylines {
     std::vector<std::uint8_t> move;
 };
 
+// One polyline for each run of moves of one kind in one pass.
 Polylines runs_of_one_move(const std::vector<PathPoint>& points)
 {
     Polylines lines;
@@ -43,7 +44,7 @@ Polylines runs_of_one_move(const std::vector<PathPoint>& points)
         const bool goes_on = !lines.pass.empty() && lines.pass.back() == point.pass &&
                              lines.move.back() == static_cast<std::uint8_t>(point.move);
         if (!goes_on) {
-            // A move leads to its point: the line begins at the one before.
+            // A move ends at its point, so the line begins at the point before.
             lines.connectivity.push_back(static_cast<std::int64_t>(i - 1));
             lines.offsets.push_back(0);
             lines.pass.push_back(point.pass);
@@ -55,7 +56,7 @@ Polylines runs_of_one_move(const std::vector<PathPoint>& points)
     return lines;
 }
 
-// The numbers that `values_of` gives for each point, one after the other.
+// The numbers `values_of(point)` of all points in order.
 template <class Function>
 std::vector<double> per_point(const std::vector<PathPoint>& points, Function values_of)
 {
@@ -70,16 +71,19 @@ std::vector<double> per_point(const std::vector<PathPoint>& points, Function val
     return numbers;
 }
 
+// The contact point; the tip where there is no contact.
 Vec3 contact_point(const PathPoint& point)
 {
     return point.contact ? point.contact->contact.point : point.location.tip;
 }
 
+// The normal at the contact; the axis where there is no contact.
 Vec3 contact_normal(const PathPoint& point)
 {
     return point.contact ? point.contact->contact.normal : point.location.axis;
 }
 
+// The elements of the point data; their arrays are appended.
 std::string point_data(const std::vector<PathPoint>& points, AppendedArrays& arrays)
 {
     std::vector<std::uint8_t> has_contact;
@@ -105,6 +109,7 @@ std::string point_data(const std::vector<PathPoint>& points, AppendedArrays& arr
     return xml + "   </PointData>\n";
 }
 
+// The elements of the polylines and their cell data; their arrays are appended.
 std::string polyline_data(const Polylines& lines, AppendedArrays& arrays)
 {
     std::string xml = "   <Lines>\n";

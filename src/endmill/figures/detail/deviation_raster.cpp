@@ -11,23 +11,34 @@
 #include "endmill/core/parallel.h"
 #include "endmill/deviation/detail/deviation_cells.h"
 
+// The raster is made in these steps:
+//
+// 1. The extent of the part in x and y is found from the corners of the tiles. Only tiles
+//    that might bulge beyond this extent are examined cell by cell.
+// 2. The tiles are divided into a fixed number of batches. Each batch is painted on a
+//    raster of its own by one thread: small cells at their centre only, large cells at a
+//    grid of points half a square apart.
+// 3. The rasters are merged in the order of the batches. In each square the largest share
+//    of the limit wins, with a rule for equal shares, so the result does not depend on
+//    the threads.
+
 namespace endmill {
 namespace {
 
 using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 
-// The tiles are drawn in so many lots, each on a raster of its own: enough for the threads
-// there are, and a fixed number, so that the lots are the same for every number of them.
-constexpr std::size_t lots = 32;
+// Number of batches of tiles: enough to occupy the threads, and fixed, so that the
+// division does not depend on their number.
+constexpr std::size_t batches = 32;
 
-// Of a square: no cell of a pitch up to this shows in more squares than the one that its
-// middle is in. That holds for sides of up to half a square; a cell's are no longer than 1.2
-// pitches at the tile's corners and middle, and hardly so between them.
+// A cell of a pitch up to this share of a square is painted at its centre only. Cells
+// with sides of up to half a square need no more points; the sides of a cell are at most
+// about 1.2 pitches, so this share leaves a margin.
 constexpr double small_share = 0.25;
 
-// Calls `body(number of a cell in the deviation, and in the tile)` for the cells of a tile
-// with an area.
+// Calls `body(index in the deviation, index in the tile)` for each cell of a tile that
+// has an area.
 template <typename Body>
 void for_cells(const Deviation& deviation, const PartTile& tile, const Body& body)
 {
@@ -38,19 +49,21 @@ void for_cells(const Deviation& deviation, const PartTile& tile, const Body& bod
     }
 }
 
-// Calls `body(lot, number of a tile)` for all tiles, those of a lot in order.
+// Calls `body(batch, index of a tile)` for all tiles, those of a batch in order.
 template <typename Body>
 void for_tiles(const Deviation& deviation, const Body& body)
 {
     const std::size_t tiles = deviation.tiles.size();
-    parallel_for(lots, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t lot = begin; lot < end; ++lot)
-            for (std::size_t t = lot * tiles / lots; t < (lot + 1) * tiles / lots; ++t)
-                body(lot, t);
+    parallel_for(batches, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t batch = begin; batch < end; ++batch)
+            for (std::size_t t = batch * tiles / batches;
+                 t < (batch + 1) * tiles / batches; ++t)
+                body(batch, t);
     });
 }
 
-AlignedBox2d united(const std::array<AlignedBox2d, lots>& boxes)
+// The smallest box around all boxes.
+AlignedBox2d united(const std::array<AlignedBox2d, batches>& boxes)
 {
     AlignedBox2d whole;
     for (const AlignedBox2d& box : boxes)
@@ -58,6 +71,7 @@ AlignedBox2d united(const std::array<AlignedBox2d, lots>& boxes)
     return whole;
 }
 
+// The extent of the corners of a tile. Corners without a ray are left out.
 AlignedBox2d box_of_corners(const PartCharts& charts, const PartTile& tile)
 {
     require(tile.whole.chart < charts.count(),
@@ -70,18 +84,18 @@ AlignedBox2d box_of_corners(const PartCharts& charts, const PartTile& tile)
     return box;
 }
 
-// Of the tiles' corners, and of the middles of cells where these might lie outside: a
-// tile bulges by less than its own size.
+// The extent of the part: of the corners of the tiles, and of the centres of cells where
+// these might lie outside. A tile is assumed to bulge by less than its own size.
 AlignedBox2d box_of(const PartCharts& charts, const Deviation& deviation)
 {
     std::vector<AlignedBox2d> of_tile(deviation.tiles.size());
-    std::array<AlignedBox2d, lots> boxes;
-    for_tiles(deviation, [&](std::size_t lot, std::size_t t) {
+    std::array<AlignedBox2d, batches> boxes;
+    for_tiles(deviation, [&](std::size_t batch, std::size_t t) {
         of_tile[t] = box_of_corners(charts, deviation.tiles[t]);
-        boxes[lot].extend(of_tile[t]);
+        boxes[batch].extend(of_tile[t]);
     });
     const AlignedBox2d corners = united(boxes);
-    for_tiles(deviation, [&](std::size_t lot, std::size_t t) {
+    for_tiles(deviation, [&](std::size_t batch, std::size_t t) {
         const AlignedBox2d& own = of_tile[t];
         const Vector2d bulge = own.isEmpty() ? Vector2d{0, 0} : Vector2d{own.sizes()};
         if (!own.isEmpty() && corners.contains(own.min() - bulge) &&
@@ -89,12 +103,14 @@ AlignedBox2d box_of(const PartCharts& charts, const Deviation& deviation)
             return;
         const std::vector<Vec3> points = tile_points(charts, deviation.tiles[t]);
         for_cells(deviation, deviation.tiles[t], [&](std::size_t, std::size_t k) {
-            boxes[lot].extend(points[k].head<2>());
+            boxes[batch].extend(points[k].head<2>());
         });
     });
     return united(boxes);
 }
 
+// The raster of a box: squares along its longer side, and as many rows or columns as the
+// other side needs.
 DeviationRaster empty_raster(const AlignedBox2d& box, int squares)
 {
     DeviationRaster raster;
@@ -118,20 +134,23 @@ DeviationRaster empty_raster(const AlignedBox2d& box, int squares)
     return raster;
 }
 
-// A cell seen from above, flat as it is at its middle. In squares.
+// A cell seen from above, approximated by its tangent plane at the centre. Lengths in
+// squares.
 struct Footprint {
     Vector2d middle;
-    Vector2d corner;   // the first
-    Vector2d to_next;  // from there, along both of its sides
+    Vector2d corner;   // its first corner
+    Vector2d to_next;  // sides from the first corner
     Vector2d to_last;
     bool is_triangle;
 
-    // In [0, 1] by [0, 1], which a triangle has narrow at its second corner.
+    // The point with parameters in [0, 1] x [0, 1]; the square collapses at the second
+    // corner of a triangle.
     Vector2d at(double s, double t) const
     {
         return corner + s * to_next + (is_triangle ? (1 - s) * t : t) * to_last;
     }
 
+    // The longest side in x or y, in squares.
     double longest() const
     {
         return std::max(to_next.lpNorm<Eigen::Infinity>(),
@@ -139,6 +158,7 @@ struct Footprint {
     }
 };
 
+// Paints cells on a raster.
 class Painter {
 public:
     Painter(const DeviationRaster& empty, const DeviationLimits& limits)
@@ -147,7 +167,7 @@ public:
     {
     }
 
-    // All cells of a tile with an area.
+    // Paints all cells of a tile that have an area.
     void paint(const PartCharts& charts, const Deviation& deviation, const PartTile& tile)
     {
         if (deviation.pitch_mm > 0 && deviation.pitch_mm <= small_share * raster_.side) {
@@ -164,6 +184,7 @@ public:
         });
     }
 
+    // Merges another raster of the same squares.
     void paint(const DeviationRaster& other)
     {
         for (int row = 0; row < other.rows; ++row)
@@ -175,11 +196,13 @@ public:
     const DeviationRaster& raster() const { return raster_; }
 
 private:
+    // Paints one cell at its centre and, if it is large, at a grid of points.
     void paint(const PartCell& cell, const PartRay& ray, float left)
     {
         const Footprint print = footprint(cell, ray);
         take(print.middle, left);
-        // At half a square from each other the places miss no square within the cell.
+        // Points half a square apart reach every square that the cell covers by half a
+        // square.
         const double places = std::ceil(2 * print.longest());
         const int most = 4 * std::max(raster_.columns, raster_.rows);
         const int steps = places < most ? static_cast<int>(places) : most;
@@ -188,11 +211,14 @@ private:
                 take(print.at((i + 0.5) / steps, (j + 0.5) / steps), left);
     }
 
+    // A point in units of squares from the corner of the raster.
     Vector2d in_squares(const Vec3& point) const
     {
         return (point.head<2>() - raster_.low) / raster_.side;
     }
 
+    // The cell seen from above; the sides follow from the partial derivatives at its
+    // centre.
     Footprint footprint(const PartCell& cell, const PartRay& ray) const
     {
         const auto seen = [&](const Vector2d& way) -> Vector2d {
@@ -205,7 +231,8 @@ private:
                 cell.corners == 3};
     }
 
-    // What lies outside is on the border but for rounding, and the cell's own bend.
+    // Records a deviation at a point. Points outside the raster, by rounding or by the
+    // curvature of the cell, count for the nearest square.
     void take(const Vector2d& place, float left)
     {
         if (!place.allFinite())
@@ -216,6 +243,8 @@ private:
              left);
     }
 
+    // Records a deviation in a square: the larger share of the limit wins, of two equal
+    // shares the gouge.
     void take(int column, int row, float left)
     {
         float& there = raster_.left[static_cast<std::size_t>(row) *
@@ -251,12 +280,12 @@ DeviationRaster deviation_raster(const PartCharts& charts, const Deviation& devi
             "deviation_raster: need limits that are finite and positive");
     require_whole(deviation);
     const DeviationRaster empty = empty_raster(box_of(charts, deviation), squares);
-    std::vector<Painter> painters(lots, Painter{empty, limits});
-    for_tiles(deviation, [&](std::size_t lot, std::size_t t) {
-        painters[lot].paint(charts, deviation, deviation.tiles[t]);
+    std::vector<Painter> painters(batches, Painter{empty, limits});
+    for_tiles(deviation, [&](std::size_t batch, std::size_t t) {
+        painters[batch].paint(charts, deviation, deviation.tiles[t]);
     });
-    for (std::size_t lot = 1; lot < lots; ++lot)
-        painters.front().paint(painters[lot].raster());
+    for (std::size_t batch = 1; batch < batches; ++batch)
+        painters.front().paint(painters[batch].raster());
     return painters.front().raster();
 }
 

@@ -11,18 +11,19 @@
 
 namespace endmill {
 
-/// A deviation seen along -z, on squares over the xy plane.
+/// A deviation seen along -z, sampled on squares over the xy plane.
 struct DeviationRaster {
-    /// What a square has where the part does not show.
+    /// The value of a square in which the part is not visible.
     static constexpr float nothing = std::numeric_limits<float>::infinity();
 
-    Eigen::Vector2d low{0, 0};  ///< corner with the least x and y, mm
-    double side = 1;            ///< of a square, mm
-    int columns = 1;            ///< along x
-    int rows = 1;               ///< along y
-    std::vector<float> left;    ///< mm, row by row from the least y; or `nothing`
+    Eigen::Vector2d low{0, 0};  ///< corner with the least x and y, in mm
+    double side = 1;            ///< side of a square, in mm
+    int columns = 1;            ///< number of squares along x
+    int rows = 1;               ///< number of squares along y
+    std::vector<float>
+        left;  ///< deviation in mm, row by row from the least y, or `nothing`
 
-    /// \pre 0 <= column < columns, 0 <= row < rows.
+    /// The deviation of a square. \pre 0 <= column < columns, 0 <= row < rows.
     float at(int column, int row) const
     {
         return left[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
@@ -30,16 +31,17 @@ struct DeviationRaster {
     }
 };
 
-/// Deviation in shares of its limit: of the tolerance where too much is gone, else of the
-/// scallop limit.
+/// A deviation as a share of its limit: the tolerance for a gouge, else the scallop
+/// limit.
 double share_of_limit(double left, const DeviationLimits& limits);
 
-/// The raster of a part, `squares` along the longer side of what it covers of the xy
-/// plane. A square shows, of all cells that reach half a square into it or have their
-/// middle in it, the one with the largest share of its limit; of two that are equal the
-/// gouge.
-/// \throws DomainError unless `squares` > 0, limits are positive, `charts` are those that
-///         were measured, and all numbers are finite.
+/// The raster of a part. A square has the deviation of the cell with the largest share of
+/// its limit, among all cells that reach half a square into it or have their centre in
+/// it. If two shares are equal, the gouge counts.
+/// \param squares number of squares along the longer side of the part's extent in x and
+///         y.
+/// \throws DomainError unless `squares` > 0, limits are positive, the deviation belongs
+///         to `charts`, and all numbers are finite.
 DeviationRaster deviation_raster(const PartCharts& charts, const Deviation& deviation,
                                  const DeviationLimits& limits, int squares);
 

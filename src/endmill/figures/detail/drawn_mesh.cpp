@@ -10,13 +10,19 @@
 
 #include "endmill/core/error.h"
 
+// Vertex clustering: a grid of cubes is laid over the part, all points in a cube are
+// replaced by the first of them, and triangles that lose a corner or become equal are
+// dropped. It keeps the shape within the size of a cube, works for every mesh, and takes
+// linear time up to a sort. The kept points are points of the mesh, so no new coordinates
+// arise.
+
 namespace endmill {
 namespace {
 
-// Cubes along the longest side: from a px of a picture each to what still shows a shape.
+// Numbers of cubes along the longest side, from about one cube per px to a coarse shape.
 constexpr std::array<int, 8> grids{512, 256, 128, 96, 64, 48, 32, 16};
 
-// For each point the first in its cube.
+// For each point the index of the first point in its cube.
 std::vector<std::int32_t> representatives(std::span<const Vec3> points, int grid)
 {
     Eigen::AlignedBox3d box;
@@ -44,7 +50,7 @@ std::vector<std::int32_t> representatives(std::span<const Vec3> points, int grid
     return firsts;
 }
 
-// The same triangle with its least corner first.
+// The triangle with its least index first; the orientation is kept.
 Triangle from_least(const Triangle& triangle)
 {
     Triangle turned = triangle;
@@ -53,6 +59,7 @@ Triangle from_least(const Triangle& triangle)
     return turned;
 }
 
+// The mesh after clustering its points in the cubes of a grid.
 DrawnMesh coarser(std::span<const Vec3> points, std::span<const Triangle> triangles,
                   int grid)
 {
@@ -75,6 +82,7 @@ DrawnMesh coarser(std::span<const Vec3> points, std::span<const Triangle> triang
     return drawn;
 }
 
+// Every `step`-th triangle.
 DrawnMesh every(std::span<const Triangle> triangles, std::size_t step)
 {
     DrawnMesh drawn;
@@ -87,6 +95,7 @@ DrawnMesh every(std::span<const Triangle> triangles, std::size_t step)
 
 }  // namespace
 
+// Coarser grids are tried until the mesh is small enough.
 DrawnMesh drawn_mesh(std::span<const Vec3> points, std::span<const Triangle> triangles,
                      std::size_t most)
 {
@@ -95,7 +104,8 @@ DrawnMesh drawn_mesh(std::span<const Vec3> points, std::span<const Triangle> tri
         return every(triangles, 1);
     for (const int grid : grids) {
         DrawnMesh drawn = coarser(points, triangles, grid);
-        // All of a part that is smaller than a cube would vanish.
+        // A part that is smaller than a cube would vanish; finer or no clustering is used
+        // then.
         if (!drawn.triangles.empty() && drawn.triangles.size() <= most)
             return drawn;
     }

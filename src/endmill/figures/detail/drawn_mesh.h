@@ -5,20 +5,22 @@
 #include <span>
 #include <vector>
 
+#include "endmill/core/vec.h"
 #include "endmill/mesh/triangle_mesh.h"
 
 namespace endmill {
 
-/// Triangles that a picture shows of a mesh.
+/// The triangles that a figure shows in place of a mesh.
 struct DrawnMesh {
-    std::vector<Triangle> triangles;  ///< by the mesh's points
-    std::vector<std::size_t> facets;  ///< of the mesh, one a triangle: what it stands for
+    std::vector<Triangle> triangles;  ///< with indices of the mesh's points
+    std::vector<std::size_t> facets;  ///< for each triangle the facet that it represents
 };
 
-/// All of `triangles`, or if there are more than `most`, a coarser mesh in their place: the
-/// points of each cube of a grid become the first of them, and of triangles that thereby
-/// become the same the first is kept. The grid is the finest of a few that leaves no more
-/// than `most`; of a mesh that none of them does, every so many.
+/// The triangles to draw: all of them if there are at most `most`, else a coarser mesh by
+/// vertex clustering. Points in the same cube of a grid are replaced by the first of
+/// them, and of triangles that become equal the first is kept. The finest grid of a fixed
+/// list is used that leaves at most `most` triangles. If no grid does, every n-th
+/// triangle is drawn.
 /// \param points in mm. \param most at least 1.
 /// \throws DomainError if `most` is 0.
 DrawnMesh drawn_mesh(std::span<const Vec3> points, std::span<const Triangle> triangles,

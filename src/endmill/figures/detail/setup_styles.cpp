@@ -9,6 +9,7 @@ constexpr double hidden_width_px = 1.6;
 
 }  // namespace
 
+// In the family C,A the first rotary axis and the tool axis are one line at zero.
 std::vector<SetupAxis> setup_axes(const RotaryFrame& machine_directions)
 {
     const RotaryFrame& frame = machine_directions;
@@ -44,6 +45,7 @@ LineStyle hidden_style(SetupObject object)
     return {setup_style(object).colour, hidden_width_px, hidden_dashes};
 }
 
+// The legend names the tool axis and R1 together if they are one line.
 void add_setup_legend(AxonometricFigure& figure, const RotaryFrame& machine_directions)
 {
     for (const SetupAxis& axis : setup_axes(machine_directions)) {
@@ -56,10 +58,10 @@ void add_setup_legend(AxonometricFigure& figure, const RotaryFrame& machine_dire
     }
 }
 
-void add_border_legend(AxonometricFigure& figure, bool has_limits)
+void add_border_legend(AxonometricFigure& figure, const ShownSetup& setup)
 {
     figure.add_legend("motion needed", setup_style(SetupObject::NeededMotion));
-    if (has_limits)
+    if (setup.limits)
         figure.add_legend("machine's limits", setup_style(SetupObject::MachineMotion));
 }
 

@@ -7,29 +7,33 @@
 #include "endmill/figures/axonometric_figure.h"
 #include "endmill/figures/setup_figures.h"
 
+/// \file
+/// Styles and legends that the figures of a setup share.
+
 namespace endmill {
 
-/// An axis as pictures show it.
+/// An axis as figures draw it.
 struct SetupAxis {
-    SetupObject object;
-    Vec3 axis;              ///< unit, in the machine's directions
-    bool is_half_line;      ///< the tool axis, on the spindle's side; others are whole
-    std::string_view name;  ///< at its end
+    SetupObject object;     ///< which axis it is
+    Vec3 axis;              ///< unit vector in coordinates of the machine
+    bool is_half_line;      ///< drawn on the positive side only: the tool axis
+    std::string_view name;  ///< written at its end
 };
 
-/// The axes of a setup, each line once: in C,A the first rotary axis is the tool axis.
+/// The axes of a setup, each line once: in the family C,A the axis R1 is the tool axis.
 std::vector<SetupAxis> setup_axes(const RotaryFrame& machine_directions);
 
-/// How a line of a setup is drawn.
+/// The style of the lines of an object.
 LineStyle setup_style(SetupObject object);
 
-/// The same behind what hides it.
+/// The style of the same lines where they are hidden.
 LineStyle hidden_style(SetupObject object);
 
-/// Lines of the legend for the axes.
+/// Adds the axes to the legend.
 void add_setup_legend(AxonometricFigure& figure, const RotaryFrame& machine_directions);
 
-/// Lines of the legend for the borders of the motion.
-void add_border_legend(AxonometricFigure& figure, bool has_limits);
+/// Adds the borders of the motion to the legend; that of the machine if its limits are
+/// known.
+void add_border_legend(AxonometricFigure& figure, const ShownSetup& setup);
 
 }  // namespace endmill

@@ -8,10 +8,16 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
+// A chart is drawn panel by panel. Each panel has its own ordinate, from ticks that cover
+// all its values; all panels share the abscissa.
+// A path may have millions of moves, but the chart has fewer than a thousand columns of
+// pixels. The points that fall on one column are reduced to the first, the last and the
+// two extremes. The drawn line covers the same pixels as the full curve would.
+
 namespace endmill {
 namespace {
 
-// px
+// Layout of the page, in px.
 constexpr double width = 900;
 constexpr double left = 80;
 constexpr double right = 20;
@@ -27,8 +33,8 @@ constexpr int abscissa_ticks = 8;
 constexpr int ordinate_ticks = 4;
 constexpr std::size_t longest_text = 150;
 
-// Of their size: values that differ by less are one to the eye and differ by rounding, and
-// stand amid room on both sides.
+// Values that differ by less than this share of their size count as constant, since they
+// differ by rounding only. The scale then has room on both sides of the value.
 constexpr double constant_share = 1e-6;
 constexpr double constant_room = 0.1;
 
@@ -36,19 +42,21 @@ constexpr LineStyle frame_style{"#444444", 1, ""};
 constexpr LineStyle grid_style{"#dddddd", 1, ""};
 constexpr TextStyle small_text{.size_px = 12};
 
+// A linear scale from values to px.
 struct Scale {
     double from;  // value
-    double to;    // above `from`
+    double to;    // value above `from`
     double from_px;
     double to_px;
 
+    // The place of a value.
     double px(double value) const
     {
         return from_px + (value - from) / (to - from) * (to_px - from_px);
     }
 };
 
-// A multiple of a step, without the rounding that would show in its text.
+// The text of a multiple of a step, rounded to the digits of the step.
 std::string tick_text(double tick, double step)
 {
     const double digits = std::max(0.0, -std::floor(std::log10(step)));
@@ -56,11 +64,13 @@ std::string tick_text(double tick, double step)
     return to_text(std::round(tick * power) / power + 0.0);
 }
 
+// The distance of neighbouring ticks.
 double step_of(const std::vector<double>& ticks)
 {
     return ticks.size() > 1 ? ticks[1] - ticks[0] : 1;
 }
 
+// The ticks of a panel: they cover all its values, or 0 to 1 if it has none.
 std::vector<double> ticks_of(const ChartPanel& panel)
 {
     double low = std::numeric_limits<double>::infinity();
@@ -80,7 +90,8 @@ std::vector<double> ticks_of(const ChartPanel& panel)
     return round_ticks(low - room, high + room, ordinate_ticks);
 }
 
-// What of a curve falls on one column of pixels.
+// The points of a curve in one column of pixels, reduced to the first, last, lowest and
+// highest.
 struct PixelColumn {
     PixelPoint first = PixelPoint::Zero();
     PixelPoint last = PixelPoint::Zero();
@@ -88,6 +99,7 @@ struct PixelColumn {
     PixelPoint high = PixelPoint::Zero();
     bool is_empty = true;
 
+    // Adds the next point of the curve.
     void add(const PixelPoint& point)
     {
         if (is_empty)
@@ -98,6 +110,8 @@ struct PixelColumn {
         is_empty = false;
     }
 
+    // Appends the points in the order of the curve: the lower extreme first if it comes
+    // first.
     void append_to(std::vector<PixelPoint>& points) const
     {
         if (is_empty)
@@ -110,6 +124,7 @@ struct PixelColumn {
     }
 };
 
+// Draws a curve column by column; a gap ends the current polyline and starts a new one.
 void draw_line(SvgPicture& picture, const ChartLine& line, std::span<const double> places,
                const Scale& x, const Scale& y)
 {
@@ -135,6 +150,7 @@ void draw_line(SvgPicture& picture, const ChartLine& line, std::span<const doubl
     picture.add_polyline(points, line.style);
 }
 
+// The legend of a panel is on one line above it.
 void draw_legend(SvgPicture& picture, const ChartPanel& panel, double top)
 {
     double place = left + width / 2 - label_offset;
@@ -148,6 +164,7 @@ void draw_legend(SvgPicture& picture, const ChartPanel& panel, double top)
     }
 }
 
+// Draws the ticks of the ordinate with their numbers, and the frame of the panel.
 void draw_grid(SvgPicture& picture, const std::vector<double>& ticks, const Scale& x,
                const Scale& y)
 {
@@ -167,6 +184,7 @@ void draw_grid(SvgPicture& picture, const std::vector<double>& ticks, const Scal
     picture.add_polyline(box, frame_style);
 }
 
+// Draws the ticks of the abscissa with their numbers.
 void draw_abscissa(SvgPicture& picture, const std::vector<double>& ticks, const Scale& x,
                    double height)
 {
@@ -181,6 +199,7 @@ void draw_abscissa(SvgPicture& picture, const std::vector<double>& ticks, const 
         }
 }
 
+// Checks the input, so that drawing need not.
 void check(std::span<const double> places, std::span<const ChartPanel> panels)
 {
     require(!panels.empty(), "stacked_chart: need a panel");
@@ -190,7 +209,7 @@ void check(std::span<const double> places, std::span<const ChartPanel> panels)
     for (const ChartPanel& panel : panels)
         for (const ChartLine& line : panel.lines) {
             require(line.values.size() == places.size(),
-                    "stacked_chart: need a value a place");
+                    "stacked_chart: need one value for each place");
             for (const auto& value : line.values)
                 require(!value || std::isfinite(*value),
                         "stacked_chart: a number is not finite");
@@ -199,6 +218,8 @@ void check(std::span<const double> places, std::span<const ChartPanel> panels)
 
 }  // namespace
 
+// The step is the smallest of 1, 2, 5, 10 times a power of ten that is at least the rough
+// step. A range of zero width gets the least step.
 std::vector<double> round_ticks(double low, double high, int count)
 {
     const double least = std::max({std::abs(low), std::abs(high), 1.0}) * 1e-9;

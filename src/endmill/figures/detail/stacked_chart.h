@@ -9,37 +9,42 @@
 
 #include "endmill/figures/axonometric_figure.h"
 
+/// \file
+/// Charts of several curves over one abscissa, in panels above each other.
+
 namespace endmill {
 
-/// A curve; where a value is none it has a gap.
+/// A curve of a chart.
 struct ChartLine {
-    std::string_view label;
-    LineStyle style;
-    std::vector<std::optional<double>> values;  ///< one a place of the abscissa
+    std::string_view label;  ///< in the legend of the panel
+    LineStyle style;         ///< of the curve
+    std::vector<std::optional<double>>
+        values;  ///< one for each place; a gap where unknown
 };
 
-/// Curves with one scale.
+/// A panel: curves with a common ordinate.
 struct ChartPanel {
-    std::string_view label;  ///< of the ordinate, with its unit
-    std::vector<ChartLine> lines;
+    std::string_view label;        ///< of the ordinate, with its unit
+    std::vector<ChartLine> lines;  ///< its curves
 };
 
-/// What stands around the panels.
+/// The texts around the panels.
 struct ChartFrame {
-    std::string title;
-    std::vector<std::string> captions = {};
-    std::string_view abscissa;  ///< its label, with its unit
+    std::string title;                       ///< above the panels
+    std::vector<std::string> captions = {};  ///< lines below the title
+    std::string_view abscissa;               ///< label of the abscissa, with its unit
 };
 
-/// The panels over `places`, which rise, as an SVG file. Where more places than that fall on
-/// a pixel, the first and last, least and greatest values in it are drawn.
-/// \throws DomainError unless there is a panel, each line has a value or none a place, places
-///         rise, and all numbers are finite.
+/// The chart as an SVG file. Where several places fall on one column of pixels, the first
+/// and last, least and greatest values in it are drawn.
+/// \param places abscissas of the values, not decreasing.
+/// \throws DomainError unless there is a panel, each line has one value or gap for each
+///         place, places do not decrease, and all numbers are finite.
 std::string stacked_chart(const ChartFrame& frame, std::span<const double> places,
                           std::span<const ChartPanel> panels);
 
-/// Round numbers, 1, 2 or 5 times a power of ten apart, about `count` of them, that cover
-/// what lies between `low` and `high`: one below or at it, one above or at it.
+/// Round numbers that cover `low` to `high`: multiples of 1, 2 or 5 times a power of ten,
+/// about `count` of them; the first is at or below `low`, the last at or above `high`.
 /// \pre finite, low <= high, count > 0.
 std::vector<double> round_ticks(double low, double high, int count);
 

@@ -12,9 +12,9 @@
 namespace endmill {
 
 static_assert(std::endian::native == std::endian::little,
-              "the files say LittleEndian and hold the numbers as memory does");
+              "the files declare LittleEndian and hold the numbers as memory does");
 
-/// What follows "type=" in VTK's XML for an array of `Number`.
+/// The value of the XML attribute "type" for an array of `Number`.
 template <class Number>
 constexpr std::string_view vtk_type;
 template <>
@@ -28,12 +28,13 @@ constexpr inline std::string_view vtk_type<std::int32_t> = "Int32";
 template <>
 constexpr inline std::string_view vtk_type<std::uint8_t> = "UInt8";
 
-/// The part of a VTK XML file after the XML: raw arrays, each behind the number of its
-/// bytes as UInt64.
+/// The raw arrays at the end of a VTK XML file. In front of each array stands the number
+/// of its bytes as UInt64.
 class AppendedArrays {
 public:
-    /// Appends an array. \param components numbers a point or cell.
-    /// \return the element that refers to it, with its line end.
+    /// Appends an array.
+    /// \param components number of values for each point or cell.
+    /// \return the XML element that refers to the array, with its line end.
     template <class Number>
     std::string append(std::string_view name, int components,
                        const std::vector<Number>& numbers)
@@ -49,7 +50,7 @@ public:
         return element;
     }
 
-    /// All arrays, in the order in which they were appended.
+    /// All arrays in the order of `append`.
     const std::string& bytes() const { return bytes_; }
 
 private:

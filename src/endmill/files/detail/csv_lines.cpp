@@ -4,19 +4,29 @@
 #include <algorithm>
 #include <utility>
 
+// Large tables are read without copying: a cell is a view into the text. That is possible
+// because cells with numbers and words never contain quotes or line ends; other cells are
+// refused. Tables with free texts are read by `parse_csv`.
+
 namespace endmill {
 namespace {
 
+// Large enough that a run outweighs the cost of starting it, small enough to balance
+// threads.
 constexpr std::size_t run_bytes = 1U << 18;
 
 }  // namespace
 
+// Counts line feeds. Lines of quoted cells with line feeds would be counted too often,
+// but such cells are refused by CsvLines.
 std::size_t line_count(std::string_view text)
 {
     const auto ends = static_cast<std::size_t>(std::ranges::count(text, '\n'));
     return ends + (text.empty() || text.ends_with('\n') ? 0 : 1);
 }
 
+// Each run ends at the first line feed after `run_bytes` bytes; the division depends on
+// the text only.
 std::vector<CsvRun> csv_runs(std::string_view text)
 {
     std::vector<CsvRun> runs;
@@ -38,7 +48,8 @@ CsvLines::CsvLines(std::string_view text, std::string file, std::size_t lines_be
         rest_.remove_prefix(byte_order_mark.size());
 }
 
-// A line that is empty still has one cell, so that a blank line in a table is found.
+// An empty line has one empty cell, so a blank line in a table is reported as a row with
+// too few cells.
 bool CsvLines::next()
 {
     if (rest_.empty())
@@ -53,9 +64,9 @@ bool CsvLines::next()
                         "lines that end with LF or CRLF");
     cells_.clear();
     if (line.find('"') == std::string_view::npos)
-        cut(line);
+        split(line);
     else
-        cut_quoted(line);
+        split_quoted(line);
     return true;
 }
 
@@ -66,8 +77,8 @@ FormatError CsvLines::complaint(const std::string& code, const std::string& foun
         code, {file_, std::to_string(std::max<std::size_t>(line_, 1)), found, expected}};
 }
 
-// The usual line: every comma ends a cell.
-void CsvLines::cut(std::string_view line)
+// Splits a line without quotes at its commas.
+void CsvLines::split(std::string_view line)
 {
     for (;;) {
         const std::size_t comma = std::min(line.find(','), line.size());
@@ -78,9 +89,9 @@ void CsvLines::cut(std::string_view line)
     }
 }
 
-// A line in which at least one cell is quoted. A quote that is doubled, as RFC 4180 has it
-// for a quote in a text, ends its cell here and is refused as text after it.
-void CsvLines::cut_quoted(std::string_view line)
+// Splits a line with at least one quoted cell. A doubled quote, by which RFC 4180
+// represents a quote in a text, is refused as text after the end of a cell.
+void CsvLines::split_quoted(std::string_view line)
 {
     std::size_t at = 0;
     for (;;) {

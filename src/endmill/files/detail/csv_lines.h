@@ -11,47 +11,48 @@
 
 namespace endmill {
 
-/// Whole lines of a text that follow each other.
+/// A run of consecutive whole lines of a text.
 struct CsvRun {
-    std::string_view text;
-    std::size_t first_line;  ///< from 0 in the text
+    std::string_view text;   ///< the lines
+    std::size_t first_line;  ///< line of the text where the run begins, from 0
 };
 
-/// `text` as runs of lines that can be read side by side: some 256 KiB each, whatever the
-/// number of threads.
+/// Divides `text` into runs of lines that several threads can read. A run has about
+/// 256 KiB; the division does not depend on the number of threads.
 std::vector<CsvRun> csv_runs(std::string_view text);
 
-/// The number of lines in `text`; the last need not end.
+/// The number of lines in `text`; the last one need not end with a line feed.
 std::size_t line_count(std::string_view text);
 
-/// Walks over the lines of a CSV text and cuts each into cells, without copying. A line
-/// ends with LF or CRLF; a byte order mark at the beginning is skipped. A cell in quotes
-/// ends in its line, and has no quote inside: numbers and words need neither.
+/// Reads the lines of a CSV text and splits each into cells, without copying. A line ends
+/// with LF or CRLF; a byte order mark at the beginning is skipped. A quoted cell ends in
+/// its line and contains no quote, which is enough for numbers and words.
 class CsvLines {
 public:
-    /// \param text outlives this. \param file the name for messages.
-    /// \param lines_before of the file, if `text` begins after them: it then has no mark.
+    /// \param text         outlives this object.
+    /// \param file         name of the file for messages.
+    /// \param lines_before number of lines of the file before `text`.
     CsvLines(std::string_view text, std::string file, std::size_t lines_before = 0);
 
     /// Goes to the next line. \return false if there is none.
-    /// \throws FormatError E_CSV for a quote that is not closed in its line, or stands
-    ///         inside a cell; for a carriage return inside a line.
+    /// \throws FormatError E_CSV for a quote that is not closed in its line or stands
+    ///         inside a cell, and for a carriage return inside a line.
     bool next();
 
-    /// Of the line, as they stand in the text.
+    /// The cells of the current line, as views into the text.
     const std::vector<std::string_view>& cells() const { return cells_; }
-    std::size_t line() const { return line_; }  ///< from 1
+    std::size_t line() const { return line_; }  ///< number of the current line, from 1
 
-    /// What follows the line.
+    /// The text after the current line.
     std::string_view rest() const { return rest_; }
 
-    /// An error at this line. \param code such as "E_CSV".
+    /// An error at the current line. \param code such as "E_CSV".
     FormatError complaint(const std::string& code, const std::string& found,
                           const std::string& expected) const;
 
 private:
-    void cut(std::string_view line);
-    void cut_quoted(std::string_view line);
+    void split(std::string_view line);
+    void split_quoted(std::string_view line);
 
     std::string_view rest_;
     std::string file_;

@@ -11,6 +11,8 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
+// First characters of a text, after blanks, and the format that they indicate. The first
+// match counts, so longer beginnings stand before their prefixes.
 struct Beginning {
     std::string_view text;
     std::string_view format;
@@ -37,7 +39,7 @@ constexpr std::array beginnings{
     Beginning{"tip_x_mm,"sv, "CSV"},
 };
 
-// The first line that is neither empty nor a comment.
+// The first line that is neither empty nor a comment, without leading blanks.
 std::string_view first_statement(std::string_view content)
 {
     while (!content.empty()) {
@@ -50,6 +52,7 @@ std::string_view first_statement(std::string_view content)
     return {};
 }
 
+// Whether the first statement is one of OBJ. OBJ files have no signature.
 bool is_obj(std::string_view content)
 {
     constexpr std::array words{"v "sv, "vn "sv, "vt "sv,    "f "sv,
@@ -63,7 +66,7 @@ bool is_obj(std::string_view content)
 
 std::optional<std::string_view> recognized_format(std::string_view content)
 {
-    // A binary STL may begin with anything: its size tells.
+    // The header of a binary STL is arbitrary, but the length of the file is not.
     if (is_binary_stl(content))
         return "STL";
     std::string_view text = content;

@@ -6,9 +6,11 @@
 
 namespace endmill {
 
-/// The format that the beginning of a file's `content` shows, whatever its name says:
+/// The format that the first bytes of `content` suggest, independent of the file's name:
 /// "STL", "OBJ", "OFF", "PLY", "STEP", "VTK", "XML", "G-code", "CSV", "UTF-16 text" or
-/// "JSON"; none if nothing is recognised. A guess for messages, not a check.
+/// "JSON".
+/// \return nothing if no format is recognised. The result selects a reader or improves a
+///         message; it does not validate the content.
 std::optional<std::string_view> recognized_format(std::string_view content);
 
 }  // namespace endmill

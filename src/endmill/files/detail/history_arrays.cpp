@@ -9,13 +9,21 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
+// Layout of the arrays, each with its size in bytes as UInt64 in front:
+//
+//     block_mm        6 doubles: low x, y, z, high x, y, z
+//     run_cutters_mm  2 doubles for each run: radius, corner radius
+//     run_tips        2 int64 for each run: number of tips; 1 if the cutter stands at the
+//                     first tip, else 0
+//     tips_mm         3 doubles for each tip, run by run
+
 namespace endmill {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "the file says LittleEndian and holds the numbers as memory does");
+              "the file declares LittleEndian and holds the numbers as memory does");
 
-using Size = std::uint64_t;  // of an array, in front of it
+using Size = std::uint64_t;  // number of bytes, in front of each array
 
 constexpr std::string_view runs_key =
     "Name=\"run_tips\" NumberOfComponents=\"2\" NumberOfTuples=\"";
@@ -33,7 +41,7 @@ void append_bytes(std::string& file, const Value& value)
     file.append(bytes, sizeof value);
 }
 
-// The number behind a key; 0, of which no history has, for a word that is none.
+// The number after a key; 0, which no history has, if the text there is not a number.
 std::optional<std::int64_t> named_count(std::string_view head, std::string_view key)
 {
     const std::size_t begin = head.find(key);
@@ -45,9 +53,10 @@ std::optional<std::int64_t> named_count(std::string_view head, std::string_view 
     return count;
 }
 
-// Reads the arrays one after the other.
+// Reads the arrays in order: block, cutters of the runs, tip counts of the runs, tips.
 class HistoryReader {
 public:
+    // Starts at byte `at`, where the size of the first array stands.
     HistoryReader(std::string_view content, std::size_t at, const std::string& file,
                   const ReadLimits& limits)
         : content_{content},
@@ -57,13 +66,15 @@ public:
     {
     }
 
+    // Reads all four arrays. Numbers of tips are checked against the rest before memory
+    // is allocated for the tips of a run, so a damaged count cannot exhaust the memory.
     StockHistory history(const HistoryCounts& counts)
     {
         begin_array(bytes_of_block);
         const Vec3 low = vec();
         const Vec3 high = vec();
         if (!(low.array() < high.array()).all())
-            throw complaint("E_RANGE", "a block that is turned over",
+            throw complaint("E_RANGE", "a block whose corners are exchanged",
                             "low below high along x, y and z");
         StockHistory history{{low, high}, {}};
         const auto runs = static_cast<std::size_t>(counts.runs);
@@ -76,7 +87,7 @@ public:
         for (EarlierRun& run : history.runs)
             left -= read_run(run, left);
         if (left != 0)
-            throw complaint("E_VTI", "more tips than those of the runs", "as many",
+            throw complaint("E_VTI", "more tips than the runs have", "equal numbers",
                             at_runs);
         begin_array(bytes_a_tip * static_cast<double>(counts.tips));
         for (EarlierRun& run : history.runs)
@@ -86,6 +97,7 @@ public:
     }
 
 private:
+    // An error at byte `at`, by default at the current position.
     FormatError complaint(const std::string& code, const std::string& found,
                           const std::string& expected,
                           std::optional<std::size_t> at = {}) const
@@ -102,14 +114,16 @@ private:
         return value;
     }
 
+    // Reads the size in front of an array and compares it with the expected size.
     void begin_array(double bytes)
     {
         const std::size_t before = at_;
         if (static_cast<double>(next<Size>()) != bytes)
-            throw complaint("E_VTI", "an array of another length than the head says",
+            throw complaint("E_VTI", "an array of another length than the head states",
                             to_text(bytes) + " bytes", before);
     }
 
+    // The next number, a finite coordinate or length within the limit.
     double coordinate()
     {
         const std::size_t before = at_;
@@ -123,6 +137,8 @@ private:
         return value;
     }
 
+    // The next three numbers. They are read one after the other, because the order of
+    // evaluation of arguments is not defined.
     Vec3 vec()
     {
         const double x = coordinate();
@@ -131,6 +147,7 @@ private:
         return {x, y, z};
     }
 
+    // The radius and the corner radius of a cutter.
     Cutter cutter()
     {
         const std::size_t before = at_;
@@ -144,14 +161,15 @@ private:
         return {radius, corner};
     }
 
-    // How many tips it has, at most `most`.
+    // Reads the number of tips of a run, at most `most`, and whether it stands at the
+    // first.
     std::int64_t read_run(EarlierRun& run, std::int64_t most)
     {
         const std::size_t before = at_;
         const auto tips = next<std::int64_t>();
         const auto stands = next<std::int64_t>();
         if (!(1 <= tips && tips <= most) || (stands != 0 && stands != 1))
-            throw complaint("E_VTI", "a run that has no tips, or more than there are",
+            throw complaint("E_VTI", "a run without tips, or with more than the file has",
                             "1 to " + std::to_string(most) + ", and 0 or 1", before);
         run.tips.resize(static_cast<std::size_t>(tips));
         run.stands_at_first = stands == 1;
@@ -174,6 +192,8 @@ HistoryCounts counts_of(const StockHistory& history)
     return counts;
 }
 
+// Searches the head for the two elements with counts. Other content of the head is
+// compared byte for byte by the caller.
 std::optional<HistoryCounts> named_history(std::string_view head)
 {
     const auto runs = named_count(head, runs_key);
@@ -183,6 +203,7 @@ std::optional<HistoryCounts> named_history(std::string_view head)
     return HistoryCounts{*runs, *tips};
 }
 
+// The arrays follow each other without gaps; each has its size in front.
 std::string history_elements(const HistoryCounts& counts, std::uint64_t offset)
 {
     const std::string runs = std::to_string(counts.runs);
@@ -213,6 +234,7 @@ double history_bytes(const HistoryCounts& counts)
            bytes_a_tip * static_cast<double>(counts.tips);
 }
 
+// Writes the arrays in the order of `history_elements`.
 void append_history(std::string& file, const StockHistory& history)
 {
     const HistoryCounts counts = counts_of(history);

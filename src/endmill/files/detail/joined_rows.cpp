@@ -7,15 +7,21 @@
 
 #include "endmill/core/parallel.h"
 
+// Rows are formatted in runs of fixed length. The runs of a batch are formatted in
+// parallel and then appended in order; a batch bounds the memory for text that exists
+// twice.
+
 namespace endmill {
 namespace {
 
 constexpr std::size_t rows_per_chunk = 2048;
-constexpr std::size_t chunks_per_batch = 64;  // bounds the text that is held twice
+constexpr std::size_t chunks_per_batch = 64;  // bounds the text that exists twice
 constexpr std::size_t rows_per_batch = rows_per_chunk * chunks_per_batch;
 
 }  // namespace
 
+// Batches of runs are made in parallel and appended in order. Only one batch exists twice
+// at a time, once in pieces and once in the result.
 std::string joined_rows(
     std::string header, std::size_t rows,
     const std::function<std::string(std::size_t first, std::size_t count)>& rows_of)
@@ -33,7 +39,8 @@ std::string joined_rows(
         });
         for (std::size_t i = 0; i < count; ++i)
             text += chunks[i];
-        if (first == 0)  // the rest will be about as long a row, give or take an eighth
+        if (first ==
+            0)  // later rows have about the same length; an eighth more is reserved
             text.reserve(text.size() / batch * rows / 8 * 9);
     }
     return text;

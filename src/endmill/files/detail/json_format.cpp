@@ -14,17 +14,19 @@ namespace {
 constexpr std::size_t longest_name = 200;
 constexpr std::size_t longest_remark = 2000;
 
+// A word in quotes, for messages.
 std::string quoted(std::string_view word)
 {
     return '"' + std::string{word} + '"';
 }
 
-// What follows the last '/' of `format`, if it is a number.
+// The version of a format, the number after '/'; nothing if that is not a number.
 std::optional<double> version_of(std::string_view format)
 {
     return number_from_text(format.substr(format.find('/') + 1));
 }
 
+// Refuses content that does not begin like JSON; the message names a recognised format.
 void require_json(std::string_view content, const std::string& file,
                   std::string_view format)
 {
@@ -38,6 +40,7 @@ void require_json(std::string_view content, const std::string& file,
          "JSON of format " + quoted(format)}};
 }
 
+// Refuses another format, and reports a newer version of the same format as such.
 void require_format(const JsonValue& root, std::string_view format)
 {
     const JsonValue value = root.member("format");
@@ -53,7 +56,8 @@ void require_format(const JsonValue& root, std::string_view format)
     throw value.complaint(value.shown(), quoted(format), "E_FORMAT");
 }
 
-// Before it is read as JSON, which could only say that it is none.
+// Checks the content before it is parsed, because the parser could only report a syntax
+// error in a mesh or a program.
 std::string_view checked(std::string_view content, const std::string& file,
                          std::string_view format)
 {
@@ -65,12 +69,10 @@ std::string_view checked(std::string_view content, const std::string& file,
 
 FormatDocument::FormatDocument(std::string_view content,
                                const std::filesystem::path& path,
-                               const ReadLimits& limits, const Format& format)
-    : document_{checked(content, shown_path(path), format.name), shown_path(path), limits}
+                               const ReadLimits& limits, std::string_view format)
+    : document_{checked(content, shown_path(path), format), shown_path(path), limits}
 {
-    const JsonValue root = document_.root();
-    require_format(root, format.name);
-    root.allow_only(format.keys);
+    require_format(document_.root(), format);
 }
 
 std::string name_or_stem(const JsonValue& root, const std::filesystem::path& path)
@@ -86,6 +88,7 @@ std::string remark(const JsonValue& root, std::string_view key)
     return value ? printable(value->text(), longest_remark) : std::string{};
 }
 
+// The message states the range in words, with "from" or "above" for the lower end.
 double number_in(const JsonValue& value, const NumberRange& range)
 {
     const double number = value.number();

@@ -3,56 +3,56 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "endmill/files/detail/strict_json.h"
 
+/// \file
+/// What all JSON formats of this module share: the check of the format and its version,
+/// names and remarks, and numbers within a range.
+
 namespace endmill {
 
-/// The JSON of a file of one format, checked as far as its keys.
+/// The JSON document of a file, whose key `format` has been checked.
 class FormatDocument {
 public:
-    /// What a format is called, and which keys its root may have.
-    struct Format {
-        std::string_view name;  ///< the whole word, "endmill-tool/1": '/' and a version
-        std::span<const std::string_view> keys;
-    };
-
-    /// The key `format` is checked first of all, since a newer version may have other keys.
-    /// \param path for messages.
-    /// \throws FormatError E_FORMAT for what does not begin as JSON does, saying what it looks
-    ///         like, and for another format; E_JSON if the format is missing or a newer
-    ///         version's, and for other keys; FormatError and LimitError as `JsonDocument`.
+    /// Parses the content and checks its format before all other keys, since a newer
+    /// version may have other keys.
+    /// \param path   for messages.
+    /// \param format name and version, such as "endmill-tool/1".
+    /// \throws FormatError E_FORMAT if the content is not JSON (the message names a
+    ///         recognised format) or of another format; E_JSON if the format is missing
+    ///         or of a newer version. FormatError and LimitError as `JsonDocument`.
     FormatDocument(std::string_view content, const std::filesystem::path& path,
-                   const ReadLimits& limits, const Format& format);
+                   const ReadLimits& limits, std::string_view format);
 
     JsonValue root() const& { return document_.root(); }  ///< as of JsonDocument
-    JsonValue root() const&& = delete;                    ///< it would dangle
+    JsonValue root() const&& = delete;                    ///< would dangle
 
 private:
     JsonDocument document_;
 };
 
-/// The name that the file gives itself in `name`, or that of the file, fit for a terminal.
+/// The text of the key `name`, or else the stem of the file; `printable` and shortened.
 std::string name_or_stem(const JsonValue& root, const std::filesystem::path& path);
 
-/// The text of `key` fit for a terminal, shortened; empty if there is none.
+/// The text of a key, `printable` and shortened; empty if the key is missing.
 std::string remark(const JsonValue& root, std::string_view key);
 
-/// A range of numbers, and what breaking it is called.
+/// An interval of numbers, and the error code for numbers outside.
 struct NumberRange {
-    double above = 0;                  ///< open lower end, or closed if `from`
-    double most = 0;                   ///< closed upper end
-    bool from = false;                 ///< whether `above` itself belongs to it
+    double above = 0;                  ///< lower end; it belongs to the range if `from`
+    double most = 0;                   ///< upper end; it belongs to the range
+    bool from = false;                 ///< whether the lower end belongs to the range
     std::string_view code = "E_JSON";  ///< of the FormatError
 };
 
-/// The number that `value` holds. \throws FormatError unless it is one in `range`.
+/// The number in `value`. \throws FormatError unless it is a number in `range`.
 double number_in(const JsonValue& value, const NumberRange& range);
 
-/// The same of the member `key`; none if there is none.
+/// The number under `key`; nothing if the key is missing.
+/// \throws FormatError unless it is a number in `range`.
 std::optional<double> find_number(const JsonValue& root, std::string_view key,
                                   const NumberRange& range);
 

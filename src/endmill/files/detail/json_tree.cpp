@@ -11,15 +11,25 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
+// The JSON library parses; this file adds what it does not check.
+//
+// 1. OutlineReader passes over the text once. It counts brackets, commas and strings,
+//    which bounds the memory of the tree, and refuses deep nesting and NUL bytes.
+// 2. The memory bound is compared with the limit before the tree is built.
+// 3. TreeBuilder receives the events of the parser and builds the tree. It refuses
+//    repeated keys and numbers that underflow, and turns parser errors into FormatErrors
+//    with line and column.
+
 namespace endmill {
 namespace {
 
 using nlohmann::json;
 
+// Far more than any format of this library needs; it bounds the recursion of destructors.
 constexpr int deepest_nesting = 64;
 
-// "LINE:COLUMN" of the character that begins at `offset`, both from 1; a column is a
-// character, not a byte.
+// "LINE:COLUMN" of the character at `offset`, both from 1. Columns count characters, not
+// bytes.
 std::string line_and_column(std::string_view text, std::size_t offset)
 {
     const std::string_view before = text.substr(0, offset);
@@ -33,7 +43,7 @@ std::string line_and_column(std::string_view text, std::size_t offset)
     return std::to_string(line) + ":" + std::to_string(column);
 }
 
-// What can be told from the brackets, commas and quotes alone, before a tree is built.
+// Counts of brackets, commas and quotes, which bound the size of the tree.
 struct Outline {
     std::size_t separators = 0;  // commas
     std::size_t arrays = 0;
@@ -41,7 +51,7 @@ struct Outline {
     std::size_t strings = 0;  // keys included
 };
 
-// End of the string that starts after the quote at `begin`: just past its closing quote.
+// Position after the closing quote of the string whose opening quote is at `begin`.
 std::size_t end_of_string(std::string_view text, std::size_t begin)
 {
     std::size_t at = begin + 1;
@@ -50,9 +60,8 @@ std::size_t end_of_string(std::string_view text, std::size_t begin)
     return std::min(at + 1, text.size());
 }
 
-// Reads the outline, and refuses what is better refused before the parser sees it:
-// nesting that would fill the stack, and a NUL, which the parser takes for the end of the
-// text.
+// Reads the outline. It refuses nesting that would overflow the stack, and NUL bytes,
+// which the parser takes for the end of the text.
 class OutlineReader {
 public:
     OutlineReader(std::string_view text, const std::string& file)
@@ -61,6 +70,8 @@ public:
     {
     }
 
+    // Passes over the text. Strings are skipped as a whole, because brackets in them do
+    // not count.
     Outline read()
     {
         for (std::size_t at = 0; at < text_.size();)
@@ -69,12 +80,14 @@ public:
     }
 
 private:
+    // Counts a string. \return the position after it.
     std::size_t skip_string(std::size_t at)
     {
         ++outline_.strings;
         return end_of_string(text_, at);
     }
 
+    // Counts the character at `at` and checks the nesting. \return the next position.
     std::size_t count(std::size_t at)
     {
         const char character = text_[at];
@@ -90,6 +103,7 @@ private:
         return at + 1;
     }
 
+    // Throws an error at the line and column of `at`.
     [[noreturn]] void refuse(std::size_t at, const char* found,
                              const char* expected) const
     {
@@ -102,9 +116,10 @@ private:
     int depth_ = 0;
 };
 
-// An upper bound of the bytes that the tree takes while it grows, on a 64-bit machine
-// with glibc's allocator: a value has 16, in a vector that may hold twice as many and,
-// while it moves, its half; an empty vector, map, map node or string 32, 64, 96, 48.
+// Upper bound of the memory of the tree while it grows, in bytes, on a 64-bit machine
+// with the allocator of glibc. A value has 16 bytes and is stored in a vector that may
+// have twice the capacity, plus half of it while the vector grows. An empty vector takes
+// 32 bytes, a map 64, a map node 96, a string 48.
 double tree_bytes(const Outline& outline, std::size_t text_bytes)
 {
     const auto values =
@@ -115,14 +130,14 @@ double tree_bytes(const Outline& outline, std::size_t text_bytes)
            144 * static_cast<double>(outline.strings);
 }
 
-// A text is zero's name if its digits before the exponent are all zero.
+// Whether a number is written as zero: all digits before the exponent are zero.
 bool spells_zero(std::string_view number)
 {
     const std::string_view digits = number.substr(0, number.find_first_of("eE"));
     return digits.find_first_of("123456789") == std::string_view::npos;
 }
 
-// The word around `offset`: letters, digits and what else a number may hold.
+// The word around `offset`: letters, digits, signs and points.
 std::string_view word_around(std::string_view text, std::size_t offset)
 {
     constexpr std::string_view of_word =
@@ -133,7 +148,7 @@ std::string_view word_around(std::string_view text, std::size_t offset)
     return text.substr(begin, end - begin);
 }
 
-// Whether other languages spell infinity or what is not a number like this.
+// Whether the word is infinity or NaN in the notation of other languages.
 bool spells_no_finite_number(std::string_view word)
 {
     if (word.starts_with('-') || word.starts_with('+'))
@@ -146,7 +161,7 @@ bool spells_no_finite_number(std::string_view word)
     return lower == "nan" || lower == "inf" || lower == "infinity";
 }
 
-// Builds the tree from the parser's events, and refuses what the parser lets through.
+// Builds the tree from the events of the parser, with additional checks.
 class TreeBuilder final : public nlohmann::json_sax<json> {
 public:
     TreeBuilder(std::string_view text, const std::string& file) : text_{text}, file_{file}
@@ -162,6 +177,8 @@ public:
     bool string(string_t& value) override { return add(std::move(value)); }
     bool binary(binary_t& /*value*/) override { return false; }
 
+    // The parser turns numbers that are too small into zero without an error. They are
+    // refused, because a zero would be silently wrong.
     bool number_float(number_float_t value, const string_t& spelling) override
     {
         add(value);
@@ -176,6 +193,7 @@ public:
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
 
+    // The library keeps the last of several equal keys; here a repeated key is an error.
     bool key(string_t& name) override
     {
         open_.back().key = std::move(name);
@@ -185,6 +203,7 @@ public:
         return true;
     }
 
+    // NaN and infinity get a message of their own, because they are a common mistake.
     bool parse_error(std::size_t position, const std::string& /*last_token*/,
                      const json::exception& error) override
     {
@@ -200,19 +219,21 @@ public:
 private:
     static constexpr std::size_t longest_echo = 40;
 
-    // An object or array that is not closed yet.
+    // An object or array whose closing bracket has not been read.
     struct Container {
         json* value;
-        string_t key;  // of its last member, if it is an object
+        string_t key;  // of the last member, if it is an object
     };
 
+    // The two parts of an error message.
     struct Complaint {
         std::string found;
         std::string expected;
     };
 
-    // The library's "[json.exception…] parse error at … - FOUND; last read: '…'; expected
-    // EXPECTED", of which the last read is left out: the line and column say it.
+    // Splits the message of the library, "[json.exception…] parse error at … - FOUND;
+    // last read: '…'; expected EXPECTED". The last read token is left out, because the
+    // message has line and column instead.
     static Complaint without_preamble(std::string message)
     {
         constexpr std::string_view before_echo = "; last read: '";
@@ -234,6 +255,7 @@ private:
                 printable(message.substr(split + before_expected.size()), longest_echo)};
     }
 
+    // Throws an error at the line and column of `offset`.
     [[noreturn]] void refuse_at(std::size_t offset, const Complaint& complaint) const
     {
         throw FormatError{
@@ -241,7 +263,7 @@ private:
             {file_, line_and_column(text_, offset), complaint.found, complaint.expected}};
     }
 
-    // Complains of the value or key that was added last.
+    // Throws an error about the value or key that was added last.
     [[noreturn]] void refuse(const std::string& found, const std::string& expected) const
     {
         std::string pointer;
@@ -252,7 +274,7 @@ private:
         throw FormatError{"E_JSON", {file_, pointer, found, expected}};
     }
 
-    // Puts a value where the text has it: last in the open array, or under its key.
+    // Adds a value to the open array, or under the current key to the open object.
     template <class Value>
     json* place(Value&& value)
     {
@@ -275,12 +297,14 @@ private:
         return true;
     }
 
+    // Adds an empty object or array and makes it the open one.
     bool open(json&& container)
     {
         open_.push_back({place(std::move(container)), {}});
         return true;
     }
 
+    // Closes the open object or array.
     bool close()
     {
         open_.pop_back();
@@ -293,6 +317,8 @@ private:
     std::vector<Container> open_;
 };
 
+// Some editors begin a UTF-8 file with a byte order mark, which RFC 8259 lets a reader
+// ignore.
 std::string_view without_byte_order_mark(std::string_view text)
 {
     constexpr std::string_view mark = "\xef\xbb\xbf";
@@ -314,6 +340,7 @@ std::unique_ptr<const json> json_tree(std::string_view text, const std::string& 
     return std::make_unique<const json>(builder.take());
 }
 
+// In a pointer, "~" is written "~0" and "/" is written "~1".
 std::string json_pointer_step(std::string_view key)
 {
     constexpr std::size_t longest_key = 64;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t longest_echo = 40;
 
+// "a, b and c", for messages.
 std::string needed_words(std::span<const std::string_view> needed)
 {
     std::string words;
@@ -22,6 +23,8 @@ std::string needed_words(std::span<const std::string_view> needed)
 
 }  // namespace
 
+// Finds the position of each known column. Unknown columns are refused instead of
+// ignored: they are usually misspelt.
 NamedColumns::NamedColumns(const CsvLines& lines, std::span<const std::string_view> names,
                            std::size_t needed)
     : names_{names},

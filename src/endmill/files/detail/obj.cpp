@@ -10,28 +10,35 @@
 
 #include "endmill/core/text.h"
 
+// OBJ has no header, and statements come in any order. Only points and faces are used.
+// Known statements that do not affect triangles are skipped; unknown ones are errors,
+// because a damaged file would otherwise lose faces silently.
+
 namespace endmill {
 namespace {
 
 using Words = std::span<const std::string_view>;
 
-// What says nothing of the shape, or of lines and points only.
+// Statements that do not affect the triangles.
 constexpr std::array<std::string_view, 18> ignored_statements{
     "vn",     "vt",       "g",      "o",      "s",          "usemtl",
     "mtllib", "l",        "p",      "mg",     "bevel",      "c_interp",
     "lod",    "d_interp", "maplib", "usemap", "shadow_obj", "trace_obj"};
 
+// Statements of free-form curves and surfaces, which are not supported. They are known
+// here so that the message can say so.
 constexpr std::array<std::string_view, 23> free_form_statements{
     "vp",   "cstype", "deg",  "bmat", "step",  "curv",  "curv2", "surf",
     "parm", "trim",   "hole", "scrv", "sp",    "end",   "con",   "bsp",
     "bzp",  "cdc",    "cdp",  "res",  "ctech", "stech", "csh"};
 
+// Whether `word` is one of `words`.
 bool is_one_of(Words words, std::string_view word)
 {
     return std::ranges::find(words, word) != words.end();
 }
 
-// The whole number at the beginning of `text`, which it is cut off from.
+// Reads the whole number at the beginning of `text` and removes it from `text`.
 bool take_number(std::string_view& text, std::int64_t& number)
 {
     const auto [end, error] =
@@ -42,7 +49,7 @@ bool take_number(std::string_view& text, std::int64_t& number)
     return true;
 }
 
-// Whether `text` is what follows v in a corner: nothing, /vt, //vn or /vt/vn.
+// Whether `text` may follow v in a corner: it is empty, /vt, //vn or /vt/vn.
 bool is_texture_and_normal(std::string_view text)
 {
     std::int64_t ignored = 0;
@@ -60,6 +67,7 @@ bool is_texture_and_normal(std::string_view text)
     return take_number(text, ignored) && text.empty();
 }
 
+// Reads the statements of one file in order.
 class ObjReader {
 public:
     explicit ObjReader(const MeshSource& source)
@@ -69,6 +77,7 @@ public:
     {
     }
 
+    // Reads all statements. The mesh is complete at the end of the file.
     RawMesh read()
     {
         while (scanner_.next_line())
@@ -77,12 +86,14 @@ public:
     }
 
 private:
+    // The lines of the file, without comments.
     static TextScanner scanner(const MeshSource& source)
     {
         return {source.content, {source.file, "E_OBJ_SYNTAX", '#'}};
     }
 
-    // OBJ has no counts: they are taken beforehand, so that memory is asked for once.
+    // OBJ files do not state their size. A first pass counts points and faces, so that
+    // memory is allocated once and checked against the limit.
     static RawMeshBuilder sized_builder(const MeshSource& source)
     {
         std::size_t points = 0;
@@ -96,6 +107,7 @@ private:
         return {source, points, faces};
     }
 
+    // Reads the rest of a line whose first word is `word`.
     void read_statement(std::string_view word)
     {
         if (word == "v")
@@ -109,6 +121,7 @@ private:
             throw scanner_.complaint_about(word, "an OBJ statement, such as v or f");
     }
 
+    // Numbers after x, y, z (a weight or a colour) are checked to be numbers and ignored.
     void read_point()
     {
         mesh_.add_point(scan_point_mm(scanner_, source_));
@@ -116,6 +129,7 @@ private:
             scanner_.number();
     }
 
+    // The corners are indices or index triples; only the point's index is used.
     void read_face()
     {
         corners_.clear();
@@ -124,7 +138,7 @@ private:
         mesh_.add_face(corners_, FilePlace::line(scanner_.line()));
     }
 
-    // The number, from 0, of the point that `word` names.
+    // The index, from 0, of the point that a corner refers to.
     std::int32_t corner(std::string_view word) const
     {
         std::string_view rest = word;

@@ -6,14 +6,19 @@
 
 #include "endmill/core/text.h"
 
+// The header states the counts, and each point and face has a line of its own. Comments
+// and empty lines may stand anywhere. The keyword announces additional numbers of points;
+// whether a colour follows a face can only be seen from its line.
+
 namespace endmill {
 namespace {
 
+// Shortest lines of a point and a face; they bound the counts that a file can hold.
 constexpr std::uint64_t least_point_bytes = 6;  // "0 0 0\n"
 constexpr std::uint64_t least_face_bytes = 8;   // "3 0 1 2\n"
 constexpr int most_colour_numbers = 4;
 
-// Cuts `prefix` off; whether it was there.
+// Removes `prefix` from `word`. \return whether `word` began with it.
 bool take_prefix(std::string_view& word, std::string_view prefix)
 {
     const bool is_there = word.starts_with(prefix);
@@ -22,6 +27,7 @@ bool take_prefix(std::string_view& word, std::string_view prefix)
     return is_there;
 }
 
+// Reads one file: the keyword, the counts, then a line for each point and face.
 class OffReader {
 public:
     explicit OffReader(const MeshSource& source)
@@ -30,6 +36,7 @@ public:
     {
     }
 
+    // Reads the whole file. Content after the last face is an error.
     RawMesh read()
     {
         read_keyword();
@@ -52,11 +59,14 @@ public:
     }
 
 private:
+    // The counts of the header. The number of edges is not used.
     struct Counts {
         std::size_t points;
         std::size_t faces;
     };
 
+    // Reads the keyword, which announces further numbers after each point by its
+    // prefixes.
     void read_keyword()
     {
         const std::string_view word = scanner_.word_across_lines();
@@ -71,6 +81,8 @@ private:
         has_more_of_point_ = has_texture || has_colour || has_normal;
     }
 
+    // Reads the three counts and checks that the file is long enough for points and
+    // faces.
     Counts read_counts()
     {
         if (scanner_.at_line_end() && !scanner_.next_line())
@@ -89,6 +101,7 @@ private:
         return {static_cast<std::size_t>(points), static_cast<std::size_t>(faces)};
     }
 
+    // Reads one count, which must not be negative.
     std::int64_t read_count(const std::string& things)
     {
         const std::int64_t count = scanner_.whole_number();
@@ -99,7 +112,7 @@ private:
         return count;
     }
 
-    // A claim must fit into the file before any memory is taken for it.
+    // Refuses a count that the file is too short for, before memory is allocated for it.
     void require_room(const std::string& things, std::int64_t count, std::uint64_t most)
     {
         if (static_cast<std::uint64_t>(count) > most)
@@ -110,6 +123,7 @@ private:
                             "");
     }
 
+    // Goes to the line of the next item. If there is none, the header claimed too many.
     void go_to_next_line(const char* things, std::size_t number, std::size_t count)
     {
         if (!scanner_.next_line())
@@ -119,6 +133,7 @@ private:
                             "");
     }
 
+    // Reads one point. Numbers after it are allowed if the keyword announced them.
     void read_point(RawMeshBuilder& mesh)
     {
         mesh.add_point(scan_point_mm(scanner_, source_));
@@ -127,6 +142,8 @@ private:
         scanner_.expect_line_end();
     }
 
+    // Reads one face: the number of corners, their indices, and up to four colour
+    // numbers.
     void read_face(RawMeshBuilder& mesh)
     {
         const std::int64_t count = scanner_.whole_number();
@@ -144,6 +161,7 @@ private:
         scanner_.expect_line_end();
     }
 
+    // The current line.
     FilePlace place() const { return FilePlace::line(scanner_.line()); }
 
     const MeshSource& source_;

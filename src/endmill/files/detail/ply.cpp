@@ -12,20 +12,33 @@
 #include "endmill/core/text.h"
 #include "endmill/files/detail/ply_header.h"
 
+// Steps of reading a PLY file:
+//
+// 1. The header declares elements and their properties (ply_header.h).
+// 2. LayoutCheck finds the used properties: x, y, z of "vertex", the list of corners of
+//    "face".
+// 3. BodyReader reads all items in order and skips unused properties. AsciiItems and
+//    BinaryItems give it the numbers, so the reading is the same for all encodings.
+//
+// A count that the header or a list claims is never trusted: memory is allocated only
+// after a check that so many numbers fit into the rest of the file.
+
 namespace endmill {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "numbers are copied between file and memory as they are");
+              "numbers are copied between file and memory without conversion");
 
 constexpr std::size_t longest_echo = 40;
-constexpr std::size_t least_corners = 3;  // of a face that is not refused
-// Of a corner while its face is split: its number twice, and its point (raw_mesh.h).
+constexpr std::size_t least_corners = 3;  // a face with fewer corners is refused
+// Memory for a corner while its face is split: its index twice and its point
+// (raw_mesh.h).
 constexpr double bytes_per_corner = 2 * sizeof(std::int32_t) + sizeof(Vec3);
 
-// The numbers after an ASCII header: an item a line.
+// The numbers after an ASCII header; each item has a line of its own.
 class AsciiItems {
 public:
+    // Skips the lines of the header.
     AsciiItems(const MeshSource& source, const PlyHeader& header)
         : scanner_{source.content, {source.file, "E_PLY_SYNTAX"}}
     {
@@ -42,6 +55,7 @@ public:
     std::int64_t whole_number(PlyType /*type*/) { return scanner_.whole_number(); }
     std::size_t bytes_left() const { return scanner_.bytes_left_in_line(); }
 
+    // Skips `count` numbers without converting them.
     void skip(PlyType /*type*/, std::size_t count)
     {
         for (std::size_t i = 0; i < count; ++i)
@@ -49,16 +63,17 @@ public:
                 throw scanner_.complaint_about({}, "a number");
     }
 
-    // White space and a digit.
+    // A number takes at least one digit and the white space after it.
     static std::size_t least_bytes(PlyType /*type*/) { return 2; }
 
 private:
     TextScanner scanner_;
 };
 
-// The numbers after a binary header, one after the other.
+// The numbers after a binary header, without gaps.
 class BinaryItems {
 public:
+    // Starts after the header.
     BinaryItems(const MeshSource& source, const PlyHeader& header)
         : source_{source},
           is_reversed_{header.encoding == PlyEncoding::BigEndian},
@@ -73,6 +88,7 @@ public:
     std::size_t bytes_left() const { return source_.content.size() - at_; }
     static std::size_t least_bytes(PlyType type) { return size_of(type); }
 
+    // The next number as a double, whatever its type is.
     double number(PlyType type)
     {
         if (type == PlyType::Float32)
@@ -82,6 +98,7 @@ public:
         return static_cast<double>(whole_number(type));
     }
 
+    // The next number of a whole type. All these types fit into 64 bits.
     std::int64_t whole_number(PlyType type)
     {
         switch (type) {
@@ -100,6 +117,7 @@ public:
         }
     }
 
+    // Skips `count` numbers, after a check that the file has them.
     void skip(PlyType type, std::size_t count)
     {
         require_bytes(size_of(type) * count);
@@ -119,6 +137,7 @@ private:
         return std::bit_cast<Number>(bytes);
     }
 
+    // Checks that the file has `count` more bytes.
     void require_bytes(std::size_t count) const
     {
         if (count > bytes_left())
@@ -131,9 +150,10 @@ private:
     std::size_t at_;
 };
 
-// What the reader makes of a property.
+// The use of a property.
 enum class Role { X, Y, Z, Corners, Skipped };
 
+// The role of a property by the names of its element and its own.
 Role role_of(const PlyElement& element, const PlyProperty& property)
 {
     if (element.name == "vertex" && property.name == "x")
@@ -148,6 +168,7 @@ Role role_of(const PlyElement& element, const PlyProperty& property)
     return Role::Skipped;
 }
 
+// Checks that the header declares what a mesh needs, and finds it.
 class LayoutCheck {
 public:
     LayoutCheck(const MeshSource& source, const PlyHeader& header)
@@ -156,6 +177,7 @@ public:
     {
     }
 
+    // Checks the elements, their order, and the types of the used properties.
     void run() const
     {
         const PlyElement& points = element("vertex");
@@ -168,10 +190,11 @@ public:
                 throw complaint_about(points, "a coordinate is a list", "a number");
         const PlyProperty& corners = property(faces, Role::Corners);
         if (!corners.count_type || !is_whole(corners.type))
-            throw complaint_about(faces, "the corners are no list of whole numbers",
+            throw complaint_about(faces, "the corners are not a list of whole numbers",
                                   "such as property list uchar int vertex_indices");
     }
 
+    // The element of this name, which must exist.
     const PlyElement& element(std::string_view name) const
     {
         const auto found = std::ranges::find(header_.elements, name, &PlyElement::name);
@@ -181,6 +204,7 @@ public:
         return *found;
     }
 
+    // The property with this role, which must occur exactly once.
     const PlyProperty& property(const PlyElement& element, Role role) const
     {
         const PlyProperty* found = nullptr;
@@ -210,6 +234,7 @@ private:
     const PlyHeader& header_;
 };
 
+// Reads the items after the header. `Items` is AsciiItems or BinaryItems.
 template <class Items>
 class BodyReader {
 public:
@@ -221,6 +246,7 @@ public:
     {
     }
 
+    // Reads the items of all elements in the order of the header.
     RawMesh read()
     {
         for (const PlyElement& element : header_.elements)
@@ -232,7 +258,8 @@ public:
     }
 
 private:
-    // No more faces than sound ones that the file can hold, whatever it claims.
+    // Reserves memory for no more faces than the file can hold, whatever the header
+    // claims.
     static RawMeshBuilder sized_builder(const MeshSource& source, const PlyHeader& header)
     {
         const LayoutCheck layout{source, header};
@@ -244,6 +271,7 @@ private:
                 std::min<std::size_t>(faces.count, most)};
     }
 
+    // Reads all items of one element. The roles of its properties are found once.
     void read_element(const PlyElement& element)
     {
         std::vector<Role> roles;
@@ -261,6 +289,7 @@ private:
         }
     }
 
+    // Reads one item property by property, then adds the point or face that it is.
     void read_item(const PlyElement& element, std::span<const Role> roles)
     {
         const FilePlace place = items_.place();
@@ -281,6 +310,8 @@ private:
             mesh_.add_face(corners_, place);
     }
 
+    // Reads the indices of a face. The memory for a single face is checked too: one face
+    // can have as many corners as the file has bytes.
     void read_corners(const PlyProperty& property)
     {
         const std::size_t count = list_length(property);
@@ -298,7 +329,8 @@ private:
         }
     }
 
-    // Of a list whose numbers fit into what is left of the file or line.
+    // The length of a list, after a check that its numbers fit into the rest of the file
+    // or line.
     std::size_t list_length(const PlyProperty& property)
     {
         const FilePlace place = items_.place();
@@ -339,6 +371,8 @@ void append_doubles(std::string& text, const Vec3& vector)
 
 }  // namespace
 
+// The loop over items is compiled separately for ASCII and binary files, because the type
+// of a number is looked up for every number.
 RawMesh parse_ply(const MeshSource& source)
 {
     const PlyHeader header = parse_ply_header(source);

@@ -8,8 +8,10 @@
 namespace endmill {
 namespace {
 
-constexpr std::size_t most_properties = 1000;  // of all elements; bounds the memory
+// Largest number of elements and properties together; it bounds the memory of the header.
+constexpr std::size_t most_properties = 1000;
 
+// A name of a type. Every type has two names, an old one and one with its width.
 struct TypeName {
     std::string_view name;
     PlyType type;
@@ -25,7 +27,8 @@ constexpr std::array type_names{
     TypeName{"float", PlyType::Float32},  TypeName{"float32", PlyType::Float32},
     TypeName{"double", PlyType::Float64}, TypeName{"float64", PlyType::Float64}};
 
-// What an item takes at least: numbers of its width, or a digit and white space each.
+// Least size of an item in bytes: a binary number has the width of its type, an ASCII
+// number a digit and white space. A list may be empty and counts by its length only.
 std::uint64_t least_item_bytes(const PlyElement& element, PlyEncoding encoding)
 {
     std::uint64_t bytes = 0;
@@ -36,6 +39,7 @@ std::uint64_t least_item_bytes(const PlyElement& element, PlyEncoding encoding)
     return bytes;
 }
 
+// Reads the lines of a header in order.
 class HeaderReader {
 public:
     explicit HeaderReader(const MeshSource& source)
@@ -44,6 +48,7 @@ public:
     {
     }
 
+    // Reads the whole header and checks that its claims fit into the file.
     PlyHeader read()
     {
         expect_word("ply", next_statement());
@@ -71,12 +76,14 @@ private:
         return {};
     }
 
+    // Checks that `word`, which was read, is `expected`.
     void expect_word(const std::string& expected, std::string_view word)
     {
         if (word != expected)
             throw scanner_.complaint_about(word, '"' + expected + '"');
     }
 
+    // Reads the rest of the format line: the encoding and the version 1.0.
     void read_format()
     {
         const std::string_view word = scanner_.word();
@@ -107,6 +114,7 @@ private:
         return word != "end_header";
     }
 
+    // Reads the rest of an element line: its name and the number of items.
     void read_element()
     {
         count_property();
@@ -120,6 +128,7 @@ private:
         header_.elements.push_back(std::move(element));
     }
 
+    // Reads the number of items, which must not be negative.
     std::uint64_t read_count()
     {
         const std::int64_t count = scanner_.whole_number();
@@ -130,17 +139,19 @@ private:
         return static_cast<std::uint64_t>(count);
     }
 
+    // Reads the rest of a property line, of a number or a list, for the last element.
     void read_property()
     {
         count_property();
         if (header_.elements.empty())
-            throw scanner_.complaint("a property of nothing", "an element before it");
+            throw scanner_.complaint("a property before any element",
+                                     "an element before it");
         std::optional<PlyType> count_type;
         std::string_view word = scanner_.word();
         if (word == "list") {
             count_type = type(scanner_.word());
             if (!is_whole(*count_type))
-                throw scanner_.complaint("the length of a list is no whole number",
+                throw scanner_.complaint("the length of a list is not a whole number",
                                          "a type of whole numbers");
             word = scanner_.word();
         }
@@ -148,6 +159,7 @@ private:
         add_property({scanner_.word(), number_type, count_type});
     }
 
+    // Adds a property to the last element; its name must be new there.
     void add_property(const PlyProperty& property)
     {
         std::vector<PlyProperty>& properties = header_.elements.back().properties;
@@ -160,14 +172,15 @@ private:
         properties.push_back(property);
     }
 
-    // Elements are counted too, so that there cannot be a million of them.
+    // Counts elements and properties together, to bound the memory of the header.
     void count_property()
     {
         if (++properties_ > most_properties)
             throw complaint(source_, "E_LIMIT", FilePlace::line(scanner_.line()),
-                            "over 1000 elements and properties", "at most so many");
+                            "over 1000 elements and properties", "at most 1000");
     }
 
+    // The type with this name.
     PlyType type(std::string_view word) const
     {
         const auto found = std::ranges::find(type_names, word, &TypeName::name);
@@ -177,6 +190,8 @@ private:
         return found->type;
     }
 
+    // An element without properties would have items of no bytes, whose number is
+    // unlimited.
     void require_properties() const
     {
         for (const PlyElement& element : header_.elements)
@@ -185,12 +200,13 @@ private:
                                 "an element without properties", "at least one");
     }
 
-    // Claims must fit into the file before any memory is taken for them.
+    // Checks that the claimed items fit into the file, element by element, before memory
+    // is allocated for them.
     void require_room() const
     {
         std::uint64_t bytes = source_.content.size() - header_.bytes;
         if (header_.encoding == PlyEncoding::Ascii)
-            ++bytes;  // the last line may lack its end
+            ++bytes;  // the last line may lack its line feed
         for (const PlyElement& element : header_.elements) {
             const std::uint64_t each = least_item_bytes(element, header_.encoding);
             if (element.count > bytes / each)

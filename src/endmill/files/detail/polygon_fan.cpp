@@ -6,12 +6,22 @@
 
 #include <Eigen/Geometry>
 
+// A fan joins one corner of the polygon, its hub, to all edges that do not touch it.
+//
+// 1. The mean normal of the polygon is half its vector area; it does not depend on the
+//    order of summation and is defined for polygons that are not planar.
+// 2. For a hub, every triangle of the fan is compared with the mean normal: a triangle
+//    with a negative component along it would fold the surface over.
+// 3. Hubs are tried in the order of corners. A hub that gives triangles without area is
+//    used only if no other qualifies; such triangles are left out later.
+
 namespace endmill {
 namespace {
 
+// Bounds the time for a polygon of n corners to 100 n triangles.
 constexpr std::size_t most_corners_tried = 100;
 
-// Twice the polygon's vector area.
+// Twice the vector area of the polygon.
 Vec3 mean_normal(std::span<const Vec3> polygon)
 {
     Vec3 normal = Vec3::Zero();
@@ -21,8 +31,11 @@ Vec3 mean_normal(std::span<const Vec3> polygon)
     return normal;
 }
 
+// Quality of a fan: all triangles have an area; some have none; some are reversed.
 enum class Fan { Sound, WithoutAreaInPlaces, Folded };
 
+// The quality of the fan from corner `start`. Areas are compared by their component along
+// the mean normal, so the polygon need not be planar.
 Fan fan_from(std::size_t start, std::span<const Vec3> polygon, const Vec3& normal)
 {
     const std::size_t corners = polygon.size();

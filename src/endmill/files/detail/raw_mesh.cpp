@@ -12,7 +12,7 @@ RawMeshBuilder::RawMeshBuilder(const MeshSource& source, std::size_t points,
                                std::size_t faces)
     : source_{source}
 {
-    // What a file claims is refused here, before it is believed with memory.
+    // Counts that a file claims are checked here, before memory is allocated for them.
     require_numbers(source, points);
     require_numbers(source, faces);
     require_memory_for(static_cast<double>(points), static_cast<double>(faces));
@@ -34,6 +34,7 @@ RawMesh RawMeshBuilder::take()
     return {{std::move(points_), std::move(triangles_)}, split_faces_, out_of_plane_mm_};
 }
 
+// Checks that a face has at least three corners and no corner twice.
 void RawMeshBuilder::require_corners(std::span<const std::int32_t> corners,
                                      FilePlace place)
 {
@@ -42,7 +43,7 @@ void RawMeshBuilder::require_corners(std::span<const std::int32_t> corners,
                         "a face of " + std::to_string(corners.size()) + " corner" +
                             (corners.size() == 1 ? "" : "s"),
                         "at least 3");
-    // Most faces of most files are triangles: three comparisons, and nothing is sorted.
+    // Most faces are triangles and need three comparisons; only longer faces are sorted.
     bool has_one_twice =
         corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
     if (corners.size() > 3) {
@@ -55,6 +56,7 @@ void RawMeshBuilder::require_corners(std::span<const std::int32_t> corners,
                         "different corners");
 }
 
+// Splits a face of more than three corners around the hub that `fan_corner` finds.
 void RawMeshBuilder::add_fan(std::span<const std::int32_t> corners, FilePlace place)
 {
     polygon_.clear();
@@ -69,19 +71,22 @@ void RawMeshBuilder::add_fan(std::span<const std::int32_t> corners, FilePlace pl
                         "triangles or convex faces");
     ++split_faces_;
     out_of_plane_mm_ = std::max(out_of_plane_mm_, out_of_plane(polygon_));
-    // Around the hub in the order of the face, so that each triangle is turned as it is.
+    // The triangles follow the order of the corners and so keep the orientation of the
+    // face.
     const std::size_t count = corners.size();
     for (std::size_t i = 2; i < count; ++i)
         add_triangle({corners[*hub], corners[(*hub + i - 1) % count],
                       corners[(*hub + i) % count]});
 }
 
-// Faces that are split make more triangles than the header says: the array then grows by
-// halves, each asked for first, for doubling could ask for more than the mesh needs.
+// Split faces make more triangles than faces were announced. The array then grows by half
+// its size, after a check of the memory limit. Doubling, as std::vector does by itself,
+// could exceed the limit although the mesh fits.
 void RawMeshBuilder::add_triangle(const Triangle& triangle)
 {
     if (triangles_.size() == triangles_.capacity()) {
-        // Both the old and the new, larger array are there while one is copied.
+        // The old and the new array exist at the same time while the triangles are
+        // copied.
         const std::size_t more = std::max<std::size_t>(1024, triangles_.size() / 2);
         require_numbers(source_, triangles_.size() + more);
         require_memory_for(static_cast<double>(points_.size()),
@@ -91,6 +96,7 @@ void RawMeshBuilder::add_triangle(const Triangle& triangle)
     triangles_.push_back(triangle);
 }
 
+// Checks the memory for the content of the file and the mesh together.
 void RawMeshBuilder::require_memory_for(double points, double triangles) const
 {
     require_memory(source_.file,

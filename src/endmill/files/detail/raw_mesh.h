@@ -7,40 +7,42 @@
 #include <vector>
 
 #include "endmill/core/vec.h"
-#include "endmill/files/mesh_file.h"
+#include "endmill/files/detail/mesh_source.h"
 #include "endmill/mesh/triangle_mesh.h"
 
 namespace endmill {
 
-/// A mesh as it stands in a file: points may coincide or be unused, and triangles may have
-/// no area.
+/// A mesh with the points and triangles of its file: points may coincide or be unused,
+/// and triangles may be degenerate.
 struct RawMesh {
-    TriangleMesh mesh;
-    std::size_t split_faces;  ///< faces of more than three corners in the file
-    double out_of_plane_mm;   ///< how far a corner of these is off its plane, at most
+    TriangleMesh mesh;  ///< in mm
+    std::size_t
+        split_faces;  ///< number of faces with more than three corners in the file
+    double
+        out_of_plane_mm;  ///< largest distance of a corner of these from its face's plane
 };
 
-/// Collects a RawMesh while a file with numbered points is read.
+/// Collects a RawMesh while a file with indexed points is read.
 class RawMeshBuilder {
 public:
-    /// Takes memory for so many points and as many triangles as faces.
+    /// Reserves memory for the points, and for one triangle for each face.
     /// \param source outlives the builder.
-    /// \throws LimitError if the mesh and the file need more memory than the limit, or
-    /// if there are too many to be numbered.
+    /// \throws LimitError if the mesh and the file need more memory than the limit, or if
+    ///         there are too many points or faces for 32-bit indices.
     RawMeshBuilder(const MeshSource& source, std::size_t points, std::size_t faces);
 
-    std::size_t points() const { return points_.size(); }  ///< so far
+    std::size_t points() const { return points_.size(); }  ///< number of points so far
 
-    void add_point(const Vec3& point) { points_.push_back(point); }  ///< mm
+    void add_point(const Vec3& point) { points_.push_back(point); }  ///< in mm
 
-    /// Adds a face; one of more than three corners becomes a fan of triangles.
-    /// \param corners numbers of points that exist.
-    /// \throws FormatError E_DEGENERATE if it has fewer than three corners, or one twice;
-    /// E_POLYGON if no fan of triangles covers it.
-    /// \throws LimitError if the triangles come to more than the memory limit.
+    /// Adds a face. A face of more than three corners becomes a fan of triangles.
+    /// \param corners indices of existing points.
+    /// \throws FormatError E_DEGENERATE if the face has fewer than three corners or a
+    ///         corner occurs twice; E_POLYGON if no fan of triangles covers it.
+    /// \throws LimitError if the triangles exceed the memory limit.
     void add_face(std::span<const std::int32_t> corners, FilePlace place);
 
-    /// What was added; the builder is of no use afterwards.
+    /// The mesh so far. The builder must not be used afterwards.
     RawMesh take();
 
 private:
@@ -54,8 +56,8 @@ private:
     std::vector<Triangle> triangles_;
     std::size_t split_faces_ = 0;
     double out_of_plane_mm_ = 0;
-    std::vector<Vec3> polygon_;         // corners of the face that is being split
-    std::vector<std::int32_t> sorted_;  // their numbers, in order
+    std::vector<Vec3> polygon_;  // scratch: corners of the face that is being split
+    std::vector<std::int32_t> sorted_;  // scratch: their indices, sorted
 };
 
 }  // namespace endmill

@@ -13,26 +13,31 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
+// Binary and ASCII STL cannot be told apart by the first word, because many binary files
+// begin with "solid". The length of the file decides first: a binary file of n triangles
+// has 84 + 50 n bytes. Otherwise a file that begins with "solid" and has no NUL byte near
+// its beginning is read as ASCII, and everything else is a damaged binary file.
+
 namespace endmill {
 namespace {
 
 static_assert(std::endian::native == std::endian::little,
-              "numbers are copied between file and memory as they are");
+              "numbers are copied between file and memory without conversion");
 
 using Soup = std::vector<std::array<Vec3, 3>>;
 
-constexpr std::size_t count_at = 80;  // after a header of any content
+constexpr std::size_t count_at = 80;  // of the number of triangles, after a free text
 constexpr std::size_t header_bytes = 84;
 constexpr std::size_t triangle_bytes = 50;  // normal, three corners, attributes
 constexpr std::size_t normal_bytes = 12;
 constexpr std::size_t corner_bytes = 12;
 
-// The least that a facet takes in ASCII.
+// The shortest facet in ASCII; it bounds the number of triangles in a file.
 constexpr std::string_view shortest_facet =
     "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 0 vertex 0 0 0 endloop "
     "endfacet ";
 
-// The number of triangles in the header, which is there.
+// The number of triangles in the header. \pre the content has a whole header.
 std::uint32_t claimed_triangles(std::string_view content)
 {
     std::uint32_t count = 0;
@@ -40,23 +45,26 @@ std::uint32_t claimed_triangles(std::string_view content)
     return count;
 }
 
+// Size of a binary file in bytes.
 std::uint64_t binary_size(std::uint64_t triangles)
 {
     return header_bytes + triangle_bytes * triangles;
 }
 
+// Whether `a` is the lower-case letter `lower` or its capital.
 bool is_letter_case_apart(char a, char lower)
 {
     return a == lower || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == lower);
 }
 
-// Some programs write keywords in capitals.
+// Compares without regard to case, because some programs write keywords in capitals.
 bool is_keyword(std::string_view word, std::string_view keyword)
 {
     return std::ranges::equal(word, keyword, is_letter_case_apart);
 }
 
-// Many binary files begin with "solid" too, but none goes on without a zero byte.
+// Whether the content begins like an ASCII file: with "solid", and without a NUL byte in
+// the length of a binary header and one triangle. Binary files have NUL bytes there.
 bool looks_ascii(std::string_view content)
 {
     constexpr std::size_t binary_start = header_bytes + triangle_bytes;
@@ -65,6 +73,8 @@ bool looks_ascii(std::string_view content)
            content.substr(0, binary_start).find('\0') == std::string_view::npos;
 }
 
+// Reports a binary file whose length contradicts its header, or that is too short to have
+// one.
 [[noreturn]] void refuse_size(const MeshSource& source)
 {
     const std::size_t size = source.content.size();
@@ -82,7 +92,7 @@ bool looks_ascii(std::string_view content)
                     "");
 }
 
-// Room for so many triangles, within the limits.
+// An empty soup with memory for `most_triangles`, after a check of the limits.
 Soup empty_soup(const MeshSource& source, std::uint64_t most_triangles)
 {
     require_numbers(source, 3 * most_triangles);
@@ -95,6 +105,7 @@ Soup empty_soup(const MeshSource& source, std::uint64_t most_triangles)
     return soup;
 }
 
+// The length of the file has been checked, so every triangle is within the content.
 Soup read_binary(const MeshSource& source)
 {
     const std::uint32_t count = claimed_triangles(source.content);
@@ -113,7 +124,7 @@ Soup read_binary(const MeshSource& source)
     return soup;
 }
 
-// The grammar of ASCII STL, whose words may be spread over lines as one likes.
+// Reads ASCII STL word by word; line breaks have no meaning except after a name.
 class AsciiReader {
 public:
     explicit AsciiReader(const MeshSource& source)
@@ -123,6 +134,7 @@ public:
     {
     }
 
+    // Reads all solids of the file into one soup.
     Soup read()
     {
         expect("solid");
@@ -133,9 +145,10 @@ public:
     }
 
 private:
+    // Reads a solid after its keyword: the name, the facets, and the name again.
     void read_solid()
     {
-        scanner_.skip_line();  // the name
+        scanner_.skip_line();  // the name of the solid
         for (;;) {
             const std::string_view word = scanner_.word_across_lines();
             if (is_keyword(word, "endsolid"))
@@ -147,6 +160,7 @@ private:
         scanner_.skip_line();  // the name again
     }
 
+    // Whether another solid follows. Anything else after a solid is an error.
     bool another_solid()
     {
         const std::string_view word = scanner_.word_across_lines();
@@ -155,6 +169,8 @@ private:
         return !word.empty();
     }
 
+    // Reads a facet after its keyword. The normal is read and ignored: the order of the
+    // corners determines the orientation.
     void read_facet()
     {
         expect("normal");
@@ -171,6 +187,7 @@ private:
         expect("endfacet");
     }
 
+    // Reads the next word, which must be `keyword`.
     void expect(std::string_view keyword)
     {
         const std::string_view word = scanner_.word_across_lines();
@@ -183,10 +200,11 @@ private:
     Soup soup_;
 };
 
-// Unit normal, or zero if the triangle has no area.
+// Unit normal of a triangle; zero if the triangle has no area.
 Vec3 facet_normal(const std::array<Vec3, 3>& corners)
 {
-    // Of half the edges, in proportion to the longer, so that nothing overflows.
+    // Half the edges, divided by the longest component, so that the cross product neither
+    // overflows nor underflows.
     const Vec3 a = corners[1] / 2 - corners[0] / 2;
     const Vec3 b = corners[2] / 2 - corners[0] / 2;
     const double size =
@@ -196,6 +214,7 @@ Vec3 facet_normal(const std::array<Vec3, 3>& corners)
     return (a / size).cross(b / size).stableNormalized();
 }
 
+// Appends three coordinates as floats.
 void append_floats(std::string& text, const Vec3& vector)
 {
     for (int c = 0; c < 3; ++c) {
@@ -208,6 +227,7 @@ void append_floats(std::string& text, const Vec3& vector)
     }
 }
 
+// Appends a line with a keyword and three numbers.
 void append_numbers(std::string& text, const char* keyword, const Vec3& vector)
 {
     text += keyword;

@@ -10,6 +10,11 @@
 #include "endmill/core/text.h"
 #include "endmill/files/detail/json_tree.h"
 
+// A JsonValue is a pointer into the tree of the JSON library and a pointer to the
+// JsonValue of its parent. The chain of parents gives the JSON pointer for error messages
+// without storing a path for each value. The price is that a parent must outlive its
+// children; deleted overloads for temporaries catch most violations at compile time.
+
 namespace endmill {
 
 using nlohmann::json;
@@ -30,6 +35,7 @@ JsonValue::JsonValue(const json& value, const JsonValue& parent, std::string_vie
 {
 }
 
+// The path is built only for messages, from the chain of parents.
 std::string JsonValue::pointer() const
 {
     if (parent_ == nullptr)
@@ -39,8 +45,8 @@ std::string JsonValue::pointer() const
                                      : "/" + std::to_string(index_));
 }
 
-// A number or a word is shown as it stands; of what may be as long as the file, only its
-// kind is.
+// Numbers and words are shown unchanged. Arrays and objects may be as long as the file
+// and are shown by their kind only.
 std::string JsonValue::shown() const
 {
     constexpr std::size_t longest_echo = 40;
@@ -57,6 +63,7 @@ FormatError JsonValue::complaint(const std::string& found, const std::string& ex
     return FormatError{code, {*file_, pointer(), found, expected}};
 }
 
+// A missing key is not an error here; a value that is not an object is.
 std::optional<JsonValue> JsonValue::find_member(std::string_view key) const&
 {
     if (!value_->is_object())
@@ -64,7 +71,7 @@ std::optional<JsonValue> JsonValue::find_member(std::string_view key) const&
     const auto found = value_->find(key);
     if (found == value_->end())
         return std::nullopt;
-    // The document's own key: the view of it must outlive that of the caller.
+    // The key of the document, not `key`: the view must outlive the caller's text.
     return JsonValue{*found, *this, found.key(), 0};
 }
 
@@ -76,6 +83,7 @@ JsonValue JsonValue::member(std::string_view key) const&
     return *found;
 }
 
+// The error is placed at the unknown key itself.
 void JsonValue::allow_only(std::span<const std::string_view> keys) const
 {
     if (!value_->is_object())
@@ -117,7 +125,7 @@ std::string_view JsonValue::word(std::span<const std::string_view> words) const
 
 std::int64_t JsonValue::whole_number(std::int64_t low, std::int64_t high) const
 {
-    // The library calls 2^63 and above unsigned, and would wrap them round.
+    // The library stores 2^63 and above as unsigned; `get` would wrap them to negative.
     const bool too_large = value_->is_number_unsigned() &&
                            !std::in_range<std::int64_t>(value_->get<std::uint64_t>());
     const bool whole = value_->is_number_integer() && !too_large;
@@ -149,7 +157,7 @@ JsonValue JsonDocument::root() const&
     return JsonValue{*root_, file_};
 }
 
-// Names come from files and the command line: bytes that are no UTF-8 are no error here.
+// Names from files and the command line may contain invalid UTF-8, which is replaced.
 std::string json_string(std::string_view text)
 {
     return json(text).dump(-1, ' ', false, json::error_handler_t::replace);

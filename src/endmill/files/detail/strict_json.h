@@ -14,58 +14,67 @@
 #include "endmill/core/error.h"
 #include "endmill/files/read_file.h"
 
+/// \file
+/// Access to a JSON document that checks every type and knows the place of every value,
+/// so that error messages can state both.
+
 namespace endmill {
 
-/// A value in a JSON document together with its place, so that a complaint can name both.
-/// A view: it refers to its document and to the JsonValue that it was taken from, which
-/// must both outlive it.
+/// A value in a JSON document together with its place. It is a view: the document and the
+/// JsonValue from which it was obtained must outlive it.
 class JsonValue {
 public:
     /// The root of a document that was read from `file`.
     JsonValue(const nlohmann::json& root, const std::string& file);
 
-    /// The place as a JSON pointer: "" for the root, or such as "/control_points/3/0".
+    /// The place as a JSON pointer: "" for the root, else such as "/control_points/3/0".
     std::string pointer() const;
 
-    /// The value as a message shows it: shortened, arrays and objects by their size.
+    /// The value as messages show it: shortened; arrays and objects by their size.
     std::string shown() const;
 
-    /// The error that names this place, what was found there and what is expected.
+    /// An error at this place.
+    /// \param found    what the file has there.
+    /// \param expected what it should have; may be empty.
     FormatError complaint(const std::string& found, const std::string& expected,
                           const std::string& code = "E_JSON") const;
 
     /// The value of `key`.
-    /// \throws FormatError if this is no object or has no such key.
+    /// \throws FormatError if this is not an object or has no such key.
     JsonValue member(std::string_view key) const&;
-    JsonValue member(std::string_view key) const&& = delete;  ///< it would dangle
+    JsonValue member(std::string_view key) const&& = delete;  ///< would dangle
 
-    /// The value of `key`; none if this object has no such key.
-    /// \throws FormatError if this is no object.
+    /// The value of `key`; nothing if this object has no such key.
+    /// \throws FormatError if this is not an object.
     std::optional<JsonValue> find_member(std::string_view key) const&;
     std::optional<JsonValue> find_member(std::string_view key) const&& =
-        delete;  ///< ditto
+        delete;  ///< would dangle
 
-    /// \throws FormatError if this object has a key outside `keys`, with a suggestion.
+    /// Checks the keys of this object.
+    /// \throws FormatError if this is not an object, or has a key outside `keys`; the
+    ///         message suggests the closest key.
     void allow_only(std::span<const std::string_view> keys) const;
 
-    /// Number of items. \throws FormatError if this is no array.
+    /// Number of items. \throws FormatError if this is not an array.
     std::size_t size() const;
 
     /// Item `index`, from 0. \pre index < size()
     JsonValue item(std::size_t index) const&;
-    JsonValue item(std::size_t index) const&& = delete;  ///< it would dangle
+    JsonValue item(std::size_t index) const&& = delete;  ///< would dangle
 
-    /// The string as it stands. \throws FormatError if this is none.
+    /// The string, unchanged. \throws FormatError if this is not a string.
     std::string text() const;
 
-    /// Which of `words` this string is. \throws FormatError, with a suggestion, if none.
+    /// The one of `words` that this string equals.
+    /// \throws FormatError, with a suggestion, if this is none of them.
     std::string_view word(std::span<const std::string_view> words) const;
 
-    /// A whole number written as one: 3.0 is refused.
-    /// \throws FormatError unless it is one in low … high.
+    /// A number without fraction and exponent; 3.0 is refused.
+    /// \throws FormatError unless it is one from `low` to `high`.
     std::int64_t whole_number(std::int64_t low, std::int64_t high) const;
 
-    /// A number, finite because the document is. \throws FormatError if this is none.
+    /// A number; finite, because `json_tree` refuses others.
+    /// \throws FormatError if this is not a number.
     double number() const;
 
 private:
@@ -75,29 +84,29 @@ private:
     const nlohmann::json* value_;
     const std::string* file_;
     const JsonValue* parent_ = nullptr;
-    std::string_view key_;   // in an object
-    std::size_t index_ = 0;  // in an array
+    std::string_view key_;   // under which the parent has it, if that is an object
+    std::size_t index_ = 0;  // at which the parent has it, if that is an array
 };
 
-/// A JSON text, read strictly.
+/// A parsed JSON text.
 class JsonDocument {
 public:
-    /// \param file the name for messages.
+    /// \param file name of the file for messages.
     /// \throws FormatError and LimitError as `json_tree`.
     JsonDocument(std::string_view text, std::string file, const ReadLimits& limits = {});
-    ~JsonDocument();                                        ///< ends all its JsonValues
-    JsonDocument(const JsonDocument&) = delete;             ///< they refer to this one
-    JsonDocument& operator=(const JsonDocument&) = delete;  ///< ditto
+    ~JsonDocument();                             ///< invalidates its JsonValues
+    JsonDocument(const JsonDocument&) = delete;  ///< JsonValues refer to it
+    JsonDocument& operator=(const JsonDocument&) = delete;  ///< JsonValues refer to it
 
-    JsonValue root() const&;            ///< the value that the text spells
-    JsonValue root() const&& = delete;  ///< it would dangle
+    JsonValue root() const&;            ///< the outermost value
+    JsonValue root() const&& = delete;  ///< would dangle
 
 private:
     std::string file_;
     std::unique_ptr<const nlohmann::json> root_;
 };
 
-/// `text` as a JSON string with its quotes; what is not UTF-8 becomes U+FFFD.
+/// `text` as a JSON string with quotes; invalid UTF-8 becomes U+FFFD.
 std::string json_string(std::string_view text);
 
 }  // namespace endmill

@@ -16,8 +16,10 @@
 namespace endmill {
 namespace {
 
+// Largest number of patches along u or v.
 constexpr std::int64_t most_patches = 10000;
 
+// The degree in `value`. Numbers beyond a million are reported by `whole_number`.
 int read_degree(const JsonValue& value)
 {
     const std::int64_t degree = value.whole_number(-1'000'000, 1'000'000);
@@ -27,6 +29,8 @@ int read_degree(const JsonValue& value)
     return static_cast<int>(degree);
 }
 
+// The degree and the knot vector of u or v. Falling knots are reported at their place;
+// `flaw` finds everything else.
 SplineParameter read_parameter(const JsonValue& root, const std::string& name)
 {
     const JsonValue knots = root.member("knots_" + name);
@@ -46,8 +50,9 @@ SplineParameter read_parameter(const JsonValue& root, const std::string& name)
     return parameter;
 }
 
-// Bytes that the Bezier patches of a spline surface take: its file may hold far fewer
-// numbers.
+// Memory of the Bezier patches of a spline surface, in bytes. Every knot interval becomes
+// a patch with (degree + 1) points along each parameter, so the patches can be far larger
+// than the file.
 double patch_bytes(const SplineParameter& u, const SplineParameter& v)
 {
     const auto along = [](const SplineParameter& parameter) {
@@ -56,21 +61,22 @@ double patch_bytes(const SplineParameter& u, const SplineParameter& v)
     return along(u) * along(v) * 4 * sizeof(double);
 }
 
-// The same for a height grid, a cell of which takes a bicubic patch of 440 bytes; on top
-// come the heights, in the tree, as numbers and as control points.
+// Memory of a height grid in bytes. Each cell becomes a bicubic patch of 440 bytes; the
+// rest is for the heights as JSON values, numbers and control points.
 double grid_bytes(std::size_t columns, std::size_t rows)
 {
     constexpr double bytes_per_height = 560;
     return bytes_per_height * static_cast<double>(columns) * static_cast<double>(rows);
 }
 
+// The number of control points that a knot vector requires.
 ExpectedCount points_along(const SplineParameter& parameter, const std::string& name)
 {
     return {static_cast<std::size_t>(parameter.points()),
             "knots_" + name + " - degree_" + name + " - 1"};
 }
 
-// Complains of a degree that a net's size implies.
+// Checks the degree that the size of a net implies.
 void require_degree(const JsonValue& net, std::size_t points, const char* thing)
 {
     if (points < 2 || points > most_degree + 1)
@@ -79,6 +85,7 @@ void require_degree(const JsonValue& net, std::size_t points, const char* thing)
                             "degree 1 to " + std::to_string(most_degree), "E_SURFACE");
 }
 
+// Checks that grid lines rise, by more than `least_grid_interval` of their range each.
 void require_rising(const JsonValue& value, const std::vector<double>& lines)
 {
     if (lines.size() < 2)
@@ -92,8 +99,8 @@ void require_rising(const JsonValue& value, const std::vector<double>& lines)
                 "grid lines that rise, each by more than 1e-9 of the range", "E_SURFACE");
 }
 
-// Not by an initializer list, which would copy the surface.
-std::vector<Surface> alone(Surface surface)
+// A vector of one surface. An initializer list would copy the surface.
+std::vector<Surface> single(Surface surface)
 {
     std::vector<Surface> surfaces;
     surfaces.push_back(std::move(surface));
@@ -102,47 +109,49 @@ std::vector<Surface> alone(Surface surface)
 
 }  // namespace
 
-std::vector<Surface> read_bezier(const SurfaceNumbers& numbers)
+std::vector<Surface> read_bezier(const SurfaceSource& source)
 {
     const auto count = [&](const char* key) {
-        return numbers.root.member(key).whole_number(1, most_patches);
+        return source.root.member(key).whole_number(1, most_patches);
     };
     const std::int64_t patches_u = count("patches_u");
     const std::int64_t patches_v = count("patches_v");
     const auto points = [](std::int64_t patches, const char* reason) {
         return ExpectedCount{static_cast<std::size_t>(3 * patches + 1), reason};
     };
-    const ControlNet net = read_net(numbers.root.member("control_points"), numbers,
+    const ControlNet net = read_net(source.root.member("control_points"), source.lengths,
                                     points(patches_u, "3 patches_u + 1"),
                                     points(patches_v, "3 patches_v + 1"));
-    return alone(composite_bezier(static_cast<int>(patches_u),
-                                  static_cast<int>(patches_v), net.points,
-                                  numbers.tool_side));
+    return single(composite_bezier(static_cast<int>(patches_u),
+                                   static_cast<int>(patches_v), net.points,
+                                   source.tool_side));
 }
 
-std::vector<Surface> read_nurbs(const SurfaceNumbers& numbers)
+std::vector<Surface> read_nurbs(const SurfaceSource& source)
 {
     Nurbs nurbs{
-        read_parameter(numbers.root, "u"), read_parameter(numbers.root, "v"), {}, {}};
+        read_parameter(source.root, "u"), read_parameter(source.root, "v"), {}, {}};
     const ExpectedCount columns = points_along(nurbs.u, "u");
     const ExpectedCount rows = points_along(nurbs.v, "v");
     nurbs.control_points =
-        read_net(numbers.root.member("control_points"), numbers, columns, rows).points;
-    if (const auto weights = numbers.root.find_member("weights"))
+        read_net(source.root.member("control_points"), source.lengths, columns, rows)
+            .points;
+    if (const auto weights = source.root.find_member("weights"))
         nurbs.weights = read_weights(*weights, columns, rows);
-    require_memory(numbers.file, patch_bytes(nurbs.u, nurbs.v), numbers.limits);
-    return alone(nurbs_surface(nurbs, numbers.tool_side));
+    require_memory(source.file, patch_bytes(nurbs.u, nurbs.v), source.limits);
+    return single(nurbs_surface(nurbs, source.tool_side));
 }
 
-std::vector<Surface> read_bezier_patches(const SurfaceNumbers& numbers)
+std::vector<Surface> read_bezier_patches(const SurfaceSource& source)
 {
-    const JsonValue patches = numbers.root.member("patches");
+    const JsonValue patches = source.root.member("patches");
     if (patches.size() == 0)
         throw patches.complaint("no patches", "at least one", "E_SURFACE");
     std::vector<Surface> surfaces;
     for (std::size_t number = 0; number < patches.size(); ++number) {
         const JsonValue value = patches.item(number);
-        const ControlNet net = read_net(value, numbers, std::nullopt, std::nullopt);
+        const ControlNet net =
+            read_net(value, source.lengths, std::nullopt, std::nullopt);
         require_degree(value, net.rows, "row");
         require_degree(value, net.columns, "column");
         surfaces.push_back(
@@ -150,33 +159,33 @@ std::vector<Surface> read_bezier_patches(const SurfaceNumbers& numbers)
                     {0, 1},
                     {BezierPatch{static_cast<int>(net.columns) - 1,
                                  static_cast<int>(net.rows) - 1, net.points}},
-                    numbers.tool_side});
+                    source.tool_side});
     }
     return surfaces;
 }
 
-std::vector<Surface> read_height_grid(const SurfaceNumbers& numbers)
+std::vector<Surface> read_height_grid(const SurfaceSource& source)
 {
-    const JsonValue x_value = numbers.root.member("x");
-    const JsonValue y_value = numbers.root.member("y");
-    const std::vector<double> x = read_lengths(x_value, numbers);
-    const std::vector<double> y = read_lengths(y_value, numbers);
+    const JsonValue x_value = source.root.member("x");
+    const JsonValue y_value = source.root.member("y");
+    const std::vector<double> x = read_lengths(x_value, source.lengths);
+    const std::vector<double> y = read_lengths(y_value, source.lengths);
     require_rising(x_value, x);
     require_rising(y_value, y);
     const std::vector<double> z =
-        read_length_rows(numbers.root.member("z"), numbers, {x.size(), "length of x"},
-                         {y.size(), "length of y"});
-    require_memory(numbers.file, grid_bytes(x.size(), y.size()), numbers.limits);
-    Surface surface = height_grid(x, y, z, numbers.tool_side);
-    const double most = numbers.limits.max_extent_mm;
+        read_length_rows(source.root.member("z"), source.lengths,
+                         {x.size(), "length of x"}, {y.size(), "length of y"});
+    require_memory(source.file, grid_bytes(x.size(), y.size()), source.limits);
+    Surface surface = height_grid(x, y, z, source.tool_side);
+    const double most = source.lengths.max_extent_mm;
     const auto [low, high] = extent(surface, Vec3::UnitZ());
     if (std::max(-low, high) > most)
-        throw numbers.root.member("z").complaint(
+        throw source.root.member("z").complaint(
             "the surface between its heights reaches " + to_text(std::max(-low, high)) +
                 " mm",
             "at most " + to_text(most) + " mm: grid lines that are spaced more evenly",
             "E_RANGE");
-    return alone(std::move(surface));
+    return single(std::move(surface));
 }
 
 }  // namespace endmill

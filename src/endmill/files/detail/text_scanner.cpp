@@ -10,7 +10,7 @@
 namespace endmill {
 namespace {
 
-// Longer than any writer makes them: what has no line feeds is no text.
+// Longer than the lines of any writer. A file with longer lines is not a text.
 constexpr std::size_t longest_line = std::size_t{1} << 20U;
 constexpr std::size_t longest_echo = 40;
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -49,6 +49,7 @@ bool TextScanner::next_line()
     return false;
 }
 
+// Makes the next line the current one. The comment, if any, is cut off.
 void TextScanner::take_line()
 {
     const char* const text_end = text_.data() + text_.size();
@@ -71,8 +72,8 @@ std::string_view TextScanner::word_across_lines()
     return word();
 }
 
-// What the fast way did not take: a leading +, which std::from_chars does not know but
-// other programs write, or an error to be named.
+// Handles a word that std::from_chars refused: a number with a leading +, which other
+// programs write, or an error.
 double TextScanner::unusual_number()
 {
     const std::string_view spelled = word();
@@ -94,7 +95,7 @@ double TextScanner::unusual_number()
     return value;
 }
 
-// Digits without end are a number all the same, only one too large to be held.
+// A word of digits only is a whole number that exceeds 64 bits; other words are none.
 void TextScanner::refuse_whole_number()
 {
     const std::string_view spelled = word();
@@ -124,6 +125,7 @@ FormatError TextScanner::complaint(const std::string& found,
                        {kind_.file, std::to_string(line_), found, expected}};
 }
 
+// An empty word stands for the end of the line, or of the file if that is reached.
 FormatError TextScanner::complaint_about(std::string_view word,
                                          const std::string& expected) const
 {

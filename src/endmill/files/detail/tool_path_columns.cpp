@@ -17,9 +17,10 @@ constexpr std::array<std::string_view, path_column_count> names{
     "v",        "contact_x_mm",    "contact_y_mm", "contact_z_mm", "normal_x", "normal_y",
     "normal_z", "feed_mm_per_min", "spindle_rpm",  "limit"};
 
-// What a length, a feed and a speed end in.
+// Units at the end of the names of lengths, feeds and speeds.
 constexpr std::array<std::string_view, 3> units{"_mm", "_mm_per_min", "_rpm"};
 
+// Neighbouring columns that form a vector or a pair.
 struct Vector {
     PathColumn first;
     int columns;
@@ -27,15 +28,17 @@ struct Vector {
 
 using enum PathColumn;
 
-// Columns that come together.
+// Columns that a file has all or none of.
 constexpr std::array vectors{Vector{TipX, 3}, Vector{AxisX, 3}, Vector{U, 2},
                              Vector{ContactX, 3}, Vector{NormalX, 3}};
 
+// A name in quotes, for messages.
 std::string quoted(std::string_view name)
 {
     return '"' + printable(name, longest_echo) + '"';
 }
 
+// The column of this name; nothing if there is none.
 std::optional<PathColumn> column_named(std::string_view name)
 {
     const auto found = std::ranges::find(names, name);
@@ -44,6 +47,7 @@ std::optional<PathColumn> column_named(std::string_view name)
     return static_cast<PathColumn>(found - names.begin());
 }
 
+// Whether `name` is the known name `known` without its unit.
 bool is_without_unit(std::string_view name, std::string_view known)
 {
     return std::ranges::any_of(units, [&](std::string_view unit) {
@@ -52,7 +56,8 @@ bool is_without_unit(std::string_view name, std::string_view known)
     });
 }
 
-// What was probably meant: a name that lacks its unit, or is close to another.
+// Refuses an unknown name and suggests a known one: the name with its unit, or a close
+// name.
 [[noreturn]] void refuse_name(const CsvLines& lines, std::string_view name)
 {
     if (name.empty())
@@ -68,7 +73,7 @@ bool is_without_unit(std::string_view name, std::string_view known)
                 : "a column of a tool path, such as tip_x_mm");
 }
 
-// Vectors come whole, and tips come at all.
+// Checks that every vector has all its columns or none, and that the tip has all.
 void check_vectors(const CsvLines& lines, const PathColumns& columns)
 {
     for (const Vector& vector : vectors) {

@@ -10,7 +10,7 @@
 
 namespace endmill {
 
-/// A column of a tool path, in the order in which they are written.
+/// The columns of a tool path, in the order in which `tool_path_csv` writes them.
 enum class PathColumn : std::size_t {
     Pass,
     Point,
@@ -36,36 +36,36 @@ enum class PathColumn : std::size_t {
     Limit,
 };
 
-inline constexpr std::size_t path_column_count = 22;  ///< all of them
+inline constexpr std::size_t path_column_count = 22;  ///< number of PathColumn values
 
 /// The name of a column in a file.
 std::string_view column_name(PathColumn column);
 
-/// The column so many places after `column` in the enumeration.
+/// The column `places` after `column` in the enumeration.
 constexpr PathColumn following(PathColumn column, int places)
 {
     return static_cast<PathColumn>(static_cast<std::size_t>(column) +
                                    static_cast<std::size_t>(places));
 }
 
-/// Where the columns of a file stand.
+/// The positions of the columns in a file.
 class PathColumns {
 public:
-    PathColumns() { places_.fill(missing); }  ///< none
+    PathColumns() { places_.fill(missing); }  ///< of a file without columns
 
-    /// Whether the file has it.
+    /// Whether the file has the column.
     bool has(PathColumn column) const { return place(column) != missing; }
-    bool has_contacts() const;  ///< u, v, contact and normal
+    bool has_contacts() const;  ///< whether it has u, v, contact and normal
 
-    /// From 0. \pre has(column)
+    /// Position of the column in the file, from 0. \pre has(column)
     std::size_t place(PathColumn column) const
     {
         return places_[static_cast<std::size_t>(column)];
     }
 
-    std::size_t count() const { return count_; }  ///< of the file
+    std::size_t count() const { return count_; }  ///< number of columns in the file
 
-    /// The next column of the file. \return false if it stands there already.
+    /// Adds the next column of the file. \return false if the file has it already.
     bool add(PathColumn column);
 
 private:
@@ -75,9 +75,9 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The columns that the line names at which `lines` stands.
-/// \throws FormatError E_CSV unless they are known, each named once, with those of the tip,
-///         and all of a vector or none.
+/// Reads the header, which is the current line of `lines`.
+/// \throws FormatError E_CSV for an unknown or repeated name, a missing column of the
+///         tip, and a vector that lacks a column.
 PathColumns path_columns(const CsvLines& lines);
 
 }  // namespace endmill

@@ -15,6 +15,19 @@
 #include "endmill/files/read_file.h"
 #include "endmill/post/detail/unit_axis.h"
 
+// A path may have millions of rows, so the text is read in place and by several threads.
+//
+// 1. The header is read and checked (`path_columns`).
+// 2. Memory for all points is allocated at once, after counting the lines and a check of
+//    the limit. Row i of the file becomes point i of the path, whichever thread reads it.
+// 3. The text is divided into runs of whole lines; each thread reads runs with a
+//    PathRowReader, which converts the cells in place.
+// 4. Normals of rows without a contact are collected for each run and stored in the path
+//    only if there are any.
+// 5. Remarks state what was assumed or ignored.
+//
+// The first error in the order of the file is reported, as `parallel_for` rethrows it.
+
 namespace endmill {
 namespace {
 
@@ -22,18 +35,17 @@ using enum PathColumn;
 
 constexpr std::size_t longest_echo = 40;
 
-// What a file says of a row.
+// The content of a row.
 struct PathRow {
     PathPoint point;
     CuttingConditions conditions;
-    std::optional<Vec3> normal;  // where the row has no contact
+    std::optional<Vec3> normal;  // only if the row has no contact
 };
 
-// Reads row by row; cells stay where they are in the text: millions of rows are read
-// without copies.
+// Reads the rows of one run of lines, without copying cells.
 class PathRowReader {
 public:
-    // \param lines_before of the file.
+    // \param lines_before number of lines of the file before the first run.
     PathRowReader(const CsvRun& run, const PathColumns& columns, const std::string& file,
                   const ReadLimits& limits, std::size_t lines_before)
         : columns_{columns},
@@ -44,7 +56,8 @@ public:
 
     bool next() { return lines_.next(); }
 
-    // Points count through the file where it does not count them itself.
+    // The current row. `number` is its index in the file, which numbers the points of a
+    // file without the column point.
     PathRow row(std::size_t number) const
     {
         if (lines_.cells().size() != columns_.count())
@@ -63,13 +76,15 @@ public:
     }
 
 private:
-    // Empty also if the table has no such column.
+    // The cell of a column; empty if the table has no such column.
     std::string_view cell(PathColumn column) const
     {
         return columns_.has(column) ? lines_.cells()[columns_.place(column)]
                                     : std::string_view{};
     }
 
+    // Reports the cell of a column: the name of the column, its text, and what is
+    // expected.
     [[noreturn]] void refuse(PathColumn column, const std::string& expected) const
     {
         const std::string_view text = cell(column);
@@ -79,6 +94,7 @@ private:
                                expected);
     }
 
+    // The whole number in a cell; nothing if it is empty.
     std::optional<int> whole_number(PathColumn column) const
     {
         const std::string_view text = cell(column);
@@ -92,7 +108,7 @@ private:
         return number;
     }
 
-    // The number in a cell, none if it is empty: unknown, not zero.
+    // The number in a cell; nothing if it is empty, which means unknown and not zero.
     std::optional<double> number(PathColumn column) const
     {
         const std::string_view text = cell(column);
@@ -104,6 +120,7 @@ private:
         return number;
     }
 
+    // The positive number in a cell; nothing if it is empty.
     std::optional<double> positive(PathColumn column) const
     {
         const std::optional<double> value = number(column);
@@ -112,7 +129,8 @@ private:
         return value;
     }
 
-    // Neighbouring rows mostly have the same word, which is then not looked up again.
+    // The move of the row. Most rows have the word of the previous row, which is then not
+    // looked up again.
     Move move() const
     {
         if (!columns_.has(MoveWord))
@@ -127,7 +145,8 @@ private:
         return last_move_ = *move;
     }
 
-    // A vector whose three columns follow `first`; nothing if all its cells are empty.
+    // The vector in the three columns from `first` on; nothing if all its cells are
+    // empty.
     std::optional<Vec3> vector(PathColumn first) const
     {
         Vec3 vector;
@@ -141,11 +160,12 @@ private:
             return std::nullopt;
         for (int c = 0; known < 3 && c < 3; ++c)
             if (cell(following(first, c)).empty())
-                refuse(following(first, c), "a number, as its neighbours are");
+                refuse(following(first, c),
+                       "a number, as in the other columns of the vector");
         return vector;
     }
 
-    // A vector in mm, within the limit.
+    // A point in mm, after a check of the limit.
     std::optional<Vec3> place(PathColumn first) const
     {
         std::optional<Vec3> point = vector(first);
@@ -159,14 +179,15 @@ private:
         return point;
     }
 
-    // A vector of length 1.
+    // A unit vector.
     std::optional<Vec3> direction(PathColumn first) const
     {
         const std::optional<Vec3> read = vector(first);
         if (!read)
             return std::nullopt;
         std::optional<Vec3> unit = unit_axis(*read);
-        const std::string_view name = column_name(first);  // less its "_x", the vector's
+        const std::string_view name =
+            column_name(first);  // without "_x": the name of the vector
         if (!unit)
             throw lines_.complaint("E_CSV",
                                    std::string{name.substr(0, name.size() - 2)} +
@@ -175,12 +196,14 @@ private:
         return unit;
     }
 
+    // The length of a vector for a message; it may overflow.
     static std::string shown_length(const Vec3& vector)
     {
         const double length = vector.norm();
         return std::isfinite(length) ? to_text(length) : "infinity";
     }
 
+    // The tip, which must be known, and the axis, by default +z.
     CutterLocation location() const
     {
         const std::optional<Vec3> tip = place(TipX);
@@ -189,6 +212,7 @@ private:
         return {*tip, direction(AxisX).value_or(Vec3::UnitZ())};
     }
 
+    // The contact of the row: all of u, v, point and normal, or none of u, v and point.
     std::optional<SurfaceContact> contact() const
     {
         if (!columns_.has_contacts())
@@ -198,7 +222,7 @@ private:
         const std::optional<Vec3> point = place(ContactX);
         const std::optional<Vec3> normal = direction(NormalX);
         if (!u && !v && !point)
-            return std::nullopt;  // of a normal alone: `add_normal`
+            return std::nullopt;  // a normal alone is stored by `row`
         for (const PathColumn column : {U, V, ContactX, NormalX})
             if (cell(column).empty())
                 refuse(column,
@@ -213,7 +237,7 @@ private:
     mutable Move last_move_ = Move::Cut;
 };
 
-// Reads a file's runs of lines side by side, each row to its place.
+// Reads the runs of a file by several threads, each row to its place in the path.
 class PathCsvReader {
 public:
     PathCsvReader(std::string_view text, const std::string& file,
@@ -227,6 +251,7 @@ public:
         has_conditions_ = columns_.has(Tool) || columns_.has(Feed) || columns_.has(Speed);
     }
 
+    // Reads the whole file.
     Program read_all()
     {
         make_room();
@@ -242,7 +267,7 @@ public:
     }
 
 private:
-    // For all rows at once, after a look at whether there is memory for it.
+    // Allocates memory for all rows at once, after a check of the limit.
     void make_room()
     {
         const std::size_t rows = line_count(header_.rest());
@@ -259,7 +284,8 @@ private:
         program_.path.conditions.resize(has_conditions_ ? rows : 0);
     }
 
-    // The normals of rows without a contact, 0 where none is told; empty if none is at all.
+    // Reads a run. \return the normals of its rows without a contact, zero for a row
+    // without normal; empty if no row has one.
     std::vector<Vec3> read(const CsvRun& run)
     {
         PathRowReader reader{run, columns_, file_, limits_, header_.line()};
@@ -277,7 +303,7 @@ private:
         return normals;
     }
 
-    // Kept only for files that tell some.
+    // Stores the normals in the path if the file has any.
     void keep_normals(std::span<const CsvRun> runs,
                       std::span<const std::vector<Vec3>> normals)
     {
@@ -290,22 +316,23 @@ private:
         }
     }
 
-    // What was taken for granted or left out.
+    // States what was assumed and what was ignored.
     void add_remarks()
     {
         std::vector<std::string>& remarks = program_.remarks;
         if (!columns_.has(MoveWord))
-            remarks.emplace_back("no column move: every move is taken for a cut");
+            remarks.emplace_back("no column move: every move is assumed to be a cut");
         if (!columns_.has(AxisX))
-            remarks.emplace_back("no axis: it is taken for +z");
+            remarks.emplace_back("no column axis: it is assumed to be +z");
         if (!columns_.has_contacts() && (columns_.has(U) || columns_.has(ContactX)))
             remarks.emplace_back(
                 columns_.has(NormalX)
-                    ? "of contacts the normals are kept: more needs u, v, contact and "
-                      "normal"
-                    : "contacts are left out: they need u, v, contact and normal");
+                    ? "only the normals of contacts are kept: contacts need u, v, "
+                      "contact "
+                      "and normal"
+                    : "contacts are ignored: they need u, v, contact and normal");
         if (columns_.has(Limit))
-            remarks.emplace_back("the column limit is left out");
+            remarks.emplace_back("the column limit is ignored");
     }
 
     const std::string& file_;
@@ -318,28 +345,21 @@ private:
 
 }  // namespace
 
+// The rule is generous, so that a header with a misspelt column is still read as CSV and
+// reported by the CSV reader.
 bool is_tool_path_csv(std::string_view text)
 {
     const std::string_view line = text.substr(0, text.find('\n'));
     const auto has = [&](std::string_view part) {
         return line.find(part) != std::string_view::npos;
     };
-    return has("tip_") && has(",") && !has("(");  // "(…, tips)" would be a comment
+    return has("tip_") && has(",") && !has("(");  // a "(" begins a comment of G-code
 }
 
 Program parse_tool_path(std::string_view text, const std::string& file,
                         const ReadLimits& limits)
 {
     return PathCsvReader{text, file, limits}.read_all();
-}
-
-std::size_t line_of_row(std::string_view text, std::size_t row)
-{
-    CsvLines lines{text, {}};
-    bool is_there = lines.next();  // the header
-    for (std::size_t k = 0; is_there && k <= row; ++k)
-        is_there = lines.next();
-    return lines.line();
 }
 
 Program read_tool_path(const std::filesystem::path& path, const ReadLimits& limits)

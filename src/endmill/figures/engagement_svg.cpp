@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/engagement_drawing.h"
+#include "endmill/figures/force_figures.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Geometry>
 
-#include "support/engagement_table.h"
+#include "endmill/core/error.h"
+#include "endmill/figures/detail/ball_lines.h"
+
+// The figure is drawn from back to front:
+//
+// 1. The facets of the lower half ball and of the groove that the previous pass left
+//    behind the cutter, sorted by depth, and the disc that closes the half ball.
+// 2. The outline of the previous pass ahead of the cutter, dashed.
+// 3. The engaged part, as narrow bands between latitudes, and its borders.
+// 4. Arrows, angles and names.
 
 namespace endmill {
 namespace {
@@ -30,14 +40,28 @@ constexpr std::string_view ball_fill = "#eef3f9";
 constexpr std::string_view lid_fill = "#dbe4ee";
 constexpr std::string_view pass_fill = "#f8f1e4";
 
-constexpr double pass_behind = 1.7;    // radii of the previous pass that are drawn behind
-constexpr double pass_ahead = 1.35;    // and ahead of the ball's centre
-constexpr double arrow_reach = 1.6;    // of the arrows along the ground, in radii
-constexpr double upright_reach = 1.1;  // of those upwards
-constexpr double angle_reach = 1.32;   // of the arcs that show an angle, in radii
+constexpr double pass_behind = 1.7;  // length of the previous pass behind the ball, radii
+constexpr double pass_ahead = 1.35;  // length of it ahead of the ball, in radii
+constexpr double arrow_reach = 1.6;  // length of the level arrows, in radii
+constexpr double upright_reach = 1.1;  // length of the upright arrows, in radii
+constexpr double angle_reach = 1.32;   // radius of the arcs that show angles, in radii
+
+// The name of a border in tables.
+std::string border_name(BorderKind kind, PreviousPass previous)
+{
+    switch (kind) {
+        case BorderKind::Front:
+            return "front";
+        case BorderKind::PreviousBall:
+            return "previous pass";
+        case BorderKind::Wall:
+            break;
+    }
+    return previous == PreviousPass::Edge ? "edge" : "wall of the previous pass";
+}
 
 // Directions of the move in the frame of BallEngagement.
-// Source: spec of ball-end milling, section 3.
+// Source: docs/mathematics/ball-end-milling.md, section 3.
 struct MoveDirections {
     explicit MoveDirections(const BallEngagement& engagement)
         : feed{std::cos(engagement.lambda), 0, std::sin(engagement.lambda)},
@@ -50,8 +74,8 @@ struct MoveDirections {
     {
     }
 
-    // A place on the lower half of the previous pass, `along` the feed and at an angle from
-    // its lowest line towards Y.
+    // A point on the lower half of the previous pass: at a distance along the feed, and
+    // at an angle from its lowest line towards Y.
     Vec3 on_previous(double along, double angle) const
     {
         return previous + along * feed + std::sin(angle) * Vec3::UnitY() -
@@ -65,13 +89,14 @@ struct MoveDirections {
     Vec3 previous;  // a point of the previous pass's axis
 };
 
+// A facet with its colours, to be sorted by depth.
 struct Facet {
-    std::vector<Vec3> outline;  // in the room, mm
+    std::vector<Vec3> outline;  // in the axes of the figure, in mm
     std::string_view fill;
     LineStyle style;
 };
 
-// The ball's half, those facets of which the viewer sees something.
+// Adds the facets of the lower half ball of which at least one corner faces the viewer.
 void add_ball_facets(const BallFrame& frame, const Vec3& toward,
                      std::vector<Facet>& facets)
 {
@@ -93,7 +118,7 @@ void add_ball_facets(const BallFrame& frame, const Vec3& toward,
         }
 }
 
-// The groove that the previous pass has left behind the ball's front.
+// Adds the groove that the previous pass left behind the front of the ball.
 void add_pass_facets(const BallFrame& frame, const MoveDirections& move,
                      std::vector<Facet>& facets)
 {
@@ -113,6 +138,7 @@ void add_pass_facets(const BallFrame& frame, const MoveDirections& move,
         }
 }
 
+// The lower half circle of the previous pass at a distance along the feed.
 std::vector<Vec3> pass_section(const MoveDirections& move, double along)
 {
     constexpr int steps = 90;
@@ -122,6 +148,8 @@ std::vector<Vec3> pass_section(const MoveDirections& move, double along)
     return line;
 }
 
+// Draws the facets of groove and ball from back to front, then the upper disc of the
+// ball.
 void add_solids(AxonometricFigure& figure, const BallFrame& frame,
                 const MoveDirections& move)
 {
@@ -142,7 +170,7 @@ void add_solids(AxonometricFigure& figure, const BallFrame& frame,
                        rim_style);
 }
 
-// The engaged part that the viewer sees, as narrow bands of latitude.
+// Adds the visible engaged part as narrow bands between latitudes.
 void add_engaged_part(AxonometricFigure& figure, const BallFrame& frame,
                       const BallEngagement& engagement)
 {
@@ -168,7 +196,7 @@ void add_engaged_part(AxonometricFigure& figure, const BallFrame& frame,
     }
 }
 
-// "E" in the middle of the widest engaged range two thirds of the way up.
+// Writes "E" in the middle of the widest engaged range, at two thirds of the height.
 void add_name(AxonometricFigure& figure, const BallFrame& frame,
               const BallEngagement& engagement)
 {
@@ -182,7 +210,7 @@ void add_name(AxonometricFigure& figure, const BallFrame& frame,
                      {0, 0}, "E", "#222222");
 }
 
-// A line of the ball, dashed where the ball itself hides it.
+// Draws a line on the ball, dashed where the ball hides it.
 void add_border(AxonometricFigure& figure, const BallFrame& frame,
                 const std::vector<Vec3>& border)
 {
@@ -199,6 +227,7 @@ void add_border(AxonometricFigure& figure, const BallFrame& frame,
     }
 }
 
+// Draws the frame, the directions of the move, their angles and the pick feed.
 void add_arrows(AxonometricFigure& figure, const BallFrame& frame,
                 const MoveDirections& move)
 {
@@ -230,6 +259,29 @@ void add_arrows(AxonometricFigure& figure, const BallFrame& frame,
 
 }  // namespace
 
+// Arcs are sampled in their own parameter. The top is a circle of latitude and is found
+// by its engaged ranges.
+std::vector<EngagementBorder> engagement_borders(const BallEngagement& engagement)
+{
+    constexpr int steps = 60;  // of an arc
+    require_sound(engagement);
+    require(!is_air(engagement), "engagement_borders: nothing is cut");
+    const EngagedRegion region{engagement};
+    std::vector<EngagementBorder> borders;
+    for (const BorderArc& arc : region.borders(false)) {
+        EngagementBorder border{border_name(arc.kind, region.previous), {}};
+        for (int k = 0; k <= steps; ++k) {
+            const double p = arc.from + (arc.to - arc.from) * k / steps;
+            border.points.push_back(region.point(arc.kind, p));
+        }
+        borders.push_back(std::move(border));
+    }
+    const double top = std::atan2(region.top_sine, region.top_cosine);
+    for (const AzimuthRange& range : engaged_ranges(engagement, top))
+        borders.push_back({"stock's top", latitude_line(top, range.from, range.to)});
+    return borders;
+}
+
 std::string engagement_svg(const BallEngagement& engagement, const BallFrame& frame,
                            const std::vector<std::string>& captions)
 {
@@ -256,7 +308,7 @@ std::string engagement_svg(const BallEngagement& engagement, const BallFrame& fr
             pass_ahead_style);
     figure.add_curve(frame.in_room(pass_section(move, pass_ahead)), pass_ahead_style);
     add_engaged_part(figure, frame, engagement);
-    for (const NamedBorder& border : named_borders(engagement))
+    for (const EngagementBorder& border : engagement_borders(engagement))
         add_border(figure, frame, border.points);
     add_arrows(figure, frame, move);
     add_name(figure, frame, engagement);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/direction_sphere.h"
+#include "endmill/figures/direction_figures.h"
 
 #include <algorithm>
 #include <array>
@@ -11,15 +11,20 @@
 
 #include "endmill/figures/axonometric_figure.h"
 
+// The sphere is drawn from back to front: the rotary axes that pass through it, the
+// ground of the sphere, the set as small patches, the circles and borders, then the
+// visible ends of the axes and the names. The parts of lines behind the sphere are
+// dashed.
+
 namespace endmill {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double step = 0.01;        // rad, of borders
-constexpr double patch = pi / 45;    // rad, of the pieces that fill the set
-constexpr double seam_px = 0.6;      // hides the gaps that smoothing leaves between them
-constexpr double axis_reach = 1.25;  // in radii of the sphere, as everything here
-constexpr double label_reach = 1.36;
+constexpr double step = 0.01;      // step of borders, rad
+constexpr double patch = pi / 45;  // largest side of the patches that fill the set, rad
+constexpr double seam_px = 0.6;    // outline that hides anti-aliased gaps between patches
+constexpr double axis_reach = 1.25;   // length of axes, in radii of the sphere
+constexpr double label_reach = 1.36;  // distance of names from the centre, in radii
 constexpr double label_gap_px = 20;
 constexpr std::string_view thin_dashes = "3 4";
 constexpr std::string_view ground = "#f6f7f8";
@@ -31,11 +36,13 @@ constexpr LineStyle first_axis{"#b8006b", 2, {}};
 constexpr LineStyle second_axis{"#00785a", 2, {}};
 constexpr LineStyle tool_line{"#000000", 2, {}};
 
+// The style of a line behind the sphere: thin and dashed.
 LineStyle behind(const LineStyle& style)
 {
     return {style.colour, std::min(style.width_px, 1.2), thin_dashes};
 }
 
+// The great circle across a direction, closed.
 DirectionCurve great_circle(const Vec3& normal)
 {
     const Vec3 across = normal.unitOrthogonal();
@@ -48,15 +55,17 @@ DirectionCurve great_circle(const Vec3& normal)
     return points;
 }
 
-// Of R1 and R2, one that turns.
+// A rotary axis, R1 or R2, whose range is not a single position.
 struct TurningAxis {
     const char* name;
     Vec3 axis;
     LineStyle style;
 };
 
+// Collects the drawing of one set. Lengths are in radii of the sphere.
 class DirectionSphere {
 public:
+    // An axis whose range is a single position is not drawn, since it does not turn.
     DirectionSphere(const FeasibleDirections& set, const std::string& title)
         : set_{set},
           frame_{set.frame()},
@@ -72,6 +81,7 @@ public:
             axes_.push_back({"R2", frame_.r2_axis, second_axis});
     }
 
+    // Draws everything from back to front.
     std::string text(const std::string& legend)
     {
         for (const TurningAxis& axis : axes_)
@@ -94,6 +104,7 @@ public:
     }
 
 private:
+    // Points that bound the sphere, the axes and their names.
     static std::vector<Vec3> extent()
     {
         const AxonometricView view{FigureOptions{}.azimuth, FigureOptions{}.elevation};
@@ -101,12 +112,13 @@ private:
                 label_reach * view.up};
     }
 
+    // Whether a direction is on the front half of the sphere.
     bool is_front(const Vec3& direction) const
     {
         return direction.dot(figure_.view().toward) >= 0;
     }
 
-    // The pieces of a curve before and behind the outline.
+    // Draws a curve; the pieces behind the sphere are dashed.
     void add_line(const DirectionCurve& curve, const LineStyle& style)
     {
         DirectionCurve piece;
@@ -120,7 +132,8 @@ private:
         }
     }
 
-    // The inside, where it is in front: what passes the outline is put onto it.
+    // Fills the set in front of the outline. Corners behind the outline are moved onto
+    // it.
     void fill()
     {
         const auto count = [](const RotaryRange& range) {
@@ -146,7 +159,7 @@ private:
             }
     }
 
-    // The direction at these shares of phi's and theta's ranges.
+    // The direction at the given shares, 0 to 1, of the ranges of phi and theta.
     Vec3 at(double phi, double theta) const
     {
         const auto share = [](const RotaryRange& range, double of) {
@@ -156,8 +169,8 @@ private:
                                 {share(limits_.phi, phi), share(limits_.theta, theta)});
     }
 
-    // The basis circle: what the tool passes by the tilt (C,A), or by R1 (A,B), alone. A,B: the
-    // great circles of E1 and E2 as well.
+    // Draws the basis circle, which the tool follows when only the tilt (C,A) or only R1
+    // (A,B) moves. For A,B also draws the great circles of E1 and E2.
     void add_circles()
     {
         if (axes_.empty())
@@ -171,17 +184,20 @@ private:
         }
     }
 
-    // Whether E1 and E2 are edges of the set.
+    // Whether the set has the edges E1 and E2.
     bool has_meridians() const
     {
         return !is_ca_ && axes_.size() == 2 && !goes_round(limits_.phi);
     }
 
+    // Whether a range is a whole turn, so that it has no ends.
     static bool goes_round(const RotaryRange& range)
     {
         return range.to - range.from >= 2 * pi - 1e-9;
     }
 
+    // Draws the visible ends of an axis and its name, with a minus sign at the negative
+    // end.
     void add_ends(const TurningAxis& axis)
     {
         for (const double side : {-1.0, 1.0}) {
@@ -199,6 +215,7 @@ private:
                               axis.style.colour);
     }
 
+    // Draws the tool axis at zero, P.
     void add_pole()
     {
         const Vec3& pole = frame_.tool_axis;
@@ -221,7 +238,7 @@ private:
         figure_.add_label(direction, label_gap_px * out.normalized(), name, edge.colour);
     }
 
-    // Those of figure 5, where both ranges end.
+    // Writes the names of [KangSuh, figure 5] at edges and corners where the ranges end.
     void add_names()
     {
         if (is_ca_ && !goes_round(limits_.theta)) {
@@ -242,6 +259,7 @@ private:
         }
     }
 
+    // The legend names only what is drawn.
     void add_legend(const std::string& legend)
     {
         if (axes_.empty())

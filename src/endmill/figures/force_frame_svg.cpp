@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/force_frame_drawing.h"
+#include "endmill/figures/force_figures.h"
 
 #include <array>
 #include <cmath>
@@ -10,8 +10,12 @@
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/figures/detail/ball_lines.h"
 #include "endmill/process/force_profile.h"
-#include "support/named_cells.h"
+
+// The directions of the force components are not drawn from formulas of this file. They
+// are taken from the force model itself (`ForceProfile`), so the figure shows the signs
+// that the program uses.
 
 namespace endmill {
 namespace {
@@ -29,13 +33,14 @@ constexpr LineStyle force_style{"#a33b00", 2.2, ""};
 constexpr LineStyle angle_style{"#0b5fa5", 1.3, ""};
 constexpr LineStyle turn_style{"#2e7d32", 2, ""};
 
-constexpr double frame_reach = 1.75;   // of the arrows X and Y, in radii
-constexpr double upright_reach = 1.3;  // of the arrow Z, in radii
-constexpr double force_reach = 0.8;    // of the forces, in radii
-constexpr double shank_top = 0.5;      // of what is drawn of the shank, in radii
+constexpr double frame_reach = 1.75;   // length of the arrows X and Y, in radii
+constexpr double upright_reach = 1.3;  // length of the arrow Z, in radii
+constexpr double force_reach = 0.8;    // length of the force arrows, in radii
+constexpr double shank_top = 0.5;      // height of the drawn shank, in radii
 
-// What bears in a force: one of the ratios of CuttingMaterial, or none but the tangential
-// part that they are ratios to.
+// The force at the element for a material with the given force ratios: the radial
+// component is `radial` times the tangential one, the axial component `axial` times.
+// Ratios of 0 leave only the tangential component.
 CuttingForce force_with(const EdgeElement& element, Milling milling, double radial,
                         double axial)
 {
@@ -55,17 +60,20 @@ CuttingForce force_with(const EdgeElement& element, Milling milling, double radi
         .at(element.azimuth);
 }
 
+// The force as a vector, in N.
 Vec3 vector_of(const CuttingForce& force)
 {
     return {force.x_n, force.y_n, force.z_n};
 }
 
+// Points and directions that the drawing of an element needs, in the frame.
 struct Places {
-    Vec3 element;  // on the unit ball
-    Vec3 axis;     // on the cutter's axis, at the height of the element
+    Vec3 element;  // the element on the unit ball
+    Vec3 axis;     // the point of the cutter's axis at the height of the element
     Vec3 radial;   // unit, horizontal, from the axis to the element
 };
 
+// The element, the axis at its height, and the horizontal radius between them.
 Places places_of(const EdgeElement& element)
 {
     const Vec3 at = ball_point(element.latitude, element.azimuth);
@@ -73,6 +81,7 @@ Places places_of(const EdgeElement& element)
     return {at, axis, (at - axis).normalized()};
 }
 
+// Points of the ball at one azimuth between two latitudes, all in rad: a straight edge.
 std::vector<Vec3> meridian(double azimuth, double from, double to)
 {
     constexpr int steps = 60;
@@ -82,7 +91,7 @@ std::vector<Vec3> meridian(double azimuth, double from, double to)
     return line;
 }
 
-// The ball by its rim, the foot and top of the shank, and its outline across the view.
+// Draws the ball by its rim, the top of the shank, and its outline as the viewer sees it.
 void add_cutter(AxonometricFigure& figure, const BallFrame& frame)
 {
     const std::vector<Vec3> rim = latitude_line(pi / 2, 0, 2 * pi);
@@ -106,6 +115,7 @@ void add_cutter(AxonometricFigure& figure, const BallFrame& frame)
     figure.add_curve(outline, ball_style);
 }
 
+// Draws X, Y and Z with their meaning.
 void add_axes(AxonometricFigure& figure, const BallFrame& frame)
 {
     const auto add = [&](const Vec3& tip, std::string_view name) {
@@ -123,7 +133,8 @@ void add_axes(AxonometricFigure& figure, const BallFrame& frame)
                      "uncut stock", frame_style.colour);
 }
 
-// The azimuth, from the parallel of Y through the axis to the element, and the latitude.
+// Draws the azimuth, from the parallel to Y through the axis to the element, and the
+// latitude.
 void add_angles(AxonometricFigure& figure, const BallFrame& frame,
                 const EdgeElement& element)
 {
@@ -149,6 +160,7 @@ void add_angles(AxonometricFigure& figure, const BallFrame& frame,
                      {0, -10}, "r", angle_style.colour);
 }
 
+// Draws the edge, its element, and the engaged azimuths at the element's latitude.
 void add_edge(AxonometricFigure& figure, const BallFrame& frame,
               const EdgeElement& element)
 {
@@ -171,6 +183,7 @@ void add_edge(AxonometricFigure& figure, const BallFrame& frame,
         element_style);
 }
 
+// Draws the three force components at the element, all of the same length.
 void add_forces(AxonometricFigure& figure, const BallFrame& frame,
                 const EdgeElement& element)
 {
@@ -185,7 +198,8 @@ void add_forces(AxonometricFigure& figure, const BallFrame& frame,
                         force_style);
 }
 
-// Clockwise seen from above, over the front half of the shank's top.
+// Draws the sense of the spindle: clockwise seen from above, around the front of the
+// shank.
 void add_turn(AxonometricFigure& figure, double radius_mm)
 {
     const Vec3 centre = radius_mm * (shank_top + 0.25) * Vec3::UnitZ();
@@ -201,6 +215,8 @@ void add_turn(AxonometricFigure& figure, double radius_mm)
 
 }  // namespace
 
+// The force is linear in the ratios of the components, so the difference to the force
+// without a component is that component.
 ForceDirections force_directions(const EdgeElement& element, const BallFrame& frame)
 {
     const Vec3 tangential = vector_of(force_with(element, frame.milling, 0, 0));
@@ -210,35 +226,6 @@ ForceDirections force_directions(const EdgeElement& element, const BallFrame& fr
     return {frame.turned(tangential.normalized()),
             frame.turned((with_radial - tangential).normalized()),
             frame.turned((with_axial - tangential).normalized())};
-}
-
-void add_frame_rows(CsvTable& table, const std::string& name, const EdgeElement& element,
-                    const BallFrame& frame)
-{
-    const auto add = [&](const std::string& row, const Vec3& place, NamedCells cells) {
-        cells.insert(cells.begin(),
-                     {{"x", place.x()}, {"y", place.y()}, {"z", place.z()}});
-        add_named(table, name + ", " + row, cells);
-    };
-    add("X", frame.turned(Vec3::UnitX()), {});
-    add("Y", frame.turned(Vec3::UnitY()), {});
-    add("Z", frame.turned(Vec3::UnitZ()), {});
-    const Places places = places_of(element);
-    add("P", frame.in_room(places.element), {});
-    const Vec3 radial = frame.turned(places.radial);
-    const Vec3 motion = radial.cross(Vec3::UnitZ());  // clockwise seen from above
-    const ForceDirections forces = force_directions(element, frame);
-    for (const auto& [direction, row] : {std::pair{forces.tangential, "F_T"},
-                                         {forces.radial, "F_R"},
-                                         {forces.axial, "F_z"}})
-        add(row, direction,
-            {{"along_motion", direction.dot(motion)},
-             {"outwards", direction.dot(radial)}});
-    for (const AzimuthRange& range : engaged_ranges(element.engagement, element.latitude))
-        add_named(table, name + ", theta",
-                  {{"from_deg", Angle::radians(range.from).degrees()},
-                   {"to_deg", Angle::radians(range.to).degrees()},
-                   {"at_deg", Angle::radians(element.azimuth).written_degrees()}});
 }
 
 std::string force_frame_svg(const EdgeElement& element, const BallFrame& frame,

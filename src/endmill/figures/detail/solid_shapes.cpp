@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/solid_drawing.h"
+#include "endmill/figures/detail/solid_shapes.h"
 
 #include <array>
 #include <cmath>
@@ -12,10 +12,10 @@ namespace endmill {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int sides = 36;        // of a cylinder
-constexpr double seam_px = 0.7;  // hides the gaps that smoothing leaves between faces
+constexpr int sides = 36;        // facets of a cylinder
+constexpr double seam_px = 0.7;  // outline that hides anti-aliased gaps between faces
 
-// The top is lit from above, the side to the viewer's left more than that to the right.
+// Light comes from above and from the left of the viewer.
 std::string_view shade(const AxonometricView& view, const SolidColours& colours,
                        const Vec3& normal)
 {
@@ -24,6 +24,7 @@ std::string_view shade(const AxonometricView& view, const SolidColours& colours,
     return normal.dot(view.right) < 0.3 ? colours.middle : colours.dark;
 }
 
+// Draws a face if the viewer sees its outer side.
 void add_face(AxonometricFigure& figure, std::span<const Vec3> corners,
               const Vec3& normal, const SolidColours& colours)
 {
@@ -33,7 +34,7 @@ void add_face(AxonometricFigure& figure, std::span<const Vec3> corners,
     figure.add_polygon(corners, colour, {colour, seam_px, ""});
 }
 
-// Points around `axis`, from the one that the viewer sees farthest to the right.
+// Points of a circle around `axis`.
 std::vector<Vec3> circle(const Vec3& middle, const Vec3& axis, double radius)
 {
     const Vec3 across = axis.unitOrthogonal();
@@ -49,6 +50,8 @@ std::vector<Vec3> circle(const Vec3& middle, const Vec3& axis, double radius)
 
 }  // namespace
 
+// Each of the six faces is drawn if the viewer sees its outer side; a convex solid needs
+// no sorting.
 void add_box(AxonometricFigure& figure, const Vec3& middle, const Vec3& half_size,
              const SolidColours& colours)
 {
@@ -67,6 +70,7 @@ void add_box(AxonometricFigure& figure, const Vec3& middle, const Vec3& half_siz
         }
 }
 
+// The side is drawn as narrow facets, then the two ends.
 void add_cylinder(AxonometricFigure& figure, const Vec3& from, const Vec3& to,
                   double radius, const SolidColours& colours)
 {
@@ -82,12 +86,16 @@ void add_cylinder(AxonometricFigure& figure, const Vec3& from, const Vec3& to,
     add_face(figure, last, axis, colours);
 }
 
+// The arc starts and ends symmetrically to the point nearest to the viewer. Its last
+// pieces are drawn as a straight arrow, which gives the head.
 void add_turn_arrow(AxonometricFigure& figure, const TurnArrow& arrow,
                     const LineStyle& style)
 {
-    constexpr double seen_from_its_end = 0.45;  // cosine of axis and line of sight
+    // Cosine between the axis and the line of sight, beyond which the whole circle is
+    // visible.
+    constexpr double seen_along_axis = 0.45;
     const Vec3& toward = figure.view().toward;
-    const bool is_whole = std::abs(arrow.axis.dot(toward)) > seen_from_its_end;
+    const bool is_whole = std::abs(arrow.axis.dot(toward)) > seen_along_axis;
     const Vec3 near = (toward - toward.dot(arrow.axis) * arrow.axis).normalized();
     const Vec3 beside = arrow.axis.cross(near);
     const double half = is_whole ? 0.75 * pi : 0.5 * pi;
@@ -98,7 +106,7 @@ void add_turn_arrow(AxonometricFigure& figure, const TurnArrow& arrow,
                                                            std::sin(angle) * beside));
     }
     figure.add_curve(points, style);
-    constexpr std::size_t head_pieces = 4;  // long enough for the head of an arrow
+    constexpr std::size_t head_pieces = 4;  // pieces of the arc that carry the arrow head
     figure.add_arrow(points[points.size() - 1 - head_pieces], points.back(), style);
 }
 

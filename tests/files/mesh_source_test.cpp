@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/files/mesh_file.h"
+#include "endmill/files/detail/mesh_source.h"
 
 #include <limits>
 
@@ -25,7 +25,7 @@ TEST(FilePlace, IsALineOrAByte)
     EXPECT_EQ(FilePlace::byte(0).text(), "@0");
 }
 
-TEST(PointMm, ConvertsAndKeepsWhatIsWithinTheLimit)
+TEST(PointMm, ConvertsCoordinatesWithinTheLimit)
 {
     const MeshSource inch{"", "f", {}, 25.4};
     EXPECT_EQ(point_mm(inch, {1, -2, 0}, FilePlace::line(1)), Vec3(25.4, -50.8, 0));
@@ -33,7 +33,7 @@ TEST(PointMm, ConvertsAndKeepsWhatIsWithinTheLimit)
     EXPECT_EQ(complaint_about({1e7, 0, 0}, 1, 1e7), "accepted");
 }
 
-TEST(PointMm, RefusesWhatIsNotFiniteOrBeyondTheLimit)
+TEST(PointMm, RefusesCoordinatesThatAreNotFiniteOrBeyondTheLimit)
 {
     EXPECT_EQ(complaint_about({0, std::numeric_limits<double>::quiet_NaN(), 0}),
               "E_NONFINITE f@96: coordinate NaN; expected a finite number");
@@ -77,7 +77,7 @@ TEST(PointNumber, IsOneOfThePoints)
               "E_INDEX f:9: index 0; expected no index: there are no points");
 }
 
-// The boundaries of 31 and of 32 bits.
+// Around 2^31 and 2^32.
 TEST(RequireNumbers, HasRoomForThirtyOneBits)
 {
     const MeshSource source{"", "f"};

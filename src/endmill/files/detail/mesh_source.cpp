@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/files/mesh_file.h"
+#include "endmill/files/detail/mesh_source.h"
 
+#include <cmath>
 #include <limits>
 
 #include "endmill/core/text.h"
@@ -8,8 +9,10 @@
 namespace endmill {
 namespace {
 
+// Points and triangles are indexed by std::int32_t.
 constexpr std::uint64_t most_numbers = std::numeric_limits<std::int32_t>::max();
 
+// A coordinate as messages show it.
 std::string shown(double value)
 {
     if (std::isnan(value))
@@ -19,11 +22,13 @@ std::string shown(double value)
     return to_text(value);
 }
 
+// Whether a coordinate in mm is finite and within the limit.
 bool is_within(double mm, const ReadLimits& limits)
 {
     return std::isfinite(mm) && std::abs(mm) <= limits.max_extent_mm;
 }
 
+// Throws the error about a coordinate. A converted coordinate is stated in both units.
 [[noreturn]] void refuse_coordinate(const MeshSource& source, double value,
                                     FilePlace place)
 {
@@ -39,6 +44,7 @@ bool is_within(double mm, const ReadLimits& limits)
 
 }  // namespace
 
+// The fast path is one comparison for each coordinate; the error is made separately.
 Vec3 point_mm(const MeshSource& source, const Vec3& coordinates, FilePlace place)
 {
     Vec3 point = source.mm_per_unit * coordinates;

@@ -24,7 +24,7 @@ TriangleMesh read_back(const TriangleMesh& mesh, MeshFormat format)
         .mesh;
 }
 
-// Coordinates of all sizes, as many of the digits of a double as there are.
+// Coordinates of all magnitudes with all digits of a double.
 TriangleMesh uneven_mesh()
 {
     test::Random random{11};
@@ -71,8 +71,8 @@ TEST(MeshText, ReadsBackToTheSameTrianglesWhereTheyStandAlone)
         }
 }
 
-// What was read once is written and read without any change, in any format.
-TEST(MeshText, WhatWasReadFromStlStaysAsItIs)
+// A mesh that was read from STL is written and read without a change in every format.
+TEST(MeshText, KeepsAMeshThatWasReadFromStl)
 {
     const TriangleMesh mesh = read_back(uneven_mesh(), MeshFormat::Stl);
     for (const MeshFormat format : {MeshFormat::Stl, MeshFormat::StlAscii,
@@ -89,6 +89,19 @@ TEST(MeshText, HoldsTheSmallestAndLargestDoubles)
     for (const MeshFormat format :
          {MeshFormat::StlAscii, MeshFormat::Obj, MeshFormat::Ply, MeshFormat::Off})
         EXPECT_EQ(points_of(read_back(mesh, format)), points_of(mesh));
+}
+
+// The header of PLY declares normals; the other formats are the same with and without.
+TEST(MeshText, StoresNormalsInPlyOnly)
+{
+    const TriangleMesh mesh = test::box_mesh({0, 0, 0}, {1, 2, 3});
+    const std::vector<Vec3> normals(mesh.points().size(), Vec3::UnitZ());
+    for (const MeshFormat format :
+         {MeshFormat::Stl, MeshFormat::StlAscii, MeshFormat::Obj, MeshFormat::Off})
+        EXPECT_EQ(mesh_text(mesh, format, normals), mesh_text(mesh, format));
+    const std::string ply = mesh_text(mesh, MeshFormat::Ply, normals);
+    EXPECT_NE(ply.find("property double nz"), std::string::npos);
+    EXPECT_EQ(points_of(parse_mesh(ply, "f.ply").mesh), points_of(mesh));
 }
 
 TEST(MeshFormat, HasAnExtensionThatBeginsItsName)

@@ -8,49 +8,47 @@
 #include "endmill/core/angle.h"
 #include "endmill/core/vec.h"
 #include "endmill/figures/axonometric_figure.h"
+#include "endmill/figures/direction_figures.h"
 
 namespace endmill {
 
-/// How directions are laid on a plane about a pole.
-enum class ChartProjection {
-    Equidistant,  ///< polar angles keep their ratio
-    Gnomonic,     ///< great circles become straight
-    Orthographic  ///< as the sphere is seen from the pole
-};
-
-/// Directions about a pole in a plane: azimuth counter-clockwise from the right, rings at
-/// polar angles.
+/// A chart of directions in a plane around a pole. The azimuth counts counter-clockwise
+/// from the right; rings are at equal polar angles.
 class DirectionChart {
 public:
-    /// What the chart is of.
+    /// The axes of the chart.
     struct Frame {
-        Vec3 pole;   ///< unit, in the middle
-        Vec3 right;  ///< unit, across it: azimuth 0
+        Vec3 pole;   ///< unit vector; the direction in the centre
+        Vec3 right;  ///< unit vector across the pole; its direction has azimuth 0
     };
 
-    /// \param reach largest polar angle that is drawn; below 90 degrees in the gnomonic,
-    ///        at most 90 in the orthographic, at most 180 in the equidistant projection.
+    /// An empty chart with its rings and azimuths.
+    /// \param reach largest polar angle in the chart: below 90 degrees in the gnomonic,
+    ///              at most 90 in the orthographic, at most 180 in the equidistant
+    ///              projection.
+    /// \throws DomainError for another reach.
     DirectionChart(std::string_view title, const Frame& frame, ChartProjection projection,
                    Angle reach);
 
-    /// Directions joined by straight lines, as far as they are within reach.
+    /// Draws the parts of a curve that are within reach, as straight lines between
+    /// points.
     void add_curve(std::span<const Vec3> directions, const LineStyle& style);
 
-    /// A disc at each direction within reach, and a line of the legend.
+    /// Draws a disc at each direction within reach, and a line of the legend.
     void add_marks(std::span<const Vec3> directions, std::string_view colour,
                    std::string_view label);
 
-    /// A line of the legend.
+    /// Adds a line of the legend.
     void add_legend(std::string_view label, const LineStyle& style);
 
-    /// The whole file.
+    /// The whole SVG file.
     std::string text() const { return picture_.text(); }
 
 private:
     double radius_at(double polar) const;
     PixelPoint place(const Vec3& direction) const;
     bool is_shown(const Vec3& direction) const;
-    PixelPoint next_legend() const;  // where its sample begins
+    PixelPoint next_legend() const;  // where the sample of the next line begins
     void name_legend(std::string_view label);
     void add_rings();
     void add_azimuths();

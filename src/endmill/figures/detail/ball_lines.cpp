@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/ball_drawing.h"
+#include "endmill/figures/detail/ball_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,9 +10,10 @@
 namespace endmill {
 namespace {
 
-// Of a curved line: a step bends it by less than its width.
+// Step along a curved line; the chord is off the arc by less than the width of the line.
 constexpr double step_rad = 2 * std::numbers::pi / 180;
 
+// Number of steps along an arc of this angle.
 int steps_over(double angle)
 {
     return 1 + static_cast<int>(std::abs(angle) / step_rad);
@@ -38,12 +40,19 @@ std::vector<Vec3> BallFrame::in_room(const std::vector<Vec3>& line) const
     return places;
 }
 
+double highest_latitude(const BallEngagement& engagement)
+{
+    return std::acos(std::clamp(1 - engagement.depth_ratio, 0.0, 1.0));
+}
+
 Vec3 ball_point(double latitude, double azimuth)
 {
     return {std::sin(latitude) * std::sin(azimuth),
             std::sin(latitude) * std::cos(azimuth), -std::cos(latitude)};
 }
 
+// The arc is spanned by `from` and the unit vector across it in the plane of both
+// directions.
 std::vector<Vec3> arc_between(const Vec3& centre, const Vec3& from, const Vec3& to,
                               double radius)
 {
@@ -68,6 +77,7 @@ std::vector<Vec3> latitude_line(double latitude, double from, double to)
     return line;
 }
 
+// The name is moved along the arrow, farther for longer names if the arrow is level.
 void add_named_arrow(AxonometricFigure& figure, const BallFrame& frame,
                      std::span<const Vec3, 2> ends, std::string_view name,
                      const LineStyle& style)

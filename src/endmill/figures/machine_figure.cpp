@@ -1,23 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/machine_drawing.h"
+#include "endmill/figures/machine_figure.h"
 
 #include <algorithm>
 #include <cctype>
 
-#include "support/solid_drawing.h"
+#include "endmill/figures/detail/solid_shapes.h"
+
+// A configuration word lists the axes from the workpiece W to the tool T with the bed B
+// among them, such as W/caxyBz/T. The axes before B carry the part and are drawn below
+// it, those after B carry the tool and are drawn above it. Axes nearer to the bed are
+// farther from the part or the tool. A C-shaped bed joins the lowest and the highest
+// axis.
 
 namespace endmill {
 namespace {
 
-// mm, of a machine the size of a hand.
-constexpr double pitch = 24;  // from axis to axis
+// Sizes of the sketch in mm.
+constexpr double pitch = 24;  // from one axis of the stack to the next
 constexpr double half_height = 5;
 constexpr double part_height = 18;
-constexpr double tip_height = 30;  // over the middle of what carries the part
+constexpr double tip_height = 30;  // of the tool tip above the foot of the part
 constexpr double tool_length = 26;
 constexpr double spindle_length = 16;
-constexpr double reach_back = 60;  // of the bed
-constexpr double beam = 5;         // half of the bed's thickness
+constexpr double reach_back = 60;  // depth of the bed behind the axes
+constexpr double beam = 5;         // half the thickness of the bed
 
 constexpr SolidColours bed_colours{"#d9d9d9", "#bfbfbf", "#a6a6a6"};
 constexpr SolidColours slide_colours{"#dce6ef", "#bccddd", "#9fb6cb"};
@@ -31,11 +37,13 @@ constexpr LineStyle second_style{"#00785a", 2, ""};
 constexpr std::string_view text_colour = "#333333";
 constexpr double swatch_px = 11;
 
+// Rotary axes are a, b, c; linear axes are x, y, z.
 bool is_rotary(char letter)
 {
     return letter <= 'c';
 }
 
+// The direction of a linear axis, or of the axis that a rotary axis turns about.
 Vec3 axis_of(char letter)
 {
     return Vec3::Unit(is_rotary(letter) ? letter - 'a' : letter - 'x');
@@ -46,9 +54,10 @@ std::string capital(char letter)
     return {static_cast<char>(std::toupper(letter))};
 }
 
-// Draws a machine from the bed upwards, so that what is nearer to the viewer covers the rest.
+// Draws a machine from the bed upwards, so that nearer shapes cover the others.
 class MachinePicture {
 public:
+    // The stack of axes below the part and the stack above the tool decide the height.
     MachinePicture(const MachineConfiguration& machine, const FigureOptions& options)
         : machine_{machine},
           letters_{machine.word.substr(2, machine.word.size() - 4)},
@@ -60,6 +69,8 @@ public:
     {
     }
 
+    // Draws from the bed upwards: the axes that carry the part, the part, the tool, and
+    // the axes that carry the tool.
     std::string text()
     {
         add_bed();
@@ -82,6 +93,7 @@ public:
     }
 
 private:
+    // Corners of the box in which everything is drawn.
     std::vector<Vec3> extent() const
     {
         std::vector<Vec3> corners;
@@ -92,6 +104,7 @@ private:
         return corners;
     }
 
+    // Draws the column behind the axes and the foot of the bed.
     void add_bed()
     {
         add_box(figure_, {0, reach_back - beam, (bottom_ + top_) / 2},
@@ -100,6 +113,7 @@ private:
                 {30, (reach_back + 14) / 2, beam}, bed_colours);
     }
 
+    // Draws the tool and the spindle.
     void add_tool()
     {
         const Vec3 tip{0, 0, tip_height};
@@ -111,8 +125,10 @@ private:
                           text_colour);
     }
 
+    // Whether the axis is R1, the rotary axis nearest to the part.
     bool is_first(char letter) const { return machine_.rotary.front().letter == letter; }
 
+    // Draws one axis of a stack at the given height, in mm.
     void add_axis(char letter, double height)
     {
         const Vec3 middle{0, 0, height};
@@ -123,6 +139,8 @@ private:
             add_linear(letter, middle, axis);
     }
 
+    // An axis about z is a round table; an axis about x or y is a block on a horizontal
+    // pin.
     void add_rotary(char letter, const Vec3& middle, const Vec3& axis)
     {
         const SolidColours& colours = is_first(letter) ? first_colours : second_colours;
@@ -135,7 +153,7 @@ private:
                               style.colour);
             return;
         }
-        // The end that is nearer to the viewer.
+        // The pin and its name are drawn at the end that is nearer to the viewer.
         const double side = axis.dot(figure_.view().toward) > 0 ? 1 : -1;
         const Vec3 end = side * axis;
         add_box(figure_, middle, {11, 11, 11}, colours);
@@ -146,11 +164,12 @@ private:
         figure_.add_label(middle + 48 * end, {0, 0}, std::string{letter}, style.colour);
     }
 
+    // A linear axis is a slide with a double arrow in its direction.
     void add_linear(char letter, const Vec3& middle, const Vec3& axis)
     {
         const Vec3 half{26, 20, half_height};
         add_box(figure_, middle, half, slide_colours);
-        // On the side that the viewer sees best along the axis.
+        // The double arrow is drawn on a side of the box where the axis is visible.
         const bool is_y = letter == 'y';
         const bool is_z = letter == 'z';
         const Vec3 beside{is_y || is_z ? half.x() + 5 : 0,
@@ -166,6 +185,7 @@ private:
                           std::string{letter}, linear_style.colour);
     }
 
+    // The legend states what each rotary axis turns.
     void add_legend()
     {
         const auto name = [&](std::size_t k) {
@@ -183,9 +203,9 @@ private:
     }
 
     MachineConfiguration machine_;
-    std::string letters_;  // between W/ and /T
-    int below_;            // how many axes carry the part
-    int above_;            // and the tool
+    std::string letters_;  // the axes of the configuration word, without W/ and /T
+    int below_;            // number of axes that carry the part
+    int above_;            // number of axes that carry the tool
     double bottom_;
     double top_;
     AxonometricFigure figure_;
@@ -193,6 +213,7 @@ private:
 
 }  // namespace
 
+// Draws the three linear axes, and on each a circular arrow for the rotary axis about it.
 std::string machine_axes_svg(const std::string& title)
 {
     const std::vector<Vec3> extent{

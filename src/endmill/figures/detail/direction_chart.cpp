@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/direction_chart.h"
+#include "endmill/figures/detail/direction_chart.h"
 
 #include <array>
 #include <cmath>
@@ -11,6 +11,13 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
+// A direction is placed by its azimuth about the pole and a radius that depends on its
+// polar angle p and the reach r:
+//
+//     equidistant   p / r
+//     gnomonic      tan p / tan r     great circles are straight
+//     orthographic  sin p / sin r     the sphere as seen from the pole
+
 namespace endmill {
 namespace {
 
@@ -21,18 +28,19 @@ constexpr double middle_y_px = 340;
 constexpr double legend_y_px = 650;
 constexpr double legend_line_px = 22;
 constexpr double legend_sample_px = 34;
-constexpr double legend_room_px = 76;  // for three lines
+constexpr double legend_room_px = 76;  // room for three lines
 constexpr double legend_x_px = 60;
 constexpr double text_px = 13;
 constexpr double mark_px = 3.2;
-constexpr double ring_name_px = 14;  // room for one
+constexpr double ring_name_px = 14;  // least distance of the names of two rings
 constexpr int circle_corners = 120;
-constexpr double rounding = 1e-9;  // rad: a direction at the reach is shown
+constexpr double rounding = 1e-9;  // rad; shows directions exactly at the reach
 constexpr LineStyle ring_style{"#cccccc", 1, ""};
 constexpr std::string_view scale_colour = "#666666";
 
 }  // namespace
 
+// The projection limits the reach: tan and sin must rise up to it.
 DirectionChart::DirectionChart(std::string_view title, const Frame& frame,
                                ChartProjection projection, Angle reach)
     : frame_{frame},
@@ -44,12 +52,14 @@ DirectionChart::DirectionChart(std::string_view title, const Frame& frame,
     const double most = projection == ChartProjection::Equidistant ? pi : pi / 2;
     require(0 < reach_ && (projection == ChartProjection::Gnomonic ? reach_ < most
                                                                    : reach_ <= most),
-            "DirectionChart: need a reach that the projection shows");
+            "DirectionChart: the reach is beyond the projection");
     picture_.add_text({side_px / 2, 34}, title, {19, "#111111", true, true});
     add_rings();
     add_azimuths();
 }
 
+// Distance from the centre of the chart, in px, of a direction with this polar angle in
+// rad.
 double DirectionChart::radius_at(double polar) const
 {
     switch (projection_) {
@@ -63,6 +73,7 @@ double DirectionChart::radius_at(double polar) const
     return 0;
 }
 
+// The polar angle is computed by atan2, which is accurate at the pole and at the rim.
 PixelPoint DirectionChart::place(const Vec3& direction) const
 {
     const PixelPoint across{direction.dot(frame_.right), -direction.dot(up_)};
@@ -72,6 +83,7 @@ PixelPoint DirectionChart::place(const Vec3& direction) const
     return PixelPoint{side_px / 2, middle_y_px} + scale * across;
 }
 
+// Whether the polar angle of a direction is within the reach.
 bool DirectionChart::is_shown(const Vec3& direction) const
 {
     const double polar =
@@ -79,6 +91,7 @@ bool DirectionChart::is_shown(const Vec3& direction) const
     return polar <= reach_ + rounding;
 }
 
+// A direction beyond the reach interrupts the curve.
 void DirectionChart::add_curve(std::span<const Vec3> directions, const LineStyle& style)
 {
     std::vector<PixelPoint> piece;
@@ -112,11 +125,13 @@ void DirectionChart::add_legend(std::string_view label, const LineStyle& style)
     name_legend(label);
 }
 
+// The legend is below the chart and has room for three lines.
 PixelPoint DirectionChart::next_legend() const
 {
     return {legend_x_px, legend_y_px + legend_line_px * legend_lines_};
 }
 
+// Writes the label beside the sample that was just drawn.
 void DirectionChart::name_legend(std::string_view label)
 {
     picture_.add_text(next_legend() + PixelPoint{legend_sample_px + 10, 0.36 * text_px},
@@ -124,6 +139,8 @@ void DirectionChart::name_legend(std::string_view label)
     ++legend_lines_;
 }
 
+// Rings are 5, 15 or 30 degrees apart, depending on the reach. A name is left out if it
+// would overlap the name of the ring inside.
 void DirectionChart::add_rings()
 {
     const double reach_deg = Angle::radians(reach_).degrees();
@@ -147,6 +164,7 @@ void DirectionChart::add_rings()
     }
 }
 
+// Rays every 30 degrees, with their azimuths outside the chart.
 void DirectionChart::add_azimuths()
 {
     constexpr double text_gap_px = 20;
