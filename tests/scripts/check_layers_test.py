@@ -5,7 +5,6 @@ import unittest
 from fake_tree import FakeTree
 
 import check_layers
-import check_readme
 
 SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 MODULES = """# SPDX-License-Identifier: GPL-3.0-or-later
@@ -93,29 +92,6 @@ class Layers(FakeTree):
         for word in ("TO" + "DO", "FIX" + "ME"):
             self.write("scripts/a.py", f"# SPDX-License-Identifier: x\n# {word}: later\n")
             self.assert_found("scripts/a.py:2")
-
-
-class Readme(FakeTree):
-    def setUp(self):
-        super().setUp()
-        self.write("experiments/paper/table-1/main.cpp")
-        self.write("README.md", "text\n| Table 1 | [x](experiments/paper/table-1) |\n")
-
-    def test_the_same_list_passes(self):
-        self.assertEqual(self.check(check_readme.main, self.root)[0], 0)
-
-    def test_an_experiment_that_is_not_listed(self):
-        self.write("experiments/paper/table-2/main.cpp")
-        code, printed = self.check(check_readme.main, self.root)
-        self.assertEqual((code, "experiments/paper/table-2" in printed), (1, True))
-
-    def test_a_mention_in_the_text_does_not_list_it(self):
-        self.write("README.md", "see experiments/paper/table-1\n")
-        self.assertEqual(self.check(check_readme.main, self.root)[0], 1)
-
-    def test_a_line_of_an_experiment_that_is_gone(self):
-        (self.root / "experiments/paper/table-1/main.cpp").unlink()
-        self.assertEqual(self.check(check_readme.main, self.root)[0], 1)
 
 
 if __name__ == "__main__":
