@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The test program of a module: tests/NAME/*_test.cpp. Two measures halve its compile time:
-# test files are compiled in batches, and all programs share one precompiled header.
+# test files are compiled in batches, and all programs share one precompiled header. The target
+# endmill_tests builds all of them; they are no part of the target all.
 
 set(ENDMILL_TEST_BATCH 8 CACHE STRING "Test files that are compiled together; 1: each alone")
 
@@ -32,10 +33,11 @@ function(endmill_test_options target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Asan>:-O0>)
 endfunction()
 
-# The owner of the shared precompiled header.
+# endmill_precompile_tests(): declares endmill_tests and the owner of the shared header.
 function(endmill_precompile_tests)
+  add_custom_target(endmill_tests)
   file(CONFIGURE OUTPUT test_precompiled.cpp CONTENT "" @ONLY)
-  add_library(endmill_test_precompiled OBJECT ${CMAKE_CURRENT_BINARY_DIR}/test_precompiled.cpp)
+  add_library(endmill_test_precompiled OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/test_precompiled.cpp)
   target_compile_features(endmill_test_precompiled PUBLIC cxx_std_20)
   target_link_libraries(endmill_test_precompiled PRIVATE Eigen3::Eigen)
   endmill_test_options(endmill_test_precompiled)
@@ -46,7 +48,8 @@ endfunction()
 function(endmill_module_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES;TESTS")
   set(target endmill_${name}_test)
-  add_executable(${target} ${arg_TESTS})
+  add_executable(${target} EXCLUDE_FROM_ALL ${arg_TESTS})
+  add_dependencies(endmill_tests ${target})
   endmill_batch_tests(${arg_TESTS})
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   target_link_libraries(${target} PRIVATE endmill::${name} ${arg_LIBRARIES})

@@ -36,14 +36,6 @@ def run_whole(command, root):
         raise Fault(f"{' '.join(command)} failed, see above")
 
 
-def configure(root):
-    """Configures build/release; in a new folder without the tests, which no experiment needs."""
-    command = ["cmake", "--preset", "release"]
-    if not (root / "build/release/CMakeCache.txt").exists():
-        command += ["-D", "ENDMILL_BUILD_TESTS=OFF"]
-    run_whole(command, root)
-
-
 def build(root, experiments):
     """Builds the drivers of the experiments."""
     targets = [e.target for e in experiments]
@@ -172,7 +164,7 @@ def main(arguments):
             say("reproduce.sh: every experiment that was named is long; use --full")
             return 2
         step("configuring build/release")
-        configure(ROOT)
+        run_whole(["cmake", "--preset", "release"], ROOT)
         good = reproduce(ROOT, experiments, chosen)
         say_left_out(left_out)
         return 0 if good else 1
