@@ -70,7 +70,8 @@ class WhatIsInstalled(InstalledTest):
                           "endmillTargets.cmake", "endmillTargets-release.cmake"})
         machines = {f"share/endmill/machines/{path.name}" for path in (ROOT / "datasets/machines").iterdir()}
         self.assertEqual(files - package - libraries,
-                         {"bin/endmill", "share/doc/endmill/LICENSE"} | machines)
+                         {"bin/endmill", "share/doc/endmill/LICENSE", "share/man/man1/endmill.1",
+                          "share/bash-completion/completions/endmill"} | machines)
 
     def test_headers_are_all_but_the_internal_ones(self):
         public = [path for path in (ROOT / "src").glob("endmill/*/*.h")
