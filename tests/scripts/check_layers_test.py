@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The checks of the house find each kind of disorder, and none in a tidy house."""
+"""The layer check finds each kind of disorder, and none in a tidy tree."""
 import unittest
 
 from fake_tree import FakeTree
@@ -12,8 +12,8 @@ MODULES = """# SPDX-License-Identifier: GPL-3.0-or-later
 endmill_module(core LIBRARIES Eigen3::Eigen PRIVATE_LIBRARIES TBB::tbb)
 endmill_module(surface
                USES core
-               LIBRARIES x::y)
-endmill_module(io USES core surface PRIVATE_LIBRARIES z::w)
+               LIBRARIES x::y TEST_LIBRARIES files)
+endmill_module(files USES core surface PRIVATE_LIBRARIES z::w)
 """
 
 
@@ -21,12 +21,21 @@ class Layers(FakeTree):
     def setUp(self):
         super().setUp()
         self.write("src/CMakeLists.txt", MODULES)
-        for module, header in (("core", "vec"), ("surface", "patch"), ("io", "csv")):
-            self.write(f"src/endmill/{module}/{header}.h", SPDX)
-            self.write(f"tests/{module}/{header}_test.cpp", SPDX)
+        for module, header in (("core", "vec"), ("surface", "patch"), ("files", "csv")):
+            self.write_header(module, header)
+            self.write_umbrella(module, header)
         self.write("src/endmill/surface/patch.cpp",
                    SPDX + '#include "endmill/core/vec.h"\n#include <boost/math/roots.hpp>\n')
-        self.write("src/cli/plan.cpp", SPDX + '#include "endmill/io/csv.h"\n')
+        self.write("src/cli/plan.cpp", SPDX + '#include "endmill/files/csv.h"\n')
+
+    def write_header(self, module, header, text=""):
+        """A header with its test."""
+        self.write(f"src/endmill/{module}/{header}.h", SPDX + text)
+        self.write(f"tests/{module}/{header.split('/')[-1]}_test.cpp", SPDX)
+
+    def write_umbrella(self, module, *headers):
+        self.write(f"src/endmill/{module}.h", SPDX + "".join(
+            f'#include "endmill/{module}/{header}.h"\n' for header in headers))
 
     def assert_found(self, *words):
         code, printed = self.check(check_layers.main, self.root)
@@ -41,26 +50,37 @@ class Layers(FakeTree):
 
     def test_an_undeclared_arrow(self):
         self.write("src/endmill/core/vec.cpp", SPDX + '#include "endmill/surface/patch.h"\n')
-        self.assert_found("src/endmill/core/vec.cpp", "core -> surface")
+        code, printed = self.check(check_layers.main, self.root)
+        self.assertEqual(code, 1)
+        self.assertIn("src/endmill/core/vec.cpp: core -> surface", printed)
+
+    def test_an_umbrella_header_is_for_users_of_the_library_alone(self):
+        self.write("src/endmill/surface/patch.cpp", SPDX + '#include "endmill/core.h"\n')
+        self.assert_found("src/endmill/surface/patch.cpp", "core.h")
 
     def test_an_arrow_around_the_declaration(self):
         self.write("src/endmill/core/vec.cpp", SPDX + '#include "../surface/patch.h"\n')
         self.assert_found("src/endmill/core/vec.cpp", "../surface/patch.h")
 
     def test_a_module_that_is_declared_below_its_user(self):
-        self.write("src/CMakeLists.txt", MODULES.replace("USES core\n", "USES core io\n"))
+        self.write("src/CMakeLists.txt", MODULES.replace("USES core\n", "USES core files\n"))
         code, printed = self.check(check_layers.main, self.root)
         self.assertEqual(code, 1)
-        self.assertIn("surface uses io, which is not declared above it", printed)
-        self.assertIn("surface uses io; only job and cli may", printed)
+        self.assertIn("surface uses files, which is not declared above it", printed)
+        self.assertIn("surface uses files; only figures, job and cli may", printed)
 
     def test_a_folder_without_a_declaration(self):
         self.write("src/endmill/utils/all.cpp", SPDX)
+        self.write_umbrella("utils")
         self.assert_found("src/endmill/utils", "not declared")
 
     def test_a_declaration_without_a_folder(self):
         self.write("src/CMakeLists.txt", MODULES + "endmill_module(path USES core)\n")
         self.assert_found("src/endmill/path", "no folder")
+
+    def test_a_folder_in_a_module_that_is_not_detail(self):
+        self.write("src/endmill/core/impl/all.cpp", SPDX)
+        self.assert_found("src/endmill/core/impl", "detail/")
 
     def test_a_library_in_a_header(self):
         for library in ("CGAL/Point_3.h", "OpenMesh/Core/Mesh.hh", "boost/x.hpp",
@@ -68,21 +88,51 @@ class Layers(FakeTree):
             self.write("src/endmill/core/vec.h", SPDX + f"#include <{library}>\n")
             self.assert_found("src/endmill/core/vec.h", library)
 
-    def test_a_header_for_users_that_needs_an_internal_one(self):
-        self.write("src/endmill/core/vec.h", SPDX + "// Internal to core\n")
-        self.write("src/endmill/surface/patch.h", SPDX + '#include "endmill/core/vec.h"\n')
-        self.assert_found("src/endmill/surface/patch.h", "endmill/core/vec.h", "internal")
-
-    def test_an_internal_header_may_need_another(self):
-        for header in ("core/vec.h", "surface/patch.h"):
-            self.write(f"src/endmill/{header}", SPDX + "// Internal to its module\n")
+    def test_a_public_header_that_needs_a_private_one(self):
+        self.write_header("core", "detail/lanes")
         self.write("src/endmill/surface/patch.h",
-                   SPDX + '// Internal to surface\n#include "endmill/core/vec.h"\n')
+                   SPDX + '#include "endmill/core/detail/lanes.h"\n')
+        self.assert_found("src/endmill/surface/patch.h", "core/detail/lanes.h")
+
+    def test_a_private_header_may_need_another(self):
+        self.write_header("core", "detail/lanes")
+        self.write_header("surface", "detail/rows", '#include "endmill/core/detail/lanes.h"\n')
         self.test_a_tidy_house_passes()
+
+    def test_a_command_that_needs_a_private_header(self):
+        self.write_header("files", "detail/rows")
+        self.write("src/cli/plan.cpp", SPDX + '#include "endmill/files/detail/rows.h"\n')
+        self.assert_found("src/cli/plan.cpp", "files/detail/rows.h")
+
+    def test_an_umbrella_header_without_one_of_the_headers(self):
+        self.write_header("core", "angle")
+        self.assert_found("src/endmill/core.h", "exactly")
+
+    def test_a_module_without_an_umbrella_header(self):
+        (self.root / "src/endmill/core.h").unlink()
+        self.assert_found("src/endmill/core.h", "exactly")
+
+    def test_too_many_public_headers(self):
+        names = [f"header_{chr(ord('a') + k)}" for k in range(15)]
+        for name in names:
+            self.write_header("core", name)
+        self.write_umbrella("core", *names, "vec")
+        self.assert_found("src/endmill/core", "16 headers", "at most 14")
+
+    def test_two_units_that_include_each_other(self):
+        self.write_header("core", "angle", '#include "endmill/core/vec.h"\n')
+        self.write("src/endmill/core/vec.cpp", SPDX + '#include "endmill/core/angle.h"\n')
+        self.write_umbrella("core", "angle", "vec")
+        self.assert_found("circle", "endmill/core/angle endmill/core/vec")
 
     def test_a_header_without_a_test(self):
         (self.root / "tests/surface/patch_test.cpp").unlink()
         self.assert_found("src/endmill/surface/patch.h", "tests/surface/patch_test.cpp")
+
+    def test_a_test_of_one_aspect_is_a_test(self):
+        (self.root / "tests/surface/patch_test.cpp").unlink()
+        self.write("tests/surface/patch_borders_test.cpp", SPDX)
+        self.test_a_tidy_house_passes()
 
     def test_a_file_without_a_licence(self):
         self.write("experiments/paper/item/main.cpp", "int main() {}\n")
