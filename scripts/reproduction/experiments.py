@@ -52,7 +52,7 @@ class Experiment:
             raise Fault(f"{path}: {error}") from None
         if not isinstance(params, dict):
             raise Fault(f"{path}: expected an object")
-        unknown = params.keys() - {"parameters", "tolerances", "figures", "alone", "long"}
+        unknown = params.keys() - {"parameters", "tolerances", "figures", "alone", "long", "peers"}
         if unknown:
             raise Fault(f"{path}: unknown keys {sorted(unknown)}")
         return params
