@@ -1,0 +1,86 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fails if a `Source:` of a comment leads nowhere.
+
+A source is one of these, several may follow each other:
+
+* `[Key, eq. (4)]`, `[Key, section 2.1]`, `[Key, fig. 3]`, `[Key, theorem 1]` and so on: Key is an entry of
+  paper/references.bib, and a number says where in it;
+* `docs/mathematics/removal.md, section 4` or `paper/notes/swept-cutter.md, section 2`: a file of the
+  repository and a heading in it that begins with this number.
+
+The text of a source ends with its paragraph. No comment may refer to a "spec" or "specification" as a
+document.
+"""
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+FOLDERS = ("src", "tests", "experiments")
+COMMENT = re.compile(r"^\s*(?://+[/!<]*|\*|#)\s?(.*)$")
+TRAILING = re.compile(r"\s//+<?\s?(.*)$")
+KEYED = re.compile(r"\[([A-Z][A-Za-z0-9]+)(?:,\s*([^\]]*))?\]")
+FILE = re.compile(r"\b((?:docs|paper|experiments|datasets)/[\w./-]+\.\w+)(?:,\s+sections?\s+([0-9][0-9.]*))?")
+ENTRY = re.compile(r"^@\w+\{([^,]+),", re.M)
+HEADING = re.compile(r"^#+\s+(?:section\s+)?([0-9]+(?:\.[0-9]+)*)\b", re.M | re.I)
+# A specifier of a format and a specialisation of a template are other words.
+SPEC = re.compile(r"\bspec\b|\bspecs\b|\bspecification\b|\bspec's\b", re.I)
+
+
+def paragraphs(text):
+    """(first line number, text) of each paragraph of comments."""
+    begin, lines = None, []
+    for number, line in enumerate(text.splitlines(), start=1):
+        match = COMMENT.match(line) or TRAILING.search(line)
+        body = match[1].strip() if match else ""
+        starts_anew = body.startswith(("\\", "@", "Source"))
+        if lines and (not body or starts_anew):
+            yield begin, " ".join(lines)
+            lines = []
+        if body:
+            begin = begin if lines else number
+            lines.append(body)
+    if lines:
+        yield begin, " ".join(lines)
+
+
+def faults(source, keys, root):
+    """What is wrong with the text after `Source:`."""
+    keyed, files = KEYED.findall(source), FILE.findall(source)
+    if not keyed and not files:
+        yield "names neither a [Key, number] nor a file of the repository"
+    for key, place in keyed:
+        if key not in keys:
+            yield f"[{key}] is not in paper/references.bib"
+        elif not re.search(r"\d|[IVX]+\b|[A-Z]\b|\bentry\b", place):
+            yield f"[{key}] has no number of an equation, section, figure, table or theorem"
+    for name, section in files:
+        file = root / name
+        if not file.exists():
+            yield f"{name} does not exist"
+        elif section and section.rstrip(".") not in HEADING.findall(file.read_text(encoding="utf-8")):
+            yield f"{name} has no section {section.rstrip('.')}"
+
+
+def main(root):
+    keys = set(ENTRY.findall((root / "paper/references.bib").read_text(encoding="utf-8")))
+    bad, count = [], 0
+    for folder in FOLDERS:
+        for file in sorted((root / folder).rglob("*")):
+            if file.suffix not in (".h", ".cpp"):
+                continue
+            for line, text in paragraphs(file.read_text(encoding="utf-8")):
+                where = f"{file.relative_to(root)}:{line}"
+                if SPEC.search(text):
+                    bad.append(f"{where}: refers to a specification that is not in the repository")
+                if "Source:" in text:
+                    count += 1
+                    source = text.split("Source:", 1)[1]
+                    bad += [f"{where}: {fault}" for fault in faults(source, keys, root)]
+    print("\n".join(bad) or f"{count} sources, all in the repository or in a cited work")
+    return bool(bad)
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else ROOT))

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every command of README.md and of the guide works as it is printed.
+
+The commands of a page are the fenced `sh` blocks. Those of one page run one after the other in a folder of
+their own, from which `datasets` is seen, with the program on the path: as in the root of the repository.
+"""
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = Path(os.environ.get("ENDMILL", ROOT / "build/release/src/cli/endmill")).resolve()
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs/guide").glob("*.md"))]
+BLOCK = re.compile(r"^```sh\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+
+# What builds the program or runs this test is run by scripts/test.sh itself: with --all also the
+# experiments. Setting the path is what this test does.
+RUN_BY_TEST_SH = re.compile(r"^(scripts/(test|reproduce|docs|bench|setup|fuzz)\.sh|cmake |ctest |export PATH=)")
+
+
+def commands(page):
+    """The commands of a page, lines that end in a backslash joined."""
+    for block in BLOCK.findall(page.read_text(encoding="utf-8")):
+        for command in block.replace("\\\n", " ").splitlines():
+            command = re.sub(r"\s+#.*$", "", command).strip()
+            if command and not command.startswith("#"):
+                yield command
+
+
+class Commands(unittest.TestCase):
+    """A test for each page, made below."""
+
+    def run_page(self, page):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "datasets").symlink_to(ROOT / "datasets")
+            path = f"{PROGRAM.parent}{os.pathsep}{os.environ['PATH']}"
+            pending = ""
+            for command in commands(page):
+                if RUN_BY_TEST_SH.match(command):
+                    continue
+                pending = f"{pending} {command}".strip()
+                if pending.endswith("&&"):
+                    continue
+                done = subprocess.run(["bash", "-c", pending], cwd=folder, capture_output=True, text=True,
+                                      check=False, stdin=subprocess.DEVNULL, timeout=600,
+                                      env={**os.environ, "PATH": path})
+                self.assertEqual(done.returncode, EXIT_CODES.get(pending, 0),
+                                 f"{page.name}: {pending}\n{done.stdout}{done.stderr}")
+                pending = ""
+
+
+# Commands whose answer is no: the page says so.
+EXIT_CODES = {
+    "endmill plan datasets/surfaces/saddle.json --mode paper --cutter ball:6 --direction u -o paper": 1,
+}
+
+
+def add_test(page):
+    name = "test_" + re.sub(r"\W", "_", str(page.relative_to(ROOT).with_suffix("")))
+    setattr(Commands, name, lambda self: self.run_page(page))
+
+
+for each in PAGES:
+    add_test(each)
+
+if __name__ == "__main__":
+    unittest.main()
