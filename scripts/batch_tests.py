@@ -22,6 +22,8 @@ NO_HELPER = re.compile(r"(?:using|namespace|template|TEST|TEST_F|TEST_P|INSTANTI
 # A member or a qualified name is never a helper of another file.
 WORD = re.compile(r"(?<![\w.>:])[A-Za-z_]\w*|(?<=[^-]>)[A-Za-z_]\w*|(?<=[^:]:)[A-Za-z_]\w*")
 INTRODUCED = re.compile(r"^using\s+[\w:]+::(\w+);", re.MULTILINE)
+# A call with an argument of the namespace test finds the functions of that namespace too.
+SHARED = re.compile(r"\btest::(\w+)")
 TEXT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
 
 
@@ -38,8 +40,9 @@ def helpers(text):
 
 
 def words(text):
-    """The unqualified identifiers of `text` outside comments and string literals."""
-    return set(WORD.findall(TEXT.sub(" ", text))) | set(INTRODUCED.findall(text))
+    """The identifiers of `text` that may mean a helper, outside comments and string literals."""
+    plain = TEXT.sub(" ", text)
+    return {*WORD.findall(plain), *INTRODUCED.findall(plain), *SHARED.findall(plain)}
 
 
 def batches(texts, size):

@@ -39,6 +39,9 @@ class Words(unittest.TestCase):
     def test_contain_what_a_using_declaration_brings(self):
         self.assertIn("random_point", words("using test::random_point;\n"))
 
+    def test_contain_functions_of_the_namespace_test_which_a_helper_would_make_ambiguous(self):
+        self.assertIn("random_point", words("const Vec3 p = test::random_point(random, 1);\n"))
+
 
 class Batches(unittest.TestCase):
     def test_are_filled_to_their_size(self):
@@ -54,7 +57,7 @@ class Batches(unittest.TestCase):
         self.assertEqual(batches({"b": local, "a": HELPER}, 8), [["b"], ["a"]])
 
     def test_a_member_of_that_name_is_no_obstacle(self):
-        member = "TEST(A, B)\n{\n    EXPECT_EQ(line.half, test::half);\n}\n"
+        member = "TEST(A, B)\n{\n    EXPECT_EQ(line.half, other::half);\n}\n"
         self.assertEqual(batches({"a": HELPER, "b": member}, 8), [["a", "b"]])
 
 
