@@ -66,7 +66,7 @@ def split_entry(line):
     related = RELATION.search(term)
     if related:
         return term[:related.start()], text.strip()
-    crowded = re.match(r"(-\S+ (?:[A-Z]\S*|\S+\|\S+)) ([a-z].*)$", term)
+    crowded = re.match(r"(-\S+ (?:[A-Z]\S*|\S+\|\S+)(?: REQUIRED)?) ([a-z].*)$", term)
     return (crowded[1], crowded[2]) if crowded else (term, text.strip())
 
 
