@@ -28,6 +28,7 @@ function(endmill_install)
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
   if(TARGET endmill)
     install(TARGETS endmill)
+    endmill_install_manual()
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/datasets/machines
             DESTINATION ${CMAKE_INSTALL_DATADIR}/endmill)
   endif()

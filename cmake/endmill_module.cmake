@@ -47,13 +47,6 @@ function(endmill_module name)
   endif()
 
   if(ENDMILL_BUILD_TESTS AND tests)
-    add_executable(endmill_${name}_test ${tests})
-    target_link_libraries(endmill_${name}_test PRIVATE endmill::${name} endmill_test_support
-                          endmill_warnings GTest::gtest_main
-                          ${arg_TEST_LIBRARIES})
-    target_compile_options(endmill_${name}_test PRIVATE $<$<CONFIG:Release>:-O1>
-                           $<$<CONFIG:Asan>:-O0>)
-    endmill_precompile(endmill_${name}_test <gtest/gtest.h>)
-    gtest_discover_tests(endmill_${name}_test TEST_PREFIX ${name}. PROPERTIES LABELS ${name})
+    endmill_module_tests(${name} LIBRARIES ${arg_TEST_LIBRARIES} TESTS ${tests})
   endif()
 endfunction()

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails if clang-format would change a C++ file under src, experiments or tests, or if what
-a merge or a patch left behind is committed."""
+"""Fails if clang-format would change a C++ file under src, experiments or tests, or if a
+leftover of a merge or a patch (*.orig, *.rej) is committed."""
 import os
 import subprocess
 import sys
@@ -17,7 +17,7 @@ def sources(root):
 
 
 def would_change(files):
-    """What clang-format has to say about `files`, empty if they are as it wants them."""
+    """The complaints of clang-format about `files`, empty if they are formatted."""
     if not files:
         return ""
     command = ["clang-format", "--dry-run", "-Werror", *map(str, files)]
@@ -39,7 +39,7 @@ def main(root):
         said = "".join(pool.map(would_change, [files[i::cores] for i in range(cores)]))
     print(said or f"{len(files)} files are formatted")
     if said:
-        print("clang-format -i FILE... puts this right")
+        print("clang-format -i FILE... formats them")
     left = leftovers(root)
     for file in left:
         print(f"{file} is left over from a merge or a patch: git rm it")

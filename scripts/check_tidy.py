@@ -4,7 +4,9 @@
 
 Changed is what differs from the merge base with origin/main, or from the commit
 before where that is the current commit; uncommitted and untracked files too.
-A header is looked at through the .cpp of its name or one that includes it.
+A header is checked through the .cpp of the same name, or else one that includes it.
+
+Example: scripts/check_tidy.py --all
 """
 import json
 import os

@@ -6,33 +6,41 @@ exec </dev/null
 
 usage() {
     cat <<'HELP'
-scripts/fuzz.sh [SECONDS] [--help]
+scripts/fuzz.sh [--no-install] [SECONDS]
 
 Builds the fuzzers of the readers into build/asan (clang, libFuzzer, address and
-undefined-behaviour sanitizers) and runs each for SECONDS (10), as many at a time as
-there are cores. Each begins with the files in tests/fuzz/corpus, with what earlier
-runs found of interest, and with their findings.
+undefined-behaviour sanitizers) and runs each for SECONDS (default 10), as many at a time
+as there are cores. Each starts from the files in tests/fuzz/corpus, from the interesting
+inputs of earlier runs, and from their findings.
 
-Installs missing packages (Debian, root). Safe to run again: only what changed is
-rebuilt. Exit 1 on a finding; its input is then in build/fuzz/findings, and fails
-every run until it is put right.
+  --no-install   installs no packages and checks that every program and library is there
+
+Only what changed is rebuilt. Exit 0 without a finding; 1 with one: its input is then in
+build/fuzz/findings, and every later run tries it again; 2 if the command line is wrong.
+Example: scripts/fuzz.sh 60
 HELP
 }
 
 seconds=10
-case "${1:-}" in
-    '') ;;
-    --help | -h) usage; exit 0 ;;
-    *[!0-9]*) echo "fuzz.sh: unknown argument $1, see --help" >&2; exit 2 ;;
-    *) seconds=$1 ;;
-esac
-scripts/setup.sh
+setup_options=()
+for argument in "$@"; do
+    case "$argument" in
+        --help | -h) usage; exit 0 ;;
+        --no-install) setup_options=(--no-install) ;;
+        '' | *[!0-9]*) echo "fuzz.sh: unknown argument '$argument', see --help" >&2; exit 2 ;;
+        *) seconds=$argument ;;
+    esac
+done
+scripts/setup.sh "${setup_options[@]}" build sanitizers
 
 folder=build/fuzz
-cmake --preset asan
+# The preset names the clang of Debian 12; elsewhere the default clang does.
+clang=()
+command -v clang++-14 >/dev/null || clang=(-D CMAKE_CXX_COMPILER=clang++)
+cmake --preset asan "${clang[@]}"
 cmake --build --preset asan --target endmill_fuzzers
 
-# Runs one fuzzer; its status tells whether it had no finding.
+# Runs one fuzzer; fails if it has a finding.
 fuzz() {
     local name=$1 log="$folder/$1.log"
     local findings="$folder/findings/$name" interesting="$folder/corpus/$name"

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the curves of datasets/offset-curves, or of another FOLDER, as polyline files.
+"""Writes the curves of datasets/offset-curves into that folder or into FOLDER.
 
 Usage: scripts/generate_offset_curves.py [FOLDER]
+Example: scripts/generate_offset_curves.py /tmp
 
-vectors.json, hard-cases.json and random-families.json there are data and not made here;
-vectors/*.csv and hard-cases/*.csv are curves of theirs, random-families/*.json the profiles of
-the families and the exact envelopes of their curves.
+The script reads vectors.json, hard-cases.json and random-families.json of the dataset. It writes
+their curves as polyline files, vectors/*.csv and hard-cases/*.csv, and into random-families/*.json
+the profiles of the families with the exact envelopes of their curves.
 """
 import json
 import sys

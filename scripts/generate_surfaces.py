@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the surfaces of datasets/surfaces, or of another FOLDER, the same bytes every time.
+"""Writes the surfaces of datasets/surfaces into that folder or into FOLDER, the same bytes every time.
 
 Usage: scripts/generate_surfaces.py [FOLDER]
+Example: scripts/generate_surfaces.py /tmp
 
-The net_*.json files are data and not made here.
+The script does not write the net_*.json files: they are data without a formula.
 """
 import json
 import sys

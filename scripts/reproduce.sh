@@ -2,38 +2,50 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-exec </dev/null # nothing here asks
+exec </dev/null # no tool that runs here asks a question
 
 usage() {
     cat <<'HELP'
-scripts/reproduce.sh [PAPER | PAPER/ITEM ...]
+scripts/reproduce.sh [--quick | --full] [--no-install] [PAPER | PAPER/ITEM ...]
 scripts/reproduce.sh --accept PAPER/ITEM ...
 scripts/reproduce.sh --help
 
-Installs missing packages (Debian, root), builds the preset release, runs every
-experiment (or the ones named), prints the published numbers beside the computed
-ones, compares with the earlier result, draws the figures.
+Installs missing packages (Debian, root), builds the experiments in build/release and runs
+them, paper by paper. Prints each published number beside the computed one, compares with
+expected.csv, draws the figures and writes a report. Builds only the drivers that it runs.
 
   results/PAPER/ITEM/    CSV, figures as SVG, run.json (revision, time, machine), run.log
   results/report.html    everything on one page, opens offline
 
-  --accept   makes results/PAPER/ITEM/result.csv the new expected.csv of that
-             experiment. Look at the result and know why it changed first: from
-             then on this is what the regression holds every run to.
+  --quick        leaves out the benchmarks and every study of more than a minute, which
+                 says "long": true in its params.json (default)
+  --full         runs everything; on two cores that takes about 40 minutes
+  PAPER          only this folder of experiments/
+  PAPER/ITEM     only this experiment, however long it takes
+  --no-install   installs nothing and checks that every program and library is there
+  --accept       makes results/PAPER/ITEM/result.csv the new expected.csv of that
+                 experiment. Look at the result and know why it changed first.
 
-Exit 0; 1 if an experiment crashed or departs from its expected.csv (never because
-a published number differs); 2 if the command line is wrong.
+Exit 0; 1 if an experiment crashed or departs from its expected.csv (never because a
+published number differs); 2 if the command line is wrong.
 Example: scripts/reproduce.sh economic-cl-data/table-1
 HELP
 }
 
+groups=(build figures)
+setup_options=()
+arguments=()
 for argument in "$@"; do
     case "$argument" in
         --help | -h) usage; exit 0 ;;
-        --accept) ;;
+        --no-install) setup_options=(--no-install); continue ;;
+        --full) groups+=(benchmarks) ;;
+        --accept | --quick) ;;
         -*) echo "reproduce.sh: unknown option $argument, see --help" >&2; exit 2 ;;
+        benchmarks | benchmarks/* | experiments/benchmarks*) groups+=(benchmarks) ;;
     esac
+    arguments+=("$argument")
 done
 
-scripts/setup.sh
-PYTHONPATH=scripts exec /usr/bin/python3 -m reproduction "$@"
+scripts/setup.sh "${setup_options[@]}" "${groups[@]}"
+PYTHONPATH=scripts exec /usr/bin/python3 -m reproduction "${arguments[@]}"

@@ -6,33 +6,46 @@ exec </dev/null # nothing here asks, and a closed standard input would confuse s
 
 usage() {
     cat <<'HELP'
-scripts/test.sh [--all] [--help]
+scripts/test.sh [--all] [--no-install]
 
-Installs missing packages (Debian, root), builds the preset release (g++) and runs all
-tests, builds the program and the fuzzers by the preset asan (clang, address and
-undefined-behaviour sanitizers), runs the tests of the program and fuzzes each reader
-for 5 s (scripts/fuzz.sh), then clang-tidy on the files that changed since the merge base
-with origin/main (on main itself: since the commit before).
+Installs missing packages (Debian, root) and runs the tests:
+  1. builds the preset release (g++) and runs all tests;
+  2. builds the program and the fuzzers by the preset asan (clang, address and
+     undefined-behaviour sanitizers), runs the tests of the program, and fuzzes each
+     reader for 5 s (scripts/fuzz.sh);
+  3. runs clang-tidy on the files that changed since the merge base with origin/main, or
+     on main itself since the commit before.
+It takes at most 20 minutes on two cores, beginning with an empty clone.
 
-  --all    all tests under sanitizers too, fuzzes for 60 s each, compiles every installed
-           header alone, and clang-tidy on every file: about an hour on two cores
+  --all          also: all tests under sanitizers, fuzzing for 60 s each, the benchmarks
+                 compiled, every installed header compiled alone, the Debian package built
+                 and tried, the documentation built, and clang-tidy on every file;
+                 about an hour and a half on two cores
+  --no-install   installs nothing and checks that every program and library is there
 
-Build folders: build/release, build/asan, build/fuzz. Safe to run again: only what
-changed is rebuilt. Exit 0 if everything passed, 1 otherwise.
+Build folders: build/release, build/asan, build/fuzz. Only what changed is rebuilt.
+Exit 0 if everything passed; 1 otherwise; 2 if the command line is wrong.
+Example: scripts/test.sh --no-install
 HELP
 }
 
 all=false
 fuzz_seconds=5
 tidy_options=()
+setup_options=()
+groups=(build figures tests sanitizers)
+release_targets=(all endmill_tests endmill_experiments)
 asan_targets=(endmill endmill_fuzzers)
 asan_tests=(--label-regex '^cli$')
 for argument in "$@"; do
     case "$argument" in
-        --all) 
+        --all)
             all=true fuzz_seconds=60 tidy_options=(--all)
-            asan_targets=(all endmill_fuzzers)
+            groups+=(benchmarks docs packaging)
+            release_targets+=(endmill_benchmarks)
+            asan_targets+=(endmill_tests)
             asan_tests=(--label-exclude '^scripts$') ;;
+        --no-install) setup_options=(--no-install) ;;
         --help | -h) usage; exit 0 ;;
         *) echo "test.sh: unknown argument $argument, see --help" >&2; exit 2 ;;
     esac
@@ -58,40 +71,48 @@ run_tests() {
 build() {
     local preset=$1
     shift
-    step "configure: $preset"
-    cmake --preset "$preset"
     step "build: $preset"
     cmake --build --preset "$preset" --target "$@"
 }
 
-# What they find is kept in build/fuzz/findings.
+# Findings are kept in build/fuzz/findings.
 run_fuzzers() {
     local log=build/fuzz.log said
     step "fuzz: $fuzz_seconds s for each reader"
-    scripts/fuzz.sh "$fuzz_seconds" 2>&1 | tee "$log" || failed+=("fuzzers")
+    scripts/fuzz.sh "${setup_options[@]}" "$fuzz_seconds" 2>&1 | tee "$log" || failed+=("fuzzers")
     said=$(sed -n 's/^fuzz.sh: //p' "$log")
     summaries+=("fuzz: ${said:-not run}")
 }
 
-# A header that needs another one before it is no interface.
-compile_headers() {
-    step "headers: each alone"
-    cmake --build --preset release --target all_verify_interface_header_sets ||
-        failed+=("headers")
+# run NAME COMMAND...: a step of its own that may fail.
+run() {
+    local name=$1
+    shift
+    step "$name"
+    "$@" || failed+=("$name")
 }
 
 step "set-up"
-scripts/setup.sh
-build release all
+scripts/setup.sh "${setup_options[@]}" "${groups[@]}"
+step "configure: release"
+cmake --preset release
+build release "${release_targets[@]}"
 run_tests release
+step "configure: asan"
+# The preset names the clang of Debian 12; elsewhere the default clang does.
+clang=()
+command -v clang++-14 >/dev/null || clang=(-D CMAKE_CXX_COMPILER=clang++)
+cmake --preset asan "${clang[@]}"
 build asan "${asan_targets[@]}"
 run_tests asan "${asan_tests[@]}"
 run_fuzzers
 if $all; then
-    compile_headers
+    run headers cmake --build --preset release --target all_verify_interface_header_sets
+    run "package: build" cmake --build --preset release --target package
+    run "package: try" /usr/bin/python3 tests/package/package_test.py
+    run documentation scripts/docs.sh "${setup_options[@]}"
 fi
-step "clang-tidy"
-/usr/bin/python3 scripts/check_tidy.py "${tidy_options[@]}" || failed+=("clang-tidy")
+run clang-tidy /usr/bin/python3 scripts/check_tidy.py "${tidy_options[@]}"
 
 verdict="all passed"
 if [[ ${#failed[@]} -gt 0 ]]; then

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the experiments, holds them to their earlier results and shows published beside computed."""
+"""Runs the experiments, compares them with expected.csv and shows published beside computed numbers."""

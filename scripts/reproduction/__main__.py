@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command line of scripts/reproduce.sh, which tells its use."""
+"""The command line of scripts/reproduce.sh, whose --help describes it."""
 import subprocess
 import sys
 import time
 from datetime import datetime, timezone
+from itertools import groupby
 from pathlib import Path
 
 from . import machine, report
 from .accept import accept
-from .experiments import find_experiments, select
+from .experiments import find_experiments, long_ones, select
 from .fault import Fault
 from .figures import draw_all
 from .outcome import gather, read_run
@@ -29,13 +30,16 @@ def step(text):
     say(f"== [{minutes}:{seconds:02}] {text}")
 
 
-def build(root):
-    """Whether the release preset could be built; cmake says why not."""
-    commands = ["cmake --preset release", "cmake --build --preset release"]
-    return all(
-        subprocess.run(command.split(), cwd=root, check=False).returncode == 0
-        for command in commands
-    )
+def run_whole(command, root):
+    """Runs a command; a Fault if it fails."""
+    if subprocess.run(command, cwd=root, check=False).returncode != 0:
+        raise Fault(f"{' '.join(command)} failed, see above")
+
+
+def build(root, experiments):
+    """Builds the drivers of the experiments."""
+    targets = [e.target for e in experiments]
+    run_whole(["cmake", "--build", "--preset", "release", "--target", *targets], root)
 
 
 def draw(experiment):
@@ -50,7 +54,7 @@ def draw(experiment):
 
 
 def show(outcome):
-    """Prints one outcome: published beside computed, then what is wrong."""
+    """Prints one outcome: published beside computed, then the faults."""
     say(f"\n{outcome.experiment.name}: regression {outcome.regression}")
     if outcome.lines:
         say(as_text(outcome.lines))
@@ -79,17 +83,39 @@ def write_report(root, outcomes, not_run):
     write_whole(root / "results/report.html", page.encode())
 
 
-def reproduce(root, experiments, chosen):
-    """Runs the `chosen` of all `experiments` and reports; whether all are as they were."""
-    step(f"running {len(chosen)} experiments")
-    run_all(root, chosen, say)
-    step("drawing figures")
-    faults = {experiment: draw(experiment) for experiment in chosen}
-    found = {e: gather(e, e in faults, faults.get(e, ())) for e in experiments}
-    outcomes = [outcome for outcome in found.values() if outcome]
-    fresh = [outcome for outcome in outcomes if outcome.fresh]
-    for outcome in fresh:
+def stages(chosen):
+    """The experiments in groups that are built and run one after the other.
+
+    The first table comes first, alone, so that it is printed as soon as possible.
+    """
+    first = next((e for e in chosen if e.item.startswith("table")), chosen[0])
+    rest = [e for e in chosen if e != first]
+    return [[first]] + [list(group) for _, group in groupby(rest, key=lambda e: e.paper)]
+
+
+def run_stage(stage, revision):
+    """Runs the experiments of a stage, draws their figures and prints their outcomes."""
+    run_all(stage, revision, say)
+    faults = {experiment: draw(experiment) for experiment in stage}
+    outcomes = [gather(e, True, faults[e]) for e in stage]
+    for outcome in outcomes:
         show(outcome)
+    return outcomes
+
+
+def reproduce(root, experiments, chosen, build_drivers=build):
+    """Builds and runs the `chosen` of all `experiments`; whether all are as expected."""
+    # The revision is read before the runs: a file edited meanwhile has no part in the results.
+    revision = machine.revision(root)
+    fresh = []
+    for stage in stages(chosen):
+        step(f"building {count(stage)}")
+        build_drivers(root, stage)
+        step(f"running {count(stage)}")
+        fresh += run_stage(stage, revision)
+    by_name = {outcome.experiment: outcome for outcome in fresh}
+    found = {e: by_name.get(e) or gather(e, False) for e in experiments}
+    outcomes = [outcome for outcome in found.values() if outcome]
     write_report(root, outcomes, [e.name for e, outcome in found.items() if not outcome])
     bad = [outcome.experiment.name for outcome in fresh if not outcome.good]
     say("")
@@ -100,11 +126,27 @@ def reproduce(root, experiments, chosen):
     return not bad
 
 
+def count(stage):
+    """The name of the only experiment, or the number of experiments and their paper."""
+    return stage[0].name if len(stage) == 1 else f"{len(stage)} experiments of {stage[0].paper}"
+
+
+def say_left_out(left_out):
+    """Names what --quick does not run."""
+    if left_out:
+        names = [e.name for e in left_out if e.paper != "benchmarks"]
+        names += ["benchmarks"] if any(e.paper == "benchmarks" for e in left_out) else []
+        say(f"left out by --quick: {', '.join(names)} (--full runs them)")
+
+
 def main(arguments):
-    accepting = "--accept" in arguments
-    names = [a for a in arguments if a != "--accept"]
+    options = [a for a in arguments if a.startswith("-")]
+    names = [a for a in arguments if not a.startswith("-")]
+    if "--quick" in options and "--full" in options:
+        say("reproduce.sh: --quick and --full exclude each other")
+        return 2
     # A new expectation is looked at one by one, so --accept takes no whole paper.
-    if accepting and not (names and all("/" in name for name in names)):
+    if "--accept" in options and not (names and all("/" in name for name in names)):
         say("reproduce.sh: --accept needs PAPER/ITEM, see --help")
         return 2
     experiments = find_experiments(ROOT)
@@ -114,13 +156,18 @@ def main(arguments):
         say("\n".join(f"  {e.name}" for e in experiments))
         return 2
     try:
-        if accepting:
+        if "--accept" in options:
             return accept(chosen, say)
-        step("building (release)")
-        if not build(ROOT):
-            say("reproduce.sh: the build failed")
-            return 1
-        return 0 if reproduce(ROOT, experiments, chosen) else 1
+        left_out = [] if "--full" in options else long_ones(chosen, names)
+        chosen = [e for e in chosen if e not in left_out]
+        if not chosen:
+            say("reproduce.sh: every experiment that was named is long; use --full")
+            return 2
+        step("configuring build/release")
+        run_whole(["cmake", "--preset", "release"], ROOT)
+        good = reproduce(ROOT, experiments, chosen)
+        say_left_out(left_out)
+        return 0 if good else 1
     except Fault as fault:
         say(f"error: {fault}")
         return 1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes results the new expected ones, by hand and by name only."""
+"""Makes the result of a named experiment its new expected.csv."""
 from .compare import compare
 from .outcome import read_run
 from .run import write_whole

@@ -11,7 +11,7 @@ DEFAULT = {"relative": 1e-9, "absolute": 1e-12}
 
 @dataclass(frozen=True)
 class Broken:
-    """A cell that is not what it was."""
+    """A cell that differs from the expected one."""
 
     row: str
     column: str

@@ -8,7 +8,8 @@ from pathlib import Path
 from .fault import Fault
 
 NOT_A_PAPER = {"support"}  # a library that the drivers share
-BESIDE_THE_PAPERS = {"verification", "benchmarks"}  # ours, shown last
+BENCHMARKS = "benchmarks"
+BESIDE_THE_PAPERS = {"verification", BENCHMARKS}  # ours, shown last
 
 
 @dataclass(frozen=True)
@@ -32,8 +33,13 @@ class Experiment:
         return self.root / "results" / self.paper / self.item
 
     @property
+    def target(self):
+        """The name of its driver in the build."""
+        return f"{self.paper}-{self.item}"
+
+    @property
     def program(self):
-        return self.root / "build/release/experiments" / f"{self.paper}-{self.item}"
+        return self.root / "build/release/experiments" / self.target
 
     def params(self):
         """What params.json says; empty without one."""
@@ -46,14 +52,18 @@ class Experiment:
             raise Fault(f"{path}: {error}") from None
         if not isinstance(params, dict):
             raise Fault(f"{path}: expected an object")
-        unknown = params.keys() - {"parameters", "tolerances", "figures", "alone"}
+        unknown = params.keys() - {"parameters", "tolerances", "figures", "alone", "long", "peers"}
         if unknown:
             raise Fault(f"{path}: unknown keys {sorted(unknown)}")
         return params
 
     def runs_alone(self):
         """Whether it measures time, so that nothing else may run beside it."""
-        return self.paper == "benchmarks" or bool(self.params().get("alone"))
+        return self.paper == BENCHMARKS or bool(self.params().get("alone"))
+
+    def is_long(self):
+        """Whether `reproduce.sh --quick` leaves it out: benchmarks, and what needs over a minute."""
+        return self.paper == BENCHMARKS or bool(self.params().get("long"))
 
 
 def find_experiments(root):
@@ -69,13 +79,25 @@ def place_in_report(experiment):
     return experiment.paper in BESIDE_THE_PAPERS, experiment.paper, numbered
 
 
+def plain(names):
+    """The set of names; a shell's completion, experiments/PAPER/ITEM/, becomes PAPER/ITEM."""
+    return {name.removeprefix("experiments/").rstrip("/") for name in names}
+
+
+def long_ones(experiments, names):
+    """The long experiments that are not named one by one; all benchmarks if they are asked for."""
+    named = plain(names)
+    return [e for e in experiments
+            if e.is_long() and e.name not in named
+            and not (e.paper == BENCHMARKS and BENCHMARKS in named)]
+
+
 def select(experiments, names):
     """The experiments that `names` (PAPER or PAPER/ITEM) mean, all without names.
 
     Returns them and the names that mean none.
     """
-    # What a shell completes, experiments/PAPER/ITEM/, is understood too.
-    wanted = {name.removeprefix("experiments/").rstrip("/") for name in names}
+    wanted = plain(names)
     chosen = [e for e in experiments if not wanted or e.name in wanted or e.paper in wanted]
     known = {e.name for e in experiments} | {e.paper for e in experiments}
     return chosen, sorted(wanted - known)

@@ -3,4 +3,4 @@
 
 
 class Fault(Exception):
-    """A file of an experiment, or a driver's output, is not as it must be: which one, and why."""
+    """A wrong file of an experiment or a failed command; the text states which one and why."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a result owes its circumstances to: the revision and the machine."""
+"""The revision and the machine that produced a result."""
 import os
 import re
 import subprocess
@@ -39,7 +39,7 @@ def compiler(root):
 
 
 def describe(root):
-    """The machine as run.json records it; the load average tells how far times can be trusted."""
+    """The machine as run.json records it; a high load average makes measured times unreliable."""
     return {
         "cpu": cpu_model(),
         "cores": len(os.sched_getaffinity(0)),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What stands in results/ for one experiment, held to its expected.csv and published.csv."""
+"""The result of one experiment, compared with its expected.csv and published.csv."""
 import json
 from dataclasses import dataclass, field
 
@@ -49,7 +49,7 @@ def read_run(experiment):
 
 
 def gather(experiment, fresh, faults=()):
-    """The Outcome of what results/ holds for `experiment`, None if that is nothing."""
+    """The Outcome of the result of `experiment`, None if it has no result."""
     run = read_run(experiment)
     if run is None:
         return None
@@ -65,7 +65,7 @@ def gather(experiment, fresh, faults=()):
 
 
 def examine(outcome):
-    """Fills in what the files of the experiment and its result say."""
+    """Reads the files of the experiment and of its result into `outcome`."""
     experiment = outcome.experiment
     params = experiment.params()
     outcome.figures = [f for f in figures_of(params) if (experiment.results / f["file"]).is_file()]

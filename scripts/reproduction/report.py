@@ -66,13 +66,13 @@ def published_table(outcome):
 
 
 def rounded(text):
-    """A cell for the eye: whole numbers and words as they are, others to five digits."""
+    """The text of a cell: whole numbers and words unchanged, other numbers to five digits."""
     value = number(text)
     return text if value is None or value == int(value) else f"{value:.5g}"
 
 
 def result_table(outcome):
-    """The result itself, of an experiment to which nothing was published, if it is short."""
+    """The result itself, if it is short and the experiment has no published numbers."""
     result = outcome.result
     if outcome.lines or not result.rows or len(result.rows) > LONGEST_TABLE:
         return ""
@@ -102,7 +102,7 @@ def files(outcome):
 
 
 def circumstances(outcome):
-    """When, on which revision, for how long; said louder of a run that is not of this time."""
+    """Date, revision and duration of the run; in bold if the run is an earlier one."""
     run = outcome.run
     when = "Run" if outcome.fresh else "<strong>Not run this time</strong>; earlier run"
     text = f'{run["seconds"]:.2f} s, {run["started"]}, revision {run["revision"]}'
@@ -189,7 +189,7 @@ def legend():
 
 
 def facts(outcomes, revision, machine, date):
-    """What made this page, and how the regressions stand."""
+    """Revision, machine and compiler of this page, and the number of failures."""
     good = sum(outcome.good for outcome in outcomes)
     load = ", ".join(map(str, machine["load_average"]))
     count = len(outcomes)

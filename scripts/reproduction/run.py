@@ -50,10 +50,8 @@ def call(command, folder, log):
         return 127
 
 
-def run_all(root, experiments, say):
-    """Runs as many at a time as there are cores; what measures time afterwards, one by one."""
-    # Taken before the runs: a file edited meanwhile would be blamed on results that never saw it.
-    revision = machine.revision(root)
+def run_all(experiments, revision, say):
+    """Runs as many at a time as there are cores; then one by one those that measure time."""
     alone = [e for e in experiments if e.runs_alone()]
     together = [e for e in experiments if e not in alone]
     with ThreadPoolExecutor(os.cpu_count()) as pool:

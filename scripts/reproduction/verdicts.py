@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Published numbers beside ours, each with the verdict that its computed value bears out."""
+"""Published numbers beside ours, each with the verdict that its computed value supports."""
 from dataclasses import dataclass
 
 from .fault import Fault

@@ -3,17 +3,19 @@
 import html
 import json
 import re
-import subprocess
 import unittest
-from pathlib import Path
 
-from fake_tree import ROOT, FakeTree
-from reproduction.__main__ import reproduce
+from fake_tree import FakeTree
+from reproduction.__main__ import reproduce, stages
 from reproduction.accept import accept
-from reproduction.experiments import find_experiments, select
+from reproduction.experiments import find_experiments, long_ones, select
 
 RESULT = "row,x\na,1\nb,2.5\n"
 PAYLOAD = "</script><script>alert(1)</script><img src=x onerror=alert(1)>"
+
+
+def already_built(_root, _experiments):
+    """In place of a build."""
 
 
 class Reproduce(FakeTree):
@@ -22,7 +24,7 @@ class Reproduce(FakeTree):
         experiments = find_experiments(self.root)
         chosen, unknown = select(experiments, names)
         self.assertEqual(unknown, [])
-        good, printed = self.check(reproduce, self.root, experiments, chosen)
+        good, printed = self.check(reproduce, self.root, experiments, chosen, already_built)
         return bool(good), printed
 
     def report(self):
@@ -120,6 +122,35 @@ class Reproduce(FakeTree):
             else:
                 self.assertTrue((self.root / "results" / link).exists(), link)
 
+    def test_the_first_table_is_built_and_run_before_all_else_then_paper_by_paper(self):
+        for name in ("a/claims", "a/table-1", "a/table-2", "b/figure-1", "b/table-3"):
+            self.add_experiment(name, RESULT)
+        order = []
+
+        def build(_root, experiments):
+            order.append([e.name for e in experiments])
+
+        experiments = find_experiments(self.root)
+        good, printed = self.check(reproduce, self.root, experiments, experiments, build)
+        self.assertTrue(good, printed)
+        self.assertEqual(order, [["a/table-1"], ["a/claims", "a/table-2"], ["b/figure-1", "b/table-3"]])
+        self.assertLess(printed.index("a/table-1: regression"), printed.index("2 experiments of a"))
+
+    def test_one_experiment_is_one_stage_with_only_its_own_driver(self):
+        self.add_experiment("a/table-1", RESULT)
+        self.add_experiment("a/figure-2", RESULT)
+        chosen, _ = select(find_experiments(self.root), ["a/figure-2"])
+        self.assertEqual([[e.target for e in stage] for stage in stages(chosen)], [["a-figure-2"]])
+
+    def test_quick_leaves_out_benchmarks_and_long_studies_that_are_not_named(self):
+        self.add_experiment("a/table-1", RESULT)
+        self.add_experiment("a/study", RESULT, {"long": True})
+        self.add_experiment("benchmarks/post", RESULT)
+        for names, left_out in (([], ["a/study", "benchmarks/post"]), (["a"], ["a/study"]),
+                                (["a/study"], []), (["benchmarks"], []), (["benchmarks/post"], [])):
+            chosen, _ = select(find_experiments(self.root), names)
+            self.assertEqual([e.name for e in long_ones(chosen, names)], left_out, names)
+
     def test_accept_makes_the_result_the_expected_one(self):
         self.add_experiment("paper/table-1", RESULT, expected="row,x\na,9\n")
         self.assertFalse(self.reproduce()[0])
@@ -146,16 +177,6 @@ class Reproduce(FakeTree):
         chosen, unknown = select(find_experiments(self.root), names)
         self.assertEqual([e.name for e in chosen], ["paper/table-1"])
         self.assertEqual(unknown, ["paper/table-9"])
-
-
-class Scripts(unittest.TestCase):
-    def test_both_commands_tell_their_use_and_refuse_what_they_do_not_know(self):
-        for script in ("scripts/test.sh", "scripts/reproduce.sh"):
-            for option, code in (("--help", 0), ("--nonsense", 2)):
-                command = [ROOT / script, option]
-                done = subprocess.run(command, capture_output=True, text=True, check=False)
-                self.assertEqual(done.returncode, code)
-                self.assertIn(Path(script).name, done.stdout + done.stderr)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The test program of a module: tests/NAME/*_test.cpp. Two measures halve its compile time:
+# test files are compiled in batches, and all programs share one precompiled header. The target
+# endmill_tests builds all of them; they are no part of the target all.
+
+set(ENDMILL_TEST_BATCH 8 CACHE STRING "Test files that are compiled together; 1: each alone")
+
+# endmill_batch_tests(file...): puts source files into batches in which no two files use one
+# name for two things; scripts/batch_tests.py describes the rule.
+function(endmill_batch_tests)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN}
+               ${PROJECT_SOURCE_DIR}/scripts/batch_tests.py)
+  execute_process(
+    COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/scripts/batch_tests.py ${ENDMILL_TEST_BATCH} ${ARGN}
+    OUTPUT_VARIABLE batches OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  string(REPLACE ";" "," batches "${batches}")
+  string(REPLACE "\n" ";" batches "${batches}")
+  set(number 0)
+  foreach(batch IN LISTS batches)
+    math(EXPR number "${number} + 1")
+    string(REPLACE "," ";" batch "${batch}")
+    list(LENGTH batch length)
+    if(length GREATER 1)
+      set_source_files_properties(${batch} PROPERTIES UNITY_GROUP batch_${number})
+    endif()
+  endforeach()
+endfunction()
+
+# endmill_test_options(TARGET): how every test program is compiled.
+function(endmill_test_options target)
+  target_link_libraries(${target} PRIVATE endmill_test_support endmill_warnings GTest::gtest_main
+                        GTest::gmock)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Asan>:-O0>)
+endfunction()
+
+# endmill_precompile_tests(): declares endmill_tests and the owner of the shared header.
+function(endmill_precompile_tests)
+  add_custom_target(endmill_tests)
+  file(CONFIGURE OUTPUT test_precompiled.cpp CONTENT "" @ONLY)
+  add_library(endmill_test_precompiled OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/test_precompiled.cpp)
+  target_compile_features(endmill_test_precompiled PUBLIC cxx_std_20)
+  target_link_libraries(endmill_test_precompiled PRIVATE Eigen3::Eigen)
+  endmill_test_options(endmill_test_precompiled)
+  endmill_precompile(endmill_test_precompiled <gtest/gtest.h> <gmock/gmock.h>)
+endfunction()
+
+# endmill_module_tests(NAME LIBRARIES target... TESTS file...)
+function(endmill_module_tests name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES;TESTS")
+  set(target endmill_${name}_test)
+  add_executable(${target} EXCLUDE_FROM_ALL ${arg_TESTS})
+  add_dependencies(endmill_tests ${target})
+  endmill_batch_tests(${arg_TESTS})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  target_link_libraries(${target} PRIVATE endmill::${name} ${arg_LIBRARIES})
+  endmill_test_options(${target})
+  if(arg_LIBRARIES MATCHES "CGAL")
+    # CGAL's compiler options differ from those of the shared header.
+    endmill_precompile(${target} <gtest/gtest.h> <gmock/gmock.h>)
+  else()
+    target_precompile_headers(${target} REUSE_FROM endmill_test_precompiled)
+  endif()
+  gtest_discover_tests(${target} TEST_PREFIX ${name}. PROPERTIES LABELS ${name})
+endfunction()

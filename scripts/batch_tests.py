@@ -1,0 +1,75 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Divides test files into batches that compile as one file each.
+
+Tests keep their helpers in unnamed namespaces, so that two files may use one name for two
+things. Such files must not share a batch. A file joins the first batch that has room, and
+in which no file mentions a helper of this file, nor this file a helper of the others.
+
+Example: scripts/batch_tests.py 8 tests/core/*_test.cpp
+
+Prints one batch a line: its files, separated by semicolons. CMake calls this script
+(cmake/endmill_module.cmake).
+"""
+import re
+import sys
+from pathlib import Path
+
+# What clang-format leaves in the first column is a declaration at namespace scope.
+ALIAS_OR_TYPE = re.compile(r"using\s+(\w+)\s*=|(?:struct|enum class|class|enum)\s+(\w+)")
+FUNCTION_OR_VARIABLE = re.compile(r"[A-Za-z_][\w:<>,&*\s]*?[\s&*](\w+)\s*(?:[(\[={;]|$)")
+NO_HELPER = re.compile(r"(?:using|namespace|template|TEST|TEST_F|TEST_P|INSTANTIATE\w*)\b")
+# A member or a qualified name is never a helper of another file.
+WORD = re.compile(r"(?<![\w.>:])[A-Za-z_]\w*|(?<=[^-]>)[A-Za-z_]\w*|(?<=[^:]:)[A-Za-z_]\w*")
+INTRODUCED = re.compile(r"^using\s+[\w:]+::(\w+);", re.MULTILINE)
+# A call with an argument of the namespace test finds the functions of that namespace too.
+SHARED = re.compile(r"\btest::(\w+)")
+TEXT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
+
+
+def helpers(text):
+    """The names that `text` declares at namespace scope."""
+    names = set()
+    for line in text.splitlines():
+        found = ALIAS_OR_TYPE.match(line)
+        if not found and not NO_HELPER.match(line):
+            found = FUNCTION_OR_VARIABLE.match(line)
+        if found:
+            names.add(found[found.lastindex])
+    return names
+
+
+def words(text):
+    """The identifiers of `text` that may mean a helper, outside comments and string literals."""
+    plain = TEXT.sub(" ", text)
+    return {*WORD.findall(plain), *INTRODUCED.findall(plain), *SHARED.findall(plain)}
+
+
+def batches(texts, size):
+    """Lists of names: the keys of `texts` (name -> text) in batches of at most `size`."""
+    made = []  # of [files, helpers, words]
+    for name, text in texts.items():
+        own, used = helpers(text), words(text)
+        for batch in made:
+            if len(batch[0]) < size and not own & batch[2] and not used & batch[1]:
+                batch[0].append(name)
+                batch[1] |= own
+                batch[2] |= used
+                break
+        else:
+            made.append([[name], own, used])
+    return [batch[0] for batch in made]
+
+
+def main(arguments):
+    if len(arguments) < 2 or not arguments[0].isdigit() or arguments[0] == "0":
+        print(__doc__, file=sys.stderr)
+        return 2
+    texts = {name: Path(name).read_text(encoding="utf-8") for name in arguments[1:]}
+    for batch in batches(texts, int(arguments[0])):
+        print(";".join(batch))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs the benchmarks of a working tree, alone or beside another revision."""

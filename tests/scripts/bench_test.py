@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Benchmarks run and compared, with drivers that are shell scripts."""
+import csv
+import unittest
+
+from fake_tree import ROOT, FakeTree
+
+from benchmarking.__main__ import UsageError, read
+from benchmarking.measure import COMPARE_HEAD, RUN_HEAD, compare, judged, measure, pairs_of, write_csv
+from benchmarking.rows import Row, peer_ratio, sense, slowdown, spread_percent, verdict
+from benchmarking.trees import Tree, checked_out
+from reproduction.experiments import find_experiments
+from reproduction.fault import Fault
+from reproduction.tables import read_table
+
+HEAD = "row,measured,unit\n"
+
+
+class Rows(unittest.TestCase):
+    def test_time_and_memory_count_up_and_speed_counts_down(self):
+        for unit in ("s", "ms a segment", "ns/pair", "us a point", "bytes a cell", "GiB", "MB"):
+            self.assertEqual(sense(unit), 1, unit)
+        for unit in ("million/s", "million points/s", "times as fast"):
+            self.assertEqual(sense(unit), -1, unit)
+        for unit in ("times", "times ours", "of unturned", "1", "pairs"):
+            self.assertEqual(sense(unit), 0, unit)
+
+    def test_slowdown_is_above_one_where_more_time_or_less_speed_is_measured(self):
+        self.assertEqual(slowdown(Row("a", "s", 2), Row("a", "s", 3)), 1.5)
+        self.assertEqual(slowdown(Row("a", "million/s", 3), Row("a", "million/s", 2)), 1.5)
+
+    def test_verdicts_begin_at_three_percent_either_way(self):
+        self.assertEqual([verdict(r) for r in (1.031, 1.029, 1.0, 0.972, 0.969)],
+                         ["slower", "same", "same", "same", "faster"])
+
+    def test_spread_is_that_of_all_runs_over_their_median(self):
+        self.assertAlmostEqual(spread_percent([9, 10, 12]), 30)
+
+    def test_a_peer_is_compared_with_our_row_of_the_same_run(self):
+        run = {"ours": Row("ours", "ms", 2), "theirs": Row("theirs", "ms", 9)}
+        self.assertEqual(peer_ratio(run["theirs"], run, {"theirs": "ours"}), 4.5)
+        self.assertIsNone(peer_ratio(run["ours"], run, {"theirs": "ours"}))
+        self.assertEqual(peer_ratio(Row("x, CGAL", "times ours", 80), run, {}), 80)
+
+
+class Peers(unittest.TestCase):
+    def test_of_params_are_rows_of_the_benchmark(self):
+        for experiment in find_experiments(ROOT):
+            peers = experiment.params().get("peers", {})
+            if peers:
+                rows = read_table(experiment.folder / "expected.csv", labelled=True).column("row")
+                self.assertLessEqual({*peers, *peers.values()}, set(rows), experiment.name)
+
+
+class CommandLine(unittest.TestCase):
+    def test_defaults_are_all_benchmarks_three_runs_and_ten_pairs(self):
+        found = read([], ["a", "b"])
+        self.assertEqual((found.names, found.compare, found.runs, found.pairs), (["a", "b"], "", 3, 10))
+
+    def test_names_may_carry_their_folder(self):
+        self.assertEqual(read(["experiments/benchmarks/a/"], ["a", "b"]).names, ["a"])
+
+    def test_mistakes_are_named(self):
+        for words, said in ((["--pairs", "3"], "--compare"), (["--runs", "0"], "whole number"),
+                            (["--compare"], "value"), (["c"], "there are: a, b"), (["--x"], "--x"),
+                            (["--compare", "HEAD", "--runs", "2"], "--pairs")):
+            with self.assertRaisesRegex(UsageError, said):
+                read(words, ["a", "b"])
+
+
+class Runs(FakeTree):
+    def add(self, folder, name, result):
+        """A benchmark that writes `result`; $N in it counts its runs."""
+        root = self.root / folder
+        self.write(f"{folder}/experiments/benchmarks/{name}/main.cpp")
+        program = self.write(
+            f"{folder}/build/release/experiments/benchmarks-{name}",
+            f'#!/bin/sh\necho run >> "{root}/runs"\nN=$(wc -l < "{root}/runs")\n'
+            f'cat > "$1/result.csv" <<TEXT\n{HEAD}{result}TEXT\n')
+        program.chmod(0o755)
+        return Tree(root, folder)
+
+    def quiet(self, _text):
+        """In place of a terminal."""
+
+    def test_medians_and_spreads_of_several_runs_and_the_ratio_to_a_peer(self):
+        tree = self.add("new", "slicing", "ours,$N,ms\ntheirs,$((4 * $N)),ms\nerror,0,pairs\n")
+        self.write("new/experiments/benchmarks/slicing/params.json", '{"peers": {"theirs": "ours"}}')
+        rows = [dict(zip(RUN_HEAD, row)) for row in measure(tree, ["slicing"], 3, self.quiet)]
+        self.assertEqual([(r["row"], r["runs"], r["median"], r["spread_percent"], r["ratio_to_peer"])
+                          for r in rows],
+                         [("ours", 3, 2, 100, ""), ("theirs", 3, 8, 100, 4), ("error", 3, 0, 0, "")])
+        self.assertEqual(rows[0]["revision"], "new")
+        write_csv(self.root / "results/bench.csv", RUN_HEAD, [list(rows[0].values())])
+        with open(self.root / "results/bench.csv", encoding="utf-8", newline="") as file:
+            self.assertEqual([row["median"] for row in csv.DictReader(file)], ["2.0"])
+
+    def test_pairs_alternate_and_give_the_median_ratio_with_a_verdict(self):
+        old = self.add("old", "post", "write,10,ms\nspeed,10,million/s\ngone,1,s\nratio,2,times\n")
+        new = self.add("new", "post", "write,11,ms\nspeed,12,million/s\nadded,1,s\nratio,3,times\n")
+        rows = [dict(zip(COMPARE_HEAD, row)) for row in compare(old, new, ["post"], 4, self.quiet)]
+        self.assertEqual({r["row"]: r["verdict"] for r in rows},
+                         {"write": "slower", "speed": "faster", "added": "only new",
+                          "gone": "only old", "ratio": "not judged"})
+        self.assertEqual((rows[0]["ratio"], rows[0]["pairs"]), (1.1, 4))
+        self.assertEqual(len((self.root / "old/runs").read_text().splitlines()), 4)
+
+    def test_a_peer_gets_no_verdict(self):
+        run = {"theirs": Row("theirs", "ms", 9)}
+        slow = {"theirs": Row("theirs", "ms", 20)}
+        self.assertEqual(judged("x", [(run, slow)], {"theirs": "ours"})[0][-1], "not judged")
+
+    def test_a_crash_is_named(self):
+        tree = self.add("new", "post", "")
+        self.write("new/build/release/experiments/benchmarks-post", "#!/bin/sh\nexit 3\n")
+        with self.assertRaisesRegex(Fault, "post of new ended with exit code 3"):
+            pairs_of(tree, tree, "post", 1, self.quiet)
+
+    def test_another_revision_is_checked_out_once(self):
+        self.git("init", "--initial-branch=main")
+        self.write("a.txt", "old")
+        self.git("add", ".")
+        self.git("commit", "-m", "one")
+        self.write("a.txt", "new")
+        self.git("commit", "-am", "two")
+        tree = checked_out(self.root, "HEAD~1")
+        self.assertEqual((tree.root / "a.txt").read_text(), "old")
+        self.assertEqual(checked_out(self.root, "HEAD~1"), tree)
+        with self.assertRaisesRegex(Fault, "no-such-revision"):
+            checked_out(self.root, "no-such-revision")
+
+
+if __name__ == "__main__":
+    unittest.main()
