@@ -139,7 +139,7 @@ TEST(HiddenGouge, IsNeverLessThanWhatTheCellHides)
                 const MeasuredCell measured{cell, at, cell.reach(at), *cut_ray(sweep, at),
                                             charts.curvature(0, middle)};
                 EXPECT_LE(measured.cut.thickness - hidden_gouge(measured, cutter),
-                          cut_ray(sweep, ray)->left + 1e-6);
+                          cut_ray(sweep, ray)->thickness + 1e-6);
             }
         }
 }

@@ -51,20 +51,20 @@ struct DeviationPlace {
 struct Deviation {
     double max_gouge_mm = 0;  ///< greatest measured depth of a gouge; 0 if there is none
     double max_scallop_mm = 0;  ///< greatest measured thickness left; 0 if there is none
-    /// mean thickness left, weighted by area; a gouge counts as 0
+    /// Mean thickness left, weighted by area; a gouge counts as 0.
     double mean_scallop_mm = 0;
     double p99_scallop_mm = 0;  ///< 99 % of the area has less left; relative error 1e-3
     double gouge_area_mm2 = 0;  ///< area with a gouge deeper than the tolerance
     double uncut_area_mm2 = 0;  ///< area with more left than the scallop limit
     double area_mm2 = 0;        ///< area that was judged
-    /// error bound: no gouge is deeper than max_gouge_mm by more
+    /// Error bound: no gouge is deeper than max_gouge_mm by more.
     double gouge_bound_mm = 0;
-    /// error bound: nowhere is more left than max_scallop_mm by more
+    /// Error bound: nowhere is more left than max_scallop_mm by more.
     double scallop_bound_mm = 0;
     double pitch_mm = 0;   ///< distance of the first rays
     std::size_t rays = 0;  ///< number of measured rays, with those of refined cells
     std::optional<DeviationPlace> deepest;  ///< the deepest gouge; none without a gouge
-    /// the thickest material left; none without any
+    /// The thickest material left; none without any.
     std::optional<DeviationPlace> highest;
     bool is_cut = false;  ///< whether a move reaches a ray of the part
     /// Whether one of the first rays ends at a move of the path, not of an earlier run.
@@ -74,7 +74,7 @@ struct Deviation {
     /// Thickness at the middle of each first cell, in the order of the tiles, mm; < 0:
     /// gouge.
     std::vector<float> left;
-    /// area of each first cell, mm^2; 0 for a cell that is not judged
+    /// Area of each first cell, mm^2; 0 for a cell that is not judged.
     std::vector<float> area;
 };
 
@@ -82,7 +82,8 @@ struct Deviation {
 enum class Verdict {
     Clean,   ///< certain: no gouge and no thickness beyond the limits
     Gouged,  ///< a gouge beyond the tolerance was measured
-    /// a thickness beyond the scallop limit was measured, and no gouge is possible
+    /// A thickness beyond the scallop limit was measured, and no gouge beyond
+    /// the tolerance is possible.
     Uncut,
     Undecided,  ///< the bounds allow a violation that was not measured
 };

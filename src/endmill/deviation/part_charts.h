@@ -39,7 +39,7 @@ inline bool has_normal(const PartRay& ray)
 struct PartCell {
     std::uint32_t chart = 0;  ///< number of the chart
     int corners = 4;          ///< 3 or 4
-    /// corners in order; the last is unused for three
+    /// Corners in order; the last is unused for three.
     std::array<Eigen::Vector2d, 4> at{};
 
     /// Mean of the corners, in parameters.
@@ -152,7 +152,7 @@ inline constexpr int most_tile_cells = 64;
 struct PartTile {
     PartCell whole;  ///< the piece
     int columns;     ///< cells along the side from corner 0 to corner 1, 1 to 8
-    /// cells along the side from corner 0 to the last; = columns on a triangle
+    /// Cells along the side from corner 0 to the last; = columns on a triangle.
     int rows;
     std::size_t first;  ///< number of its first cell among the cells of all tiles
     int cells() const { return columns * rows; }  ///< at most most_tile_cells

@@ -30,9 +30,9 @@ struct StockGrid {
     int rows;         ///< number of cells along y
     double bottom_z;  ///< mm, lower end of the material
 
-    /// x of the centres of a column, mm.
+    /// Coordinate x of a column's centres, mm.
     double x(int column) const { return low_x + (column + 0.5) * pitch; }
-    /// y of the centres of a row, mm.
+    /// Coordinate y of a row's centres, mm.
     double y(int row) const { return low_y + (row + 0.5) * pitch; }
 
     /// Whether both grids have the same cells and bottom.

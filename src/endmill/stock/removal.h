@@ -26,7 +26,7 @@ struct RemovalOptions {
 /// Number, first and depth of the moves that share a property, such as rapids that cut.
 struct MoveCount {
     std::size_t count = 0;
-    /// number of the point to which the first leads
+    /// Number of the point to which the first leads.
     std::optional<std::size_t> first = {};
     double deepest = 0;  ///< mm, greatest depth of all of them
 };
@@ -43,7 +43,7 @@ struct Removal {
     std::size_t air_moves = 0;  ///< number of moves that cut nothing
     MoveCount rapid_cuts;       ///< rapid moves that cut
     MoveCount collisions;       ///< moves on which shank or holder is in the stock
-    /// heights of the remaining stock; none if it is empty
+    /// Heights of the remaining stock; none if it is empty.
     std::optional<HeightRange> left;
 };
 

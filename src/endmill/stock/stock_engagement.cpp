@@ -60,7 +60,7 @@ struct Pose {
     Vec3 tip;
     Vec3 way;       // direction of the move, unit
     double feed_x;  // direction of azimuth 0, unit
-    // direction of azimuth 0, unit
+    // Direction of azimuth 0, unit.
     double feed_y;
 };
 

@@ -13,7 +13,7 @@ namespace endmill {
 
 /// Resolution of `for_each_engagement`.
 struct EngagementOptions {
-    /// rings over the rounded corner, or over the radius of a flat cutter
+    /// Rings over the rounded corner, or over the radius of a flat cutter.
     int rings = 24;
     int azimuths = 72;  ///< cells around each ring
 };

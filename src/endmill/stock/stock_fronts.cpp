@@ -47,9 +47,9 @@ struct Frame {
     Vec3 centre;
     double radius;
     double feed_x;  // x of the direction X
-    // y of the direction X
+    // Component y of the direction X.
     double feed_y;
-    // angle of the move above the horizontal, rad
+    // Angle of the move above the horizontal, rad.
     double lambda;
     std::vector<std::pair<double, double>> columns = {};  // cosine and sine of chi
 };

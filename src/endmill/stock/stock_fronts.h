@@ -19,7 +19,7 @@ namespace endmill {
 struct BallFrontTask {
     const ToolPath* path;  ///< tips along +z; not null; outlives the task
     Cutter cutter;         ///< a ball
-    /// ends of the moves, rising; not the first point
+    /// Ends of the moves, rising; not the first point.
     std::span<const std::size_t> points;
     int rows = 96;  ///< cells across the feed; even
     /// Cells about the axis across the feed, and azimuths of the shank.

@@ -104,7 +104,7 @@ std::optional<CornerValues> corner_values(const StraightSweep& sweep,
 // anywhere on the cell. It is infinite if the half space does not reach the cell.
 double least_by(const MeasuredCell& cell, const HalfSpace& half)
 {
-    // change of the normal over the cell
+    // Change of the normal over the cell.
     const double bend = cell.reach * cell.curvature.absolute;
     double spread = 0;  // extent of the cell along the plane's normal, mm
     for (std::size_t k = 0; k < static_cast<std::size_t>(cell.cell.corners); ++k) {

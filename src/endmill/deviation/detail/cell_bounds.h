@@ -26,7 +26,7 @@ struct MeasuredCell {
     /// Thickness limited to the largest empty ball at the ray's point, mm; none if the
     /// ball does not limit it.
     std::optional<double> limited = {};
-    /// whether `limited` is exact; else it is a close upper bound
+    /// Whether `limited` is exact; else it is a close upper bound.
     bool is_measured = true;
     double area = 0;       ///< mm^2
     CutRay in_stock = {};  ///< ray at its middle before any move

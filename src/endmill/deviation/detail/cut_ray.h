@@ -18,7 +18,7 @@ namespace endmill {
 struct CutRay {
     double thickness = 0;  ///< mm; > 0: material remains, < 0: depth of a gouge
     double slope = 0;  ///< tangent of the angle between the machined surface and the part
-    /// number of the sweep that made the surface; -1: the stock itself
+    /// Number of the sweep that made the surface; -1: the stock itself.
     std::int32_t sweep = -1;
 };
 

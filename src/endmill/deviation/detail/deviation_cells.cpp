@@ -22,7 +22,7 @@ double area_quantile(std::span<const float> values, std::span<const float> areas
     std::vector<double> bins(std::size_t{1} << (32 - 1 - dropped_bits));
     double total = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        // not -0, which has the sign bit set
+        // Not -0, which has the sign bit set.
         const float value = values[i] > 0 ? values[i] : 0.0F;
         bins[std::bit_cast<std::uint32_t>(value) >> dropped_bits] += areas[i];
         total += areas[i];

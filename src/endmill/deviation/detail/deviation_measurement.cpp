@@ -302,7 +302,7 @@ private:
             return;
         RefinementThresholds thresholds = refinement_thresholds(rest, gouge, limits_);
         if (rest > limits_.scallop + verdict_slack)
-            // uncut is certain; but a gouge would come first
+            // Uncut is certain; but a gouge would come first.
             thresholds.upper = infinite;
         for_tiles(progress, [&](std::size_t i) {
             if (thresholds.are_exceeded(of_tile_[i].upper, of_tile_[i].lower))

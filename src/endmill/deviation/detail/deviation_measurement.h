@@ -12,7 +12,7 @@ namespace endmill {
 
 /// The material before the path, and all moves through it.
 struct MachinedStock {
-    /// of all runs, in order; the path's own last
+    /// Of all runs, in order; the path's own last.
     std::span<const StraightSweep> sweeps;
     std::size_t earlier_sweeps = 0;  ///< number of sweeps of earlier runs
     InitialRay initial_ray;          ///< must be set; finite thickness for every ray

@@ -37,7 +37,7 @@ std::vector<FreeLength> free_lengths(std::span<const PartWay> ways,
     std::vector<Vec3> met;       // places that limit the measured lengths
     for (const PartWay& whole : ways) {
         const PartWay way{whole.foot, whole.direction, ball_beside(whole, met)};
-        // squared distance of the nearest measured foot, mm^2
+        // Squared distance of the nearest measured foot, mm^2.
         double nearest = std::numeric_limits<double>::infinity();
         for (const Vec3& foot : measured)
             nearest = std::min(nearest, (foot - way.foot).squaredNorm());

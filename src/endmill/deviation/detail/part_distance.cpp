@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double longest = 1e9;  // mm
-// far more than are needed, except at a foot with no free ball
+// Far more than are needed, except at a foot with no free ball.
 constexpr int most_shrinkings = 60;
 constexpr double rounding = 1e-9;  // share of a ball's radius
 // The coarse triangulation has this many times the chord tolerance. With so many fewer

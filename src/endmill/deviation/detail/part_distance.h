@@ -22,7 +22,7 @@ struct PartWay {
 /// no place of it.
 struct FreeBall {
     double length;  ///< radius, mm
-    /// place of the part that limits the ball, mm; none if none does
+    /// Place of the part that limits the ball, mm; none if none does.
     std::optional<Vec3> other;
 };
 

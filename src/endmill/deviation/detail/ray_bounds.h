@@ -16,7 +16,7 @@ struct RayBounds {
     Vec3 centre;        ///< mean of the points, mm
     Vec3 upright;       ///< mean of the directions, unit: axis of cylinder and cone
     double beside = 0;  ///< greatest distance of a point from the axis, mm
-    /// greatest distance of a point from the centre along the axis, mm
+    /// Greatest distance of a point from the centre along the axis, mm.
     double above = 0;
     double tilt = 0;  ///< greatest length of the difference of a direction and `upright`
     double longest = 0;  ///< length of the longest ray, mm

@@ -23,13 +23,13 @@ struct Extremes {
     DeviationPlace highest{-std::numeric_limits<double>::infinity()};
     /// Place of the smallest thickness.
     DeviationPlace deepest{std::numeric_limits<double>::infinity()};
-    /// upper bound of thickness, mm
+    /// Upper bound of thickness, mm.
     double upper = -std::numeric_limits<double>::infinity();
-    /// lower bound of thickness, mm
+    /// Lower bound of thickness, mm.
     double lower = std::numeric_limits<double>::infinity();
     double gouge_area = 0;  ///< mm^2, cells with a gouge deeper than the tolerance
     double uncut_area = 0;  ///< mm^2, cells with more left than the scallop limit
-    /// upper bound of the cells' z, mm
+    /// Upper bound of the cells' z, mm.
     double top = -std::numeric_limits<double>::infinity();
     bool is_cut = false;   ///< whether a move reaches a ray
     std::size_t rays = 0;  ///< number of measured rays

@@ -19,8 +19,10 @@
 //    cutter rises from the start on, because their minimum is at the start.
 // 3. `lower_between` solves for the minimum of the open cells, eight at a time:
 //    `bracket_positions` bounds the position, `newton_step` does Newton steps for the
-//    sine of the corner's angle, `heights_between` evaluates S. A level move needs none
-//    of this: the nearest position is the lowest (`level_bull_heights`).
+//    sine of the corner's angle, `heights_between` evaluates S.
+//
+// A level move needs none of this: the nearest position is the lowest
+// (`level_bull_heights`).
 // Source: docs/mathematics/removal.md, section 1.
 
 namespace endmill {

@@ -15,7 +15,7 @@ namespace endmill {
 struct SweepingTool {
     Cutter cutter;
     Cutter
-        /// narrower by 1e-9 of its radius; a rapid cuts if this cutter does
+        /// Narrower by 1e-9 of its radius; a rapid cuts if this cutter does.
         narrowed_cutter;
     std::vector<BodyCylinder> body;  ///< narrower by the same share
     double reach;                    ///< mm, radius of the widest of all

@@ -99,7 +99,7 @@ private:
     };
     struct Node : Box {
         std::uint32_t
-            // first item of a leaf, or the second child (the first child follows the
+            // First item of a leaf, or the second child (the first child follows the
             // node)
             first;
         std::uint32_t count;  // number of items; 0 for an inner node
