@@ -145,7 +145,7 @@ TEST(ToolPathReader, RefusesBadCellsWithTheLine)
               "axis of length 1.001; expected length 1 within 1e-04"},
              {"0,1,cut,0,0,0,0,0,0", "of length 0; expected"},
              {"0,1,cut,0,0,0,1e300,1e300,0", "of length infinity; expected"},
-             {"0,1,cut,0,0,0,0,,1", "axis_y is empty; expected a number, as its"},
+             {"0,1,cut,0,0,0,0,,1", "axis_y is empty; expected a number, as in"},
              {"-1,1,cut,0,0,0,0,0,1", "pass is \"-1\"; expected a whole number"},
              {"0,1.5,cut,0,0,0,0,0,1", "point is \"1.5\"; expected a whole number"},
              {"99999999999,1,cut,0,0,0,0,0,1", "pass is \"99999999999\""},
