@@ -15,7 +15,7 @@
 #include "endmill/core/error.h"
 #include "endmill/files/mesh_file.h"
 #include "endmill/files/part_file.h"
-#include "endmill/mesh/detail/collinear.h"
+#include "endmill/core/orientation.h"
 #include "ply_samples.h"
 #include "random.h"
 #include "temporary_folder.h"

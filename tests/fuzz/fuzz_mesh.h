@@ -8,7 +8,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/files/mesh_file.h"
-#include "endmill/mesh/detail/collinear.h"
+#include "endmill/core/orientation.h"
 
 namespace endmill {
 

@@ -91,4 +91,25 @@ std::string expected_cutter(std::string_view word)
            " mm, half the diameter";
 }
 
+Cutter with_allowance(const Cutter& cutter, double allowance)
+{
+    require(std::isfinite(allowance) && allowance >= 0,
+            "with_allowance: need 0 <= allowance");
+    return {cutter.radius() + allowance, cutter.corner_radius() + allowance};
+}
+
+BallCutter::BallCutter(double radius) : radius_{radius}
+{
+    require(std::isfinite(radius) && radius > 0, "BallCutter: need 0 < radius");
+}
+
+CutterLocation locate(const BallCutter& cutter, const CutterContact& contact,
+                      const Vec3& axis)
+{
+    if (axis.dot(contact.normal) <= 0)
+        throw GeometryError{"locate: the contact is on or above the equator of the ball"};
+    const Cutter ball = Cutter::ball(cutter.radius());
+    return {control_point(ball, contact, ControlPoint::Tip, axis), axis};
+}
+
 }  // namespace endmill

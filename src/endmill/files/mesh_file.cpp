@@ -16,7 +16,7 @@
 #include "endmill/files/detail/raw_mesh.h"
 #include "endmill/files/detail/stl.h"
 #include "endmill/files/read_file.h"
-#include "endmill/mesh/detail/collinear.h"
+#include "endmill/core/orientation.h"
 #include "endmill/mesh/weld.h"
 
 namespace endmill {

@@ -16,7 +16,7 @@
 
 #include <Eigen/Geometry>
 
-#include "endmill/mesh/detail/collinear.h"
+#include "endmill/core/orientation.h"
 #include "endmill/mesh/detail/edge_uses.h"
 
 namespace endmill {

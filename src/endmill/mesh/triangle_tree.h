@@ -32,6 +32,13 @@ struct RayHit {
     std::size_t triangle;  ///< that is hit
 };
 
+/// The point of a triangle that is nearest to `place`. Accurate to 1e-14 of the largest
+/// coordinate, however thin the triangle is. Triangles that share an edge and are nearest in
+/// it find the same point.
+/// \param place   in mm.
+/// \param corners in mm.
+Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners);
+
 /// Answers where a mesh is nearest and what a ray meets first, in about log(triangles)
 /// steps. Keeps a tree of boxes in 12 bytes a triangle (28 while it is made), and refers
 /// to the mesh, which must outlive it. Answers depend on mesh and question only, not on

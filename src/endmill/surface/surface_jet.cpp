@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {
@@ -70,6 +71,12 @@ std::optional<Vec3> limit_normal(const SurfaceJet& jet, const InwardSigns& inwar
     if (is_singular(tangents))
         return std::nullopt;
     return tangents.du.cross(tangents.dv).normalized();
+}
+
+std::string place_text(const SurfacePoint& at, const Vec3& point)
+{
+    return "u = " + to_text(at.u) + ", v = " + to_text(at.v) + " (" + to_text(point.x()) +
+           ", " + to_text(point.y()) + ", " + to_text(point.z()) + " mm)";
 }
 
 }  // namespace endmill

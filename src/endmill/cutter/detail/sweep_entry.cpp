@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include "endmill/cutter/detail/corner_entry.h"
-#include "endmill/cutter/detail/line_in_plan.h"
 
 namespace endmill {
 namespace {
@@ -19,27 +18,27 @@ using Eigen::Vector2d;
 constexpr double level_rise = 1e-13;
 
 // The upright cylinder that stands at `along` on the move, from the height `bottom` up.
-Stretch upright_cylinder(const LineInPlan& plan, double radius, double along,
+LineInterval upright_cylinder(const LineInPlan& plan, double radius, double along,
                          double bottom)
 {
-    return shared(within_circle(plan.start - Vector2d{along, 0}, plan.rate, radius),
-                  where_positive(plan.start_z - bottom, plan.rate_z));
+    return intersection(within_circle(plan.start - Vector2d{along, 0}, plan.rate, radius),
+                  where_not_negative(plan.start_z - bottom, plan.rate_z));
 }
 
 // What stands above the upright rectangle under the move, as wide as the cutter and
 // `above` the tips.
-Stretch upright_slab(const LineInPlan& plan, double radius, double above)
+LineInterval above_rectangle(const LineInPlan& plan, double radius, double above)
 {
     if (plan.length == 0)
-        return Stretch::none();
+        return LineInterval::none();
     const double slope = plan.rise / plan.length;
-    Stretch slab = where_positive(plan.start_z - above - slope * plan.start.x(),
+    LineInterval prism = where_not_negative(plan.start_z - above - slope * plan.start.x(),
                                   plan.rate_z - slope * plan.rate.x());
     for (const double side : {-1.0, 1.0})
-        slab = shared(
-            slab, where_positive(radius + side * plan.start.y(), side * plan.rate.y()));
-    slab = shared(slab, where_positive(plan.start.x(), plan.rate.x()));
-    return shared(slab, where_positive(plan.length - plan.start.x(), -plan.rate.x()));
+        prism = intersection(
+            prism, where_not_negative(radius + side * plan.start.y(), side * plan.rate.y()));
+    prism = intersection(prism, where_not_negative(plan.start.x(), plan.rate.x()));
+    return intersection(prism, where_not_negative(plan.length - plan.start.x(), -plan.rate.x()));
 }
 
 // The ball swept along the segment between its centres.
@@ -76,7 +75,7 @@ std::optional<SweepEntry> capsule_entry(const StraightSweep& sweep, const Line& 
 }
 
 // The least entry into an upright part that begins before `found`.
-std::optional<SweepEntry> sooner(const LineInPlan& plan, const Stretch& upright,
+std::optional<SweepEntry> sooner(const LineInPlan& plan, const LineInterval& upright,
                                  std::optional<SweepEntry> found)
 {
     if (upright.is_empty() || (found && found->t <= upright.low))
@@ -107,17 +106,17 @@ std::optional<SweepEntry> ball_entry(const StraightSweep& sweep, const Line& lin
     const double R = sweep.cutter().radius();
     entry = sooner(plan, upright_cylinder(plan, R, 0, R), entry);
     entry = sooner(plan, upright_cylinder(plan, R, plan.length, plan.rise + R), entry);
-    return sooner(plan, upright_slab(plan, R, R), entry);
+    return sooner(plan, above_rectangle(plan, R, R), entry);
 }
 
 std::optional<SweepEntry> flat_entry(const StraightSweep& sweep, const Line& line)
 {
     const LineInPlan plan = line_in_plan(sweep, line);
     const double R = sweep.cutter().radius();
-    const Stretch at_ends[] = {upright_cylinder(plan, R, 0, 0),
+    const LineInterval at_ends[] = {upright_cylinder(plan, R, 0, 0),
                                upright_cylinder(plan, R, plan.length, plan.rise)};
-    Stretch whole = spanned(at_ends[0], at_ends[1]);
-    whole = spanned(whole, upright_slab(plan, R, 0));
+    LineInterval whole = hull(at_ends[0], at_ends[1]);
+    whole = hull(whole, above_rectangle(plan, R, 0));
     const bool is_level = std::abs(plan.rise) <= level_rise * plan.length;
     Vec3 normal = -Vec3::UnitZ();
     if (!is_level && plan.length > 0) {
@@ -126,10 +125,10 @@ std::optional<SweepEntry> flat_entry(const StraightSweep& sweep, const Line& lin
         const Vector2d start = plan.start - Vector2d{per_rise * plan.start_z, 0};
         const Vector2d rate = plan.rate - Vector2d{per_rise * plan.rate_z, 0};
         const double sign = plan.rise > 0 ? 1 : -1;
-        Stretch oblique = within_circle(start, rate, R);
+        LineInterval oblique = within_circle(start, rate, R);
         oblique =
-            shared(oblique, where_positive(sign * plan.start_z, sign * plan.rate_z));
-        oblique = shared(oblique, where_positive(sign * (plan.rise - plan.start_z),
+            intersection(oblique, where_not_negative(sign * plan.start_z, sign * plan.rate_z));
+        oblique = intersection(oblique, where_not_negative(sign * (plan.rise - plan.start_z),
                                                  -sign * plan.rate_z));
         if (!oblique.is_empty() && (whole.is_empty() || oblique.low < whole.low)) {
             const Vector2d out = start + oblique.low * rate;
@@ -144,7 +143,7 @@ std::optional<SweepEntry> flat_entry(const StraightSweep& sweep, const Line& lin
     if (!std::isfinite(t))
         return SweepEntry{t, normal};
     // Through the bottom or through the side, whichever the line comes to last.
-    const Stretch outline = within_outline(plan, R);
+    const LineInterval outline = within_outline(plan, R);
     const double rounding = 1e-12 * (R + plan.length);  // of t, mm
     return SweepEntry{t, outline.low >= t - rounding ? outline_normal(plan, t) : normal};
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,9 +9,6 @@
 #include "endmill/mesh/triangle_mesh.h"
 
 namespace endmill {
-
-/// An edge by the numbers of its ends, the lower first.
-using Edge = std::array<std::int32_t, 2>;
 
 /// A triangle's use of an edge.
 class EdgeUse {

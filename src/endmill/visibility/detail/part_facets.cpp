@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/parallel.h"
-#include "endmill/mesh/detail/collinear.h"
+#include "endmill/core/orientation.h"
 
 namespace endmill {
 namespace {

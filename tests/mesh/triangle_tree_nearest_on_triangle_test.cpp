@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/mesh/detail/nearest_on_triangle.h"
+#include "endmill/mesh/triangle_tree.h"
 
 #include <algorithm>
 

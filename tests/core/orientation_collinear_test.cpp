@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/mesh/detail/collinear.h"
+#include "endmill/core/orientation.h"
 
 #include <array>
 #include <cmath>
