@@ -12,7 +12,7 @@
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/mesh/triangle_tree.h"
 #include "endmill/surface/extent.h"
-#include "endmill/surface/height_grid.h"
+#include "endmill/surface/nurbs.h"
 #include "endmill/surface/tool_side.h"
 #include "revolved_surfaces.h"
 #include "test_surfaces.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/core/vec.h"
 
 namespace endmill {
@@ -93,10 +94,6 @@ enum class ControlPoint {
     Reference,  ///< on the axis at the height of the corner circle, r above the tip
     Tip,        ///< the lowest point on the axis
 };
-
-/// Length of the part of a unit normal across the axis, up to which the normal counts as
-/// parallel to it: above the rounding of a normal, and far below what any sampling sees.
-inline constexpr double level_normal = 1e-12;
 
 /// Whether the tangent plane with unit `normal` lies across `axis`. A cutter with a flat
 /// bottom then touches with a whole disc: every p + r N + (R - r) D with |D| <= 1 across

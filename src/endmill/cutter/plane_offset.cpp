@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/cutter/cutter.h"
 
 namespace endmill {

@@ -17,6 +17,7 @@
 #include "endmill/files/detail/surface_kinds.h"
 #include "endmill/files/read_file.h"
 #include "endmill/surface/detail/collapsed_edge.h"
+#include "endmill/core/tolerance.h"
 
 // A surface file is read in these steps:
 //
@@ -37,9 +38,6 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 constexpr std::string_view format_name = "endmill-surface/1";
-// Corners of a collapsed border that are closer than this share of the surface's diagonal
-// count as one point; the share allows for rounding of the coordinates.
-constexpr double same_point_share = 1e-12;
 constexpr double mm_per_inch = 25.4;
 constexpr std::size_t longest_name = 200;
 constexpr std::size_t longest_source = 2000;

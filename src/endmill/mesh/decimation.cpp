@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -81,20 +82,30 @@ public:
                 add_boundary(edge);
     }
 
+    // The decimater asks for all collapses of a vertex in a row and takes the cheapest. The
+    // expensive test for turned triangles is left out for those that another one undercuts.
     float collapse_priority(const CollapseInfo& collapse) override
     {
-        if (turns_a_triangle(collapse))
-            return ILLEGAL_COLLAPSE;
+        if (collapse.v0 != vertex_) {
+            vertex_ = collapse.v0;
+            least_cost_ = std::numeric_limits<float>::infinity();
+        }
         Quadric sum = quadrics_[collapse.v0.idx()];
         sum += quadrics_[collapse.v1.idx()];
         const double length2 = (collapse.p1 - collapse.p0).sqrnorm();
         const double cost = sum(collapse.p1) + length_weight * length2 * length2;
-        return static_cast<float>(std::max(cost, 0.0));  // rounding may make it negative
+        // Rounding may make the cost negative.
+        const auto priority = static_cast<float>(std::max(cost, 0.0));
+        if (priority >= least_cost_ || turns_a_triangle(collapse))
+            return ILLEGAL_COLLAPSE;
+        least_cost_ = priority;
+        return priority;
     }
 
     void postprocess_collapse(const CollapseInfo& collapse) override
     {
         quadrics_[collapse.v1.idx()] += quadrics_[collapse.v0.idx()];
+        vertex_ = OpenMesh::VertexHandle{};
     }
 
 private:
@@ -132,23 +143,25 @@ private:
         for (const auto face : mesh().vf_range(collapse.v0)) {
             if (face == collapse.fl || face == collapse.fr)
                 continue;
-            std::array<Vec3d, 3> before;
-            std::array<Vec3d, 3> after;
             const Vertices at = corners(face);
-            for (int k = 0; k < 3; ++k) {
-                before[k] = mesh().point(at[k]);
-                after[k] = at[k] == collapse.v0 ? collapse.p1 : before[k];
-            }
-            const Vec3d old_area = area_vector(before[0], before[1], before[2]);
-            const Vec3d new_area = area_vector(after[0], after[1], after[2]);
-            if (!((old_area | new_area) >
-                  least_turn_cosine * old_area.norm() * new_area.norm()))
+            const int own = at[0] == collapse.v0 ? 0 : at[1] == collapse.v0 ? 1 : 2;
+            const Vec3d& next = mesh().point(at[(own + 1) % 3]);
+            const Vec3d& last = mesh().point(at[(own + 2) % 3]);
+            const Vec3d old_area = area_vector(collapse.p0, next, last);
+            const Vec3d new_area = area_vector(collapse.p1, next, last);
+            const double product = old_area | new_area;
+            if (!(product > 0 && product * product > least_turn_cosine *
+                                                         least_turn_cosine *
+                                                         old_area.sqrnorm() *
+                                                         new_area.sqrnorm()))
                 return true;
         }
         return false;
     }
 
     std::vector<Quadric> quadrics_;  // of each vertex
+    OpenMesh::VertexHandle vertex_;  // whose collapses are being asked for
+    float least_cost_ = 0;           // of them so far
 };
 
 // The pieces, moved and scaled into the unit cube: costs then fit into the floats in which

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 
 namespace endmill {
 namespace {
@@ -19,9 +20,6 @@ constexpr double largest_length = 1e30;  // mm: boxes and squares stay finite
 constexpr double shortest_direction = 1e-100;
 constexpr double longest_direction = 1e100;
 constexpr std::size_t fan_out = 4;  // children of a node, triangles of a leaf
-// By which boxes are larger than they need be, of the largest coordinate: far more than
-// the rounding of a distance, so that a box is never farther than what it holds.
-constexpr double box_margin = 1e-12;
 // The same for what rounding does to a ray with a far origin and to a large distance.
 constexpr double question_margin = 1e-13;
 
@@ -281,7 +279,7 @@ void TriangleTree::enclose()
     const auto nodes_over = [](std::size_t count) {
         return (count + fan_out - 1) / fan_out;
     };
-    const Vec3 margin = Vec3::Constant(box_margin * largest_coordinate_);
+    const Vec3 margin = Vec3::Constant(box_margin_share * largest_coordinate_);
     const std::size_t leaves = nodes_over(order_.size());
     levels_.emplace_back(nodes_over(leaves), nothing);
     for (std::size_t k = 0; k < order_.size(); ++k) {
@@ -362,7 +360,7 @@ std::optional<NearestPoint> TriangleTree::nearest(const Vec3& place,
     require(!hint || *hint < order_.size(), "TriangleTree: the hint is no triangle");
     if (order_.empty())
         return std::nullopt;
-    NearestQuery query{place, box_margin * largest_coordinate_};
+    NearestQuery query{place, box_margin_share * largest_coordinate_};
     query.least_square = within > 0 ? within * within : 0;
     const double asked = query.least_square;
     if (hint)

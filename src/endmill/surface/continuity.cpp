@@ -6,12 +6,12 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 namespace {
 
 constexpr int samples_per_border = 17;
-// Nets written with six decimals, as fitted ones are, miss G1 by up to 4e-8 rad.
-constexpr double g1_angle_rad = 1e-6;
 // Share of the surface's diagonal: shared control points agree to rounding.
 constexpr double g0_gap = 1e-9;
 
@@ -63,7 +63,7 @@ Continuity continuity_of(double gap_mm, Angle normals, double size)
 {
     if (gap_mm > g0_gap * size)
         return Continuity::None;
-    return normals.radians() > g1_angle_rad ? Continuity::G0 : Continuity::G1;
+    return normals.radians() > smooth_angle ? Continuity::G0 : Continuity::G1;
 }
 
 bool is_worse(const BorderBreak& one, const BorderBreak& other)

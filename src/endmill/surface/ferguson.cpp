@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/ferguson.h"
+#include "endmill/surface/bezier_patch.h"
 
 #include "endmill/core/error.h"
 

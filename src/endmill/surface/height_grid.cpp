@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/height_grid.h"
+#include "endmill/surface/nurbs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <Eigen/SparseLU>
 
 #include "endmill/core/error.h"
-#include "endmill/surface/nurbs.h"
+#include "endmill/core/tolerance.h"
 
 namespace endmill {
 namespace {

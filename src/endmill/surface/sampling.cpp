@@ -21,7 +21,7 @@ namespace endmill {
 namespace {
 
 // Points of meeting sides nearer than this, as a share of the size, are one.
-constexpr double same_point_share = 1e-9;
+constexpr double welded_point_share = 1e-9;
 constexpr double rounding_share = 1e-11;  // of the largest coordinate
 // Distance of unit normals beyond which they are not one.
 constexpr double same_normal = 1e-6;
@@ -344,7 +344,7 @@ double same_point_mm(std::span<const Surface> surfaces, const Draft& draft)
     double farthest = 0;
     for (const Vec3& point : draft.points)
         farthest = std::max(farthest, point.lpNorm<Eigen::Infinity>());
-    return std::max(same_point_share * size, rounding_share * farthest);
+    return std::max(welded_point_share * size, rounding_share * farthest);
 }
 
 }  // namespace

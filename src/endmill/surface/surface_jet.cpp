@@ -5,14 +5,13 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/core/tolerance.h"
 
 namespace endmill {
 namespace {
 
 // Sine of the angle between the partials below which their cross product is rounding.
 constexpr double parallel_sine = 1e-10;
-// Length of a partial, as a share of the other one, below which it vanishes.
-constexpr double vanishing_share = 1e-10;
 
 }  // namespace
 
@@ -64,9 +63,9 @@ std::optional<Vec3> limit_normal(const SurfaceJet& jet, const InwardSigns& inwar
     SurfaceTangents tangents{jet.point, jet.du, jet.dv};
     const double du2 = jet.du.squaredNorm();
     const double dv2 = jet.dv.squaredNorm();
-    if (du2 <= vanishing_share * vanishing_share * dv2)
+    if (du2 <= vanishing_partial_share * vanishing_partial_share * dv2)
         tangents.du = inward.v * jet.duv;
-    else if (dv2 <= vanishing_share * vanishing_share * du2)
+    else if (dv2 <= vanishing_partial_share * vanishing_partial_share * du2)
         tangents.dv = inward.u * jet.duv;
     if (is_singular(tangents))
         return std::nullopt;

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/surface/detail/bernstein_basis.h"
 #include "endmill/surface/detail/bernstein_polynomial.h"
 #include "endmill/surface/detail/cubic_bernstein.h"
@@ -12,8 +13,6 @@
 
 namespace endmill {
 namespace {
-
-constexpr double same_point_share = 1e-12;  // of the surface's diagonal
 
 using CubicNets = Eigen::Map<const Eigen::Matrix<double, 4, 9>, Eigen::Aligned16>;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/height_grid.h"
+#include "endmill/surface/nurbs.h"
 
 #include <cmath>
 #include <vector>
