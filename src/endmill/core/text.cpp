@@ -12,14 +12,15 @@
 namespace endmill {
 namespace {
 
+// A character and the length of its encoding.
 struct CodePoint {
     char32_t value;
-    std::size_t bytes;  // 0 where the text is not UTF-8
+    std::size_t bytes;  // 0 if the text does not begin with valid UTF-8
 };
 
 constexpr CodePoint not_utf8{0, 0};
 
-// Bytes of a sequence that starts with `lead`, and 0 for a byte that starts none.
+// Length in bytes of the UTF-8 sequence that begins with `lead`; 0 if none begins so.
 std::size_t sequence_length(unsigned char lead)
 {
     if (lead < 0x80)
@@ -29,6 +30,7 @@ std::size_t sequence_length(unsigned char lead)
     return lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
 }
 
+// Whether a value decoded from so many bytes is a Unicode scalar value in its shortest form.
 bool is_scalar_value(char32_t value, std::size_t bytes)
 {
     const bool overlong =
@@ -37,6 +39,7 @@ bool is_scalar_value(char32_t value, std::size_t bytes)
     return !overlong && !surrogate && value <= 0x10ffff;
 }
 
+// The first character of a text that is not empty.
 CodePoint first_code_point(std::string_view text)
 {
     const auto lead = static_cast<unsigned char>(text.front());
@@ -55,6 +58,7 @@ CodePoint first_code_point(std::string_view text)
     return is_scalar_value(value, bytes) ? CodePoint{value, bytes} : not_utf8;
 }
 
+// Whether a character is printed: it moves no cursor, breaks no line and turns no text around.
 bool is_shown(char32_t value)
 {
     const bool control = value < 0x20 || (0x7f <= value && value < 0xa0);
@@ -65,12 +69,14 @@ bool is_shown(char32_t value)
     return !control && !separator && !direction;
 }
 
-// Longer words get no suggestion: the comparison takes time as the square of the length.
+// Longer words get no suggestion: the time of a comparison grows with the square of the length.
 constexpr std::size_t longest_word = 64;
 
 using Row = std::vector<std::size_t>;
 
-// Least number of edits, no part of a word edited twice (optimal string alignment).
+// The least number of edits that turns `a` into `b`, where no letter is edited twice (optimal
+// string alignment). Row i of the usual table holds the distances of the first i letters of
+// `a` from all beginnings of `b`; a swap of neighbours needs the row before the last one.
 std::size_t edit_distance(std::string_view a, std::string_view b)
 {
     Row before_last(b.size() + 1);
@@ -101,7 +107,7 @@ std::string quoted(std::string_view word)
 void append_text(std::string& text, double value)
 {
     assert(std::isfinite(value));
-    std::array<char, 32> buffer;  // the longest shortest double has 24 characters
+    std::array<char, 32> buffer;  // no shortest text has more than 24 characters
     const double unsigned_zero = value == 0 ? 0 : value;
     const auto [end, error] =
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), unsigned_zero);

@@ -17,8 +17,8 @@
 namespace endmill {
 namespace {
 
-// A sum that carries its own rounding along (Neumaier's), and so does not depend on how
-// many terms there are.
+// A sum with Neumaier's compensation: it also sums up the rounding errors, so that the
+// error of the result does not grow with the number of terms.
 class CompensatedSum {
 public:
     void add(double term)
@@ -36,6 +36,7 @@ private:
     double rounding_ = 0;
 };
 
+// Sums over all triangles.
 struct Measures {
     std::size_t without_area = 0;
     std::size_t with_three_corners = 0;
@@ -43,12 +44,14 @@ struct Measures {
     CompensatedSum sixfold_volume;  // mm^3
 };
 
+// The volume is that of the tetrahedra between the triangles and a point near the mesh.
 Measures measures(const TriangleMesh& mesh)
 {
     Measures sum;
     if (mesh.triangles().empty())
         return sum;
-    const Vec3 origin = mesh.corners(0)[0];  // near the mesh, wherever that is
+    // near the mesh, so that volumes lose no digits far from the origin
+    const Vec3 origin = mesh.corners(0)[0];
     for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
         const auto [a, b, c] = mesh.corners(k);
         const Vec3 doubled = (b - a).cross(c - a);
@@ -60,22 +63,24 @@ Measures measures(const TriangleMesh& mesh)
     return sum;
 }
 
+// Sums over all edges.
 struct EdgeReport {
     std::size_t boundary = 0;
     std::size_t non_manifold = 0;
     std::optional<Edge> first_non_manifold;
     std::size_t inconsistent = 0;
-    std::size_t joints = 0;  // that made one component of two
+    std::size_t joints = 0;  // number of joins that made one component of two
     bool all_even = true;
     bool all_balanced = true;
 };
 
+// Each join of two sets of triangles reduces the number of components by one.
 EdgeReport edge_report(const EdgeUses& edges, std::size_t triangles)
 {
     EdgeReport report;
     DisjointSets components{triangles};
     edges.for_each([&](const Edge& edge, std::span<const EdgeUse> uses) {
-        std::ptrdiff_t surplus = 0;  // of triangles that run forward
+        std::ptrdiff_t surplus = 0;  // of triangles that run along the edge forwards
         for (const EdgeUse& use : uses) {
             surplus += use.is_forward() ? 1 : -1;
             report.joints += components.join(uses.front().triangle(), use.triangle());
@@ -93,7 +98,7 @@ EdgeReport edge_report(const EdgeUses& edges, std::size_t triangles)
     return report;
 }
 
-// The points of manifold pieces that lie on their boundary.
+// Which points of manifold pieces lie on their boundary.
 std::vector<bool> boundary_points(const TriangleMesh& pieces)
 {
     std::vector<bool> is_on_boundary(pieces.points().size(), false);
@@ -104,8 +109,8 @@ std::vector<bool> boundary_points(const TriangleMesh& pieces)
     return is_on_boundary;
 }
 
-// The half-edges of all triangles at boundary points. The fans of these points are complete,
-// so that the boundary there is that of the whole mesh.
+// The half-edge structure of all triangles at boundary points. The fans of these points
+// are complete in it, so it has the boundary of the whole mesh.
 OpenMesh::TriConnectivity half_edges_at(const std::vector<bool>& is_on_boundary,
                                         const TriangleMesh& pieces)
 {
@@ -125,9 +130,9 @@ OpenMesh::TriConnectivity half_edges_at(const std::vector<bool>& is_on_boundary,
     return result;
 }
 
-// The boundary loop through `start`. A point has one outgoing half-edge on the boundary,
-// which runs against the triangles, so that going backwards along them runs with the
-// triangles.
+// The boundary loop through `start`. Each boundary point has one outgoing boundary
+// half-edge. It runs against the direction of the triangles, so the loop follows its
+// predecessors.
 std::vector<std::int32_t> loop_through(OpenMesh::VertexHandle start,
                                        const OpenMesh::TriConnectivity& half_edges)
 {
@@ -140,7 +145,7 @@ std::vector<std::int32_t> loop_through(OpenMesh::VertexHandle start,
     return loop;
 }
 
-// A loop by the points of the mesh, in place of those of its pieces.
+// A loop given by the points of the mesh instead of those of the pieces.
 BoundaryLoop in_mesh(std::span<const std::int32_t> loop, const TriangleMesh& mesh,
                      const ManifoldPieces& pieces)
 {

@@ -15,12 +15,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr float no_box = std::numeric_limits<float>::infinity();
-constexpr double largest_length = 1e30;  // mm: boxes and squares stay finite
-// Of a ray, so that neither it nor its inverse loses digits.
+// mm, so that boxes and squared distances stay finite
+constexpr double largest_length = 1e30;
+// Lengths of a ray's direction, so that neither it nor its inverse loses digits.
 constexpr double shortest_direction = 1e-100;
 constexpr double longest_direction = 1e100;
-constexpr std::size_t fan_out = 4;  // children of a node, triangles of a leaf
-// The same for what rounding does to a ray with a far origin and to a large distance.
+constexpr std::size_t fan_out = 4;  // children of a node, and triangles of a leaf
+// Margin for the rounding of a ray with a far origin, and of a large distance, as a share
+// of the largest coordinate.
 constexpr double question_margin = 1e-13;
 
 double largest_coordinate(const Vec3& point)
@@ -30,7 +32,7 @@ double largest_coordinate(const Vec3& point)
 
 bool is_within_reach(const Vec3& point)
 {
-    return (point.array().abs() <= largest_length).all();  // no NaN is
+    return (point.array().abs() <= largest_length).all();  // false for NaN
 }
 
 float rounded_down(double value)
@@ -44,7 +46,7 @@ Eigen::Index place_in_node(std::size_t child)
     return static_cast<Eigen::Index>(child % fan_out);
 }
 
-// What the order of the tree is made from.
+// Centre of a triangle, by which triangles are ordered.
 struct Centre {
     std::array<float, 3> place;
     std::int32_t triangle;
@@ -66,8 +68,8 @@ int widest_axis(std::span<const Centre> centres)
     return widest;
 }
 
-// Puts neighbours next to each other: the lower half of `capacity` places gets those that
-// are lower along the widest axis, and so on down to leaves.
+// Orders the triangles by recursive halving: the half with the lower centres along the
+// widest axis goes to the lower half of the `capacity` places, and so on down to leaves.
 void arrange_centres(std::span<Centre> centres, std::size_t capacity)
 {
     if (centres.size() <= fan_out)
@@ -85,7 +87,8 @@ void arrange_centres(std::span<Centre> centres, std::size_t capacity)
     arrange_centres(centres.subspan(half), half);
 }
 
-// The ends are taken in one order, so that triangles which share an edge find the same.
+// Takes the ends of a segment in one order, so that triangles that share an edge find the
+// same point.
 Vec3 nearest_on_segment(const Vec3& place, const Vec3& end_a, const Vec3& end_b)
 {
     const bool in_order = !std::ranges::lexicographical_compare(end_b, end_a);
@@ -106,9 +109,10 @@ Vec3 nearer(const Vec3& place, const Vec3& a, const Vec3& b)
 
 }  // namespace
 
-// In the frame of the longest side and the height over it, whose digits do not suffer if
-// the triangle is thin: s counts along that side a-b, h along the height to c. The angles
-// at a and b are acute, so that a place below the side is nearest to it.
+// Works in the frame of the longest side a-b and the height over it: s counts along the
+// side, h along the height up to the corner c. This frame loses no digits if the triangle
+// is thin. The angles at a and b are acute, so a place below the side is nearest to the
+// side.
 Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners)
 {
     const std::array<double, 3> squares{(corners[1] - corners[0]).squaredNorm(),
@@ -123,7 +127,7 @@ Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners)
     const Vec3 height = c - a - top * side;
     const double s = side.dot(place - a) / squares[longest];
     const double h = height.dot(place - a - s * side) / height.squaredNorm();
-    if (!(h > 0))  // or the triangle has no height
+    if (!(h > 0))  // also if the triangle has no height
         return nearest_on_segment(place, a, b);
     if (h * top <= s && s <= 1 - h * (1 - top))
         return a + s * side + h * height;
@@ -131,16 +135,16 @@ Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners)
                   nearest_on_segment(place, b, c));
 }
 
-// Keeps the nearest point so far, and tells what may be nearer.
+// A query for the nearest point: the best result so far, and the lower bounds of boxes.
 struct TriangleTree::NearestQuery {
     Vec3 place;
-    double margin;  // mm, of a box
+    double margin;  // mm, by which a box is larger
     NearestPoint best{{}, infinity, 0};
     double least_square = infinity;  // mm^2
 
     double limit() const { return least_square; }
 
-    // Squares of the distances to four boxes.
+    // Squared distances to four boxes.
     Eigen::Array4d bounds(const Boxes& boxes) const
     {
         Eigen::Array4d squares = Eigen::Array4d::Zero();
@@ -152,7 +156,8 @@ struct TriangleTree::NearestQuery {
         return (1 - question_margin) * squares;
     }
 
-    // The same for the box of a triangle, a third of the work of the triangle itself.
+    // Lower bound for one triangle, by its box. It takes a third of the time of the
+    // triangle itself.
     double bound(const std::array<Vec3, 3>& corners) const
     {
         const auto& [a, b, c] = corners;
@@ -178,22 +183,24 @@ struct TriangleTree::NearestQuery {
     }
 };
 
-// Keeps the first hit so far. Axes are renamed so that the ray goes mainly along the last;
-// seen along the ray, it is a point, and what it hits is decided in the plane.
+// A query for the first hit. The axes are permuted so that the ray runs mainly along the
+// last one. Projected along the ray onto the plane of the other two, the ray is a point,
+// and the hit is decided in that plane.
 struct TriangleTree::RayQuery {
     Ray ray;
     std::array<int, 3> axes{};
-    Vec3 shear = Vec3::Zero();         // of each axis against the main one, and 1 / that
-    std::array<double, 3> inverse{};   // of the direction
-    std::array<bool, 3> is_falling{};  // the direction, along each axis
-    double margin = 0;                 // mm, of a box
+    // of the first two axes against the main one; and 1 over its component
+    Vec3 shear = Vec3::Zero();
+    std::array<double, 3> inverse{};  // of the direction's components
+    std::array<bool, 3> is_falling{};  // whether the direction's components are negative
+    double margin = 0;  // mm, by which a box is larger
     double greatest_t = infinity;
     bool any_will_do = false;
     std::optional<std::size_t> triangle{};
 
     double limit() const { return any_will_do && triangle ? -infinity : greatest_t; }
 
-    // The t at which the ray enters four boxes, infinite if it does not.
+    // The t at which the ray enters four boxes; infinite for boxes that it misses.
     Eigen::Array4d bounds(const Boxes& boxes) const
     {
         Eigen::Array4d enter = Eigen::Array4d::Zero();
@@ -223,8 +230,9 @@ struct TriangleTree::RayQuery {
             y[k] = from[axes[1]] - shear[1] * from[axes[2]];
             t[k] = shear[2] * from[axes[2]];
         }
-        // Twice the areas that the ray makes with the sides. A rounded difference of
-        // products is never of the wrong sign, at worst 0, which counts as inside.
+        // Twice the signed areas between the projected ray and the sides. The sign of a
+        // rounded difference of two products is never wrong; at worst the difference is
+        // 0, which counts as inside.
         const double u = x[2] * y[1] - y[2] * x[1];
         const double v = x[0] * y[2] - y[0] * x[2];
         const double w = x[1] * y[0] - y[1] * x[0];
@@ -254,6 +262,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_{&mesh}
     enclose();
 }
 
+// Fills order_.
 void TriangleTree::arrange()
 {
     std::vector<Centre> centres;
@@ -272,6 +281,8 @@ void TriangleTree::arrange()
         order_.push_back(centre.triangle);
 }
 
+// Fills levels_: first the boxes of the leaves, then level by level the boxes around
+// them.
 void TriangleTree::enclose()
 {
     const Eigen::Array4f none = Eigen::Array4f::Constant(no_box);
@@ -318,16 +329,17 @@ void TriangleTree::ask_triangles(Query& query, std::size_t leaf) const
         query.look_at(*mesh_, static_cast<std::size_t>(order_[k]));
 }
 
-// From the top down, the nearest child first, and none that is beyond the query's limit.
+// Traverses the tree from the root. Children are visited in the order of their bounds,
+// and those beyond the query's limit are skipped.
 template <typename Query>
 void TriangleTree::ask(Query& query) const
 {
     struct Child {
         double bound;
         std::uint32_t node;
-        std::int32_t level;  // -1: a leaf
+        std::int32_t level;  // -1 for a leaf
     };
-    // 2^31 triangles make 15 levels, each of which leaves three children to be visited.
+    // 2^31 triangles make 15 levels. Each leaves at most three children waiting.
     std::array<Child, 64> waiting;
     std::size_t count = 0;
     waiting[count++] = {0, 0, static_cast<std::int32_t>(levels_.size()) - 1};
@@ -386,7 +398,8 @@ TriangleTree::RayQuery TriangleTree::query(const Ray& ray, double greatest_t) co
     const double along = ray.direction[main_axis];
     query.shear = {ray.direction[query.axes[0]] / along,
                    ray.direction[query.axes[1]] / along, 1 / along};
-    // Where the direction is 0, a box is entered at once or never; any large number does.
+    // Where the direction has a component of 0, a box is entered at once or never. Any
+    // large number gives that result.
     constexpr double never = 1e250;
     for (int axis = 0; axis < 3; ++axis) {
         query.is_falling[axis] = std::signbit(ray.direction[axis]);

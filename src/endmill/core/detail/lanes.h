@@ -228,7 +228,7 @@ inline unsigned lanes_not_below(float limit, const FloatLanes& values)
     return lanes;
 }
 
-/// values[k] where keys[k] <= limit, minus infinity elsewhere.
+/// The lanes values[k] where keys[k] <= limit, minus infinity in the others.
 inline FloatLanes kept_up_to(float limit, const FloatLanes& keys,
                              const FloatLanes& values)
 {

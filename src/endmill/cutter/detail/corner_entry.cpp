@@ -29,21 +29,23 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 struct HalfSpace {
     Vec3 out;         // normal out of the half space, as long as `distance`
     double distance;  // mm, from the place of the line to the nearest point of the core
-    double gap;       // from the place to the corner's surface
+    double gap;  // from the place to the surface of the corner; 0 or less inside
     double short_by;  // from the place to the half space; negative inside
     double rate;      // how fast the line approaches the half space
-    // With f = distance^2 / 2 as a function of the share s of the move and of t:
+    // Derivatives of f = distance^2 / 2 by the share s of the move and the place t:
     double slope;  // df/ds
     double bend;   // d2f/ds2
     double turn;   // d2f/(ds dt)
 };
 
-// A place of the line, and a share of the move at which the core is seen from it.
+// A place of the line, and a place of the move from which the half space is made.
 struct Look {
     double t;      // mm
-    double share;  // 0 ... 1
+    double share;  // share of the move, 0 to 1
 };
 
+// The search of `corner_approach`. Every half space moves `low_` forwards: no place of
+// the line before it is in the region.
 class Approach {
 public:
     Approach(const StraightSweep& sweep, const Line& line, double before)
@@ -72,7 +74,8 @@ public:
                     return {Answer::No, {}};
                 low_ = std::max(low_, look.t + half.short_by / half.rate);
                 const double close = rounding(look.t) * half.rate;
-                // Within the corner on one side, within the half space on the other.
+                // The place is within the corner radius of the core, and the half space
+                // proves that no earlier place is in the region.
                 if (half.gap <= close && half.short_by >= -close)
                     return {Answer::Yes, SweepEntry{low_, half.out / half.distance}};
                 look = better(look, half);
@@ -92,8 +95,8 @@ private:
 
     double rounding(double t) const { return rounding_share * (scale_ + std::abs(t)); }
 
-    // At t, or, if that says nothing, at the level of the lowest tip: no place before it is
-    // in the region.
+    // Starts at t, at the nearest place of the move. If t is infinite, a rising line
+    // starts at the level of the lowest tip, below which it cannot be in the region.
     Look look_from(double t)
     {
         if (!std::isfinite(t) && way_.z() > 0)
@@ -104,8 +107,10 @@ private:
         return {t, std::clamp((offset_ + t * way_).dot(move_) / length2, 0.0, 1.0)};
     }
 
-    // Newton's step: the core as near as the corner radius, and at no other share nearer.
-    // Where that leads off the move, or to the share where the core is farthest, first the share.
+    // A Newton step in t and the share of the move. It solves two equations: the distance
+    // from the core is the corner radius, and its derivative by the share is 0. If the
+    // step leaves the move, or aims at the farthest instead of the nearest share, the
+    // share is improved first.
     Look better(const Look& look, const HalfSpace& half) const
     {
         const double size = half.bend * half.rate + half.slope * half.turn;
@@ -123,8 +128,9 @@ private:
 
     HalfSpace half_space(const Look& look) const
     {
-        // v from the middle of the disc to the place, (k v.x, k v.y, q) from its nearest
-        // point, or from straight above that.
+        // v leads from the centre of the disc to the place. (k v.x, k v.y, q) leads from
+        // the nearest point of the disc to the place, or from straight above that point
+        // if the place is higher.
         const Vec3 v = offset_ + look.t * way_ - look.share * move_;
         const double d = std::sqrt(v.x() * v.x() + v.y() * v.y());
         const double across = d - flat_;
@@ -153,18 +159,19 @@ private:
     double corner_;
     double before_;
     double low_ = -infinite;  // no place before is in the region
-    Vec3 offset_;             // of the line, from the middle of the first disc, mm
+    Vec3 offset_;  // from the centre of the first disc to the line's origin, mm
     Vec3 way_;
     Vec3 move_;
     double move_across2_;
     double scale_;
 };
 
-// S - z along a line, a convex function of t where the cutter passes.
+// The gap S - z between the surface and a place of the line, a convex function of t over
+// the outline of the move.
 struct Gap {
     double value;
     double rate;
-    Vec3 normal;  // out of the region
+    Vec3 normal;  // of the surface S, out of the region
 };
 
 Gap gap_at(const StraightSweep& sweep, const LineInPlan& plan, const Line& line, double t)
@@ -178,22 +185,24 @@ Gap gap_at(const StraightSweep& sweep, const LineInPlan& plan, const Line& line,
         std::min(distance - cutter.flat_radius(), cutter.corner_radius());
     Vec3 normal = -Vec3::UnitZ();
     if (across > 0) {
-        // The corner's own normal: across its circle it has the sine and the cosine.
+        // The normal of the corner has the sine across its circle and the cosine
+        // downwards.
         const double r = cutter.corner_radius();
         const double sine = across / r;
         const double cosine = std::sqrt((1 - sine) * (1 + sine));
         out *= sine / distance;
         normal = out_of_plan(plan, out.x(), out.y(), -cosine);
     }
-    // By the envelope theorem S has the slope of the cutter that makes it.
+    // By the envelope theorem, S has the slope of the cutter that leaves it.
     const double across_rate = normal.dot(line.direction);
     const double rate =
         normal.z() < 0 ? -across_rate / normal.z() : std::copysign(infinite, across_rate);
     return {height.z - at.z(), rate, normal};
 }
 
-// The entry in `left`, which holds it if there is one; `inside` tells that the high end
-// lies in the region. Tangents from outside come near the entry and never past it.
+// The entry in the interval `left`, which contains it if there is one. `inside` states
+// whether the upper end is in the region. The gap is convex: its tangent at a place
+// outside leads towards the entry and never past it.
 std::optional<SweepEntry> entry_between(const StraightSweep& sweep,
                                         const LineInPlan& plan, const Line& line,
                                         LineInterval left, bool inside)
@@ -202,9 +211,9 @@ std::optional<SweepEntry> entry_between(const StraightSweep& sweep,
         rounding_share *
         (sweep.cutter().radius() + plan.length + std::abs(left.low) +
          line.origin.lpNorm<Eigen::Infinity>() + sweep.from().lpNorm<Eigen::Infinity>());
-    std::optional<Gap> at_low;  // at left.low, once there is no better
+    std::optional<Gap> at_low;  // the gap at left.low, once that is final
     for (int i = 1; i < most_iterations && left.high - left.low > rounding; ++i) {
-        // At the rim itself S is steep without bound: there only halving helps.
+        // At the rim S is infinitely steep, so that only halving makes progress.
         const bool halve = !inside || i % steps_per_halving == 0;
         const double t = halve ? left.low + (left.high - left.low) / 2 : left.low;
         const Gap gap = gap_at(sweep, plan, line, t);
@@ -227,7 +236,7 @@ std::optional<SweepEntry> entry_between(const StraightSweep& sweep,
                 break;
             }
         } else {
-            return std::nullopt;  // the least gap is positive
+            return std::nullopt;  // the least gap is positive: the line misses
         }
     }
     if (!inside || left.is_empty())
@@ -255,7 +264,7 @@ std::optional<SweepEntry> corner_entry(const StraightSweep& sweep, const Line& l
     LineInterval left = within_outline(plan, sweep.cutter().radius());
     if (left.is_empty())
         return std::nullopt;
-    if (!std::isfinite(left.low)) {  // upright: S is one number
+    if (!std::isfinite(left.low)) {  // a vertical line: S is a single number
         const Gap gap = gap_at(sweep, plan, line, 0);
         const LineInterval above = where_not_negative(-gap.value, plan.rate_z);
         return above.is_empty() || above.low >= before
@@ -266,8 +275,8 @@ std::optional<SweepEntry> corner_entry(const StraightSweep& sweep, const Line& l
         return std::nullopt;
     bool inside = false;
     if (before < left.high) {
-        // One look at `before` tells most: either the entry comes later, or the tangent
-        // there, which passes below S, leads to a place that the entry does not precede.
+        // One evaluation at `before` decides most lines. Either the entry comes later, or
+        // the tangent there leads to a place that the entry does not precede.
         const Gap gap = gap_at(sweep, plan, line, before);
         inside = gap.value <= 0;
         if (gap.rate < 0 && !inside)

@@ -13,11 +13,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Rise of a move, as a share of its length, below which it is level: its heights are then
-// off by no more than that.
+// Rise of a move, as a share of its length, up to which it counts as level. Its heights
+// are then off by at most this share.
 constexpr double level_rise = 1e-13;
 
-// The upright cylinder that stands at `along` on the move, from the height `bottom` up.
+// Where the line is in the upright cylinder around the place `along` on the move, above
+// the height `bottom`.
 LineInterval upright_cylinder(const LineInPlan& plan, double radius, double along,
                          double bottom)
 {
@@ -25,8 +26,8 @@ LineInterval upright_cylinder(const LineInPlan& plan, double radius, double alon
                   where_not_negative(plan.start_z - bottom, plan.rate_z));
 }
 
-// What stands above the upright rectangle under the move, as wide as the cutter and
-// `above` the tips.
+// Where the line is above the rectangle that the cutter's widest chord sweeps on the
+// move, `above` the tips.
 LineInterval above_rectangle(const LineInPlan& plan, double radius, double above)
 {
     if (plan.length == 0)
@@ -41,7 +42,7 @@ LineInterval above_rectangle(const LineInPlan& plan, double radius, double above
     return intersection(prism, where_not_negative(plan.length - plan.start.x(), -plan.rate.x()));
 }
 
-// The ball swept along the segment between its centres.
+// The entry into the capsule: the ball swept along the segment between its centres.
 std::optional<SweepEntry> capsule_entry(const StraightSweep& sweep, const Line& line)
 {
     const double R = sweep.cutter().radius();
@@ -53,7 +54,7 @@ std::optional<SweepEntry> capsule_entry(const StraightSweep& sweep, const Line& 
     const double d_o = d.dot(o);
     const double on = o.dot(line.direction);
     const double a = dd - dn * dn;
-    double share = dn >= 0 ? 0 : 1;  // of the segment: whose ball a line along it meets
+    double share = dn >= 0 ? 0 : 1;  // place on the segment, for a line parallel to it
     if (a > 0) {
         const double b = dd * on - d_o * dn;
         const double c = dd * (o.squaredNorm() - R * R) - d_o * d_o;
@@ -74,7 +75,7 @@ std::optional<SweepEntry> capsule_entry(const StraightSweep& sweep, const Line& 
     return SweepEntry{t, (from_centre + t * line.direction) / R};
 }
 
-// The least entry into an upright part that begins before `found`.
+// The earlier one of `found` and the entry into an upright part of the region.
 std::optional<SweepEntry> sooner(const LineInPlan& plan, const LineInterval& upright,
                                  std::optional<SweepEntry> found)
 {
@@ -94,12 +95,14 @@ bool stays_below_centres(const StraightSweep& sweep, const Line& line, double be
            line.origin.z() + before * line.direction.z() < lowest;
 }
 
+// The region of a ball is the capsule with everything above it: upright cylinders over
+// the two end balls, and the part above the segment between their centres.
 std::optional<SweepEntry> ball_entry(const StraightSweep& sweep, const Line& line,
                                      double before)
 {
     std::optional<SweepEntry> entry = capsule_entry(sweep, line);
-    // On the lower half of the capsule's boundary one is on that of the region; and what
-    // is upright begins at the centres.
+    // The lower half of the capsule's boundary is boundary of the region. The upright
+    // parts begin at the height of the centres.
     if ((entry && entry->normal.z() <= 0) || stays_below_centres(sweep, line, before))
         return entry;
     const LineInPlan plan = line_in_plan(sweep, line);
@@ -109,6 +112,9 @@ std::optional<SweepEntry> ball_entry(const StraightSweep& sweep, const Line& lin
     return sooner(plan, above_rectangle(plan, R, R), entry);
 }
 
+// The region of a flat cutter is the union of upright cylinders over the two end discs,
+// the part above the rectangle between them, and the oblique cylinder that the rim
+// sweeps. It is convex, so the entry is the lowest end of the four intervals.
 std::optional<SweepEntry> flat_entry(const StraightSweep& sweep, const Line& line)
 {
     const LineInPlan plan = line_in_plan(sweep, line);
@@ -120,7 +126,7 @@ std::optional<SweepEntry> flat_entry(const StraightSweep& sweep, const Line& lin
     const bool is_level = std::abs(plan.rise) <= level_rise * plan.length;
     Vec3 normal = -Vec3::UnitZ();
     if (!is_level && plan.length > 0) {
-        // Between the two ends the rim sweeps an oblique cylinder.
+        // Between its two ends the rim sweeps an oblique cylinder.
         const double per_rise = plan.length / plan.rise;
         const Vector2d start = plan.start - Vector2d{per_rise * plan.start_z, 0};
         const Vector2d rate = plan.rate - Vector2d{per_rise * plan.rate_z, 0};
@@ -142,9 +148,10 @@ std::optional<SweepEntry> flat_entry(const StraightSweep& sweep, const Line& lin
     const double t = whole.low;
     if (!std::isfinite(t))
         return SweepEntry{t, normal};
-    // Through the bottom or through the side, whichever the line comes to last.
+    // The line enters through the side if it crosses the outline last, else through the
+    // bottom.
     const LineInterval outline = within_outline(plan, R);
-    const double rounding = 1e-12 * (R + plan.length);  // of t, mm
+    const double rounding = 1e-12 * (R + plan.length);  // of t, in mm
     return SweepEntry{t, outline.low >= t - rounding ? outline_normal(plan, t) : normal};
 }
 
