@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/surface/surface_jet.h"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
@@ -10,8 +12,15 @@
 namespace endmill {
 namespace {
 
-// Sine of the angle between the partials below which their cross product is rounding.
+// Sine of the angle between the partial derivatives up to which their cross product is
+// rounding.
 constexpr double parallel_sine = 1e-10;
+
+// The number rounded to a multiple of 1 / `steps`, without a minus zero.
+std::string rounded_text(double value, double steps)
+{
+    return to_text(std::round(value * steps) / steps + 0.0);
+}
 
 }  // namespace
 
@@ -74,8 +83,10 @@ std::optional<Vec3> limit_normal(const SurfaceJet& jet, const InwardSigns& inwar
 
 std::string place_text(const SurfacePoint& at, const Vec3& point)
 {
-    return "u = " + to_text(at.u) + ", v = " + to_text(at.v) + " (" + to_text(point.x()) +
-           ", " + to_text(point.y()) + ", " + to_text(point.z()) + " mm)";
+    const auto parameter = [](double value) { return rounded_text(value, 1e6); };
+    const auto mm = [](double value) { return rounded_text(value, 1e3); };
+    return "u = " + parameter(at.u) + ", v = " + parameter(at.v) + " (" + mm(point.x()) +
+           ", " + mm(point.y()) + ", " + mm(point.z()) + " mm)";
 }
 
 }  // namespace endmill
