@@ -21,8 +21,8 @@ Vec3 random_vector(test::Random& random, double size)
             random.uniform(-size, size)};
 }
 
-// The region by S itself, which knows nothing of half spaces: on it at the entry, and with
-// no place before. Nearly all lines that rise are decided.
+// The second route is S itself, which is computed without half spaces: the entry is on S,
+// and no earlier place is in the region. Nearly all rising lines are decided.
 TEST(CornerApproach, EndsWhereTheHeightIsThatOfTheLine)
 {
     test::Random random{23};
@@ -51,7 +51,7 @@ TEST(CornerApproach, EndsWhereTheHeightIsThatOfTheLine)
         EXPECT_NEAR(normal.norm(), 1, 1e-12) << i;
         EXPECT_LE(normal.z(), 0) << i;
         EXPECT_LT(normal.dot(line.direction), 0) << i;
-        if (normal.z() > -0.1)  // at the side S is steep
+        if (normal.z() > -0.1)  // S is steep at the side
             continue;
         const Vec3 at = line.origin + approach.entry->t * line.direction;
         EXPECT_NEAR(sweep.height(at.x(), at.y()), at.z(), 1e-11) << i;
@@ -98,7 +98,7 @@ TEST(CornerApproach, IsNoneWhereTheEntryComesLater)
     EXPECT_NE(beside.enters, Answer::Yes);
 }
 
-// One from above has nothing to say to a search from outside.
+// A search from outside cannot decide a line that comes from above.
 TEST(CornerApproach, OfALineStraightDownIsUndecided)
 {
     const StraightSweep level{Cutter{5, 2}, {0, 0, 0}, {20, 0, 0}};

@@ -58,7 +58,7 @@ TEST(WithinOutline, EndsOnTheRimAndItsNormalPointsOut)
         const Vec3 at = line.origin + t * line.direction;
         const Vec3 normal = outline_normal(plan, t);
         EXPECT_NEAR(normal.norm(), 1, 1e-14);
-        // One radius inwards lies the move.
+        // The point one radius inwards is on the move.
         const Eigen::Vector2d on_move = (at - 5 * normal - oblique.from()).head<2>();
         const Eigen::Vector2d along{0.6, 0.8};
         EXPECT_NEAR(on_move.x() * along.y() - on_move.y() * along.x(), 0, 1e-12);

@@ -50,7 +50,7 @@ TEST(Decimated, IsTheMeshIfThatHasNoMoreTriangles)
     expect_named(torus, same);
 }
 
-// The square of 40 by 30 mm is its four corners and two triangles: nothing else is needed.
+// The square of 40 by 30 mm needs only its four corners and two triangles.
 TEST(Decimated, LeavesAPlanePlaneWithItsOutline)
 {
     const TriangleMesh square = test::flat_mesh(40, 30);
@@ -64,8 +64,7 @@ TEST(Decimated, LeavesAPlanePlaneWithItsOutline)
         EXPECT_EQ(point.z(), 0);
 }
 
-// A torus stays a torus: closed, of Euler characteristic 0, and of nearly its volume
-// 2 pi^2 R r^2. Its points are unmoved, so it stays within the largest sagitta.
+// The torus stays closed, with Euler characteristic 0 and nearly its volume 2 pi^2 R r^2.
 TEST(Decimated, KeepsTheTopologyAndNearlyTheVolumeOfATorus)
 {
     const TriangleMesh torus = test::torus_mesh(120, 40);
@@ -86,7 +85,7 @@ TEST(Decimated, KeepsTheTopologyAndNearlyTheVolumeOfATorus)
     }
 }
 
-// The replaced triangle lies where its successor is.
+// The replaced triangle lies near the one that replaces it.
 TEST(Decimated, NamesATriangleNearEachOne)
 {
     const TriangleMesh torus = test::torus_mesh(120, 40);
@@ -130,7 +129,7 @@ TEST(Decimated, StopsWhereNoCollapseIsPossible)
     EXPECT_EQ(decimated({points, triangles}, 0).mesh.triangles().size(), 20U);
 }
 
-// Random triangles over few points, non-manifold nearly everywhere, and degenerate ones.
+// Random triangles over few points: non-manifold nearly everywhere, some degenerate.
 TEST(Decimated, TakesNonManifoldMeshes)
 {
     test::Random random{11};

@@ -12,8 +12,8 @@
 namespace endmill {
 namespace {
 
-// By looking at all sides: no directed side is used twice, and the triangles at each point
-// are connected across sides at it.
+// By checking all sides: no directed side is used twice, and the triangles at each point
+// are connected across sides at this point.
 void expect_manifold(const std::vector<Triangle>& triangles)
 {
     std::map<std::array<std::int32_t, 2>, std::size_t> sides;

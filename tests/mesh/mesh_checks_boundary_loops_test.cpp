@@ -19,7 +19,7 @@ std::vector<Numbers> loop_points(const TriangleMesh& mesh)
     return points;
 }
 
-// Points on a parabola in space: no three of them are collinear.
+// Points on a curve in space, no three of which are collinear.
 std::vector<Vec3> points(int count)
 {
     std::vector<Vec3> points;
@@ -55,8 +55,8 @@ TEST(BoundaryLoops, RunCounterClockwiseAroundTheMeshAndClockwiseAroundAHole)
     EXPECT_EQ(loops[1].length, 4);
 }
 
-// Some triangles of a torus. Where they form a manifold with at most one fan a point, the
-// loops together have the boundary edges of the report, each once.
+// Random subsets of a torus's triangles. The loops together contain every boundary edge
+// of the report exactly once.
 TEST(BoundaryLoops, HaveTheBoundaryEdgesOfAManifoldMeshOnceEach)
 {
     test::Random random{2};
@@ -73,7 +73,7 @@ TEST(BoundaryLoops, HaveTheBoundaryEdgesOfAManifoldMeshOnceEach)
     }
 }
 
-// A fan around one point, whose triangles come in any order.
+// A fan around one point, with its triangles in random order.
 TEST(BoundaryLoops, DoNotDependOnTheOrderOfTriangles)
 {
     std::vector<Triangle> fan(7);
@@ -87,7 +87,7 @@ TEST(BoundaryLoops, DoNotDependOnTheOrderOfTriangles)
     }
 }
 
-// Pieces that touch at a point have a loop each.
+// Two pieces that touch at a point have a loop each.
 TEST(BoundaryLoops, PassAPointOfTwoFansTwice)
 {
     EXPECT_EQ(loop_points({points(5), {{0, 1, 2}, {0, 3, 4}}}),
@@ -123,9 +123,7 @@ TEST(BoundaryLoops, LeaveOutTrianglesThatRepeatACorner)
               (std::vector<Numbers>{{0, 1, 2}}));
 }
 
-// A band of five triangles whose ends are joined after half a turn cannot be oriented. All
-// points lie on its boundary, which is one loop of the five outer edges; the triangles at the
-// cut add their other sides.
+// A band of five triangles, whose ends are joined after half a turn, cannot be oriented.
 TEST(BoundaryLoops, OfAMoebiusStripEnd)
 {
     const TriangleMesh strip{points(5),
