@@ -70,7 +70,7 @@ int turn_by_integers(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
 // which are summed without rounding.
 bool are_independent(const Vec3& a, const Vec3& b, const Vec3& c, int i, int j)
 {
-    // ccwerrboundA of [Shewchuk, section 4.1]: rounding error of the determinant, as a share
+    // ccwerrboundA of [Shewchuk, section 4]: rounding error of the determinant, as a share
     // of the sum of the sizes of its products.
     constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
     constexpr double rounding = (3 + 16 * unit) * unit;

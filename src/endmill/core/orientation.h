@@ -58,7 +58,7 @@ inline int orientation(const Eigen::Vector2d& p, const Eigen::Vector2d& q,
 
 /// Whether three points in space lie on one line. Exact; always true if two of the points
 /// are equal.
-/// Source: [Shewchuk, section 4.1], the filter of ORIENT2D, for the projections of the
+/// Source: [Shewchuk, section 4], the filter of ORIENT2D, for the projections of the
 /// triangle onto the three coordinate planes.
 /// \pre each coordinate is 0 or between 1e-140 and 1e140 in size. Beyond that range products
 ///      overflow or underflow and the answer may be wrong.

@@ -15,7 +15,7 @@ namespace endmill {
 /// not use intermediate positions of the cutter: a move that is divided into several, or
 /// made backwards, leaves the same surface.
 /// Source: closed forms for a ball, a disc and a torus in oblique translation; derived in
-/// paper/notes/swept-cutter.md.
+/// paper/notes/swept-cutter.md, sections 1 to 6.
 class StraightSweep {
 public:
     /// \param cutter stands along +z.

@@ -81,7 +81,7 @@ public:
     /// an edge shared by two triangles, or a point surrounded by triangles, hits at least
     /// one of them. Rounding decides which one it hits, and whether a ray hits that
     /// grazes the boundary of the mesh or lies in the plane of a triangle.
-    /// Source: [WoopBenthinWald].
+    /// Source: [WoopBenthinWald, pp. 65-82].
     /// \return nothing if the ray meets no triangle.
     /// \throws DomainError if the ray's origin is beyond 1e30 mm, or the length of its
     ///         direction is not between 1e-100 and 1e100.

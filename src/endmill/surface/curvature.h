@@ -34,7 +34,7 @@ struct TangentVector {
 };
 
 /// The components of the tangent vector that is nearest to `direction`.
-/// Source: the first fundamental form, (a, b) = [E F; F G]^-1 (T.du, T.dv).
+/// By the first fundamental form, (a, b) = [E F; F G]^-1 (T.du, T.dv).
 TangentVector tangent_components(const FundamentalForms& forms, const SurfaceJet& jet,
                                  const Vec3& direction);
 

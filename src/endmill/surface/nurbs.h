@@ -38,7 +38,7 @@ std::string flaw(const SplineParameter& parameter);
 /// The surface of `nurbs` over its knot range, from knot [degree] to knot [points]. Each
 /// span between different knots becomes a Bezier patch. The surface has a gap at a knot
 /// that is repeated degree + 1 times. Control points are accurate to a few roundings.
-/// Source: [DeBoor], by the polar forms of the spans.
+/// They are values of the polar form (blossom) of the span.
 /// \param nurbs with valid parameters; see `flaw`.
 /// \param tool_side as in Surface.
 /// \throws DomainError if a parameter has a `flaw`, the numbers of points or weights do
@@ -53,7 +53,7 @@ Surface nurbs_surface(const Nurbs& nurbs, ToolSide tool_side = ToolSide::Up);
 /// with 3 grid lines the spline is quadratic, with 2 linear. Bicubic polynomials are
 /// reproduced. Heights are accurate to 1e-13 of the greatest one if neighbouring
 /// intervals differ by less than a factor of ten.
-/// Source: [DeBoor], the tensor product of the not-a-knot spline.
+/// Source: [DeBoor, chapter IV] for one variable; here its tensor product.
 ///
 /// \param x rising, at least 2 numbers, in mm.
 /// \param y rising, at least 2 numbers, in mm.

@@ -47,7 +47,7 @@ struct SurfaceJet {
 };
 
 /// The partial derivatives of r, from those of w r and of the weight w.
-/// Source: Leibniz' rule for w r, solved for the highest derivative of r.
+/// They follow from Leibniz' rule for w r, solved for the highest derivative of r.
 /// \param homogeneous of w r.
 /// \param weight entry (m, n) is the m-th partial derivative of w in u and the n-th in v.
 SurfaceTangents projected(const SurfaceTangents& homogeneous,

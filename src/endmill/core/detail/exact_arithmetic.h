@@ -24,7 +24,7 @@ struct ExactPair {
 };
 
 /// The sum a + b with its rounding error. \pre the sum does not overflow.
-/// Source: [KnuthSeminumerical, section 4.2.2], theorem B.
+/// Source: [KnuthSeminumerical, section 4.2.2, theorem B].
 inline ExactPair two_sum(double a, double b)
 {
     const double sum = a + b;
@@ -33,7 +33,7 @@ inline ExactPair two_sum(double a, double b)
 }
 
 /// The same for ordered terms, with half the operations. \pre |a| >= |b|, or a = 0.
-/// Source: [Dekker].
+/// Source: [Shewchuk, theorem 6].
 inline ExactPair fast_two_sum(double a, double b)
 {
     const double sum = a + b;
@@ -50,7 +50,7 @@ inline ExactPair two_product(double a, double b)
 
 /// A sum of at most 16 doubles, kept without rounding as an expansion: parts whose digits do
 /// not overlap, in order of rising size.
-/// Source: [Shewchuk, section 2.4], GROW-EXPANSION with zero elimination.
+/// Source: [Shewchuk, theorem 10], GROW-EXPANSION with zero elimination.
 class ExactSum {
 public:
     /// Adds `term`. \pre fewer than 16 terms were added before.
@@ -95,7 +95,7 @@ private:
 /// With u = 2^-53, each operation errs by less than 16 u^2 (about 2e-31) of its result; a sum
 /// of terms of unlike sign errs by 16 u^2 of the terms' sizes. Only finite numbers far from
 /// overflow and underflow are supported.
-/// Source: [JoldesMullerPopescu], algorithms 6, 12 and 18.
+/// Source: [JoldesMullerPopescu, algorithms 6, 12 and 18].
 class DoubleDouble {
 public:
     DoubleDouble(double value = 0) : high_{value} {}  // NOLINT: numbers convert implicitly

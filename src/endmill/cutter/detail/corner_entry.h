@@ -25,7 +25,7 @@ struct CornerApproach {
 /// 2. A place within r of the core is in the region.
 /// 3. Newton's method improves the place on the line and the place of the move together,
 ///    until the bounds of steps 1 and 2 meet within rounding.
-/// Source: paper/notes/swept-cutter.md.
+/// Source: paper/notes/swept-cutter.md, section 7.
 ///
 /// \param before place on the line, in mm; later entries are not reported.
 /// \return undecided where the iteration does not converge: mostly for lines that come from

@@ -23,7 +23,7 @@ BernsteinNet weight_net(const BezierPatch& patch);
 /// The coefficients of w^3 (du x dv) . direction, in mm^2 for a unit `direction`. For a
 /// patch of degrees p and q the degrees are 2p and 2q without weights, where w = 1, and
 /// 3p and 3q with weights.
-/// Source: with H = w r, w^3 (du x dv) = w H_u x H_v - w_v H_u x H - w_u H x H_v.
+/// With H = w r, w^3 (du x dv) = w H_u x H_v - w_v H_u x H - w_u H x H_v.
 BernsteinNet normal_net(const BezierPatch& patch, const Vec3& direction);
 
 /// The polynomial divided by the linear factor that vanishes on an edge: u or 1 - u, v or

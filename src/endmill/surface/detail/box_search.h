@@ -25,7 +25,7 @@ struct SearchBox {
 ///
 /// It is a local search without derivatives. At a smooth minimum the value is accurate to
 /// about 1e-14 of its size, and the place to about 1e-7.
-/// Source: [NelderMead].
+/// Source: [NelderMead, pp. 308-313].
 /// \param function to minimise.
 /// \param box limits of the search.
 /// \param start in the box.
