@@ -188,8 +188,8 @@ std::string mesh_text(const Json& s)
                                   : shown(s["volume_mm3"]) + " mm3",
         s["boundary_edges"].get<std::size_t>(),
         s["non_manifold_edges"].get<std::size_t>(),
-        s["inconsistent_edges"].get<std::size_t>(), boundary_text(s), s["degenerate"].get<std::size_t>(),
-        s["duplicates"].get<std::size_t>());
+        s["inconsistent_edges"].get<std::size_t>(), boundary_text(s),
+        s["degenerate"].get<std::size_t>(), s["duplicates"].get<std::size_t>());
 }
 
 }  // namespace endmill

@@ -146,9 +146,9 @@ TEST(MeshReport, CountsDegenerateAndDuplicateTriangles)
     const MeshReport report = mesh_report({points,
                                            {{0, 1, 3},     // sound
                                             {0, 0, 1},     // repeats a corner
-                                            {0, 1, 2},  // collinear corners
-                                            {1, 4, 3},  // two equal corners
-                                            {3, 0, 1},  // the first triangle again
+                                            {0, 1, 2},     // collinear corners
+                                            {1, 4, 3},     // two equal corners
+                                            {3, 0, 1},     // the first triangle again
                                             {1, 0, 3}}});  // the same, turned over
     EXPECT_EQ(report.degenerate_triangles, 3U);
     EXPECT_EQ(report.duplicate_triangles, 2U);

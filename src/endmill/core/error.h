@@ -36,9 +36,9 @@ class FormatError : public Error {
 public:
     /// What is wrong in a file, and where.
     struct Complaint {
-        std::string file;      ///< path, as the caller gave it
-        std::string place;     ///< "LINE", "LINE:COLUMN", "@BYTE", a JSON pointer or empty
-        std::string found;     ///< what the file contains at this place
+        std::string file;   ///< path, as the caller gave it
+        std::string place;  ///< "LINE", "LINE:COLUMN", "@BYTE", a JSON pointer or empty
+        std::string found;  ///< what the file contains at this place
         std::string expected;  ///< what it should contain; empty if that is obvious
     };
 

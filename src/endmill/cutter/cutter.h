@@ -30,8 +30,8 @@ public:
     double radius() const { return radius_; }                        ///< R, mm
     double corner_radius() const { return corner_radius_; }          ///< r, mm
     double flat_radius() const { return radius_ - corner_radius_; }  ///< R - r, mm
-    bool is_ball() const { return corner_radius_ == radius_; }  ///< whether r = R
-    bool is_flat() const { return corner_radius_ == 0; }  ///< whether r = 0
+    bool is_ball() const { return corner_radius_ == radius_; }       ///< whether r = R
+    bool is_flat() const { return corner_radius_ == 0; }             ///< whether r = 0
 
     /// Height in mm of the cutter's surface above the tip, at `distance` mm from the
     /// axis: 0 up to R - r, then r - sqrt(r^2 - (distance - R + r)^2), and infinity

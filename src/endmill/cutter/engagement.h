@@ -9,7 +9,7 @@ namespace endmill {
 /// direction over the xy plane, counter-clockwise seen from above.
 struct AzimuthInterval {
     double from;  ///< rad, at least -pi
-    double to;  ///< rad, above `from` and at most pi
+    double to;    ///< rad, above `from` and at most pi
 
     /// Whether both ranges are equal.
     friend bool operator==(const AzimuthInterval&, const AzimuthInterval&) = default;
@@ -20,9 +20,9 @@ struct EngagedRing {
     /// In rad: angle of the surface normal from straight down: 0 at the bottom, pi/2 on the
     /// cylinder.
     double latitude;
-    double radius;    ///< mm, distance from the axis
-    double above;  ///< mm, height above the tip
-    double width;     ///< mm, along the cutter's profile
+    double radius;                         ///< mm, distance from the axis
+    double above;                          ///< mm, height above the tip
+    double width;                          ///< mm, along the cutter's profile
     std::vector<AzimuthInterval> engaged;  ///< in rising order, disjoint
 };
 
@@ -56,7 +56,7 @@ struct BallFront {
     double lambda = 0;
     /// Whether Y points to the right of the feed, else to its left.
     bool is_stock_right = true;
-    int rows = 0;  ///< number of equal steps of y, from -1 to 1
+    int rows = 0;     ///< number of equal steps of y, from -1 to 1
     int columns = 0;  ///< number of equal steps of chi, from lambda - pi/2 to 0
     /// 1 for each cell whose middle is in the material, else 0. Cell (row, column) is at
     /// [row * columns + column].

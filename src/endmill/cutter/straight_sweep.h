@@ -27,8 +27,8 @@ public:
     /// As given.
     const Cutter& cutter() const { return cutter_; }
     const Vec3& from() const { return from_; }  ///< tip at the start, mm
-    const Vec3& to() const { return to_; }  ///< tip at the end, mm
-    double length() const { return length_; }  ///< length over the xy plane, mm
+    const Vec3& to() const { return to_; }      ///< tip at the end, mm
+    double length() const { return length_; }   ///< length over the xy plane, mm
     double slope() const { return slope_; }  ///< rise per `length`; 0 if the length is 0
 
     /// A value of S, with the position of the cutter that leaves it.

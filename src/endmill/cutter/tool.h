@@ -13,8 +13,8 @@ namespace endmill {
 /// A cylinder around the axis of a tool: a part of the shank or of the holder.
 struct ToolCylinder {
     double diameter;  ///< mm
-    double from;  ///< mm above the tip, lower end
-    double to;  ///< mm above the tip, upper end
+    double from;      ///< mm above the tip, lower end
+    double to;        ///< mm above the tip, upper end
 
     /// Whether both cylinders are equal.
     friend bool operator==(const ToolCylinder&, const ToolCylinder&) = default;
@@ -34,7 +34,7 @@ struct ToolLimits {
 struct Tool {
     Cutter cutter;
     std::string name = {};
-    std::optional<int> flutes = {};  ///< number of flutes, if known
+    std::optional<int> flutes = {};   ///< number of flutes, if known
     std::optional<Angle> helix = {};  ///< helix angle between flutes and axis, if known
     double length = 0;                ///< mm, from the tip to the spindle nose
     ToolLimits limits = {};

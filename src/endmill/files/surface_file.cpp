@@ -12,12 +12,12 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/files/detail/json_format.h"
 #include "endmill/files/detail/strict_json.h"
 #include "endmill/files/detail/surface_kinds.h"
 #include "endmill/files/read_file.h"
 #include "endmill/surface/detail/collapsed_edge.h"
-#include "endmill/core/tolerance.h"
 
 // A surface file is read in these steps:
 //

@@ -69,10 +69,9 @@ public:
         quadrics_.assign(mesh().n_vertices(), Quadric{});
         for (const auto face : mesh().faces()) {
             const auto [a, b, c] = corners(face);
-            const Quadric plane =
-                weighted_plane(mesh().point(a), area_vector(mesh().point(a),
-                                                            mesh().point(b),
-                                                            mesh().point(c)));
+            const Quadric plane = weighted_plane(
+                mesh().point(a),
+                area_vector(mesh().point(a), mesh().point(b), mesh().point(c)));
             for (const auto corner : {a, b, c})
                 quadrics_[corner.idx()] += plane;
         }
@@ -150,10 +149,9 @@ private:
             const Vec3d old_area = area_vector(collapse.p0, next, last);
             const Vec3d new_area = area_vector(collapse.p1, next, last);
             const double product = old_area | new_area;
-            if (!(product > 0 && product * product > least_turn_cosine *
-                                                         least_turn_cosine *
-                                                         old_area.sqrnorm() *
-                                                         new_area.sqrnorm()))
+            if (!(product > 0 &&
+                  product * product > least_turn_cosine * least_turn_cosine *
+                                          old_area.sqrnorm() * new_area.sqrnorm()))
                 return true;
         }
         return false;

@@ -11,8 +11,10 @@ namespace endmill {
 
 /// A coarser mesh in place of a given one.
 struct DecimatedMesh {
-    TriangleMesh mesh;  ///< its points are some of the given ones, unmoved and in their order
-    std::vector<std::int32_t> source_points;  ///< of each point: its number in the given mesh
+    TriangleMesh
+        mesh;  ///< its points are some of the given ones, unmoved and in their order
+    std::vector<std::int32_t>
+        source_points;  ///< of each point: its number in the given mesh
     /// Of each triangle: the number of the given triangle that it replaces, rising. Each
     /// triangle covers about the place of the one that it replaces.
     std::vector<std::int32_t> source_triangles;

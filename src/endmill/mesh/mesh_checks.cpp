@@ -203,9 +203,8 @@ std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh)
             is_to_do[point] = false;
         loops.push_back(in_mesh(loop, mesh, pieces));
     }
-    std::ranges::stable_sort(loops, {}, [](const BoundaryLoop& loop) {
-        return loop.points.front();
-    });
+    std::ranges::stable_sort(
+        loops, {}, [](const BoundaryLoop& loop) { return loop.points.front(); });
     return loops;
 }
 

@@ -19,8 +19,8 @@ namespace endmill {
 /// Topology and measures of a mesh. Triangles that repeat a corner count as degenerate and in
 /// no other number.
 struct MeshReport {
-    std::size_t boundary_edges;      ///< edges of one triangle
-    std::size_t non_manifold_edges;  ///< edges of more than two triangles
+    std::size_t boundary_edges;                   ///< edges of one triangle
+    std::size_t non_manifold_edges;               ///< edges of more than two triangles
     std::optional<Edge> first_non_manifold_edge;  ///< the lexicographically least of them
     /// Edges whose two triangles run along them in the same direction: the orientations of
     /// the two triangles disagree.

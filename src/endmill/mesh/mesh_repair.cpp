@@ -47,7 +47,9 @@ struct Membership {
 // orientation.
 class Pieces {
 public:
-    explicit Pieces(std::size_t triangles) : link_(triangles), one_sided_(triangles, false)
+    explicit Pieces(std::size_t triangles)
+        : link_(triangles),
+          one_sided_(triangles, false)
     {
         for (std::size_t k = 0; k < triangles; ++k)
             link_[k] = {static_cast<std::int32_t>(k), false};
@@ -77,7 +79,8 @@ public:
         const auto [low, high] = std::minmax(at_a.piece, at_b.piece);
         if (low != high)
             link_[high] = {low, roots_differ};
-        one_sided_[low] = one_sided_[low] || one_sided_[high] || (low == high && roots_differ);
+        one_sided_[low] =
+            one_sided_[low] || one_sided_[high] || (low == high && roots_differ);
     }
 
     bool is_one_sided(std::int32_t piece) const { return one_sided_[piece]; }
@@ -177,9 +180,9 @@ public:
 private:
     struct Node {
         Box hull;
-        std::int32_t least;  // least number of a box below
+        std::int32_t least;         // least number of a box below
         std::int32_t second_child;  // the first child is the next node; 0 in a leaf
-        std::size_t begin;  // first box of a leaf, in order_
+        std::size_t begin;          // first box of a leaf, in order_
         std::size_t count;
     };
 

@@ -9,9 +9,9 @@ namespace endmill {
 
 /// A mesh from which triangles were removed. Points keep their numbers.
 struct CleanedMesh {
-    TriangleMesh mesh;  ///< the remaining triangles, in the same order
+    TriangleMesh mesh;                 ///< the remaining triangles, in the same order
     std::size_t degenerate_triangles;  ///< number of removed triangles without area
-    std::size_t duplicate_triangles;  ///< number of removed triangles with area
+    std::size_t duplicate_triangles;   ///< number of removed triangles with area
 };
 
 /// Removes triangles whose corners are collinear, decided exactly by `are_collinear`, and

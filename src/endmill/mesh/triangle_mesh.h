@@ -29,7 +29,7 @@ public:
     ///         more than 2^31 - 1 points or triangles.
     TriangleMesh(std::vector<Vec3> points, std::vector<Triangle> triangles);
 
-    std::span<const Vec3> points() const { return points_; }            ///< in mm, as given
+    std::span<const Vec3> points() const { return points_; }  ///< in mm, as given
     std::span<const Triangle> triangles() const { return triangles_; }  ///< as given
 
     /// The three corners of triangle `number`, in mm.

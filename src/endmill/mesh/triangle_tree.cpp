@@ -191,9 +191,9 @@ struct TriangleTree::RayQuery {
     std::array<int, 3> axes{};
     // of the first two axes against the main one; and 1 over its component
     Vec3 shear = Vec3::Zero();
-    std::array<double, 3> inverse{};  // of the direction's components
+    std::array<double, 3> inverse{};   // of the direction's components
     std::array<bool, 3> is_falling{};  // whether the direction's components are negative
-    double margin = 0;  // mm, by which a box is larger
+    double margin = 0;                 // mm, by which a box is larger
     double greatest_t = infinity;
     bool any_will_do = false;
     std::optional<std::size_t> triangle{};

@@ -15,13 +15,13 @@ namespace endmill {
 /// The point of a mesh that is nearest to a given place.
 struct NearestPoint {
     Vec3 point;            ///< mm
-    double distance;  ///< mm, from the place
+    double distance;       ///< mm, from the place
     std::size_t triangle;  ///< number of the triangle that contains it
 };
 
 /// The points origin + t direction with t >= 0.
 struct Ray {
-    Vec3 origin;  ///< mm
+    Vec3 origin;     ///< mm
     Vec3 direction;  ///< mm per unit of t; its length must be between 1e-100 and 1e100
 };
 
@@ -29,7 +29,7 @@ struct Ray {
 struct RayHit {
     /// Parameter of the point on the ray, at least 0.
     double t;
-    Vec3 point;  ///< mm, origin + t direction
+    Vec3 point;            ///< mm, origin + t direction
     std::size_t triangle;  ///< number of the triangle that is hit
 };
 

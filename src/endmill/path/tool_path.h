@@ -12,10 +12,10 @@ namespace endmill {
 
 /// How the cutter gets to a point of its path.
 enum class Move {
-    Cut,  ///< in the material, along a pass
-    Link,  ///< at cutting feed, from the end of a pass to the start of the next
-    Rapid,  ///< at rapid speed, clear of the part
-    Plunge,  ///< down along the axis onto the part; every path begins so
+    Cut,      ///< in the material, along a pass
+    Link,     ///< at cutting feed, from the end of a pass to the start of the next
+    Rapid,    ///< at rapid speed, clear of the part
+    Plunge,   ///< down along the axis onto the part; every path begins so
     Retract,  ///< up along the axis, clear of the part
 };
 
@@ -35,9 +35,9 @@ struct SurfaceContact {
 
 /// A point of a tool path, with the move that leads to it.
 struct PathPoint {
-    int pass;  ///< number of the pass, from 0
-    int point;  ///< number of the point in its pass, from 0
-    Move move;  ///< the move that leads here
+    int pass;                 ///< number of the pass, from 0
+    int point;                ///< number of the point in its pass, from 0
+    Move move;                ///< the move that leads here
     CutterLocation location;  ///< tip and axis
     /// Where the cutter touches the surface; nothing where it is clear of the part or where
     /// only the tip is known.
@@ -51,7 +51,7 @@ struct PathPoint {
 struct CuttingConditions {
     std::optional<double> feed_mm_per_min;  ///< speed of the tip along the path
     std::optional<double> spindle_rpm;      ///< speed of the spindle
-    std::optional<int> tool;  ///< number of the tool
+    std::optional<int> tool;                ///< number of the tool
 
     /// Whether both have the same settings.
     friend bool operator==(const CuttingConditions&, const CuttingConditions&) = default;
@@ -83,7 +83,7 @@ struct ToolPath {
 /// Lengths of a path, measured along the tip.
 struct PathLengths {
     double at_feed_mm = 0;  ///< mm, of cuts and links
-    double lifted_mm = 0;  ///< mm, of rapids, retracts and plunges
+    double lifted_mm = 0;   ///< mm, of rapids, retracts and plunges
 };
 
 /// The lengths of the moves of `path`. No move leads to its first point.

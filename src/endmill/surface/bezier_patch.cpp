@@ -116,7 +116,7 @@ private:
 
 // One coordinate to be evaluated at several places along u and one place in v.
 struct RowSum {
-    const double* net;  // control net, u varying fastest
+    const double* net;       // control net, u varying fastest
     const double* values_u;  // as in BasisRows
     const double* slopes_u;
     const double* values_v;  // at one place

@@ -33,8 +33,8 @@ double normal_angle(const SurfaceTangents& one, const SurfaceTangents& other)
 
 // Two neighbouring patches, the second one above the first.
 struct PatchPair {
-    int i, j;  // column and row of the first
-    int k, l;  // column and row of the second
+    int i, j;               // column and row of the first
+    int k, l;               // column and row of the second
     SurfacePoint from, to;  // ends of their border
 };
 

@@ -14,8 +14,8 @@ namespace endmill {
 /// How smoothly two patches meet at their border.
 enum class Continuity {
     None,  ///< there is a gap
-    G0,  ///< the patches share their border
-    G1,  ///< the patches share their border and the normals there
+    G0,    ///< the patches share their border
+    G1,    ///< the patches share their border and the normals there
 };
 
 /// The name of a continuity: "none", "G0" or "G1".
@@ -23,11 +23,11 @@ std::string_view continuity_name(Continuity continuity);
 
 /// The worst place of a border between two patches.
 struct BorderBreak {
-    SurfacePoint at;  ///< the place, on the border
-    Vec3 point;       ///< mm
-    Angle normals;  ///< angle between the normals of the two patches
-    double gap_mm;  ///< mm, between their points at the same parameters
-    Continuity continuity;  ///< of the whole border
+    SurfacePoint at;          ///< the place, on the border
+    Vec3 point;               ///< mm
+    Angle normals;            ///< angle between the normals of the two patches
+    double gap_mm;            ///< mm, between their points at the same parameters
+    Continuity continuity;    ///< of the whole border
     std::size_t surface = 0;  ///< number of the surface in a part of several, from 0
 };
 
@@ -49,7 +49,7 @@ std::vector<BorderBreak> border_breaks(const Surface& surface);
 /// The continuity of a surface or a part.
 struct SurfaceContinuity {
     Continuity continuity;  ///< least continuity of all borders; G1 if there is none
-    BorderBreak worst;  ///< worst break; its angle is 0 if there is no inner border
+    BorderBreak worst;      ///< worst break; its angle is 0 if there is no inner border
 };
 
 /// The continuity over all `border_breaks` of the surface.

@@ -29,7 +29,7 @@ SplineParameter not_a_knot(std::span<const double> lines)
 
 // The B-splines that are not zero at t, by the recurrence of Cox and de Boor.
 struct BasisRow {
-    int first;  // number of the first one
+    int first;                   // number of the first one
     std::vector<double> values;  // degree + 1 values
 };
 

@@ -35,7 +35,7 @@ constexpr double largest_pair_diagonals = 8;
 // A local minimum among the samples, from which the search is refined.
 struct Candidate {
     double value;  // the smaller, the better
-    int i, j;  // column and row of the patch
+    int i, j;      // column and row of the patch
     SurfacePoint at;
     // Difference between the neighbouring samples and this one. The true minimum between
     // the samples is less far below it.

@@ -11,10 +11,10 @@ namespace endmill {
 
 /// The radius of the largest ball that fits a surface, with the place that limits it.
 struct CutterLimit {
-    double radius_mm;  ///< radius of the largest ball
+    double radius_mm;     ///< radius of the largest ball
     std::size_t surface;  ///< number of the surface in a part of several, from 0
-    SurfacePoint at;  ///< parameters of the contact at which the ball no longer fits
-    Vec3 point;  ///< mm, the contact
+    SurfacePoint at;      ///< parameters of the contact at which the ball no longer fits
+    Vec3 point;           ///< mm, the contact
 };
 
 /// The extremes of normal curvature over a surface, in 1/mm, positive where convex.

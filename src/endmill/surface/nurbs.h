@@ -11,7 +11,7 @@ namespace endmill {
 
 /// Degree and knots of one parameter of a B-spline surface.
 struct SplineParameter {
-    int degree;  ///< p, 1 to 25
+    int degree;                 ///< p, 1 to 25
     std::vector<double> knots;  ///< in non-falling order, p + 1 more than control points
 
     /// Number of control points along this parameter.
@@ -20,8 +20,8 @@ struct SplineParameter {
 
 /// A NURBS surface, given by its numbers.
 struct Nurbs {
-    SplineParameter u;  ///< parameter u
-    SplineParameter v;  ///< parameter v
+    SplineParameter u;                 ///< parameter u
+    SplineParameter v;                 ///< parameter v
     std::vector<Vec3> control_points;  ///< mm, u varying fastest
     std::vector<double> weights;  ///< one for each control point; empty if all are equal
 };

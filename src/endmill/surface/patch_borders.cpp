@@ -17,7 +17,7 @@ namespace {
 
 constexpr int samples_per_side = 17;
 constexpr int search_samples = 32;  // of a side, to find the nearest point
-constexpr int refinements = 60;  // of golden section search, down to rounding
+constexpr int refinements = 60;     // of golden section search, down to rounding
 
 // Parameter of the point of `side` that is nearest to `point`: the best sample, refined
 // by golden section.

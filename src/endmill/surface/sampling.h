@@ -12,7 +12,7 @@ namespace endmill {
 
 /// A mesh whose points lie on a surface.
 struct SampledSurface {
-    TriangleMesh mesh;          ///< counter-clockwise seen from the tool's side
+    TriangleMesh mesh;  ///< counter-clockwise seen from the tool's side
     /// Unit normal of the surface at each point, on the tool's side.
     std::vector<Vec3> normals;
     /// Mm, largest distance of a point of the surface from the mesh.

@@ -23,7 +23,7 @@ std::string place_text(const SurfacePoint& at, const Vec3& point);
 
 /// A closed interval of a parameter or of a length in mm.
 struct Interval {
-    double low;  ///< lower end
+    double low;   ///< lower end
     double high;  ///< upper end
 
     double length() const { return high - low; }  ///< in the unit of the interval
@@ -42,7 +42,7 @@ struct SurfaceJet {
     Vec3 du;     ///< mm per unit of u
     Vec3 dv;     ///< mm per unit of v
     Vec3 duu;    ///< mm per unit of u squared
-    Vec3 duv;  ///< mm per unit of u and unit of v
+    Vec3 duv;    ///< mm per unit of u and unit of v
     Vec3 dvv;    ///< mm per unit of v squared
 };
 

@@ -81,8 +81,9 @@ ToolPath turned(const ToolPath& path, const Eigen::Matrix3d& rotation)
         point.location.tip = rotation * point.location.tip;
         // The shared axis becomes exactly +z, as the removal requires.
         const Vec3 axis = rotation * point.location.axis;
-        point.location.axis =
-            (axis - Vec3::UnitZ()).norm() <= 2 * unit_vector_rounding ? Vec3::UnitZ() : axis;
+        point.location.axis = (axis - Vec3::UnitZ()).norm() <= 2 * unit_vector_rounding
+                                  ? Vec3::UnitZ()
+                                  : axis;
         if (point.contact) {
             CutterContact& contact = point.contact->contact;
             contact.point = rotation * contact.point;

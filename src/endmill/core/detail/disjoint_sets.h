@@ -37,7 +37,8 @@ public:
     }
 
 private:
-    std::vector<std::int32_t> parent_;  // at most the number itself; equal in a least member
+    std::vector<std::int32_t>
+        parent_;  // at most the number itself; equal in a least member
 };
 
 }  // namespace endmill

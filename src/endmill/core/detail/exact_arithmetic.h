@@ -20,7 +20,8 @@ namespace endmill {
 /// result unless the error underflows.
 struct ExactPair {
     double rounded;  ///< the result, rounded to nearest
-    double rest;     ///< the rounding error, at most half a unit in the last place of `rounded`
+    double
+        rest;  ///< the rounding error, at most half a unit in the last place of `rounded`
 };
 
 /// The sum a + b with its rounding error. \pre the sum does not overflow.
@@ -98,7 +99,8 @@ private:
 /// Source: [JoldesMullerPopescu, algorithms 6, 12 and 18].
 class DoubleDouble {
 public:
-    DoubleDouble(double value = 0) : high_{value} {}  // NOLINT: numbers convert implicitly
+    DoubleDouble(double value = 0)
+        : high_{value} {}  // NOLINT: numbers convert implicitly
 
     /// The exact sum a + b.
     static DoubleDouble sum_of(double a, double b) { return DoubleDouble{two_sum(a, b)}; }

@@ -29,7 +29,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 struct HalfSpace {
     Vec3 out;         // normal out of the half space, as long as `distance`
     double distance;  // mm, from the place of the line to the nearest point of the core
-    double gap;  // from the place to the surface of the corner; 0 or less inside
+    double gap;       // from the place to the surface of the corner; 0 or less inside
     double short_by;  // from the place to the half space; negative inside
     double rate;      // how fast the line approaches the half space
     // Derivatives of f = distance^2 / 2 by the share s of the move and the place t:

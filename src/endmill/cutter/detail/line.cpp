@@ -82,12 +82,11 @@ LineInterval within_outline(const LineInPlan& plan, double radius)
 {
     LineInterval sides;
     for (const double side : {-1.0, 1.0})
-        sides =
-            intersection(sides, where_not_negative(radius + side * plan.start.y(),
-                                                   side * plan.rate.y()));
+        sides = intersection(sides, where_not_negative(radius + side * plan.start.y(),
+                                                       side * plan.rate.y()));
     sides = intersection(sides, where_not_negative(plan.start.x(), plan.rate.x()));
-    sides = intersection(sides, where_not_negative(plan.length - plan.start.x(),
-                                                   -plan.rate.x()));
+    sides = intersection(
+        sides, where_not_negative(plan.length - plan.start.x(), -plan.rate.x()));
     const LineInterval first = within_circle(plan.start, plan.rate, radius);
     const LineInterval last =
         within_circle(plan.start - Vector2d{plan.length, 0}, plan.rate, radius);

@@ -20,10 +20,10 @@ constexpr double level_rise = 1e-13;
 // Where the line is in the upright cylinder around the place `along` on the move, above
 // the height `bottom`.
 LineInterval upright_cylinder(const LineInPlan& plan, double radius, double along,
-                         double bottom)
+                              double bottom)
 {
     return intersection(within_circle(plan.start - Vector2d{along, 0}, plan.rate, radius),
-                  where_not_negative(plan.start_z - bottom, plan.rate_z));
+                        where_not_negative(plan.start_z - bottom, plan.rate_z));
 }
 
 // Where the line is above the rectangle that the cutter's widest chord sweeps on the
@@ -34,12 +34,13 @@ LineInterval above_rectangle(const LineInPlan& plan, double radius, double above
         return LineInterval::none();
     const double slope = plan.rise / plan.length;
     LineInterval prism = where_not_negative(plan.start_z - above - slope * plan.start.x(),
-                                  plan.rate_z - slope * plan.rate.x());
+                                            plan.rate_z - slope * plan.rate.x());
     for (const double side : {-1.0, 1.0})
-        prism = intersection(
-            prism, where_not_negative(radius + side * plan.start.y(), side * plan.rate.y()));
+        prism = intersection(prism, where_not_negative(radius + side * plan.start.y(),
+                                                       side * plan.rate.y()));
     prism = intersection(prism, where_not_negative(plan.start.x(), plan.rate.x()));
-    return intersection(prism, where_not_negative(plan.length - plan.start.x(), -plan.rate.x()));
+    return intersection(prism,
+                        where_not_negative(plan.length - plan.start.x(), -plan.rate.x()));
 }
 
 // The entry into the capsule: the ball swept along the segment between its centres.
@@ -120,7 +121,7 @@ std::optional<SweepEntry> flat_entry(const StraightSweep& sweep, const Line& lin
     const LineInPlan plan = line_in_plan(sweep, line);
     const double R = sweep.cutter().radius();
     const LineInterval at_ends[] = {upright_cylinder(plan, R, 0, 0),
-                               upright_cylinder(plan, R, plan.length, plan.rise)};
+                                    upright_cylinder(plan, R, plan.length, plan.rise)};
     LineInterval whole = hull(at_ends[0], at_ends[1]);
     whole = hull(whole, above_rectangle(plan, R, 0));
     const bool is_level = std::abs(plan.rise) <= level_rise * plan.length;
@@ -132,10 +133,11 @@ std::optional<SweepEntry> flat_entry(const StraightSweep& sweep, const Line& lin
         const Vector2d rate = plan.rate - Vector2d{per_rise * plan.rate_z, 0};
         const double sign = plan.rise > 0 ? 1 : -1;
         LineInterval oblique = within_circle(start, rate, R);
-        oblique =
-            intersection(oblique, where_not_negative(sign * plan.start_z, sign * plan.rate_z));
-        oblique = intersection(oblique, where_not_negative(sign * (plan.rise - plan.start_z),
-                                                 -sign * plan.rate_z));
+        oblique = intersection(
+            oblique, where_not_negative(sign * plan.start_z, sign * plan.rate_z));
+        oblique = intersection(
+            oblique,
+            where_not_negative(sign * (plan.rise - plan.start_z), -sign * plan.rate_z));
         if (!oblique.is_empty() && (whole.is_empty() || oblique.low < whole.low)) {
             const Vector2d out = start + oblique.low * rate;
             normal =

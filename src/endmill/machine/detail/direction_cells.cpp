@@ -49,7 +49,8 @@ DirectionCells::DirectionCells(std::span<const DirectionPatch> patches)
     keep_distinct(azimuths_);
     keep_distinct(latitudes_);
     // The last cut and the first may be one across the turn.
-    if (azimuths_.size() > 1 && azimuths_.front() + 2 * pi - azimuths_.back() <= thinnest_angle)
+    if (azimuths_.size() > 1 &&
+        azimuths_.front() + 2 * pi - azimuths_.back() <= thinnest_angle)
         azimuths_.pop_back();
     if (azimuths_.empty())
         azimuths_.push_back(0);

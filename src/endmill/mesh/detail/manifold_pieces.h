@@ -12,8 +12,9 @@ namespace endmill {
 /// triangle, or to two that run along it in opposite directions, and the triangles at a point
 /// form one fan.
 struct ManifoldPieces {
-    std::vector<Triangle> triangles;   ///< by the points of the pieces
-    std::vector<std::int32_t> points;  ///< of each point of the pieces: its point in the mesh
+    std::vector<Triangle> triangles;  ///< by the points of the pieces
+    std::vector<std::int32_t>
+        points;  ///< of each point of the pieces: its point in the mesh
     /// Of each triangle of the pieces: its number in the mesh, rising.
     std::vector<std::int32_t> source_triangles;
 };

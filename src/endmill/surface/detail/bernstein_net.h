@@ -41,8 +41,8 @@ std::pair<BernsteinNet, BernsteinNet> halves(const BernsteinNet& net, Parameter 
 struct BernsteinPiece {
     BernsteinNet net;  ///< the polynomial over the piece
     SurfacePoint low;  ///< corner with the least u and v
-    double width_u;  ///< in the parameters of the unit square
-    double width_v;  ///< in the parameters of the unit square
+    double width_u;    ///< in the parameters of the unit square
+    double width_v;    ///< in the parameters of the unit square
 };
 
 /// The two halves of a piece, divided across its wider side.

@@ -10,12 +10,12 @@ namespace endmill {
 /// The least value that a search found, and its place.
 struct BoxMinimum {
     Eigen::VectorXd at;  ///< place
-    double value;  ///< value there
+    double value;        ///< value there
 };
 
 /// A box with sides along the axes.
 struct SearchBox {
-    Eigen::VectorXd low;  ///< lower ends
+    Eigen::VectorXd low;   ///< lower ends
     Eigen::VectorXd high;  ///< upper ends
 };
 

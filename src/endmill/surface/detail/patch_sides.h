@@ -13,13 +13,13 @@ namespace endmill {
 
 /// A side of a patch on the border of its surface.
 struct PatchSide {
-    std::size_t number;  ///< number of its surface, from 0
+    std::size_t number;      ///< number of its surface, from 0
     const Surface* surface;  ///< its surface
-    Parameter along;  ///< parameter that varies along the side
-    int end;  ///< of the constant parameter: 0 at its lowest value, 1 at its highest
+    Parameter along;         ///< parameter that varies along the side
+    int end;    ///< of the constant parameter: 0 at its lowest value, 1 at its highest
     int patch;  ///< number of the patch along `along`
-    SurfacePoint from;  ///< start, where the parameter is lowest
-    SurfacePoint to;  ///< end, where the parameter is highest
+    SurfacePoint from;         ///< start, where the parameter is lowest
+    SurfacePoint to;           ///< end, where the parameter is highest
     std::array<Vec3, 2> ends;  ///< the points at `from` and `to`, mm
 
     /// The place at the share `t` of the side.

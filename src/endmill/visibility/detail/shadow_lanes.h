@@ -17,7 +17,7 @@ using EightFloats = std::array<float, float_lanes>;
 /// Edge functions and depth are about the first corner and in units of their largest error:
 /// positive is inside or below, and what is beyond 1 is certain.
 struct alignas(32) EightShadows {
-    std::array<std::int32_t, float_lanes> facet{};        ///< their numbers
+    std::array<std::int32_t, float_lanes> facet{};       ///< their numbers
     std::array<std::array<EightFloats, 3>, 3> corner{};  ///< [corner][axis], within 1
 
     std::array<float, 2> low{};   ///< of x and y of the points that may be covered
