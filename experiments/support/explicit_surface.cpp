@@ -12,7 +12,7 @@
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/surface/curvature.h"
-#include "endmill/surface/height_grid.h"
+#include "endmill/surface/nurbs.h"
 
 namespace endmill {
 namespace {

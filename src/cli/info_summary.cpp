@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/info_summary.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,31 @@ std::string patches_text(const Json& s)
 std::string shown(const Json& number)
 {
     return number.is_null() ? "none" : fmt::format("{:.6g}", number.get<double>() + 0.0);
+}
+
+// Number of the boundary loops, their length together, and that of the longest.
+void add_boundary_loops(Json& summary, const TriangleMesh& mesh)
+{
+    const std::vector<BoundaryLoop> loops = boundary_loops(mesh);
+    double total = 0;
+    double longest = 0;
+    for (const BoundaryLoop& loop : loops) {
+        total += loop.length;
+        longest = std::max(longest, loop.length);
+    }
+    summary["boundary_loops"] = loops.size();
+    summary["boundary_mm"] = total;
+    summary["longest_boundary_loop_mm"] = loops.empty() ? Json(nullptr) : Json(longest);
+}
+
+std::string boundary_text(const Json& s)
+{
+    const auto loops = s["boundary_loops"].get<std::size_t>();
+    if (loops == 0)
+        return "none";
+    return fmt::format("{} {}, {} mm long in all, the longest {} mm", loops,
+                       loops == 1 ? "loop" : "loops", shown(s["boundary_mm"]),
+                       shown(s["longest_boundary_loop_mm"]));
 }
 
 std::string place_shown(const Json& place)
@@ -124,6 +150,7 @@ Json mesh_summary(const PartFile& file, const PartOptions& options)
     summary["vertices"] = mesh.points().size();
     summary["components"] = report.components;
     summary["boundary_edges"] = report.boundary_edges;
+    add_boundary_loops(summary, mesh);
     summary["non_manifold_edges"] = report.non_manifold_edges;
     summary["first_non_manifold_edge"] = report.first_non_manifold_edge
                                              ? Json(*report.first_non_manifold_edge)
@@ -151,6 +178,7 @@ std::string mesh_text(const Json& s)
         "volume           {}\n"
         "edges            {} of a border, {} of more than two triangles, {} whose "
         "triangles disagree\n"
+        "boundary         {}\n"
         "triangles        {} degenerate left out, {} duplicate\n",
         s["name"].get<std::string>(), s["triangles"].get<std::size_t>(),
         s["vertices"].get<std::size_t>(), s["components"].get<std::size_t>(),
@@ -160,8 +188,8 @@ std::string mesh_text(const Json& s)
                                   : shown(s["volume_mm3"]) + " mm3",
         s["boundary_edges"].get<std::size_t>(),
         s["non_manifold_edges"].get<std::size_t>(),
-        s["inconsistent_edges"].get<std::size_t>(), s["degenerate"].get<std::size_t>(),
-        s["duplicates"].get<std::size_t>());
+        s["inconsistent_edges"].get<std::size_t>(), boundary_text(s),
+        s["degenerate"].get<std::size_t>(), s["duplicates"].get<std::size_t>());
 }
 
 }  // namespace endmill

@@ -4,6 +4,7 @@
 /// \file
 /// All public headers of the module `mesh`.
 
+#include "endmill/mesh/decimation.h"
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/mesh/mesh_repair.h"
 #include "endmill/mesh/triangle_mesh.h"

@@ -8,8 +8,6 @@
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/curvature.h"
 #include "endmill/surface/extent.h"
-#include "endmill/surface/ferguson.h"
-#include "endmill/surface/height_grid.h"
 #include "endmill/surface/largest_cutter.h"
 #include "endmill/surface/nurbs.h"
 #include "endmill/surface/part.h"

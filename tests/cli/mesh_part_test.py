@@ -33,6 +33,8 @@ class MeshPart(ProgramTest):
         self.assertAlmostEqual(facts["volume_mm3"], 6, delta=1e-12)
         self.assertEqual((facts["triangles"], facts["vertices"], facts["components"]), (12, 8, 1))
         self.assertEqual((facts["boundary_edges"], facts["non_manifold_edges"]), (0, 0))
+        self.assertEqual((facts["boundary_loops"], facts["boundary_mm"]), (0, 0))
+        self.assertIsNone(facts["longest_boundary_loop_mm"])
         self.assertIsNone(facts["min_curvature_per_mm"])
 
     def test_edge_of_three_triangles_is_named(self):
@@ -52,6 +54,9 @@ class MeshPart(ProgramTest):
         facts = self.summary("info", self.file(BOX.replace("f 5 6 7 8\n", ""), "box.obj"))
         self.assertIsNone(facts["volume_mm3"])
         self.assertEqual(facts["boundary_edges"], 4)
+        # The missing face is 1 mm by 2 mm.
+        self.assertEqual((facts["boundary_loops"], facts["boundary_mm"]), (1, 6))
+        self.assertEqual(facts["longest_boundary_loop_mm"], 6)
 
     def test_triangles_that_face_inwards_are_turned_with_a_count(self):
         done = endmill("info", self.file(BOX.replace("f 5 6 7 8", "f 8 7 6 5"), "box.obj"))

@@ -25,7 +25,7 @@ TEST(Angle, ReadsBackAsItWasMade)
     }
 }
 
-TEST(Angle, ReadsTheDegreesThatAPersonWrote)
+TEST(Angle, InDegreesIsAsAPersonWroteIt)
 {
     int longer = 0;
     for (int tenths = -3600; tenths <= 3600; ++tenths) {

@@ -18,7 +18,7 @@ TEST(DisjointSets, AreAtFirstOneForEachNumber)
         EXPECT_EQ(sets.least(k), k);
 }
 
-TEST(DisjointSets, SayWhetherTwoBecameOne)
+TEST(DisjointSets, ReportWhetherTwoBecameOne)
 {
     DisjointSets sets{4};
     EXPECT_TRUE(sets.join(3, 1));
@@ -29,8 +29,8 @@ TEST(DisjointSets, SayWhetherTwoBecameOne)
     EXPECT_EQ(sets.least(3), 0);
 }
 
-// The second route paints: whoever has the colour of one gets the colour of the other.
-TEST(DisjointSets, AreThoseThatPaintingFinds)
+// The second route gives every set a colour and recolours one set when two are joined.
+TEST(DisjointSets, AreThoseOfRecolouring)
 {
     test::Random random{1};
     constexpr int count = 200;

@@ -31,7 +31,7 @@ TEST(Error, IsCaughtAsARuntimeError)
     EXPECT_THROW(throw GeometryError{"x"}, std::runtime_error);
 }
 
-TEST(FormatError, NamesFilePlaceFindingAndExpectation)
+TEST(FormatError, NamesFilePlaceFoundAndExpected)
 {
     const FormatError error{"E_JSON", {"part.json", "3:7", "a comma", "a number"}};
     EXPECT_STREQ(error.what(), "part.json:3:7: a comma; expected a number");
@@ -47,7 +47,7 @@ TEST(FormatError, NamesAByteOfABinaryFile)
     EXPECT_EQ(error.place(), "@80");
 }
 
-TEST(FormatError, LeavesOutWhatIsNotKnown)
+TEST(FormatError, LeavesOutUnknownParts)
 {
     EXPECT_STREQ((FormatError{"E_FILE", {"part.json", "", "it is empty", ""}}.what()),
                  "part.json: it is empty");

@@ -9,7 +9,7 @@
 namespace endmill {
 namespace {
 
-TEST(LargePages, KeepWhatIsThereAndGiveTheRoom)
+TEST(LargePages, KeepTheItemsAndReserveTheRoom)
 {
     for (const std::size_t count : {0, 10, 3'000'000}) {
         std::vector<int> numbers{1, 2, 3};
@@ -19,7 +19,7 @@ TEST(LargePages, KeepWhatIsThereAndGiveTheRoom)
     }
 }
 
-TEST(LargePages, AreWrittenToAndReadAsAllOthers)
+TEST(LargePages, AreWrittenAndReadLikeOthers)
 {
     std::vector<int> numbers;
     reserve_in_large_pages(numbers, 3'000'000);
@@ -32,7 +32,7 @@ TEST(LargePages, AreWrittenToAndReadAsAllOthers)
               3'000'000LL * 3'000'001 / 2);
 }
 
-TEST(LargePages, AreNoMatterForRoomThatHoldsNone)
+TEST(LargePages, HaveNoEffectOnSmallAllocations)
 {
     std::array<char, 100> few;
     few.fill('a');

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Rational = boost::multiprecision::cpp_rational;
 
-// By fractions.
+// The side, computed with fractions.
 int expected_side(const Vector2d& p, const Vector2d& q, const Vector2d& r)
 {
     const Rational x{p.x()};
@@ -24,7 +24,7 @@ int expected_side(const Vector2d& p, const Vector2d& q, const Vector2d& r)
     return cross.sign();
 }
 
-// And the identities that hold for all orders of the points.
+// Compares with fractions, and checks the identities for all orders of the points.
 void expect_side(const Vector2d& p, const Vector2d& q, const Vector2d& r)
 {
     const int side = expected_side(p, q, r);
@@ -101,7 +101,7 @@ TEST(Orientation, IsThatOfFractionsForAllSizesOfNumbers)
     }
 }
 
-TEST(Orientation, BearsTheSmallestAndTheLargestNumbers)
+TEST(Orientation, HoldsForTheSmallestAndTheLargestNumbers)
 {
     const double least = std::numeric_limits<double>::denorm_min();
     const double most = std::numeric_limits<double>::max();

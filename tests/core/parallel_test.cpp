@@ -35,7 +35,7 @@ TEST(ParallelFor, OfNothingCallsNothing)
     parallel_for(0, [](std::size_t, std::size_t) { FAIL(); });
 }
 
-TEST(ParallelFor, SumsToWhatGaussSays)
+TEST(ParallelFor, SumsToTheFormulaOfGauss)
 {
     std::atomic<std::size_t> sum = 0;
     parallel_for(10000, [&](std::size_t begin, std::size_t end) {

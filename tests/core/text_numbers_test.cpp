@@ -59,7 +59,7 @@ TEST(Numbers, AreReadAsTheStandardLibraryReadsThem)
     }
 }
 
-// Fewer digits would read back to another double.
+// With one digit less, the text would read back to another double.
 TEST(Numbers, TextIsTheShortest)
 {
     EXPECT_EQ(to_text(0.1), "0.1");
@@ -98,7 +98,7 @@ TEST(Numbers, AreReadInEveryUsualSpelling)
     EXPECT_EQ(number_from_text(std::string(400, '0') + "7"), 7.0);
 }
 
-TEST(Numbers, WhatIsNoDecimalNumberIsNotRead)
+TEST(Numbers, OtherThanDecimalAreNotRead)
 {
     for (const char* text :
          {"",          " ",     "+",    "-",     ".",       "e5",   "1e",
@@ -126,7 +126,7 @@ TEST(Numbers, ReadOnlyTheViewThatTheyAreGiven)
     EXPECT_EQ(number_from_text(row.substr(0, 3)), 12.0);
 }
 
-// A decimal comma and grouped thousands.
+// A locale with a decimal comma and grouped thousands.
 class Comma : public std::numpunct<char> {
 protected:
     char do_decimal_point() const override { return ','; }
@@ -138,7 +138,7 @@ TEST(Numbers, DoNotDependOnTheLocale)
 {
     const std::locale before = std::locale::global(std::locale{std::locale{}, new Comma});
     for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE", ""})
-        std::setlocale(LC_ALL, name);  // as far as this machine has them
+        std::setlocale(LC_ALL, name);  // if this machine has the locale
     EXPECT_EQ(to_text(1234567.5), "1234567.5");
     EXPECT_EQ(number_from_text("1234567.5"), 1234567.5);
     EXPECT_FALSE(number_from_text("1,5"));

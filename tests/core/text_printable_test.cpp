@@ -14,7 +14,7 @@ TEST(Printable, LeavesPlainAndAccentedTextAlone)
         EXPECT_EQ(printable(text), text);
 }
 
-TEST(Printable, StripsWhatATerminalWouldObey)
+TEST(Printable, RemovesControlCharacters)
 {
     EXPECT_EQ(printable("\x1b[31mred\x1b[0m"), "[31mred[0m");
     EXPECT_EQ(printable("a\r\nb\tc\0d\x7f"sv), "abcd");
@@ -24,7 +24,7 @@ TEST(Printable, StripsWhatATerminalWouldObey)
     EXPECT_EQ(printable("a\u202Etxt.exe\u2028b"), "atxt.exeb");
 }
 
-// Every byte that begins or continues no character, by the table of RFC 3629.
+// Every byte that neither begins nor continues a character, by the table of RFC 3629.
 TEST(Printable, MarksBytesThatAreNotUtf8)
 {
     EXPECT_EQ(printable("\xff\xc0\xc1\xf5"), "????");

@@ -11,8 +11,8 @@ namespace {
 constexpr std::array<std::string_view, 4> keys{"patches_u", "patches_v", "control_points",
                                                "name"};
 
-// One edit of each kind: drop a letter, add one, replace one, swap two.
-TEST(ClosestWord, FindsAKeyBehindEverySingleSlip)
+// One edit of each kind: a letter dropped, added or replaced, and two letters swapped.
+TEST(ClosestWord, FindsAWordWithASingleTypingError)
 {
     for (const std::string_view slip :
          {"contol_points", "controll_points", "control-points", "contrlo_points"})
@@ -34,7 +34,7 @@ TEST(ClosestWord, FindsNothingThatIsNotClose)
     EXPECT_EQ(closest_word(std::string(1000, 'n'), keys), std::nullopt);
 }
 
-TEST(OneOf, ListsAllAndAsks)
+TEST(OneOf, ListsAllAndSuggestsOne)
 {
     constexpr std::array<std::string_view, 3> directions{"u", "v", "both"};
     EXPECT_EQ(one_of(directions, "bth"), R"("u", "v" or "both"; did you mean "both"?)");

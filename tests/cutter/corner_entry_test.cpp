@@ -14,7 +14,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// What is asked of an entry decides only whether it is told.
+// The limit `before` decides only whether the entry is reported.
 TEST(CornerEntry, BeforeSomeLengthIsTheEntryOrNone)
 {
     test::Random random{41};
@@ -34,7 +34,7 @@ TEST(CornerEntry, BeforeSomeLengthIsTheEntryOrNone)
                 EXPECT_FALSE(sooner) << i << " " << before;
             } else if (entry->t < before - 1e-12) {
                 ASSERT_TRUE(sooner) << i << " " << before;
-                // Where the line grazes the region, its place is known less well.
+                // Where the line grazes the region, its entry is less accurate.
                 const double graze = std::abs(entry->normal.dot(line.direction));
                 EXPECT_NEAR(sooner->t, entry->t, 1e-11 / std::max(graze, 1e-6)) << i;
                 ++found;

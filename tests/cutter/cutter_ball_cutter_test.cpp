@@ -21,7 +21,7 @@ TEST(BallCutter, RefusesRadiiThatAreNotPositive)
     EXPECT_EQ(BallCutter{7.5}.radius(), 7.5);
 }
 
-// On a sphere of radius 40 a ball of radius 5; vectors computed with 50 digits.
+// A ball of radius 5 on a sphere of radius 40; the vectors were computed with 50 digits.
 TEST(Locate, OnASphereIsTheTabulatedTip)
 {
     const BallCutter ball{5};

@@ -26,15 +26,16 @@ Vec3 random_normal(test::Random& random)
     return Vec3{level * std::cos(a), level * std::sin(a), z}.normalized();
 }
 
-// Smallest distance of the cutter's surface from the plane through the origin, in the
-// vertical section along the slope: sampled on its profile, tip at `tip`.
+// Smallest distance between the cutter's surface, with its tip at `tip`, and the plane
+// through the origin. It is sampled on the profile in the vertical section along the
+// slope.
 double gap_to_plane(const Cutter& cutter, const Vec3& normal, const Vec3& tip)
 {
     const Vec3 level = Vec3{normal.x(), normal.y(), 0}.normalized();
     double least = std::numeric_limits<double>::infinity();
     constexpr int samples = 4000;
     for (int k = -samples; k <= samples; ++k) {
-        // Denser towards the rim, where the profile is steep.
+        // More samples towards the rim, where the profile is steep.
         const double share = std::sin(std::numbers::pi / 2 * k / samples);
         const double across = share * cutter.radius();
         const Vec3 point =
@@ -57,7 +58,7 @@ TEST(ReferencePoint, PutsEachCutterOnThePlane)
         }
 }
 
-TEST(ReferencePoint, OnAPlaneLiesAsFarAboveItAsTheSlopeSays)
+TEST(ReferencePoint, OnAPlaneLiesAboveItByTheFormulaOfTheSlope)
 {
     for (const Cutter& cutter : cutters)
         for (const double slope : {0.1, 0.7, 1.2, 1.5}) {
@@ -71,8 +72,8 @@ TEST(ReferencePoint, OnAPlaneLiesAsFarAboveItAsTheSlopeSays)
         }
 }
 
-// On a sphere of radius S the corner's centres lie on one of radius S + r; on a cylinder
-// about y there are no y components.
+// On a sphere of radius S the centres of the corner lie on a sphere of radius S + r. On a
+// cylinder about y they have no y component.
 TEST(ReferencePoint, OnSphereAndCylinderLiesOnTheirOffsets)
 {
     test::Random random{2};
@@ -125,7 +126,7 @@ TEST(ReferencePoint, LiesTheCornerRadiusAboveTheTip)
     }
 }
 
-// The disc of a level tangent plane: its middle is taken, and said to be level.
+// Of the disc of contacts with a level plane the centre is taken, and `is_level` holds.
 TEST(ReferencePoint, OnALevelPlaneIsTheMiddleOfTheDisc)
 {
     for (const Cutter& cutter : cutters)
@@ -137,7 +138,7 @@ TEST(ReferencePoint, OnALevelPlaneIsTheMiddleOfTheDisc)
     EXPECT_TRUE(is_level(Vec3::UnitX(), Vec3::UnitX()));
 }
 
-// A turn of space turns the control point with it.
+// Rotating everything rotates the control point.
 TEST(ReferencePoint, FollowsTheAxis)
 {
     const Eigen::AngleAxisd turn{0.7, Vec3{1, 2, -1}.normalized()};
@@ -152,8 +153,8 @@ TEST(ReferencePoint, FollowsTheAxis)
         }
 }
 
-// Stock left on a slope when a cutter is set to the ball's reference points, and how deep
-// it goes in at the ball's tips: simulated with the cutter's profile.
+// A cutter set to the ball's reference points leaves stock on a slope, and set to the
+// ball's tips it gouges. Both depths are simulated with the cutter's profile.
 TEST(ReferencePoint, OfTheBallUsedForAnotherCutterLeavesStockOrGouges)
 {
     const Cutter ball = Cutter::ball(10);

@@ -41,7 +41,7 @@ TEST(Profile, OfABullNoseHasAFlatThenACorner)
     EXPECT_EQ(bull.profile(5), 2);
 }
 
-// a^2 / 2r is the limit; the plain difference would be 0.
+// The profile tends to a^2 / 2r; the plain difference would give 0.
 TEST(Profile, KeepsItsDigitsNearTheTip)
 {
     EXPECT_NEAR(Cutter::ball(5).profile(1e-9) / 1e-19, 1, 1e-15);
@@ -63,7 +63,7 @@ TEST(CutterWord, IsRefusedIfItsNumbersAreOutOfRange)
         EXPECT_FALSE(cutter_from_word(word)) << word;
 }
 
-TEST(CutterWord, IsToldWhichOfItsNumbersIsOutOfRange)
+TEST(CutterWord, IsRefusedWithTheRangeOfTheWrongNumber)
 {
     EXPECT_EQ(expected_cutter("ball:0"), "a diameter above 0 mm");
     EXPECT_EQ(expected_cutter("bull:-10:1"), "a diameter above 0 mm");

@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Rings all around a half sphere of radius 5: their strips are its area, 2 pi R^2.
+// Rings all around a half sphere of radius 5; their strips add up to its area, 2 pi R^2.
 TEST(EngagedArea, OfAllRingsIsThatOfTheCutter)
 {
     constexpr int rings = 400;

@@ -10,7 +10,7 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-// z = bend x^2 / 2 at x = -half … half in 2 n steps.
+// Samples of z = bend x^2 / 2 from x = -half to half, in 2 n steps.
 std::vector<ProfilePoint> parabola(double bend, double half, int n)
 {
     std::vector<ProfilePoint> profile;
@@ -21,7 +21,7 @@ std::vector<ProfilePoint> parabola(double bend, double half, int n)
     return profile;
 }
 
-TEST(PlaneOffset, NormalStandsOnTheTangentAndLooksUp)
+TEST(PlaneOffset, NormalIsPerpendicularToTheTangentAndPointsUp)
 {
     for (const double slope : {-1e200, -3.0, -0.2, 0.0, 1.0, 1e200}) {
         const Vec2 normal = profile_normal(slope);
@@ -34,18 +34,18 @@ TEST(PlaneOffset, NormalStandsOnTheTangentAndLooksUp)
     EXPECT_EQ(curve_normal({0, 5}), Vec2(-1, 0));
 }
 
-// The ball's offset of z = x^2 / (2 p) has its cusps at |x| = p ((R/p)^(2/3) - 1)^(3/2).
+// The offset of z = x^2 / (2 p) for a ball has cusps at |x| = p ((R/p)^(2/3) - 1)^(3/2).
 TEST(PlaneOffset, OfAParabolaForABallHasTheCuspsOfTheClosedForm)
 {
     const auto offset = plane_offset(Cutter::ball(10), parabola(1.0 / 6, 16, 20000));
-    double farthest_back = 0;  // of the tail, which runs back over x = 0
+    double farthest_back = 0;  // end of the tail that runs back over x = 0
     for (std::size_t k = 0; k < offset.size() / 2; ++k)
         farthest_back = std::max(farthest_back, offset[k].x());
     EXPECT_NEAR(farthest_back, 1.550574566060, 1e-6);
     EXPECT_EQ(offset.size(), 40001U);
 }
 
-// Circle below: the offset of a ridge is a circle, parted by the flat bottom.
+// The offset of a circular ridge is a circle, divided by the flat bottom.
 TEST(PlaneOffset, OfACircularRidgeIsTwoArcsAndALinkForwards)
 {
     const Cutter cutter{4, 1};
@@ -72,8 +72,8 @@ TEST(PlaneOffset, OfAnyValleyForAFlatBottomHasALinkBackwards)
     EXPECT_EQ(plane_offset(Cutter::ball(2), parabola(1e-3, 10, 10)).size(), 21U);
 }
 
-// The side changes at the end of a level stretch; with no zero between, at the first
-// point of the other side.
+// The side changes at the end of a level part, or at the first point of the other side if
+// no point is level.
 TEST(PlaneOffset, LinksAtTheEndOfALevelStretch)
 {
     const Cutter flat = Cutter::flat(1);
@@ -101,7 +101,7 @@ TEST(PlaneOffset, AtALevelEndTakesTheSideOfTheRest)
     EXPECT_TRUE(plane_offset(flat, {}).empty());
 }
 
-// A roof |x| sampled with the mean of its slopes at the ridge: two chords close the gap.
+// A roof |x|, sampled with the mean of its slopes at the ridge: two chords close the gap.
 TEST(PlaneOffset, AtACreaseTheMeanOfTheSlopesClosesTheGap)
 {
     EXPECT_EQ(crease_normal(1, -1), Vec2(0, 1));

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// S without its closed forms: the least over a fine sweep of positions, and golden
-// section around it.
+// S without its closed forms: the least over densely sampled positions, refined by golden
+// section.
 double least_over_positions(const Cutter& cutter, const Vec3& from, const Vec3& to,
                             double x, double y)
 {
@@ -57,16 +57,16 @@ TEST_P(StraightSweepOf, IsTheLeastOverAllPositions)
         const double expected = least_over_positions(cutter, from, to, x, y);
         const double found = StraightSweep{cutter, from, to}.height(x, y);
         if (std::isinf(expected)) {
-            // The positions tried may all miss what the sweep grazes.
+            // All sampled positions may miss a place that the sweep grazes.
             continue;
         }
         EXPECT_LE(found, expected + 1e-12);
-        // The steep rim moves by what the positions leave out.
+        // At the steep rim the sampled positions leave an error.
         EXPECT_GE(found, expected - (cutter.is_flat() ? 2e-2 : 1e-4)) << i;
     }
 }
 
-// A move, and a place above or near it.
+// A move, and a place above it or near it.
 struct PlacedMove {
     Vec3 from;
     Vec3 to;
@@ -134,7 +134,8 @@ TEST(StraightSweep, OfALevelBallIsACylinder)
     EXPECT_EQ(level.height(-5.01, 0), infinite);
 }
 
-// Uphill at 45 degrees the ball's underside lies R below its axis, measured across.
+// Uphill at 45 degrees the underside of the ball is R below its axis, measured
+// perpendicularly.
 TEST(StraightSweep, OfABallUphillIsACylinderAcross)
 {
     const StraightSweep uphill{Cutter::ball(5), {0, 0, 0}, {20, 0, 20}};

@@ -19,8 +19,8 @@ Vec3 random_vector(test::Random& random, double size)
 
 class SweepEntryOf : public testing::TestWithParam<Cutter> {};
 
-// The region is convex: an entry is right if a step before it is outside, a step after it
-// inside, and a line without one has no point inside.
+// The region is convex. So an entry is right if a place just before it is outside and one
+// just after it inside; and a line without an entry has no place inside.
 TEST_P(SweepEntryOf, IsWhereTheHeightIsCrossedFromOutside)
 {
     test::Random random{11};

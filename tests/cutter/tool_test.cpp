@@ -31,7 +31,7 @@ TEST(Tool, ACutterAloneIsSound)
     EXPECT_NO_THROW(require_sound(sound_tool()));
 }
 
-TEST(Tool, RefusesWhatNoToolIs)
+TEST(Tool, RefusesInvalidTools)
 {
     const double infinite = std::numeric_limits<double>::infinity();
     const std::function<void(Tool&)> faults[] = {

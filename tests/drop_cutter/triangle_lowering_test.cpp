@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "endmill/core/detail/double_double.h"
+#include "endmill/core/detail/exact_arithmetic.h"
 #include "random.h"
 #include "test_meshes.h"
 

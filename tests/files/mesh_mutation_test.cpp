@@ -13,9 +13,9 @@
 #include <malloc.h>
 
 #include "endmill/core/error.h"
+#include "endmill/core/orientation.h"
 #include "endmill/files/mesh_file.h"
 #include "endmill/files/part_file.h"
-#include "endmill/mesh/detail/collinear.h"
 #include "ply_samples.h"
 #include "random.h"
 #include "temporary_folder.h"

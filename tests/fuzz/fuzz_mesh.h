@@ -7,8 +7,8 @@
 #include <string>
 
 #include "endmill/core/error.h"
+#include "endmill/core/orientation.h"
 #include "endmill/files/mesh_file.h"
-#include "endmill/mesh/detail/collinear.h"
 
 namespace endmill {
 

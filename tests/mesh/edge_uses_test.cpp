@@ -43,7 +43,7 @@ TriangleMesh random_triangles(test::Random& random, int points, int triangles)
     return {std::vector<Vec3>(points, Vec3::Zero()), std::move(chosen)};
 }
 
-TEST(EdgeUses, AreThoseThatAMapCollectsAndInItsOrder)
+TEST(EdgeUses, EqualThoseOfAMapInOrder)
 {
     test::Random random{1};
     for (const int points : {3, 5, 20, 400}) {
@@ -71,7 +71,7 @@ TEST(EdgeUses, KeepNumbersUpToTheLargest)
     EXPECT_TRUE(EdgeUse(0, largest, 0).is_forward());
 }
 
-TEST(DuplicateTriangles, AreThoseWhoseCornersASetHasAlready)
+TEST(DuplicateTriangles, AreThoseWithTheCornersOfAnEarlierOne)
 {
     test::Random random{2};
     for (const int points : {4, 6, 15}) {

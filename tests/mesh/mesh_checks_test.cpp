@@ -13,7 +13,7 @@ namespace {
 
 const TriangleMesh unit_box = test::box_mesh({0, 0, 0}, {1, 1, 1});
 
-TEST(MeshReport, OfNothingIsAllNothing)
+TEST(MeshReport, OfNothingIsZero)
 {
     const MeshReport report = mesh_report(TriangleMesh{});
     EXPECT_EQ(report.components, 0U);
@@ -51,8 +51,8 @@ TEST(MeshReport, OfAnOpenGridHasItsRimAndNoVolume)
     EXPECT_FALSE(report.volume);
 }
 
-// By the flux of z, where the report takes that of the whole position.
-TEST(MeshReport, OfATorusHasTheVolumeThatTheFluxOfHeightTells)
+// The second route is the flux of z; the report uses the flux of the whole position.
+TEST(MeshReport, OfATorusHasTheVolumeOfTheFluxOfHeight)
 {
     const TriangleMesh torus = test::torus_mesh(60, 40);
     double flux = 0;
@@ -67,7 +67,7 @@ TEST(MeshReport, OfATorusHasTheVolumeThatTheFluxOfHeightTells)
 
 TEST(MeshReport, HoldsItsAccuracyFarFromTheOrigin)
 {
-    const Vec3 far{1048576, -2097152, 524288};  // so that the box keeps its size exactly
+    const Vec3 far{1048576, -2097152, 524288};  // so that the sides of the box stay exact
     const MeshReport report = mesh_report(test::box_mesh(far, far + Vec3{1, 0.5, 0.25}));
     const double products = 12 * std::sqrt(1.25) * std::sqrt(1.3125);
     const double diagonal = std::sqrt(1.3125);
@@ -77,7 +77,7 @@ TEST(MeshReport, HoldsItsAccuracyFarFromTheOrigin)
 
 TEST(MeshReport, HoldsItsAccuracyOverAMillionTriangles)
 {
-    // 0.1 is rounded: the area of a cell is that of the rounded sides.
+    // 0.1 is rounded, so the area of a cell is that of the rounded sides.
     constexpr int side = 708;
     const MeshReport report = mesh_report(test::grid_mesh(side, side, [](int i, int j) {
         return Vec3{i * 0.0625, j * 0.1 + 1e-9 * i, 0};
@@ -88,7 +88,7 @@ TEST(MeshReport, HoldsItsAccuracyOverAMillionTriangles)
 
 TEST(MeshReport, NamesTheFirstNonManifoldEdge)
 {
-    // A fin on edge 0-3 of the box, which two of its triangles share.
+    // A fin stands on edge 0-3 of the box, which already has two triangles.
     std::vector<Vec3> points = test::points_of(unit_box);
     std::vector<Triangle> triangles = test::triangles_of(unit_box);
     points.emplace_back(0.5, 0.5, -1);
@@ -103,9 +103,10 @@ TEST(MeshReport, NamesTheFirstNonManifoldEdge)
     EXPECT_FALSE(mesh_report(unit_box).first_non_manifold_edge);
 }
 
-TEST(MeshReport, TellsTheVolumeOfBoxesThatShareAnEdge)
+TEST(MeshReport, HasTheVolumeOfBoxesThatShareAnEdge)
 {
-    // Points 1, 3, 5, 7 of the box are those at x = 1; the other box begins at 3-7.
+    // Points 1, 3, 5 and 7 of the box are at x = 1; the second box begins at the edge
+    // 3-7.
     std::vector<Vec3> points = test::points_of(unit_box);
     std::vector<Triangle> triangles = test::triangles_of(unit_box);
     const TriangleMesh other = test::box_mesh({1, 1, 0}, {2, 2, 1});
@@ -131,7 +132,7 @@ TEST(MeshReport, CountsTheSidesOfATurnedTriangleAsInconsistent)
     EXPECT_FALSE(report.volume);
 }
 
-TEST(MeshReport, CountsPiecesThatTouchAtAPointOneByOne)
+TEST(MeshReport, CountsPiecesThatTouchAtAPointSeparately)
 {
     const TriangleMesh two{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}},
                            {{0, 1, 2}, {0, 3, 4}}};
@@ -145,10 +146,10 @@ TEST(MeshReport, CountsDegenerateAndDuplicateTriangles)
     const MeshReport report = mesh_report({points,
                                            {{0, 1, 3},     // sound
                                             {0, 0, 1},     // repeats a corner
-                                            {0, 1, 2},     // on a line
-                                            {1, 4, 3},     // equal corners
-                                            {3, 0, 1},     // the first again
-                                            {1, 0, 3}}});  // and turned over
+                                            {0, 1, 2},     // collinear corners
+                                            {1, 4, 3},     // two equal corners
+                                            {3, 0, 1},     // the first triangle again
+                                            {1, 0, 3}}});  // the same, turned over
     EXPECT_EQ(report.degenerate_triangles, 3U);
     EXPECT_EQ(report.duplicate_triangles, 2U);
     EXPECT_EQ(report.components, 1U);

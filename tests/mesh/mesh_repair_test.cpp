@@ -106,7 +106,7 @@ TEST(Oriented, TurnsAsFewTrianglesOfAnOpenMeshAsItCan)
     const auto few = [](std::size_t k) { return k % 7 == 0; };
     const OrientedMesh up = oriented(test::with_turned(grid, few));
     EXPECT_EQ(test::soup_of(up.mesh), test::soup_of(grid));
-    EXPECT_EQ(up.turned_triangles, 29U);  // of 0, 7, … 196
+    EXPECT_EQ(up.turned_triangles, 29U);  // the triangles 0, 7, ... 196
     const OrientedMesh down = oriented(inside_out(test::with_turned(grid, few)));
     EXPECT_EQ(test::soup_of(down.mesh), test::soup_of(inside_out(grid)));
 }
@@ -143,7 +143,7 @@ TEST(Oriented, TurnsWhatIsInACavityWithTheOutermostPiece)
     EXPECT_EQ(test::soup_of(result.mesh), test::soup_of(nested));
 }
 
-// Boxes, each with its triangles facing inwards or not.
+// Boxes, some of which have triangles that face inwards.
 struct Boxes {
     std::vector<Vec3> low;
     std::vector<Vec3> high;
@@ -172,7 +172,7 @@ struct Boxes {
         return {std::move(points), std::move(triangles)};
     }
     double size(std::size_t k) const { return (high[k] - low[k]).prod(); }
-    // By looking at all of them: a box encloses another if its sides do.
+    // By comparing all pairs: a box encloses another if its sides do.
     std::size_t outermost_around(std::size_t inner) const
     {
         std::size_t outermost = inner;
@@ -214,7 +214,7 @@ TEST(Oriented, TurnsThousandsOfNestedShellsWithTheOutermostAtOnce)
     }
 }
 
-TEST(Oriented, OfBoxesThatLieAnyhowIsWhatLookingAtAllPairsFinds)
+TEST(Oriented, OfRandomBoxesEqualsTheResultOfTestingAllPairs)
 {
     test::Random random{4};
     for (const double largest : {0.2, 2.0, 9.0}) {
@@ -236,7 +236,7 @@ TEST(Oriented, OfBoxesThatLieAnyhowIsWhatLookingAtAllPairsFinds)
     }
 }
 
-TEST(Oriented, TellsWhatIsInATorusFromWhatIsInItsHole)
+TEST(Oriented, DistinguishesTheInsideOfATorusFromItsHole)
 {
     test::Random random{5};
     const std::vector<Vec3> on_torus = test::points_of(torus);
@@ -264,9 +264,9 @@ TEST(Oriented, TellsWhatIsInATorusFromWhatIsInItsHole)
     }
 }
 
-TEST(Oriented, LeavesAMoebiusStripAloneAndSaysSo)
+TEST(Oriented, LeavesAMoebiusStripUnchangedAndReportsIt)
 {
-    // Five triangles over five points: each point with the two after it.
+    // Five triangles over five points: each point with the next two.
     std::vector<Vec3> points;
     std::vector<Triangle> strip;
     for (int k = 0; k < 5; ++k) {
@@ -297,7 +297,8 @@ TEST(Oriented, TurnsBodiesThatTouchAlongAnEdgeOutwards)
 
 TEST(Oriented, TakesAClosedSheetWithoutVolumeForAnOpenOne)
 {
-    // Two triangles back to back, a corner repeated, and a triangle on a line.
+    // Two triangles back to back, one that repeats a corner, and one with collinear
+    // corners.
     const TriangleMesh sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.3}, {2, 0, 0}},
                              {{0, 2, 1}, {0, 1, 2}, {3, 3, 0}, {0, 3, 3}}};
     EXPECT_EQ(oriented(sheet).turned_triangles, 0U);

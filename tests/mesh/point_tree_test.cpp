@@ -39,7 +39,7 @@ void expect_nearest(const std::vector<Vec3>& points, test::Random& random, doubl
     }
 }
 
-TEST(PointTree, FindsWhatLookingAtEveryPointFinds)
+TEST(PointTree, FindsTheSameAsTestingEveryPoint)
 {
     test::Random random{1};
     for (const int count : {1, 2, 3, 4, 7, 64, 1000}) {
@@ -84,7 +84,7 @@ TEST(PointTree, FindsEveryPointOfItsOwn)
         EXPECT_EQ(*tree.nearest_within(points[k], everywhere), k);
 }
 
-TEST(PointTree, OfEqualPointsAnswersTheSameEachTime)
+TEST(PointTree, OfEqualPointsFindsTheSameEachTime)
 {
     const std::vector<Vec3> points(100, Vec3{1, 2, 3});
     const std::size_t first = *PointTree{points}.nearest_within({0, 0, 0}, everywhere);
@@ -92,14 +92,14 @@ TEST(PointTree, OfEqualPointsAnswersTheSameEachTime)
     EXPECT_EQ(*PointTree{points}.nearest_within({0, 0, 0}, everywhere), first);
 }
 
-TEST(PointTree, FromFarAwayStillTellsPointsApartByTheirHeight)
+TEST(PointTree, DistinguishesPointsByHeightFromFarAway)
 {
     const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 1}, {0, 1, 2}, {-1, 0, 3}};
     EXPECT_EQ(*PointTree{points}.nearest_within({0, 0, 1e6}, everywhere), 3U);
     EXPECT_EQ(*PointTree{points}.nearest_within({0, 0, -1e6}, everywhere), 0U);
 }
 
-TEST(PointTree, RefusesToBeEmpty)
+TEST(PointTree, RefusesNoPoints)
 {
     EXPECT_THROW(PointTree{std::span<const Vec3>{}}, DomainError);
 }

@@ -17,7 +17,7 @@ TEST(TriangleMesh, IsEmptyUnlessItIsGivenTriangles)
     EXPECT_TRUE(mesh.triangles().empty());
 }
 
-TEST(TriangleMesh, HasTheCornersThatItsNumbersName)
+TEST(TriangleMesh, HasTheCornersOfItsNumbers)
 {
     const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}}, {{2, 0, 1}}};
     const auto [a, b, c] = mesh.corners(0);
@@ -26,7 +26,7 @@ TEST(TriangleMesh, HasTheCornersThatItsNumbersName)
     EXPECT_EQ(c, Vec3(1, 0, 0));
 }
 
-TEST(TriangleMesh, RefusesNumbersOfNoPointAndPointsThatAreNone)
+TEST(TriangleMesh, RefusesInvalidNumbersAndPoints)
 {
     const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     EXPECT_THROW(TriangleMesh(points, {{0, 1, 3}}), DomainError);

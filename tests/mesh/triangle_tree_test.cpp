@@ -17,8 +17,8 @@ namespace {
 using LongVec3 = Eigen::Matrix<long double, 3, 1>;
 using test::Corners;
 
-// The second route, in long double: of the plane's foot, if it is inside by its
-// barycentric coordinates, and the feet on the sides, the nearest.
+// The second route, in long double: the nearest of the foot on the plane, if its
+// barycentric coordinates are inside, and the feet on the sides.
 long double distance_to(const Corners& corners, const Vec3& place)
 {
     std::array<LongVec3, 3> p;
@@ -83,7 +83,7 @@ void expect_nearest(const TriangleMesh& mesh, const Vec3& place)
                 accuracy);
 }
 
-TEST(Nearest, IsWhatLookingAtEveryTriangleFinds)
+TEST(Nearest, EqualsTheResultOfTestingEveryTriangle)
 {
     test::Random random{1};
     for (const int count : {1, 2, 4, 5, 15, 16, 17, 64, 65, 300})
@@ -108,8 +108,8 @@ TEST(Nearest, HoldsItsAccuracyFarAwayAndFarFromTheOrigin)
     }
 }
 
-// In the triangle's own frame the answer is plain; turning the frame moves corners by no
-// more than rounding.
+// In the triangle's own frame the nearest point is known. Rotating the frame moves the
+// corners by no more than rounding.
 TEST(Nearest, HoldsItsAccuracyOnThinTriangles)
 {
     test::Random random{3};
@@ -156,7 +156,8 @@ TEST(Nearest, DoesNotDependOnTheHint)
 
 TEST(Nearest, IsTheLowestTriangleOfThoseThatShareAnEdgeOrPoint)
 {
-    // Over a ridge of the box, and beyond its corners, by what its twelve triangles are.
+    // Above an edge of the box and beyond its corners, where the twelve triangles are
+    // known.
     const TriangleMesh box = test::box_mesh({0, 0, 0}, {0.1, 0.3, 0.7});
     const TriangleTree tree{box};
     const auto lowest_with = [&](std::initializer_list<std::int32_t> corners) {
@@ -249,7 +250,7 @@ void expect_first_hit(const TriangleMesh& mesh, const TriangleTree& tree, const 
     EXPECT_FALSE(tree.any_hit(ray, found->t * (1 - 1e-9) - 1e-9));
 }
 
-TEST(FirstHit, IsWhatLookingAtEveryTriangleFinds)
+TEST(FirstHit, EqualsTheResultOfTestingEveryTriangle)
 {
     test::Random random{6};
     for (const int count : {1, 4, 17, 65, 400}) {
@@ -264,7 +265,7 @@ TEST(FirstHit, IsWhatLookingAtEveryTriangleFinds)
     }
 }
 
-TEST(FirstHit, OfARayAlongAnAxisIsAsGood)
+TEST(FirstHit, OfARayAlongAnAxisIsAsAccurate)
 {
     const TriangleMesh bumps = test::grid_mesh(20, 20, [](int i, int j) {
         return Vec3{i * 1.0, j * 1.0, std::sin(i * 0.7) * std::cos(j * 0.9)};
@@ -284,7 +285,7 @@ TEST(FirstHit, OfARayAlongAnAxisIsAsGood)
 
 TEST(FirstHit, OfARayFromAClosedMeshIsNeverMissed)
 {
-    // Through points, along edges' places, and past them by the last bit.
+    // Rays through points, through places of edges, and past them by the last bit.
     const TriangleMesh torus = test::torus_mesh(31, 17);
     const TriangleTree tree{torus};
     test::Random random{8};
@@ -346,7 +347,7 @@ TEST(TriangleTree, OfNoTrianglesFindsNothing)
     EXPECT_FALSE(tree.any_hit({{0, 0, 0}, {0, 0, 1}}));
 }
 
-TEST(TriangleTree, RefusesWhatIsOutOfItsDomain)
+TEST(TriangleTree, RefusesArgumentsOutOfItsDomain)
 {
     const TriangleMesh flat = test::flat_mesh(1, 1);
     const TriangleTree tree{flat};
@@ -361,7 +362,7 @@ TEST(TriangleTree, RefusesWhatIsOutOfItsDomain)
     EXPECT_THROW(TriangleTree{huge}, DomainError);
 }
 
-TEST(TriangleTree, FindsThingsOfEverySize)
+TEST(TriangleTree, FindsTrianglesOfEverySize)
 {
     for (const double scale : {1e-25, 1e-6, 1e8, 1e28}) {
         const TriangleMesh box =

@@ -23,7 +23,7 @@ std::array<double, 3> key(const Vec3& point)
     return {point.x(), point.y(), point.z()};
 }
 
-// Points on the x axis as the corners of triangles without area.
+// Points on the x axis, as corners of triangles without area.
 std::vector<Corners> soup_on_x(const std::vector<double>& x)
 {
     std::vector<Corners> soup;
@@ -32,7 +32,7 @@ std::vector<Corners> soup_on_x(const std::vector<double>& x)
     return soup;
 }
 
-TEST(Weld, GivesBackTheMeshWhoseTrianglesWereTakenApart)
+TEST(Weld, RestoresAMeshFromItsSeparateTriangles)
 {
     const TriangleMesh torus = test::torus_mesh(40, 17);
     const WeldedMesh welded = weld(test::soup_of(torus));
@@ -42,7 +42,7 @@ TEST(Weld, GivesBackTheMeshWhoseTrianglesWereTakenApart)
     EXPECT_EQ(test::soup_of(welded.mesh), test::soup_of(torus));
 }
 
-TEST(Weld, FindsAsManyPointsAsASetDoes)
+TEST(Weld, FindsAsManyPointsAsASet)
 {
     test::Random random{3};
     std::vector<Corners> soup(4000);
@@ -65,7 +65,7 @@ TEST(Weld, NumbersPointsInOrderOfAppearance)
     EXPECT_EQ(welded.mesh.points()[3], Vec3(9, 0, 0));
 }
 
-TEST(Weld, TakesMinusZeroForZeroAndNoNeighbourForEqual)
+TEST(Weld, WeldsMinusZeroWithZeroButNoNeighbours)
 {
     const double next = std::nextafter(1.0, 2.0);
     const WeldedMesh welded = weld(soup_on_x({0.0, -0.0, 1, 1, next, 5e-324}));
@@ -74,7 +74,7 @@ TEST(Weld, TakesMinusZeroForZeroAndNoNeighbourForEqual)
     EXPECT_FALSE(std::signbit(welded.mesh.points()[0].x()));
 }
 
-TEST(Weld, OfNothingIsNothing)
+TEST(Weld, OfNothingIsEmpty)
 {
     const std::vector<Corners> none;
     EXPECT_TRUE(weld(none).mesh.points().empty());
@@ -93,7 +93,7 @@ TEST(Weld, OfAMeshCountsThePointsThatItLoses)
 
 TEST(WeldWithTolerance, JoinsChainsOfStepsNoLongerThanIt)
 {
-    // Powers of two, so that distances are exact: 1/8 is a step, 1/8 + 2^-50 is not.
+    // Powers of two make the distances exact: 1/8 is one step, 1/8 + 2^-50 is more.
     const double more = 0.125 + std::ldexp(1, -50);
     const WeldedMesh welded = weld(soup_on_x({0, 0.125, 0.25, 1, 1 + more, 4}), 0.125);
     EXPECT_EQ(test::triangles_of(welded.mesh),
@@ -103,7 +103,7 @@ TEST(WeldWithTolerance, JoinsChainsOfStepsNoLongerThanIt)
     EXPECT_EQ(welded.largest_move, 0.25);
 }
 
-// The second route looks at every pair, and paints whole clusters.
+// The second route compares every pair and recolours whole clusters.
 std::vector<int> clusters_by_pairs(const std::vector<Vec3>& points, double tolerance)
 {
     std::vector<int> colours(points.size());
@@ -115,7 +115,7 @@ std::vector<int> clusters_by_pairs(const std::vector<Vec3>& points, double toler
     return colours;
 }
 
-TEST(WeldWithTolerance, JoinsWhatLookingAtEveryPairJoins)
+TEST(WeldWithTolerance, JoinsTheSameAsTestingEveryPair)
 {
     test::Random random{5};
     for (const double tolerance : {0.01, 0.1, 0.2, 0.3, 3.0}) {
@@ -173,7 +173,7 @@ TEST(WeldWithTolerance, LeavesPointsFurtherApartThanIt)
     EXPECT_LT(welded.largest_move, 4e-7);
 }
 
-TEST(Weld, RefusesWhatIsNoPointAndWhatIsNoTolerance)
+TEST(Weld, RefusesInvalidPointsAndTolerances)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(weld(soup_on_x({0, nan, 1})), DomainError);

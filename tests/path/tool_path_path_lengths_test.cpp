@@ -11,7 +11,7 @@ PathPoint point(Move move, const Vec3& tip)
     return {0, 0, move, {tip, Vec3::UnitZ()}, std::nullopt};
 }
 
-TEST(PathLengths, PartWhatIsCutFromWhatIsLifted)
+TEST(PathLengths, SeparateMovesAtFeedFromOthers)
 {
     const ToolPath path{{point(Move::Plunge, {100, 0, 0}), point(Move::Cut, {103, 4, 0}),
                          point(Move::Link, {103, 5, 0}), point(Move::Cut, {103, 5, 12}),

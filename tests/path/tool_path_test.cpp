@@ -34,7 +34,7 @@ TEST(ToolPath, OfAnEmptyPassHasNoPoints)
     EXPECT_TRUE(ToolPath{}.points.empty());
 }
 
-TEST(ToolPath, KeepsThatAContactIsUnknown)
+TEST(ToolPath, CanLackAContact)
 {
     ToolPath path;
     path.points.push_back({0, 0, Move::Rapid, {{1, 2, 3}, Vec3::UnitZ()}, std::nullopt});

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
-#include "endmill/surface/height_grid.h"
+#include "endmill/surface/nurbs.h"
 #include "planned_path.h"
 #include "revolved_surfaces.h"
 #include "test_surfaces.h"

@@ -65,7 +65,7 @@ TEST(RangeLimits, HoldEitherTurnOfThePart)
     EXPECT_TRUE(limits.hold(0.2, 1.0));
     EXPECT_FALSE(limits.hold(0.3, 0.3));
     EXPECT_FALSE(limits.hold(1.1, 0));
-    EXPECT_TRUE(limits.hold(1.0 + limit_tolerance / 2, 0));
+    EXPECT_TRUE(limits.hold(1.0 + turn_tolerance / 2, 0));
     EXPECT_GT(limits.widest(), limits.width);
     EXPECT_NEAR(limits.highest(), 1.2, 1e-8);
     EXPECT_NEAR(limits.farthest(), 1.0, 1e-8);

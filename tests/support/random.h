@@ -4,10 +4,10 @@
 #include <cmath>
 #include <random>
 
-// Random numbers that are the same everywhere, and how far a number is off.
+// Random numbers that are the same on every machine, and the relative error of a number.
 namespace endmill::test {
 
-/// Uniform numbers that depend on the seed alone.
+/// Uniform random numbers that depend on the seed only.
 class Random {
 public:
     explicit Random(unsigned seed) : engine_{seed} {}
@@ -17,7 +17,7 @@ public:
         return low + (high - low) * (engine_() / 4294967296.0);
     }
 
-    /// 10 to a power that is uniform.
+    /// 10 to a uniformly distributed power, between `low` and `high`.
     double log_uniform(double low, double high)
     {
         return std::exp(uniform(std::log(low), std::log(high)));

@@ -7,17 +7,19 @@
 #include "endmill/surface/nurbs.h"
 #include "random.h"
 
-// Rational surfaces whose geometry is known in closed form, and random ones.
+// Rational surfaces with closed-form geometry, and random patches.
 namespace endmill::test {
 
-/// A rational quadratic arc of the unit circle: cosine and sine of its control points.
+/// A rational quadratic arc of the unit circle: the cosines and sines of its control
+/// points.
 struct UnitArc {
     std::vector<Eigen::Vector2d> points;
     std::vector<double> weights;
     std::vector<double> knots;
 };
 
-/// The arc from angle `from` to `to` in rad, in `pieces` pieces of less than a half turn.
+/// The arc from angle `from` to `to` in rad, in `pieces` pieces of less than half a turn
+/// each.
 inline UnitArc unit_arc(double from, double to, int pieces = 1)
 {
     UnitArc arc{{}, {}, {0, 0, 0}};
@@ -34,18 +36,17 @@ inline UnitArc unit_arc(double from, double to, int pieces = 1)
     return arc;
 }
 
-/// Bounds in rad of the two angles of a piece of a torus.
+/// The ranges in rad of the two angles of a piece of a torus.
 struct TorusPiece {
-    double around_from;  ///< about the axis of revolution
+    double around_from;  ///< angle about the axis of revolution
     double around_to;
-    double tube_from;  ///< about the middle of the tube, from outside upwards
+    double tube_from;  ///< angle about the centre of the tube, from outside upwards
     double tube_to;
-    int pieces = 1;  ///< patches each way
+    int pieces = 1;  ///< number of patches along each parameter
 };
 
-/// The piece of a torus about the z axis: the points
-/// ((R + r cos t) cos a, (R + r cos t) sin a, r sin t); u goes with a, v with t.
-/// R = 0 is a sphere.
+/// A piece of a torus about the z axis: the points ((R + r cos t) cos a, (R + r cos t)
+/// sin a, r sin t), where u runs along a and v along t. R = 0 gives a sphere.
 inline Nurbs torus(double R, double r, const TorusPiece& piece)
 {
     const UnitArc around = unit_arc(piece.around_from, piece.around_to, piece.pieces);
@@ -62,7 +63,8 @@ inline Nurbs torus(double R, double r, const TorusPiece& piece)
     return nurbs;
 }
 
-/// The cylinder (x, r cos t, r sin t) over 0 <= x <= length; u goes with x, v with t.
+/// The cylinder (x, r cos t, r sin t) over 0 <= x <= length; u runs along x and v along
+/// t.
 inline Nurbs cylinder(double r, double length, double from, double to, int pieces = 1)
 {
     const UnitArc arc = unit_arc(from, to, pieces);
@@ -76,8 +78,8 @@ inline Nurbs cylinder(double r, double length, double from, double to, int piece
     return nurbs;
 }
 
-/// A random patch of the given degrees about a regular grid of spacing 10 mm, with
-/// weights of 0.5 to 2 if it is to be rational.
+/// A random patch of the given degrees around a regular grid of spacing 10 mm; a rational
+/// one has weights from 0.5 to 2.
 inline BezierPatch random_patch(unsigned seed, int degree_u, int degree_v, bool rational,
                                 double disorder = 4)
 {

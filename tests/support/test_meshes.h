@@ -11,12 +11,12 @@
 #include "endmill/mesh/triangle_mesh.h"
 #include "random.h"
 
-// Meshes of which everything is known.
+// Meshes with known geometry.
 namespace endmill::test {
 
 using Corners = std::array<Vec3, 3>;
 
-/// The triangles of a mesh, each with points of its own.
+/// The triangles of a mesh, each with its own points.
 inline std::vector<Corners> soup_of(const TriangleMesh& mesh)
 {
     std::vector<Corners> soup;
@@ -35,9 +35,9 @@ inline std::vector<Triangle> triangles_of(const TriangleMesh& mesh)
     return {mesh.triangles().begin(), mesh.triangles().end()};
 }
 
-/// `columns` by `rows` cells of two triangles, over points `at(i, j)` with i in 0 …
-/// columns and j in 0 … rows; seen counter-clockwise from above if i goes along x, j
-/// along y.
+/// A grid of `columns` by `rows` cells of two triangles over the points `at(i, j)`, with
+/// i from 0 to columns and j from 0 to rows. Seen from above it is counter-clockwise if i
+/// runs along x and j along y.
 template <typename At>
 TriangleMesh grid_mesh(int columns, int rows, const At& at)
 {
@@ -56,7 +56,7 @@ TriangleMesh grid_mesh(int columns, int rows, const At& at)
     return {std::move(points), std::move(triangles)};
 }
 
-/// A plane grid of unit cells at height 0.
+/// A plane grid of unit cells at z = 0.
 inline TriangleMesh flat_mesh(int columns, int rows)
 {
     return grid_mesh(columns, rows, [](int i, int j) {
@@ -64,7 +64,7 @@ inline TriangleMesh flat_mesh(int columns, int rows)
     });
 }
 
-/// The closed box between two corners; its normals point outwards.
+/// The closed box between two corners, with normals outwards.
 inline TriangleMesh box_mesh(const Vec3& low, const Vec3& high)
 {
     std::vector<Vec3> points;
@@ -86,8 +86,8 @@ inline TriangleMesh box_mesh(const Vec3& low, const Vec3& high)
              {1, 7, 5}}};
 }
 
-/// A closed torus around z, of `around` by `across` quadrangles, each two triangles; its
-/// normals point outwards.
+/// A closed torus around z of `around` by `across` quadrangles, each made of two
+/// triangles, with normals outwards.
 inline TriangleMesh torus_mesh(int around, int across, double radius = 3, double tube = 1)
 {
     std::vector<Vec3> points;
@@ -105,7 +105,7 @@ inline TriangleMesh torus_mesh(int around, int across, double radius = 3, double
     return {std::move(points), std::move(triangles)};
 }
 
-/// All triangles of both, the second's points after the first's.
+/// All triangles of both meshes; the points of the second follow those of the first.
 inline TriangleMesh both(const TriangleMesh& a, const TriangleMesh& b)
 {
     std::vector<Vec3> points = points_of(a);
@@ -117,7 +117,7 @@ inline TriangleMesh both(const TriangleMesh& a, const TriangleMesh& b)
     return {std::move(points), std::move(triangles)};
 }
 
-/// The mesh with the triangles that `choose(number)` picks turned over.
+/// The mesh with those triangles turned over for which `choose(number)` is true.
 template <typename Choose>
 TriangleMesh with_turned(const TriangleMesh& mesh, const Choose& choose)
 {
@@ -128,7 +128,7 @@ TriangleMesh with_turned(const TriangleMesh& mesh, const Choose& choose)
     return {points_of(mesh), std::move(triangles)};
 }
 
-/// A point in the cube of half side `size` around the origin.
+/// A random point in the cube of half side `size` around the origin.
 inline Vec3 random_point(Random& random, double size)
 {
     const double x = random.uniform(-size, size);

@@ -9,10 +9,10 @@
 #include "endmill/surface/surface.h"
 #include "random.h"
 
-// Surfaces whose geometry is known in closed form.
+// Surfaces with closed-form geometry.
 namespace endmill::test {
 
-/// A polynomial sum of c(m, n) x^m y^n, cubic in x and in y, by its coefficients.
+/// A polynomial, the sum of c(m, n) x^m y^n, cubic in x and y, given by its coefficients.
 using Polynomial = Eigen::Matrix4d;
 
 /// One term `c` x^m y^n.
@@ -23,7 +23,7 @@ inline Polynomial monomial(int m, int n, double c)
     return polynomial;
 }
 
-/// A region of the plane of x and y.
+/// A rectangle in the xy plane.
 struct Rectangle {
     Interval x;
     Interval y;
@@ -35,8 +35,8 @@ struct PatchCounts {
     int v;
 };
 
-/// Blossoms at (a, ..., a, b, ..., b), `upper` times b, of 1, t, t^2, t^3 taken as
-/// cubics: the Bernstein coefficients of the powers on [a, b].
+/// The blossoms of 1, t, t^2 and t^3, taken as cubics, at (a, ..., a, b, ..., b) with
+/// `upper` times b: the Bernstein coefficients of the powers on [a, b].
 inline Eigen::Vector4d power_blossoms(Interval over, int upper)
 {
     std::array<double, 3> t;
@@ -46,15 +46,15 @@ inline Eigen::Vector4d power_blossoms(Interval over, int upper)
             t[0] * t[1] * t[2]};
 }
 
-/// Part number `k` of `parts` equal ones of `whole`.
+/// Part number `k` of `parts` equal parts of `whole`.
 inline Interval part_of(Interval whole, int k, int parts)
 {
     return {std::lerp(whole.low, whole.high, k / double(parts)),
             std::lerp(whole.low, whole.high, (k + 1) / double(parts))};
 }
 
-/// Control points, u running fastest, of the composite net of a space polynomial in x and
-/// y, where u runs along x and v along y.
+/// Control points, u varying fastest, of the composite net of a polynomial in x and y
+/// with values in space; u runs along x and v along y.
 inline std::vector<Vec3> polynomial_net(const std::array<Polynomial, 3>& space,
                                         const Rectangle& over, PatchCounts patches)
 {
@@ -80,7 +80,7 @@ inline Surface polynomial_surface(const std::array<Polynomial, 3>& space,
                             side);
 }
 
-/// z = height(x, y) over a rectangle, u along x and v along y.
+/// The surface z = height(x, y) over a rectangle; u runs along x and v along y.
 inline Surface graph(const Polynomial& height, const Rectangle& over,
                      PatchCounts patches = {1, 1})
 {
@@ -88,7 +88,8 @@ inline Surface graph(const Polynomial& height, const Rectangle& over,
                               patches);
 }
 
-/// The flat parallelogram with a corner at the origin and the sides `along_u`, `along_v`.
+/// The flat parallelogram with a corner at the origin and the sides `along_u` and
+/// `along_v`.
 inline Surface parallelogram(const Vec3& along_u, const Vec3& along_v,
                              PatchCounts patches = {1, 1})
 {
@@ -98,27 +99,28 @@ inline Surface parallelogram(const Vec3& along_u, const Vec3& along_v,
     return polynomial_surface(space, {{0, 1}, {0, 1}}, patches);
 }
 
-/// The plane z = 0 over 0 ... size_x by 0 ... size_y.
+/// The plane z = 0 over 0 to size_x by 0 to size_y.
 inline Surface plane(double size_x, double size_y, PatchCounts patches = {1, 1})
 {
     return parallelogram({size_x, 0, 0}, {0, size_y, 0}, patches);
 }
 
-/// z = (x^2 - y^2) / (2 c) over |x|, |y| <= half.
+/// The saddle z = (x^2 - y^2) / (2 c) over |x|, |y| <= half.
 inline Surface saddle(double c, double half, PatchCounts patches = {1, 1})
 {
     return graph(monomial(2, 0, 0.5 / c) + monomial(0, 2, -0.5 / c),
                  {{-half, half}, {-half, half}}, patches);
 }
 
-/// z = bend x^2 / 2 over -half_x ... half_x by 0 ... size_y: a trough where bend > 0.
+/// The surface z = bend x^2 / 2 over -half_x to half_x by 0 to size_y: a trough if bend >
+/// 0.
 inline Surface parabolic_cylinder(double bend, double half_x, double size_y,
                                   PatchCounts patches = {1, 1})
 {
     return graph(monomial(2, 0, bend / 2), {{-half_x, half_x}, {0, size_y}}, patches);
 }
 
-/// Two planes that meet along x = 0 at slopes of -slope and +slope, 2 by 1 patches.
+/// Two planes with slopes -slope and +slope that meet along x = 0, in 2 by 1 patches.
 inline Surface valley(double half_x, double size_y, double slope)
 {
     std::vector<Vec3> net;
@@ -130,7 +132,7 @@ inline Surface valley(double half_x, double size_y, double slope)
     return composite_bezier(2, 1, net);
 }
 
-/// Random control points around a regular grid of spacing 10 mm, off it by up to
+/// Random control points around a regular grid of spacing 10 mm, displaced by up to
 /// `disorder` mm.
 inline std::vector<Vec3> random_net(unsigned seed, PatchCounts patches, double disorder)
 {

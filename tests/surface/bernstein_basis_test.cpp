@@ -10,7 +10,7 @@
 namespace endmill {
 namespace {
 
-// By the binomial formula; zero where i is not in 0 … degree.
+// By the binomial formula; zero where i is not from 0 to degree.
 double bernstein(int degree, int i, double t)
 {
     if (i < 0 || i > degree)

@@ -16,7 +16,7 @@ BezierPatch random_patch(unsigned seed)
     return BezierPatch{test::random_net(seed, {1, 1}, 8)};
 }
 
-// A row of the Bernstein polynomials of `degree` at t, by the binomial formula.
+// The Bernstein polynomials of `degree` at t in one row, by the binomial formula.
 Eigen::RowVectorXd bernstein(Eigen::Index degree, double t)
 {
     Eigen::RowVectorXd basis{degree + 1};

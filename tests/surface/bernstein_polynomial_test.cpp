@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-// By the basis instead of de Casteljau.
+// By the basis polynomials instead of de Casteljau's algorithm.
 double value(const BernsteinPolynomial& polynomial, double t)
 {
     const int degree = static_cast<int>(polynomial.size()) - 1;
@@ -23,7 +23,7 @@ double value(const BernsteinPolynomial& polynomial, double t)
     return sum;
 }
 
-// The polynomial times (t - root): by the product rule of Bernstein coefficients.
+// The polynomial times (t - root), by the product rule of Bernstein coefficients.
 BernsteinPolynomial times_root(const BernsteinPolynomial& polynomial, double root)
 {
     const std::size_t degree = polynomial.size();
@@ -59,7 +59,8 @@ TEST(FirstRiseToZero, IsTheLeastOfTheRootsGiven)
     for (int trial = 0; trial < 300; ++trial) {
         BernsteinPolynomial polynomial{1};
         double least = 2;
-        const int roots = 1 + 2 * (trial % 4);  // odd, so that it starts below zero
+        // An odd number, so that it starts below zero.
+        const int roots = 1 + 2 * (trial % 4);
         for (int k = 0; k < roots; ++k) {
             const double root = random.uniform(0.05, 1.3);
             least = std::min(least, root);

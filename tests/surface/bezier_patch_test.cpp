@@ -27,7 +27,7 @@ std::vector<Vec3> tabulated_net()
     return net;
 }
 
-// The same point by de Casteljau's repeated interpolation, first in v, then in u.
+// The same point by de Casteljau's algorithm, first in v, then in u.
 Vec3 de_casteljau(const BezierPatch& patch, double u, double v)
 {
     std::array<Vec3, 4> row;
@@ -46,7 +46,8 @@ Vec3 de_casteljau(const BezierPatch& patch, double u, double v)
     return row[0];
 }
 
-TEST(BezierPatch, IsTheTabulatedOneAtOnePlace)  // vectors computed with 50 digits
+// The vectors were computed with 50 digits.
+TEST(BezierPatch, EqualsTheTabulatedPoint)
 {
     const SurfaceJet jet = BezierPatch{tabulated_net()}.jet(0.3, 0.7);
     EXPECT_LT((jet.point - Vec3{9, 21, 1.89}).norm(), 1e-13);
@@ -69,7 +70,8 @@ TEST(BezierPatch, AgreesWithDeCasteljau)
 
 TEST(BezierPatch, FirstPartialsAreTheSlopesOfItsPoints)
 {
-    constexpr double h = 1e-5;  // differences then err by h^2 and by rounding / h
+    // Differences have errors of the order h^2 and rounding / h.
+    constexpr double h = 1e-5;
     const BezierPatch patch = random_patch(3);
     test::Random random{3};
     for (int k = 0; k < 100; ++k) {
@@ -136,7 +138,7 @@ TEST(BezierPatch, PassesThroughItsCornersAlongTheNet)
         }
 }
 
-TEST(BezierPatch, GoesOnAsItsPolynomialOutsideTheUnitSquare)
+TEST(BezierPatch, ContinuesItsPolynomialOutsideTheUnitSquare)
 {
     const Surface bowl =
         test::graph(test::monomial(3, 3, 2) + test::monomial(1, 2, -1), {{0, 1}, {0, 1}});

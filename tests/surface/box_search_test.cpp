@@ -32,7 +32,7 @@ TEST(BoxSearch, FindsTheBottomOfRosenbrocksValley)
     }
 }
 
-// A bowl with its bottom of 2 at `bottom`, its axes turned and its widths unequal.
+// A quadratic function with its minimum 2 at `bottom`, rotated axes and unequal widths.
 double bowl(const VectorXd& x, const VectorXd& bottom)
 {
     double square = 2;
@@ -63,7 +63,7 @@ TEST(BoxSearch, KeepsTheAccuracyItStatesOnBowlsOfTwoAndFourDimensions)
         }
 }
 
-TEST(BoxSearch, AnswersWithThePlaceOfItsValue)
+TEST(BoxSearch, ReturnsThePlaceOfItsValue)
 {
     const BoxMinimum found =
         minimize_in_box(rosenbrock, cube(2, -3, 3), Vector2d{-1, -1}, 0.2);
@@ -131,7 +131,7 @@ TEST(BoxSearch, AFlatFunctionAndAnEmptyBoxKeepTheStart)
     EXPECT_EQ(point.value, rosenbrock(Vector2d{0.5, 0.5}));
 }
 
-TEST(BoxSearch, PassesRoundInfiniteValues)
+TEST(BoxSearch, AvoidsInfiniteValues)
 {
     const double infinity = std::numeric_limits<double>::infinity();
     const auto walled = [&](const VectorXd& x) {

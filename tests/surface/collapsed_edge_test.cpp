@@ -10,7 +10,7 @@ namespace {
 
 constexpr Parameter parameters[] = {Parameter::U, Parameter::V};
 
-// A disordered net whose edge is drawn together around `pole` to `size` mm.
+// An irregular net with one edge contracted around `pole` to `size` mm.
 BezierPatch patch_with_edge(Parameter parameter, int edge, const Vec3& pole, double size)
 {
     std::vector<Vec3> net = test::random_net(1, {1, 1}, 3);
@@ -22,7 +22,7 @@ BezierPatch patch_with_edge(Parameter parameter, int edge, const Vec3& pole, dou
     return BezierPatch{net};
 }
 
-TEST(CollapsedEdge, IsTheOneWhosePointsAreOne)
+TEST(CollapsedEdge, HasAllItsPointsInOnePlace)
 {
     for (const Vec3& pole : {Vec3{0, 0, 0}, {7.3, 11.1, 0.7}})
         for (const Parameter parameter : parameters)
@@ -46,10 +46,10 @@ TEST(CollapsedEdge, MayBeOffByRoundingButNotByMore)
     }
 }
 
-TEST(CollapsedEdge, IsNotOneThatReturnsToItsStart)
+TEST(CollapsedEdge, IsNotAnEdgeThatReturnsToItsStart)
 {
     std::vector<Vec3> net = test::random_net(2, {1, 1}, 3);
-    net[3] = net[0];  // a loop along v = 0
+    net[3] = net[0];  // the edge v = 0 becomes a loop
     EXPECT_FALSE(is_collapsed(BezierPatch{net}, Parameter::V, 0));
 }
 

@@ -17,8 +17,8 @@
 namespace endmill {
 namespace {
 
-// The patches of a surface as surfaces of their own, every other one transposed and
-// every third turned round, so that their borders run in all directions.
+// The patches of a surface as separate surfaces, every second one transposed and every
+// third one reversed, so that their borders run in all directions.
 std::vector<Surface> taken_apart(const Surface& surface)
 {
     std::vector<Surface> parts;
@@ -71,7 +71,7 @@ TEST(PatchBorders, OfASheetFoldedBackAreG0AtAHalfTurn)
 
 TEST(PatchBorders, OfASphereInPiecesOfOtherParametersAreG1)
 {
-    // two pieces that share an arc, cut into other lengths of parameter
+    // two pieces that share an arc and have parameters of different lengths
     const std::vector<Surface> pieces{
         nurbs_surface(test::torus(0, 10, {0, 1, 0.2, 1.2})),
         nurbs_surface(test::torus(0, 10, {1, 1.7, 0.2, 1.2}))};
@@ -103,13 +103,13 @@ TEST(PatchBorders, LargestBallOfASurfaceTakenApartIsItsOwn)
 
 TEST(PatchBorders, LargestBallBetweenTwoWallsTouchesBoth)
 {
-    // two sheets that lean towards each other at 45 degrees, 20 mm apart at their feet
+    // two sheets that lean towards each other at 45 degrees, with their feet 20 mm apart
     const std::vector<Surface> walls{
         test::graph(test::monomial(1, 0, -1), {{-30, -10}, {0, 30}}),
         test::graph(test::monomial(1, 0, 1), {{10, 30}, {0, 30}})};
     const auto found = largest_cutter(walls, tool_side_signs(walls, Vec3::UnitZ()));
     ASSERT_TRUE(found);
-    // touching the foot of one wall, the ball passes through the foot of the other
+    // the ball touches the foot of one wall and passes through the foot of the other
     EXPECT_NEAR(found->radius_mm, 20 * std::numbers::sqrt2 / 2, 1e-6);
 }
 

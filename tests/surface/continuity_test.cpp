@@ -11,7 +11,7 @@
 namespace endmill {
 namespace {
 
-// Two patches side by side over 0 ... 2 by 0 ... 1, of heights `left` and `right`.
+// Two neighbouring patches over 0 to 2 by 0 to 1, with the heights `left` and `right`.
 Surface two_patches(const test::Polynomial& left, const test::Polynomial& right)
 {
     std::vector<BezierPatch> patches;
@@ -22,7 +22,7 @@ Surface two_patches(const test::Polynomial& left, const test::Polynomial& right)
     return Surface{{0, 1, 2}, {0, 1}, patches};
 }
 
-TEST(Continuity, HasItsWords)
+TEST(Continuity, HasNames)
 {
     EXPECT_EQ(continuity_name(Continuity::None), "none");
     EXPECT_EQ(continuity_name(Continuity::G0), "G0");
@@ -50,9 +50,9 @@ TEST(Continuity, OfOnePolynomialCutIntoPatchesIsG1)
     EXPECT_LT(whole.worst.gap_mm, 1e-14);
 }
 
-// A G1 net of unequal speeds: behind the border every point of the left patch's last
-// column is mirrored, the step being lambda times as long. [KimChoi, fig. 11]
-TEST(Continuity, UnderThePapersConditionIsG1ButNotC1)
+// A G1 net with unequal derivatives: beyond the border, the last column of the left patch
+// is mirrored, with lambda times the step. [KimChoi, fig. 11]
+TEST(Continuity, UnderTheConditionOfThePaperIsG1ButNotC1)
 {
     for (const double lambda : {0.2, 1.0, 3.0}) {
         std::vector<Vec3> net = test::random_net(7, {2, 1}, 4);
@@ -83,7 +83,7 @@ TEST(Continuity, OfAValleyIsG0AtTwiceItsSlope)
 
 TEST(Continuity, FindsTheWorstPlaceOfABreakThatOpensAlongTheBorder)
 {
-    // Behind x = 1 the slope across is y^2: the break is widest at y = 1.
+    // Beyond x = 1 the slope across the border is y^2: the break is widest at y = 1.
     const Surface surface = two_patches(
         test::monomial(0, 0, 0), test::monomial(1, 2, 1) + test::monomial(0, 2, -1));
     const std::vector<BorderBreak> breaks = border_breaks(surface);
@@ -95,7 +95,7 @@ TEST(Continuity, FindsTheWorstPlaceOfABreakThatOpensAlongTheBorder)
     EXPECT_NEAR(breaks[0].normals.radians(), std::numbers::pi / 4, 1e-14);
 }
 
-TEST(Continuity, TellsG1FromG0AtAMicroradian)
+TEST(Continuity, ChangesFromG1ToG0AtAMicroradian)
 {
     const auto broken_by = [](double angle) {
         const double slope = std::tan(angle);
@@ -109,7 +109,7 @@ TEST(Continuity, TellsG1FromG0AtAMicroradian)
               1e-8);
 }
 
-TEST(Continuity, TellsAGapFromRounding)
+TEST(Continuity, DistinguishesAGapFromRounding)
 {
     const auto apart = [](double gap) {
         const Surface surface =
@@ -125,7 +125,7 @@ TEST(Continuity, TellsAGapFromRounding)
 
 TEST(Continuity, OfAStepReportsTheStepAsItsWorstBreak)
 {
-    // The planes z = 0 and z = 1/4: their normals agree, their points do not.
+    // The planes z = 0 and z = 1/4: their normals are equal, but there is a gap.
     const SurfaceContinuity whole =
         continuity(two_patches(test::monomial(0, 0, 0), test::monomial(0, 0, 0.25)));
     EXPECT_EQ(whole.continuity, Continuity::None);
@@ -136,7 +136,7 @@ TEST(Continuity, OfAStepReportsTheStepAsItsWorstBreak)
 
 TEST(Continuity, OfAMixedSurfaceListsEveryBorderAndKeepsTheLeast)
 {
-    // 3 by 2 patches over x: flat, flat, then rising with slope 1/2; v changes nothing.
+    // 3 by 2 patches over x: flat, flat, then rising with slope 1/2; constant along v.
     std::vector<Vec3> net;
     for (int row = 0; row < 7; ++row)
         for (int column = 0; column < 10; ++column)
@@ -167,9 +167,9 @@ TEST(Continuity, OfASurfaceThatFoldsBackIsNotSmooth)
     EXPECT_NEAR(whole.worst.normals.radians(), std::numbers::pi, 1e-14);
 }
 
-TEST(Continuity, PassesOverSamplesWithoutANormal)
+TEST(Continuity, SkipsSamplesWithoutANormal)
 {
-    // Two triangles that meet along x = 1 and end in the pole (0 ... 2, 0).
+    // Two triangles that meet along x = 1 and have a common pole (0 ... 2, 0).
     std::vector<Vec3> net;
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 7; ++column)

@@ -13,7 +13,7 @@ namespace {
 
 using Bernstein = std::array<double, 4>;
 
-// More digits than the subject has, by another formula: powers instead of de Casteljau.
+// In long double and by powers instead of de Casteljau's algorithm.
 long double value(const Bernstein& b, long double t)
 {
     const long double s = 1 - t;
@@ -37,7 +37,7 @@ Bernstein with_roots(long double p, long double q, long double r, long double li
             double(start + powers[0] + powers[1] + powers[2] + lift)};
 }
 
-// Whether the cubic reaches `level` on a fine grid of [0, until].
+// Whether the cubic reaches `level` somewhere on a fine grid of [0, until].
 bool reaches(const Bernstein& b, double until, long double level)
 {
     constexpr int steps = 2000;
@@ -47,7 +47,7 @@ bool reaches(const Bernstein& b, double until, long double level)
     return false;
 }
 
-TEST(CubicRoot, OfAStraightLineIsWhereTheLineSays)
+TEST(CubicRoot, OfAStraightLineIsItsRoot)
 {
     EXPECT_NEAR(first_rise_to_zero({-1, 0, 1, 2}).value(), 1.0 / 3, 1e-16);
     EXPECT_EQ(first_rise_to_zero({-3, -2, -1, 0}).value(), 1);
@@ -89,7 +89,7 @@ TEST(CubicRoot, IsTheFirstOfTwoCloseRoots)
             ASSERT_LT(b[0], 0);
             const auto root = first_rise_to_zero(b);
             ASSERT_TRUE(root) << p << ' ' << apart;
-            // A rounding of the coefficients moves a root by rounding / slope.
+            // Rounding the coefficients moves a root by rounding / slope.
             EXPECT_NEAR(*root, p, 1e-15 / apart + 1e-15);
         }
 }
@@ -115,7 +115,7 @@ TEST(CubicRoot, FindsATouchThatOneRoundingLiftsToZero)
     }
 }
 
-TEST(CubicRoot, ATouchThatFallsShortIsPassedOver)
+TEST(CubicRoot, SkipsAMaximumBelowZero)
 {
     const auto root = first_rise_to_zero(with_roots(0.3, 0.3, 0.9, -1e-12));
     ASSERT_TRUE(root);
@@ -133,18 +133,19 @@ TEST(CubicRoot, FindsATripleRootAndAFlatInflection)
 
 TEST(CubicRoot, OfAQuadraticIsItsFirst)
 {
-    // -(t - 1/4)(t - 3/4), of which the third difference vanishes.
+    // -(t - 1/4)(t - 3/4): the third difference is zero.
     const double c = 3.0 / 16;
     const Bernstein b{-c, -c + 1.0 / 3, -c + 1.0 / 3, -c};
     EXPECT_NEAR(first_rise_to_zero(b).value(), 0.25, 1e-15);
 }
 
-TEST(CubicRoot, ThereIsNoneInACubicThatStaysBelow)
+TEST(CubicRoot, DoesNotExistIfTheCubicStaysBelowZero)
 {
     EXPECT_FALSE(first_rise_to_zero({-1, -1, -1, -1}));
     EXPECT_FALSE(first_rise_to_zero({-1, -1e-300, -1, -5}));
     EXPECT_FALSE(
-        first_rise_to_zero({-1, 1, -1, -1}));  // its hull reaches zero, it does not
+        // The convex hull reaches zero, the cubic does not.
+        first_rise_to_zero({-1, 1, -1, -1}));
 }
 
 TEST(CubicRoot, KeepsItsAccuracyWhereCoefficientsDifferByManyOrders)

@@ -19,7 +19,7 @@ FundamentalForms forms_at(const Surface& surface, double u, double v)
 }
 
 // Curvature of the section of z = f(x, y) by the plane through the normal and
-// `direction`, from three points of it: on that plane, near the place, 1/R = 2 |N.(q -
+// `direction`, from three of its points: for points near p on that plane, 1/R = 2 |N.(q -
 // p)| / |q - p|^2.
 double curvature_by_chords(const Surface& surface, double u, double v,
                            const TangentVector& along)
@@ -55,8 +55,9 @@ TEST(Curvature, OfTheSaddleAtItsMiddleIsOneOverCBothWays)
     EXPECT_NEAR(normal_curvature(forms, {0, 1.0 / 80}), 1.0 / 32, 1e-16);
 }
 
-// z = r^2 / (2 c): along the meridian 1/c (1 + r^2/c^2)^(-3/2), across it (..)^(-1/2).
-TEST(Curvature, OfABowlIsThatOfTheParabolaThatItIsTurnedFrom)
+// For z = r^2 / (2 c): 1/c (1 + r^2/c^2)^(-3/2) along the meridian, and with exponent
+// -1/2 across it.
+TEST(Curvature, OfAParaboloidIsThatOfItsParabola)
 {
     constexpr double c = 25;
     const Surface bowl =
@@ -96,7 +97,7 @@ TEST(Curvature, ChangesItsSignWithTheSide)
     EXPECT_EQ(fundamental_forms(jet, -1).normal, -fundamental_forms(jet, 1).normal);
 }
 
-TEST(Curvature, AlongATangentIsWhatShortChordsShow)
+TEST(Curvature, AlongATangentIsThatOfShortChords)
 {
     const Surface surface = test::random_surface(2);
     test::Random random{2};
@@ -151,7 +152,7 @@ TEST(PrincipalCurvatures, AreTheExtremesOverAllDirections)
     EXPECT_LE(highest, greatest + 1e-15 * size);
 }
 
-// The jet of the same surface with u -> u + shear v, v -> v.
+// The jet of the same surface with the parameters u + shear v and v.
 SurfaceJet sheared(const SurfaceJet& jet, double shear)
 {
     return {jet.point,
@@ -185,7 +186,7 @@ struct LongPrincipal {
     long double greatest;
 };
 
-// Roots of (EG - F^2) x^2 - (eG - 2fF + gE) x + eg - f^2 in more digits.
+// Roots of (EG - F^2) x^2 - (eG - 2fF + gE) x + eg - f^2 in long double.
 LongPrincipal companion(const FundamentalForms& forms)
 {
     const long double E = forms.E, F = forms.F, G = forms.G;
@@ -197,7 +198,7 @@ LongPrincipal companion(const FundamentalForms& forms)
     return {-(H + root), -(H - root)};
 }
 
-TEST(PrincipalCurvatures, ErrByAFewRoundingsOfTheLargerOne)
+TEST(PrincipalCurvatures, HaveAnErrorOfAFewRoundingsOfTheLargerOne)
 {
     test::Random random{6};
     double worst = 0;

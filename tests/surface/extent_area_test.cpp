@@ -13,7 +13,7 @@ namespace {
 
 constexpr double stated = 1e-9;
 
-// Length of z = bend x^2 / 2 from 0 to x.
+// Length of the curve z = bend x^2 / 2 from 0 to x.
 double parabola_length(double bend, double x)
 {
     const double slope = bend * x;
@@ -46,8 +46,8 @@ TEST(Area, OfAParabolicCylinderIsItsArcTimesItsWidth)
     }
 }
 
-// z = (x^2 - y^2) / (2 c) over a disc would have an elementary area; over a square there
-// is Simpson's rule on a grid, which converges with the fourth power.
+// Over a disc z = (x^2 - y^2) / (2 c) has an elementary area, over a square it has not.
+// Simpson's rule on a grid converges with the fourth power.
 double simpson(double c, double half, int steps)
 {
     const double h = 2 * half / steps;
@@ -73,7 +73,7 @@ TEST(Area, IsTheLimitThatSimpsonsRuleTendsTo)
     EXPECT_LT(test::relative_error(simpson(20, 30, 512), found), stated);
 }
 
-TEST(Area, DoesNotDependOnHowThePatchesAreCut)
+TEST(Area, DoesNotDependOnTheDivisionIntoPatches)
 {
     const double whole = area(test::saddle(20, 30));
     for (const test::PatchCounts patches : {test::PatchCounts{1, 4}, {3, 1}, {5, 5}})
@@ -83,14 +83,14 @@ TEST(Area, DoesNotDependOnHowThePatchesAreCut)
 
 TEST(Area, OfAFanThatStartsAtAPointIsThatOfTheTriangle)
 {
-    // (x, x y, 0), 0 <= x, y <= 1: the edge x = 0 collapses; the area is 1/2.
+    // (x, x y, 0) for 0 <= x, y <= 1: the edge x = 0 collapses and the area is 1/2.
     const Surface fan = test::polynomial_surface(
         {test::monomial(1, 0, 1), test::monomial(1, 1, 1), test::monomial(0, 0, 0)},
         {{0, 1}, {0, 1}});
     EXPECT_LT(test::relative_error(area(fan), 0.5), stated);
 }
 
-TEST(Area, OfAPointAndOfALineIsNothing)
+TEST(Area, OfAPointOrALineIsZero)
 {
     EXPECT_EQ(area(composite_bezier(1, 1, std::vector<Vec3>(16, Vec3{1, 2, 3}))), 0);
     const Vec3 along{0.3, 0.7, 0.1};

@@ -45,8 +45,8 @@ TEST(Extent, CoversEverySampleAndLittleMore)
     }
 }
 
-// z = c (x - p)^2 - c (y - q)^2: its extremes over a square lie on the sides, at x = p
-// and at y = q, not at samples of a grid.
+// For z = c (x - p)^2 - c (y - q)^2 the extremes over a square are on its sides at x = p
+// and y = q, not at samples of a grid.
 TEST(Extent, OfASaddleIsThatOfItsClosedForm)
 {
     constexpr double p = 0.123456789;
@@ -67,7 +67,7 @@ TEST(Extent, OfASaddleIsThatOfItsClosedForm)
 
 TEST(Extent, OfARidgeAskewToTheParametersIsItsCrest)
 {
-    // z = -(x - y / 3 - 0.1234)^2 is highest, at 0, along a whole line.
+    // z = -(x - y / 3 - 0.1234)^2 has its maximum 0 along a whole line.
     constexpr double a = 1.0 / 3;
     constexpr double b = 0.1234;
     const Surface ridge =
@@ -88,7 +88,7 @@ TEST(Extent, OfAPlaneIsThatOfItsCorners)
     EXPECT_NEAR(high, 3, 1e-15);
 }
 
-TEST(Extent, AcrossAFlatPlaneIsNothing)
+TEST(Extent, AcrossAPlaneIsZero)
 {
     const auto [low, high] = extent(test::plane(200, 120, {3, 2}), Vec3::UnitZ());
     EXPECT_EQ(low, 0);

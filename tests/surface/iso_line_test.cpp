@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-// Two patches of unequal widths, so that derivatives must count in them.
+// Two patches of unequal widths, so that derivatives depend on the widths.
 Surface uneven_surface(unsigned seed)
 {
     const Surface even = test::random_surface(seed, {2, 2});
@@ -48,7 +48,8 @@ TEST(IsoLine, IsTheSurfaceAlongIt)
     }
 }
 
-// First u above `from`, in steps of a ten-thousandth of the range, past the distance.
+// The first u above `from` that is beyond the distance, in steps of a ten-thousandth of
+// the range.
 std::optional<double> scanned_reach(const IsoLine& line, double from,
                                     const Vec3& direction, double distance)
 {
@@ -62,7 +63,7 @@ std::optional<double> scanned_reach(const IsoLine& line, double from,
     return std::nullopt;
 }
 
-TEST(IsoLine, FirstReachIsWhatADenseScanFinds)
+TEST(IsoLine, FirstReachAgreesWithADenseScan)
 {
     test::Random random{2};
     int reached = 0;
@@ -118,9 +119,9 @@ TEST(IsoLine, NeverReachesBeyondItsEndNorBackwards)
     EXPECT_FALSE(line.first_reach(5, Vec3::UnitX(), 1e-9));
 }
 
-TEST(IsoLine, ThatTurnsBackReachesAtTheFirstPassing)
+TEST(IsoLine, ThatTurnsBackReachesAtTheFirstPass)
 {
-    // x = 3 t (1 - t) goes out to 3/4 and comes back.
+    // x = 3 t (1 - t) rises to 3/4 and returns.
     const Surface hairpin =
         test::polynomial_surface({test::monomial(1, 0, 3) + test::monomial(2, 0, -3),
                                   test::monomial(0, 1, 1), test::monomial(1, 0, 0.1)},
@@ -143,7 +144,7 @@ TEST(IsoLine, OfACollapsedEdgeIsAPointAndReachesNothing)
     EXPECT_FALSE(line.first_reach(0, Vec3::UnitX(), 1e-3));
 }
 
-TEST(IsoLine, KnowsThatItIsAPoint)
+TEST(IsoLine, ReportsThatItIsAPoint)
 {
     for (const Vec3& pole : {Vec3{0, 0, 0}, {7.3, 11.1, 0.7}}) {
         const Surface fan = test::polynomial_surface(
@@ -158,7 +159,7 @@ TEST(IsoLine, KnowsThatItIsAPoint)
     EXPECT_FALSE((IsoLine{test::random_surface(1), 0.5}.is_point()));
 }
 
-TEST(IsoLine, BoundsHowFarAChordStrays)
+TEST(IsoLine, BoundsTheErrorOfAChord)
 {
     test::Random random{3};
     for (unsigned seed = 0; seed < 20; ++seed) {

@@ -16,8 +16,8 @@ namespace {
 constexpr double stated = 1e-8;
 
 // A channel along y: straight walls at x = -half_gap and x = half_gap down to z = 0,
-// which then open over `drop` mm to a bowl of about the radius `half_bulge`. u goes down
-// the left wall and up the right one, so that du x dv points into the channel.
+// which then widen over `drop` mm to a bowl with a radius of about `half_bulge`. u runs
+// down the left wall and up the right one, so that du x dv points into the channel.
 Surface bottleneck(double half_gap, double half_bulge, double drop)
 {
     const double depth = drop + 4 * half_bulge / 3;
@@ -56,7 +56,7 @@ double radius_by_sampled_curvature(const Surface& surface, double side, int per_
     return 1 / tightest;
 }
 
-// Over pairs of one patch that are at least an eighth of it apart.
+// Over pairs of one patch that are at least an eighth of the patch apart.
 double radius_by_sampled_pairs(const Surface& surface, double side, int samples)
 {
     const std::vector<SurfaceJet> jets = sampled_jets(surface, samples);
@@ -80,7 +80,7 @@ double radius_by_sampled_pairs(const Surface& surface, double side, int samples)
 
 TEST(LargestCutter, OfASaddleHasItsConstantAsRadiusAndStandsInTheMiddle)
 {
-    // Off the middle, so that the place is no sample.
+    // Off the centre, so that the limiting place is no sample.
     const Surface surface =
         test::graph(test::monomial(2, 0, 1.0 / 64) + test::monomial(0, 2, -1.0 / 64),
                     {{-31, 47}, {-45, 36}}, {2, 1});
@@ -178,7 +178,7 @@ TEST(LargestCutter, BetweenTwoWallsIsHalfTheirDistance)
 
 TEST(LargestCutter, BetweenTwoPlatesIsHalfTheirDistance)
 {
-    // Two planes 10 mm apart that face each other, without any curvature.
+    // Two parallel planes 10 mm apart that face each other, without curvature.
     std::vector<BezierPatch> plates;
     plates.push_back(test::parallelogram({50, 0, 0}, {0, 40, 0}).patch(0, 0));
     std::vector<Vec3> above;
@@ -193,7 +193,7 @@ TEST(LargestCutter, BetweenTwoPlatesIsHalfTheirDistance)
     EXPECT_LT(test::relative_error(limit->radius_mm, 5), stated);
 }
 
-// z = bend (x - middle)^2 / 2 over 40 mm from `left` on.
+// z = bend (x - middle)^2 / 2 over 40 mm, starting at `left`.
 BezierPatch trough_patch(double bend, double middle, double left)
 {
     const test::Polynomial height = test::monomial(2, 0, bend / 2) +
@@ -204,8 +204,8 @@ BezierPatch trough_patch(double bend, double middle, double left)
 
 TEST(LargestCutter, OfTwoTroughsIsTheTighterOne)
 {
-    // Both are wide; but the bottom of the tighter one lies between two of 33 samples,
-    // that of the other one on a sample.
+    // Both troughs are wide. The bottom of the tighter one is between two of the 33
+    // samples, that of the other one is a sample.
     const Surface surface{
         {0, 1, 2},
         {0, 1},
@@ -216,7 +216,7 @@ TEST(LargestCutter, OfTwoTroughsIsTheTighterOne)
     EXPECT_LT(test::relative_error(largest_cutter(surface, 1)->radius_mm, 19.98), stated);
 }
 
-TEST(LargestCutter, ByCurvatureIsWhatADenseScanTendsTo)
+TEST(LargestCutter, ByCurvatureIsTheLimitOfDenseScans)
 {
     for (unsigned seed = 0; seed < 3; ++seed) {
         const Surface surface = test::random_surface(seed, {2, 1}, 3);
@@ -227,7 +227,7 @@ TEST(LargestCutter, ByCurvatureIsWhatADenseScanTendsTo)
     }
 }
 
-TEST(LargestCutter, IsWhatAScanOfAllPairsTendsTo)
+TEST(LargestCutter, IsTheLimitOfScansOfAllPairs)
 {
     for (unsigned seed = 10; seed < 13; ++seed) {
         const Surface surface = test::random_surface(seed, {1, 1}, 8);
@@ -275,9 +275,10 @@ TEST(CurvatureRange, OfABowlEndsAtItsPoleAndItsCorner)
               1e-10);
 }
 
-TEST(CurvatureRange, LooksAtBothSidesOfABorder)
+TEST(CurvatureRange, ConsidersBothSidesOfABorder)
 {
-    // A plane, then a parabola that leaves it smoothly: the curvature jumps at u = 1.
+    // A plane, followed by a parabola with the same tangent: the curvature jumps at u =
+    // 1.
     std::vector<BezierPatch> patches{
         test::graph(test::monomial(0, 0, 0), {{-20, 0}, {0, 9}}).patch(0, 0)};
     patches.push_back(
@@ -288,8 +289,8 @@ TEST(CurvatureRange, LooksAtBothSidesOfABorder)
     EXPECT_NEAR(range->least, 0, 1e-15);
 }
 
-// (x, x y, bend x^2 / 2) + off, 0 <= x, y <= 1: a fan on a parabolic cylinder, whose edge
-// x = 0 collapses to the point `off`.
+// (x, x y, bend x^2 / 2) + off for 0 <= x, y <= 1: a fan on a parabolic cylinder, whose
+// edge x = 0 collapses to the point `off`.
 Surface fan(double bend, const Vec3& off)
 {
     return test::polynomial_surface(
@@ -299,7 +300,7 @@ Surface fan(double bend, const Vec3& off)
         {{0, 1}, {0, 1}});
 }
 
-TEST(CurvatureRange, PassesOverAPole)
+TEST(CurvatureRange, SkipsAPole)
 {
     for (const Vec3& off : {Vec3{0, 0, 0}, {7.3, 11.1, 0.7}, {-100.1, 3.7, 33.3}}) {
         const auto range = curvature_range(fan(0.5, off), 1);

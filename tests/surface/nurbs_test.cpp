@@ -20,7 +20,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// N_{i,p}(t) straight from the recursion of Cox and de Boor.
+// N_{i,p}(t) directly by the recursion of Cox and de Boor.
 double b_spline(const std::vector<double>& knots, int i, int p, double t)
 {
     if (p == 0)
@@ -93,7 +93,7 @@ TEST(Nurbs, IsTheSumOfItsBSplines)
             }
 }
 
-TEST(Nurbs, WithSimpleKnotsIsAsSmoothAsItsDegreeSays)
+TEST(Nurbs, WithSimpleKnotsIsSmooth)
 {
     const SplineParameter cubic{3, {0, 0, 0, 0, 1, 2, 3, 3, 3, 3}};
     const Surface surface = nurbs_surface(random_nurbs(cubic, cubic, false));
@@ -108,7 +108,7 @@ TEST(Nurbs, WithSimpleKnotsIsAsSmoothAsItsDegreeSays)
     EXPECT_EQ(continuity(surface).continuity, Continuity::G1);
 }
 
-TEST(Nurbs, IsPartedByAKnotRepeatedOnceMoreThanTheDegree)
+TEST(Nurbs, HasAGapAtAKnotRepeatedOnceMoreThanTheDegree)
 {
     const SplineParameter parted{2, {0, 0, 0, 1, 1, 1, 2, 2, 2}};
     const SplineParameter whole{2, {0, 0, 0, 1, 1, 1}};
@@ -164,7 +164,7 @@ TEST(Nurbs, TorusHasItsCurvatureAreaAndLargestBall)
 {
     constexpr double R = 30;
     constexpr double r = 10;
-    // the upper part, from outside to inside
+    // the upper part, with the normal towards the inside
     const Surface surface = nurbs_surface(test::torus(R, r, {0, 2, 0.4, 2.5, 2}));
     const double expected = r * 2 * (R * 2.1 + r * (std::sin(2.5) - std::sin(0.4)));
     EXPECT_NEAR(area(surface), expected, 1e-9 * expected);
@@ -199,7 +199,7 @@ TEST(Nurbs, LargestBallDoesNotDependOnTheScaleOfItsKnots)
     }
 }
 
-TEST(Nurbs, FlawsAreToldByName)
+TEST(Nurbs, FlawsAreNamed)
 {
     EXPECT_EQ(flaw({2, {0, 0, 0, 1, 1, 1}}), "");
     EXPECT_EQ(flaw({0, {0, 1}}), "the degree is not in 1 … 25");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bezier patches of any degree and with weights, and what is computed from them.
+// Tests of patches of any degree and with weights, and of the functions on them.
 #include "endmill/surface/bezier_patch.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ Surface surface_of(const Kind& kind, unsigned seed)
     return Surface{{-1, 3}, {2, 2.5}, {patch_of(kind, seed)}};
 }
 
-// By de Casteljau on homogeneous points, first along u, then along v.
+// By de Casteljau's algorithm on homogeneous points, first along u, then along v.
 Vec3 de_casteljau(const BezierPatch& patch, double u, double v)
 {
     const auto reduce = [](std::vector<Eigen::Vector4d> row, double t) {
@@ -130,7 +130,7 @@ TEST(RationalPatch, TurnedAndElevatedIsTheSameSurface)
     EXPECT_THROW(elevated(patch_of({3, 3, false}, 1), 3, 26), DomainError);
 }
 
-TEST(RationalPatch, RefusesDegreesWeightsAndSizesThatAreNone)
+TEST(RationalPatch, RefusesInvalidDegreesWeightsAndSizes)
 {
     const std::vector<Vec3> net(9, Vec3{1, 2, 3});
     const std::vector<double> ones(9, 1.0);
@@ -247,7 +247,7 @@ TEST(RationalPatch, BendOfAnIsoLineIsBounded)
             for (int k = 0; k <= 50; ++k)
                 sampled = std::max(sampled, line.jet(from + 0.005 * k).duu.norm());
             EXPECT_GE(bound, sampled * (1 - 1e-9));
-            if (kind.degree_u < 10) {  // else only safe: hulls of high degrees are wide
+            if (kind.degree_u < 10) {  // for high degrees the bounds are safe but wide
                 EXPECT_LE(bound, 40 * (sampled + 1));
             }
         }

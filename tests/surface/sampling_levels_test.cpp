@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-// A trough of bend k over w mm needs n parts with k (w/n)^2 / 8 <= tolerance.
+// A trough of curvature k and width w mm needs n parts with k (w/n)^2 / 8 <= tolerance.
 TEST(SamplingLevels, OfATroughAreThoseOfItsSagitta)
 {
     const Surface trough = test::parabolic_cylinder(0.04, 20, 30);
@@ -52,7 +52,7 @@ TEST(SamplingLevels, MeetingSidesTakeTheGreaterLevel)
     EXPECT_EQ(levels[0].side(Parameter::V, 0, 0), 0);
 }
 
-TEST(SamplingLevels, PartingASurfaceWithoutGapsIsItself)
+TEST(SamplingLevels, DividingASurfaceWithoutGapsGivesItself)
 {
     EXPECT_EQ(parted_at_gaps(test::random_surface(1, {3, 2})).size(), 1U);
 }
@@ -64,7 +64,7 @@ TEST(SamplingLevels, RefuseAToleranceThatIsRounding)
 
 TEST(GridCellError, OfATwistedCellIsItsClosedForm)
 {
-    // z = x y over the unit square, and the least of x and y on the diagonal's planes
+    // z = x y over the unit square against the planes of its two triangles
     const Surface twist = test::graph(test::monomial(1, 1, 1), {{0, 1}, {0, 1}});
     double expected = 0;
     for (const double s : {0.125, 0.375, 0.625, 0.875})

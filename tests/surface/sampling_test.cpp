@@ -12,7 +12,7 @@
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/mesh/triangle_tree.h"
 #include "endmill/surface/extent.h"
-#include "endmill/surface/height_grid.h"
+#include "endmill/surface/nurbs.h"
 #include "endmill/surface/tool_side.h"
 #include "revolved_surfaces.h"
 #include "test_surfaces.h"
@@ -27,7 +27,7 @@ SampledSurface sampled_up(const std::vector<Surface>& surfaces, double tolerance
     return sampled(surfaces, tool_side_signs(surfaces, Vec3::UnitZ()), tolerance);
 }
 
-// Greatest distance from many places of the surface to the mesh.
+// Greatest distance between many places of the surface and the mesh.
 double measured_error(const Surface& surface, const TriangleMesh& mesh)
 {
     const TriangleTree tree{mesh};
@@ -72,7 +72,7 @@ TEST(Sampling, KeepsItsToleranceOnEveryKindOfSurface)
         }
 }
 
-// Triangles, edges and points of a disc: V - E + F = 1, and the border is one loop.
+// For a disc V - E + F = 1, and the border is a single loop.
 TEST(Sampling, IsADiscWithoutCracks)
 {
     for (const double tolerance : {2.0, 0.1, 0.02}) {
@@ -196,7 +196,7 @@ TEST(Sampling, OnAGridHasItsPlacesAndMeasuresItsError)
         sampled_on_grid(trough, tool_side_signs(trough, Vec3::UnitZ()), 11);
     EXPECT_EQ(found.mesh.points().size(), 121U);
     EXPECT_EQ(found.mesh.triangles().size(), 200U);
-    // the sagitta bend w^2 / 8 of a cell 4 mm wide, seen at eighths of it
+    // the sagitta bend w^2 / 8 of a cell 4 mm wide, which is measured at eighths
     const double sagitta = 0.04 * 16 / 8;
     EXPECT_LE(found.max_chord_error_mm, sagitta + 1e-12);
     EXPECT_GE(found.max_chord_error_mm, 0.9 * sagitta);
@@ -215,7 +215,7 @@ TEST(Sampling, OfALineIsRefused)
     EXPECT_THROW(sampled_up(line_only, 0.1), GeometryError);
 }
 
-TEST(Sampling, RefusesWhatCannotBe)
+TEST(Sampling, RefusesInvalidArguments)
 {
     const std::vector<Surface> plane{test::plane(10, 10)};
     const std::vector<double> up{1};

@@ -9,7 +9,7 @@ namespace {
 static_assert(Parameter::U != Parameter::V);
 static_assert(Interval{2, 2}.low == Interval{2, 2}.high);
 
-TEST(Interval, LengthIsWhatLeadsFromLowToHigh)
+TEST(Interval, LengthIsHighLessLow)
 {
     for (const Interval interval : {Interval{-3, 5}, {0, 0}, {1e300, 1.5e300}})
         EXPECT_EQ(interval.low + interval.length(), interval.high);
@@ -22,11 +22,11 @@ TEST(SurfacePoint, NamesUBeforeV)
     EXPECT_EQ(v, 2);
 }
 
-TEST(PlaceText, IsAPlaceAndItsPointInNumbersThatReadBack)
+TEST(PlaceText, IsAPlaceAndItsPointInRoundedNumbers)
 {
     EXPECT_EQ(place_text({1.5, 0}, {30, -0.1, 12}), "u = 1.5, v = 0 (30, -0.1, 12 mm)");
     EXPECT_EQ(place_text({1.0 / 3, -0.0}, Vec3::Zero()),
-              "u = 0.3333333333333333, v = 0 (0, 0, 0 mm)");
+              "u = 0.333333, v = 0 (0, 0, 0 mm)");
 }
 
 }  // namespace

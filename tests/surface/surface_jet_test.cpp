@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-TEST(SurfaceJet, NormalIsWhatGramAndSchmidtLeaveOfAThirdDirection)
+TEST(SurfaceJet, NormalIsThatOfGramSchmidt)
 {
     test::Random random{1};
     const auto vector = [&] {
@@ -33,7 +33,7 @@ TEST(SurfaceJet, NormalIsWhatGramAndSchmidtLeaveOfAThirdDirection)
     }
 }
 
-// Partials of the given lengths at an angle whose sine is `sine`.
+// Partial derivatives of the given lengths, at an angle with this sine.
 SurfaceTangents partials(double du, double dv, double sine)
 {
     return {Vec3::Zero(), {du, 0, 0}, {dv, dv * sine, 0}};
@@ -60,15 +60,15 @@ TEST(SurfaceJet, IsSingularWhereAPartialVanishesOrBothAreParallel)
     }
 }
 
-TEST(SurfaceJet, APartialThatIsNoNumberIsSingular)
+TEST(SurfaceJet, APartialThatIsNaNIsSingular)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(is_singular({Vec3::Zero(), {nan, 0, 0}, {0, 1, 0}}));
 }
 
-// At the pole of (x, x y, f) the normal along the line v = y is the limit of those beside
-// it.
-TEST(LimitNormal, AtAPoleIsWhatTheNormalsBesideItTendTo)
+// At the pole of (x, x y, f) the normal along the line v = y is the limit of the normals
+// beside it.
+TEST(LimitNormal, AtAPoleIsTheLimitOfTheNormalsBesideIt)
 {
     const test::Polynomial height = test::monomial(1, 2, 0.4) + test::monomial(2, 1, 0.3);
     for (const bool at_upper_end : {false, true}) {

@@ -85,7 +85,7 @@ TEST(Surface, ABorderBelongsToThePatchAboveIt)
     EXPECT_EQ(surface.jet_in_patch(0, 0, 1, 0.5).point, surface.jet(1, 0.5).point);
 }
 
-TEST(Surface, BeyondItsEndsTheBorderPatchGoesOn)
+TEST(Surface, BeyondItsEndsTheBorderPatchContinues)
 {
     const Surface surface = test::random_surface(2, {2, 2});
     EXPECT_EQ(surface.jet(-0.25, 0.5).point, surface.patch(0, 0).jet(-0.25, 0.5).point);
@@ -190,7 +190,7 @@ TEST(CompositeBezier, RefusesWrongCountsAndSizes)
                  DomainError);
 }
 
-TEST(Surface, KnowsTheWidthOfThePatchThatServesAParameter)
+TEST(Surface, HasTheWidthOfThePatchOfAParameter)
 {
     const BezierPatch patch = test::plane(1, 1).patch(0, 0);
     const Surface surface{{-1, 0.5, 4}, {0, 2}, {patch, patch}};

@@ -38,8 +38,8 @@ void expect_each_facet_once(const TriangleMesh& part)
     std::size_t number = 0;
     for (const FacetGroup& group : groups.groups) {
         ASSERT_GE(group.count, 1);
-        ASSERT_LE(group.count, wide_lanes);
-        for (int lane = 0; lane < wide_lanes; ++lane) {
+        ASSERT_LE(group.count, float_lanes);
+        for (int lane = 0; lane < float_lanes; ++lane) {
             const std::int32_t facet = group.facet[lane];
             for (int k = 0; k < 3; ++k)
                 EXPECT_EQ(groups.points[group.corner[k][lane]], part.corners(facet)[k]);
@@ -75,7 +75,7 @@ TEST(FacetGroups, AreOfFacetsNearEachOther)
     double sum = 0;
     for (const FacetGroup& group : groups.groups) {
         Eigen::AlignedBox3d box;
-        for (int lane = 0; lane < wide_lanes; ++lane)
+        for (int lane = 0; lane < float_lanes; ++lane)
             for (int k = 0; k < 3; ++k)
                 box.extend(groups.points[group.corner[k][lane]]);
         whole.extend(box);

@@ -48,7 +48,7 @@ TEST(EightShadows, FallOnWhatTheyCoverAndLieAbove)
     cells.sort(points);
     EightShadows shadows;
     std::vector<std::array<Eigen::Vector3f, 3>> triangles;
-    for (int lane = 0; lane < wide_lanes; ++lane) {
+    for (int lane = 0; lane < float_lanes; ++lane) {
         triangles.push_back(
             {random_place(random), random_place(random), random_place(random)});
         shadows.facet[lane] = lane;

@@ -6,6 +6,7 @@
 namespace endmill {
 namespace {
 
+// The message of a complaint, as FormatError states it.
 std::string sentence(const FormatError::Complaint& complaint)
 {
     std::string text = complaint.file;

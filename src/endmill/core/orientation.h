@@ -5,24 +5,33 @@
 
 #include <Eigen/Core>
 
+#include "endmill/core/vec.h"
+
 namespace endmill {
 
-/// The same as `turn`, by exact arithmetic throughout. Below 1 us, but for coordinates
-/// beyond 1e153 or, not being zero, below 1e-145: 10 us or so.
+/// \file
+/// Exact sign predicates on points whose coordinates are doubles. Each evaluates its
+/// determinant in double precision, with a bound on the rounding error, and repeats the
+/// evaluation without rounding only where the bound leaves the sign open.
+
+/// The same result as `turn`, always by exact arithmetic. Takes below 1 us, and about 10 us
+/// if a coordinate is beyond 1e153 or, not being zero, below 1e-145.
 int exact_turn(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                const Eigen::Vector2d& other_from, const Eigen::Vector2d& other_to);
 
-/// How the direction of the segment `other_from`, `other_to` is turned against that of
-/// `from`, `to`: 1 to the left, -1 to the right, 0 if they are parallel or one has no
-/// length. The sign of (to - from) x (other_to - other_from).
+/// How the segment (`other_from`, `other_to`) turns against the segment (`from`, `to`): the
+/// sign of (to - from) x (other_to - other_from).
 ///
-/// Exact for all finite coordinates, also where that product is too small or too large for
-/// a double. Some 2 ns where rounding leaves no doubt.
+/// Exact for all finite coordinates, even if that product overflows or underflows. Takes
+/// about 2 ns where the rounded product decides.
 ///
-/// With e = 2^-53 the rounded products a, b differ from the true ones by (3 e + 4 e^2) of
-/// theirs and, where they underflow, by 2^-1074 each; so a rounded difference beyond
-/// 4 e (|a| + |b|) + 2^-1070 has the true sign, its own roundings included.
+/// Error bound: with e = 2^-53, the rounded products a and b differ from the true ones by at
+/// most (3 e + 4 e^2) of their size, and by 2^-1074 where they underflow. A rounded
+/// difference beyond 4 e (|a| + |b|) + 2^-1070, which includes the roundings of the bound
+/// itself, therefore has the true sign.
 /// \pre the coordinates are finite.
+/// \return 1 if it turns to the left, -1 to the right, 0 if the segments are parallel or one
+///         has no length.
 inline int turn(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                 const Eigen::Vector2d& other_from, const Eigen::Vector2d& other_to)
 {
@@ -37,13 +46,22 @@ inline int turn(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
     return exact_turn(from, to, other_from, other_to);
 }
 
-/// On which side of the line from p to q the point r lies: 1 left, -1 right, 0 on it, or
-/// if p = q. As exact and as fast as `turn`.
+/// On which side of the directed line from p to q the point r lies. As exact and as fast as
+/// `turn`.
 /// \pre the coordinates are finite.
+/// \return 1 if left, -1 if right, 0 if r lies on the line or p = q.
 inline int orientation(const Eigen::Vector2d& p, const Eigen::Vector2d& q,
                        const Eigen::Vector2d& r)
 {
     return turn(p, q, p, r);
 }
+
+/// Whether three points in space lie on one line. Exact; always true if two of the points
+/// are equal.
+/// Source: [Shewchuk, section 4], the filter of ORIENT2D, for the projections of the
+/// triangle onto the three coordinate planes.
+/// \pre each coordinate is 0 or between 1e-140 and 1e140 in size. Beyond that range products
+///      overflow or underflow and the answer may be wrong.
+bool are_collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace endmill

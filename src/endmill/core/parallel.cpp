@@ -14,14 +14,13 @@
 #include "endmill/core/error.h"
 
 namespace endmill {
-
 namespace {
 
-// Of what ranges throw the first in order: ranges do not overlap, and each stops at its first
-// fault, so that this does not depend on how they were cut.
+// Keeps the exception of the lowest range. Ranges do not overlap and each stops at its first
+// fault, so the result does not depend on how the numbers were divided.
 class FirstException {
 public:
-    // Whether what begins there may come before what is kept.
+    // Whether a range that begins there could still replace the exception kept so far.
     bool may_precede(std::size_t begin) const { return begin <= begin_; }
 
     void keep_current(std::size_t begin)
@@ -67,7 +66,7 @@ void set_thread_count(int count)
 {
     require(1 <= count && count <= 1024, "set_thread_count: need 1 <= count <= 1024");
     static std::unique_ptr<tbb::global_control> limit;
-    limit.reset();  // two limits at once would leave the smaller one in force
+    limit.reset();  // TBB applies the smaller one of two limits
     limit = std::make_unique<tbb::global_control>(
         tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
 }

@@ -10,36 +10,41 @@
 
 namespace endmill {
 
-/// Shortest decimal text that reads back to the same double, with `.` as decimal sign.
+/// \file
+/// Numbers to and from text, and text for messages.
+
+/// The shortest decimal text that reads back to the same double, with `.` as decimal sign.
 /// \pre `value` is finite. Minus zero is written as "0".
 std::string to_text(double value);
 
-/// Appends what `to_text` gives, without a temporary.
+/// Appends `to_text(value)` to `text` without a temporary string.
 void append_text(std::string& text, double value);
 
-/// The double that the whole of `text` spells, in any locale.
-/// \return nothing if `text` is not one decimal number, or if it overflows, underflows
-/// to zero, or spells infinity or NaN.
+/// The double that `text` spells. The locale does not matter.
+/// \return nothing if the whole of `text` is not one decimal number, if the number overflows
+///         or underflows to zero, or if it is infinity or NaN.
 std::optional<double> number_from_text(std::string_view text);
 
-/// "1 point", "2 points".
+/// A count with its noun: "1 point", "2 points".
 std::string counted(std::size_t count, std::string_view thing);
 
-/// `text` from a file or a command line, made fit for one line on a terminal: without
-/// control characters (C0, DEL, C1), line separators and marks that turn the direction
-/// of writing; each byte that is not UTF-8 becomes '?'.
-/// \param max_characters if more remain, the first so many and "…".
+/// Text from a file or a command line, made safe to print on one line of a terminal. Control
+/// characters (C0, DEL, C1), line separators and marks that change the writing direction are
+/// removed. Each byte that is not valid UTF-8 becomes '?'.
+/// \param text           may hold any bytes.
+/// \param max_characters longer results are cut to this number of characters and end in "…".
 std::string printable(std::string_view text, std::size_t max_characters =
                                                  std::numeric_limits<std::size_t>::max());
 
-/// The one of `words` that `word` was probably meant to be: least edit distance
-/// (insertions, deletions, replacements and swaps of neighbours), at most a third of the
-/// length of `word` and at least 1. The first of several.
+/// The word that a person probably meant by `word`: the one of `words` with the least edit
+/// distance (insertions, deletions, replacements and swaps of neighbouring letters).
+/// \return the first of several equally close words; nothing if the distance exceeds a third
+///         of the length of `word` and 1, or if `word` has more than 64 characters.
 std::optional<std::string_view> closest_word(std::string_view word,
                                              std::span<const std::string_view> words);
 
-/// The end of a complaint about `word`: `"u", "v" or "both"; did you mean "both"?`,
-/// without the question if nothing is close.
+/// The end of a message about a wrong `word`, such as `"u", "v" or "both"; did you mean
+/// "both"?`. The question is left out if no word is close.
 /// \pre `words` is not empty.
 std::string one_of(std::span<const std::string_view> words, std::string_view word);
 

@@ -11,12 +11,13 @@
 namespace endmill {
 namespace {
 
-// The numbers of a cutter's word, in mm, of which nothing is known but that they are some.
+// The numbers of a cutter word in mm, before their ranges are checked.
 struct CutterSizes {
     double radius;
     double corner_radius;
 };
 
+// The numbers of `word`; nothing if it does not have the form of a cutter word.
 std::optional<CutterSizes> sizes_of(std::string_view word)
 {
     const std::size_t first = std::min(word.find(':'), word.size());
@@ -52,10 +53,11 @@ double Cutter::profile(double distance) const
 {
     if (distance > radius_)
         return std::numeric_limits<double>::infinity();
-    const double across = distance - flat_radius();  // from the corner's centre
+    // from the centre of the corner circle
+    const double across = distance - flat_radius();
     if (across <= 0)
         return 0;
-    // The difference r - sqrt(r^2 - a^2), without its cancellation.
+    // Equal to r - sqrt(r^2 - across^2), without the cancellation of that difference.
     const double r = corner_radius_;
     return across * across / (r + std::sqrt((r - across) * (r + across)));
 }
@@ -89,6 +91,27 @@ std::string expected_cutter(std::string_view word)
         return "a diameter above 0 mm";
     return "a corner radius from 0 to " + to_text(sizes->radius) +
            " mm, half the diameter";
+}
+
+Cutter with_allowance(const Cutter& cutter, double allowance)
+{
+    require(std::isfinite(allowance) && allowance >= 0,
+            "with_allowance: need 0 <= allowance");
+    return {cutter.radius() + allowance, cutter.corner_radius() + allowance};
+}
+
+BallCutter::BallCutter(double radius) : radius_{radius}
+{
+    require(std::isfinite(radius) && radius > 0, "BallCutter: need 0 < radius");
+}
+
+CutterLocation locate(const BallCutter& cutter, const CutterContact& contact,
+                      const Vec3& axis)
+{
+    if (axis.dot(contact.normal) <= 0)
+        throw GeometryError{"locate: the contact is on or above the equator of the ball"};
+    const Cutter ball = Cutter::ball(cutter.radius());
+    return {control_point(ball, contact, ControlPoint::Tip, axis), axis};
 }
 
 }  // namespace endmill

@@ -6,35 +6,41 @@
 #include <string>
 #include <string_view>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/core/vec.h"
 
 namespace endmill {
 
 /// An end mill with a rounded corner: a flat bottom of radius R - r, a quarter torus of
-/// radius r around it, and a cylinder of radius R above. r = R is the ball, r = 0 the flat
-/// end mill. An immutable value. Shank and holder are no part of it.
+/// minor radius r around it, and a cylinder of radius R above. A ball-end mill has r = R,
+/// a flat end mill r = 0. An immutable value. Shank and holder are not part of it; see
+/// `Tool`.
 class Cutter {
 public:
-    /// \param radius R in mm. \param corner_radius r in mm.
-    /// \throws DomainError unless 0 < R is finite and 0 <= r <= R.
+    /// \param radius R in mm.
+    /// \param corner_radius r in mm.
+    /// \throws DomainError unless R is finite, 0 < R and 0 <= r <= R.
     Cutter(double radius, double corner_radius);
 
-    static Cutter ball(double radius) { return {radius, radius}; }  ///< mm
-    static Cutter flat(double radius) { return {radius, 0}; }       ///< mm
+    /// A ball-end mill.
+    static Cutter ball(double radius) { return {radius, radius}; }  ///< radius in mm
+    /// A flat end mill.
+    static Cutter flat(double radius) { return {radius, 0}; }  ///< radius in mm
 
     double radius() const { return radius_; }                        ///< R, mm
     double corner_radius() const { return corner_radius_; }          ///< r, mm
     double flat_radius() const { return radius_ - corner_radius_; }  ///< R - r, mm
-    bool is_ball() const { return corner_radius_ == radius_; }       ///< r = R
-    bool is_flat() const { return corner_radius_ == 0; }             ///< r = 0
+    bool is_ball() const { return corner_radius_ == radius_; }       ///< whether r = R
+    bool is_flat() const { return corner_radius_ == 0; }             ///< whether r = 0
 
-    /// Height in mm above the tip of the cutter's surface at `distance` from the axis:
-    /// 0 up to R - r, then r - sqrt(r^2 - (distance - R + r)^2); infinite beyond R.
-    /// Source: spec of the removal, section 1; a quarter circle.
-    /// \pre distance >= 0. Relative error below 1e-15, also where the height is small.
+    /// Height in mm of the cutter's surface above the tip, at `distance` mm from the
+    /// axis: 0 up to R - r, then r - sqrt(r^2 - (distance - R + r)^2), and infinity
+    /// beyond R. The relative error is below 1e-15, also where the height is small.
+    /// Source: docs/mathematics/removal.md, section 1.
+    /// \pre distance >= 0.
     double profile(double distance) const;
 
-    /// Whether both have the same radii.
+    /// Whether both cutters have the same radii.
     friend bool operator==(const Cutter&, const Cutter&) = default;
 
 private:
@@ -46,12 +52,12 @@ private:
 /// "flat:DIAMETER" or "bull:DIAMETER:CORNER_RADIUS", in mm.
 std::string cutter_word(const Cutter& cutter);
 
-/// The cutter that `word` spells.
-/// \return nothing if it is no such word, or its numbers are out of range.
+/// The cutter that `word` describes.
+/// \return nothing if `word` has another form or its numbers are out of range.
 std::optional<Cutter> cutter_from_word(std::string_view word);
 
-/// For messages: what is expected where `word` stands, from which `cutter_from_word` makes
-/// no cutter. It is the number that is out of range, or how such a word is spelled.
+/// What a message should state as expected in place of `word`, after `cutter_from_word`
+/// has failed: the range of the number that is out of range, or the form of such words.
 std::string expected_cutter(std::string_view word);
 
 /// Where the cutter touches the part.
@@ -60,17 +66,18 @@ struct CutterContact {
     Vec3 normal;  ///< unit, out of the material
 };
 
-/// Where the machine puts the cutter.
+/// Where the machine puts the cutter. For a given axis, the tip determines the position.
 struct CutterLocation {
     Vec3 tip;   ///< mm, the lowest point of the cutter on its axis
     Vec3 axis;  ///< unit, from the tip to the spindle
 };
 
-/// Ball-end mill: a half sphere under a cylinder of the same radius.
+/// A ball-end mill: a half sphere under a cylinder of the same radius. Planners that
+/// support no other cutter take this type.
 class BallCutter {
 public:
     /// \param radius in mm.
-    /// \throws DomainError unless radius is finite and positive.
+    /// \throws DomainError unless the radius is finite and positive.
     explicit BallCutter(double radius);
 
     double radius() const { return radius_; }  ///< mm
@@ -79,44 +86,46 @@ private:
     double radius_;
 };
 
-/// The location at which `cutter`, held along `axis`, touches `contact`: the ball's
-/// centre lies one radius above the contact along the normal, whatever the axis.
+/// The location at which `cutter`, held along `axis`, touches the part in `contact`. The
+/// centre of the ball lies one radius from the contact along the normal, for any axis.
 /// Source: [KimChoi, section 3], r_cl = r + R (N - P).
-///
+/// \param cutter of radius R.
+/// \param contact point r and unit normal N.
 /// \param axis P, unit, from the tip to the spindle.
-/// \throws GeometryError if axis . normal <= 0: the shank would touch, not the ball.
+/// \throws GeometryError if axis . normal <= 0: the shank would touch instead of the
+///         ball.
 CutterLocation locate(const BallCutter& cutter, const CutterContact& contact,
                       const Vec3& axis);
 
-/// The point of a cutter that a position means.
+/// The point of the cutter that a position refers to.
 enum class ControlPoint {
     Reference,  ///< on the axis at the height of the corner circle, r above the tip
     Tip,        ///< the lowest point on the axis
 };
 
-/// Length of the part of a unit normal across the axis, up to which the normal counts as
-/// parallel to it: above the rounding of a normal, and far below what any sampling sees.
-inline constexpr double level_normal = 1e-12;
-
-/// Whether the tangent plane with unit `normal` lies across `axis`. A cutter with a flat
-/// bottom then touches with a whole disc: every p + r N + (R - r) D with |D| <= 1 across
-/// the axis is a reference point of it.
+/// Whether the tangent plane with the unit normal `normal` is perpendicular to `axis`. A
+/// cutter with a flat bottom then touches with a whole disc: each p + r N + (R - r) D,
+/// with |D| <= 1 perpendicular to the axis, is a reference point for the contact p.
 inline bool is_level(const Vec3& normal, const Vec3& axis = Vec3::UnitZ())
 {
     return (normal - normal.dot(axis) * axis).squaredNorm() <=
            level_normal * level_normal;
 }
 
-/// From the contact to the control point, in mm:
+/// The vector from the contact to the control point, in mm. To the reference point it is
 ///
-///     r N + (R - r) H  to the reference point, and less r P to the tip,
+///     r N + (R - r) H,
 ///
-/// N the unit `normal` of the contact, P the `axis`, H the unit direction of N across P;
-/// where `is_level`, 0 for H: the middle of the disc. One formula for all cutters; for a
-/// ball, r = R, H is not looked at.
-/// Source: [JangKimJeong, eq. (3)], whose sign is that of the side away from the material.
+/// and to the tip r P less. N is the unit `normal` of the contact, P the `axis`, and H
+/// the unit direction of the part of N perpendicular to P. If `is_level` holds, H is 0,
+/// which gives the centre of the disc. The formula holds for all cutters. For a ball
+/// R - r = 0, and H is not computed.
+/// Source: [JangKimJeong, eq. (3)], with the sign for the side away from the material.
+/// \param cutter with radius R and corner radius r.
+/// \param normal unit, out of the material.
+/// \param which the control point.
 /// \param axis unit, from the tip to the spindle.
-/// \pre normal . axis >= 0: below, the shank would touch.
+/// \pre normal . axis >= 0; otherwise the shank would touch.
 inline Vec3 control_offset(const Cutter& cutter, const Vec3& normal,
                            ControlPoint which = ControlPoint::Reference,
                            const Vec3& axis = Vec3::UnitZ())
@@ -134,8 +143,8 @@ inline Vec3 control_offset(const Cutter& cutter, const Vec3& normal,
     return round;
 }
 
-/// The control point of `cutter`, held along `axis`, where it touches `contact`: see
-/// `control_offset`. A few roundings of the coordinates.
+/// The control point of `cutter`, held along `axis`, where it touches the part in
+/// `contact`; see `control_offset`. Accurate to a few roundings of the coordinates.
 inline Vec3 control_point(const Cutter& cutter, const CutterContact& contact,
                           ControlPoint which = ControlPoint::Reference,
                           const Vec3& axis = Vec3::UnitZ())
@@ -143,9 +152,9 @@ inline Vec3 control_point(const Cutter& cutter, const CutterContact& contact,
     return contact.point + control_offset(cutter, contact.normal, which, axis);
 }
 
-/// The cutter whose contacts leave `allowance` mm of stock: both radii larger by it. Its
-/// reference points are those of `cutter` at that distance from the part.
-/// \throws DomainError unless 0 <= allowance is finite.
+/// The cutter whose contacts leave `allowance` mm of stock: both radii are larger by it.
+/// Its reference points are those of `cutter` at that distance from the part.
+/// \throws DomainError unless the allowance is finite and not negative.
 Cutter with_allowance(const Cutter& cutter, double allowance);
 
 }  // namespace endmill

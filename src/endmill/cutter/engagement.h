@@ -5,32 +5,35 @@
 
 namespace endmill {
 
-/// A range of azimuths about the cutter's axis.
+/// A range of azimuths about the cutter's axis. Azimuths are measured from the feed
+/// direction over the xy plane, counter-clockwise seen from above.
 struct AzimuthInterval {
-    double from;  ///< rad, from the direction of the feed over the xy plane,
-    double to;    ///< counter-clockwise seen from above; -pi <= from < to <= pi
+    double from;  ///< rad, at least -pi
+    double to;    ///< rad, above `from` and at most pi
 
-    /// Whether both are the same range.
+    /// Whether both ranges are equal.
     friend bool operator==(const AzimuthInterval&, const AzimuthInterval&) = default;
 };
 
-/// A narrow ring of the cutter's surface and the part of it that is in the material.
+/// A narrow ring of the cutter's surface, with the part of it that is in the material.
 struct EngagedRing {
-    double latitude;  ///< rad, of its normal from straight down: 0 at the bottom, pi/2
-                      ///< on the cylinder
-    double radius;    ///< mm, distance from the axis
-    double above;     ///< mm, from the tip
-    double width;     ///< mm, along the cutter's profile
-    std::vector<AzimuthInterval> engaged;  ///< rising, apart from each other
+    /// In rad: angle of the surface normal from straight down: 0 at the bottom, pi/2 on the
+    /// cylinder.
+    double latitude;
+    double radius;                         ///< mm, distance from the axis
+    double above;                          ///< mm, height above the tip
+    double width;                          ///< mm, along the cutter's profile
+    std::vector<AzimuthInterval> engaged;  ///< in rising order, disjoint
 };
 
-/// Which region of a cutter is in the material, from the tip upwards. A plain value that
-/// says nothing of how it was found.
+/// The region of a cutter that is in the material, ring by ring from the tip upwards. It
+/// does not depend on how it was computed.
 struct Engagement {
-    std::vector<EngagedRing> rings;  ///< those of which some part is engaged
+    std::vector<EngagedRing> rings;  ///< the rings that are engaged somewhere
 };
 
-/// Area of the engaged region in mm^2, each ring taken for a strip of its width.
+/// Area of the engaged region in mm^2, where each ring counts as a flat strip of its
+/// width.
 inline double engaged_area(const Engagement& engagement)
 {
     double area = 0;
@@ -40,23 +43,28 @@ inline double engaged_area(const Engagement& engagement)
     return area;
 }
 
-/// Which part of the front of a ball-end mill on a straight move is in the material: a plain
-/// value that says nothing of how it was found.
+/// The region of the front of a ball-end mill that is in the material on a straight move,
+/// cell by cell. It does not depend on how it was computed.
 ///
-/// In radii of the ball, from its centre: X horizontal along the feed, Z up, Y across it
-/// towards the side on which there is more stock. A place of the ball is told by y and its
-/// angle chi about the Y axis: x = sqrt(1 - y^2) cos(chi), z = sqrt(1 - y^2) sin(chi); equal
-/// steps of both have equal areas. The front below the centre is lambda - pi/2 < chi < 0.
+/// Coordinates are in radii of the ball, from its centre: X is horizontal along the feed,
+/// Z points up, and Y is across the feed towards the side with more stock. A point of the
+/// ball is given by y and by its angle chi about the Y axis: x = sqrt(1 - y^2) cos(chi),
+/// z = sqrt(1 - y^2) sin(chi). Equal steps of y and chi cover equal areas. The front
+/// below the centre is lambda - pi/2 < chi < 0.
 struct BallFront {
-    double lambda = 0;               ///< rise of the feed, rad, below pi/2 either way
-    bool is_stock_right = true;      ///< Y is to the right of the feed, else to its left
-    int rows = 0;                    ///< equal steps of y, from -1 to 1
-    int columns = 0;                 ///< equal steps of chi, from lambda - pi/2 to 0
-    std::vector<char> engaged = {};  ///< 1 where the middle of a cell is in the material;
-                                     ///< cell (row, column) at [row * columns + column]
-    std::vector<double> shank = {};  ///< in equal steps of the azimuth from Y by X to -Y:
-                                     ///< how far up the centre the material goes, from 0
-    double rim_angle = 0;  ///< rad, over which the highest engaged ring is engaged
+    /// In rad: angle of the feed above the horizontal, between -pi/2 and pi/2.
+    double lambda = 0;
+    /// Whether Y points to the right of the feed, else to its left.
+    bool is_stock_right = true;
+    int rows = 0;     ///< number of equal steps of y, from -1 to 1
+    int columns = 0;  ///< number of equal steps of chi, from lambda - pi/2 to 0
+    /// 1 for each cell whose middle is in the material, else 0. Cell (row, column) is at
+    /// [row * columns + column].
+    std::vector<char> engaged = {};
+    /// Height of the material above the centre along the shank, at least 0, in equal
+    /// steps of the azimuth from Y over X to -Y.
+    std::vector<double> shank = {};
+    double rim_angle = 0;  ///< rad, engaged angle of the highest engaged ring
 };
 
 }  // namespace endmill

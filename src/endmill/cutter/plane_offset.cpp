@@ -5,12 +5,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/cutter/cutter.h"
 
 namespace endmill {
 namespace {
 
-// Of n_x: 1, -1, or 0 where the tangent is level.
+// Sign of n_x; 0 where the tangent is level.
 int side_of(const ProfilePoint& at)
 {
     if (std::abs(at.normal.x()) <= level_normal)
@@ -18,7 +19,7 @@ int side_of(const ProfilePoint& at)
     return at.normal.x() > 0 ? 1 : -1;
 }
 
-// The side of the first point from `from` on that has one; 0 if there is none.
+// The sign at the first point that has one; 0 if all points are level.
 int next_side(std::span<const ProfilePoint> from)
 {
     const auto found = std::ranges::find_if(
@@ -58,7 +59,7 @@ std::vector<Eigen::Vector2d> plane_offset(const Cutter& cutter,
                              Eigen::Vector2d{towards * cutter.flat_radius(), 0});
         };
         add(side);
-        // A level stretch keeps the side before it up to its last point.
+        // A level part keeps the sign before it up to its last point.
         const bool ends_level = side_of(profile[k]) == 0 && k + 1 < profile.size() &&
                                 side_of(profile[k + 1]) != 0;
         const int behind = side_of(profile[ends_level ? k + 1 : k]);

@@ -11,7 +11,8 @@ namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// More than a bracketed search of doubles ever needs: it halves at least every other time.
+// Steps of a bracketed search. It halves the bracket at least every other step, which
+// reaches neighbouring doubles long before.
 constexpr int most_iterations = 200;
 
 }  // namespace
@@ -32,6 +33,14 @@ StraightSweep::StraightSweep(const Cutter& cutter, const Vec3& from, const Vec3&
         from_.z() = to_.z() = std::min(from.z(), to.z());
 }
 
+// Let s and e be the place's coordinates along and across the move. A cutter that is
+// `along` on the move covers the place if |s - along| <= w = sqrt(R^2 - e^2). The surface
+// S is the least height of the cutter's bottom over these positions:
+// 1. Ball: the envelope of the spheres touches where the cutter is s - slope w / sqrt(1 +
+//    slope^2), or at an end of the range.
+// 2. Level move: the cutter that is nearest to the place.
+// 3. Flat cutter: the lower end of the range.
+// 4. Bull-nose: a search, see `corner_along`.
 StraightSweep::Height StraightSweep::at(double x, double y) const
 {
     const double R = cutter_.radius();
@@ -56,24 +65,26 @@ StraightSweep::Height StraightSweep::at(double x, double y) const
         along = slope_ > 0 ? low : high;
     else
         along = corner_along(s, e * e, low, high);
-    // The ends of the range lie on the rim of the cutter but for rounding.
+    // Rounding may put the ends of the range outside the rim.
     const double distance = std::min(std::sqrt((s - along) * (s - along) + e * e), R);
     return {from_.z() + slope_ * along + cutter_.profile(distance), along};
 }
 
-// The least of slope u + profile(d(u)), d(u) = sqrt(e^2 + (u - s)^2), over low <= u <=
-// high: a convex function, whose slope is infinite at the rim. Under the flat bottom only
-// the slope counts, so the least lies on the torus or at an end.
+// Minimises slope u + profile(d(u)) over low <= u <= high, with d(u) = sqrt(e^2 + (u -
+// s)^2). The function is convex, and its slope is infinite at the rim. Under the flat
+// bottom it is linear, so the minimum lies on the torus or at an end of the range. It is
+// found by Newton's method within a bracket.
 double StraightSweep::corner_along(double s, double e2, double low, double high) const
 {
     const double r = cutter_.corner_radius();
     const double c = cutter_.flat_radius();
-    const double sign = slope_ > 0 ? -1 : 1;  // on which side of s the least lies
-    // With t = sign (u - s) >= 0: g(t) = -|m| + profile'(d) t / d rises from -|m|.
+    const double sign = slope_ > 0 ? -1 : 1;  // side of s on which the minimum lies
+    // With t = sign (u - s) >= 0, the derivative g(t) = profile'(d) t / d - |m| rises
+    // from -|m|.
     const double m = std::abs(slope_);
     const double t_low = std::max(0.0, sign > 0 ? low - s : s - high);
     const double t_high = sign > 0 ? high - s : s - low;
-    if (t_high <= 0)  // the whole range lies on the other side
+    if (t_high <= 0)  // the whole range lies on the other side of s
         return sign > 0 ? high : low;
     const auto slope_at = [&](double t, double& curvature) {
         const double d = std::sqrt(e2 + t * t);
@@ -83,7 +94,7 @@ double StraightSweep::corner_along(double s, double e2, double low, double high)
             return -m;
         }
         const double root = std::sqrt(std::max(0.0, (r - a) * (r + a)));
-        const double bend = a / root;  // profile'
+        const double bend = a / root;  // derivative of the profile
         const double share = t / d;
         curvature =
             r * r / (root * root * root) * share * share + bend * e2 / (d * d * d);
@@ -92,8 +103,9 @@ double StraightSweep::corner_along(double s, double e2, double low, double high)
     double below = t_low;
     double above = t_high;
     double curvature = 0;
-    // The tilt of the torus's tube at e = 0: a good first guess also elsewhere. On a short
-    // move it mostly lies beyond an end, which is then the place.
+    // Where the torus has the slope of the move, at e = 0; it is a good first guess also
+    // elsewhere. On a short move it mostly lies beyond an end of the range, which is then
+    // the minimum.
     const double tube = c + r * m / std::sqrt(1 + m * m);
     const double guess = std::sqrt(std::max(0.0, tube * tube - e2));
     if (guess >= above && slope_at(above, curvature) <= 0)

@@ -6,33 +6,39 @@
 
 namespace endmill {
 
-/// What a cutter along +z leaves below it on one straight move, as a height over the xy
-/// plane: of the material it takes all that lies above S(x, y). The region above S is
-/// convex. A move of no length, and one straight up or down, sweep the cutter at its lower
-/// end. An immutable value.
+/// The surface that a cutter along +z leaves on one straight move, as a height S(x, y).
+/// The move removes all material above S, and the region above S is convex. A move of no
+/// length, or straight up or down, removes what the cutter covers at its lower end. An
+/// immutable value.
 ///
-/// S is exact but for rounding (1e-12 of the move's size and place): there are no
-/// intermediate positions, so a move cut into pieces or run backwards leaves the same.
-/// Source: the closed forms are those of a ball, disc and torus in oblique translation;
-/// derived in paper/notes/swept-cutter.md.
+/// S is exact except for rounding, about 1e-12 of the size and place of the move. It does
+/// not use intermediate positions of the cutter: a move that is divided into several, or
+/// made backwards, leaves the same surface.
+/// Source: closed forms for a ball, a disc and a torus in oblique translation; derived in
+/// paper/notes/swept-cutter.md, sections 1 to 6.
 class StraightSweep {
 public:
-    /// \param from, to tips in mm, finite.
+    /// \param cutter stands along +z.
+    /// \param from tip at the start, in mm.
+    /// \param to tip at the end, in mm.
+    /// \throws DomainError if a coordinate is not finite.
     StraightSweep(const Cutter& cutter, const Vec3& from, const Vec3& to);
 
+    /// As given.
     const Cutter& cutter() const { return cutter_; }
-    const Vec3& from() const { return from_; }  ///< tip, mm
-    const Vec3& to() const { return to_; }      ///< tip, mm
-    double length() const { return length_; }   ///< over the xy plane, mm
-    double slope() const { return slope_; }     ///< rise over `length`; 0 if that is 0
+    const Vec3& from() const { return from_; }  ///< tip at the start, mm
+    const Vec3& to() const { return to_; }      ///< tip at the end, mm
+    double length() const { return length_; }   ///< length over the xy plane, mm
+    double slope() const { return slope_; }  ///< rise per `length`; 0 if the length is 0
 
-    /// What touches S over a place.
+    /// A value of S, with the position of the cutter that leaves it.
     struct Height {
-        double z;      ///< mm; infinite where the cutter does not pass over
-        double along;  ///< how far the cutter has moved over the xy plane, mm
+        double z;  ///< S in mm; infinite where the cutter does not pass
+        /// Distance over the xy plane from the start of the move to that position, mm.
+        double along;
     };
 
-    /// S at (x, y) and the position of the cutter that makes it.
+    /// S and the position of the cutter at (x, y), in mm.
     Height at(double x, double y) const;
 
     /// S at (x, y) in mm; infinite where the cutter does not pass.
@@ -46,7 +52,7 @@ private:
     Vec3 to_;
     double length_;
     double slope_;
-    double direction_x_;  // of the move over the xy plane, unit
+    double direction_x_;  // direction of the move over the xy plane, unit
     double direction_y_;
 };
 

@@ -10,44 +10,46 @@
 
 namespace endmill {
 
-/// A cylinder around the axis of a tool.
+/// A cylinder around the axis of a tool: a part of the shank or of the holder.
 struct ToolCylinder {
     double diameter;  ///< mm
-    double from;      ///< mm above the tip
-    double to;        ///< mm above the tip
+    double from;      ///< mm above the tip, lower end
+    double to;        ///< mm above the tip, upper end
 
-    /// Whether both are the same cylinder.
+    /// Whether both cylinders are equal.
     friend bool operator==(const ToolCylinder&, const ToolCylinder&) = default;
 };
 
-/// The most that a tool bears; none where nothing is said.
+/// The largest loads of a tool. A limit that is not given does not apply.
 struct ToolLimits {
     std::optional<double> cutting_force;  ///< N
     std::optional<double> thrust;         ///< N
     std::optional<double> torque;         ///< N m
 
-    /// Whether both say the same.
+    /// Whether both have the same limits.
     friend bool operator==(const ToolLimits&, const ToolLimits&) = default;
 };
 
-/// A cutter with what holds it.
+/// A cutter with its shank, its holder and its properties, as a tool file describes it.
 struct Tool {
     Cutter cutter;
     std::string name = {};
-    std::optional<int> flutes = {};   ///< their number
-    std::optional<Angle> helix = {};  ///< of the flutes against the axis
+    std::optional<int> flutes = {};   ///< number of flutes, if known
+    std::optional<Angle> helix = {};  ///< helix angle between flutes and axis, if known
     double length = 0;                ///< mm, from the tip to the spindle nose
     ToolLimits limits = {};
     std::vector<ToolCylinder> shank = {};
     std::vector<ToolCylinder> holder = {};
 };
 
-/// \throws DomainError unless: lengths are finite, diameters and limits positive, every
-///         cylinder has 0 <= from < to, the length is not negative, there is a flute if
-///         any, and the helix is within 90 degrees.
+/// Checks a tool.
+/// \throws DomainError unless lengths are finite, diameters and limits are positive,
+///         every cylinder has 0 <= from < to, the length is not negative, the number of
+///         flutes is at least 1 if it is given, and the helix angle is below 90 degrees.
 void require_sound(const Tool& tool);
 
-/// Shank and holder: what must not touch the material.
+/// The cylinders of shank and holder together: the parts that must not touch the
+/// material.
 std::vector<ToolCylinder> tool_body(const Tool& tool);
 
 }  // namespace endmill

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "endmill/core/error.h"
+#include "endmill/core/orientation.h"
 #include "endmill/core/text.h"
 #include "endmill/files/detail/file_format.h"
 #include "endmill/files/detail/obj.h"
@@ -16,7 +17,6 @@
 #include "endmill/files/detail/raw_mesh.h"
 #include "endmill/files/detail/stl.h"
 #include "endmill/files/read_file.h"
-#include "endmill/mesh/detail/collinear.h"
 #include "endmill/mesh/weld.h"
 
 namespace endmill {

@@ -12,6 +12,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/files/detail/json_format.h"
 #include "endmill/files/detail/strict_json.h"
 #include "endmill/files/detail/surface_kinds.h"
@@ -37,9 +38,6 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 constexpr std::string_view format_name = "endmill-surface/1";
-// Corners of a collapsed border that are closer than this share of the surface's diagonal
-// count as one point; the share allows for rounding of the coordinates.
-constexpr double same_point_share = 1e-12;
 constexpr double mm_per_inch = 25.4;
 constexpr std::size_t longest_name = 200;
 constexpr std::size_t longest_source = 2000;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/core/vec.h"
 #include "endmill/machine/configuration.h"
 
@@ -26,10 +27,6 @@ using LinearLimits = std::array<LinearRange, 3>;
 
 /// Whether the axes can stand at `xyz`, in mm; the ends belong to the ranges.
 bool is_within(const LinearLimits& limits, const Vec3& xyz);
-
-/// Room for rounding where a turn is compared with a limit, in rad: a thousand times what the
-/// angles of a direction in doubles are off by, and 1 um at 1 km.
-inline constexpr double turn_tolerance = 1e-9;
 
 /// The turn that is `turn`, in rad, but for whole turns and that `range` holds to
 /// `turn_tolerance`; none if there is none.

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/machine/axis_limits.h"
 #include "endmill/machine/detail/direction_cells.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double least_step = 1e-5;  // rad: keeps a picture below a million points
-constexpr double thinnest = 1e-12;   // rad: below, a set is an arc, as in DirectionCells
 
 double width(const RotaryRange& range)
 {
@@ -110,8 +110,8 @@ std::vector<DirectionCurve> FeasibleDirections::border(double step) const
     require(step >= least_step, "FeasibleDirections::border: need a step from 1e-5");
     const RotaryRange& phi = limits_.phi;
     const RotaryRange& theta = limits_.theta;
-    const bool is_thin = width(phi) <= thinnest || width(theta) <= thinnest;
-    if (is_thin && frame_.family == RotaryFamily::CA && width(phi) <= thinnest)
+    const bool is_thin = width(phi) <= thinnest_angle || width(theta) <= thinnest_angle;
+    if (is_thin && frame_.family == RotaryFamily::CA && width(phi) <= thinnest_angle)
         return {{frame_.tool_axis}};
     if (is_thin)
         return {sampled(frame_, {phi.from, theta.from}, {phi.to, theta.to}, step)};

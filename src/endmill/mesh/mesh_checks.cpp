@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/mesh/mesh_checks.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <Eigen/Geometry>
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
+#include <OpenMesh/Core/System/omstream.hh>
 
 #include "endmill/core/detail/disjoint_sets.h"
-#include "endmill/mesh/detail/collinear.h"
+#include "endmill/core/orientation.h"
+#include "endmill/mesh/detail/edge_uses.h"
+#include "endmill/mesh/detail/manifold_pieces.h"
 
 namespace endmill {
 namespace {
 
-// A sum that carries its own rounding along (Neumaier's), and so does not depend on how
-// many terms there are.
+// A sum with Neumaier's compensation: it also sums up the rounding errors, so that the
+// error of the result does not grow with the number of terms.
 class CompensatedSum {
 public:
     void add(double term)
@@ -30,6 +36,7 @@ private:
     double rounding_ = 0;
 };
 
+// Sums over all triangles.
 struct Measures {
     std::size_t without_area = 0;
     std::size_t with_three_corners = 0;
@@ -37,12 +44,14 @@ struct Measures {
     CompensatedSum sixfold_volume;  // mm^3
 };
 
+// The volume is that of the tetrahedra between the triangles and a point near the mesh.
 Measures measures(const TriangleMesh& mesh)
 {
     Measures sum;
     if (mesh.triangles().empty())
         return sum;
-    const Vec3 origin = mesh.corners(0)[0];  // near the mesh, wherever that is
+    // near the mesh, so that volumes lose no digits far from the origin
+    const Vec3 origin = mesh.corners(0)[0];
     for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
         const auto [a, b, c] = mesh.corners(k);
         const Vec3 doubled = (b - a).cross(c - a);
@@ -54,22 +63,24 @@ Measures measures(const TriangleMesh& mesh)
     return sum;
 }
 
+// Sums over all edges.
 struct EdgeReport {
     std::size_t boundary = 0;
     std::size_t non_manifold = 0;
     std::optional<Edge> first_non_manifold;
     std::size_t inconsistent = 0;
-    std::size_t joints = 0;  // that made one component of two
+    std::size_t joints = 0;  // number of joins that made one component of two
     bool all_even = true;
     bool all_balanced = true;
 };
 
+// Each join of two sets of triangles reduces the number of components by one.
 EdgeReport edge_report(const EdgeUses& edges, std::size_t triangles)
 {
     EdgeReport report;
     DisjointSets components{triangles};
     edges.for_each([&](const Edge& edge, std::span<const EdgeUse> uses) {
-        std::ptrdiff_t surplus = 0;  // of triangles that run forward
+        std::ptrdiff_t surplus = 0;  // of triangles that run along the edge forwards
         for (const EdgeUse& use : uses) {
             surplus += use.is_forward() ? 1 : -1;
             report.joints += components.join(uses.front().triangle(), use.triangle());
@@ -85,6 +96,68 @@ EdgeReport edge_report(const EdgeUses& edges, std::size_t triangles)
         }
     });
     return report;
+}
+
+// Which points of manifold pieces lie on their boundary.
+std::vector<bool> boundary_points(const TriangleMesh& pieces)
+{
+    std::vector<bool> is_on_boundary(pieces.points().size(), false);
+    EdgeUses{pieces}.for_each([&](const Edge& edge, std::span<const EdgeUse> uses) {
+        if (uses.size() == 1)
+            is_on_boundary[edge[0]] = is_on_boundary[edge[1]] = true;
+    });
+    return is_on_boundary;
+}
+
+// The half-edge structure of all triangles at boundary points. The fans of these points
+// are complete in it, so it has the boundary of the whole mesh.
+OpenMesh::TriConnectivity half_edges_at(const std::vector<bool>& is_on_boundary,
+                                        const TriangleMesh& pieces)
+{
+    omlog().disable();
+    omerr().disable();
+    OpenMesh::TriConnectivity result;
+    result.resize(pieces.points().size(), 0, 0);
+    for (const auto& [a, b, c] : pieces.triangles()) {
+        if (!is_on_boundary[a] && !is_on_boundary[b] && !is_on_boundary[c])
+            continue;
+        const OpenMesh::VertexHandle corners[] = {OpenMesh::VertexHandle{a},
+                                                  OpenMesh::VertexHandle{b},
+                                                  OpenMesh::VertexHandle{c}};
+        [[maybe_unused]] const auto face = result.add_face(corners, 3);
+        assert(face.is_valid());
+    }
+    return result;
+}
+
+// The boundary loop through `start`. Each boundary point has one outgoing boundary
+// half-edge. It runs against the direction of the triangles, so the loop follows its
+// predecessors.
+std::vector<std::int32_t> loop_through(OpenMesh::VertexHandle start,
+                                       const OpenMesh::TriConnectivity& half_edges)
+{
+    std::vector<std::int32_t> loop;
+    auto side = half_edges.halfedge_handle(start);
+    do {
+        loop.push_back(half_edges.from_vertex_handle(side).idx());
+        side = half_edges.prev_halfedge_handle(side);
+    } while (half_edges.from_vertex_handle(side) != start);
+    return loop;
+}
+
+// A loop given by the points of the mesh instead of those of the pieces.
+BoundaryLoop in_mesh(std::span<const std::int32_t> loop, const TriangleMesh& mesh,
+                     const ManifoldPieces& pieces)
+{
+    BoundaryLoop result{{}, 0};
+    for (const std::int32_t point : loop)
+        result.points.push_back(pieces.points[point]);
+    for (std::size_t k = 0; k < loop.size(); ++k)
+        result.length += (mesh.points()[result.points[k]] -
+                          mesh.points()[result.points[(k + 1) % loop.size()]])
+                             .norm();
+    std::ranges::rotate(result.points, std::ranges::min_element(result.points));
+    return result;
 }
 
 }  // namespace
@@ -108,6 +181,31 @@ MeshReport mesh_report(const TriangleMesh& mesh)
     if (has_edges && edges.all_balanced)
         report.volume = sum.sixfold_volume.value() / 6;
     return report;
+}
+
+std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh)
+{
+    ManifoldPieces pieces = manifold_pieces(mesh);
+    std::vector<Vec3> points;
+    points.reserve(pieces.points.size());
+    for (const std::int32_t number : pieces.points)
+        points.push_back(mesh.points()[number]);
+    const TriangleMesh cut{std::move(points), std::move(pieces.triangles)};
+    std::vector<bool> is_to_do = boundary_points(cut);
+    const OpenMesh::TriConnectivity half_edges = half_edges_at(is_to_do, cut);
+    std::vector<BoundaryLoop> loops;
+    for (std::size_t k = 0; k < is_to_do.size(); ++k) {
+        if (!is_to_do[k])
+            continue;
+        const auto loop = loop_through(
+            OpenMesh::VertexHandle{static_cast<std::int32_t>(k)}, half_edges);
+        for (const std::int32_t point : loop)
+            is_to_do[point] = false;
+        loops.push_back(in_mesh(loop, mesh, pieces));
+    }
+    std::ranges::stable_sort(
+        loops, {}, [](const BoundaryLoop& loop) { return loop.points.front(); });
+    return loops;
 }
 
 }  // namespace endmill

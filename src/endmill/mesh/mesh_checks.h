@@ -2,42 +2,68 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
-#include "endmill/mesh/detail/edge_uses.h"
 #include "endmill/mesh/triangle_mesh.h"
 
 namespace endmill {
 
-/// What a mesh is like. Points are equal if their numbers are: weld first, if not.
-/// Triangles that repeat a corner count as degenerate and nowhere else.
+/// \file
+/// Reports on the quality of a mesh: topology, degenerate triangles, area and volume.
+///
+/// Two corners are the same point only if their numbers are equal, so weld the mesh first if
+/// its triangles stand alone (weld.h).
+
+/// Topology and measures of a mesh. Triangles that repeat a corner count as degenerate and in
+/// no other number.
 struct MeshReport {
-    std::size_t boundary_edges;                   ///< that belong to one triangle
-    std::size_t non_manifold_edges;               ///< that belong to more than two
-    std::optional<Edge> first_non_manifold_edge;  ///< lexicographically
-    /// That belong to two triangles which run along it in the same direction, so that
-    /// one of them is turned over.
+    std::size_t boundary_edges;                   ///< edges of one triangle
+    std::size_t non_manifold_edges;               ///< edges of more than two triangles
+    std::optional<Edge> first_non_manifold_edge;  ///< the lexicographically least of them
+    /// Edges whose two triangles run along them in the same direction: the orientations of
+    /// the two triangles disagree.
     std::size_t inconsistent_edges;
-    /// Pieces that hang together by edges, non-manifold ones included: pieces that only
-    /// touch at a point are as many bodies.
+    /// Number of pieces connected by edges, non-manifold edges included. Pieces that touch
+    /// only at a point count separately.
     std::size_t components;
-    /// Triangles whose corners lie on one line, exactly (collinear.h), or are less than
-    /// three.
+    /// Triangles that repeat a corner or whose corners are collinear; decided exactly by
+    /// `are_collinear`.
     std::size_t degenerate_triangles;
-    /// Triangles with the three corners of one before them, in whatever order.
+    /// Triangles that have the same three corners, in any order, as an earlier one.
     std::size_t duplicate_triangles;
     double area;  ///< mm^2
-    /// Whether there are edges, and none belongs to an odd number of triangles.
+    /// Whether there are edges and every edge belongs to an even number of triangles.
     bool closed;
-    /// In mm^3, positive if the triangles are counter-clockwise seen from outside.
-    /// Nothing unless every edge is run along as often in one direction as in the other.
+    /// In mm^3, positive if the triangles are counter-clockwise seen from outside. Not given
+    /// unless the triangles run along every edge equally often in both directions.
     std::optional<double> volume;
 };
 
-/// All of it in time linear in the triangles if a point has a bounded number of them, and
-/// else but for a logarithm; 28 bytes a triangle and 8 a point. Let S be the sum over all
-/// triangles of the product of their sides at the first corner: the area is within 1e-15
-/// S and the volume within 1e-15 S times the diagonal of the mesh's box.
+/// Computes the report.
+///
+/// Takes linear time if the number of triangles at a point is bounded, else n log n, and
+/// 28 bytes a triangle and 8 a point. Let S be the sum, over all triangles, of the product of
+/// the two sides at the first corner. The area is within 1e-15 S, and the volume within
+/// 1e-15 S times the diagonal of the mesh's bounding box.
 MeshReport mesh_report(const TriangleMesh& mesh);
+
+/// A closed chain of boundary edges.
+struct BoundaryLoop {
+    /// Numbers of the points, starting with the lowest, in the direction in which the
+    /// triangles run: an outer rim counter-clockwise seen from outside, a hole clockwise.
+    std::vector<std::int32_t> points;
+    double length;  ///< mm
+};
+
+/// The boundary loops of a mesh, in the order of their first points.
+///
+/// The mesh is first cut into manifold pieces: along edges of more than two triangles, along
+/// inconsistent edges, and at points where several fans of triangles meet. Both sides of a
+/// cut that stays open are boundary of the pieces, so on a non-manifold mesh loops can pass
+/// along edges that are no `boundary_edges`. Triangles that repeat a corner are left out.
+/// \throws DomainError if there are more than 715 827 882 triangles.
+std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh);
 
 }  // namespace endmill

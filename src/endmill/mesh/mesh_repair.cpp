@@ -16,13 +16,14 @@
 
 #include <Eigen/Geometry>
 
-#include "endmill/mesh/detail/collinear.h"
+#include "endmill/core/orientation.h"
 #include "endmill/mesh/detail/edge_uses.h"
 
 namespace endmill {
 namespace {
 
-// A volume below this share of diagonal times doubled area may be all rounding.
+// A volume is only rounding error below this share of the piece's diagonal times its
+// doubled area.
 constexpr double volume_rounding = 1e-12;
 
 std::vector<Vec3> copy_of_points(const TriangleMesh& mesh)
@@ -35,22 +36,26 @@ std::vector<Triangle> copy_of_triangles(const TriangleMesh& mesh)
     return {mesh.triangles().begin(), mesh.triangles().end()};
 }
 
-// Which piece a triangle belongs to, by the piece's least triangle, and whether it is
-// turned over against that one.
+// The piece of a triangle, named by its least triangle, and the orientation of the
+// triangle relative to that one.
 struct Membership {
     std::int32_t piece;
     bool turned;
 };
 
-// Disjoint sets of triangles whose members know how they are turned to each other.
+// Disjoint sets of triangles (union-find) whose links also store the relative
+// orientation.
 class Pieces {
 public:
-    explicit Pieces(std::size_t triangles) : link_(triangles), twisted_(triangles, false)
+    explicit Pieces(std::size_t triangles)
+        : link_(triangles),
+          one_sided_(triangles, false)
     {
         for (std::size_t k = 0; k < triangles; ++k)
             link_[k] = {static_cast<std::int32_t>(k), false};
     }
 
+    // The piece of a triangle. Shortens the path to it on the way.
     Membership of(std::int32_t triangle)
     {
         bool turned = false;
@@ -63,8 +68,9 @@ public:
         return {triangle, turned};
     }
 
-    // Makes one piece of two, of which `a` and `b` are turned alike or not. Where they
-    // were one piece and it does not agree, the piece has one side only.
+    // Joins the pieces of `a` and `b`, which have the same orientation or not. If both
+    // are in one piece already and disagree, the piece cannot be oriented: it is
+    // one-sided.
     void join(std::int32_t a, std::int32_t b, bool differ)
     {
         const Membership at_a = of(a);
@@ -73,14 +79,15 @@ public:
         const auto [low, high] = std::minmax(at_a.piece, at_b.piece);
         if (low != high)
             link_[high] = {low, roots_differ};
-        twisted_[low] = twisted_[low] || twisted_[high] || (low == high && roots_differ);
+        one_sided_[low] =
+            one_sided_[low] || one_sided_[high] || (low == high && roots_differ);
     }
 
-    bool is_twisted(std::int32_t piece) const { return twisted_[piece]; }
+    bool is_one_sided(std::int32_t piece) const { return one_sided_[piece]; }
 
 private:
-    std::vector<Membership> link_;  // to a triangle with a number no higher
-    std::vector<bool> twisted_;
+    std::vector<Membership> link_;  // link to a triangle with the same or a lower number
+    std::vector<bool> one_sided_;
 };
 
 Pieces pieces_of(const EdgeUses& edges, std::size_t triangles)
@@ -96,8 +103,9 @@ Pieces pieces_of(const EdgeUses& edges, std::size_t triangles)
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// A bounding box.
 struct Box {
-    Vec3 low = Vec3::Constant(infinity);  // mm
+    Vec3 low = Vec3::Constant(infinity);  // mm; an empty box
     Vec3 high = -low;
 
     void include(const Box& other)
@@ -105,12 +113,13 @@ struct Box {
         low = low.cwiseMin(other.low);
         high = high.cwiseMax(other.high);
     }
-    // Whether the other box is strictly inside.
+    // Whether the other box is strictly inside this one.
     bool holds(const Box& other) const
     {
         return (low.array() < other.low.array()).all() &&
                (high.array() > other.high.array()).all();
     }
+    // The six coordinates of the box, by number.
     double side(int number) const { return number < 3 ? low[number] : high[number - 3]; }
 };
 
@@ -119,10 +128,13 @@ Box box_of(const Vec3& a, const Vec3& b, const Vec3& c)
     return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
-// Finds the boxes that hold another. A box is a point of six coordinates, its sides;
-// those of the boxes asked for are in an orthant. A tree halves the points at one
-// coordinate after the other, those skipped that are equal for all: an orthant's border
-// crosses, of n leaves, at most of the order of n^(5/6), and few where boxes are small.
+// Finds the boxes that contain a given box.
+//
+// A box is a point with six coordinates, its sides; the boxes that contain another one
+// fill an orthant of this space. The tree halves the points by one coordinate after the
+// other and skips a coordinate that is equal for all. The boundary of an orthant crosses
+// at most of the order of n^(5/6) of n leaves, and few if the boxes are small. It is the
+// only tree of the library that answers this question, and not a tuned kernel.
 class BoxTree {
 public:
     explicit BoxTree(std::vector<Box> boxes) : boxes_{std::move(boxes)}
@@ -133,12 +145,13 @@ public:
             add_node(0, order_.size(), 0);
     }
 
-    // Calls `visit(number)` for the boxes that hold `inner`, in rising order, until it
-    // returns true.
+    // Calls `visit(number)` for all boxes that contain `inner`, in rising order of their
+    // numbers, until `visit` returns true.
     template <typename Visit>
     void for_each_around(const Box& inner, const Visit& visit) const
     {
-        // The least number below a node, and the node; -1 for a box itself.
+        // The least box number below a node, and the node; the node is -1 for a single
+        // box.
         using Entry = std::pair<std::int32_t, std::int32_t>;
         std::priority_queue<Entry, std::vector<Entry>, std::greater<>> waiting;
         const auto wait_for = [&](std::int32_t node) {
@@ -167,9 +180,9 @@ public:
 private:
     struct Node {
         Box hull;
-        std::int32_t least;         // number of a box below
-        std::int32_t second_child;  // the first is the next node; 0: this is a leaf
-        std::size_t begin;          // of the boxes of a leaf
+        std::int32_t least;         // least number of a box below
+        std::int32_t second_child;  // the first child is the next node; 0 in a leaf
+        std::size_t begin;          // first box of a leaf, in order_
         std::size_t count;
     };
 
@@ -212,12 +225,14 @@ private:
     std::vector<Node> nodes_;
 };
 
-// The times that a ray from the origin along x leaves a mesh through this triangle, less
-// those that it enters: 1, 0 or -1. What is hit is decided in the plane of y and z, for
-// an edge and its opposite alike, so that no ray slips between two triangles.
+// How often the ray from the origin along +x crosses a triangle: 1 if it leaves the mesh
+// there, -1 if it enters, 0 if it misses. Whether it hits is decided in the yz plane, in
+// the same way for both directions of an edge, so that no ray passes between two
+// triangles.
 int crossings(const std::array<Vec3, 3>& corners)
 {
-    std::array<double, 3> twice_area;  // of the origin with the side after corner k
+    // of the triangle made of the origin and the side after corner k
+    std::array<double, 3> twice_area;
     int turns = 0;
     for (int k = 0; k < 3; ++k) {
         const Vec3& from = corners[k];
@@ -238,19 +253,19 @@ int crossings(const std::array<Vec3, 3>& corners)
     return hit > 0 ? turns : 0;
 }
 
-// A piece of the mesh, all of it turned like the triangle that it has its name from.
+// A piece of the mesh. Its triangles are taken in the orientation of the first one.
 struct Piece {
     std::vector<std::int32_t> triangles;
-    std::size_t turned = 0;  // of them, against the first
-    bool twisted = false;
+    std::size_t turned = 0;  // number of triangles turned against the first
+    bool one_sided = false;
     bool closed = true;
     double sixfold_volume = 0;  // mm^3
     double doubled_area = 0;    // mm^2
     Box box;
 };
 
-// Tells which points a closed piece has inside. A few questions look at every triangle,
-// more are worth a tree.
+// Decides which points are inside a closed piece. The first few queries test every
+// triangle; after that a tree is built.
 class Interior {
 public:
     Interior(const TriangleMesh& mesh, const Piece& piece,
@@ -266,7 +281,7 @@ public:
     {
         constexpr int few_questions = 16;
         if (++questions_ == few_questions)
-            plant_tree();
+            build_tree();
         int winding = 0;
         if (tree_)
             tree_->for_each_around({point, point}, [&](std::size_t k) {
@@ -288,8 +303,9 @@ private:
         return crossings({a - point, b - point, c - point});
     }
 
-    // Over the boxes in which a point must be for its ray to meet the triangle.
-    void plant_tree()
+    // Builds the tree over the boxes of points whose rays can meet a triangle: the
+    // triangle's own box, extended to minus infinity along x.
+    void build_tree()
     {
         std::vector<Box> boxes;
         boxes.reserve(piece_->triangles.size());
@@ -312,6 +328,11 @@ private:
     std::optional<BoxTree> tree_;
 };
 
+// The work of `oriented`:
+// 1. Join triangles across edges of two triangles, with their relative orientation.
+// 2. Find out which pieces are closed, and measure volume, area and bounding box of each.
+// 3. For each closed piece, find the largest closed piece around it.
+// 4. Decide which pieces to turn over, and make the result.
 class Orientation {
 public:
     explicit Orientation(const TriangleMesh& mesh);
@@ -328,8 +349,9 @@ private:
 
     const TriangleMesh& mesh_;
     std::vector<Piece> pieces_;
-    std::vector<std::size_t> piece_;  // of each triangle
-    std::vector<bool> turned_;        // each triangle, against its piece's first
+    std::vector<std::size_t> piece_;  // piece of each triangle
+    // whether each triangle is turned against its piece's first
+    std::vector<bool> turned_;
 };
 
 Orientation::Orientation(const TriangleMesh& mesh)
@@ -345,6 +367,7 @@ Orientation::Orientation(const TriangleMesh& mesh)
         measure(piece);
 }
 
+// Lists the triangles of every piece, in rising order.
 void Orientation::gather(Pieces& pieces)
 {
     for (std::size_t k = 0; k < piece_.size(); ++k) {
@@ -352,7 +375,7 @@ void Orientation::gather(Pieces& pieces)
         const Membership member = pieces.of(triangle);
         if (member.piece == triangle) {
             piece_[k] = pieces_.size();
-            pieces_.emplace_back().twisted = pieces.is_twisted(triangle);
+            pieces_.emplace_back().one_sided = pieces.is_one_sided(triangle);
         } else {
             piece_[k] = piece_[member.piece];
         }
@@ -362,13 +385,16 @@ void Orientation::gather(Pieces& pieces)
     }
 }
 
-// A piece is closed if at every edge as many of its triangles run each way; so are bodies
-// that touch along an edge.
+// Marks pieces as open. A piece is closed if its triangles run along every edge equally
+// often in both directions. This also holds for a body that touches another one along an
+// edge.
 void Orientation::open_where_unbalanced(const EdgeUses& edges)
 {
-    std::vector<std::pair<std::size_t, int>> directions;  // piece, forward or backward
+    // piece, and 1 or -1 for forward or backward
+    std::vector<std::pair<std::size_t, int>> directions;
     edges.for_each([&](const Edge&, std::span<const EdgeUse> uses) {
-        if (uses.size() == 2)  // balanced, unless the piece is twisted
+        // both directions occur, unless the piece cannot be oriented
+        if (uses.size() == 2)
             return;
         directions.clear();
         for (const EdgeUse& use : uses) {
@@ -396,6 +422,8 @@ std::array<Vec3, 3> Orientation::corners(std::int32_t triangle) const
     return corners;
 }
 
+// Volume and area are measured from a corner of the piece, so that it may lie far from
+// the origin.
 void Orientation::measure(Piece& piece) const
 {
     const Vec3 origin = corners(piece.triangles.front())[0];
@@ -409,10 +437,10 @@ void Orientation::measure(Piece& piece) const
     const double rounding =
         volume_rounding * piece.doubled_area * (piece.box.high - piece.box.low).norm();
     piece.closed =
-        piece.closed && !piece.twisted && std::abs(piece.sixfold_volume) > rounding;
+        piece.closed && !piece.one_sided && std::abs(piece.sixfold_volume) > rounding;
 }
 
-// The closed pieces, the largest first.
+// The closed pieces, in order of falling volume.
 std::vector<std::size_t> Orientation::closed_pieces() const
 {
     std::vector<std::size_t> closed;
@@ -425,7 +453,8 @@ std::vector<std::size_t> Orientation::closed_pieces() const
     return closed;
 }
 
-// For each piece the number of the largest closed one that encloses it, or its own.
+// For each piece, the number of the largest closed piece that encloses it, or its own
+// number.
 std::vector<std::size_t> Orientation::outermost_around() const
 {
     std::vector<std::size_t> around(pieces_.size());
@@ -440,9 +469,9 @@ std::vector<std::size_t> Orientation::outermost_around() const
     const BoxTree tree{std::move(boxes)};
     for (std::size_t rank = 0; rank < closed.size(); ++rank) {
         const Piece& inner = pieces_[closed[rank]];
-        const Vec3 eye = mesh_.corners(inner.triangles.front())[0];
+        const Vec3 point = mesh_.corners(inner.triangles.front())[0];
         tree.for_each_around(inner.box, [&](std::size_t outer) {
-            const bool is_found = outer < rank && interiors[outer].contains(eye);
+            const bool is_found = outer < rank && interiors[outer].contains(point);
             if (is_found)
                 around[closed[rank]] = closed[outer];
             return is_found || outer > rank;
@@ -451,7 +480,7 @@ std::vector<std::size_t> Orientation::outermost_around() const
     return around;
 }
 
-// Which pieces are to be turned like the opposite of their first triangle.
+// Whether to turn each piece against the orientation of its first triangle.
 std::vector<bool> Orientation::turn_over() const
 {
     const auto most_are_turned = [&](const Piece& piece) {
@@ -477,11 +506,11 @@ OrientedMesh Orientation::result() const
     std::vector<Triangle> triangles = copy_of_triangles(mesh_);
     std::size_t turned = 0;
     for (std::size_t k = 0; k < triangles.size(); ++k)
-        if (!pieces_[piece_[k]].twisted && turned_[k] != over[piece_[k]]) {
+        if (!pieces_[piece_[k]].one_sided && turned_[k] != over[piece_[k]]) {
             std::swap(triangles[k][1], triangles[k][2]);
             ++turned;
         }
-    const auto unorientable = std::ranges::count_if(pieces_, &Piece::twisted);
+    const auto unorientable = std::ranges::count_if(pieces_, &Piece::one_sided);
     return {{copy_of_points(mesh_), std::move(triangles)},
             turned,
             static_cast<std::size_t>(unorientable)};

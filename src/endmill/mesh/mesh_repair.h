@@ -7,40 +7,44 @@
 
 namespace endmill {
 
-/// A mesh of which triangles were left out. Points keep their numbers.
+/// A mesh from which triangles were removed. Points keep their numbers.
 struct CleanedMesh {
-    TriangleMesh mesh;                 ///< the other triangles, in the same order
-    std::size_t degenerate_triangles;  ///< left out
-    std::size_t duplicate_triangles;   ///< left out, of those with an area
+    TriangleMesh mesh;                 ///< the remaining triangles, in the same order
+    std::size_t degenerate_triangles;  ///< number of removed triangles without area
+    std::size_t duplicate_triangles;   ///< number of removed triangles with area
 };
 
-/// The mesh without triangles whose corners lie on one line, exactly (collinear.h), and
-/// without those that have the three corners of one before them, in whatever order.
-/// A degenerate triangle with three different corners leaves a slit of no width: an edge
-/// on one side of which stand two.
+/// Removes triangles whose corners are collinear, decided exactly by `are_collinear`, and
+/// triangles that have the same three corners, in any order, as an earlier one.
+///
+/// A removed triangle without area may leave a slit of no width, if its corners were
+/// three different points: an edge on one side of the slit then lies along two edges on
+/// the other.
 CleanedMesh without_degenerate_or_duplicate(const TriangleMesh& mesh);
 
-/// A mesh of which triangles were turned over.
+/// A mesh in which triangles were turned over.
 struct OrientedMesh {
-    TriangleMesh mesh;             ///< all triangles given, in the same order
-    std::size_t turned_triangles;  ///< whose second and third corner changed places
-    std::size_t unorientable;      ///< pieces left as they were: they have one side only
+    TriangleMesh mesh;  ///< all given triangles, in the same order
+    /// Number of triangles whose second and third corner were exchanged.
+    std::size_t turned_triangles;
+    /// Number of pieces that cannot be oriented, and were left unchanged.
+    std::size_t unorientable;
 };
 
-/// The mesh with every piece consistently oriented, as far as that can be told without
-/// guessing. A piece hangs together by edges of exactly two triangles.
+/// Orients every piece of a mesh consistently. A piece is connected by edges of exactly
+/// two triangles.
 ///
-/// * An open piece keeps the orientation of most of its triangles; if it is halved, that
-///   of its first.
-/// * A closed piece that no other encloses is turned outwards.
-/// * A closed piece inside another may be a cavity or a body; it is made consistent like
-///   an open one, and turned over when the outermost piece around it is.
-/// * A closed piece without a volume that is more than rounding is taken for an open one.
+/// - An open piece keeps the orientation of the majority of its triangles, or of its
+///   first one if there is none.
+/// - A closed piece that no other piece encloses is turned outwards.
+/// - A closed piece inside another may be a cavity or a body of its own. It is oriented
+///   like an open one, and turned over together with the outermost piece around it.
+/// - A closed piece whose volume is not above its rounding error counts as open.
 ///
-/// Which pieces enclose which is told by how often a piece winds around a point of the
-/// other; pieces that cut each other enclose each other or not, as that point does.
-/// Time: n log n for n triangles; for each closed piece, and each other in whose box it
-/// lies, at most of the order of n^(5/6) more, commonly log n.
+/// A piece encloses another if it winds around one of the other's points. Pieces that
+/// intersect so may or may not enclose each other. Takes time of the order n log n for n
+/// triangles. Each pair of a closed piece and another one in its bounding box adds log n
+/// commonly, and n^(5/6) at worst.
 OrientedMesh oriented(const TriangleMesh& mesh);
 
 }  // namespace endmill

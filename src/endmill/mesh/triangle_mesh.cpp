@@ -11,8 +11,9 @@
 namespace endmill {
 namespace {
 
-// Whether `holds` for all of the items; asked on all threads, as there may be millions, and
-// of several items at once, which an end at the first that fails would not allow.
+// Whether `holds` is true for all items. There may be millions, so the test uses all
+// threads. It does not stop at the first failure, which lets the compiler test several
+// items at once.
 template <typename Items, typename Predicate>
 bool all_hold(const Items& items, const Predicate& holds)
 {
@@ -39,7 +40,8 @@ TriangleMesh::TriangleMesh(std::vector<Vec3> points, std::vector<Triangle> trian
     require(all_hold(points_, [](const Vec3& point) { return point.allFinite(); }),
             "TriangleMesh: points must be finite");
     const auto count = static_cast<std::uint32_t>(points_.size());
-    const auto exists = [count](std::int32_t number) -> unsigned {  // none is below 0
+    // a negative number becomes a large one
+    const auto exists = [count](std::int32_t number) -> unsigned {
         return static_cast<std::uint32_t>(number) < count ? 1 : 0;
     };
     require(all_hold(triangles_,

@@ -13,22 +13,26 @@ namespace endmill {
 /// A triangle by the numbers of its corners, counter-clockwise seen from outside.
 using Triangle = std::array<std::int32_t, 3>;
 
-/// Triangles over points that they share. An immutable value of 12 bytes a triangle and
-/// 24 a point. Nothing is asked of its topology: `mesh_checks.h` tells what it is like.
+/// An edge by the numbers of its ends, the lower one first.
+using Edge = std::array<std::int32_t, 2>;
+
+/// Triangles over shared points. An immutable value of 12 bytes a triangle and 24 a point.
+/// The topology is not checked: `mesh_report` examines it, `mesh_repair.h` corrects it.
 class TriangleMesh {
 public:
+    /// A mesh without triangles.
     TriangleMesh() = default;
 
     /// \param points    in mm.
     /// \param triangles numbers of points, from 0.
-    /// \throws DomainError if a point is not finite, a number is out of range, or there
-    /// are more than 2^31 - 1 of either.
+    /// \throws DomainError if a point is not finite, a number is out of range, or there are
+    ///         more than 2^31 - 1 points or triangles.
     TriangleMesh(std::vector<Vec3> points, std::vector<Triangle> triangles);
 
-    std::span<const Vec3> points() const { return points_; }            ///< mm
-    std::span<const Triangle> triangles() const { return triangles_; }  ///< in order
+    std::span<const Vec3> points() const { return points_; }  ///< in mm, as given
+    std::span<const Triangle> triangles() const { return triangles_; }  ///< as given
 
-    /// The corners of triangle `number`, in mm.
+    /// The three corners of triangle `number`, in mm.
     std::array<Vec3, 3> corners(std::size_t number) const
     {
         const auto& [a, b, c] = triangles_[number];

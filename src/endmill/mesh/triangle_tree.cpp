@@ -8,22 +8,21 @@
 #include <utility>
 
 #include "endmill/core/error.h"
-#include "endmill/mesh/detail/nearest_on_triangle.h"
+#include "endmill/core/tolerance.h"
 
 namespace endmill {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr float no_box = std::numeric_limits<float>::infinity();
-constexpr double largest_length = 1e30;  // mm: boxes and squares stay finite
-// Of a ray, so that neither it nor its inverse loses digits.
+// mm, so that boxes and squared distances stay finite
+constexpr double largest_length = 1e30;
+// Lengths of a ray's direction, so that neither it nor its inverse loses digits.
 constexpr double shortest_direction = 1e-100;
 constexpr double longest_direction = 1e100;
-constexpr std::size_t fan_out = 4;  // children of a node, triangles of a leaf
-// By which boxes are larger than they need be, of the largest coordinate: far more than
-// the rounding of a distance, so that a box is never farther than what it holds.
-constexpr double box_margin = 1e-12;
-// The same for what rounding does to a ray with a far origin and to a large distance.
+constexpr std::size_t fan_out = 4;  // children of a node, and triangles of a leaf
+// Margin for the rounding of a ray with a far origin, and of a large distance, as a share
+// of the largest coordinate.
 constexpr double question_margin = 1e-13;
 
 double largest_coordinate(const Vec3& point)
@@ -33,7 +32,7 @@ double largest_coordinate(const Vec3& point)
 
 bool is_within_reach(const Vec3& point)
 {
-    return (point.array().abs() <= largest_length).all();  // no NaN is
+    return (point.array().abs() <= largest_length).all();  // false for NaN
 }
 
 float rounded_down(double value)
@@ -47,7 +46,7 @@ Eigen::Index place_in_node(std::size_t child)
     return static_cast<Eigen::Index>(child % fan_out);
 }
 
-// What the order of the tree is made from.
+// Centre of a triangle, by which triangles are ordered.
 struct Centre {
     std::array<float, 3> place;
     std::int32_t triangle;
@@ -69,8 +68,8 @@ int widest_axis(std::span<const Centre> centres)
     return widest;
 }
 
-// Puts neighbours next to each other: the lower half of `capacity` places gets those that
-// are lower along the widest axis, and so on down to leaves.
+// Orders the triangles by recursive halving: the half with the lower centres along the
+// widest axis goes to the lower half of the `capacity` places, and so on down to leaves.
 void arrange_centres(std::span<Centre> centres, std::size_t capacity)
 {
     if (centres.size() <= fan_out)
@@ -88,18 +87,64 @@ void arrange_centres(std::span<Centre> centres, std::size_t capacity)
     arrange_centres(centres.subspan(half), half);
 }
 
+// Takes the ends of a segment in one order, so that triangles that share an edge find the
+// same point.
+Vec3 nearest_on_segment(const Vec3& place, const Vec3& end_a, const Vec3& end_b)
+{
+    const bool in_order = !std::ranges::lexicographical_compare(end_b, end_a);
+    const Vec3& a = in_order ? end_a : end_b;
+    const Vec3& b = in_order ? end_b : end_a;
+    const Vec3 along = b - a;
+    const double share = along.dot(place - a);
+    const double square = along.squaredNorm();
+    if (!(share > 0))
+        return a;
+    return share < square ? Vec3{a + share / square * along} : b;
+}
+
+Vec3 nearer(const Vec3& place, const Vec3& a, const Vec3& b)
+{
+    return (a - place).squaredNorm() <= (b - place).squaredNorm() ? a : b;
+}
+
 }  // namespace
 
-// Keeps the nearest point so far, and tells what may be nearer.
+// Works in the frame of the longest side a-b and the height over it: s counts along the
+// side, h along the height up to the corner c. This frame loses no digits if the triangle
+// is thin. The angles at a and b are acute, so a place below the side is nearest to the
+// side.
+Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners)
+{
+    const std::array<double, 3> squares{(corners[1] - corners[0]).squaredNorm(),
+                                        (corners[2] - corners[1]).squaredNorm(),
+                                        (corners[0] - corners[2]).squaredNorm()};
+    const auto longest = std::ranges::max_element(squares) - squares.begin();
+    const Vec3& a = corners[longest];
+    const Vec3& b = corners[(longest + 1) % 3];
+    const Vec3& c = corners[(longest + 2) % 3];
+    const Vec3 side = b - a;
+    const double top = side.dot(c - a) / squares[longest];
+    const Vec3 height = c - a - top * side;
+    const double s = side.dot(place - a) / squares[longest];
+    const double h = height.dot(place - a - s * side) / height.squaredNorm();
+    if (!(h > 0))  // also if the triangle has no height
+        return nearest_on_segment(place, a, b);
+    if (h * top <= s && s <= 1 - h * (1 - top))
+        return a + s * side + h * height;
+    return nearer(place, nearest_on_segment(place, a, c),
+                  nearest_on_segment(place, b, c));
+}
+
+// A query for the nearest point: the best result so far, and the lower bounds of boxes.
 struct TriangleTree::NearestQuery {
     Vec3 place;
-    double margin;  // mm, of a box
+    double margin;  // mm, by which a box is larger
     NearestPoint best{{}, infinity, 0};
     double least_square = infinity;  // mm^2
 
     double limit() const { return least_square; }
 
-    // Squares of the distances to four boxes.
+    // Squared distances to four boxes.
     Eigen::Array4d bounds(const Boxes& boxes) const
     {
         Eigen::Array4d squares = Eigen::Array4d::Zero();
@@ -111,7 +156,8 @@ struct TriangleTree::NearestQuery {
         return (1 - question_margin) * squares;
     }
 
-    // The same for the box of a triangle, a third of the work of the triangle itself.
+    // Lower bound for one triangle, by its box. It takes a third of the time of the
+    // triangle itself.
     double bound(const std::array<Vec3, 3>& corners) const
     {
         const auto& [a, b, c] = corners;
@@ -137,22 +183,24 @@ struct TriangleTree::NearestQuery {
     }
 };
 
-// Keeps the first hit so far. Axes are renamed so that the ray goes mainly along the last;
-// seen along the ray, it is a point, and what it hits is decided in the plane.
+// A query for the first hit. The axes are permuted so that the ray runs mainly along the
+// last one. Projected along the ray onto the plane of the other two, the ray is a point,
+// and the hit is decided in that plane.
 struct TriangleTree::RayQuery {
     Ray ray;
     std::array<int, 3> axes{};
-    Vec3 shear = Vec3::Zero();         // of each axis against the main one, and 1 / that
-    std::array<double, 3> inverse{};   // of the direction
-    std::array<bool, 3> is_falling{};  // the direction, along each axis
-    double margin = 0;                 // mm, of a box
+    // of the first two axes against the main one; and 1 over its component
+    Vec3 shear = Vec3::Zero();
+    std::array<double, 3> inverse{};   // of the direction's components
+    std::array<bool, 3> is_falling{};  // whether the direction's components are negative
+    double margin = 0;                 // mm, by which a box is larger
     double greatest_t = infinity;
     bool any_will_do = false;
     std::optional<std::size_t> triangle{};
 
     double limit() const { return any_will_do && triangle ? -infinity : greatest_t; }
 
-    // The t at which the ray enters four boxes, infinite if it does not.
+    // The t at which the ray enters four boxes; infinite for boxes that it misses.
     Eigen::Array4d bounds(const Boxes& boxes) const
     {
         Eigen::Array4d enter = Eigen::Array4d::Zero();
@@ -182,8 +230,9 @@ struct TriangleTree::RayQuery {
             y[k] = from[axes[1]] - shear[1] * from[axes[2]];
             t[k] = shear[2] * from[axes[2]];
         }
-        // Twice the areas that the ray makes with the sides. A rounded difference of
-        // products is never of the wrong sign, at worst 0, which counts as inside.
+        // Twice the signed areas between the projected ray and the sides. The sign of a
+        // rounded difference of two products is never wrong; at worst the difference is
+        // 0, which counts as inside.
         const double u = x[2] * y[1] - y[2] * x[1];
         const double v = x[0] * y[2] - y[0] * x[2];
         const double w = x[1] * y[0] - y[1] * x[0];
@@ -213,6 +262,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_{&mesh}
     enclose();
 }
 
+// Fills order_.
 void TriangleTree::arrange()
 {
     std::vector<Centre> centres;
@@ -231,6 +281,8 @@ void TriangleTree::arrange()
         order_.push_back(centre.triangle);
 }
 
+// Fills levels_: first the boxes of the leaves, then level by level the boxes around
+// them.
 void TriangleTree::enclose()
 {
     const Eigen::Array4f none = Eigen::Array4f::Constant(no_box);
@@ -238,7 +290,7 @@ void TriangleTree::enclose()
     const auto nodes_over = [](std::size_t count) {
         return (count + fan_out - 1) / fan_out;
     };
-    const Vec3 margin = Vec3::Constant(box_margin * largest_coordinate_);
+    const Vec3 margin = Vec3::Constant(box_margin_share * largest_coordinate_);
     const std::size_t leaves = nodes_over(order_.size());
     levels_.emplace_back(nodes_over(leaves), nothing);
     for (std::size_t k = 0; k < order_.size(); ++k) {
@@ -277,16 +329,17 @@ void TriangleTree::ask_triangles(Query& query, std::size_t leaf) const
         query.look_at(*mesh_, static_cast<std::size_t>(order_[k]));
 }
 
-// From the top down, the nearest child first, and none that is beyond the query's limit.
+// Traverses the tree from the root. Children are visited in the order of their bounds,
+// and those beyond the query's limit are skipped.
 template <typename Query>
 void TriangleTree::ask(Query& query) const
 {
     struct Child {
         double bound;
         std::uint32_t node;
-        std::int32_t level;  // -1: a leaf
+        std::int32_t level;  // -1 for a leaf
     };
-    // 2^31 triangles make 15 levels, each of which leaves three children to be visited.
+    // 2^31 triangles make 15 levels. Each leaves at most three children waiting.
     std::array<Child, 64> waiting;
     std::size_t count = 0;
     waiting[count++] = {0, 0, static_cast<std::int32_t>(levels_.size()) - 1};
@@ -319,7 +372,7 @@ std::optional<NearestPoint> TriangleTree::nearest(const Vec3& place,
     require(!hint || *hint < order_.size(), "TriangleTree: the hint is no triangle");
     if (order_.empty())
         return std::nullopt;
-    NearestQuery query{place, box_margin * largest_coordinate_};
+    NearestQuery query{place, box_margin_share * largest_coordinate_};
     query.least_square = within > 0 ? within * within : 0;
     const double asked = query.least_square;
     if (hint)
@@ -345,7 +398,8 @@ TriangleTree::RayQuery TriangleTree::query(const Ray& ray, double greatest_t) co
     const double along = ray.direction[main_axis];
     query.shear = {ray.direction[query.axes[0]] / along,
                    ray.direction[query.axes[1]] / along, 1 / along};
-    // Where the direction is 0, a box is entered at once or never; any large number does.
+    // Where the direction has a component of 0, a box is entered at once or never. Any
+    // large number gives that result.
     constexpr double never = 1e250;
     for (int axis = 0; axis < 3; ++axis) {
         query.is_falling[axis] = std::signbit(ray.direction[axis]);

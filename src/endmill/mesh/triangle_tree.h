@@ -12,70 +12,89 @@
 
 namespace endmill {
 
-/// The place of a mesh that is nearest to another.
+/// The point of a mesh that is nearest to a given place.
 struct NearestPoint {
     Vec3 point;            ///< mm
-    double distance;       ///< mm, to it
-    std::size_t triangle;  ///< on which it lies
+    double distance;       ///< mm, from the place
+    std::size_t triangle;  ///< number of the triangle that contains it
 };
 
 /// The points origin + t direction with t >= 0.
 struct Ray {
     Vec3 origin;     ///< mm
-    Vec3 direction;  ///< mm per unit of t; 1e-100 to 1e100 long
+    Vec3 direction;  ///< mm per unit of t; its length must be between 1e-100 and 1e100
 };
 
-/// Where a ray meets a mesh.
+/// The point in which a ray meets a mesh.
 struct RayHit {
+    /// Parameter of the point on the ray, at least 0.
     double t;
     Vec3 point;            ///< mm, origin + t direction
-    std::size_t triangle;  ///< that is hit
+    std::size_t triangle;  ///< number of the triangle that is hit
 };
 
-/// Answers where a mesh is nearest and what a ray meets first, in about log(triangles)
-/// steps. Keeps a tree of boxes in 12 bytes a triangle (28 while it is made), and refers
-/// to the mesh, which must outlive it. Answers depend on mesh and question only, not on
-/// the order of questions; of equal answers the triangle of the lowest number is given.
+/// The point of a triangle that is nearest to `place`. Accurate to 1e-14 of the largest
+/// coordinate, however thin the triangle is. Triangles that share an edge and are nearest in
+/// it find the same point.
+/// \param place   in mm.
+/// \param corners in mm.
+Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners);
+
+/// Finds the nearest point of a mesh and the first hit of a ray in about log(n) steps,
+/// for n triangles.
 ///
-/// Lengths are accurate to 1e-14 of the largest coordinate of mesh and question, however
-/// thin a triangle is; those without area count. What a ray meets is accurate to as much
-/// across the ray.
+/// The tree is a hierarchy of bounding boxes. It keeps 12 bytes a triangle, 28 while it
+/// is built, and refers to the mesh, which must outlive it. It is a tuned kernel: its
+/// leaves and nodes have four children, whose boxes are tested together in one vector
+/// register. Other modules have trees of other shapes over other items, so it shares no
+/// code with them.
+///
+/// A result depends only on the mesh and the query, not on earlier queries. Of equally
+/// good triangles the one with the lowest number is returned. Lengths are accurate to
+/// 1e-14 of the largest coordinate of mesh and query, however thin a triangle is, and so
+/// is the position of a hit across the ray. Triangles without area count for the nearest
+/// point.
 class TriangleTree {
 public:
-    /// \throws DomainError if a coordinate of a point is above 1e30 mm.
+    /// Builds the tree. \throws DomainError if a coordinate of a point is above 1e30 mm.
     explicit TriangleTree(const TriangleMesh& mesh);
-    explicit TriangleTree(TriangleMesh&&) = delete;  // it would not outlive the tree
+    // deleted: the mesh would not outlive the tree
+    explicit TriangleTree(TriangleMesh&&) = delete;
 
-    /// \param place in mm. \param hint a triangle that may be near, such as that of a
-    ///        neighbouring question: it makes the answer come sooner, never another.
-    ///        A triangle that shares the nearest edge or point with others is equal to
-    ///        them.
-    /// \param within in mm: only what is nearer is asked for, which takes less time.
-    /// \return nothing if the mesh has no triangle, or none so near.
-    /// \throws DomainError if a coordinate of the place is not within 1e30 mm, or the
-    ///         hint is not the number of a triangle.
+    /// The point of the mesh that is nearest to `place`.
+    /// \param place in mm.
+    /// \param hint   number of a triangle that may be near, such as the result of a
+    ///        neighbouring query. It speeds up the search and never changes the result.
+    /// \param within in mm: only points nearer than this are searched for, which saves
+    ///         time.
+    /// \return nothing if the mesh has no triangle, or none nearer than `within`.
+    /// \throws DomainError if a coordinate of `place` is beyond 1e30 mm, or `hint` is not
+    ///         the number of a triangle.
     std::optional<NearestPoint> nearest(
         const Vec3& place, std::optional<std::size_t> hint = {},
         double within = std::numeric_limits<double>::infinity()) const;
 
-    /// The hit of least t, on either side of a triangle. Watertight: a ray that meets the
-    /// inside of a triangle, an edge that two share, or a point with triangles all
-    /// around, hits one of them, for on which side it passes a line of two points is
-    /// decided alike for all triangles. Which of them it hits, whether a ray that grazes a
-    /// rim does, or one that lies in a triangle, is up to rounding.
-    /// Source: S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, 2013.
+    /// The hit of least t, from either side of a triangle.
+    ///
+    /// The test is watertight. On which side a ray passes an edge is decided in the same
+    /// way for all triangles at the edge. So a ray that meets the interior of a triangle,
+    /// an edge shared by two triangles, or a point surrounded by triangles, hits at least
+    /// one of them. Rounding decides which one it hits, and whether a ray hits that
+    /// grazes the boundary of the mesh or lies in the plane of a triangle.
+    /// Source: [WoopBenthinWald, pp. 65-82].
     /// \return nothing if the ray meets no triangle.
-    /// \throws DomainError if the ray's origin is not within 1e30 mm, or its direction is
-    ///         not between 1e-100 and 1e100 long.
+    /// \throws DomainError if the ray's origin is beyond 1e30 mm, or the length of its
+    ///         direction is not between 1e-100 and 1e100.
     std::optional<RayHit> first_hit(const Ray& ray) const;
 
-    /// Whether the ray meets a triangle at a t of at most `greatest_t`. Throws like
-    /// first_hit.
+    /// Whether the ray meets a triangle at a t of at most `greatest_t`. Throws as
+    /// `first_hit` does.
     bool any_hit(const Ray& ray,
                  double greatest_t = std::numeric_limits<double>::infinity()) const;
 
 private:
-    // The boxes of four children, rounded outwards; of those missing, nothing's.
+    // The boxes of four children, rounded outwards. The boxes of missing children are
+    // empty.
     struct Boxes {
         std::array<Eigen::Array4f, 3> low;  // along each axis, in mm
         std::array<Eigen::Array4f, 3> high;
@@ -93,10 +112,12 @@ private:
 
     const TriangleMesh* mesh_;
     double largest_coordinate_ = 0;  // mm
-    // Triangles, four to a leaf, so that leaves, fours of leaves and so on are near each
-    // other; the last may be short.
+    // Numbers of the triangles in the order of the leaves, four to a leaf. Triangles of a
+    // leaf are near each other, and so are neighbouring leaves. The last leaf may be
+    // incomplete.
     std::vector<std::int32_t> order_;
-    // From the boxes of leaves upwards; the last level is one Boxes, or none.
+    // The boxes of each level, from the leaves upwards. The last level is one node, or
+    // none.
     std::vector<std::vector<Boxes>> levels_;
 };
 

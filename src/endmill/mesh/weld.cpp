@@ -16,19 +16,21 @@ namespace endmill {
 namespace {
 
 constexpr std::size_t most_numbers = std::numeric_limits<std::int32_t>::max();
-// Of the largest coordinate: with less, a cell's number would lose digits.
+// Smallest tolerance, as a share of the largest coordinate. With a smaller one the number
+// of a cell would lose digits.
 constexpr double least_tolerance = 1e-12;
-// Side of a cell in tolerances: a little under 1 / sqrt(3), so that points of one cell
-// are surely within the tolerance of each other, rounding of the cell's number included.
+// Side of a cell in tolerances. It is a little below 1 / sqrt(3), so that points of one
+// cell are within the tolerance of each other, even with the rounding of the cell's
+// number.
 constexpr double cell_side = 0.577;
 
-// How far ahead slots are fetched.
+// Triangles by which the hash slots are fetched in advance.
 constexpr std::size_t triangles_ahead = 6;
 
 std::uint64_t hash(const Vec3& point)
 {
-    // Multiplication carries low bits up, the shift brings high bits down. The factor is
-    // 2^64 over the golden ratio, odd and without pattern.
+    // Multiplication moves low bits up, and the shift brings high bits down. The factor
+    // is 2^64 divided by the golden ratio: odd and without pattern.
     std::uint64_t mixed = 0;
     for (const double coordinate : point) {
         mixed = (mixed ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9E3779B97F4A7C15U;
@@ -37,7 +39,8 @@ std::uint64_t hash(const Vec3& point)
     return mixed;
 }
 
-// Of bits, so that points that are no numbers, refused later, are not all different.
+// Compares bits, so that NaNs, which are refused later, do not all count as different
+// points.
 bool are_same(const Vec3& a, const Vec3& b)
 {
     const auto bits = [](double coordinate) {
@@ -47,13 +50,13 @@ bool are_same(const Vec3& a, const Vec3& b)
            bits(a.z()) == bits(b.z());
 }
 
-// Gives equal points equal numbers, from 0 in order of appearance: a table of slots in
-// which a point is looked for from the place that its hash names.
+// Gives equal points equal numbers, from 0 in order of appearance. It is a hash table
+// with open addressing and linear probing.
 class PointNumbers {
 public:
     std::int32_t number_of(const Vec3& place)
     {
-        const Vec3 point = place.array() + 0.0;  // -0 + 0 = 0
+        const Vec3 point = place.array() + 0.0;  // turns -0 into 0
         const std::uint64_t hashed = hash(point);
         const auto tag = static_cast<std::uint32_t>(hashed >> 32U);
         std::size_t slot = hashed & mask();
@@ -68,8 +71,9 @@ public:
         return number;
     }
 
-    // Fetches the slot at which `point` will be looked for. Triangles in no order come to
-    // slots that no cache holds; asked for some triangles ahead, they are there in time.
+    // Prefetches the slot at which `point` will be searched. Triangles in random order
+    // access slots outside all caches; prefetched some triangles in advance, the slots
+    // arrive in time.
     void will_look_for(const Vec3& point) const
     {
         __builtin_prefetch(&slots_[hash(point.array() + 0.0) & mask()]);
@@ -83,7 +87,8 @@ public:
 
 private:
     struct Slot {
-        std::uint32_t tag = 0;  // the half of the hash that tells most others apart
+        // the half of the hash that distinguishes most other points
+        std::uint32_t tag = 0;
         std::int32_t number = -1;
     };
 
@@ -113,7 +118,7 @@ struct PointInCell {
     std::int32_t point;
 };
 
-// A run of points in one cell, of a list that is sorted by cell.
+// The points of one cell, in a list that is sorted by cell.
 struct Cell {
     CellNumber number;
     std::span<const PointInCell> points;
@@ -147,7 +152,8 @@ std::vector<Cell> cells_of(std::span<const PointInCell> sorted)
     return cells;
 }
 
-// One of each opposite pair of steps to the cells that a tolerance reaches: two each way.
+// Steps to the cells that the tolerance reaches, two in each direction; only one of each
+// pair of opposite steps.
 std::vector<CellNumber> steps_to_later_cells()
 {
     std::vector<CellNumber> steps;
@@ -159,6 +165,7 @@ std::vector<CellNumber> steps_to_later_cells()
     return steps;
 }
 
+// Whether a point of `a` is within the tolerance of a point of `b`.
 bool come_near(const Cell& a, const Cell& b, std::span<const Vec3> points,
                double tolerance)
 {
@@ -170,7 +177,8 @@ bool come_near(const Cell& a, const Cell& b, std::span<const Vec3> points,
     });
 }
 
-// Cells are in order, and so are the cells one step away: two fingers find all pairs.
+// Joins the clusters of cells that are `step` apart. The cells are sorted, and so are the
+// cells one step away, so that one pass with two iterators finds all pairs.
 void join_cells_a_step_apart(DisjointSets& clusters, std::span<const Cell> cells,
                              const CellNumber& step, std::span<const Vec3> points,
                              double tolerance)
@@ -191,6 +199,11 @@ void join_cells_a_step_apart(DisjointSets& clusters, std::span<const Cell> cells
     }
 }
 
+// The clusters of points within the tolerance:
+// 1. All points of a cell are in one cluster, because a cell is smaller than the
+//    tolerance.
+// 2. Two cells within reach of the tolerance are joined if two of their points are within
+//    it.
 DisjointSets clusters_within(std::span<const Vec3> points, double tolerance)
 {
     const auto sorted = sorted_by_cell(points, cell_side * tolerance);
@@ -211,6 +224,7 @@ void rename(std::vector<Triangle>& triangles, std::span<const std::int32_t> name
             corner = names[corner];
 }
 
+// Whether `a` is lexicographically less than `b`.
 bool comes_before(const Vec3& a, const Vec3& b)
 {
     return std::ranges::lexicographical_compare(a, b);
@@ -244,7 +258,8 @@ WeldedMesh weld_within(const TriangleMesh& mesh, double tolerance)
     return {{std::move(chosen), std::move(triangles)}, welded, largest_move};
 }
 
-// `count`: of points before their equals were made one, which left `exact`.
+// Welds the rest, after equal points have become one. `count` is the number of points
+// before that, `exact` the mesh after it.
 WeldedMesh weld_rest(TriangleMesh exact, std::size_t count, double tolerance)
 {
     const std::size_t welded = count - exact.points().size();

@@ -9,38 +9,40 @@
 
 namespace endmill {
 
-/// A mesh whose equal, or nearly equal, points were made one.
+/// A mesh in which equal or nearly equal points have become one point.
 struct WeldedMesh {
-    /// All triangles given, in the same order, those that welding left no area included.
-    /// Points in the order in which the triangles given, or the points given, first come
-    /// to them.
+    /// All given triangles in the same order, also those that lost their area. The points
+    /// are in the order in which the given triangles, or the given points, first use
+    /// them.
     TriangleMesh mesh;
-    std::size_t welded_points;  ///< corners or points given, less points of the mesh
-    double largest_move;        ///< mm, of a point to the one that stands for it
+    /// Number of given corners or points, less the points of `mesh`.
+    std::size_t welded_points;
+    /// In mm: largest distance of a given point from the point that replaces it.
+    double largest_move;
 };
 
-/// The mesh of triangles that stand alone, as an STL file has them. Corners with equal
-/// coordinates (0 equals -0, and becomes it) are one point; with a tolerance, so are
-/// points that a chain of others joins by steps no longer than it.
+/// Makes a mesh of separate triangles, such as an STL file contains. Corners with equal
+/// coordinates become one point; 0 and -0 are equal. With a tolerance, points become one
+/// that are connected by a chain of points with steps no longer than the tolerance.
 ///
-/// Guaranteed with a tolerance: points within it of each other become one, so that all
-/// points of the mesh are further apart; which do does not depend on the order of the
-/// triangles, and neither do the points that stand for them, the lexicographically least
-/// (x, then y, then z) of each chain. A point moves at most by the length of its chain;
-/// `largest_move` tells how far that was. A step's length is rounded to 1e-15 of itself.
+/// With a tolerance it is guaranteed that all points of the result are further apart than
+/// the tolerance. Which points become one does not depend on the order of the triangles.
+/// The point that replaces a chain is its lexicographically least one (x, then y, then
+/// z). A point moves by at most the length of its chain; `largest_move` is how far that
+/// was. The length of a step has a relative rounding error of 1e-15.
 ///
-/// Exact welding takes time linear in the corners and, while it works, at most 72 bytes a
-/// point of the result beside it. A tolerance takes at most 200 bytes a point more, and
-/// time that grows with the square of the number of points within a step of each other.
+/// Exact welding takes linear time and, while it works, at most 72 bytes for each point
+/// of the result. A tolerance takes at most 200 bytes a point more, and time that grows
+/// with the square of the number of points within one step of each other.
 ///
-/// \param soup      corners in mm, counter-clockwise seen from outside.
-/// \param tolerance in mm; 0 welds what is equal.
+/// \param soup corners in mm, counter-clockwise seen from outside.
+/// \param tolerance in mm; 0 welds equal points only.
 /// \throws DomainError if a corner is not finite, there are more than 715 827 882
-///         triangles, or the tolerance is neither 0 nor between 1e-12 of the largest
-///         coordinate and infinity.
+///         triangles, or the tolerance is neither 0 nor a finite number of at least 1e-12
+///         of the largest coordinate.
 WeldedMesh weld(std::span<const std::array<Vec3, 3>> soup, double tolerance = 0);
 
-/// The same of a mesh. Points that no triangle names are welded like others.
+/// The same for a mesh. Points that no triangle uses are welded like all others.
 WeldedMesh weld(const TriangleMesh& mesh, double tolerance = 0);
 
 }  // namespace endmill

@@ -10,58 +10,66 @@
 
 namespace endmill {
 
-/// How the cutter comes to a point of its path.
+/// How the cutter gets to a point of its path.
 enum class Move {
     Cut,      ///< in the material, along a pass
-    Link,     ///< at cutting feed from the end of a pass to the start of the next
-    Rapid,    ///< clear of the part
-    Plunge,   ///< down along the axis onto the part; so begins every path
+    Link,     ///< at cutting feed, from the end of a pass to the start of the next
+    Rapid,    ///< at rapid speed, clear of the part
+    Plunge,   ///< down along the axis onto the part; every path begins so
     Retract,  ///< up along the axis, clear of the part
 };
 
 /// The word for `move` in files: "cut", "link", "rapid", "plunge" or "retract".
 std::string_view move_name(Move move);
 
-/// The move that `name` stands for, if any.
+/// The move with this name.
+/// \return nothing if there is none.
 std::optional<Move> move_from_name(std::string_view name);
 
-/// Contact of the cutter with a parametric surface.
+/// A contact of the cutter with a parametric surface.
 struct SurfaceContact {
-    double u;
-    double v;
-    CutterContact contact;
+    double u;               ///< parameter u of the contact on the surface
+    double v;               ///< parameter v of the contact on the surface
+    CutterContact contact;  ///< point and normal
 };
 
-/// A point of a tool path and the move that leads to it.
+/// A point of a tool path, with the move that leads to it.
 struct PathPoint {
-    int pass;   ///< from 0
-    int point;  ///< from 0 in each pass
-    Move move;
-    CutterLocation location;
-    std::optional<SurfaceContact>
-        contact;    ///< none where the cutter is clear of the part
-    int patch = 0;  ///< of a part of several surfaces: whose pass this is, from 0
+    int pass;                 ///< number of the pass, from 0
+    int point;                ///< number of the point in its pass, from 0
+    Move move;                ///< the move that leads here
+    CutterLocation location;  ///< tip and axis
+    /// Where the cutter touches the surface; nothing where it is clear of the part or where
+    /// only the tip is known.
+    std::optional<SurfaceContact> contact;
+    /// For a part of several surfaces: number of the surface of this pass, from 0.
+    int patch = 0;
 };
 
-/// What the machine is told of the move to a point; none where nothing is said.
+/// The settings of the machine on the move to a point. A setting that is not given is
+/// unknown.
 struct CuttingConditions {
-    std::optional<double> feed_mm_per_min;
-    std::optional<double> spindle_rpm;
-    std::optional<int> tool;  ///< its number
+    std::optional<double> feed_mm_per_min;  ///< speed of the tip along the path
+    std::optional<double> spindle_rpm;      ///< speed of the spindle
+    std::optional<int> tool;                ///< number of the tool
 
-    /// Whether both say the same.
+    /// Whether both have the same settings.
     friend bool operator==(const CuttingConditions&, const CuttingConditions&) = default;
 };
 
-/// What the cutter does, in order. Between points the tip goes straight.
+/// A tool path: points in the order in which the cutter reaches them. Between points the
+/// tip moves on a straight line. `conditions` and `normals` are either empty or have one
+/// entry for each point.
 struct ToolPath {
-    std::vector<PathPoint> points;
-    std::vector<CuttingConditions> conditions = {};  ///< none, or one a point
-    /// None, or one a point: the part's unit normal where the cutter touches it, if the path
-    /// tells no more of the contact; else 0.
+    std::vector<PathPoint> points;  ///< in order
+    /// Settings for the move to each point; empty if no setting is known.
+    std::vector<CuttingConditions> conditions = {};
+    /// Unit normal of the part at each contact, for paths that state no further contact
+    /// data; zero where it is unknown. Empty if all are unknown.
     std::vector<Vec3> normals = {};
 
-    /// The part's unit normal where the cutter touches it at points[i]; none if not told.
+    /// Unit normal of the part where the cutter touches it at points[i].
+    /// \return nothing if it is unknown.
     std::optional<Vec3> normal(std::size_t i) const
     {
         if (points[i].contact)
@@ -72,13 +80,13 @@ struct ToolPath {
     }
 };
 
-/// How far the tip of a cutter goes, in mm.
+/// Lengths of a path, measured along the tip.
 struct PathLengths {
-    double at_feed_mm = 0;  ///< cuts and links
-    double lifted_mm = 0;   ///< rapids, retracts and plunges
+    double at_feed_mm = 0;  ///< mm, of cuts and links
+    double lifted_mm = 0;   ///< mm, of rapids, retracts and plunges
 };
 
-/// The lengths of the straight moves of `path`; nothing leads to its first point.
+/// The lengths of the moves of `path`. No move leads to its first point.
 PathLengths path_lengths(const ToolPath& path);
 
 }  // namespace endmill

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/planning/detail/cross_section.h"
 #include "endmill/planning/detail/pass_march.h"
 #include "endmill/planning/path_interval.h"
@@ -19,8 +20,6 @@ namespace {
 
 // In widths of a patch: a pass that advances less makes no progress.
 constexpr double least_advance = 1e-4;
-// How far from 1 the length of a normalised vector may lie by rounding.
-constexpr double unit_length = 1e-12;
 
 // Where the pass after the one at v lies; nothing if that was the last.
 std::optional<double> next_pass(const Surface& surface, double v, double candidate,
@@ -60,7 +59,7 @@ void require_sound(const BallCutter& cutter, const IsoParametricOptions& options
             "plan_iso_parametric: need 0 < scallop height < 2 cutter radii");
     require(std::isfinite(options.cross_step) && options.cross_step > 0,
             "plan_iso_parametric: need 0 < cross step");
-    require(std::abs(options.link.axis.norm() - 1) < unit_length,
+    require(std::abs(options.link.axis.norm() - 1) < unit_vector_rounding,
             "plan_iso_parametric: the axis must be a unit vector");
 }
 

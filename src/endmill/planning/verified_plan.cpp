@@ -9,6 +9,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/planning/detail/segment_distance.h"
 #include "endmill/planning/detail/verified_strips.h"
 #include "endmill/planning/path_interval.h"
@@ -16,9 +17,6 @@
 
 namespace endmill {
 namespace {
-
-// How far from 1 the length of a normalised vector may lie by rounding.
-constexpr double unit_length = 1e-12;
 
 void require_sound(const BallCutter& cutter, const VerifiedOptions& options)
 {
@@ -33,7 +31,7 @@ void require_sound(const BallCutter& cutter, const VerifiedOptions& options)
             "plan_verified: need 0 < outer tolerance");
     require(0 < h && h < 2 * cutter.radius(),
             "plan_verified: need 0 < scallop height < 2 cutter radii");
-    require(std::abs(options.link.axis.norm() - 1) < unit_length,
+    require(std::abs(options.link.axis.norm() - 1) < unit_vector_rounding,
             "plan_verified: the axis must be a unit vector");
 }
 

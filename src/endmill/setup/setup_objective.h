@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/machine/rotary_limits.h"
 
 namespace endmill {
@@ -46,9 +47,6 @@ struct PoseMeasure {
     double useful_height(double target, double width) const;
 };
 
-/// rad: a range may pass a limit by so much, as `FeasibleDirections` allows.
-constexpr double limit_tolerance = 1e-9;
-
 /// How far the ranges of a pose may go.
 struct RangeLimits {
     double width = 2 * std::numbers::pi;  ///< rad
@@ -61,13 +59,13 @@ struct RangeLimits {
     /// Whether the part can be turned so that m0 and m1 are within. Non-strict.
     bool hold(double m0, double m1) const
     {
-        return std::max(m0, m1) <= far + limit_tolerance &&
-               std::min(m0, m1) <= near + limit_tolerance;
+        return std::max(m0, m1) <= far + turn_tolerance &&
+               std::min(m0, m1) <= near + turn_tolerance;
     }
 
-    double widest() const { return width + limit_tolerance; }  ///< for w, rad
-    double farthest() const { return far + limit_tolerance; }  ///< for m0 and m1, rad
-    double highest() const { return far + near + 2 * limit_tolerance; }  ///< for h, rad
+    double widest() const { return width + turn_tolerance; }  ///< for w, rad
+    double farthest() const { return far + turn_tolerance; }  ///< for m0 and m1, rad
+    double highest() const { return far + near + 2 * turn_tolerance; }  ///< for h, rad
 };
 
 /// Whether m0 or m1 may rise to beyond `level` at no cost and within the limits, where the

@@ -12,13 +12,16 @@ namespace {
 
 using Rule = boost::math::quadrature::gauss<double, 10>;
 
-// Agreement asked of a rule and its refinement, as a share of the patch's area; the finer
-// one is then far better than that.
+// Relative agreement between a rule and its refinement at which the refinement is
+// accepted. The finer rule is then far more accurate than that.
 constexpr double agreement = 1e-10;
-// The same as a share of the surface's diagonal squared: below it all is rounding.
+// Agreement as a share of the squared diagonal of the surface: smaller differences are
+// rounding.
 constexpr double rounding = 1e-15;
+// Halvings after which a cell is accepted as it is.
 constexpr int deepest_halving = 10;
 
+// A square of a patch's parameters.
 struct Cell {
     double u;
     double v;
@@ -38,6 +41,8 @@ double area_by_one_rule(const BezierPatch& patch, const Cell& cell)
     return Rule::integrate(along_v, cell.u, cell.u + cell.width);
 }
 
+// Divides the cell into quarters until the sum of their areas agrees with the area of the
+// cell.
 double refined_area(const BezierPatch& patch, const Cell& cell, double coarse,
                     double tolerance, int halvings_left)
 {

@@ -14,16 +14,19 @@
 namespace endmill {
 namespace {
 
-// Of each homogeneous coordinate, entry (m, n) is the m-th partial in u and n-th in v.
+// Partial derivatives of the four homogeneous coordinates: entry (m, n) is the m-th
+// derivative in u and the n-th in v.
 template <int Orders>
 using Partials = std::array<Eigen::Matrix<double, Orders, Orders>, 4>;
 
+// The control nets of a patch, one after the other for each homogeneous coordinate.
 struct Nets {
     const double* first;
     int degree_u;
     int degree_v;
 };
 
+// The bicubic case, with matrices of fixed size.
 template <int Orders, int Count>
 void add_bicubic(Partials<Orders>& partials, const Nets& nets, const SurfacePoint& at)
 {
@@ -61,7 +64,7 @@ Partials<Orders> partials_at(const Nets& nets, const SurfacePoint& at)
     return partials;
 }
 
-// The (m, n)-th partial of (w x, w y, w z).
+// The (m, n)-th partial derivative of (w x, w y, w z).
 template <int Orders>
 Vec3 vector(const Partials<Orders>& partials, int m, int n)
 {
@@ -80,8 +83,8 @@ SurfaceJet jet_of(const Partials<3>& p)
             vector(p, 2, 0), vector(p, 1, 1), vector(p, 0, 2)};
 }
 
-// Bernstein polynomials of one degree at several places: polynomial k at place i, and its
-// derivative, at [k * count + i].
+// Bernstein polynomials of one degree at several places. Polynomial k at place i is at [k
+// * count + i], and so is its derivative.
 struct BasisRows {
     std::size_t count;
     std::vector<double> values;
@@ -111,12 +114,12 @@ private:
     }
 };
 
-// What is summed up over the control points of one coordinate.
+// One coordinate to be evaluated at several places along u and one place in v.
 struct RowSum {
-    const double* net;       // u fastest
-    const double* values_u;  // of BasisRows
+    const double* net;       // control net, u varying fastest
+    const double* values_u;  // as in BasisRows
     const double* slopes_u;
-    const double* values_v;  // of one place
+    const double* values_v;  // at one place
     const double* slopes_v;
     std::size_t points_u;
     std::size_t points_v;
@@ -124,7 +127,8 @@ struct RowSum {
     std::size_t count;
 };
 
-// The coordinate at several places along u, then its partials in u and in v there.
+// Evaluates the coordinate at all places along u, then its partial derivatives in u and
+// in v.
 ENDMILL_WIDEST_REGISTERS
 void sum_up(const RowSum row, double* __restrict sums)
 {
@@ -149,7 +153,7 @@ void sum_up(const RowSum row, double* __restrict sums)
     }
 }
 
-// The coordinate only.
+// Evaluates the coordinate alone.
 ENDMILL_WIDEST_REGISTERS
 void sum_up_values(const RowSum row, double* __restrict sums)
 {
@@ -173,7 +177,7 @@ struct Degrees {
     int v;
 };
 
-// Control point (i, j) of the result is `point(i, j)`.
+// The patch of these degrees whose control point (i, j) is `point(i, j)`.
 template <class Point>
 BezierPatch rearranged(const BezierPatch& patch, Degrees degrees, const Point& point)
 {
@@ -184,7 +188,7 @@ BezierPatch rearranged(const BezierPatch& patch, Degrees degrees, const Point& p
     return BezierPatch::from_homogeneous(degrees.u, degrees.v, net, patch.is_rational());
 }
 
-// The patch with its degree in u one higher.
+// The patch with its degree in u raised by one.
 BezierPatch elevated_in_u(const BezierPatch& patch)
 {
     const int degree = patch.degree(Parameter::U) + 1;
@@ -242,7 +246,7 @@ BezierPatch BezierPatch::from_homogeneous(int degree_u, int degree_v,
             "BezierPatch: control points must be finite");
     require(std::ranges::all_of(net, [](const auto& point) { return point[3] > 0; }),
             "BezierPatch: weights must be above zero");
-    // Only ratios of weights matter; halving and doubling round nothing.
+    // Only ratios of weights matter. Scaling by a power of two causes no rounding.
     double greatest = 0;
     for (const Eigen::Vector4d& point : net)
         greatest = std::max(greatest, point[3]);
@@ -253,6 +257,7 @@ BezierPatch BezierPatch::from_homogeneous(int degree_u, int degree_v,
     return patch;
 }
 
+// A rational patch is evaluated in homogeneous coordinates and then projected.
 SurfaceTangents BezierPatch::tangents(double u, double v) const
 {
     const Nets nets{nets_.data(), degree_u_, degree_v_};

@@ -6,13 +6,14 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 namespace {
 
 constexpr int samples_per_border = 17;
-// Nets written with six decimals, as fitted ones are, miss G1 by up to 4e-8 rad.
-constexpr double g1_angle_rad = 1e-6;
-// Share of the surface's diagonal: shared control points agree to rounding.
+// Largest gap of a G0 border, as a share of the surface's diagonal. Common control points
+// agree up to rounding.
 constexpr double g0_gap = 1e-9;
 
 SurfaceTangents tangents_of(const SurfaceJet& jet)
@@ -20,6 +21,7 @@ SurfaceTangents tangents_of(const SurfaceJet& jet)
     return {jet.point, jet.du, jet.dv};
 }
 
+// The angle between the normals in rad; 0 where one of them does not exist.
 double normal_angle(const SurfaceTangents& one, const SurfaceTangents& other)
 {
     if (is_singular(one) || is_singular(other))
@@ -29,13 +31,14 @@ double normal_angle(const SurfaceTangents& one, const SurfaceTangents& other)
     return std::atan2(n.cross(m).norm(), n.dot(m));
 }
 
-// Two patches that meet, the second above the first.
+// Two neighbouring patches, the second one above the first.
 struct PatchPair {
-    int i, j;               // the first
-    int k, l;               // the second
+    int i, j;               // column and row of the first
+    int k, l;               // column and row of the second
     SurfacePoint from, to;  // ends of their border
 };
 
+// The worst of the samples along the border of two patches.
 BorderBreak worst_break(const Surface& surface, const PatchPair& pair)
 {
     BorderBreak worst{pair.from, {}, Angle::radians(-1), 0, Continuity::G1};
@@ -63,7 +66,7 @@ Continuity continuity_of(double gap_mm, Angle normals, double size)
 {
     if (gap_mm > g0_gap * size)
         return Continuity::None;
-    return normals.radians() > g1_angle_rad ? Continuity::G0 : Continuity::G1;
+    return normals.radians() > smooth_angle ? Continuity::G0 : Continuity::G1;
 }
 
 bool is_worse(const BorderBreak& one, const BorderBreak& other)

@@ -25,6 +25,7 @@ FundamentalForms fundamental_forms(const SurfaceJet& jet, const Vec3& normal)
             normal};
 }
 
+// Solves the normal equations of a du + b dv = direction.
 TangentVector tangent_components(const FundamentalForms& forms, const SurfaceJet& jet,
                                  const Vec3& direction)
 {
@@ -45,8 +46,8 @@ double normal_curvature(const FundamentalForms& forms, const TangentVector& unit
 PrincipalCurvatures principal_curvatures(const FundamentalForms& forms)
 {
     const auto& [E, F, G, e, f, g, normal] = forms;
-    // In the frame x along du, y across it, where the second form is a symmetric matrix
-    // and H^2 - K is a sum of squares, so that an umbilic does not cancel.
+    // In the orthonormal frame with x along du, the second form is a symmetric matrix,
+    // and H^2 - K is a sum of squares. So no digits cancel at an umbilic.
     const double across = std::sqrt((E * G - F * F) / E);
     const double shear = F / E;
     const double xx = e / E;

@@ -5,9 +5,9 @@
 
 namespace endmill {
 
-/// First and second fundamental form of a surface at a point.
-/// Curvatures computed from them are positive where the part is convex seen from the side
-/// that `normal` points to, as everywhere in this project.
+/// The first and second fundamental form of a surface at a point. Curvatures computed
+/// from them are positive where the part is convex, seen from the side to which `normal`
+/// points. This sign convention holds in the whole project.
 struct FundamentalForms {
     double E;     ///< du . du, mm^2
     double F;     ///< du . dv, mm^2
@@ -18,28 +18,29 @@ struct FundamentalForms {
     Vec3 normal;  ///< N, unit
 };
 
-/// Forms at `jet` with respect to `side` (du x dv) / |du x dv|.
+/// The forms at `jet` for the normal `side` (du x dv) / |du x dv|.
+/// \param jet point and partial derivatives.
 /// \param side +1 or -1.
-/// \throws GeometryError where `is_singular`.
+/// \throws GeometryError where `is_singular` holds.
 FundamentalForms fundamental_forms(const SurfaceJet& jet, double side);
 
-/// Forms at `jet` with respect to the unit normal `normal`, which at a pole is a limit.
+/// The forms at `jet` for a given unit normal, which at a pole is a limit.
 FundamentalForms fundamental_forms(const SurfaceJet& jet, const Vec3& normal);
 
-/// A tangent vector by its components: a du + b dv.
+/// A tangent vector a du + b dv, by its components.
 struct TangentVector {
     double a;  ///< units of u per mm
     double b;  ///< units of v per mm
 };
 
-/// Components of the tangent vector nearest to `direction`, by the first form.
-/// Source: the first fundamental form, (a, b) = [E F; F G]^-1 (T.du, T.dv).
+/// The components of the tangent vector that is nearest to `direction`.
+/// By the first fundamental form, (a, b) = [E F; F G]^-1 (T.du, T.dv).
 TangentVector tangent_components(const FundamentalForms& forms, const SurfaceJet& jet,
                                  const Vec3& direction);
 
-/// Normal curvature in 1/mm along a tangent vector of unit length, positive where convex:
-/// -(e a^2 + 2 f a b + g b^2), the negative of the paper's KN1.
-/// Source: second fundamental form; [KimChoi, eq. (8)] converges to it.
+/// Normal curvature in 1/mm along a tangent vector of unit length: -(e a^2 + 2 f a b + g
+/// b^2), the negative of the paper's KN1. It is positive where the part is convex.
+/// Source: the second fundamental form; [KimChoi, eq. (8)] converges to it.
 double normal_curvature(const FundamentalForms& forms, const TangentVector& unit_tangent);
 
 /// Principal curvatures in 1/mm, positive where convex.
@@ -48,12 +49,14 @@ struct PrincipalCurvatures {
     double greatest;
 };
 
-/// Eigenvalues of the shape operator, H -+ sqrt(H^2 - K); equal at an umbilic.
-/// Their error is a few roundings of the larger one, divided by the squared sine of the
-/// angle between the partials.
+/// The principal curvatures: the eigenvalues of the shape operator, H -+ sqrt(H^2 - K).
+/// They are equal at an umbilic. The error is a few roundings of the larger one, divided
+/// by the squared sine of the angle between the partial derivatives.
 PrincipalCurvatures principal_curvatures(const FundamentalForms& forms);
 
-/// Curvature |r' x r''| / |r'|^3 of a space curve in 1/mm, never negative.
+/// Curvature |r' x r''| / |r'|^3 of a space curve in 1/mm; it is never negative.
+/// \param first r', the first derivative.
+/// \param second r'', the second derivative.
 /// \pre `first` is not zero.
 double curve_curvature(const Vec3& first, const Vec3& second);
 

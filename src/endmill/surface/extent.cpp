@@ -12,19 +12,21 @@
 namespace endmill {
 namespace {
 
-// What remains between the bound and a point that attains it, as a share of the diagonal.
+// Difference, as a share of the diagonal, between an upper bound and an attained value at
+// which the search stops.
 constexpr double bound_gap = 1e-9;
-constexpr double rounding = 1e-14;  // of a coordinate, in bounds far from the origin
+constexpr double rounding = 1e-14;  // of a coordinate, for bounds far from the origin
 
-// A piece of a patch by the polynomials w r . direction and w.
+// A piece of a patch, given by the polynomials w r . direction and w on it.
 struct BoundedPiece {
-    double bound;  // on r . direction
+    double bound;  // upper bound of r . direction on the piece
     BernsteinPiece height;
     BernsteinPiece weight;
 
     bool operator<(const BoundedPiece& other) const { return bound < other.bound; }
 };
 
+// The greatest entry at the four corners of a net.
 double greatest_corner(const Eigen::ArrayXXd& net)
 {
     const auto last_row = net.rows() - 1;
@@ -46,7 +48,12 @@ Eigen::ArrayXXd heights_of(const BernsteinNet& height, const BernsteinNet& weigh
     return height.array() / weight.array();
 }
 
-// Greatest r . direction; attained by a point of the surface.
+// Greatest value of r . direction, which a point of the surface attains.
+//
+// Branch and bound. The quotients of the Bernstein coefficients bound r . direction on a
+// piece, and those at its corners are attained. Pieces wait in a queue in the order of
+// their bounds. The piece with the greatest bound is halved, until no bound exceeds the
+// best attained value by more than the tolerance.
 double greatest_height(const Surface& surface, const Vec3& direction)
 {
     double attained = -std::numeric_limits<double>::infinity();

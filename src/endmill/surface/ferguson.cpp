@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/ferguson.h"
+#include "endmill/surface/bezier_patch.h"
 
 #include "endmill/core/error.h"
 
@@ -10,7 +10,7 @@ BezierPatch bezier_from_ferguson(const FergusonPatch& patch)
     std::array<Vec3, 16> net;
     for (int corner = 0; corner < 4; ++corner) {
         const auto& [point, du, dv, twist] = patch.corners[corner];
-        // Control points next to the corner lie a third of a partial inwards.
+        // Control points next to the corner are a third of a partial derivative inwards.
         const int i = corner % 2 == 0 ? 0 : 3;
         const int j = corner / 2 == 0 ? 0 : 3;
         const int inward_u = i == 0 ? 1 : -1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/height_grid.h"
+#include "endmill/surface/nurbs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +10,13 @@
 #include <Eigen/SparseLU>
 
 #include "endmill/core/error.h"
-#include "endmill/surface/nurbs.h"
+#include "endmill/core/tolerance.h"
 
 namespace endmill {
 namespace {
 
-// The spline's knots: the ends degree + 1 times, and the grid lines but for the second
-// and the last but one.
+// The knots of the not-a-knot spline: both ends degree + 1 times, and all inner grid
+// lines except the second and the last but one.
 SplineParameter not_a_knot(std::span<const double> lines)
 {
     const int degree = std::min<int>(3, static_cast<int>(lines.size()) - 1);
@@ -27,10 +27,10 @@ SplineParameter not_a_knot(std::span<const double> lines)
     return {degree, std::move(knots)};
 }
 
-// The B-splines that do not vanish at t, by the recurrence of Cox and de Boor.
+// The B-splines that are not zero at t, by the recurrence of Cox and de Boor.
 struct BasisRow {
-    int first;
-    std::vector<double> values;  // degree + 1 of them
+    int first;                   // number of the first one
+    std::vector<double> values;  // degree + 1 values
 };
 
 BasisRow basis_row(const SplineParameter& parameter, double t)
@@ -56,7 +56,7 @@ BasisRow basis_row(const SplineParameter& parameter, double t)
 
 using Collocation = Eigen::SparseLU<Eigen::SparseMatrix<double>>;
 
-// The equations that the spline takes given values at `lines`.
+// The linear equations for the coefficients of the spline with given values at `lines`.
 void factorize(Collocation& equations, const SplineParameter& parameter,
                std::span<const double> lines)
 {
@@ -75,7 +75,8 @@ void factorize(Collocation& equations, const SplineParameter& parameter,
             "height_grid: the grid lines lie too unevenly to be interpolated");
 }
 
-// Where the spline t -> t has its coefficients: the mean of the knots between.
+// The Greville abscissa of coefficient i: the mean of the knots between. The spline t ->
+// t has these coefficients.
 double greville(const SplineParameter& parameter, int i)
 {
     double sum = 0;
@@ -84,7 +85,7 @@ double greville(const SplineParameter& parameter, int i)
     return sum / parameter.degree;
 }
 
-// Whether all intervals are wider than rounding, as a share of the range.
+// Whether the lines rise by more than the least interval.
 bool rises(std::span<const double> lines)
 {
     if (!std::ranges::all_of(lines, [](double t) { return std::isfinite(t); }))
@@ -97,6 +98,8 @@ bool rises(std::span<const double> lines)
 
 }  // namespace
 
+// The tensor product is solved one parameter after the other: first for each grid line
+// along x, then for the resulting coefficients along y.
 Surface height_grid(std::span<const double> x, std::span<const double> y,
                     std::span<const double> z, ToolSide tool_side)
 {

@@ -17,31 +17,33 @@ namespace endmill {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int most_samples_per_side = 33;        // of a patch, for curvature
-constexpr int least_samples_per_side = 5;        // of a patch of very many
+constexpr int most_samples_per_side = 33;  // of a patch, for curvature
+constexpr int least_samples_per_side = 5;  // of a patch, on surfaces of very many patches
 constexpr double most_curvature_samples = 4e6;   // of a surface
 constexpr std::size_t candidates_to_refine = 5;  // of a patch, or of all pairs
+// of a part
 constexpr double most_pair_samples = 15'000;
-// Nearer pairs, in widths of a patch, are left to curvature: they would only find it
-// again with rounding, or a crease, which admits no ball at all and is told by
-// `continuity`.
+// Pairs closer than this, in widths of a patch, are left to curvature. They would only
+// find it again with more rounding, or find a crease, which admits no ball at all and
+// which `continuity` reports.
 constexpr double least_pair_distance = 0.125;
-// A ball this many diagonals large is a plane to the surface.
+// A surface is plane for a ball whose radius is this number of diagonals.
 constexpr double flat_diagonals = 1e6;
-// Pairs that admit a ball of so many diagonals are left to curvature.
+// Pairs that admit a ball of this number of diagonals are ignored.
 constexpr double largest_pair_diagonals = 8;
 
+// A local minimum among the samples, from which the search is refined.
 struct Candidate {
-    double value;  // smaller is better
-    int i, j;      // the patch
+    double value;  // the smaller, the better
+    int i, j;      // column and row of the patch
     SurfacePoint at;
-    // How much the samples around it lie higher: more than the bottom of the basin can
-    // lie lower, being nearer.
+    // Difference between the neighbouring samples and this one. The true minimum between
+    // the samples is less far below it.
     double rise = 0;
 };
 
-// Whether a partial is so short, in the parameters of its patch, that it may be rounding:
-// next to a collapsed edge.
+// Whether a partial derivative is so short, in the parameters of its patch, that it may
+// be rounding. This happens next to a collapsed edge.
 bool is_near_pole(const Surface& surface, const SurfacePoint& at, const Vec3& du,
                   const Vec3& dv)
 {
@@ -52,9 +54,10 @@ bool is_near_pole(const Surface& surface, const SurfacePoint& at, const Vec3& du
            std::min(along_u, along_v) <= shortest * surface.diagonal();
 }
 
-// A principal curvature to minimise; infinite where there is no normal.
+// The principal curvature to minimise.
 using PrincipalValue = double (*)(const PrincipalCurvatures&);
 
+// The value to minimise as a function of a place; infinite where there is no normal.
 struct CurvatureField {
     const Surface& surface;
     double side;
@@ -75,8 +78,8 @@ struct PatchBox {
     Interval v;
 };
 
-// The parameters of patch (i, j), without the rim of a collapsed edge: next to a pole
-// curvature loses its digits.
+// The range of parameters of patch (i, j), without the margin of a collapsed edge: next
+// to a pole curvature loses its digits.
 PatchBox patch_box(const Surface& surface, int i, int j)
 {
     constexpr double rim = 1e-3;  // of the patch's width
@@ -99,8 +102,8 @@ int curvature_samples_per_side(const Surface& surface)
                       least_samples_per_side, most_samples_per_side);
 }
 
-// The least samples of a patch that are no greater than the eight around them: one for
-// each basin, however many samples of one basin undercut the bottom of another.
+// The smallest samples of a patch that are not above their eight neighbours: one for each
+// local minimum, even if many samples around one minimum are below another minimum.
 std::vector<Candidate> basins(const CurvatureField& field, int i, int j)
 {
     const auto [u_range, v_range] = patch_box(field.surface, i, j);
@@ -137,6 +140,7 @@ std::vector<Candidate> basins(const CurvatureField& field, int i, int j)
     return found;
 }
 
+// Refines a minimum by a local search in its patch.
 Candidate refined(const CurvatureField& field, const Candidate& start)
 {
     const auto [u, v] = patch_box(field.surface, start.i, start.j);
@@ -153,7 +157,9 @@ Candidate refined(const CurvatureField& field, const Candidate& start)
     return {found.value, start.i, start.j, {found.at[0], found.at[1]}};
 }
 
-// Nothing if no sample of the surface has a normal.
+// The least value over all patches; nothing if no sample of the surface has a normal. The
+// minima are refined in the order of their values. A minimum is skipped if it cannot fall
+// below the best one found.
 std::optional<Candidate> least_principal_value(const CurvatureField& field)
 {
     const int columns = field.surface.patches(Parameter::U);
@@ -180,12 +186,13 @@ std::optional<Candidate> least_principal_value(const CurvatureField& field)
     return least;
 }
 
-// A part by its surfaces and the signs of their normals.
+// A part: its surfaces and the signs of their normals.
 struct SidedSurfaces {
     std::span<const Surface> surfaces;
     std::span<const double> sides;
 };
 
+// A point of the part with its normal.
 struct SurfaceSample {
     std::size_t surface;
     SurfacePoint at;
@@ -193,8 +200,8 @@ struct SurfaceSample {
     Vec3 normal;  // on the tool's side
 };
 
-// Parameters of the lines of samples: `per_patch` to a patch, borders included; if that
-// is less than one, evenly over the range.
+// Parameters of the sample lines: `per_patch` lines a patch, borders included; or, if
+// that is below one, evenly over the range.
 std::vector<double> sample_lines(const Surface& surface, Parameter along,
                                  double per_patch)
 {
@@ -215,7 +222,7 @@ std::vector<double> sample_lines(const Surface& surface, Parameter along,
     return values;
 }
 
-// Samples of a surface; places without a normal are passed over.
+// Adds the samples of one surface. Places without a normal are skipped.
 void add_samples(const SidedSurfaces& part, std::size_t number, double per_patch,
                  std::vector<SurfaceSample>& samples)
 {
@@ -253,8 +260,9 @@ double patch_size(const Surface& surface)
            std::max(surface.patches(Parameter::U), surface.patches(Parameter::V));
 }
 
-// Whether two places are so near that their radius means nothing but curvature, or a
-// crease: on one surface by their parameters, on two by their distance.
+// Whether two places are so close that the ball through them only shows curvature, or a
+// crease. On one surface this is decided by their parameters, on two surfaces by their
+// distance.
 bool are_near(const SidedSurfaces& part, const SurfaceSample& p, const SurfaceSample& q)
 {
     const Surface& surface = part.surfaces[p.surface];
@@ -269,8 +277,8 @@ bool are_near(const SidedSurfaces& part, const SurfaceSample& p, const SurfaceSa
                     widths_apart(Parameter::V, p.at.v, q.at.v)) < least_pair_distance;
 }
 
-// Radius of the ball that touches at `p` and passes through `q`; infinite if `q` lies
-// behind the tangent plane, or too near.
+// Radius of the ball that touches at `p` and passes through `q`; infinite if `q` is
+// behind the tangent plane or too close.
 double pair_radius(const SidedSurfaces& part, const SurfaceSample& p,
                    const SurfaceSample& q)
 {
@@ -286,7 +294,9 @@ struct Pair {
     SurfaceSample q;
 };
 
-// Pairs at which the radius fell below all before it, from `limit` on; the last few.
+// Finds pairs of samples that admit the smallest balls: for each sample, the ball of the
+// current limit is placed on it, and the sample nearest to its centre, if it is inside,
+// gives a smaller limit. The last pairs of the falling sequence are returned.
 std::vector<Pair> tightest_sampled_pairs(const SidedSurfaces& part, double limit)
 {
     const std::vector<SurfaceSample> samples = samples_of(part);
@@ -297,7 +307,7 @@ std::vector<Pair> tightest_sampled_pairs(const SidedSurfaces& part, double limit
     if (points.empty())
         return {};
     const PointTree tree{points};
-    constexpr double inside = 1 - 1e-12;  // leaves out the contact itself
+    constexpr double inside = 1 - 1e-12;  // excludes the contact itself
     std::vector<Pair> pairs;
     for (const SurfaceSample& p : samples)
         for (;;) {
@@ -314,6 +324,7 @@ std::vector<Pair> tightest_sampled_pairs(const SidedSurfaces& part, double limit
     return pairs;
 }
 
+// Refines a pair by a local search over the four parameters of both places.
 BoxMinimum refined_pair(const SidedSurfaces& part, const Pair& start)
 {
     const auto sample = [&](std::size_t number, double u, double v) -> SurfaceSample {
@@ -356,7 +367,8 @@ std::optional<CurvatureRange> curvature_range(const Surface& surface, double sid
         {surface, side, [](const PrincipalCurvatures& k) { return -k.greatest; }});
     if (!least || !greatest)
         return std::nullopt;
-    return CurvatureRange{least->value + 0.0, 0.0 - greatest->value};  // no minus zero
+    // Without a minus zero.
+    return CurvatureRange{least->value + 0.0, 0.0 - greatest->value};
 }
 
 std::optional<CurvatureRange> curvature_range(std::span<const Surface> surfaces,
@@ -408,6 +420,7 @@ std::optional<CutterLimit> largest_cutter(const Surface& surface, double side)
     return largest_cutter(std::span{&surface, 1}, std::span{&side, 1});
 }
 
+// The limit by curvature is the start value of the search over pairs.
 std::optional<CutterLimit> largest_cutter(std::span<const Surface> surfaces,
                                           std::span<const double> sides)
 {

@@ -13,22 +13,26 @@
 namespace endmill {
 namespace {
 
-// A narrower span, as a share of the range, is a rounding of a repeated knot.
+// A span narrower than this share of the range comes from the rounding of a repeated
+// knot.
 constexpr double least_span = 1e-12;
-// Beyond these, fourth powers of partials would overflow or vanish.
+// Beyond this range of sizes, fourth powers of partial derivatives would overflow or
+// vanish.
 constexpr double least_range = 1e-50;
 constexpr double greatest_range = 1e50;
 
-// A stretch between different knots, and the spline there in Bezier form.
+// A span between two different knots, with the Bezier form of the spline on it.
 struct Span {
     double start;
     double end;
-    int first_point;  // of the degree + 1 control points that matter here
-    // Bezier control point i is the sum over k of bezier(i, k) times control point k.
+    // Number of the first of the degree + 1 control points that act on the span.
+    int first_point;
+    // Bezier control point i is the sum over k of bezier(i, k) times control point
+    // first_point + k.
     Eigen::MatrixXd bezier;
 };
 
-// Numbers of the knots at which the spans inside the range start.
+// Numbers of the knots at which the spans of the range start.
 std::vector<int> span_starts(const SplineParameter& parameter)
 {
     std::vector<int> starts;
@@ -38,8 +42,10 @@ std::vector<int> span_starts(const SplineParameter& parameter)
     return starts;
 }
 
-// The polar form of the spline on the span that starts at knot `start`: at the span's
-// start p - i times and at its end i times it is Bezier control point i.
+// Bezier control point i of the span that starts at knot `start`: the polar form of the
+// spline with p - i arguments at the start of the span and i arguments at its end. The
+// rows of the identity stand for the control points, so that the result is the row of
+// their factors.
 Eigen::RowVectorXd bezier_row(const SplineParameter& parameter, int start, int i)
 {
     const auto& [p, knots] = parameter;
@@ -86,6 +92,7 @@ Eigen::Vector4d homogeneous(const Nurbs& nurbs, int i, int j)
     return point;
 }
 
+// The patch on the product of two spans.
 BezierPatch patch_on(const Nurbs& nurbs, const Span& along_u, const Span& along_v)
 {
     const int p = nurbs.u.degree;

@@ -9,7 +9,7 @@
 
 namespace endmill {
 
-/// What is to be made: one surface or several, each planned by itself, or a mesh.
+/// The part to be made: one or several surfaces, each planned by itself, or a mesh.
 using Part = std::variant<std::vector<Surface>, TriangleMesh>;
 
 }  // namespace endmill

@@ -16,10 +16,11 @@ namespace endmill {
 namespace {
 
 constexpr int samples_per_side = 17;
-constexpr int search_samples = 32;  // of a side, where the nearest point is sought
-constexpr int refinements = 60;     // by golden section, to rounding
+constexpr int search_samples = 32;  // of a side, to find the nearest point
+constexpr int refinements = 60;     // of golden section search, down to rounding
 
-// Parameter of the point of `side` nearest to `point`.
+// Parameter of the point of `side` that is nearest to `point`: the best sample, refined
+// by golden section.
 double nearest_parameter(const PatchSide& side, const Vec3& point)
 {
     const auto distance = [&](double t) {
@@ -42,7 +43,8 @@ double nearest_parameter(const PatchSide& side, const Vec3& point)
         else
             low = high - width;
     }
-    // Newton's last step: the distance itself is flat to half its digits.
+    // A last Newton step. Golden section finds the parameter to half the digits only,
+    // because the distance is flat at its minimum.
     const double t = std::midpoint(low, high);
     const SurfaceTangents at = side.tangents(t);
     const Vec3 along =
@@ -52,8 +54,8 @@ double nearest_parameter(const PatchSide& side, const Vec3& point)
     return std::clamp(t + step, 0.0, 1.0);
 }
 
-// The unit direction into the surface, in its tangent plane and across the side; zero
-// where the surface has no normal.
+// Unit direction into the surface, in its tangent plane and perpendicular to the side;
+// zero where the surface has no normal.
 Vec3 inward(const PatchSide& side, const SurfaceTangents& at)
 {
     if (is_singular(at))
@@ -64,8 +66,8 @@ Vec3 inward(const PatchSide& side, const SurfaceTangents& at)
     return (across - across.dot(along) * along).normalized();
 }
 
-// How much the surface turns across the border: 0 if it goes straight on, 180 degrees if
-// it folds back on itself.
+// Angle by which the part turns across the border: 0 if it continues smoothly, 180
+// degrees if it folds back onto itself.
 double turn(const PatchSide& one, const SurfaceTangents& here, const PatchSide& other,
             const SurfaceTangents& there)
 {
@@ -74,6 +76,7 @@ double turn(const PatchSide& one, const SurfaceTangents& here, const PatchSide& 
     return std::atan2(onwards.cross(beyond).norm(), onwards.dot(beyond));
 }
 
+// The worst of the samples along two sides that meet.
 BorderBreak break_between(const PatchSide& one, const PatchSide& other, double size)
 {
     BorderBreak worst{one.from, {}, Angle::radians(-1), 0, Continuity::G1, one.number};

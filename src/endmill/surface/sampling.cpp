@@ -20,19 +20,19 @@
 namespace endmill {
 namespace {
 
-// Points of meeting sides nearer than this, as a share of the size, are one.
-constexpr double same_point_share = 1e-9;
+// Points of meeting sides closer than this share of the part's size become one.
+constexpr double welded_point_share = 1e-9;
 constexpr double rounding_share = 1e-11;  // of the largest coordinate
-// Distance of unit normals beyond which they are not one.
+// Unit normals that differ by more than this are different normals.
 constexpr double same_normal = 1e-6;
 
 using Index = std::int32_t;
 
-// A mesh that grows, and the normals at its points.
+// A mesh under construction, with the normals at its points.
 struct Draft {
     std::vector<Vec3> points;
     std::vector<Triangle> triangles;
-    std::vector<Vec3> normals;  // zero where the surface has none
+    std::vector<Vec3> normals;  // zero where the surface has no normal
 
     Index add(const Surface& surface, int i, int j, const SurfacePoint& at, double side)
     {
@@ -56,10 +56,14 @@ struct Draft {
     }
 };
 
-// Numbers of the points along one side of a patch, ends included.
+// Numbers of the points along one side of a patch, both ends included.
 using SidePoints = std::vector<Index>;
 
-// Draws the patches of one surface into a draft.
+// Adds the triangles of one surface to a draft:
+// 1. the corners of all patches;
+// 2. the points along all sides, each side once, so that neighbouring patches share them;
+// 3. patch by patch, the inner points and the triangles. A cell next to a side that is
+//    sampled more finely than the patch is divided into a fan around its middle.
 class SurfaceSampler {
 public:
     SurfaceSampler(const Surface& surface, double side, const SamplingLevels& levels,
@@ -93,7 +97,8 @@ private:
         return surface_.breaks(along)[number];
     }
 
-    // The parameter at a share of patch `number`; its ends are the breaks to the bit.
+    // The parameter at `part` of `parts` of patch `number`. At both ends it equals the
+    // break exactly.
     double parameter(Parameter along, int number, int part, int parts) const
     {
         return std::lerp(break_at(along, number), break_at(along, number + 1),
@@ -116,7 +121,7 @@ private:
 
     Index corner(int i, int j) const { return corners_[j * (columns_ + 1) + i]; }
 
-    // The side along `along` that starts at corner (i, j).
+    // The points of the side along `along` that starts at corner (i, j).
     SidePoints side_points(Parameter along, int i, int j)
     {
         const bool is_u = along == Parameter::U;
@@ -131,7 +136,8 @@ private:
         return points;
     }
 
-    // The points of a patch of n by m cells: those of its sides, and its own.
+    // The points of a patch of n by m cells: the points of its sides and its inner
+    // points.
     struct PatchPoints {
         int n;
         int m;
@@ -139,7 +145,7 @@ private:
         const SidePoints& high_u;
         const SidePoints& high_v;
         const SidePoints& low_u;
-        Index inner;  // the first of its own
+        Index inner;  // number of the first inner point
 
         Index at(int k, int l) const
         {
@@ -206,7 +212,7 @@ private:
         const SidePoints right{points.at(k + 1, l), points.at(k + 1, l + 1)};
         const SidePoints top{points.at(k, l + 1), points.at(k + 1, l + 1)};
         const SidePoints left{points.at(k, l), points.at(k, l + 1)};
-        // A side of the patch may have more points there than the cell's two.
+        // A side of the patch may have more points here than the two corners of the cell.
         append(l == 0 ? low_v : bottom, l == 0 ? k : 0, l == 0 ? n : 1, false);
         append(k + 1 == n ? high_u : right, k + 1 == n ? l : 0, k + 1 == n ? m : 1,
                false);
@@ -215,7 +221,7 @@ private:
         return outline;
     }
 
-    // Split along its shorter diagonal.
+    // Divides a quadrangle along its shorter diagonal.
     void draw_quadrangle(Index a, Index b, Index c, Index d)
     {
         const auto& points = draft_.points;
@@ -235,7 +241,7 @@ private:
         SurfacePoint at;
     };
 
-    // A cell with more points than corners is fanned from its middle.
+    // A cell with more than four points becomes a fan around its middle.
     void draw_cell(const std::vector<Index>& outline, const CellMiddle& middle)
     {
         if (outline.size() == 4) {
@@ -255,10 +261,12 @@ private:
     int columns_;
     int rows_;
     std::vector<Index> corners_;
-    std::vector<SidePoints> along_u_;  // that start at corner (i, j): [j * columns + i]
-    std::vector<SidePoints> along_v_;  // [j * (columns + 1) + i]
+    // Sides that start at corner (i, j), at [j * columns + i].
+    std::vector<SidePoints> along_u_;
+    std::vector<SidePoints> along_v_;  // the same, at [j * (columns + 1) + i]
 };
 
+// Whether an edge of a patch is a single point.
 bool has_pole(const Surface& surface)
 {
     for (int j = 0; j < surface.patches(Parameter::V); ++j)
@@ -270,8 +278,8 @@ bool has_pole(const Surface& surface)
     return false;
 }
 
-// Makes points one that lie nearer than `tolerance`, and leaves out the triangles that
-// so lose a corner. Where normals disagree none is kept.
+// Merges points closer than `tolerance` and removes the triangles that lose a corner.
+// Where the normals of merged points disagree, the result has none.
 Draft welded(const Draft& draft, double tolerance, double& max_chord_error_mm)
 {
     const WeldedMesh after = weld(TriangleMesh{draft.points, draft.triangles}, tolerance);
@@ -298,7 +306,8 @@ Draft welded(const Draft& draft, double tolerance, double& max_chord_error_mm)
     return result;
 }
 
-// Gives points without a normal the mean of their triangles', weighted by area.
+// Gives a point without a normal the mean of the normals of its triangles, weighted by
+// area.
 void complete_normals(Draft& draft)
 {
     std::vector<Vec3> sums;
@@ -316,6 +325,7 @@ void complete_normals(Draft& draft)
             draft.normals[k] = sums[k].stableNormalized();
 }
 
+// Throws LimitError if there would be too many triangles.
 void require_room(double triangles, std::size_t most)
 {
     most = std::min(most, most_possible_triangles);
@@ -334,7 +344,7 @@ SampledSurface finished(Draft draft, double max_chord_error_mm)
             std::move(draft.normals), max_chord_error_mm};
 }
 
-// Points nearer than this are one: a share of the size, and above the roundings of
+// Distance below which points become one: a share of the size, and above the rounding of
 // coordinates far from the origin.
 double same_point_mm(std::span<const Surface> surfaces, const Draft& draft)
 {
@@ -344,7 +354,7 @@ double same_point_mm(std::span<const Surface> surfaces, const Draft& draft)
     double farthest = 0;
     for (const Vec3& point : draft.points)
         farthest = std::max(farthest, point.lpNorm<Eigen::Infinity>());
-    return std::max(same_point_share * size, rounding_share * farthest);
+    return std::max(welded_point_share * size, rounding_share * farthest);
 }
 
 }  // namespace
@@ -352,7 +362,8 @@ double same_point_mm(std::span<const Surface> surfaces, const Draft& draft)
 double default_chord_tolerance(std::span<const Surface> surfaces)
 {
     constexpr double share = 1e-3;
-    constexpr double rounding = 1e-9;  // a side of 10 mm less its rounding has 10 mm
+    // So that a side of 10 mm less its rounding counts as 10 mm.
+    constexpr double rounding = 1e-9;
     double longest = 0;
     for (int c = 0; c < 3; ++c)
         longest = std::max(longest, extent(surfaces, Vec3::Unit(c)).length());

@@ -12,46 +12,59 @@ namespace endmill {
 
 /// A mesh whose points lie on a surface.
 struct SampledSurface {
-    TriangleMesh mesh;          ///< counter-clockwise seen from the tool's side
-    std::vector<Vec3> normals;  ///< the surface's at each point, unit, on that side
-    double max_chord_error_mm;  ///< from a point of the surface to the mesh
+    TriangleMesh mesh;  ///< counter-clockwise seen from the tool's side
+    /// Unit normal of the surface at each point, on the tool's side.
+    std::vector<Vec3> normals;
+    /// Mm, largest distance of a point of the surface from the mesh.
+    double max_chord_error_mm;
 };
 
-/// The most triangles that a sampling may have unless told otherwise, and the most of all.
+/// The default of the largest number of triangles of a sampling.
 inline constexpr std::size_t most_sampled_triangles = 100'000'000;
+/// The largest number that can be chosen.
 inline constexpr std::size_t most_possible_triangles = 2'000'000'000;
 
-/// A chord tolerance in mm to begin with: a thousandth of the longest side of the box
-/// around `surfaces`, rounded down to one digit.
+/// The default chord tolerance in mm: a thousandth of the longest side of the bounding
+/// box of `surfaces`, rounded down to one digit.
 double default_chord_tolerance(std::span<const Surface> surfaces);
 
-/// Samples `surfaces` so that no point of them lies further than `chord_tolerance` from
-/// the mesh: each patch by 2^a by 2^b cells, the fewest that a bound on its second
-/// partials allows. `max_chord_error_mm` is that bound, never below the true error but
-/// for rounding.
+/// Samples `surfaces` so that no point of them is further than `chord_tolerance` from the
+/// mesh. Each patch is divided into 2^a by 2^b cells, the smallest number that a bound on
+/// the second partial derivatives allows. `max_chord_error_mm` is this bound. Except for
+/// rounding it is never below the true error.
 ///
-/// Watertight within each surface; also where surfaces meet, or a surface its own seam,
-/// if their sides have the same points at the same shares of their length of parameter
-/// (patches with common control points have); points nearer than 1e-9 of the largest
-/// diagonal are made one there. Where a surface has a gap at a border of patches, so has
-/// the mesh. Triangles at a pole that would have no area are left out; the normal there is
-/// its limit if all triangles have the same, or else the mean of the triangles'. At a crease it is that of the patch
-/// with the larger parameters.
+/// The mesh is watertight within each surface. It is also watertight where surfaces meet,
+/// or a closed surface meets itself, if both sides have the same points at the same
+/// shares of their parameters, as patches with common control points have. Points closer
+/// than 1e-9 of the largest diagonal are made one there. A gap at a border of patches
+/// remains a gap.
 ///
+/// Triangles at a pole that would have no area are left out. The normal at a pole is its
+/// limit if all its triangles have the same, otherwise the mean of their normals. The
+/// normal at a crease is that of the patch with the larger parameters.
+///
+/// \param surfaces of the part.
+/// \param sides from tool_side_signs.
 /// \param chord_tolerance in mm.
-/// \param sides           from tool_side_signs.
-/// \throws DomainError unless 0 < chord_tolerance is finite and there is a side for each
-/// surface.
-/// \throws LimitError if there are more than `most_triangles`, before they are made.
+/// \param most_triangles limit on the size of the result.
+/// \throws DomainError unless chord_tolerance is finite and positive and there is a side
+///         for each surface.
+/// \throws LimitError before the triangles are made, if there would be more than
+///         `most_triangles`.
 SampledSurface sampled(std::span<const Surface> surfaces, std::span<const double> sides,
                        double chord_tolerance,
                        std::size_t most_triangles = most_sampled_triangles);
 
 /// Samples each of `surfaces` at `lines` by `lines` places, evenly over its ranges of u
-/// and v, whatever its patches. `max_chord_error_mm` is measured at 4 by 4 places a cell,
-/// each against the cell's two triangles at equal parameters, and is not a bound.
-/// \throws DomainError unless lines >= 2 and there is a side for each surface; LimitError
-/// as above.
+/// and v, regardless of its patches. `max_chord_error_mm` is measured, not bounded: 4 by
+/// 4 places of each cell are compared with the cell's two triangles at equal parameters.
+/// \param surfaces of the part.
+/// \param sides from tool_side_signs.
+/// \param lines number of grid lines along each parameter.
+/// \param most_triangles limit on the size of the result.
+/// \throws DomainError unless lines >= 2 and there is a side for each surface.
+/// \throws LimitError before the triangles are made, if there would be more than
+///         `most_triangles`.
 SampledSurface sampled_on_grid(std::span<const Surface> surfaces,
                                std::span<const double> sides, int lines,
                                std::size_t most_triangles = most_sampled_triangles);

@@ -14,7 +14,7 @@
 namespace endmill {
 namespace {
 
-// Where `parameter` lies in the patch `number` of `breaks`, and one over the patch's
+// A parameter in the coordinates of its patch, with the derivative: one over the patch's
 // width.
 struct LocalParameter {
     double value;
@@ -34,6 +34,7 @@ bool rises(std::span<const double> breaks)
                breaks.end();
 }
 
+// Diagonal of the bounding box of all control points.
 double net_diagonal(std::span<const BezierPatch> patches)
 {
     Eigen::AlignedBox3d box;
@@ -49,7 +50,7 @@ std::vector<double> copied(std::span<const double> values)
     return {values.begin(), values.end()};
 }
 
-// The tool side by its name, when the parametrisation turns the other way round.
+// The tool side after the parametrisation has been mirrored.
 ToolSide mirrored(ToolSide side)
 {
     if (side == ToolSide::Up)

@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/surface/surface_jet.h"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/core/tolerance.h"
 
 namespace endmill {
 namespace {
 
-// Sine of the angle between the partials below which their cross product is rounding.
+// Sine of the angle between the partial derivatives up to which their cross product is
+// rounding.
 constexpr double parallel_sine = 1e-10;
-// Length of a partial, as a share of the other one, below which it vanishes.
-constexpr double vanishing_share = 1e-10;
+
+// The number rounded to a multiple of 1 / `steps`, without a minus zero.
+std::string rounded_text(double value, double steps)
+{
+    return to_text(std::round(value * steps) / steps + 0.0);
+}
 
 }  // namespace
 
@@ -63,13 +72,21 @@ std::optional<Vec3> limit_normal(const SurfaceJet& jet, const InwardSigns& inwar
     SurfaceTangents tangents{jet.point, jet.du, jet.dv};
     const double du2 = jet.du.squaredNorm();
     const double dv2 = jet.dv.squaredNorm();
-    if (du2 <= vanishing_share * vanishing_share * dv2)
+    if (du2 <= vanishing_partial_share * vanishing_partial_share * dv2)
         tangents.du = inward.v * jet.duv;
-    else if (dv2 <= vanishing_share * vanishing_share * du2)
+    else if (dv2 <= vanishing_partial_share * vanishing_partial_share * du2)
         tangents.dv = inward.u * jet.duv;
     if (is_singular(tangents))
         return std::nullopt;
     return tangents.du.cross(tangents.dv).normalized();
+}
+
+std::string place_text(const SurfacePoint& at, const Vec3& point)
+{
+    const auto parameter = [](double value) { return rounded_text(value, 1e6); };
+    const auto mm = [](double value) { return rounded_text(value, 1e3); };
+    return "u = " + parameter(at.u) + ", v = " + parameter(at.v) + " (" + mm(point.x()) +
+           ", " + mm(point.y()) + ", " + mm(point.z()) + " mm)";
 }
 
 }  // namespace endmill

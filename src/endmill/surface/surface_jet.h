@@ -11,21 +11,22 @@ namespace endmill {
 /// One of the two parameters of a surface.
 enum class Parameter { U, V };
 
-/// A place on a surface by its global parameters.
+/// A place on a surface, by its global parameters.
 struct SurfacePoint {
-    double u;
-    double v;
+    double u;  ///< global parameter
+    double v;  ///< global parameter
 };
 
-/// "u = 1.5, v = 0 (30, 0, 12 mm)": the place and its point, for a message.
+/// A place and its point as text for a message, such as "u = 1.5, v = 0 (30, -0.1, 12 mm)".
+/// Parameters are rounded to 1e-6, coordinates to 0.001 mm.
 std::string place_text(const SurfacePoint& at, const Vec3& point);
 
-/// A closed interval of a parameter, or of a length in mm.
+/// A closed interval of a parameter or of a length in mm.
 struct Interval {
-    double low;
-    double high;
+    double low;   ///< lower end
+    double high;  ///< upper end
 
-    double length() const { return high - low; }  ///< in the interval's own unit
+    double length() const { return high - low; }  ///< in the unit of the interval
 };
 
 /// A point of a parametric surface with its first partial derivatives.
@@ -41,40 +42,42 @@ struct SurfaceJet {
     Vec3 du;     ///< mm per unit of u
     Vec3 dv;     ///< mm per unit of v
     Vec3 duu;    ///< mm per unit of u squared
-    Vec3 duv;    ///< mm per units of u and v
+    Vec3 duv;    ///< mm per unit of u and unit of v
     Vec3 dvv;    ///< mm per unit of v squared
 };
 
-/// Partials of r from those of w r, `homogeneous`, and of the weight w: entry (m, n) of
-/// `weight` is its m-th partial in u and n-th in v.
-/// Source: Leibniz' rule on w r, solved for the highest partial of r.
+/// The partial derivatives of r, from those of w r and of the weight w.
+/// They follow from Leibniz' rule for w r, solved for the highest derivative of r.
+/// \param homogeneous of w r.
+/// \param weight entry (m, n) is the m-th partial derivative of w in u and the n-th in v.
 SurfaceTangents projected(const SurfaceTangents& homogeneous,
                           const Eigen::Matrix2d& weight);
-/// The same with the second partials.
+/// The same including the second partial derivatives.
 SurfaceJet projected(const SurfaceJet& homogeneous, const Eigen::Matrix3d& weight);
 
-/// Whether du and dv are parallel to rounding, or one of them vanishes: a pole, a cusp,
-/// a collapsed edge. The surface has no normal there but as a limit.
-/// Source: |du x dv| < 1e-10 |du| |dv|, the convention of this project.
+/// Whether a surface has no normal at a point, except as a limit: du and dv are parallel
+/// up to rounding, |du x dv| <= 1e-10 |du| |dv|, or one of them vanishes. This happens at
+/// poles, cusps and collapsed edges.
 bool is_singular(const SurfaceTangents& tangents);
-/// The same where du x dv is known already.
+/// The same for a known product `across` = du x dv.
 bool is_singular(const SurfaceTangents& tangents, const Vec3& across);
 
-/// Unit normal du x dv / |du x dv|; its side is the parametrisation's, not the tool's.
-/// \throws GeometryError where `is_singular`.
+/// Unit normal du x dv / |du x dv|. Its side depends on the parametrisation, not on the
+/// tool.
+/// \throws GeometryError where `is_singular` holds.
 Vec3 unit_normal(const SurfaceTangents& tangents);
 
-/// To which side of a point the surface goes on: +1 towards larger parameters, -1 towards
-/// smaller ones (at the upper end of a range).
+/// The directions in which the surface continues from a point: +1 towards larger
+/// parameters, or -1 towards smaller ones, as at the upper end of a range.
 struct InwardSigns {
-    int u;
-    int v;
+    int u;  ///< +1 or -1
+    int v;  ///< +1 or -1
 };
 
-/// Unit normal at `jet`, of the parametrisation's side, or its limit along the parameter
-/// line that leaves a collapsed edge (one partial vanishes, and with it the area): there
-/// du is to first order a multiple of duv, and duv x dv has the normal's direction.
-/// \return nothing where that limit does not exist either.
+/// The unit normal at `jet` on the side of du x dv, or at a collapsed edge its limit
+/// along the parameter line that leaves the edge. There one partial derivative vanishes.
+/// To first order du is a multiple of duv, so duv x dv has the direction of the normal.
+/// \return nothing where this limit does not exist either.
 std::optional<Vec3> limit_normal(const SurfaceJet& jet, const InwardSigns& inward);
 
 }  // namespace endmill

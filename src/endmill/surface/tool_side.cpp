@@ -18,15 +18,16 @@ namespace {
 
 using Rule = boost::math::quadrature::gauss<double, 30>;
 
-// Share of the greatest normal below which w^3 (du x dv) . axis is rounding: the ball
-// would touch at its equator. With weights the least normal may itself be a small share.
+// Share of the greatest normal up to which w^3 (du x dv) . axis counts as zero: the ball
+// would touch at its equator. With weights, the least normal may itself be a small share
+// of the greatest one.
 constexpr double side_contact = 1e-12;
 constexpr double rational_side_contact = 1e-14;
-// Pieces narrower than this are decided at their corners.
+// Pieces narrower than this are judged by their corners.
 constexpr double least_width = 0x1p-14;
 
-// What |w^3 (du x dv)| comes to over the patch at most, of its order of magnitude: from
-// the homogeneous control points as seen from the first one.
+// Order of magnitude of the greatest |w^3 (du x dv)| of a patch, from the homogeneous
+// control points relative to the first one.
 double greatest_normal(const BezierPatch& patch)
 {
     const int p = patch.degree(Parameter::U);
@@ -50,8 +51,8 @@ double greatest_normal(const BezierPatch& patch)
     return p * q * du * dv * w;
 }
 
-// A corner of the piece, in the patch's own parameters, where the polynomial is not above
-// `least`.
+// A corner of the piece, in the parameters of the patch, at which the polynomial is at
+// most `least`; nothing if there is none.
 std::optional<SurfacePoint> low_corner(const BernsteinPiece& piece, double least)
 {
     for (int v = 0; v < 2; ++v)
@@ -63,8 +64,8 @@ std::optional<SurfacePoint> low_corner(const BernsteinPiece& piece, double least
     return std::nullopt;
 }
 
-// (du x dv) . axis without the factors by which it vanishes on collapsed edges: what is
-// left has there the sign of the normal's limit.
+// The coefficients of (du x dv) . axis, divided by the linear factors that vanish on
+// collapsed edges. On such an edge the quotient has the sign of the normal's limit.
 BernsteinNet reduced_normal_net(const BezierPatch& patch, const Vec3& axis)
 {
     BernsteinNet net = normal_net(patch, axis);
@@ -75,8 +76,9 @@ BernsteinNet reduced_normal_net(const BezierPatch& patch, const Vec3& axis)
     return net;
 }
 
-// The integral of (du x dv) . axis. A Bernstein polynomial's mean is that of its
-// coefficients; with weights it is a quotient, integrated by quadrature.
+// The integral of (du x dv) . axis. Without weights it is a Bernstein polynomial, whose
+// mean is that of its coefficients. With weights it is a quotient and is integrated by
+// quadrature.
 double projected_area(const BezierPatch& patch, const Vec3& axis)
 {
     if (!patch.is_rational())
@@ -92,6 +94,9 @@ double projected_area(const BezierPatch& patch, const Vec3& axis)
     return Rule::integrate(along_v, 0, 1);
 }
 
+// A place at which the polynomial is at most `least`. Pieces whose coefficients are all
+// above it are discarded, the others are halved until a corner is found or they are too
+// narrow.
 std::optional<SurfacePoint> place_not_above(BernsteinPiece whole, double least)
 {
     std::vector<BernsteinPiece> pieces{std::move(whole)};
@@ -147,12 +152,13 @@ std::optional<UnreachablePlace> find_unreachable_place(const Surface& surface,
             const auto u = surface.breaks(Parameter::U).subspan(i, 2);
             const auto v = surface.breaks(Parameter::V).subspan(j, 2);
             const SurfaceTangents tangents = patch.tangents(found->u, found->v);
-            const bool singular = is_singular(tangents);
-            return UnreachablePlace{
+            UnreachablePlace place{
                 {std::lerp(u[0], u[1], found->u), std::lerp(v[0], v[1], found->v)},
                 tangents.point,
-                singular ? 0 : side * unit_normal(tangents).dot(axis),
-                singular};
+                std::nullopt};
+            if (!is_singular(tangents))
+                place.normal_dot_axis = side * unit_normal(tangents).dot(axis);
+            return place;
         }
     return std::nullopt;
 }
@@ -163,10 +169,10 @@ void require_reachable(const Surface& surface, const Vec3& axis, double side)
     if (!found)
         return;
     const std::string place = place_text(found->at, found->point);
-    if (found->singular)
+    if (!found->normal_dot_axis)
         throw GeometryError{"the surface has no normal at " + place};
     throw GeometryError{"the cutter cannot touch the surface at " + place +
-                        ", where normal . axis = " + to_text(found->normal_dot_axis) +
+                        ", where normal . axis = " + to_text(*found->normal_dot_axis) +
                         "; expected above 0 everywhere"};
 }
 

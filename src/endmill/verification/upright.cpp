@@ -7,11 +7,10 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 namespace {
-
-// Tolerance for the difference of two unit axes, as writing and reading a file may cause.
-constexpr double axis_rounding = 1e-12;
 
 BezierPatch turned(const BezierPatch& patch, const Eigen::Matrix3d& rotation)
 {
@@ -48,7 +47,7 @@ std::optional<Vec3> fixed_axis(const ToolPath& path)
         return Vec3::UnitZ();
     const Vec3 axis = path.points.front().location.axis;
     for (const PathPoint& point : path.points)
-        if ((point.location.axis - axis).norm() > axis_rounding)
+        if ((point.location.axis - axis).norm() > unit_vector_rounding)
             return std::nullopt;
     return axis;
 }
@@ -82,8 +81,9 @@ ToolPath turned(const ToolPath& path, const Eigen::Matrix3d& rotation)
         point.location.tip = rotation * point.location.tip;
         // The shared axis becomes exactly +z, as the removal requires.
         const Vec3 axis = rotation * point.location.axis;
-        point.location.axis =
-            (axis - Vec3::UnitZ()).norm() <= 2 * axis_rounding ? Vec3::UnitZ() : axis;
+        point.location.axis = (axis - Vec3::UnitZ()).norm() <= 2 * unit_vector_rounding
+                                  ? Vec3::UnitZ()
+                                  : axis;
         if (point.contact) {
             CutterContact& contact = point.contact->contact;
             contact.point = rotation * contact.point;

@@ -9,17 +9,18 @@
 
 namespace endmill {
 
-/// Sets of the numbers 0 … count - 1, each at first alone; known by their least member,
-/// so that the order of joining leaves no trace. 4 bytes a number.
+/// A partition of the numbers from 0 to count - 1 into sets that can be joined (union-find).
+/// A set is named by its least member, so that the result does not depend on the order in
+/// which sets were joined. Uses 4 bytes a number.
 class DisjointSets {
 public:
-    /// \pre count <= 2^31 - 1.
+    /// Every number alone in its set. \pre count <= 2^31 - 1.
     explicit DisjointSets(std::size_t count) : parent_(count)
     {
         std::iota(parent_.begin(), parent_.end(), std::int32_t{0});
     }
 
-    /// The least member of the set that `number` is in.
+    /// The least member of the set of `number`. Shortens the path to it on the way.
     std::int32_t least(std::int32_t number)
     {
         while (parent_[number] != number)
@@ -27,7 +28,7 @@ public:
         return number;
     }
 
-    /// Makes one set of those that `a` and `b` are in. \return whether they were two.
+    /// Joins the sets of `a` and `b`. \return whether they were two sets.
     bool join(std::int32_t a, std::int32_t b)
     {
         const auto [low, high] = std::minmax({least(a), least(b)});
@@ -36,7 +37,8 @@ public:
     }
 
 private:
-    std::vector<std::int32_t> parent_;  // never above the number itself
+    std::vector<std::int32_t>
+        parent_;  // at most the number itself; equal in a least member
 };
 
 }  // namespace endmill

@@ -12,7 +12,7 @@ namespace endmill {
 void prefer_large_pages(void* begin, std::size_t bytes)
 {
 #ifdef MADV_HUGEPAGE
-    constexpr std::size_t large_page = 2 * 1024 * 1024;  // bytes, and its alignment
+    constexpr std::size_t large_page = 2 * 1024 * 1024;  // bytes; also its alignment
     if (std::align(large_page, large_page, begin, bytes) != nullptr)
         madvise(begin, bytes / large_page * large_page, MADV_HUGEPAGE);
 #else

@@ -6,13 +6,15 @@
 
 namespace endmill {
 
-/// Asks the system to back `bytes` bytes from `begin` on with large pages where it can. A page
-/// that is written to for the first time costs about two microseconds, of 4 kB or of 2 MB:
-/// for ten million bytes that are written once it is most of the time. Only a hint: no
-/// value changes, and nothing is done where the system knows no such pages.
+/// Asks the system to use large pages of 2 MB for the `bytes` bytes from `begin` on.
+///
+/// The first write to a page costs about two microseconds, whether the page has 4 kB or 2 MB.
+/// For ten megabytes that are written once, small pages take most of the time. The request is
+/// only a hint: it changes no value, and has no effect where the system has no large pages.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
-/// Room for `count` items in `items`, in large pages if it is new: before they are filled in.
+/// Reserves room for `count` items. Newly allocated room uses large pages, so the items
+/// should be filled in afterwards.
 template <typename Item>
 void reserve_in_large_pages(std::vector<Item>& items, std::size_t count)
 {

@@ -7,42 +7,43 @@
 #include <Eigen/Geometry>
 
 #include "endmill/cutter/detail/corner_entry.h"
-#include "endmill/cutter/detail/line_in_plan.h"
 
 namespace endmill {
 namespace {
 
 using Eigen::Vector2d;
 
-// Rise of a move, as a share of its length, below which it is level: its heights are then
-// off by no more than that.
+// Rise of a move, as a share of its length, up to which it counts as level. Its heights
+// are then off by at most this share.
 constexpr double level_rise = 1e-13;
 
-// The upright cylinder that stands at `along` on the move, from the height `bottom` up.
-Stretch upright_cylinder(const LineInPlan& plan, double radius, double along,
-                         double bottom)
+// Where the line is in the upright cylinder around the place `along` on the move, above
+// the height `bottom`.
+LineInterval upright_cylinder(const LineInPlan& plan, double radius, double along,
+                              double bottom)
 {
-    return shared(within_circle(plan.start - Vector2d{along, 0}, plan.rate, radius),
-                  where_positive(plan.start_z - bottom, plan.rate_z));
+    return intersection(within_circle(plan.start - Vector2d{along, 0}, plan.rate, radius),
+                        where_not_negative(plan.start_z - bottom, plan.rate_z));
 }
 
-// What stands above the upright rectangle under the move, as wide as the cutter and
-// `above` the tips.
-Stretch upright_slab(const LineInPlan& plan, double radius, double above)
+// Where the line is above the rectangle that the cutter's widest chord sweeps on the
+// move, `above` the tips.
+LineInterval above_rectangle(const LineInPlan& plan, double radius, double above)
 {
     if (plan.length == 0)
-        return Stretch::none();
+        return LineInterval::none();
     const double slope = plan.rise / plan.length;
-    Stretch slab = where_positive(plan.start_z - above - slope * plan.start.x(),
-                                  plan.rate_z - slope * plan.rate.x());
+    LineInterval prism = where_not_negative(plan.start_z - above - slope * plan.start.x(),
+                                            plan.rate_z - slope * plan.rate.x());
     for (const double side : {-1.0, 1.0})
-        slab = shared(
-            slab, where_positive(radius + side * plan.start.y(), side * plan.rate.y()));
-    slab = shared(slab, where_positive(plan.start.x(), plan.rate.x()));
-    return shared(slab, where_positive(plan.length - plan.start.x(), -plan.rate.x()));
+        prism = intersection(prism, where_not_negative(radius + side * plan.start.y(),
+                                                       side * plan.rate.y()));
+    prism = intersection(prism, where_not_negative(plan.start.x(), plan.rate.x()));
+    return intersection(prism,
+                        where_not_negative(plan.length - plan.start.x(), -plan.rate.x()));
 }
 
-// The ball swept along the segment between its centres.
+// The entry into the capsule: the ball swept along the segment between its centres.
 std::optional<SweepEntry> capsule_entry(const StraightSweep& sweep, const Line& line)
 {
     const double R = sweep.cutter().radius();
@@ -54,7 +55,7 @@ std::optional<SweepEntry> capsule_entry(const StraightSweep& sweep, const Line& 
     const double d_o = d.dot(o);
     const double on = o.dot(line.direction);
     const double a = dd - dn * dn;
-    double share = dn >= 0 ? 0 : 1;  // of the segment: whose ball a line along it meets
+    double share = dn >= 0 ? 0 : 1;  // place on the segment, for a line parallel to it
     if (a > 0) {
         const double b = dd * on - d_o * dn;
         const double c = dd * (o.squaredNorm() - R * R) - d_o * d_o;
@@ -75,8 +76,8 @@ std::optional<SweepEntry> capsule_entry(const StraightSweep& sweep, const Line& 
     return SweepEntry{t, (from_centre + t * line.direction) / R};
 }
 
-// The least entry into an upright part that begins before `found`.
-std::optional<SweepEntry> sooner(const LineInPlan& plan, const Stretch& upright,
+// The earlier one of `found` and the entry into an upright part of the region.
+std::optional<SweepEntry> sooner(const LineInPlan& plan, const LineInterval& upright,
                                  std::optional<SweepEntry> found)
 {
     if (upright.is_empty() || (found && found->t <= upright.low))
@@ -95,42 +96,48 @@ bool stays_below_centres(const StraightSweep& sweep, const Line& line, double be
            line.origin.z() + before * line.direction.z() < lowest;
 }
 
+// The region of a ball is the capsule with everything above it: upright cylinders over
+// the two end balls, and the part above the segment between their centres.
 std::optional<SweepEntry> ball_entry(const StraightSweep& sweep, const Line& line,
                                      double before)
 {
     std::optional<SweepEntry> entry = capsule_entry(sweep, line);
-    // On the lower half of the capsule's boundary one is on that of the region; and what
-    // is upright begins at the centres.
+    // The lower half of the capsule's boundary is boundary of the region. The upright
+    // parts begin at the height of the centres.
     if ((entry && entry->normal.z() <= 0) || stays_below_centres(sweep, line, before))
         return entry;
     const LineInPlan plan = line_in_plan(sweep, line);
     const double R = sweep.cutter().radius();
     entry = sooner(plan, upright_cylinder(plan, R, 0, R), entry);
     entry = sooner(plan, upright_cylinder(plan, R, plan.length, plan.rise + R), entry);
-    return sooner(plan, upright_slab(plan, R, R), entry);
+    return sooner(plan, above_rectangle(plan, R, R), entry);
 }
 
+// The region of a flat cutter is the union of upright cylinders over the two end discs,
+// the part above the rectangle between them, and the oblique cylinder that the rim
+// sweeps. It is convex, so the entry is the lowest end of the four intervals.
 std::optional<SweepEntry> flat_entry(const StraightSweep& sweep, const Line& line)
 {
     const LineInPlan plan = line_in_plan(sweep, line);
     const double R = sweep.cutter().radius();
-    const Stretch at_ends[] = {upright_cylinder(plan, R, 0, 0),
-                               upright_cylinder(plan, R, plan.length, plan.rise)};
-    Stretch whole = spanned(at_ends[0], at_ends[1]);
-    whole = spanned(whole, upright_slab(plan, R, 0));
+    const LineInterval at_ends[] = {upright_cylinder(plan, R, 0, 0),
+                                    upright_cylinder(plan, R, plan.length, plan.rise)};
+    LineInterval whole = hull(at_ends[0], at_ends[1]);
+    whole = hull(whole, above_rectangle(plan, R, 0));
     const bool is_level = std::abs(plan.rise) <= level_rise * plan.length;
     Vec3 normal = -Vec3::UnitZ();
     if (!is_level && plan.length > 0) {
-        // Between the two ends the rim sweeps an oblique cylinder.
+        // Between its two ends the rim sweeps an oblique cylinder.
         const double per_rise = plan.length / plan.rise;
         const Vector2d start = plan.start - Vector2d{per_rise * plan.start_z, 0};
         const Vector2d rate = plan.rate - Vector2d{per_rise * plan.rate_z, 0};
         const double sign = plan.rise > 0 ? 1 : -1;
-        Stretch oblique = within_circle(start, rate, R);
-        oblique =
-            shared(oblique, where_positive(sign * plan.start_z, sign * plan.rate_z));
-        oblique = shared(oblique, where_positive(sign * (plan.rise - plan.start_z),
-                                                 -sign * plan.rate_z));
+        LineInterval oblique = within_circle(start, rate, R);
+        oblique = intersection(
+            oblique, where_not_negative(sign * plan.start_z, sign * plan.rate_z));
+        oblique = intersection(
+            oblique,
+            where_not_negative(sign * (plan.rise - plan.start_z), -sign * plan.rate_z));
         if (!oblique.is_empty() && (whole.is_empty() || oblique.low < whole.low)) {
             const Vector2d out = start + oblique.low * rate;
             normal =
@@ -143,9 +150,10 @@ std::optional<SweepEntry> flat_entry(const StraightSweep& sweep, const Line& lin
     const double t = whole.low;
     if (!std::isfinite(t))
         return SweepEntry{t, normal};
-    // Through the bottom or through the side, whichever the line comes to last.
-    const Stretch outline = within_outline(plan, R);
-    const double rounding = 1e-12 * (R + plan.length);  // of t, mm
+    // The line enters through the side if it crosses the outline last, else through the
+    // bottom.
+    const LineInterval outline = within_outline(plan, R);
+    const double rounding = 1e-12 * (R + plan.length);  // of t, in mm
     return SweepEntry{t, outline.low >= t - rounding ? outline_normal(plan, t) : normal};
 }
 

@@ -320,7 +320,7 @@ void take(RayRows& rows, const Entries& entries, double number)
         const double t = entries.t[k];
         const double left = rows.left[k];
         const bool clears = (t >= 0) | (entries.inside[k] >= 0);
-        const bool touches = (t >= -touching) & (left > 0);
+        const bool touches = (t >= -touching_depth) & (left > 0);
         const bool is_shorter = (t < left) & (clears | touches);
         const double kept = select(clears, t, 0);
         rows.left[k] = select(is_shorter, kept, left);

@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/deviation/detail/half_space.h"
 
 // Bounds of the thickness on a cell, from rays at its middle or corners.
@@ -114,7 +115,7 @@ double least_by(const MeasuredCell& cell, const HalfSpace& half)
     }
     const double depth =
         half.normal.dot(cell.ray.point) + spread + cell.reach * bend / 2 - half.least;
-    if (depth <= touching)
+    if (depth <= touching_depth)
         return infinite;
     const double rate = half.normal.dot(cell.ray.normal) - bend;
     return rate > 0 ? -depth / rate : -infinite;

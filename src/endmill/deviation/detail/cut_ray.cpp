@@ -23,7 +23,7 @@ std::optional<CutRay> cut_ray(const StraightSweep& sweep, const PartRay& ray,
         return std::nullopt;
     double thickness = entry->t;
     if (thickness < 0 && !clears(sweep, ray.point)) {
-        if (thickness < -touching || before <= 0)
+        if (thickness < -touching_depth || before <= 0)
             return std::nullopt;
         thickness = 0;
     }

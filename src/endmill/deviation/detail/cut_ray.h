@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/cutter/straight_sweep.h"
 #include "endmill/deviation/part_charts.h"
 
@@ -21,10 +22,6 @@ struct CutRay {
     /// Number of the sweep that made the surface; -1: the stock itself.
     std::int32_t sweep = -1;
 };
-
-/// Tolerance in mm for a swept volume that only touches the part, as a cutter along a
-/// wall does. A volume that ends this close below a ray's point ends at the point.
-inline constexpr double touching = 1e-9;
 
 /// Returns the material on a ray of the part before any move.
 using InitialRay = std::function<CutRay(const PartRay&)>;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "endmill/core/error.h"
-#include "endmill/mesh/detail/nearest_on_triangle.h"
+#include "endmill/mesh/triangle_tree.h"
 
 // The tree halves the grid of cells across its longer side down to single cells. Node k
 // of a range with n cells has its lower half at k + 1 and its upper half at k + n,

@@ -7,7 +7,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "endmill/core/detail/double_double.h"
+#include "endmill/core/detail/exact_arithmetic.h"
 #include "endmill/drop_cutter/detail/triangle_contact.h"
 
 namespace endmill {

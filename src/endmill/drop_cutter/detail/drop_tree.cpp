@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/drop_cutter/detail/drop_entries.h"
 
 namespace endmill {
@@ -19,9 +20,6 @@ using Vec2 = Eigen::Vector2d;
 constexpr double largest_length = 1e9;    // mm; squares and their products stay finite
 constexpr double smallest_radius = 1e-6;  // mm
 constexpr double largest_radius = 1e6;    // mm
-// Share of the mesh's size by which boxes are enlarged. It is far above the rounding
-// errors of doubles.
-constexpr double box_margin = 1e-12;
 // share by which half a move is enlarged, for rounding errors
 constexpr float float_share = 1e-6F;
 // Each term of a bound contains at most eight roundings of floats, each of half of 2^-23.
@@ -60,7 +58,7 @@ DropTree::DropTree(const TriangleMesh& mesh, const Cutter& cutter)
 void DropTree::build(DropEntries entries)
 {
     const double margin =
-        box_margin * (origin_.cwiseAbs().sum() + half_.sum() + cutter_.radius());
+        box_margin_share * (origin_.cwiseAbs().sum() + half_.sum() + cutter_.radius());
     std::size_t span = 1;  // number of entries in a node
     std::size_t count = entries.count();
     do {

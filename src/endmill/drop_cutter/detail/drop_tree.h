@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "endmill/core/detail/float_lanes.h"
+#include "endmill/core/detail/lanes.h"
 #include "endmill/cutter/cutter.h"
 #include "endmill/mesh/triangle_mesh.h"
 
@@ -181,25 +181,25 @@ private:
                                                               const FloatLanes& tops,
                                                               float x, float y) const
 {
-    const WideLanes low_x{nodes.low_x};
-    const WideLanes low_y{nodes.low_y};
-    const WideLanes high_x{nodes.high_x};
-    const WideLanes high_y{nodes.high_y};
-    const WideLanes offset_x{nodes.offset_x};
-    const WideLanes offset_y{nodes.offset_y};
-    const auto outside = [](const WideLanes& low, const WideLanes& high,
-                            const WideLanes& place) {
-        return larger(larger(low - place, place - high), WideLanes{0});
+    const WideFloats low_x{nodes.low_x};
+    const WideFloats low_y{nodes.low_y};
+    const WideFloats high_x{nodes.high_x};
+    const WideFloats high_y{nodes.high_y};
+    const WideFloats offset_x{nodes.offset_x};
+    const WideFloats offset_y{nodes.offset_y};
+    const auto outside = [](const WideFloats& low, const WideFloats& high,
+                            const WideFloats& place) {
+        return larger(larger(low - place, place - high), WideFloats{0});
     };
-    const WideLanes away_x = outside(low_x, high_x, offset_x + WideLanes{x});
-    const WideLanes away_y = outside(low_y, high_y, offset_y + WideLanes{y});
-    const WideLanes gap_x = outside(low_x, high_x, WideLanes{x});
-    const WideLanes gap_y = outside(low_y, high_y, WideLanes{y});
-    const WideLanes lift = WideLanes{2} * (offset_x * (WideLanes{x} - low_x) +
-                                           offset_y * (WideLanes{y} - low_y)) -
-                           (away_x * away_x + away_y * away_y);
-    const WideLanes bounds =
-        smaller(WideLanes{nodes.height} + WideLanes{nodes.fall} * lift, WideLanes{tops});
+    const WideFloats away_x = outside(low_x, high_x, offset_x + WideFloats{x});
+    const WideFloats away_y = outside(low_y, high_y, offset_y + WideFloats{y});
+    const WideFloats gap_x = outside(low_x, high_x, WideFloats{x});
+    const WideFloats gap_y = outside(low_y, high_y, WideFloats{y});
+    const WideFloats lift = WideFloats{2} * (offset_x * (WideFloats{x} - low_x) +
+                                             offset_y * (WideFloats{y} - low_y)) -
+                            (away_x * away_x + away_y * away_y);
+    const WideFloats bounds = smaller(
+        WideFloats{nodes.height} + WideFloats{nodes.fall} * lift, WideFloats{tops});
     return kept_up_to(reach_ * reach_, (gap_x * gap_x + gap_y * gap_y).lanes(),
                       bounds.lanes());
 }

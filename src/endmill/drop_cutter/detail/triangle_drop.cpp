@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/drop_cutter/detail/triangle_drop.h"
 
-#include "endmill/core/detail/double_double.h"
+#include "endmill/core/detail/exact_arithmetic.h"
 #include "endmill/drop_cutter/detail/triangle_lowering.h"
 
 namespace endmill {

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "endmill/core/text.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/files/detail/control_net.h"
 #include "endmill/surface/detail/bernstein_basis.h"
 #include "endmill/surface/extent.h"
-#include "endmill/surface/height_grid.h"
 #include "endmill/surface/nurbs.h"
 
 namespace endmill {

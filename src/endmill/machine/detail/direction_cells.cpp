@@ -6,11 +6,12 @@
 #include <cstddef>
 #include <numbers>
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double thinnest = 1e-12;  // rad: sums of angles in doubles differ by 1e-15
 
 // `angle` but for whole turns, in [0, 2 pi).
 double first_turn(double angle)
@@ -22,7 +23,7 @@ double first_turn(double angle)
 void keep_distinct(std::vector<double>& cuts)
 {
     std::ranges::sort(cuts);
-    const auto are_one = [](double a, double b) { return b - a <= thinnest; };
+    const auto are_one = [](double a, double b) { return b - a <= thinnest_angle; };
     cuts.erase(std::unique(cuts.begin(), cuts.end(), are_one), cuts.end());
 }
 
@@ -38,7 +39,7 @@ DirectionCells::DirectionCells(std::span<const DirectionPatch> patches)
     : latitudes_{-pi / 2, pi / 2}
 {
     for (const DirectionPatch& patch : patches) {
-        if (patch.width < 2 * pi - thinnest) {
+        if (patch.width < 2 * pi - thinnest_angle) {
             azimuths_.push_back(first_turn(patch.from));
             azimuths_.push_back(first_turn(patch.from + patch.width));
         }
@@ -48,7 +49,8 @@ DirectionCells::DirectionCells(std::span<const DirectionPatch> patches)
     keep_distinct(azimuths_);
     keep_distinct(latitudes_);
     // The last cut and the first may be one across the turn.
-    if (azimuths_.size() > 1 && azimuths_.front() + 2 * pi - azimuths_.back() <= thinnest)
+    if (azimuths_.size() > 1 &&
+        azimuths_.front() + 2 * pi - azimuths_.back() <= thinnest_angle)
         azimuths_.pop_back();
     if (azimuths_.empty())
         azimuths_.push_back(0);

@@ -8,7 +8,8 @@
 namespace endmill {
 namespace {
 
-// Calls `visit(from, to, triangle)` for the sides of all triangles that have three.
+// Calls `visit(from, to, triangle)` for the sides of all triangles with three different
+// corners.
 template <typename Visit>
 void for_each_side(std::span<const Triangle> triangles, const Visit& visit)
 {
@@ -24,6 +25,8 @@ void for_each_side(std::span<const Triangle> triangles, const Visit& visit)
 
 }  // namespace
 
+// A counting sort by the lower end of the edges, then a sort of the uses at each lower
+// end.
 EdgeUses::EdgeUses(const TriangleMesh& mesh) : begin_(mesh.points().size() + 1)
 {
     for_each_side(mesh.triangles(), [&](std::int32_t from, std::int32_t to, std::size_t) {
@@ -31,7 +34,7 @@ EdgeUses::EdgeUses(const TriangleMesh& mesh) : begin_(mesh.points().size() + 1)
     });
     std::inclusive_scan(begin_.begin(), begin_.end(), begin_.begin());
     uses_.resize(begin_.back());
-    // Backwards from where each lower end's uses end to where they begin.
+    // Fills the uses of each lower end from their end backwards to their beginning.
     for_each_side(mesh.triangles(),
                   [&](std::int32_t from, std::int32_t to, std::size_t triangle) {
                       uses_[--begin_[std::min(from, to)]] = {from, to, triangle};
@@ -42,11 +45,13 @@ EdgeUses::EdgeUses(const TriangleMesh& mesh) : begin_(mesh.points().size() + 1)
             [](const EdgeUse& a, const EdgeUse& b) { return a.rank() < b.rank(); });
 }
 
+// At the edge between the two lower corners of a triangle, its duplicates have the same
+// third corner.
 std::vector<std::int32_t> duplicate_triangles(const TriangleMesh& mesh,
                                               const EdgeUses& edges)
 {
     std::vector<std::int32_t> found;
-    std::vector<std::pair<std::int32_t, std::int32_t>> thirds;  // corner, triangle
+    std::vector<std::pair<std::int32_t, std::int32_t>> thirds;  // third corner, triangle
     edges.for_each([&](const Edge& edge, std::span<const EdgeUse> uses) {
         if (uses.size() < 2)
             return;
@@ -54,7 +59,8 @@ std::vector<std::int32_t> duplicate_triangles(const TriangleMesh& mesh,
         for (const EdgeUse& use : uses) {
             const auto& [a, b, c] = mesh.triangles()[use.triangle()];
             const std::int32_t third = a ^ b ^ c ^ edge[0] ^ edge[1];
-            if (third > edge[1])  // so that each triangle is looked at only once
+            // so that each triangle is examined at one of its sides only
+            if (third > edge[1])
                 thirds.emplace_back(third, use.triangle());
         }
         std::ranges::sort(thirds);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,52 +10,53 @@
 
 namespace endmill {
 
-/// An edge by the numbers of its ends, the lower first.
-using Edge = std::array<std::int32_t, 2>;
-
-/// A triangle's use of an edge.
+/// The use of an edge by a triangle, in 8 bytes.
 class EdgeUse {
 public:
-    /// Of an edge from point 0 to itself, which none has.
+    /// A use that no triangle has: of an edge from point 0 to itself.
     EdgeUse() = default;
 
-    /// \pre the points' numbers are not negative and differ, `triangle` is below 2^31.
+    /// The use of the edge between `from` and `to` by a triangle that runs in this
+    /// direction. \pre the numbers of the points are not negative and differ; `triangle`
+    /// is below 2^31.
     EdgeUse(std::int32_t from, std::int32_t to, std::size_t triangle)
         : bits_{std::uint64_t(from < to ? to : from) << 33U |
                 std::uint64_t(from > to) << 32U | triangle}
     {
     }
 
-    /// The edge's end with the higher number.
+    /// The end of the edge with the higher number.
     std::int32_t high() const { return static_cast<std::int32_t>(bits_ >> 33U); }
-    /// Whether the triangle runs along the edge from the lower number to the higher.
+    /// Whether the triangle runs along the edge from the lower number to the higher one.
     bool is_forward() const { return (bits_ >> 32U & 1U) == 0; }
-    /// The triangle's number.
+    /// The number of the triangle.
     std::int32_t triangle() const { return static_cast<std::int32_t>(bits_); }
 
-    /// Rises with the edge's higher end; of equal ones, first the forward uses.
+    /// A number by which uses are sorted: by the higher end of the edge, then forward
+    /// uses first, then by triangle.
     std::uint64_t rank() const { return bits_; }
 
 private:
-    std::uint64_t bits_ = 0;  // high end, backward, triangle: 31, 1 and 32 bits
+    std::uint64_t bits_ = 0;  // higher end, backward, triangle: 31, 1 and 32 bits
 };
 
-/// Whether a triangle names one point twice.
+/// Whether two corners of a triangle are the same point.
 inline bool repeats_a_corner(const Triangle& triangle)
 {
     const auto& [a, b, c] = triangle;
     return a == b || b == c || c == a;
 }
 
-/// All edges of a mesh, each with the triangles that use it; sorted, by a count of the
-/// edges at each lower end. 24 bytes a triangle and 8 a point. Triangles that repeat a
-/// corner have no edges here.
+/// All edges of a mesh, each with the triangles that use it, sorted by their ends. It
+/// takes 24 bytes a triangle and 8 a point. Triangles that repeat a corner have no edges
+/// here.
 class EdgeUses {
 public:
-    /// Of all triangles of `mesh`, which is not needed any more then.
+    /// The edges of all triangles of `mesh`, which is not needed afterwards.
     explicit EdgeUses(const TriangleMesh& mesh);
 
-    /// Calls `visit(Edge, std::span<const EdgeUse>)` for each edge in rising order.
+    /// Calls `visit(Edge, std::span<const EdgeUse>)` for each edge, in lexicographic
+    /// order.
     template <typename Visit>
     void for_each(const Visit& visit) const
     {
@@ -73,12 +73,12 @@ public:
     }
 
 private:
-    std::vector<std::size_t> begin_;  // of the uses of the edges at each lower end
+    std::vector<std::size_t> begin_;  // first use of the edges at each lower end
     std::vector<EdgeUse> uses_;
 };
 
-/// The triangles that have the same three corners, in whatever order, as one before them;
-/// in rising order. Triangles that repeat a corner are not among them.
+/// The triangles that have the same three corners, in any order, as an earlier one; in
+/// rising order. Triangles that repeat a corner are not included.
 std::vector<std::int32_t> duplicate_triangles(const TriangleMesh& mesh,
                                               const EdgeUses& edges);
 

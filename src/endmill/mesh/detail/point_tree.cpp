@@ -9,6 +9,7 @@
 namespace endmill {
 namespace {
 
+// The tree is implicit: the middle of a range is its root, both halves are the subtrees.
 std::size_t middle_of(std::size_t begin, std::size_t end)
 {
     return begin + (end - begin) / 2;
@@ -18,7 +19,7 @@ std::size_t middle_of(std::size_t begin, std::size_t end)
 
 struct PointTree::Search {
     Vec3 place;
-    double least_square;  // of the distances so far, mm^2
+    double least_square;  // least squared distance so far, mm^2
     std::optional<std::size_t> nearest;
 };
 
@@ -61,8 +62,8 @@ void PointTree::build(const Range& range)
     build({middle + 1, range.end, (axis + 1) % 3});
 }
 
-// `offset` is the distance along each axis from the place to the box of the range: its
-// length bounds the distance to every point of the range, however far the place is.
+// `offset` is the distance along each axis from the place to the box of the range. Its
+// length is a lower bound on the distance to every point of the range.
 void PointTree::search(Search& state, const Range& range, const Vec3& offset) const
 {
     if (range.begin == range.end || offset.squaredNorm() >= state.least_square)

@@ -8,14 +8,12 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 namespace {
 
 using Index = std::int32_t;
-
-// A joint whose normals differ by a larger angle, in rad, is a crease. The same value as
-// in continuity.h.
-constexpr double crease_angle = 1e-6;
 
 // The kind of a joint along the edge direction `along`, which has the side with `normal`
 // on its left and the side with normal `beyond` on its right. The sign of the turn of the
@@ -24,7 +22,7 @@ ContactKind crease_kind(const Vec3& normal, const Vec3& beyond, const Vec3& alon
 {
     const Vec3 outwards = along.cross(normal).stableNormalized();
     const double turn = std::atan2(beyond.dot(outwards), beyond.dot(normal));
-    if (std::abs(turn) <= crease_angle)
+    if (std::abs(turn) <= smooth_angle)
         return ContactKind::Face;
     return turn > 0 ? ContactKind::ConvexCrease : ContactKind::ConcaveCrease;
 }

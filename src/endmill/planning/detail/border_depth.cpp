@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/planning/detail/patch_offset.h"
 
 namespace endmill {
@@ -18,8 +19,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double stray_share = 2e-3;
 // Halvings of a patch's side: beyond them its normals are not bounded at all.
 constexpr int most_halvings = 12;
-// Of the radius, for the rounding of distances: a ball that touches is on it.
-constexpr double rounding = 1e-12;
 
 // A stretch of a patch's side, by shares of it.
 struct Stretch {
@@ -191,7 +190,7 @@ bool BorderDepth::is_kept(const Piece& piece, const SweptAxis& swept_axis) const
 {
     const auto is_outside = [&](const Chord& chord) {
         return chord_bound(chord.from, chord.to, swept_axis) - chord.stray >=
-               radius_ * (1 - rounding);
+               radius_ * (1 - radius_rounding_share);
     };
     if (is_outside(piece.border) || is_outside(piece.under))
         return true;

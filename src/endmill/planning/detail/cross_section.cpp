@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 namespace {
 
@@ -15,8 +17,6 @@ constexpr double small_step_patches = 0.1;
 constexpr double residual_share = 1e-12;  // of the surface's diagonal
 // Share of the residual allowed below which an expected one need not be seen.
 constexpr double sure_share = 1e-3;
-// Length of a partial, as a share of the other one, below which it vanishes.
-constexpr double vanishing_share = 1e-10;
 
 // The linear `estimate` of a place `distance` away, corrected for the surface's bend;
 // as it was where the partials are parallel.
@@ -44,7 +44,7 @@ FeedFrame feed_frame(const SurfacePoint& at, const SurfaceJet& jet, const Vec3& 
     FeedFrame frame{at, jet, fundamental_forms(jet, normal), {}, {}, {0, 0}, false};
     const double du2 = jet.du.squaredNorm();
     const double dv2 = jet.dv.squaredNorm();
-    const double vanishing2 = vanishing_share * vanishing_share;
+    const double vanishing2 = vanishing_partial_share * vanishing_partial_share;
     const bool pass_is_point = du2 <= vanishing2 * dv2;
     frame.passes_meet = dv2 <= vanishing2 * du2;
     frame.feed = (pass_is_point ? jet.duv : jet.du).normalized();

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/planning/detail/patch_offset.h"
 #include "endmill/planning/detail/segment_distance.h"
 
@@ -21,8 +22,6 @@ constexpr double widest_cell = 1;
 // In a rectangle: where it takes more, hardly anything is left between what is covered and
 // what has to be.
 constexpr int most_cells = 200'000;
-// Of the radius, for the rounding of distances: a pass planned to the limit is on it.
-constexpr double rounding = 1e-12;
 
 struct Cell {
     SurfacePoint low;
@@ -164,7 +163,7 @@ private:
     {
         const double stray =
             bends_.stray(cell.high.u - cell.low.u, cell.high.v - cell.low.v, height_);
-        const double reach = radius_ * (1 + rounding);
+        const double reach = radius_ * (1 + radius_rounding_share);
         const Vec3 mean =
             (cell.corners[0] + cell.corners[1] + cell.corners[2] + cell.corners[3]) / 4;
         double nearest = std::numeric_limits<double>::infinity();
@@ -233,7 +232,7 @@ bool StripCover::covers_line(const SweptSegment& move, double v) const
         double low;
         double high;
     };
-    const double reach = radius_ * (1 + rounding);
+    const double reach = radius_ * (1 + radius_rounding_share);
     const double least_width = least_cell * (move.to_u - move.from_u);
     double from = move.from_u;
     while (from < move.to_u) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/planning/detail/segment_distance.h"
 
 namespace endmill {
@@ -22,8 +23,6 @@ constexpr int line_samples = 8;          // of a step, for a quick look
 constexpr double first_step = 1.0 / 16;  // of a patch, in the same search
 constexpr double gap_scan = 1.0 / 256;   // of a patch, in the search for where to go on
 constexpr double gap_precision = 1.0 / 64;  // of a scan
-// Of the radius: demands are made to the limit.
-constexpr double rounding = 1e-12;
 
 // The work on one pass.
 class PassBuilder {
@@ -210,7 +209,7 @@ private:
 
     bool reaches_demands(const SweptSegment& move) const
     {
-        const double reach = surface_.cutter().radius() * (1 + rounding);
+        const double reach = surface_.cutter().radius() * (1 + radius_rounding_share);
         auto demand =
             std::ranges::lower_bound(demands_, move.from_u, {}, &CoverDemand::foot_u);
         for (; demand != demands_.end() && demand->foot_u <= move.to_u; ++demand)

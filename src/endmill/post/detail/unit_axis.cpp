@@ -3,17 +3,13 @@
 
 #include <cmath>
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
-namespace {
-
-constexpr double rounding_of_doubles = 1e-12;
-
-}  // namespace
-
 std::optional<Vec3> unit_axis(const Vec3& axis)
 {
     const double off = std::abs(axis.norm() - 1);
-    if (off <= rounding_of_doubles)
+    if (off <= unit_vector_rounding)
         return axis;
     if (off <= axis_length_tolerance)
         return axis.normalized();

@@ -3,13 +3,10 @@
 
 #include <optional>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/core/vec.h"
 
 namespace endmill {
-
-/// How far from 1 the length of an axis in a file may be: components of four decimals
-/// leave up to 8.7e-5.
-inline constexpr double axis_length_tolerance = 1e-4;
 
 /// The unit vector that an axis in a file means: as it stands if rounding of doubles
 /// explains its length (1e-12), so that what was written is read; else scaled.

@@ -33,8 +33,8 @@ RotaryRange shared_out(double width, const RotaryRange& limits)
 
 bool within(const RotaryRange& range, const RotaryRange& limits)
 {
-    return limits.from - limit_tolerance <= range.from &&
-           range.to <= limits.to + limit_tolerance;
+    return limits.from - turn_tolerance <= range.from &&
+           range.to <= limits.to + turn_tolerance;
 }
 
 /// Whether a range is to be turned over: it does not fit as it is, or both fit and its larger

@@ -6,13 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/core/vec.h"
 
 namespace endmill {
-
-/// Angles that are equal: the rounding of angles of some rad, 1e-15, with room for how often
-/// they are added; far below what a rotary axis resolves, 1e-6 rad.
-inline constexpr double equal_angles = 1e-9;  // rad
 
 /// Axes about a tool axis, which is z. Along +Z they are those of the part.
 struct PoleFrame {

@@ -9,12 +9,13 @@
 namespace endmill {
 namespace {
 
-// Control points of w r by coordinate, and of w.
+// Bernstein coefficients of the coordinates of w r, and of w.
 struct Nets {
     std::array<BernsteinNet, 3> r;
     BernsteinNet w;
 };
 
+// Coefficients of the derivative in u.
 BernsteinNet du(const BernsteinNet& net)
 {
     const auto degree = net.rows() - 1;
@@ -23,6 +24,7 @@ BernsteinNet du(const BernsteinNet& net)
     return double(degree) * (net.bottomRows(degree) - net.topRows(degree));
 }
 
+// Coefficients of the derivative in v.
 BernsteinNet dv(const BernsteinNet& net)
 {
     return du(net.transpose()).transpose();
@@ -43,7 +45,8 @@ double longest(const Nets& nets, const Derive& derive)
     return std::sqrt((x.cwiseAbs2() + y.cwiseAbs2() + z.cwiseAbs2()).maxCoeff());
 }
 
-// The same from another point: the place of the origin is then no matter.
+// The coefficients relative to the first corner, so that the bounds do not depend on the
+// place of the origin.
 Nets from_first_corner(Nets nets)
 {
     for (BernsteinNet& net : nets.r) {
@@ -53,6 +56,9 @@ Nets from_first_corner(Nets nets)
     return nets;
 }
 
+// Bounds on one piece: the lengths of the control points of the second derivatives. With
+// weights, the derivatives of r follow from those of w r and w by Leibniz' rule, where
+// each term is replaced by its greatest size.
 BendBounds bounds_of(const Nets& nets, bool is_rational)
 {
     const auto duu = [](const BernsteinNet& net) { return du(du(net)); };
@@ -61,7 +67,7 @@ BendBounds bounds_of(const Nets& nets, bool is_rational)
     const BendBounds h{longest(nets, duu), longest(nets, duv), longest(nets, dvv)};
     if (!is_rational)
         return h;
-    // Leibniz' rule on w r, each term at its greatest.
+    // Leibniz' rule for w r, with the greatest size of each term.
     const double w = nets.w.minCoeff();
     const double w_u = greatest(du(nets.w));
     const double w_v = greatest(dv(nets.w));
@@ -81,7 +87,7 @@ Nets nets_of(const BezierPatch& patch)
     return nets;
 }
 
-// The nets on the quarters of the unit interval along one parameter.
+// The coefficients on the four quarters of the unit interval along one parameter.
 std::array<Nets, bounded_pieces> quarters(const Nets& nets, Parameter along)
 {
     std::array<Nets, bounded_pieces> pieces;
@@ -106,7 +112,8 @@ std::array<BendBounds, bounded_pieces * bounded_pieces> bend_bounds(
     const BezierPatch& patch)
 {
     std::array<BendBounds, bounded_pieces * bounded_pieces> bounds;
-    constexpr double unit = bounded_pieces * bounded_pieces;  // of the piece's parameters
+    // Converts from the parameters of the piece to those of the patch.
+    constexpr double unit = bounded_pieces * bounded_pieces;
     const auto columns = quarters(nets_of(patch), Parameter::U);
     for (int i = 0; i < bounded_pieces; ++i) {
         const auto column = quarters(columns[i], Parameter::V);

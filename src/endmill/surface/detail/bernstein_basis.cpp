@@ -16,8 +16,8 @@ void raise(Column&& column, int degree, double t)
     column[0] *= 1 - t;
 }
 
-// Turns polynomials of degree - 1 in `column`, or derivatives of them, into the
-// derivatives of those of `degree`.
+// Turns polynomials of degree - 1 in `column`, or their derivatives, into the derivatives
+// of those of `degree`.
 template <class Column>
 void differentiate(Column&& column, int degree)
 {
@@ -32,7 +32,8 @@ void differentiate(Column&& column, int degree)
 template <int Columns>
 BernsteinBasis<Columns> bernstein_basis(int degree, double t)
 {
-    // Column k is first the polynomials of degree - k, then differentiated k times.
+    // Column k first contains the polynomials of degree - k; then it is differentiated k
+    // times.
     BernsteinBasis<Columns> basis = BernsteinBasis<Columns>::Zero(degree + 1, Columns);
     for (int k = std::min(Columns - 1, degree); k >= 0; --k) {
         const int start = degree - k;

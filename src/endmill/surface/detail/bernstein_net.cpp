@@ -6,7 +6,7 @@
 namespace endmill {
 namespace {
 
-// C(degree, k) for k = 0 … degree.
+// The binomial coefficients C(degree, k) for k from 0 to degree.
 Eigen::VectorXd binomials(Eigen::Index degree)
 {
     Eigen::VectorXd binomial = Eigen::VectorXd::Ones(degree + 1);
@@ -15,7 +15,8 @@ Eigen::VectorXd binomials(Eigen::Index degree)
     return binomial;
 }
 
-// The coefficients times C(p, i) C(q, j): in these, polynomials multiply by convolution.
+// The coefficients multiplied by C(p, i) C(q, j). In this form the product of two
+// polynomials is a convolution.
 BernsteinNet scaled(const BernsteinNet& net)
 {
     return binomials(net.rows() - 1).asDiagonal() * net *
@@ -28,6 +29,7 @@ BernsteinNet unscaled(const BernsteinNet& net)
            binomials(net.cols() - 1).cwiseInverse().asDiagonal();
 }
 
+// The product of two polynomials in scaled form.
 BernsteinNet scaled_product(const BernsteinNet& one, const BernsteinNet& other)
 {
     BernsteinNet product =
@@ -38,7 +40,7 @@ BernsteinNet scaled_product(const BernsteinNet& one, const BernsteinNet& other)
     return product;
 }
 
-// A polynomial and its partials.
+// A polynomial and its partial derivatives, in scaled form.
 struct Derived {
     explicit Derived(const BernsteinNet& net)
         : value{scaled(net)},
@@ -76,8 +78,9 @@ BernsteinNet weight_net(const BezierPatch& patch)
 
 BernsteinNet normal_net(const BezierPatch& patch, const Vec3& direction)
 {
-    // Coordinates x, y across the direction: (a x b) . n = a_x b_y - a_y b_x. They are
-    // taken from a corner, so that the place of the origin is no matter.
+    // With coordinates x and y across the direction n, (a x b) . n = a_x b_y - a_y b_x.
+    // They are measured from a corner, so that the result does not depend on the place of
+    // the origin.
     const Vec3 across = direction.unitOrthogonal();
     const Vec3 corner = patch.control_point(0, 0);
     const BernsteinNet weights = weight_net(patch);
@@ -119,8 +122,8 @@ std::pair<BernsteinNet, BernsteinNet> halves(const BernsteinNet& net, Parameter 
         auto [low, high] = halves(BernsteinNet{net.transpose()}, Parameter::U);
         return {low.transpose(), high.transpose()};
     }
-    // De Casteljau's pyramid at 1/2: its left edge is the lower half, its right the
-    // upper.
+    // De Casteljau's algorithm at 1/2: the left edge of the triangle is the lower half,
+    // the right edge the upper half.
     BernsteinNet low = net;
     BernsteinNet high = net;
     const auto degree = net.rows() - 1;

@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-// A piece narrower than this is its root.
+// A piece narrower than this is itself the root.
 constexpr double least_width = 0x1p-50;
 
 struct Halves {
@@ -20,7 +20,8 @@ struct Halves {
     BernsteinPolynomial high;
 };
 
-// De Casteljau's pyramid at t: its left edge is the lower part, its right the upper.
+// De Casteljau's algorithm at t: the left edge of the triangle is the lower part, the
+// right edge the upper part.
 Halves split(const BernsteinPolynomial& polynomial, double t)
 {
     Halves parts{polynomial, polynomial};
@@ -38,6 +39,7 @@ struct ValueAndSlope {
     double slope;
 };
 
+// Value and derivative by de Casteljau's algorithm.
 ValueAndSlope evaluate(BernsteinPolynomial b, double t)
 {
     double slope = 0;
@@ -50,14 +52,16 @@ ValueAndSlope evaluate(BernsteinPolynomial b, double t)
     return {b[0], slope};
 }
 
+// Whether the coefficients change their sign exactly once, from below zero: then there is
+// exactly one root (Descartes' rule for Bernstein coefficients).
 bool has_one_sign_change(const BernsteinPolynomial& b)
 {
     const auto first = std::ranges::find_if(b, [](double c) { return c >= 0; });
-    // A zero at the end is a root of its own.
+    // A last coefficient of zero would be a root of its own.
     return b.back() > 0 && std::all_of(first, b.end(), [](double c) { return c >= 0; });
 }
 
-// The only root, where the polynomial rises from below zero to zero or above.
+// The only root of a polynomial that rises from below zero to zero or above.
 double only_root(const BernsteinPolynomial& b)
 {
     constexpr int most_steps = 80;
@@ -78,12 +82,14 @@ double only_root(const BernsteinPolynomial& b)
     return t;
 }
 
+// The first root on a piece of this width, by recursive halving from the left.
 std::optional<double> first_root(const BernsteinPolynomial& b, double width)
 {
     if (b.front() >= 0)
         return 0;
     if (*std::ranges::max_element(b) < 0)
-        return std::nullopt;  // a polynomial lies in the hull of its coefficients
+        // The polynomial lies in the convex hull of its coefficients.
+        return std::nullopt;
     if (has_one_sign_change(b))
         return only_root(b);
     if (width < least_width)

@@ -12,11 +12,15 @@ using Function = std::function<double(const Eigen::VectorXd&)>;
 
 constexpr int most_moves = 2000;
 constexpr int most_restarts = 8;
-// Width of the simplex, in the units of the box, at which its values no longer differ.
+// Width of the simplex, in the units of the box, at which the search stops: the values at
+// its corners no longer differ.
 constexpr double least_width = 1e-11;
-// A restart that gains a smaller share than this is the last.
+// A restart that gains less than this share is the last one.
 constexpr double least_gain = 1e-13;
 
+// The simplex of Nelder and Mead. A move reflects the worst corner at the centre of the
+// others. If the new corner is the best one, a step of double length is tried; if it is
+// again the worst one, the simplex is contracted at this corner, or as a whole.
 class Simplex {
 public:
     Simplex(const Function& function, const SearchBox& box)

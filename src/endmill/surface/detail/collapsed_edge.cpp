@@ -3,12 +3,9 @@
 
 #include <algorithm>
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
-namespace {
-
-constexpr double same_point_share = 1e-12;  // of the patch's size
-
-}  // namespace
 
 bool is_collapsed(const BezierPatch& patch, Parameter parameter, int edge)
 {

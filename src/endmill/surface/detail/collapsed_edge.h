@@ -6,9 +6,12 @@
 
 namespace endmill {
 
-/// Whether the edge of `patch` on which `parameter` is `edge` (0 or 1) is one point: all
-/// its control points agree to 1e-12 of the patch's size. Such an edge is a pole; the
-/// normal there is at best a limit.
+/// Whether an edge of a patch is a single point: all its control points agree up to
+/// `same_point_share` of the patch's size. Such an edge is a pole, where the surface has
+/// a normal at best as a limit.
+/// \param patch of any degree.
+/// \param parameter constant on the edge.
+/// \param edge its value there, 0 or 1.
 bool is_collapsed(const BezierPatch& patch, Parameter parameter, int edge);
 
 }  // namespace endmill

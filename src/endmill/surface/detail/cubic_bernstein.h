@@ -5,8 +5,9 @@
 
 namespace endmill {
 
-/// The four cubic Bernstein polynomials C(3,i) t^i (1-t)^(3-i) at t, a row each: values
-/// in the first column, first derivatives in the second, second ones in the third.
+/// The four cubic Bernstein polynomials C(3,i) t^i (1-t)^(3-i) at t, one in each row:
+/// values in the first column, first derivatives in the second, second derivatives in the
+/// third.
 /// Source: [KimChoi, section 2].
 template <int Columns>
 Eigen::Matrix<double, 4, Columns> cubic_bernstein(double t)

@@ -14,6 +14,7 @@ struct ValueAndSlope {
     double slope;
 };
 
+// Value and derivative by de Casteljau's algorithm.
 ValueAndSlope evaluate(const Bernstein& b, double t)
 {
     const double s = 1 - t;
@@ -25,7 +26,8 @@ ValueAndSlope evaluate(const Bernstein& b, double t)
     return {s * b012 + t * b123, 3 * (b123 - b012)};
 }
 
-// Ends of the monotone pieces of the cubic in (0, 1], rising; the last is 1.
+// The ends of the monotone pieces of the cubic in (0, 1], in rising order; the last one
+// is 1.
 struct PieceEnds {
     std::array<double, 3> at;
     int count;
@@ -38,7 +40,8 @@ PieceEnds monotone_pieces(const Bernstein& b)
         if (0 < t && t < 1)
             ends.at[ends.count++] = t;
     };
-    // The slope is the quadratic d0 (1-t)^2 + 2 d1 t (1-t) + d2 t^2 = A t^2 + 2 B t + d0.
+    // The derivative is the quadratic d0 (1-t)^2 + 2 d1 t (1-t) + d2 t^2 = A t^2 + 2 B t
+    // + d0.
     const double d0 = b[1] - b[0];
     const double d1 = b[2] - b[1];
     const double d2 = b[3] - b[2];
@@ -47,8 +50,9 @@ PieceEnds monotone_pieces(const Bernstein& b)
     const double discriminant = B * B - A * d0;
     const bool rises_throughout = d0 >= 0 && d1 >= 0 && d2 >= 0;
     if (!rises_throughout && discriminant > 0) {
-        // The larger root first, then the other by their product: no cancellation. One
-        // that does not exist is not in (0, 1) either, being infinite.
+        // The root of larger size first, then the other one from their product, so that
+        // no digits cancel. A root that does not exist becomes infinite and is not in (0,
+        // 1).
         const double q = -(B + std::copysign(std::sqrt(discriminant), B));
         const double one = q / A;
         const double other = d0 / q;
@@ -62,11 +66,11 @@ PieceEnds monotone_pieces(const Bernstein& b)
 // The root in [low, high], where the cubic rises from below zero to zero or above.
 double bracketed_root(const Bernstein& b, double low, double high)
 {
-    // Halving alone would end after 60 steps; Newton's steps end after about four.
+    // Halving alone would need 60 steps; Newton steps end after about four.
     constexpr int most_steps = 80;
-    // After a Newton step this short the next one would be below rounding.
+    // After a Newton step shorter than this, the next step would be below rounding.
     constexpr double last_step = 1e-9;
-    // Most roots lie near the start of the first piece, where the cubic is nearly the
+    // Most roots are near the start of the first piece, where the cubic is nearly the
     // parabola b0 + 2 B t + A t^2.
     const double B = 1.5 * (b[1] - b[0]);
     const double A = 3 * (b[2] - 2 * b[1] + b[0]);
@@ -91,7 +95,7 @@ double bracketed_root(const Bernstein& b, double low, double high)
 std::optional<double> first_rise_to_zero(const std::array<double, 4>& bernstein)
 {
     if (*std::ranges::max_element(bernstein) < 0)
-        return std::nullopt;  // a polynomial lies in the hull of its coefficients
+        return std::nullopt;  // the cubic lies in the convex hull of its coefficients
     const PieceEnds ends = monotone_pieces(bernstein);
     double start = 0;
     for (int piece = 0; piece < ends.count; ++piece) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/surface/detail/bernstein_basis.h"
 #include "endmill/surface/detail/bernstein_polynomial.h"
 #include "endmill/surface/detail/cubic_bernstein.h"
@@ -13,12 +14,10 @@
 namespace endmill {
 namespace {
 
-constexpr double same_point_share = 1e-12;  // of the surface's diagonal
-
 using CubicNets = Eigen::Map<const Eigen::Matrix<double, 4, 9>, Eigen::Aligned16>;
 
-// The homogeneous curve v = constant of `patch` and its derivatives across, as
-// IsoLine::Piece holds them, given the Bernstein polynomials at v.
+// The homogeneous curve v = constant of a patch and its derivatives across, in the layout
+// of IsoLine::Piece. `basis` holds the Bernstein polynomials at v.
 template <int Coordinates, class Basis>
 Eigen::MatrixXd nets_across(const BezierPatch& patch, const Basis& basis)
 {
@@ -40,7 +39,7 @@ double longest_row(const Eigen::MatrixXd& points)
     return points.rowwise().norm().maxCoeff();
 }
 
-// Control points of the derivative of a curve over an interval of `width`.
+// Control points of the derivative of a curve over an interval of this width.
 Eigen::MatrixXd derivative(const Eigen::MatrixXd& points, double width)
 {
     const auto degree = points.rows() - 1;
@@ -124,7 +123,8 @@ SurfaceJet IsoLine::jet_of(const Piece& piece, double t, double slope)
         bernstein_basis<3>(static_cast<int>(piece.nets.rows()) - 1, t);
     basis.col(1) *= slope;
     basis.col(2) *= slope * slope;
-    // Row c of block m holds the derivatives along of coordinate c's m-th across.
+    // Row c of block m holds the derivatives along u of coordinate c of the m-th
+    // derivative across.
     const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, 12> partials =
         piece.nets.transpose().lazyProduct(basis);
     const int coordinates = piece.is_rational ? 4 : 3;
@@ -147,7 +147,8 @@ double IsoLine::bend_bound_of(int piece, double low, double high) const
     const double width = breaks_[piece + 1] - start;
     const bool is_rational = pieces_[piece].is_rational;
     const Eigen::MatrixXd& nets = pieces_[piece].nets;
-    if (pieces_[piece].is_cubic()) {  // linear, and so greatest at an end
+    // The second derivative is linear, so it is greatest at an end.
+    if (pieces_[piece].is_cubic()) {
         const auto bend = [&](double u) -> Vec3 {
             return CubicNets{nets.data()}.leftCols<3>().transpose() *
                    cubic_bernstein<3>((u - start) / width).col(2);
@@ -166,7 +167,8 @@ double IsoLine::bend_bound_of(int piece, double low, double high) const
         }
         return part;
     };
-    // Measured from a point of the line, so that the place of the origin is no matter.
+    // Measured from a point of the line, so that the bound does not depend on the place
+    // of the origin.
     Eigen::MatrixXd points = first_columns(0, 3);
     if (!is_rational)
         return longest_row(derivative(derivative(points, high - low), high - low));
@@ -199,6 +201,8 @@ double IsoLine::bend_bound(double from, double to) const
     return bound;
 }
 
+// A jump of the first derivative at a border bends the line like a kink: it adds at most
+// width / 4 times the jump. A gap adds its whole length.
 double IsoLine::chord_error_bound(double from, double to) const
 {
     const double width = to - from;
@@ -238,7 +242,8 @@ std::optional<double> IsoLine::first_reach_on(const Piece& piece, double from,
     const auto& [start, direction, distance] = reach;
     if (piece.is_cubic()) {
         const CubicNets nets{piece.nets.data()};
-        std::array<double, 4> beyond;  // how far the line is beyond `distance`, in mm
+        // Signed distance of the control points beyond `distance`, in mm.
+        std::array<double, 4> beyond;
         for (int k = 0; k < 4; ++k)
             beyond[k] =
                 (nets.row(k).head<3>().transpose() - start).dot(direction) - distance;

@@ -9,59 +9,66 @@
 
 namespace endmill {
 
-/// The line v = constant of a surface, with the surface's partials along it: four times
-/// cheaper to evaluate than the surface. For lines u = constant, transpose the surface.
+/// The line v = constant of a surface, with the partial derivatives of the surface along
+/// it. It is evaluated four times faster than the surface. For lines u = constant,
+/// transpose the surface.
 class IsoLine {
 public:
-    /// \param v beyond the surface's range the polynomials of its border patches go on.
+    /// \param surface not needed afterwards.
+    /// \param v beyond the surface's range the polynomials of the border patches are
+    ///         continued.
     IsoLine(const Surface& surface, double v);
 
-    double v() const { return v_; }  ///< the constant parameter
-    Interval range() const { return {breaks_.front(), breaks_.back()}; }  ///< of u
+    double v() const { return v_; }  ///< the constant parameter v
+    Interval range() const { return {breaks_.front(), breaks_.back()}; }  ///< range of u
 
-    /// Whether the line is one point, to 1e-12 of the surface's diagonal: a pole.
+    /// Whether the line is a single point, a pole, up to `same_point_share` of the
+    /// surface's diagonal.
     bool is_point() const { return is_point_; }
 
-    /// Point of the line at u.
+    /// The point of the line at u.
     Vec3 point(double u) const;
 
-    /// The surface's jet at (u, v), one-sided at a border, see Surface::patch_number.
+    /// The jet of the surface at (u, v). It is one-sided at a border; see
+    /// Surface::patch_number.
     SurfaceJet jet(double u) const;
 
-    /// A bound on |d2r/du2| over [from, to] within the patches, in mm per unit of u
-    /// squared. Attained where the surface is bicubic without weights, else from the
-    /// hulls of control points.
+    /// Upper bound of |d2r/du2| over [from, to] within the patches, in mm per squared
+    /// unit of u. For a bicubic surface without weights it is attained; otherwise it
+    /// comes from convex hulls of control points.
     double bend_bound(double from, double to) const;
 
-    /// A bound in mm on the distance of the line over [from, to] from its chord: w^2 / 8
-    /// times the bend bound, w = to - from, and w / 4 times each jump of dr/du and the
-    /// whole of each gap at the borders between.
+    /// Upper bound in mm of the distance between the line over [from, to] and its chord:
+    /// w^2 / 8 times the bend bound, where w = to - from, plus w / 4 times each jump of
+    /// dr/du and the length of each gap at the borders between.
     double chord_error_bound(double from, double to) const;
 
-    /// Smallest u > `from` at which the line has gone `distance` beyond its point at
+    /// The smallest u > `from` at which the line is `distance` beyond its point at
     /// `from`, measured along `direction`: (r(u) - r(from)) . direction = distance.
     /// Source: [KimChoi, eq. (3)].
     ///
-    /// \param distance  in mm, positive.
+    /// \param from start of the search.
     /// \param direction unit.
-    /// \return u, whose residual is a few roundings of the surface's size in mm;
-    ///         nothing if the line never gets there.
+    /// \param distance in mm, positive.
+    /// \return u, with a residual of a few roundings of the surface's size; nothing if
+    ///         the line does not reach that distance.
     std::optional<double> first_reach(double from, const Vec3& direction,
                                       double distance) const;
 
 private:
-    // A patch's line and its derivatives across, as Bezier curves in u by their
+    // The line on one patch and its derivatives across, as Bezier curves in u with
     // homogeneous control points.
     struct Piece {
         bool is_rational;
-        // A row a control point; columns of the curve, of its first, of its second
-        // derivative across, in that order: x, y, z and, if rational, w of each.
+        // One row for each control point. The columns belong to the curve, to its first
+        // and to its second derivative across; for each they are x, y, z and, if
+        // rational, w.
         Eigen::MatrixXd nets;
 
         bool is_cubic() const { return nets.rows() == 4 && !is_rational; }
     };
 
-    // What first_reach looks for.
+    // The query of first_reach.
     struct Reach {
         Vec3 start;
         Vec3 direction;

@@ -11,7 +11,7 @@ namespace {
 
 using Index = Eigen::Index;
 
-// The polynomials and their derivatives, as BezierPatch has them.
+// The polynomials and their derivatives, computed as BezierPatch computes them.
 BernsteinBasis<2> basis_at(int degree, double t)
 {
     if (degree == 3)
@@ -19,8 +19,8 @@ BernsteinBasis<2> basis_at(int degree, double t)
     return bernstein_basis<2>(degree, t);
 }
 
-// The control points in u of the row and of its derivative across, a column for each
-// homogeneous coordinate of the one and then of the other.
+// The control points in u of the row and of its derivative across: first a column for
+// each homogeneous coordinate of the row, then of the derivative.
 Eigen::Matrix<double, Eigen::Dynamic, 8> net_of_row(const BezierPatch& patch, double v)
 {
     const int degree_v = patch.degree(Parameter::V);
@@ -38,8 +38,9 @@ Eigen::Matrix<double, Eigen::Dynamic, 8> net_of_row(const BezierPatch& patch, do
     return net;
 }
 
-// The curve with one coordinate `net` at all places, by the polynomials there. Terms of odd
-// and of even number are summed apart: as in BezierPatch, to the bit if it is bicubic.
+// The curve with the control coordinates `net` at all places, from the polynomials there.
+// Terms of even and odd number are summed separately, as in BezierPatch: for a bicubic
+// patch the results are equal to the last bit.
 template <typename Net>
 Eigen::ArrayXd curve(const Eigen::ArrayXXd& polynomials, const Net& net)
 {
@@ -53,7 +54,7 @@ Eigen::ArrayXd curve(const Eigen::ArrayXXd& polynomials, const Net& net)
     return even + odd;
 }
 
-// The coordinates of w r and its partials, with the weights': those of r.
+// Converts the coordinates of w r and its derivatives to those of r.
 void project(const Eigen::Array<double, Eigen::Dynamic, 3>& weights, TangentRow& row)
 {
     for (Index i = 0; i < row.rows(); ++i) {

@@ -9,27 +9,28 @@
 
 namespace endmill {
 
-/// Points and first partials at places along a row of a patch, a row each: x, y and z of the
-/// point, of the partial in u and of that in v, as SurfaceTangents has them.
+/// Points and first partial derivatives along a row of a patch, one place in each row: x,
+/// y and z of the point, of the derivative in u and of the derivative in v, in the order
+/// of SurfaceTangents.
 using TangentRow = Eigen::Array<double, Eigen::Dynamic, 9>;
 
-/// Patches on a grid of parameters, row by row: the Bernstein polynomials are computed once
-/// for a column and once for a row, and the net is contracted once a row, so that a place
-/// costs a quarter of BezierPatch::tangents.
+/// Evaluates patches on a grid of parameters, row by row. The Bernstein polynomials are
+/// computed once for each column and each row, and the control net is contracted once for
+/// each row. So a place takes a quarter of the time of BezierPatch::tangents.
 class PatchRows {
 public:
-    /// \param degree of the patches in u, 1 … 25.
-    /// \param u where each row is evaluated, in the patches' own parameter.
+    /// \param degree degree of the patches in u, 1 to 25.
+    /// \param u places in each row, in the parameter of the patches.
     PatchRows(int degree, std::span<const double> u);
 
     int degree() const { return static_cast<int>(values_.cols()) - 1; }  ///< as given
 
-    /// What patch.tangents(u, v) is at each u, to a few roundings.
+    /// The values of patch.tangents(u, v) at all u, accurate to a few roundings.
     /// \pre patch.degree(Parameter::U) == degree()
     TangentRow at(const BezierPatch& patch, double v) const;
 
 private:
-    Eigen::ArrayXXd values_;  // a column a polynomial, a row a place
+    Eigen::ArrayXXd values_;  // one column for each polynomial, one row for each place
     Eigen::ArrayXXd slopes_;
 };
 

@@ -10,16 +10,18 @@ namespace endmill {
 namespace {
 
 constexpr double same_end_share = 1e-6;  // of the part's size
-// More sides at one place belong to patches that lie on each other: enough are told.
+// If more sides meet at one place, their patches lie on each other. This number of
+// partners is enough.
 constexpr int most_partners = 8;
 
-// Neighbours by this number if the ends of two sides are the same: their sum, seen in a
-// direction that patches do not usually stand in.
+// A number that is nearly equal for two sides with the same ends: the sum of the ends,
+// projected onto a direction in which patches are not usually aligned.
 double middle_of_ends(const PatchSide& side)
 {
     return (side.ends[0] + side.ends[1]).dot(Vec3{0.742, 0.518, 0.425});
 }
 
+// The side of a patch on the border where `across` has its lowest or highest value.
 PatchSide side_of(std::span<const Surface> surfaces, std::size_t number, Parameter along,
                   int end, int patch)
 {
@@ -44,7 +46,7 @@ PatchSide side_of(std::span<const Surface> surfaces, std::size_t number, Paramet
     return side;
 }
 
-// The greatest distance of some places of the side from its start.
+// Greatest distance of four places of the side from its start.
 double reach(const PatchSide& side)
 {
     double length = 0;
@@ -53,11 +55,12 @@ double reach(const PatchSide& side)
     return length;
 }
 
-// Whether the middle of `one` lies beside `other`, and not on another curve between the
-// same ends.
+// Whether the middle of `one` is close to `other`, so that they are not two different
+// curves between the same ends.
 bool runs_beside(const PatchSide& one, const PatchSide& other)
 {
-    constexpr double beside = 0.05;  // of the side's reach: samples lie about 0.03 apart
+    // Share of the side's reach; the samples are about 0.03 apart.
+    constexpr double beside = 0.05;
     constexpr int samples = 32;
     const Vec3 middle = one.tangents(0.5).point;
     double least = std::numeric_limits<double>::infinity();
@@ -67,6 +70,7 @@ bool runs_beside(const PatchSide& one, const PatchSide& other)
     return least <= beside * reach(one);
 }
 
+// Whether the sides have the same ends, in either order, and run beside each other.
 bool meet(const PatchSide& one, const PatchSide& other, double same_end)
 {
     const auto are_same = [&](int a, int b) {
@@ -112,6 +116,8 @@ std::vector<PatchSide> patch_sides(std::span<const Surface> surfaces)
     return sides;
 }
 
+// Sorts the sides by the number that is equal for meeting sides, and compares each with
+// its successors in that order.
 std::vector<std::pair<std::size_t, std::size_t>> meeting_sides(
     std::span<const PatchSide> sides, double same_end)
 {

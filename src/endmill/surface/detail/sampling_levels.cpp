@@ -15,6 +15,7 @@
 namespace endmill {
 namespace {
 
+// Level that would divide a patch into a million cells along one parameter.
 constexpr int most_level = 20;
 
 using PieceBounds = std::array<BendBounds, bounded_pieces * bounded_pieces>;
@@ -33,7 +34,8 @@ BendBounds joined(const PieceBounds& pieces, int i, int j, int columns, int rows
     return bounds;
 }
 
-// The greatest error of a cell: of the pieces that a cell covers, or that cover it.
+// The greatest error of a cell, from the bounds on the pieces that it covers, or on the
+// piece that covers it.
 double chord_error(const PieceBounds& pieces, const PatchLevels& levels)
 {
     const int columns = std::max(1, bounded_pieces >> levels.u);
@@ -47,7 +49,7 @@ double chord_error(const PieceBounds& pieces, const PatchLevels& levels)
     return error;
 }
 
-// The levels with the fewest cells; of several, the ones that differ least.
+// The levels with the fewest cells; of several such levels those that differ least.
 std::optional<PatchLevels> fewest_cells(const PieceBounds& pieces, double tolerance)
 {
     std::optional<PatchLevels> best;
@@ -112,7 +114,8 @@ double SamplingLevels::triangles() const
         count += 2 * std::ldexp(1.0, levels.u + levels.v);
     for (const auto* sides : {&along_u_, &along_v_})
         for (const int level : *sides)
-            count += 2 * std::ldexp(1.0, level);  // at most, where the patch is coarser
+            // An upper bound, reached where the patch is coarser than its side.
+            count += 2 * std::ldexp(1.0, level);
     return count;
 }
 
@@ -127,7 +130,7 @@ bool match_meeting_sides(std::span<const Surface> surfaces,
         return side.along == Parameter::U ? std::array{side.patch, line}
                                           : std::array{line, side.patch};
     };
-    // Where more than two meet, a level may have to pass from one to the next.
+    // Where more than two sides meet, a level may have to spread from one to the next.
     for (bool raised = true; raised;) {
         raised = false;
         for (const auto& [one, other] : pairs) {
@@ -147,12 +150,12 @@ bool match_meeting_sides(std::span<const Surface> surfaces,
 
 namespace {
 
-// Numbers of the breaks at which the surface is to be cut, the ends included.
+// Numbers of the breaks at which the surface is divided, both ends included.
 std::vector<int> cuts(const Surface& surface, Parameter along)
 {
     const int columns = surface.patches(Parameter::U);
     const int rows = surface.patches(Parameter::V);
-    const auto breaks = border_breaks(surface);  // across u first
+    const auto breaks = border_breaks(surface);  // those across u come first
     const bool is_u = along == Parameter::U;
     const int per_line = is_u ? rows : columns;
     const int first = is_u ? 0 : (columns - 1) * rows;

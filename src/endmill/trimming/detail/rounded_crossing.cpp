@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "endmill/core/detail/double_double.h"
+#include "endmill/core/detail/exact_arithmetic.h"
 
 namespace endmill {
 namespace {

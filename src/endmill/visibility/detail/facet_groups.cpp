@@ -18,7 +18,7 @@ constexpr std::size_t facets_of_a_thread = 1 << 14;
 // side of the box around their centroids.
 void order_by_place(std::span<std::int32_t> facets, const std::vector<Vec3>& centroids)
 {
-    if (facets.size() <= wide_lanes)
+    if (facets.size() <= float_lanes)
         return;
     Vec3 low = centroids[facets[0]];
     Vec3 high = low;
@@ -29,7 +29,7 @@ void order_by_place(std::span<std::int32_t> facets, const std::vector<Vec3>& cen
     int axis = 0;
     (high - low).maxCoeff(&axis);
     const std::size_t half =
-        (facets.size() / 2 + wide_lanes - 1) / wide_lanes * wide_lanes;
+        (facets.size() / 2 + float_lanes - 1) / float_lanes * float_lanes;
     const auto middle = facets.begin() + static_cast<std::ptrdiff_t>(half);
     std::nth_element(facets.begin(), middle, facets.end(),
                      [&](std::int32_t a, std::int32_t b) {
@@ -72,11 +72,11 @@ FacetGroups facet_groups(const TriangleMesh& part, const PartFacets& facets)
         }
         return number[point];
     };
-    for (std::size_t first = 0; first < order.size(); first += wide_lanes) {
+    for (std::size_t first = 0; first < order.size(); first += float_lanes) {
         FacetGroup& group = groups.groups.emplace_back();
         group.count =
-            static_cast<int>(std::min<std::size_t>(wide_lanes, order.size() - first));
-        for (int lane = 0; lane < wide_lanes; ++lane) {
+            static_cast<int>(std::min<std::size_t>(float_lanes, order.size() - first));
+        for (int lane = 0; lane < float_lanes; ++lane) {
             group.facet[lane] = order[first + std::min(lane, group.count - 1)];
             for (int k = 0; k < 3; ++k)
                 group.corner[k][lane] = numbered(part.triangles()[group.facet[lane]][k]);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "endmill/core/detail/wide_floats.h"
+#include "endmill/core/detail/lanes.h"
 #include "endmill/core/vec.h"
 #include "endmill/mesh/triangle_mesh.h"
 #include "endmill/visibility/detail/part_facets.h"
@@ -15,8 +15,8 @@ namespace endmill {
 /// A few facets near each other.
 struct FacetGroup {
     int count;  ///< how many they are; what follows repeats the last
-    std::array<std::int32_t, wide_lanes> facet;  ///< their numbers
-    std::array<std::array<std::int32_t, wide_lanes>, 3>
+    std::array<std::int32_t, float_lanes> facet;  ///< their numbers
+    std::array<std::array<std::int32_t, float_lanes>, 3>
         corner;  ///< [corner]: numbers of points
 };
 

@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/orientation.h"
 #include "endmill/core/parallel.h"
-#include "endmill/mesh/detail/collinear.h"
 
 namespace endmill {
 namespace {

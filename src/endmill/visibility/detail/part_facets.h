@@ -11,9 +11,10 @@ namespace endmill {
 
 /// What the facets of a part are like, each by itself.
 struct PartFacets {
-    std::vector<Vec3> normals;         ///< unit, outward; 0 without area
-    std::vector<Vec3> centroids;       ///< mm, (a + b + c) / 3 rounded
-    std::vector<std::size_t> dropped;  ///< without area, exactly (collinear.h); in order
+    std::vector<Vec3> normals;    ///< unit, outward; 0 without area
+    std::vector<Vec3> centroids;  ///< mm, (a + b + c) / 3 rounded
+    std::vector<std::size_t>
+        dropped;  ///< without area, decided exactly (are_collinear); in order
 
     /// Whether its corners lie on no line. \pre the facet exists.
     bool has_area(std::size_t facet) const { return !normals[facet].isZero(0); }

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "endmill/core/detail/wide_floats.h"
+#include "endmill/core/detail/lanes.h"
 
 namespace endmill {
 

@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-constexpr std::uint32_t lanes = wide_lanes;
+constexpr std::uint32_t lanes = float_lanes;
 static_assert(lanes == PointBlock::size);
 
 // What follows bounds the errors where coordinates, at most 1 in size, are off by h, at least

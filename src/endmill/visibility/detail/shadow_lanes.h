@@ -5,19 +5,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "endmill/core/detail/wide_floats.h"
+#include "endmill/core/detail/lanes.h"
 #include "endmill/visibility/detail/point_cells.h"
 
 namespace endmill {
 
 /// A number for each of as many facets as are dealt with at once.
-using EightFloats = std::array<float, wide_lanes>;
+using EightFloats = std::array<float, float_lanes>;
 
 /// Eight facets as seen along a direction, and what decides which points lie in their shadows.
 /// Edge functions and depth are about the first corner and in units of their largest error:
 /// positive is inside or below, and what is beyond 1 is certain.
 struct alignas(32) EightShadows {
-    std::array<std::int32_t, wide_lanes> facet{};        ///< their numbers
+    std::array<std::int32_t, float_lanes> facet{};       ///< their numbers
     std::array<std::array<EightFloats, 3>, 3> corner{};  ///< [corner][axis], within 1
 
     std::array<float, 2> low{};   ///< of x and y of the points that may be covered

@@ -96,7 +96,7 @@ void ShadowRaster::clear_blocked(const Vec3& direction, std::span<std::uint64_t>
     for (const FacetGroup& group : groups_->groups) {
         shadows.facet = group.facet;
         for (int k = 0; k < 3; ++k)
-            for (int lane = 0; lane < wide_lanes; ++lane) {
+            for (int lane = 0; lane < float_lanes; ++lane) {
                 const Eigen::Vector4f& corner = corners_[group.corner[k][lane]];
                 for (int axis = 0; axis < 3; ++axis)
                     shadows.corner[k][axis][lane] = corner[axis];
@@ -111,11 +111,11 @@ void ShadowRaster::clear_blocked(const Vec3& direction, std::span<std::uint64_t>
 void ShadowRaster::decide(const Vec3& direction)
 {
     for (const ShadowDoubt& doubt : darkness_.doubts) {
-        std::uint8_t& dark_lanes = darkness_.dark_lanes[doubt.place / wide_lanes];
+        std::uint8_t& dark_lanes = darkness_.dark_lanes[doubt.place / float_lanes];
         if (!darkness_.is_dark(doubt.place) &&
             blocks_ray(part_->corners(cells_.number_at(doubt.place)), direction,
                        part_->corners(doubt.facet)))
-            dark_lanes |= static_cast<std::uint8_t>(1U << doubt.place % wide_lanes);
+            dark_lanes |= static_cast<std::uint8_t>(1U << doubt.place % float_lanes);
     }
     darkness_.doubts.clear();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/height_grid.h"
+#include "endmill/surface/nurbs.h"
 
 #include <cmath>
 #include <vector>
@@ -59,7 +59,7 @@ TEST(HeightGrid, OfFewLinesHasALowerDegree)
             EXPECT_NEAR(surface.tangents(u, v).point.z(), height(u, v), 1e-13);
 }
 
-TEST(HeightGrid, TakesItsHeightsAndIsSmoothTwice)
+TEST(HeightGrid, InterpolatesItsHeightsAndIsC2)
 {
     test::Random random{1};
     std::vector<double> x{0};
@@ -107,7 +107,7 @@ TEST(HeightGrid, ConvergesWithTheFourthPower)
     EXPECT_LT(before, 1e-5);
 }
 
-TEST(HeightGrid, RefusesAGridThatIsNone)
+TEST(HeightGrid, RefusesAnInvalidGrid)
 {
     const std::vector<double> line{0, 1, 2};
     const std::vector<double> z(9, 0.0);

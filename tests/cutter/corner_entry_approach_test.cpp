@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/cutter/detail/corner_approach.h"
+#include "endmill/cutter/detail/corner_entry.h"
+#include "endmill/cutter/detail/sweep_entry.h"
 
 #include <cmath>
 #include <limits>
@@ -20,8 +21,8 @@ Vec3 random_vector(test::Random& random, double size)
             random.uniform(-size, size)};
 }
 
-// The region by S itself, which knows nothing of half spaces: on it at the entry, and with
-// no place before. Nearly all lines that rise are decided.
+// The second route is S itself, which is computed without half spaces: the entry is on S,
+// and no earlier place is in the region. Nearly all rising lines are decided.
 TEST(CornerApproach, EndsWhereTheHeightIsThatOfTheLine)
 {
     test::Random random{23};
@@ -36,8 +37,9 @@ TEST(CornerApproach, EndsWhereTheHeightIsThatOfTheLine)
         line.direction.z() = std::abs(line.direction.z());
         const CornerApproach approach = corner_approach(sweep, line, infinite);
         ++rising;
-        if (!approach.is_known)
+        if (approach.enters == Answer::Undecided)
             continue;
+        EXPECT_EQ(approach.enters == Answer::Yes, approach.entry.has_value());
         ++known;
         const double end = approach.entry ? approach.entry->t - 1e-7 : 30;
         for (double t = -30; t < end; t += 0.1)
@@ -49,7 +51,7 @@ TEST(CornerApproach, EndsWhereTheHeightIsThatOfTheLine)
         EXPECT_NEAR(normal.norm(), 1, 1e-12) << i;
         EXPECT_LE(normal.z(), 0) << i;
         EXPECT_LT(normal.dot(line.direction), 0) << i;
-        if (normal.z() > -0.1)  // at the side S is steep
+        if (normal.z() > -0.1)  // S is steep at the side
             continue;
         const Vec3 at = line.origin + approach.entry->t * line.direction;
         EXPECT_NEAR(sweep.height(at.x(), at.y()), at.z(), 1e-11) << i;
@@ -67,7 +69,7 @@ TEST(CornerApproach, IsTheSameOnBothSidesOfTheMove)
         corner_approach(sweep, {{2, 3.8, -4}, Vec3{0.1, -0.2, 1}.normalized()}, infinite);
     const auto right =
         corner_approach(sweep, {{2, -3.8, -4}, Vec3{0.1, 0.2, 1}.normalized()}, infinite);
-    ASSERT_TRUE(left.is_known && left.entry && right.is_known && right.entry);
+    ASSERT_TRUE(left.entry && right.entry);
     EXPECT_NEAR(left.entry->t, right.entry->t, 1e-13);
     EXPECT_NEAR(left.entry->normal.y(), -right.entry->normal.y(), 1e-12);
 }
@@ -77,10 +79,10 @@ TEST(CornerApproach, OfAMoveOfNoLengthIsToTheCutter)
     const StraightSweep still{Cutter{5, 2}, {0, 0, 0}, {0, 0, 0}};
     for (const double before : {infinite, 40.0, 9.3}) {
         const auto corner = corner_approach(still, {{4, 0, -9}, Vec3::UnitZ()}, before);
-        ASSERT_TRUE(corner.is_known && corner.entry) << before;
+        ASSERT_TRUE(corner.entry) << before;
         EXPECT_NEAR(corner.entry->t, 9 + 2 - std::sqrt(3.0), 1e-13);
         const auto bottom = corner_approach(still, {{1, 1, -9}, Vec3::UnitZ()}, before);
-        ASSERT_TRUE(bottom.is_known && bottom.entry) << before;
+        ASSERT_TRUE(bottom.entry) << before;
         EXPECT_NEAR(bottom.entry->t, 9, 1e-14);
         EXPECT_EQ(bottom.entry->normal, -Vec3::UnitZ());
     }
@@ -90,17 +92,18 @@ TEST(CornerApproach, IsNoneWhereTheEntryComesLater)
 {
     const StraightSweep level{Cutter{5, 2}, {0, 0, 0}, {20, 0, 0}};
     const auto later = corner_approach(level, {{10, 0, -9}, Vec3::UnitZ()}, 8.999);
-    EXPECT_TRUE(later.is_known);
+    EXPECT_EQ(later.enters, Answer::No);
     EXPECT_FALSE(later.entry);
     const auto beside = corner_approach(level, {{10, 5.1, -9}, Vec3::UnitZ()}, infinite);
-    EXPECT_TRUE(!beside.is_known || !beside.entry);
+    EXPECT_NE(beside.enters, Answer::Yes);
 }
 
-// One from above has nothing to say to a search from outside.
-TEST(CornerApproach, OfALineStraightDownIsNotKnown)
+// A search from outside cannot decide a line that comes from above.
+TEST(CornerApproach, OfALineStraightDownIsUndecided)
 {
     const StraightSweep level{Cutter{5, 2}, {0, 0, 0}, {20, 0, 0}};
-    EXPECT_FALSE(corner_approach(level, {{10, 0, 9}, -Vec3::UnitZ()}, infinite).is_known);
+    EXPECT_EQ(corner_approach(level, {{10, 0, 9}, -Vec3::UnitZ()}, infinite).enters,
+              Answer::Undecided);
 }
 
 }  // namespace

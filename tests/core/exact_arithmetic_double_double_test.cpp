@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/core/detail/double_double.h"
+#include "endmill/core/detail/exact_arithmetic.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/surface/ferguson.h"
+#include "endmill/surface/bezier_patch.h"
 
 #include <algorithm>
 #include <vector>
@@ -26,8 +26,8 @@ BezierPatch tabulated_patch()
     return BezierPatch{net};
 }
 
-// Hermite's cubics of a value and a slope at either end: what Ferguson's patch is made
-// of.
+// Hermite's cubics for a value and a slope at both ends, of which Ferguson's patch is
+// made.
 Eigen::Vector4d hermite(double t)
 {
     const double s = 1 - t;
@@ -50,7 +50,7 @@ Vec3 ferguson_point(const FergusonPatch& patch, double u, double v)
     return point;
 }
 
-TEST(Ferguson, BezierFormIsTheSurfaceThatHermitesCubicsSpan)
+TEST(Ferguson, BezierFormIsTheSurfaceOfHermitesCubics)
 {
     const FergusonPatch ferguson = ferguson_from_bezier(random_patch(1));
     const BezierPatch bezier = bezier_from_ferguson(ferguson);
@@ -73,7 +73,7 @@ TEST(Ferguson, ThereAndBackIsTheSamePatch)
 }
 
 // The definitions in long double: r(0, 0) = B00, r_u = 3 (B10 - B00), r_uv = 9 (B00 - B10
-// - B01 + B11) and so at the other corners.
+// - B01 + B11), and likewise at the other corners.
 TEST(Ferguson, IsAsAccurateAsStated)
 {
     for (unsigned seed = 0; seed < 200; ++seed) {
@@ -151,14 +151,14 @@ TEST(Ferguson, BezierFormIsAsAccurateAsStated)
     }
 }
 
-TEST(Ferguson, TabulatedPatchHasEqualTwists)  // vectors computed with 50 digits
+TEST(Ferguson, TabulatedPatchHasEqualTwists)  // the vectors were computed with 50 digits
 {
     for (const auto& corner : ferguson_from_bezier(tabulated_patch()).corners)
         EXPECT_LT((corner.twist - Vec3{0, 0, 9}).norm(), 1e-13);
 }
 
 TEST(Ferguson,
-     WithoutTwistsTheTabulatedPatchIsAnother)  // vectors computed with 50 digits
+     WithoutTwistsTheTabulatedPatchIsAnother)  // the vectors were computed with 50 digits
 {
     FergusonPatch flat = ferguson_from_bezier(tabulated_patch());
     for (auto& corner : flat.corners)

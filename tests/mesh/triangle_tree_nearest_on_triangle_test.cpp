@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/mesh/detail/nearest_on_triangle.h"
+#include "endmill/mesh/triangle_tree.h"
 
 #include <algorithm>
 
@@ -15,8 +15,9 @@ Vec3 somewhere(test::Random& random)
     return {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)};
 }
 
-// The nearest place of a convex set is the one that sees no other ahead of it.
-TEST(NearestOnTriangle, SeesNoCornerAhead)
+// A point of a convex set is the nearest one if no other point of the set is further
+// ahead in the direction of the place.
+TEST(NearestOnTriangle, HasNoCornerBeyondItsTangentPlane)
 {
     test::Random random{1};
     for (int i = 0; i < 2000; ++i) {

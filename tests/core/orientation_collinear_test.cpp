@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/mesh/detail/collinear.h"
+#include "endmill/core/orientation.h"
 
 #include <array>
 #include <cmath>
@@ -20,7 +20,8 @@ Vec3 point(const Whole& whole)
     return {double(whole[0]), double(whole[1]), double(whole[2])};
 }
 
-// The cross product of whole numbers below 2^52, whose products have 106 bits.
+// The cross product in integers: coordinates below 2^52 have products of at most 106
+// bits.
 bool collinear_in_whole_numbers(const Whole& a, const Whole& b, const Whole& c)
 {
     const auto minor = [&](int i, int j) {
@@ -43,7 +44,7 @@ Whole at(const Whole& start, const Whole& step, std::int64_t steps)
             start[2] + steps * step[2]};
 }
 
-TEST(AreCollinear, SaysWhatWholeNumbersSay)
+TEST(AreCollinear, AgreesWithIntegerArithmetic)
 {
     test::Random random{1};
     int apart = 0;
@@ -72,9 +73,9 @@ TEST(AreCollinear, HoldsForEqualPointsAndOnAnAxis)
     EXPECT_TRUE(are_collinear({0.1, 7, 1.1}, {0.1, 7, -3.3}, {0.1, 7, 1e-9}));
 }
 
-TEST(AreCollinear, SeesTheLastBitOfACoordinate)
+TEST(AreCollinear, DependsOnTheLastBitOfACoordinate)
 {
-    // 3 a and 5 a are doubles if a has few bits; one of 0.1, 0.3, 0.5 is rounded.
+    // 3 a and 5 a are exact because a has few bits; one of 0.1, 0.3 and 0.5 is rounded.
     const Vec3 a{0.1F, 0.7F, 0.3F};
     EXPECT_TRUE(are_collinear(a, 3 * a, 5 * a));
     Vec3 b = 5 * a;
