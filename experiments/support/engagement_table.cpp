@@ -9,7 +9,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
-#include "endmill/process/ball_engagement.h"
+#include "endmill/process/cutting_coefficients.h"
 #include "support/ball_drawing.h"
 
 namespace endmill {
@@ -49,7 +49,7 @@ std::vector<NamedBorder> named_borders(const BallEngagement& engagement)
     require(!is_air(engagement), "named_borders: nothing is cut");
     const EngagedRegion region{engagement};
     std::vector<NamedBorder> borders;
-    for (const BorderArc& arc : region.borders(false)) {
+    for (const BorderArc& arc : region.borders(BorderSplit::Whole)) {
         NamedBorder border{border_name(arc.kind, region.previous), {}};
         for (int k = 0; k <= steps; ++k) {
             const double p = arc.from + (arc.to - arc.from) * k / steps;

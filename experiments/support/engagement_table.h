@@ -6,7 +6,7 @@
 
 #include "endmill/core/vec.h"
 #include "endmill/files/csv.h"
-#include "endmill/process/ball_engagement.h"
+#include "endmill/process/detail/engaged_region.h"
 #include "support/named_cells.h"
 
 namespace endmill {

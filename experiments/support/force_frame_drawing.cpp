@@ -10,7 +10,8 @@
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
-#include "endmill/process/force_profile.h"
+#include "endmill/process/cutting_force.h"
+#include "endmill/process/detail/engaged_region.h"
 #include "support/named_cells.h"
 
 namespace endmill {
@@ -47,12 +48,14 @@ CuttingForce force_with(const EdgeElement& element, Milling milling, double radi
                                    .r4 = axial,
                                    .alpha = 0.5,
                                    .v1_m_per_min = 1};
-    return ForceProfile{{.engagement = element.engagement,
-                         .material = material,
-                         .tool = {.radius = 1, .flutes = 1},
-                         .feed_per_tooth_mm = 1,
-                         .milling = milling}}
-        .at(element.azimuth);
+    const std::array turns{element.azimuth};
+    return force_profile({.engagement = element.engagement,
+                          .material = material,
+                          .tool = {.radius = 1, .flutes = 1},
+                          .feed_per_tooth_mm = 1,
+                          .milling = milling},
+                         turns)
+        .front();
 }
 
 Vec3 vector_of(const CuttingForce& force)

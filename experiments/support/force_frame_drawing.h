@@ -16,7 +16,7 @@ struct EdgeElement {
 };
 
 /// Unit directions of the parts of the force at an element, in the room of BallFrame: what
-/// `ForceProfile` gives for an edge without helix if only that part bears, so that all its
+/// `force_profile` gives for an edge without helix if only that part bears, so that all its
 /// elements pull one way.
 struct ForceDirections {
     Vec3 tangential;  ///< F_T, on the work

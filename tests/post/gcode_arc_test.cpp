@@ -19,13 +19,12 @@ Arc arc_of(const std::string& modes, const std::string& block, const Vec3& end)
     const std::string text = modes + '\n' + block;
     TextLines lines{text, {"f", "E_GCODE"}};
     GcodeModes in_force;
-    const GcodeReadOptions options;
     GcodeBlock words;
     while (lines.next()) {
         words = parse_block(lines.line(), lines);
         in_force.apply(words, lines);
     }
-    const ArcReader reader{words, in_force, lines, options};
+    const ArcReader reader{words, in_force, lines, GcodeReadOptions{}.max_extent_mm};
     reader.check_words();
     return reader.arc(origin, end);
 }

@@ -36,7 +36,7 @@ TEST(GcodeModes, BeginAsTheLanguageDoes)
     const GcodeModes modes;
     EXPECT_EQ(modes.motion, GcodeMotion::None);
     EXPECT_EQ(modes.plane, ArcPlane::Xy);
-    EXPECT_FALSE(modes.incremental);
+    EXPECT_EQ(modes.distance, DistanceMode::Absolute);
     EXPECT_EQ(modes.mm_per_unit(), 1);
 }
 
@@ -47,9 +47,9 @@ TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
     EXPECT_EQ(modes.motion, GcodeMotion::Straight);
     EXPECT_EQ(modes.plane, ArcPlane::Zx);
     EXPECT_EQ(modes.mm_per_unit(), 25.4);
-    EXPECT_TRUE(modes.incremental);
-    EXPECT_TRUE(modes.absolute_centres);
-    EXPECT_TRUE(modes.inverse_time);
+    EXPECT_EQ(modes.distance, DistanceMode::Incremental);
+    EXPECT_EQ(modes.centres, DistanceMode::Absolute);
+    EXPECT_EQ(modes.feed, FeedMode::InverseTime);
     EXPECT_EQ(modes.coordinate_system, 550);
     EXPECT_TRUE(modes.used_tool_length);
     EXPECT_TRUE(modes.used_blending);
@@ -60,9 +60,9 @@ TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
     EXPECT_EQ(later.motion, GcodeMotion::None);
     EXPECT_EQ(later.plane, ArcPlane::Xy);
     EXPECT_EQ(later.unit, GcodeUnit::Millimetre);
-    EXPECT_FALSE(later.incremental);
-    EXPECT_FALSE(later.absolute_centres);
-    EXPECT_FALSE(later.inverse_time);
+    EXPECT_EQ(later.distance, DistanceMode::Absolute);
+    EXPECT_EQ(later.centres, DistanceMode::Incremental);
+    EXPECT_EQ(later.feed, FeedMode::PerMinute);
     EXPECT_EQ(later.coordinate_system, 593);
 }
 

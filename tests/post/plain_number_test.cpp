@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "endmill/post/program.h"
 #include "random.h"
 
 namespace endmill {

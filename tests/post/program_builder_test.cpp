@@ -13,7 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr MoveFeed feed{600, false};
+constexpr MoveFeed feed{600};
 
 class ProgramBuilderTest : public testing::Test {
 protected:
@@ -91,8 +91,8 @@ TEST_F(ProgramBuilderTest, TurnsInverseTimeIntoAFeed)
 {
     ProgramBuilder builder{lines, options};
     builder.go_to({0, 0, 0}, std::nullopt);
-    builder.go_to({3, 4, 0}, MoveFeed{2, true});
-    builder.go_to({3, 4, 0}, MoveFeed{2, true});
+    builder.go_to({3, 4, 0}, MoveFeed{2, FeedMode::InverseTime});
+    builder.go_to({3, 4, 0}, MoveFeed{2, FeedMode::InverseTime});
     EXPECT_THAT(feeds(builder.take()), ElementsAre(std::nullopt, 10, std::nullopt));
 }
 
@@ -101,7 +101,8 @@ TEST_F(ProgramBuilderTest, SharesTheTimeOfAnArcAmongItsChords)
     options.most_points = 1000;
     ProgramBuilder builder{lines, options};
     builder.go_to({5, 0, 0}, std::nullopt);
-    builder.go_along({{5, 0, 0}, {0, 5, -1}, Vec3::Zero()}, MoveFeed{0.25, true});
+    builder.go_along({{5, 0, 0}, {0, 5, -1}, Vec3::Zero()},
+                     MoveFeed{0.25, FeedMode::InverseTime});
     const Program program = builder.take();
     const auto& points = program.path.points;
     double minutes = 0;
@@ -190,7 +191,7 @@ TEST_F(ProgramBuilderTest, RefusesWhatIsOutOfRange)
     builder.go_to({0, 0, 0}, std::nullopt);
     EXPECT_EQ(
         refusal_of([&] {
-            builder.go_to({10, 0, 0}, MoveFeed{1e308, true});
+            builder.go_to({10, 0, 0}, MoveFeed{1e308, FeedMode::InverseTime});
         }),
         "E_RANGE f:1: a feed of infinite mm/min; expected one that a double can hold");
 }

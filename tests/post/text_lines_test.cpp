@@ -80,5 +80,15 @@ TEST(Brief, HasSixDigits)
     EXPECT_EQ(brief(std::numeric_limits<double>::quiet_NaN()), "not a number");
 }
 
+TEST(CheckExtent, RefusesWhatIsBeyond)
+{
+    TextLines lines{"X", {"f", "E_GCODE"}};
+    lines.next();
+    EXPECT_NO_THROW(check_extent(-10, 10, lines));
+    EXPECT_THROW(check_extent(10.1, 10, lines), FormatError);
+    EXPECT_THROW(check_extent(std::numeric_limits<double>::quiet_NaN(), 10, lines),
+                 FormatError);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -13,6 +13,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/process/detail/engaged_region.h"
 #include "random.h"
 #include "sliced_coefficients.h"
 
@@ -36,6 +37,16 @@ BallEngagement random_engagement(test::Random& random)
 BallEngagement slot(double lambda)
 {
     return {0, lambda, 0, 1, PreviousPass::None};
+}
+
+TEST(EngagedAngle, IsThatAtTheTopOfTheStock)
+{
+    EXPECT_NEAR(engaged_angle({0, 0, 0.5, 1}), pi / 3, 1e-12);
+    EXPECT_NEAR(engaged_angle({0, 0, 0.5, 7}), pi / 3, 1e-12);
+    EXPECT_NEAR(engaged_angle({0, 0.3, 0, 2, PreviousPass::None}), pi, 1e-12);
+    EXPECT_NEAR(engaged_angle({0, 0.3, 0, 2, PreviousPass::Edge}), pi / 2, 1e-12);
+    EXPECT_NEAR(engaged_angle({0, -0.9, 0, 0.1, PreviousPass::None}), 2 * pi, 1e-12);
+    EXPECT_EQ(engaged_angle({0, 0, 0.5, 0}), 0);
 }
 
 TEST(CuttingCoefficients, OfALevelSlotAreClosed)

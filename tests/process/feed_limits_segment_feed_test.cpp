@@ -49,7 +49,7 @@ TEST(SegmentFeed, OfASlotIsThatOfTheSpec)
     EXPECT_LT(relative_error(feed.tooth.feed_per_tooth_mm, 0.072097110475), 1e-9);
     EXPECT_LT(relative_error(feed.table.spindle_rpm, 904.996386706), 1e-9);
     EXPECT_LT(relative_error(feed.table.feed_mm_per_min, 130.495248944), 1e-9);
-    EXPECT_EQ(said_limit(feed), FeedLimit::CuttingForce);
+    EXPECT_EQ(reported_limit(feed), FeedLimit::CuttingForce);
     EXPECT_EQ(feed.table.speed_limit, SpeedLimit::EconomicSpeed);
     EXPECT_LT(relative_error(feed.loads.cutting_force_n, 1200), 1e-14);
 }
@@ -57,12 +57,13 @@ TEST(SegmentFeed, OfASlotIsThatOfTheSpec)
 TEST(SegmentFeed, SaysInfeasibleBeforeBlockRateBeforeWhatGoverns)
 {
     const FeedRules slack = rules({.cutting_force_n = 1200});
-    EXPECT_EQ(said_limit(segment_feed(slot(0.001, slack), slack)), FeedLimit::BlockRate);
+    EXPECT_EQ(reported_limit(segment_feed(slot(0.001, slack), slack)),
+              FeedLimit::BlockRate);
     EXPECT_EQ(segment_feed(slot(0.001, slack), slack).tooth.governing,
               FeedLimit::CuttingForce);
     const FeedRules tight = rules({.cutting_force_n = 300});
     const SegmentFeed feed = segment_feed(slot(1e-6, tight), tight);
-    EXPECT_EQ(said_limit(feed), FeedLimit::Infeasible);
+    EXPECT_EQ(reported_limit(feed), FeedLimit::Infeasible);
     EXPECT_TRUE(feed.table.is_block_bound);
     EXPECT_EQ(feed.tooth.feed_per_tooth_mm, 0.005);
     EXPECT_GT(feed.loads.cutting_force_n, 300);
@@ -74,7 +75,7 @@ TEST(SegmentFeed, InAirIsTheCapWithoutLoads)
     const SegmentFeed feed = segment_feed(
         {.length_mm = 10, .engaged_angle = pi / 36, .bounds = {}, .loads = {}}, slack);
     EXPECT_EQ(feed.tooth.feed_per_tooth_mm, 0.15);
-    EXPECT_EQ(said_limit(feed), FeedLimit::Cap);
+    EXPECT_EQ(reported_limit(feed), FeedLimit::Cap);
     EXPECT_EQ(feed.loads.cutting_force_n, 0);
     EXPECT_EQ(feed.table.power_w, 0);
     EXPECT_FALSE(feed.peak_factor);

@@ -13,7 +13,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/process/cutting_coefficients.h"
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/segment_load.h"
 #include "milling_examples.h"
 #include "random.h"
 #include "reference_path.h"
@@ -324,7 +324,7 @@ TEST(FeedPlan, InAirGoesAtTheCap)
         EXPECT_EQ(plan.rows[0].tooth.feed_per_tooth_mm, 0.15);
         EXPECT_NEAR(plan.rows[0].engaged_angle, pi / 36, 1e-15);
         EXPECT_EQ(plan.rows[0].loads.torque_n_m, 0);
-        EXPECT_EQ(said_limit(plan.rows[0]), FeedLimit::Cap);
+        EXPECT_EQ(reported_limit(plan.rows[0]), FeedLimit::Cap);
     }
 }
 

@@ -78,8 +78,8 @@ struct GridStep {
     double share;
 };
 
-// Linear between the 16 nodes from `first` on; the last axis is the depth, whose nodes follow
-// each other.
+// Linear between the 16 nodes from `first` on; the last axis is the depth, whose nodes
+// follow each other.
 ENDMILL_WIDEST_REGISTERS
 Coefficients blended(const Coefficients* first, const std::array<GridStep, 3>& steps,
                      double depth_share)

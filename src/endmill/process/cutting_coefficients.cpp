@@ -30,6 +30,18 @@ CuttingCoefficients means(const CoefficientSums& sums)
 
 }  // namespace
 
+double engaged_angle(const BallEngagement& engagement)
+{
+    require_sound(engagement);
+    if (is_air(engagement))
+        return 0;
+    const EngagedRegion region{engagement};
+    double angle = 0;
+    for (const AzimuthRange& range : region.ranges_at(region.top_sine, region.top_cosine))
+        angle += range.to - range.from;
+    return angle;
+}
+
 CuttingCoefficients shank_coefficients(const BallEngagement& engagement, ChipModel chip)
 {
     require_sound(engagement);

@@ -21,8 +21,8 @@ std::optional<double> linear_bound(double a, double b, double most)
     return std::isfinite(bound) ? std::optional{bound} : std::nullopt;
 }
 
-// Where (f A + h B)^2 + (r1 f A + r2 h B)^2 reaches `most`^2, with chip = A and edge = h B.
-// The positive root, written so that nothing cancels.
+// Where (f A + h B)^2 + (r1 f A + r2 h B)^2 reaches `most`^2, with chip = A and edge = h
+// B. The positive root, written so that nothing cancels.
 std::optional<double> force_bound(const CuttingMaterial& material, double chip,
                                   double edge, double most)
 {

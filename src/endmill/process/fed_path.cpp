@@ -55,7 +55,7 @@ std::vector<std::string_view> limit_words(std::size_t count,
     require_rows(count, points, rows);
     std::vector<std::string_view> words(count);
     for (std::size_t k = 0; k < points.size(); ++k)
-        words[points[k]] = feed_limit_name(said_limit(rows[k]));
+        words[points[k]] = feed_limit_name(reported_limit(rows[k]));
     return words;
 }
 

@@ -13,24 +13,25 @@
 
 namespace endmill {
 
-/// `path` with feed and spindle speed on every row. The moves to `points` (rising) have those
-/// of `rows`. Other moves keep the feed that they have, or else get `plunge_feed_mm_per_min`;
-/// rapids keep having none. The spindle turns on each of them as in the next cut, or the last.
+/// `path` with feed and spindle speed on every row. The moves to `points` (rising) have
+/// those of `rows`. Other moves keep the feed that they have, or else get
+/// `plunge_feed_mm_per_min`; rapids keep having none. The spindle turns on each of them
+/// as in the next cut, or the last.
 /// Source: spec of ball-end milling, sections 12 and 13.
-/// \throws DomainError unless there is a row for each of the points, these are of the path and
-///         rise, and the feed is finite and above 0.
+/// \throws DomainError unless there is a row for each of the points, these are of the
+///         path and rise, and the feed is finite and above 0.
 ToolPath fed_path(ToolPath path, std::span<const std::size_t> points,
                   std::span<const SegmentFeed> rows, double plunge_feed_mm_per_min);
 
-/// The word for the limit that governs the move to each of `count` points; empty for those
-/// that are not of `points`.
+/// The word for the limit that governs the move to each of `count` points; empty for
+/// those that are not of `points`.
 /// \throws DomainError as above.
 std::vector<std::string_view> limit_words(std::size_t count,
                                           std::span<const std::size_t> points,
                                           std::span<const SegmentFeed> rows);
 
-/// Minutes that the moves of `fed` to other points than `points` take: those without a feed
-/// at `rapid_mm_per_min`, the others at theirs.
+/// Minutes that the moves of `fed` to other points than `points` take: those without a
+/// feed at `rapid_mm_per_min`, the others at theirs.
 /// \throws DomainError unless the rapid feed is finite and above 0.
 double noncut_minutes(const ToolPath& fed, std::span<const std::size_t> points,
                       double rapid_mm_per_min);
@@ -53,11 +54,13 @@ struct TimeParts {
     std::optional<double> constant_feed_mm_per_min = {};  ///< above 0
 };
 
-/// The times of a path. Source: [ParkMaeng, section 5]; spec of ball-end milling, section 8.
+/// The times of a path. Source: [ParkMaeng, section 5]; spec of ball-end milling, section
+/// 8.
 /// \throws DomainError unless the parts are finite and as said.
 FeedTimes feed_times(const TimeParts& parts);
 
-/// The share of `constant_min` that `varied_min` saves, in %: 100 (1 - varied / constant).
+/// The share of `constant_min` that `varied_min` saves, in %: 100 (1 - varied /
+/// constant).
 /// \throws DomainError unless both are above 0.
 double saving_percent(double varied_min, double constant_min);
 
@@ -92,21 +95,22 @@ struct PlannedRun {
     double time_s = 0;                  ///< their sum, in order
 };
 
-/// Fastest speed in mm/s over the corner from `before` to `after`, two moves with the corner
-/// between them: that of the circle which touches both, passes within the tolerance of the
-/// corner and uses no more than half of either move. Infinite if the direction stays, 0 if
-/// it is reversed.
-/// Source: spec of ball-end milling, section 11; with half the turn's cosine c and sine s,
-/// radius = min(tolerance c (1 + c) / s^2, c / (2 s) least length), speed^2 = a radius.
+/// Fastest speed in mm/s over the corner from `before` to `after`, two moves with the
+/// corner between them: that of the circle which touches both, passes within the
+/// tolerance of the corner and uses no more than half of either move. Infinite if the
+/// direction stays, 0 if it is reversed.
+/// Source: spec of ball-end milling, section 11; with half the turn's cosine c and sine
+/// s, radius = min(tolerance c (1 + c) / s^2, c / (2 s) least length), speed^2 = a
+/// radius.
 /// \param before, after in mm, of any length but 0.
 /// \throws DomainError unless tolerance and acceleration are as said and no length is 0.
 double corner_speed(const Vec3& before, const Vec3& after,
                     const FeedAcceleration& motion);
 
 /// Fastest motion along `points` whose speed is nowhere above that of its segment, nor at
-/// a point above the corner's, and changes no faster than the acceleration. Each speed at a
-/// point is the largest that both neighbours allow, so no motion within these bounds takes
-/// less time.
+/// a point above the corner's, and changes no faster than the acceleration. Each speed at
+/// a point is the largest that both neighbours allow, so no motion within these bounds
+/// takes less time.
 /// Source: spec of ball-end milling, section 11.
 ///
 /// \param points in mm. \param feeds in mm/s, one a segment, above 0.
@@ -116,9 +120,10 @@ double corner_speed(const Vec3& before, const Vec3& after,
 PlannedRun planned_run(std::span<const Vec3> points, std::span<const double> feeds,
                        const FeedAcceleration& motion);
 
-/// Times in s of the moves of `path`, one a point, that to the first 0. Each run of moves at
-/// feed is planned by its tips from rest to rest; a rapid, and what else but a cut has no
-/// feed, has 0 and makes the machine rest before and after. A move that goes nowhere has 0.
+/// Times in s of the moves of `path`, one a point, that to the first 0. Each run of moves
+/// at feed is planned by its tips from rest to rest; a rapid, and what else but a cut has
+/// no feed, has 0 and makes the machine rest before and after. A move that goes nowhere
+/// has 0.
 /// \throws DomainError unless every cut has a feed; or as `planned_run`.
 std::vector<double> planned_times(const ToolPath& path, const FeedAcceleration& motion);
 

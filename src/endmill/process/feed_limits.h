@@ -11,8 +11,8 @@
 
 namespace endmill {
 
-/// What the engaged edges of a cutter add up to, all flutes together, without material and
-/// size: the spec's A, B, A_T, B_T, or m R_m times I5, I6, I7, I8. None is negative.
+/// What the engaged edges of a cutter add up to, all flutes together, without material
+/// and size: the spec's A, B, A_T, B_T, or m R_m times I5, I6, I7, I8. None is negative.
 struct EdgeSums {
     double chip = 0;         ///< of the chip term of tangential force, over K f_t r0
     double edge = 0;         ///< of the edge term, over K h* r0
@@ -26,7 +26,7 @@ EdgeSums scaled(const EdgeSums& sums, double factor);
 /// Which form of a limit holds where the paper's differs from the exact one.
 enum class LimitForm {
     Paper,  ///< force: the tangential one times sqrt(1 + r1^2), exact if r2 = r1; power
-            ///< with 974000 kgf mm rpm/kW
+            /// < with 974000 kgf mm rpm/kW
     Exact,  ///< force: the root of the squares; power 2 pi n M / 60
 };
 
@@ -51,8 +51,8 @@ struct LoadLimits {
     std::optional<double> torque_n_m = {};       ///< N m, above 0
 };
 
-/// Feed per tooth in mm at which each limit is reached; none where the limit does not bind,
-/// 0 where the edges alone exceed it.
+/// Feed per tooth in mm at which each limit is reached; none where the limit does not
+/// bind, 0 where the edges alone exceed it.
 struct FeedBounds {
     std::optional<double> cutting_force = {};
     std::optional<double> thrust = {};
@@ -73,13 +73,14 @@ CuttingLoads cutting_loads(const LoadModel& model, const EdgeSums& sums,
 FeedBounds feed_bounds(const LoadModel& model, const EdgeSums& sums,
                        const LoadLimits& limits);
 
-/// Power in W that a torque takes at a speed of the spindle. Source: [ParkMaeng, eq. (19)].
-/// In the paper's form 1 kW is 974000 kgf mm rpm, 0.025 % above the exact 973757.2551.
+/// Power in W that a torque takes at a speed of the spindle. Source: [ParkMaeng, eq.
+/// (19)]. In the paper's form 1 kW is 974000 kgf mm rpm, 0.025 % above the exact
+/// 973757.2551.
 double cutting_power_w(LimitForm form, double torque_n_m, double spindle_rpm);
 
 /// r0*, the radius in mm at which the tangential force has the torque that there is; none
-/// without force. Source: [ParkMaeng, section 2] as corrected in spec of ball-end milling,
-/// section 4: r0 (f_t I7 + h* I8) / (f_t I5 + h* I6).
+/// without force. Source: [ParkMaeng, section 2] as corrected in spec of ball-end
+/// milling, section 4: r0 (f_t I7 + h* I8) / (f_t I5 + h* I6).
 std::optional<double> equivalent_radius(const LoadModel& model, const EdgeSums& sums,
                                         double feed_per_tooth_mm);
 
@@ -134,9 +135,10 @@ struct ToothFeed {
     bool is_infeasible;   ///< the governing limit is below the least feed, which is used
 };
 
-/// Stage I: the least of the bounds and the cap. It is never raised in silence: where it is
-/// below the least feed per tooth, `is_infeasible` says so. A bound that is below by less than
-/// a relative 1e-9 counts as equal, so that a limit computed from a feed admits this feed.
+/// Stage I: the least of the bounds and the cap. It is never raised in silence: where it
+/// is below the least feed per tooth, `is_infeasible` says so. A bound that is below by
+/// less than a relative 1e-9 counts as equal, so that a limit computed from a feed admits
+/// this feed.
 /// Source: [ParkMaeng, section 4.3, stage I]; spec of ball-end milling, section 6.
 /// \throws DomainError unless the range is as said; if nothing bounds the feed.
 ToothFeed tooth_feed(const FeedBounds& bounds, const FeedRange& range);
@@ -159,8 +161,8 @@ struct DriveRules {
     double block_time_ms = 10;  ///< least time of a block; 0: no such rule
 };
 
-/// \throws DomainError unless the radius is above 0, there is a flute, the time of a block is
-///         not negative, and machine and speed are sound.
+/// \throws DomainError unless the radius is above 0, there is a flute, the time of a
+///         block is not negative, and machine and speed are sound.
 void require_sound(const DriveRules& rules);
 
 /// Speed of the spindle and feed of the table.
@@ -172,13 +174,14 @@ struct TableFeed {
     double power_w;       ///< at that torque and spindle speed
 };
 
-/// Stages II to IV: the economic speed, bounded by spindle, power and feed drive (the first
-/// of equals counts); then m f_t n, and no more than lets a block last. The feed per tooth
-/// stays: bounded by the block rate, the chip is thinner than it says, and loads are smaller.
+/// Stages II to IV: the economic speed, bounded by spindle, power and feed drive (the
+/// first of equals counts); then m f_t n, and no more than lets a block last. The feed
+/// per tooth stays: bounded by the block rate, the chip is thinner than it says, and
+/// loads are smaller.
 /// Source: [ParkMaeng, eq. (18) to (21), section 4.3, stages II to IV]; spec of ball-end
 /// milling, section 6.
-/// \throws DomainError unless feed, length and radius are above 0, phi/pi is as said, there is
-///         a flute, and the block's time is not negative.
+/// \throws DomainError unless feed, length and radius are above 0, phi/pi is as said,
+///         there is a flute, and the block's time is not negative.
 TableFeed table_feed(const MoveDemand& move, const DriveRules& rules);
 
 /// What a cutting move asks for, however it was found.
@@ -219,6 +222,6 @@ SegmentFeed segment_feed(const SegmentLoad& load, const FeedRules& rules);
 
 /// What is said of the move: Infeasible before BlockRate before what governs its feed per
 /// tooth.
-FeedLimit said_limit(const SegmentFeed& feed);
+FeedLimit reported_limit(const SegmentFeed& feed);
 
 }  // namespace endmill

@@ -2,17 +2,20 @@
 #include "endmill/process/feed_plan.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
-#include "endmill/process/cutting_coefficients.h"
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/front_load.h"
+#include "endmill/process/detail/segment_load.h"
 
 namespace endmill {
 namespace {
 
-// Relative: above the 1e-5 to which a load's largest value over a turn is known, so that a
-// limit as told does admit the least feed.
+// Relative: above the 1e-5 to which a load's largest value over a turn is known, so that
+// a limit as told does admit the least feed.
 constexpr double needed_margin = 2e-5;
 
 // `needed` or what `load` needs where it is above `limit`.
@@ -26,7 +29,7 @@ void add(FeedPlanTotals& totals, const SegmentFeed& row, double length)
 {
     totals.length_mm += length;
     totals.cut_min += length / row.table.feed_mm_per_min;
-    totals.limit_shares[static_cast<std::size_t>(said_limit(row))] += length;
+    totals.limit_shares[static_cast<std::size_t>(reported_limit(row))] += length;
     totals.speed_limit_shares[static_cast<std::size_t>(row.table.speed_limit)] += length;
     totals.max_torque_n_m = std::max(totals.max_torque_n_m, row.loads.torque_n_m);
     totals.max_power_w = std::max(totals.max_power_w, row.table.power_w);
@@ -51,7 +54,85 @@ std::vector<CuttingCoefficients> all_coefficients(std::span<const SegmentCut> cu
     return all;
 }
 
+std::optional<double> smaller(const std::optional<double>& one,
+                              const std::optional<double>& other)
+{
+    if (one && other)
+        return std::min(*one, *other);
+    return one ? one : other;
+}
+
 }  // namespace
+
+FeedRange feed_range(const CuttingMaterial& material, const FeedPlanOptions& options)
+{
+    FeedRange range;
+    range.most_mm = options.max_feed_per_tooth_mm ? options.max_feed_per_tooth_mm
+                                                  : material.max_feed_per_tooth_mm;
+    range.least_mm = options.min_feed_per_tooth_mm.value_or(
+        material.min_feed_per_tooth_mm.value_or(range.least_mm));
+    return range;
+}
+
+FeedPlanOptions corrected_feed_options()
+{
+    FeedPlanOptions options;
+    options.chip = ChipModel::Exact;
+    options.peak = PeakRule::Direct;
+    options.form = LimitForm::Exact;
+    return options;
+}
+
+FeedRules feed_rules(const MillingJob& job, const FeedPlanOptions& options)
+{
+    require_sound(job.tool);
+    require(std::isfinite(options.peak_factor) && options.peak_factor >= 1,
+            "feed plan: need 1 <= peak factor");
+    const FeedRules rules{
+        .model = {job.material, job.tool.radius, options.form},
+        .limits = {job.tool.cutting_force_n, job.tool.thrust_n,
+                   smaller(job.tool.torque_n_m, job.machine.max_torque_n_m)},
+        .range = feed_range(job.material, options),
+        .drive = {.radius = job.tool.radius,
+                  .flutes = job.tool.flutes,
+                  .speed = {job.material.alpha, job.material.v1_m_per_min},
+                  .machine = job.machine,
+                  .form = options.form,
+                  .block_time_ms = options.block_time_ms}};
+    require_sound(rules);
+    return rules;
+}
+
+SegmentLoad front_load(double length_mm, const BallFront& front, const MillingTool& tool,
+                       const FeedPlanOptions& options, const FeedRules& rules)
+{
+    const double angle = std::clamp(front.rim_angle, least_life_angle, std::numbers::pi);
+    const auto load_of_sums = [&](const EdgeSums& sums, double factor) {
+        return SegmentLoad{
+            .length_mm = length_mm,
+            .engaged_angle = angle,
+            .bounds = feed_bounds(rules.model, sums, rules.limits),
+            .loads = [sums, &rules](
+                         double feed) { return cutting_loads(rules.model, sums, feed); },
+            .peak_factor = factor};
+    };
+    if (options.peak == PeakRule::Constant)
+        return load_of_sums(edge_sums(front_coefficients(front, options.chip),
+                                      tool.flutes, options.peak_factor),
+                            options.peak_factor);
+    // A shared pointer, because a std::function must be copyable.
+    const auto pattern = std::make_shared<const FrontPattern>(front, options.chip, tool);
+    if (options.peak == PeakRule::Torque) {
+        const double factor = pattern->peak_factor();
+        return load_of_sums(scaled(pattern->mean(), factor), factor);
+    }
+    return {.length_mm = length_mm,
+            .engaged_angle = angle,
+            .bounds = pattern->direct_bounds(rules.model, rules.limits),
+            .loads = [pattern, &rules](double feed) {
+                return pattern->largest_loads(rules.model, feed);
+            }};
+}
 
 FeedPlanTotals feed_plan_totals(const std::vector<SegmentFeed>& rows,
                                 const std::vector<double>& lengths_mm,
@@ -101,11 +182,18 @@ FeedPlan feed_plan(std::span<const SegmentCut> cuts, const MillingJob& job,
                    const FeedPlanOptions& options)
 {
     const FeedRules rules = feed_rules(job, options);
-    if (options.peak != PeakRule::Constant)
+    if (options.peak == PeakRule::Torque)
         return feed_plan(
             cuts.size(),
             [&](std::size_t i) {
-                return turning_load(cuts[i], job.tool, options.peak, options.chip, rules);
+                return torque_peak_load(cuts[i], job.tool, options.chip, rules);
+            },
+            rules);
+    if (options.peak == PeakRule::Direct)
+        return feed_plan(
+            cuts.size(),
+            [&](std::size_t i) {
+                return direct_peak_load(cuts[i], job.tool, options.chip, rules);
             },
             rules);
     const std::vector<CuttingCoefficients> coefficients =
@@ -113,7 +201,8 @@ FeedPlan feed_plan(std::span<const SegmentCut> cuts, const MillingJob& job,
     return feed_plan(
         cuts.size(),
         [&](std::size_t i) {
-            return factored_load(cuts[i], coefficients[i], options.peak_factor, rules);
+            return constant_peak_load(cuts[i], coefficients[i], options.peak_factor,
+                                      rules);
         },
         rules);
 }

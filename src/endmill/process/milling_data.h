@@ -9,8 +9,8 @@
 
 namespace endmill {
 
-/// What a work material asks of the cutter: forces by chip and edge, and the speed that it
-/// is cut at. Tangential force of an element of the edge of depth dz under a chip of
+/// What a work material asks of the cutter: forces by chip and edge, and the speed that
+/// it is cut at. Tangential force of an element of the edge of depth dz under a chip of
 /// thickness t: K (t + h*) dz; radial K (r1 t + r2 h*) dz; axial K (r3 t + r4 h*) dz.
 /// Source: [ParkMaeng, eq. (1), (4)] as corrected in spec of ball-end milling, section 2;
 /// in the notation of K_tc, K_te, ...: K = K_tc, h* = K_te/K_tc, r1 = K_rc/K_tc,
@@ -40,8 +40,9 @@ inline constexpr double most_helix = 80 * std::numbers::pi / 180;  ///< rad, eit
 struct MillingTool {
     double radius;  ///< r0 of the ball, mm, above 0
     int flutes;     ///< m, from 1
-    /// Of the flutes against the axis, rad, within `most_helix` either way. In the frame of
-    /// BallEngagement edges trail by it, also when that frame is mirrored: see HelicalEdge.
+    /// Of the flutes against the axis, rad, within `most_helix` either way. In the frame
+    /// of BallEngagement edges trail by it, also when that frame is mirrored: see
+    /// HelicalEdge.
     double helix = 0;
     std::optional<double> cutting_force_n =
         {};  ///< most across the axis at any time, N, above 0
@@ -52,14 +53,14 @@ struct MillingTool {
 /// \throws DomainError unless every number is finite and as said above.
 void require_sound(const MillingTool& tool);
 
-/// What the cut sees of `tool`. A helix that it does not tell is 0: where the flutes' course
-/// matters, ask `tool.helix` first.
+/// What the cut sees of `tool`. A helix that it does not tell is 0: where the flutes'
+/// course matters, ask `tool.helix` first.
 /// \throws DomainError if it is no ball-end mill, or does not tell its flutes; or as
 ///         `require_sound` of a Tool.
 MillingTool milling_tool(const Tool& tool);
 
-/// What a milling machine bears and reaches, as the cut sees it. A limit that is not given
-/// does not bind.
+/// What a milling machine bears and reaches, as the cut sees it. A limit that is not
+/// given does not bind.
 struct MachineLimits {
     std::optional<double> max_rpm = {};                ///< of the spindle, above 0
     std::optional<double> max_power_w = {};            ///< of the spindle, above 0

@@ -14,8 +14,8 @@
 namespace endmill {
 namespace {
 
-// Of the ball's centre at the neighbouring crossing: its foot is searched from that of the
-// neighbour's middle, which lies within a move of it.
+// Of the ball's centre at the neighbouring crossing: its foot is searched from that of
+// the neighbour's middle, which lies within a move of it.
 constexpr double any_distance = 1e300;
 
 void require_sound(const SegmentCutOptions& options)
@@ -102,8 +102,8 @@ private:
         cut.pick_feed_horizontal_mm = across;
     }
 
-    // \return false where the contact is none of the model: an overhang, or a part that is
-    //         too tight for the ball.
+    // \return false where the contact is none of the model: an overhang, or a part that
+    //         is too tight for the ball.
     bool set_by_contact(std::size_t i, const std::optional<Neighbour>& neighbour,
                         SegmentCut& cut) const
     {

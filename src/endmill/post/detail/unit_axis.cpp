@@ -6,6 +6,7 @@
 namespace endmill {
 namespace {
 
+// Deviation of a length from 1 that the rounding of a written axis explains.
 constexpr double rounding_of_doubles = 1e-12;
 
 }  // namespace

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
 #include "endmill/core/detail/widest_registers.h"
 
 namespace endmill {
@@ -15,51 +18,38 @@ constexpr int lanes = 4;
 
 using Row = std::array<double, nodes>;
 
-// Gauss-Kronrod rule of 7 and 15 nodes on [-1, 1], the middle first.
-// Source: QUADPACK, routine qk15.
-constexpr std::array<double, 8> kronrod_node{0,
-                                             0.207784955007898467600689403773245,
-                                             0.405845151377397166906606412076961,
-                                             0.586087235467691130294144691693280,
-                                             0.741531185599394439863864773280788,
-                                             0.864864423359769072789712788640926,
-                                             0.949107912342758524526189684047851,
-                                             0.991455371120812639206854697526329};
-constexpr std::array<double, 8> kronrod_weight{
-    0.209482141084727828012999174891714, 0.204432940075298892414161999234649,
-    0.190350578064785409913256402421014, 0.169004726639267902826583426598550,
-    0.140653259715525918745189590510238, 0.104790010322250183839876322541518,
-    0.063092092629978553290700663189204, 0.022935322010529224963732008058970};
-// Of the nodes 0, 2, 4, 6 alone.
-constexpr std::array<double, 4> gauss_weight{
-    0.417959183673469387755102040816327, 0.381830050505118944950369775488975,
-    0.279705391489276667901467771423780, 0.129484966168869693270611432679082};
-
+// Nodes and weights of the Gauss-Kronrod rule of 15 nodes on [-1, 1] and of its Gauss
+// rule of 7 nodes, in ascending order of the nodes.
 struct Rule {
     Row node{};
     Row weight{};
-    Row gauss_weight{};
+    Row gauss_weight{};  // 0 at the nodes that the Gauss rule does not have
 };
 
-constexpr Rule both_sides()
+// Boost tabulates the nodes from 0 on; every second one belongs to the Gauss rule.
+Rule gauss_kronrod_rule()
 {
+    using boost::math::quadrature::gauss;
+    using boost::math::quadrature::gauss_kronrod;
+    const auto& kronrod_node = gauss_kronrod<double, 15>::abscissa();
+    const auto& kronrod_weight = gauss_kronrod<double, 15>::weights();
+    const auto& gauss_weight = gauss<double, 7>::weights();
+    constexpr std::size_t middle = 7;
     Rule rule;
     for (std::size_t k = 0; k < kronrod_node.size(); ++k)
         for (const int side : {-1, 1}) {
-            if (k == 0 && side > 0)
-                continue;
-            const std::size_t at = 7 + (side < 0 ? -k : k);
-            rule.node[at] = side * kronrod_node[k];
+            const std::size_t at = side < 0 ? middle - k : middle + k;
+            rule.node[at] = k == 0 ? 0 : side * kronrod_node[k];
             rule.weight[at] = kronrod_weight[k];
             rule.gauss_weight[at] = k % 2 == 0 ? gauss_weight[k / 2] : 0;
         }
     return rule;
 }
 
-constexpr Rule rule = both_sides();
+const Rule rule = gauss_kronrod_rule();
 
-// Coefficients of torque_height_share in powers of 2u - 1: its Chebyshev series of degree 20,
-// whose next term is 1e-17.
+// Coefficients of torque_height_share in powers of 2u - 1: its Chebyshev series of degree
+// 20, whose next term is 1e-17.
 constexpr std::array<double, 21> height_share{
     0.709199576156145235,    0.054400565125139498,    0.0153326269269083556,
     0.00450451999558602168,  0.001357108979340724,    0.000415819481432203479,
@@ -78,8 +68,8 @@ inline double height_share_at(double u)
     return sum;
 }
 
-// Points of a border at the nodes, and `turn`, the weight's share of y dX - X dy, which is
-// sin^2 of the latitude times the change of azimuth.
+// Points of a border at the nodes, and `turn`, the weight's share of y dX - X dy, which
+// is sin^2 of the latitude times the change of azimuth.
 struct BorderNodes {
     Row x;
     Row y;
@@ -140,25 +130,26 @@ inline void previous_ball_nodes(const EngagedRegion& region, const Stretch& stre
                                 BorderNodes& at)
 {
     const EngagedRegion& r = region;
+    const PreviousPassCurve& c = region.pass;
     const double rate = angle_rate(stretch);
     for (int i = 0; i < nodes; ++i) {
         const double p = parameter(stretch, i);
         const double unit = 1 / (1 + p * p);
         const double sine = 2 * p * unit;
         const double cosine = (1 - p) * (1 + p) * unit;
-        const double half_sine = r.amplitude * sine;
+        const double half_sine = c.amplitude * sine;
         const double half_cosine = std::sqrt((1 - half_sine) * (1 + half_sine));
         const double sin_nu = 2 * half_sine * half_cosine;
         const double cos_nu = 1 - 2 * half_sine * half_sine;
-        const double sin_phi = cos_nu * r.cos_mu + sin_nu * r.sin_mu;
-        const double cos_phi = sin_nu * r.cos_mu - cos_nu * r.sin_mu;
-        const double tau = r.reach * cosine;
-        const double w = -r.rise - cos_phi;
-        const double phi_by_x = -2 * r.amplitude * cosine / half_cosine;
+        const double sin_phi = cos_nu * c.cos_mu + sin_nu * c.sin_mu;
+        const double cos_phi = sin_nu * c.cos_mu - cos_nu * c.sin_mu;
+        const double tau = c.reach * cosine;
+        const double w = -c.rise - cos_phi;
+        const double phi_by_x = -2 * c.amplitude * cosine / half_cosine;
         const double x_by_x =
-            -r.reach * sine * r.cos_lambda - sin_phi * phi_by_x * r.sin_lambda;
+            -c.reach * sine * r.cos_lambda - sin_phi * phi_by_x * r.sin_lambda;
         at.x[i] = tau * r.cos_lambda - w * r.sin_lambda;
-        at.y[i] = sin_phi - r.across;
+        at.y[i] = sin_phi - c.across;
         at.z[i] = w * r.cos_lambda + tau * r.sin_lambda;
         at.turn[i] = rate * unit * (at.y[i] * x_by_x - at.x[i] * cos_phi * phi_by_x);
     }
@@ -273,7 +264,8 @@ CoefficientSums border_integrals(const EngagedRegion& region, ChipModel chip,
 {
     CoefficientSums total{};
     std::vector<Stretch> open;
-    const std::vector<BorderArc> arcs = region.borders(chip == ChipModel::Paper);
+    const std::vector<BorderArc> arcs = region.borders(
+        chip == ChipModel::Paper ? BorderSplit::AtAxis : BorderSplit::Whole);
     for (const BorderArc& arc : arcs)
         if (!region.is_radial(arc.kind))
             open.push_back({arc.kind, arc.from, arc.to});

@@ -21,9 +21,9 @@ struct ValueAndSlope {
 };
 
 /// A root in a bracket by Newton's steps, halved where one would leave it.
-/// \param least_step a step that changes less, in the variable's unit, ends the search; it
-///        ends after 60 steps in any case, more than halving would need for a bracket of 2
-///        and a step of 1e-15.
+/// \param least_step a step that changes less, in the variable's unit, ends the search;
+///        it ends after 60 steps in any case, more than halving would need for a bracket
+///        of 2 and a step of 1e-15.
 /// \param function gives the `ValueAndSlope` at a place.
 template <typename Function>
 double bracketed_newton(RootBracket bracket, double least_step, const Function& function)

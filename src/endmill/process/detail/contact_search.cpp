@@ -28,11 +28,12 @@ constexpr double step_tolerance = 1e-12;
 // Of the trace of the first form: keeps the system solvable at a pole.
 constexpr double damping = 1e-12;
 
-// Of the surface's diagonal: nearer to the centre, the direction from the foot is rounding.
+// Of the surface's diagonal: nearer to the centre, the direction from the foot is
+// rounding.
 constexpr double coincidence = 1e-9;
 
-// Of a squared distance: what it is rounded by. Near the foot, where it is level, a step that
-// gains nothing else may still bring the place nearer.
+// Of a squared distance: what it is rounded by. Near the foot, where it is level, a step
+// that gains nothing else may still bring the place nearer.
 constexpr double distance_rounding = 1e-14;
 
 struct PlaneVector {
@@ -40,8 +41,8 @@ struct PlaneVector {
     double v;
 };
 
-// The step that minimises the model with gradient g and matrix [a b; b c]; along a parameter
-// that is held, none.
+// The step that minimises the model with gradient g and matrix [a b; b c]; along a
+// parameter that is held, none.
 PlaneVector model_step(PlaneVector g, const Eigen::Matrix2d& matrix, bool hold_u,
                        bool hold_v)
 {
@@ -54,7 +55,8 @@ PlaneVector model_step(PlaneVector g, const Eigen::Matrix2d& matrix, bool hold_u
     return {-(c * g.u - b * g.v) / determinant, -(a * g.v - b * g.u) / determinant};
 }
 
-// Of half the squared distance: exact if it is definite, else without the bend of the surface.
+// Of half the squared distance: exact if it is definite, else without the bend of the
+// surface.
 Eigen::Matrix2d distance_hessian(const SurfaceJet& jet, const Vec3& offset)
 {
     Eigen::Matrix2d first;

@@ -23,8 +23,8 @@ struct CutMove {
     double middle_mm() const { return begin_mm + length_mm / 2; }  ///< as begin_mm
 };
 
-/// The moves of `path` to its cut points, in order, without those that go nowhere and those
-/// straight up or down, which are none of the model.
+/// The moves of `path` to its cut points, in order, without those that go nowhere and
+/// those straight up or down, which are none of the model.
 /// \throws GeometryError unless the axis of every point is +z.
 std::vector<CutMove> cut_moves(const ToolPath& path);
 

@@ -14,13 +14,13 @@ namespace {
 
 using std::numbers::pi;
 
-// Cells of the table of moments over the ball: with three Gauss nodes in each, 1e-13 up to a
-// helix of 80 degrees.
+// Cells of the table of moments over the ball: with three Gauss nodes in each, 1e-13 up
+// to a helix of 80 degrees.
 constexpr int moment_cells = 128;
 constexpr double moment_cell = pi / 2 / moment_cells;
 
 // Integral of sin(t - z tangent) for z in a range, as a product without cancellation.
-double sine_integral(const EdgeStretch& range, double turn, double tangent)
+double sine_integral(const HeightRange& range, double turn, double tangent)
 {
     const double length = range.to - range.from;
     const double middle = turn - (range.from + range.to) / 2 * tangent;
@@ -42,7 +42,7 @@ double radius_integral(double height)
 
 // Calls `visit` with the parts of a stretch in which sin(t - z tangent) has one sign.
 template <typename Visit>
-void for_each_half_turn(const EdgeStretch& stretch, double turn, double tangent,
+void for_each_half_turn(const HeightRange& stretch, double turn, double tangent,
                         const Visit& visit)
 {
     const double bottom = turn - stretch.from * tangent;
@@ -54,11 +54,11 @@ void for_each_half_turn(const EdgeStretch& stretch, double turn, double tangent,
     for (; step * half_turns * pi < step * top; half_turns += step) {
         const double to = (turn - half_turns * pi) / tangent;
         if (to > from && to < stretch.to) {
-            visit(EdgeStretch{from, to});
+            visit(HeightRange{from, to});
             from = to;
         }
     }
-    visit(EdgeStretch{from, stretch.to});
+    visit(HeightRange{from, stretch.to});
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ std::array<double, 2> ForcePattern::moments_from(int below, double latitude) con
     return sums;
 }
 
-void ForcePattern::add_stretch(const EdgeStretch& stretch, double turn,
+void ForcePattern::add_stretch(const HeightRange& stretch, double turn,
                                EdgeSums& sums) const
 {
     const bool is_on_ball = stretch.to <= 1;
@@ -149,17 +149,17 @@ EdgeSums ForcePattern::at(double turn) const
     EdgeSums sums;
     for (int flute = 0; flute < flutes_; ++flute) {
         const double azimuth = turn + 2 * pi * flute / flutes_;
-        for (const EdgeStretch& stretch : edge_.engaged(azimuth)) {
+        for (const HeightRange& stretch : edge_.engaged(azimuth)) {
             if (chip_ == ChipModel::Exact && stretch.to <= 1)
                 add_stretch(stretch, azimuth, sums);
             else
                 for_each_half_turn(
                     stretch, azimuth, edge_.tangent(),
-                    [&](const EdgeStretch& part) { add_stretch(part, azimuth, sums); });
+                    [&](const HeightRange& part) { add_stretch(part, azimuth, sums); });
         }
     }
-    // Thin chips are differences of closed sums, which may round to below 0; a limit would take
-    // that for a feed that thins the chip.
+    // Thin chips are differences of closed sums, which may round to below 0; a limit
+    // would take that for a feed that thins the chip.
     sums.chip = std::max(sums.chip, 0.0);
     sums.chip_torque = std::max(sums.chip_torque, 0.0);
     return sums;
@@ -171,8 +171,8 @@ EdgeSums ForcePattern::mean() const
     return scaled({one.I5, one.I6, one.I7, one.I8}, flutes_);
 }
 
-// Between two events that follow each other the sums are smooth, but for square roots at the
-// ends: nodes are dense there, the outermost within a rounding of the events.
+// Between two events that follow each other the sums are smooth, but for square roots at
+// the ends: nodes are dense there, the outermost within a rounding of the events.
 void ForcePattern::sample()
 {
     constexpr int nodes = 9;
@@ -225,7 +225,8 @@ double ForcePattern::largest_between(const Measure& measure, double low,
 
 double ForcePattern::largest(const Measure& measure) const
 {
-    // A maximum between samples is higher than the highest of them by less than this share.
+    // A maximum between samples is higher than the highest of them by less than this
+    // share.
     constexpr double share = 0.02;
     double highest = -std::numeric_limits<double>::infinity();
     for (const std::vector<Sample>& samples : samples_)

@@ -12,8 +12,8 @@
 namespace endmill {
 namespace {
 
-// Moves that are searched one from another. Their number is fixed, so that no result depends
-// on the threads.
+// Moves that are searched one from another. Their number is fixed, so that no result
+// depends on the threads.
 constexpr std::size_t block_moves = 128;
 
 // The point that the ball misses the part by most at.

@@ -17,8 +17,8 @@ struct MoveContact {
     std::optional<BallFoot> foot = {};  ///< if the part is known
 };
 
-/// What is known of contacts without a part: between the normals that `path` tells of both
-/// ends of a move, none where it does not.
+/// What is known of contacts without a part: between the normals that `path` tells of
+/// both ends of a move, none where it does not.
 std::vector<std::optional<MoveContact>> told_contacts(const ToolPath& path,
                                                       std::span<const CutMove> moves);
 
@@ -28,13 +28,13 @@ struct BallOnPart {
     double tolerance;  ///< mm
 };
 
-/// \throws GeometryError if a contact that `path` tells of an end of a move is not as far from
-///         the ball's centre as its radius, within the tolerance: names the first.
+/// \throws GeometryError if a contact that `path` tells of an end of a move is not as far
+///         from the ball's centre as its radius, within the tolerance: names the first.
 void require_ball(const ToolPath& path, std::span<const CutMove> moves,
                   const BallOnPart& ball);
 
-/// The contacts by projection on a part, searched from what `path` tells, or else from move
-/// to move.
+/// The contacts by projection on a part, searched from what `path` tells, or else from
+/// move to move.
 /// \throws GeometryError if the ball at an end of a move misses the part by more than the
 ///         tolerance: says by how much it does where it does most.
 /// The same with any number of threads.

@@ -14,8 +14,8 @@ constexpr std::size_t leaf_moves = 8;
 // Of a box's size and place: what turning and adding may round off.
 constexpr double box_rounding = 1e-14;
 
-// Of the pick feed's length, across the feed: below it the pass lies straight above or below
-// to rounding, and the pick feed's slope is no angle of the model.
+// Of the pick feed's length, across the feed: below it the pass lies straight above or
+// below to rounding, and the pick feed's slope is no angle of the model.
 constexpr double least_side_share = 1e-6;
 
 // Crossings as near are in the way of the move itself: coordinates in files have no more

@@ -26,22 +26,23 @@ struct NeighbouringPasses {
     std::optional<PassCrossing> right;
 };
 
-/// Finds, for every move, the passes cut before it that lie beside it. Keeps a tree of boxes
-/// over runs of moves in the order in which they are cut: a run is a short piece of a pass,
-/// so that its box is narrow, and what is cut later is left out by its number. Boxes stand
-/// along the mean direction of the moves, for which those of a slanted raster are narrow too.
+/// Finds, for every move, the passes cut before it that lie beside it. Keeps a tree of
+/// boxes over runs of moves in the order in which they are cut: a run is a short piece of
+/// a pass, so that its box is narrow, and what is cut later is left out by its number.
+/// Boxes stand along the mean direction of the moves, for which those of a slanted raster
+/// are narrow too.
 /// Source: spec of ball-end milling, section 12, `passes`.
 class PassIndex {
 public:
     /// \param moves in the order of cutting; they must outlive the index.
     explicit PassIndex(std::span<const CutMove> moves);
 
-    /// The nearest crossings of moves before `move` with the plane through its middle across
-    /// its direction. A crossing counts if it is nearer than `reach` (mm), if its move goes
-    /// within 45 degrees along or against this one, if it is no part of the own pass within
-    /// `reach` of path, and does not lie straight above or below: that is no pick feed. One
-    /// that coincides with the middle counts as to the left. Of several equally near ones
-    /// that which is cut last. About log(n) steps.
+    /// The nearest crossings of moves before `move` with the plane through its middle
+    /// across its direction. A crossing counts if it is nearer than `reach` (mm), if its
+    /// move goes within 45 degrees along or against this one, if it is no part of the own
+    /// pass within `reach` of path, and does not lie straight above or below: that is no
+    /// pick feed. One that coincides with the middle counts as to the left. Of several
+    /// equally near ones that which is cut last. About log(n) steps.
     NeighbouringPasses beside(std::size_t move, double reach) const;
 
 private:

@@ -9,7 +9,8 @@ namespace {
 
 using std::numbers::pi;
 
-// Integrals of g_k over the azimuth on a range in which sin(azimuth) has the sign of `front`.
+// Integrals of g_k over the azimuth on a range in which sin(azimuth) has the sign of
+// `front`.
 struct AzimuthIntegrals {
     double sine_cosine;
     double sine_square;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/front_load.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <optional>
 
@@ -16,8 +15,8 @@ namespace {
 
 using std::numbers::pi;
 
-// Turns of the flutes' period, and heights of an edge over the ball's radius: finer than the
-// cells of a front, whose width the sums are good to.
+// Turns of the flutes' period, and heights of an edge over the ball's radius: finer than
+// the cells of a front, whose width the sums are good to.
 constexpr int turns = 180;
 constexpr int edge_steps = 64;
 
@@ -225,36 +224,6 @@ CuttingLoads FrontPattern::largest_loads(const LoadModel& model,
         largest.torque_n_m = std::max(largest.torque_n_m, loads.torque_n_m);
     }
     return largest;
-}
-
-SegmentLoad front_load(double length_mm, const BallFront& front, const MillingTool& tool,
-                       const FeedPlanOptions& options, const FeedRules& rules)
-{
-    const double angle = std::clamp(front.rim_angle, least_life_angle, pi);
-    const auto load_of_sums = [&](const EdgeSums& sums, double factor) {
-        return SegmentLoad{
-            .length_mm = length_mm,
-            .engaged_angle = angle,
-            .bounds = feed_bounds(rules.model, sums, rules.limits),
-            .loads = [sums, &rules](
-                         double feed) { return cutting_loads(rules.model, sums, feed); },
-            .peak_factor = factor};
-    };
-    if (options.peak == PeakRule::Constant)
-        return load_of_sums(edge_sums(front_coefficients(front, options.chip),
-                                      tool.flutes, options.peak_factor),
-                            options.peak_factor);
-    const auto pattern = std::make_shared<const FrontPattern>(front, options.chip, tool);
-    if (options.peak == PeakRule::Torque) {
-        const double factor = pattern->peak_factor();
-        return load_of_sums(scaled(pattern->mean(), factor), factor);
-    }
-    return {.length_mm = length_mm,
-            .engaged_angle = angle,
-            .bounds = pattern->direct_bounds(rules.model, rules.limits),
-            .loads = [pattern, &rules](double feed) {
-                return pattern->largest_loads(rules.model, feed);
-            }};
 }
 
 }  // namespace endmill

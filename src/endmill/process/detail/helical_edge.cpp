@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/force_profile.h"
+#include "endmill/process/detail/helical_edge.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "endmill/core/error.h"
-#include "endmill/process/cutting_coefficients.h"
 #include "endmill/process/detail/bracketed_newton.h"
 
 namespace endmill {
@@ -39,7 +38,7 @@ HelicalEdge::HelicalEdge(const BallEngagement& engagement, double helix)
             "HelicalEdge: the edge winds too often about the axis");
     if (is_air_)
         return;
-    for (const BorderArc& arc : region_.borders(false))
+    for (const BorderArc& arc : region_.borders(BorderSplit::Whole))
         add_runs(arc);
     for (const double height : {1.0, shank_top_})
         if (shank_top_ > 1)
@@ -49,7 +48,8 @@ HelicalEdge::HelicalEdge(const BallEngagement& engagement, double helix)
     events_.erase(std::unique(events_.begin(), events_.end()), events_.end());
 }
 
-// The azimuth of a point of a run, from the side on which that lies, so that it has no jump.
+// The azimuth of a point of a run, from the side on which that lies, so that it has no
+// jump.
 double HelicalEdge::azimuth(const Run& run, const Vec3& at) const
 {
     if (region_.is_radial(run.kind) && run.kind == BorderKind::Wall)
@@ -111,8 +111,8 @@ void HelicalEdge::add_runs(const BorderArc& arc)
 // Parts a run where its azimuth at the tip turns, and keeps the parts.
 void HelicalEdge::add_monotonic(Run run)
 {
-    // The rate is smooth: a border of less than half a turn has no more wiggles than these
-    // samples show, and what they miss is as small as they are dense.
+    // The rate is smooth: a border of less than half a turn has no more wiggles than
+    // these samples show, and what they miss is as small as they are dense.
     constexpr int samples = 24;
     constexpr int halvings = 40;
     const double end = run.to;
@@ -154,7 +154,7 @@ void HelicalEdge::add_event(double turn)
     events_.push_back(once < 2 * pi ? once : 0);
 }
 
-void HelicalEdge::add_ball(double turn, std::vector<EdgeStretch>& ranges) const
+void HelicalEdge::add_ball(double turn, std::vector<HeightRange>& ranges) const
 {
     std::vector<double> heights{0, region_.depth};
     for (const Run& run : runs_) {
@@ -169,7 +169,7 @@ void HelicalEdge::add_ball(double turn, std::vector<EdgeStretch>& ranges) const
     }
     std::sort(heights.begin(), heights.end());
     for (std::size_t k = 1; k < heights.size(); ++k) {
-        const EdgeStretch range{heights[k - 1], heights[k]};
+        const HeightRange range{heights[k - 1], heights[k]};
         const double middle = (range.from + range.to) / 2;
         const double here = turn - middle * tangent_;
         const double sine = std::sqrt(middle * (2 - middle));
@@ -183,7 +183,7 @@ void HelicalEdge::add_ball(double turn, std::vector<EdgeStretch>& ranges) const
     }
 }
 
-void HelicalEdge::add_shank(double turn, std::vector<EdgeStretch>& ranges) const
+void HelicalEdge::add_shank(double turn, std::vector<HeightRange>& ranges) const
 {
     const double bottom = turn - tangent_;
     const double top = turn - shank_top_ * tangent_;
@@ -206,16 +206,16 @@ void HelicalEdge::add_shank(double turn, std::vector<EdgeStretch>& ranges) const
     }
 }
 
-std::vector<EdgeStretch> HelicalEdge::engaged(double turn) const
+std::vector<HeightRange> HelicalEdge::engaged(double turn) const
 {
-    std::vector<EdgeStretch> ranges;
+    std::vector<HeightRange> ranges;
     if (is_air_)
         return ranges;
     add_ball(turn, ranges);
     if (shank_top_ > 1)
         add_shank(turn, ranges);
     std::sort(ranges.begin(), ranges.end(),
-              [](const EdgeStretch& a, const EdgeStretch& b) { return a.from < b.from; });
+              [](const HeightRange& a, const HeightRange& b) { return a.from < b.from; });
     return ranges;
 }
 

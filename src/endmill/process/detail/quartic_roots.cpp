@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/detail/quartic_stations.h"
+#include "endmill/process/detail/quartic_roots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,16 +93,16 @@ Places roots(const Polynomial<N>& c, double low, double high)
 
 }  // namespace
 
-QuarticStations quartic_stations(const Quartic& quartic, double low, double high)
+RootsAndExtrema roots_and_extrema(const Quartic& quartic, double low, double high)
 {
     const Places turns = roots(derivative(quartic), low, high);
     const Places zeros = roots(quartic, low, high);
-    QuarticStations stations;
+    RootsAndExtrema found;
     const auto end =
         std::merge(zeros.at.begin(), zeros.at.begin() + zeros.count, turns.at.begin(),
-                   turns.at.begin() + turns.count, stations.at.begin());
-    stations.count = static_cast<int>(end - stations.at.begin());
-    return stations;
+                   turns.at.begin() + turns.count, found.at.begin());
+    found.count = static_cast<int>(end - found.at.begin());
+    return found;
 }
 
 }  // namespace endmill

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/force_profile.h"
+#include "endmill/process/detail/helical_edge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,9 @@ namespace {
 
 using std::numbers::pi;
 
-bool has(const std::vector<EdgeStretch>& ranges, double height)
+bool has(const std::vector<HeightRange>& ranges, double height)
 {
-    return std::any_of(ranges.begin(), ranges.end(), [&](const EdgeStretch& range) {
+    return std::any_of(ranges.begin(), ranges.end(), [&](const HeightRange& range) {
         return height > range.from && height < range.to;
     });
 }

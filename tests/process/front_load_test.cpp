@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/front_load.h"
 
 #include <array>
 #include <cmath>
@@ -9,7 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "endmill/process/detail/engaged_region.h"
 #include "endmill/process/detail/force_pattern.h"
+#include "endmill/process/detail/segment_load.h"
+#include "endmill/process/feed_plan.h"
 #include "milling_examples.h"
 
 namespace endmill {
@@ -112,8 +115,11 @@ TEST(FrontLoad, IsThatOfTheSameEngagementInClosedForm)
         SegmentCut cut{.length_mm = 2, .mu = 0, .pick_feed_mm = 2.5, .depth_mm = 5};
         const SegmentLoad closed =
             peak == PeakRule::Constant
-                ? factored_load(cut, cutting_coefficients({0, 0, 0.5, 1}), 1.8, rules)
-                : turning_load(cut, job.tool, peak, ChipModel::Paper, rules);
+                ? constant_peak_load(cut, cutting_coefficients({0, 0, 0.5, 1}), 1.8,
+                                     rules)
+            : peak == PeakRule::Torque
+                ? torque_peak_load(cut, job.tool, ChipModel::Paper, rules)
+                : direct_peak_load(cut, job.tool, ChipModel::Paper, rules);
         EXPECT_NEAR(load.engaged_angle, closed.engaged_angle, 1e-9);
         EXPECT_EQ(load.peak_factor.has_value(), closed.peak_factor.has_value());
         EXPECT_NEAR(load.bounds.cutting_force.value(),
