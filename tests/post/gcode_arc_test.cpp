@@ -84,15 +84,15 @@ TEST(ArcReader, RefusesArcsThatAreNone)
     EXPECT_EQ(refusal("G2 X10", {10, 0, 0}),
               "E_GCODE f:2: an arc without centre or R; expected I, J, K or R");
     EXPECT_EQ(refusal("G2 X10 I5 R5", {10, 0, 0}),
-              "E_GCODE f:2: an arc with both a centre and R; expected one of them");
-    EXPECT_EQ(
-        refusal("G2 X10 R4.98", {10, 0, 0}),
-        "E_GCODE f:2: a radius R4.98 too small; expected at least half the distance "
-        "of the arc's ends");
-    EXPECT_EQ(
-        refusal("G2 X1 R0", {1, 0, 0}),
-        "E_GCODE f:2: a radius R0 too small; expected at least half the distance of "
-        "the arc's ends");
+              "E_GCODE f:2: an arc with both a centre and R; expected either of them");
+    EXPECT_EQ(refusal("G2 X10 R4.98", {10, 0, 0}),
+              "E_GCODE f:2: a radius R4.98 that is too small; expected at least half the "
+              "distance "
+              "of the arc's ends");
+    EXPECT_EQ(refusal("G2 X1 R0", {1, 0, 0}),
+              "E_GCODE f:2: a radius R0 that is too small; expected at least half the "
+              "distance of "
+              "the arc's ends");
     EXPECT_EQ(refusal("G2 X0 R5", origin),
               "E_GCODE f:2: a full circle by R; expected its centre: I, J, K");
     EXPECT_EQ(refusal("G2 X10.1 I5", {10.1, 0, 0}),

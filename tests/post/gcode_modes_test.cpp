@@ -72,9 +72,10 @@ TEST(GcodeModes, AreOfOneGroupOncePerBlock)
          {"G0 G1", "G2 G80", "G17 G18", "G20 G21", "G43 G49", "G54 G55", "G61 G64",
           "G61.1 G61", "G90 G91", "G90.1 G91.1", "G93 G94"}) {
         const std::string second = codes.substr(codes.find(' ') + 1);
-        EXPECT_EQ(refusal(codes), "E_GCODE f:1: " + second +
-                                      " beside a code of its modal group; expected one "
-                                      "code of a modal group");
+        EXPECT_EQ(refusal(codes),
+                  "E_GCODE f:1: " + second +
+                      " together with another code of its modal group; expected one "
+                      "code of each modal group");
     }
 }
 
@@ -150,11 +151,11 @@ TEST(CheckMCodes, RefusesSubprogramsAndCentrePointCodes)
 TEST(CheckMCodes, RefusesTwoThatExcludeEachOther)
 {
     EXPECT_EQ(m_refusal("M3 M5"),
-              "E_GCODE f:1: M5 beside a code of its modal group; "
-              "expected one code of a modal group");
+              "E_GCODE f:1: M5 together with another code of its modal group; "
+              "expected one code of each modal group");
     EXPECT_EQ(m_refusal("M0 M30"),
-              "E_GCODE f:1: M30 beside a code of its modal group; "
-              "expected one code of a modal group");
+              "E_GCODE f:1: M30 together with another code of its modal group; "
+              "expected one code of each modal group");
 }
 
 }  // namespace

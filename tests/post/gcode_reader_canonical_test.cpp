@@ -170,9 +170,9 @@ TEST(ParseCanonical, SaysWhatAPersonShouldKnow)
                 Contains("no PROGRAM_END: the program may be cut short"));
     EXPECT_THAT(
         read_canonical("USE_TOOL_LENGTH_OFFSET(0.0000 0.0000 25.4000, 0.0000)").remarks,
-        Contains("the tool length is taken as already in the control's tool table"));
+        Contains("the tool length is assumed to be in the control's tool table already"));
     EXPECT_THAT(parse_canonical("1 N..... STRAIGHT_TRAVERSE(1, 2, 3)", "f").remarks,
-                Contains("no USE_LENGTH_UNITS before motion: taken as mm"));
+                Contains("no USE_LENGTH_UNITS before motion: lengths are taken as mm"));
     const Program arc_first = parse_canonical(
         canonical("SET_FEED_RATE(9.0)\nARC_FEED(1.0, 2.0, 0.0, 0.0, 1, 3.0)"), "f");
     EXPECT_THAT(tips(arc_first), ElementsAre(Vec3(1, 2, 3)));
@@ -189,7 +189,7 @@ TEST(ParseCanonical, RefusesMotionThatItDoesNotFollow)
           "SET_ORIGIN_OFFSETS"}) {
         EXPECT_EQ(refusal(name + "(1.0000, 2.0000, 3.0000)"),
                   "E_CANONICAL f.txt:8: canonical command \"" + name +
-                      "\"; expected straight moves, arcs, and what does not move");
+                      "\"; expected a straight move, an arc or a command without motion");
     }
     EXPECT_EQ(refusal("SET_FEED_MODE(0, 1)"),
               "E_CANONICAL f.txt:8: feed per revolution; expected feed per minute");
@@ -199,10 +199,9 @@ TEST(ParseCanonical, RefusesMotionThatItDoesNotFollow)
     EXPECT_EQ(
         refusal("STRAIGHT_TRAVERSE(0.0000, 0.0000, 0.0000, 0.0000, 9.0000, 0.0000)"),
         "E_CANONICAL f.txt:8: a turned rotary axis; expected a three-axis program");
-    EXPECT_EQ(
-        refusal("STRAIGHT_FEED(1.0000, 0.0000, 0.0000)"),
-        "E_CANONICAL f.txt:8: a move at cutting feed before any feed rate; expected "
-        "SET_FEED_RATE above 0");
+    EXPECT_EQ(refusal("STRAIGHT_FEED(1.0000, 0.0000, 0.0000)"),
+              "E_CANONICAL f.txt:8: a move at feed before any feed rate; expected "
+              "SET_FEED_RATE above 0");
 }
 
 TEST(ParseCanonical, RefusesMovesUnderOffsetsOnly)
@@ -213,15 +212,15 @@ TEST(ParseCanonical, RefusesMovesUnderOffsetsOnly)
     EXPECT_EQ(refusal(other + zero + move + other), "accepted");
     EXPECT_EQ(refusal(other + move),
               "E_CANONICAL f.txt:9: a move under the SET_G5X_OFFSET of line 8; expected "
-              "offsets and rotations of 0");
+              "all offsets and rotations to be 0");
     EXPECT_EQ(refusal("SET_G92_OFFSET(0.0000, 0.0000, 1.0000)\n" + move),
               "E_CANONICAL f.txt:9: a move under the SET_G92_OFFSET of line 8; expected "
-              "offsets and rotations of 0");
+              "all offsets and rotations to be 0");
     EXPECT_EQ(
         refusal("SET_XY_ROTATION(30.0000)\nSET_FEED_RATE(9.0)\n"
                 "ARC_FEED(0.0, 0.0, 5.0, 0.0, 1, 0.0)"),
         "E_CANONICAL f.txt:10: a move under the SET_XY_ROTATION of line 8; expected "
-        "offsets and rotations of 0");
+        "all offsets and rotations to be 0");
 }
 
 TEST(ParseCanonical, RefusesWhatIsNoSuchLine)
@@ -243,7 +242,7 @@ TEST(ParseCanonical, RefusesWhatIsNoSuchLine)
               "E_CANONICAL f.txt:8: unit \"UNKNOWN\"; expected CANON_UNITS_MM or "
               "CANON_UNITS_INCHES");
     EXPECT_EQ(refusal("SET_FEED_RATE(-1.0000)"),
-              "E_CANONICAL f.txt:8: feed rate -1; expected one of at least 0");
+              "E_CANONICAL f.txt:8: feed rate -1; expected a feed rate of at least 0");
     EXPECT_EQ(refusal("SELECT_TOOL(-1)"),
               "E_CANONICAL f.txt:8: tool -1; expected a whole number from 0");
 }

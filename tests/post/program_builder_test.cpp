@@ -189,11 +189,11 @@ TEST_F(ProgramBuilderTest, RefusesWhatIsOutOfRange)
         }),
         "E_RANGE f:1: coordinate -1001 mm; expected at most 1000 mm (--max-extent)");
     builder.go_to({0, 0, 0}, std::nullopt);
-    EXPECT_EQ(
-        refusal_of([&] {
-            builder.go_to({10, 0, 0}, MoveFeed{1e308, FeedMode::InverseTime});
-        }),
-        "E_RANGE f:1: a feed of infinite mm/min; expected one that a double can hold");
+    EXPECT_EQ(refusal_of([&] {
+                  builder.go_to({10, 0, 0}, MoveFeed{1e308, FeedMode::InverseTime});
+              }),
+              "E_RANGE f:1: a feed of infinite mm/min; expected a feed that a double can "
+              "store");
 }
 
 TEST_F(ProgramBuilderTest, StopsAtTheMostPoints)

@@ -38,7 +38,7 @@ TEST(MoveContacts, ToldOfBothEndsAreHalfwayBetween)
 {
     ToolPath path = rolled(-0.02, 10);
     const auto moves = cut_moves(path);
-    const auto contacts = told_contacts(path, moves);
+    const auto contacts = stated_contacts(path, moves);
     EXPECT_LT((contacts[2]->normal - (path.points[2].contact->contact.normal +
                                       path.points[3].contact->contact.normal)
                                          .normalized())
@@ -46,7 +46,7 @@ TEST(MoveContacts, ToldOfBothEndsAreHalfwayBetween)
               1e-14);
     EXPECT_FALSE(contacts[2]->foot);
     path.points[3].contact.reset();
-    const auto fewer = told_contacts(path, moves);
+    const auto fewer = stated_contacts(path, moves);
     EXPECT_FALSE(fewer[2]);
     EXPECT_FALSE(fewer[3]);
     EXPECT_TRUE(fewer[4]);
@@ -123,15 +123,15 @@ TEST(MoveContacts, ToldByNormalsAloneAreThoseOfWholeContacts)
         point.contact.reset();
     }
     const auto moves = cut_moves(whole);
-    const auto told = told_contacts(whole, moves);
-    const auto by_normals = told_contacts(bare, moves);
+    const auto told = stated_contacts(whole, moves);
+    const auto by_normals = stated_contacts(bare, moves);
     for (std::size_t i = 0; i < moves.size(); ++i) {
         ASSERT_TRUE(by_normals[i]);
         EXPECT_EQ(by_normals[i]->normal, told[i]->normal);
     }
     bare.normals[3] = Vec3::Zero();
-    EXPECT_FALSE(told_contacts(bare, moves)[2]);
-    EXPECT_TRUE(told_contacts(bare, moves)[4]);
+    EXPECT_FALSE(stated_contacts(bare, moves)[2]);
+    EXPECT_TRUE(stated_contacts(bare, moves)[4]);
 }
 
 TEST(MoveContacts, RefuseThoseOfAnotherBall)

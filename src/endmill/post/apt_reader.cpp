@@ -283,7 +283,7 @@ private:
         if (std::ranges::all_of(path.conditions, is_empty))
             path.conditions.clear();
         if (!has_units_)
-            program_.remarks.emplace_back("no UNITS statement: taken as mm");
+            program_.remarks.emplace_back("no UNITS statement: lengths are taken as mm");
         if (!is_finished_)
             program_.remarks.emplace_back(
                 "no FINI at the end: the file may be cut short");

@@ -203,7 +203,7 @@ private:
     void note_precision()
     {
         if (!is_unit_said_)
-            builder_.remark("no USE_LENGTH_UNITS before motion: taken as mm");
+            builder_.remark("no USE_LENGTH_UNITS before motion: lengths are taken as mm");
         error_mm_ = std::max(error_mm_, half_last_decimal * mm_per_unit_);
     }
 
@@ -284,7 +284,7 @@ private:
             if (line != 0)
                 throw lines_.complaint(std::string{"a move under the "} + name +
                                            " of line " + std::to_string(line),
-                                       "offsets and rotations of 0");
+                                       "all offsets and rotations to be 0");
     }
 
     // The numbers are separated by blanks and commas. The handler only checks whether all
@@ -293,7 +293,7 @@ private:
     {
         if (arguments_.find_first_of("123456789") != std::string_view::npos)
             builder_.remark(
-                "the tool length is taken as already in the control's tool table");
+                "the tool length is assumed to be in the control's tool table already");
     }
 
     // Arguments: spindle and speed. Earlier releases print the speed alone.

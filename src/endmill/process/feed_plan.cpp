@@ -11,20 +11,31 @@
 #include "endmill/process/detail/front_load.h"
 #include "endmill/process/detail/segment_load.h"
 
+// A plan treats every move by itself, in three steps:
+// 1. The geometry of the cut gives the engagement, and this gives the load: sums of the
+//    edges and bounds of the feed per tooth (detail/segment_load.h, detail/front_load.h).
+//    For PeakRule::Constant the coefficients of all moves are computed first, in one
+//    batch.
+// 2. `segment_feed` runs the stages I to IV for the move.
+// 3. `feed_plan_totals` adds up the rows in the order of the moves.
+// Steps 1 and 2 run on all threads. Their results are stored by the number of the move,
+// so the plan does not depend on the number of threads.
+
 namespace endmill {
 namespace {
 
-// Relative: above the 1e-5 to which a load's largest value over a turn is known, so that
-// a limit as told does admit the least feed.
+// Relative margin of a needed limit. It exceeds the error of 1e-5 of the largest load
+// over a turn, so that a plan with the needed limit admits the least feed.
 constexpr double needed_margin = 2e-5;
 
-// `needed` or what `load` needs where it is above `limit`.
+// Raises `needed` to the limit that `load` needs, if `load` exceeds `limit`.
 void raise(std::optional<double>& needed, double load, const std::optional<double>& limit)
 {
     if (limit && load > *limit)
         needed = std::max(needed.value_or(0), (1 + needed_margin) * load);
 }
 
+// Adds a row to the totals; the shares are lengths until the end.
 void add(FeedPlanTotals& totals, const SegmentFeed& row, double length)
 {
     totals.length_mm += length;
@@ -35,7 +46,7 @@ void add(FeedPlanTotals& totals, const SegmentFeed& row, double length)
     totals.max_power_w = std::max(totals.max_power_w, row.table.power_w);
 }
 
-// Of every move; by the table if there is one.
+// Coefficients of every cut, from the table if the options name one.
 std::vector<CuttingCoefficients> all_coefficients(std::span<const SegmentCut> cuts,
                                                   double radius,
                                                   const FeedPlanOptions& options)
@@ -54,6 +65,7 @@ std::vector<CuttingCoefficients> all_coefficients(std::span<const SegmentCut> cu
     return all;
 }
 
+// The smaller of two limits; a missing limit does not bind.
 std::optional<double> smaller(const std::optional<double>& one,
                               const std::optional<double>& other)
 {
@@ -138,7 +150,8 @@ FeedPlanTotals feed_plan_totals(const std::vector<SegmentFeed>& rows,
                                 const std::vector<double>& lengths_mm,
                                 const LoadLimits& limits)
 {
-    require(rows.size() == lengths_mm.size(), "feed_plan_totals: need a length a row");
+    require(rows.size() == lengths_mm.size(),
+            "feed_plan_totals: need one length per row");
     FeedPlanTotals totals;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         add(totals, rows[i], lengths_mm[i]);
@@ -150,6 +163,7 @@ FeedPlanTotals feed_plan_totals(const std::vector<SegmentFeed>& rows,
         raise(totals.needed.thrust_n, rows[i].loads.thrust_n, limits.thrust_n);
         raise(totals.needed.torque_n_m, rows[i].loads.torque_n_m, limits.torque_n_m);
     }
+    // Lengths become shares.
     if (totals.length_mm > 0) {
         for (double& share : totals.limit_shares)
             share /= totals.length_mm;

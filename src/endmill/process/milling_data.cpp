@@ -49,7 +49,7 @@ MillingTool milling_tool(const Tool& tool)
 {
     require_sound(tool);
     if (!tool.cutter.is_ball())
-        throw DomainError{"milling_tool: the model is of ball-end mills; found " +
+        throw DomainError{"milling_tool: expected a ball-end mill; found " +
                           cutter_word(tool.cutter)};
     require(tool.flutes.has_value(), "milling_tool: need the number of flutes");
     const MillingTool seen{.radius = tool.cutter.radius(),

@@ -45,7 +45,7 @@ void ArcReader::check_words() const
 {
     const bool has_centre = block_.has_any(centre_words);
     if (has_centre && block_.has('R'))
-        throw lines_.complaint("an arc with both a centre and R", "one of them");
+        throw lines_.complaint("an arc with both a centre and R", "either of them");
     if (!has_centre && !block_.has('R'))
         throw lines_.complaint("an arc without centre or R", "I, J, K or R");
     const double turns = block_.has('P') ? block_.value('P') : 1;
@@ -114,8 +114,9 @@ Vec3 ArcReader::centre_of_r(const Arc& ends) const
     const auto centre =
         radius == 0 ? std::nullopt : centre_of_radius(ends, radius, tolerance);
     if (!centre)
-        throw lines_.complaint("a radius R" + brief(block_.value('R')) + " too small",
-                               "at least half the distance of the arc's ends");
+        throw lines_.complaint(
+            "a radius R" + brief(block_.value('R')) + " that is too small",
+            "at least half the distance of the arc's ends");
     return *centre;
 }
 

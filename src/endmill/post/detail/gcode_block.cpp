@@ -136,7 +136,7 @@ private:
                                                     std::chars_format::fixed);
         if (error == std::errc::result_out_of_range && after == digits_end)
             throw lines_.range_complaint(quoted(letter + digits),
-                                         "a number that a double can hold");
+                                         "a number that a double can store");
         if (error != std::errc{} || after != digits_end)
             throw lines_.complaint(quoted(letter + digits), "a number with one point");
         return magnitude;
@@ -150,7 +150,7 @@ private:
             return enter_code(letter, value, 1, largest_m_code);
         if (block_.has(letter))
             throw lines_.complaint(std::string{"word "} + letter + " twice in a block",
-                                   "it once");
+                                   "the word once");
         block_.set(letter, value);
     }
 
@@ -167,8 +167,9 @@ private:
                                                                 : "M0 to M999");
         GcodeCodes& codes = letter == 'G' ? block_.g : block_.m;
         if (codes.is_full() || codes.contains(static_cast<int>(code)))
-            throw lines_.complaint(shown + " twice in a block, or beside too many others",
-                                   "one code of a modal group");
+            throw lines_.complaint(
+                shown + " twice in a block, or with too many other codes",
+                "one code of each modal group");
         codes.add(static_cast<int>(code));
         block_.set(letter, value);
     }

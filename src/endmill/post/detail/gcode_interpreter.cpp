@@ -87,10 +87,11 @@ private:
     void read_percent(std::string_view text)
     {
         if (!without_indent(text.substr(1)).empty())
-            throw lines_.complaint(quoted(text), "a % alone in its line");
+            throw lines_.complaint(quoted(text), "a line with the % alone");
         if (has_words_ && !has_percent_)
-            throw lines_.complaint("a first % after blocks",
-                                   "it before all blocks, and another at the end");
+            throw lines_.complaint(
+                "a first % after blocks",
+                "the first % before all blocks and the second at the end");
         has_ended_ = has_percent_;
         has_percent_ = true;
     }
@@ -136,14 +137,15 @@ private:
         has_inches_ = has_inches_ || modes_.unit == GcodeUnit::Inch;
         if (modes_.coordinate_system != before.coordinate_system &&
             builder_.has_position())
-            builder_.remark("coordinate system first named in line " +
-                            std::to_string(lines_.number()) +
-                            ", after motion: taken as the one before");
+            builder_.remark(
+                "coordinate system first named in line " +
+                std::to_string(lines_.number()) +
+                ", after motion: taken as the system of the motion before it");
         if (modes_.used_tool_length && !before.used_tool_length)
             builder_.remark(
                 (block.has('H') ? "G43 H" + brief(block.value('H'))
                                 : std::string{"G43"}) +
-                ": the tool length is taken as already in the control's tool table");
+                ": the tool length is assumed to be in the control's tool table already");
     }
 
     // F0 is accepted here, because many programs begin with it. `require_feed` checks F >
@@ -193,9 +195,8 @@ private:
             if (block.m.contains(code)) {
                 has_ended_ = true;
                 if (lines_.rest().find_first_not_of(" \t\r\n%") != std::string_view::npos)
-                    builder_.remark("what follows M" + std::to_string(code) +
-                                    " in line " + std::to_string(lines_.number()) +
-                                    " is not read");
+                    builder_.remark("text after M" + std::to_string(code) + " in line " +
+                                    std::to_string(lines_.number()) + " is ignored");
             }
     }
 
@@ -289,17 +290,21 @@ private:
         if (moves_left_out_ == 0)
             return;
         if (start_line_ == 0)
-            builder_.remark("all motion is left out: not every axis is given a position");
+            builder_.remark(
+                "all motion is left out: the program does not give every axis a "
+                "position");
         else
-            builder_.remark("the path begins in line " + std::to_string(start_line_) +
-                            ", where every axis has been given; left out: " +
-                            counted(moves_left_out_, "move"));
+            builder_.remark(
+                "the path begins in line " + std::to_string(start_line_) +
+                ", where the position of every axis is known; left out before it: " +
+                counted(moves_left_out_, "move"));
     }
 
     void remark_on_modes()
     {
         if (modes_.used_blending)
-            builder_.remark("G64: a control may round corners, which is not followed");
+            builder_.remark(
+                "G64: a control may round corners, which the path does not show");
     }
 
     TextLines lines_;

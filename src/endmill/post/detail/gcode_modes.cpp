@@ -235,8 +235,9 @@ void GcodeModes::apply(const GcodeBlock& block, const TextLines& lines)
         if (group == UnknownGroup)
             refuse_g_code(code, lines);
         if (((groups >> group) & 1U) != 0)
-            throw lines.complaint(g_name(code) + " beside a code of its modal group",
-                                  "one code of a modal group");
+            throw lines.complaint(
+                g_name(code) + " together with another code of its modal group",
+                "one code of each modal group");
         groups |= 1U << group;
         if (group == SystemGroup)
             set_coordinate_system(*this, code, lines);
@@ -255,8 +256,8 @@ void check_m_codes(const GcodeBlock& block, const TextLines& lines)
                                   std::string{refusal->expected});
         const unsigned group = m_group(code);
         if (group != 0 && ((groups >> group) & 1U) != 0)
-            throw lines.complaint(name + " beside a code of its modal group",
-                                  "one code of a modal group");
+            throw lines.complaint(name + " together with another code of its modal group",
+                                  "one code of each modal group");
         groups |= 1U << group;
     }
 }
@@ -290,11 +291,11 @@ void check_words(const GcodeBlock& block, const GcodeModes& modes, const TextLin
         const bool is_for_others = letter == 'P' || letter == 'R';
         if (!(is_for_others && is_used_otherwise))
             throw lines.complaint(std::string{"word "} + letter + " without an arc",
-                                  "it in a block of G2 or G3");
+                                  "the word in a block with G2 or G3");
     }
     if (block.has('P') && (dwells || blends) && along_arc)
         throw lines.complaint("word P for both an arc and G4 or G64",
-                              "them in blocks of their own");
+                              "two separate blocks");
 }
 
 }  // namespace endmill

@@ -27,7 +27,7 @@ MoveConditions::MoveConditions(const ToolPath& path, const CuttingConditions& ot
       decimals_{decimals}
 {
     require(path.conditions.empty() || path.conditions.size() == path.points.size(),
-            "post: need conditions for no point or for all");
+            "post: need conditions for all points or for none");
 }
 
 // Neighbouring moves usually have the same numbers, so a number is checked only where it
@@ -66,7 +66,7 @@ void MoveConditions::check(std::size_t point, const Condition& condition) const
 {
     const std::string name = std::string{"a "} + condition.name;
     if (!(condition.value > 0 && std::isfinite(condition.value)))
-        refuse(point, name + " that is no number above 0",
+        refuse(point, name + " that is not a number above 0",
                std::string{"one in "} + condition.unit);
     std::string text;
     if (!(append_trimmed(text, condition.value, decimals_) > 0))

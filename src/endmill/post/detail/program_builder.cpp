@@ -88,7 +88,7 @@ void ProgramBuilder::set_feed(const MoveFeed& feed, std::size_t first_point)
     }
     if (!(std::isfinite(feed_mm_per_min) && feed_mm_per_min > 0))
         throw lines_.range_complaint("a feed of " + brief(feed_mm_per_min) + " mm/min",
-                                     "one that a double can hold");
+                                     "a feed that a double can store");
     for (std::size_t i = first_point; i < points.size(); ++i)
         path_.conditions[i].feed_mm_per_min = feed_mm_per_min;
 }

@@ -10,10 +10,23 @@
 
 #include "endmill/core/detail/widest_registers.h"
 
+// Line integrals along the borders of the engaged region, by an adaptive Gauss-Kronrod
+// rule:
+// 1. All arcs are put on a stack. Arcs of constant azimuth are skipped: their integral is
+//    0.
+// 2. For the arc on top, the points at the 15 nodes are computed, with y dX - X dy, then
+//    the eight integrands, and from them the eight sums of the Kronrod rule and of the
+//    Gauss rule.
+// 3. If no pair of sums differs by more than the tolerance, the Kronrod sums are added to
+//    the total. Otherwise the two halves of the arc replace it on the stack.
+// All loops run over 16 nodes without branches, so that the compiler uses SIMD registers.
+// With (1 - cos d) dt = (y dX - X dy) / (1 - Z), no integrand has a singular point
+// (paper/notes/ball-engagement.md, section 3).
+
 namespace endmill {
 namespace {
 
-constexpr int nodes = 16;  // 15 and one of no weight, to fill registers
+constexpr int nodes = 16;  // 15, and one of weight 0 that fills the SIMD registers
 constexpr int lanes = 4;
 
 using Row = std::array<double, nodes>;
@@ -48,8 +61,9 @@ Rule gauss_kronrod_rule()
 
 const Rule rule = gauss_kronrod_rule();
 
-// Coefficients of torque_height_share in powers of 2u - 1: its Chebyshev series of degree
-// 20, whose next term is 1e-17.
+// Coefficients of torque_height_share in powers of 2u - 1, from its Chebyshev series of
+// degree
+// 20. The next term of the series is 1e-17.
 constexpr std::array<double, 21> height_share{
     0.709199576156145235,    0.054400565125139498,    0.0153326269269083556,
     0.00450451999558602168,  0.001357108979340724,    0.000415819481432203479,
@@ -59,6 +73,7 @@ constexpr std::array<double, 21> height_share{
     4.53173313639513294e-9,  1.47539347212301531e-9,  3.65779664717030118e-10,
     1.14572538003212002e-10, 8.72284951619901148e-11, 2.92228169349759437e-11};
 
+// Horner's rule in v = 2u - 1.
 inline double height_share_at(double u)
 {
     const double v = 2 * u - 1;
@@ -68,8 +83,8 @@ inline double height_share_at(double u)
     return sum;
 }
 
-// Points of a border at the nodes, and `turn`, the weight's share of y dX - X dy, which
-// is sin^2 of the latitude times the change of azimuth.
+// Points of a border at the nodes. `turn` is the product of the node's step with y dX - X
+// dy, which is sin^2 of the latitude times the change of the azimuth.
 struct BorderNodes {
     Row x;
     Row y;
@@ -77,24 +92,28 @@ struct BorderNodes {
     Row turn;
 };
 
+// Part of an arc.
 struct Stretch {
     BorderKind kind;
     double from;  // p
-    double to;
+    double to;    // p
 };
 
+// The parameter p at node i.
 inline double parameter(const Stretch& stretch, int i)
 {
     return (stretch.from + stretch.to) / 2 +
            (stretch.to - stretch.from) / 2 * rule.node[i];
 }
 
-// dx of the angle x = 2 atan p for dp, times 1 + p^2.
+// Derivative of the angle x = 2 atan(p) by the variable of the rule on [-1, 1], times 1 +
+// p^2.
 inline double angle_rate(const Stretch& stretch)
 {
     return stretch.to - stretch.from;
 }
 
+// Nodes on the front plane.
 inline void front_nodes(const EngagedRegion& region, const Stretch& stretch,
                         BorderNodes& at)
 {
@@ -110,6 +129,7 @@ inline void front_nodes(const EngagedRegion& region, const Stretch& stretch,
     }
 }
 
+// Nodes on the wall.
 inline void wall_nodes(const EngagedRegion& region, const Stretch& stretch,
                        BorderNodes& at)
 {
@@ -126,6 +146,8 @@ inline void wall_nodes(const EngagedRegion& region, const Stretch& stretch,
     }
 }
 
+// Nodes on the curve of the previous pass. The formulas of pass_point, repeated here for
+// 16 points at once without a function call.
 inline void previous_ball_nodes(const EngagedRegion& region, const Stretch& stretch,
                                 BorderNodes& at)
 {
@@ -155,11 +177,14 @@ inline void previous_ball_nodes(const EngagedRegion& region, const Stretch& stre
     }
 }
 
+// The integrands of I1 to I8 at the nodes.
 using Integrands = std::array<Row, 8>;
 
-// At the tip itself the azimuth has no meaning, and the integrands' share is nothing.
+// Keeps divisions by sin^2 of the latitude finite at the tip, where the azimuth is
+// undefined and the integrands vanish.
 constexpr double least_square = 1e-300;
 
+// Integrands with the paper's chip: its thickness is |sin(azimuth)|.
 inline void paper_integrands(const BorderNodes& at, Integrands& f)
 {
     for (int i = 0; i < nodes; ++i) {
@@ -182,6 +207,8 @@ inline void paper_integrands(const BorderNodes& at, Integrands& f)
     }
 }
 
+// Integrands with the exact chip: its area is (cos lambda sin d sin t - sin lambda cos d)
+// dd dt.
 inline void exact_integrands(const EngagedRegion& region, const BorderNodes& at,
                              Integrands& f)
 {
@@ -207,6 +234,7 @@ inline void exact_integrands(const EngagedRegion& region, const BorderNodes& at,
     }
 }
 
+// Weighted sum in four independent lanes.
 inline double weighted(const Row& weight, const Row& f)
 {
     std::array<double, lanes> part{};
@@ -216,7 +244,7 @@ inline double weighted(const Row& weight, const Row& f)
     return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
-// Sums over a stretch by both rules.
+// Sums over a part of an arc by both rules.
 struct BothSums {
     CoefficientSums kronrod;
     CoefficientSums gauss;

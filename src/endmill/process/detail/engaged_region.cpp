@@ -9,36 +9,48 @@
 
 #include "endmill/core/error.h"
 
+// The borders of the engaged region below the stock's top are found per kind (`borders`):
+// - Front: the great circle is split where it meets the top, the wall and the previous
+//   pass, and the parts that the previous pass has left are kept.
+// - PreviousBall: `sign_changes` gives the parts of the curve below the top, and
+//   optionally the places where the curve crosses X = 0.
+// - Wall: a circle, whose ends are closed formulas.
+// `ranges_at` proceeds likewise on a circle of latitude: it collects all places where a
+// border may cross the circle, sorts them, and tests the middle of each range.
+
 namespace endmill {
 namespace {
 
 using std::numbers::pi;
 
-// P_z + `cosine` on the previous pass.
+// The condition P_z + cosine > 0 on the curve of the previous pass.
 PassCondition above(const EngagedRegion& region, double cosine)
 {
     return {cosine - region.pass.rise * region.cos_lambda, -region.cos_lambda,
             region.sin_lambda};
 }
 
-// P_x on the previous pass.
+// The condition P_x > 0 on the curve of the previous pass.
 PassCondition in_front_of_axis(const EngagedRegion& region)
 {
     return {region.pass.rise * region.sin_lambda, region.sin_lambda, region.cos_lambda};
 }
 
-// p of an angle x with this sine and cosine.
+// The parameter p of an angle with this sine and cosine.
 double half_tangent(double sine, double cosine)
 {
     return sine / (1 + cosine);
 }
 
+// The second leg of a right triangle; 0 if rounding makes the leg longer than the
+// hypotenuse.
 double other_leg(double hypotenuse, double leg)
 {
     return std::sqrt(std::max(0.0, (hypotenuse - leg) * (hypotenuse + leg)));
 }
 
-// The front plane below the top: the stretches that the previous pass has left.
+// Adds the parts of the front plane below the top that the previous pass has left. Its
+// candidates for end points split it; the middle of each part decides.
 void add_front(const EngagedRegion& region, std::vector<BorderArc>& arcs)
 {
     if (region.top_cosine >= region.cos_lambda)
@@ -75,7 +87,7 @@ void add_front(const EngagedRegion& region, std::vector<BorderArc>& arcs)
     }
 }
 
-// The previous pass below the top.
+// Adds the parts of the previous pass's curve below the top.
 void add_previous_ball(const EngagedRegion& region, BorderSplit split,
                        std::vector<BorderArc>& arcs)
 {
@@ -98,8 +110,8 @@ void add_previous_ball(const EngagedRegion& region, BorderSplit split,
     }
 }
 
-// Lower end in p of the wall: where the previous pass or the front plane bounds it. None
-// if it is not engaged at all.
+// Lower end in p of the wall, where the previous pass or the front plane bounds it.
+// std::nullopt if no part of the wall is engaged.
 std::optional<double> wall_begin(const EngagedRegion& region)
 {
     const double front = half_tangent(region.sin_lambda, region.cos_lambda);
@@ -117,6 +129,7 @@ std::optional<double> wall_begin(const EngagedRegion& region)
     return x / (other_leg(1, region.wall) - z);
 }
 
+// Adds the part of the wall below the top.
 void add_wall(const EngagedRegion& region, BorderSplit split,
               std::vector<BorderArc>& arcs)
 {

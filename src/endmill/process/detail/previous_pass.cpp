@@ -7,6 +7,12 @@
 #include "endmill/process/detail/bracketed_newton.h"
 #include "endmill/process/detail/quartic_roots.h"
 
+// A condition base + turn cos(phi) + front tau is solved in two steps:
+// 1. Its square is a quartic in u = tan(phi/2), whose roots and extrema split the curve.
+//    Squaring adds false roots, so the sign of the condition itself at the middle of each
+//    part decides where it really changes.
+// 2. Between two such middles of different sign, Newton's method finds the root in p.
+
 namespace endmill {
 namespace {
 
@@ -15,8 +21,8 @@ double value(const PassCondition& condition, const PassPoint& point)
     return condition.base + condition.turn * point.cosine + condition.front * point.tau;
 }
 
-// The square of the condition, with tau^2 = 2 a sin(phi) - 2 b cos(phi) - R_p^2, is a
-// quartic in u = tan(phi/2).
+// The square of the condition as a polynomial in u = tan(phi/2). With
+// tau^2 = 2 a sin(phi) - 2 b cos(phi) - R_p^2 it is a quartic.
 Quartic squared(const PreviousPassCurve& curve, const PassCondition& condition)
 {
     const double f2 = condition.front * condition.front;
@@ -38,7 +44,8 @@ double half_tangent(const PassPoint& point)
 double solve(const PreviousPassCurve& curve, const PassCondition& condition, double low,
              double high)
 {
-    constexpr double least_step = 1e-15;  // of p, which is at most 1: about its rounding
+    constexpr double least_step =
+        1e-15;  // of p, whose magnitude is at most 1: its rounding
     const bool rises = value(condition, pass_point(curve, high)) > 0;
     return bracketed_newton({low, high, rises, (low + high) / 2}, least_step,
                             [&](double p) -> ValueAndSlope {
@@ -97,7 +104,7 @@ double pass_parameter(const PreviousPassCurve& curve, double u)
     const double half_sine = sin_nu / std::sqrt(2 * (1 + std::max(cos_nu, 0.0)));
     const double tau2 = 2 * (curve.across * sine - curve.rise * cosine) -
                         curve.pick_feed * curve.pick_feed;
-    if (tau2 <= 0)  // behind the front plane, beyond one of the border's ends
+    if (tau2 <= 0)  // behind the front plane, beyond an end of the curve
         return half_sine > 0 ? 1 : curve.first;
     const double p = (half_sine / curve.amplitude) / (1 + std::sqrt(tau2) / curve.reach);
     return std::clamp(p, curve.first, 1.0);
