@@ -11,7 +11,7 @@ namespace endmill {
 enum class PreviousPass {
     Beside,  ///< a parallel pass, one pick feed away, has removed its share
     None,    ///< nothing: a slot, with full stock on both sides
-    Edge  ///< nothing, and the ball centre runs along the edge of the block: stock on one side
+    Edge     ///< nothing, and the ball centre is above the edge of the block
 };
 
 /// Side of the feed on which the stock lies, for a spindle that turns clockwise seen from

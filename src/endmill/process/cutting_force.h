@@ -29,8 +29,10 @@ struct CuttingForce {
 
 /// Means over a turn of force and torque of all teeth:
 ///
-///     Fx = m r0 K [ f (s I1 + r1 I2) + h (s I3 + r2 I4) ]    Fz = m r0 K [ f r3 I5 + h r4 I6 ]
-///     Fy = m r0 K [ f (r1 I1 - s I2) + h (r2 I3 - s I4) ]    Mt = s m r0^2 K [ f I7 + h I8 ]
+///     Fx = m r0 K [ f (s I1 + r1 I2) + h (s I3 + r2 I4) ]
+///     Fy = m r0 K [ f (r1 I1 - s I2) + h (r2 I3 - s I4) ]
+///     Fz = m r0 K [ f r3 I5 + h r4 I6 ]
+///     Mt = s m r0^2 K [ f I7 + h I8 ]
 ///
 /// with s = 1 when milling up and s = -1 when milling down.
 /// Source: [ParkMaeng, eq. (1), appendices A and B], with misprints corrected as in

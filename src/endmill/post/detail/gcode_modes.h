@@ -29,8 +29,8 @@ enum class GcodeUnit {
 
 /// Meaning of coordinates.
 enum class DistanceMode {
-    Absolute,     ///< positions: G90 for the ends of moves, G90.1 for the centres of arcs
-    Incremental,  ///< increments: G91 for the ends of moves, G91.1 for the centres of arcs
+    Absolute,     ///< positions: G90 for ends of moves, G90.1 for centres of arcs
+    Incremental,  ///< increments: G91 for ends of moves, G91.1 for centres of arcs
 };
 
 /// Meaning of F.
