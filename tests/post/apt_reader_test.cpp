@@ -75,7 +75,7 @@ TEST(AptReader, NeedsNothingButAGoto)
                 ElementsAre(HasSubstr("taken as mm"), HasSubstr("no FINI")));
 }
 
-TEST(AptReader, LeavesOutWhatFollowsTheEnd)
+TEST(AptReader, IgnoresTextAfterTheEnd)
 {
     const Program program =
         parse_apt("UNITS/MM\nGOTO/1,2,3\nFINI\n\nGOTO/4,5,6\n", "f.apt");

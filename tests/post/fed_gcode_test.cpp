@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-// `text` with a feed and a speed that `told(number, point)` says for every point that is fed.
+// `text` with the feed and the speed that `told(number, point)` returns for every point with a feed.
 template <typename Told>
 std::string fed(const std::string& text, const Told& told, ToolPath* path = nullptr,
                 const GcodeReadOptions& options = {})
@@ -75,7 +75,7 @@ TEST(FedGcode, ReadAgainHasTheFeedsOfThePath)
     }
 }
 
-// One feed: whatever way an arc is written, its line stays.
+// With a single feed the line of an arc stays, in every spelling.
 TEST(FedGcode, KeepsAnArcOfOneFeed)
 {
     const std::string text =
@@ -86,14 +86,14 @@ TEST(FedGcode, KeepsAnArcOfOneFeed)
         "G3 X-10 Y0 I-10 J0 F812.5 (half)\nG2 X10 R10\nG3 I-10 P2\n"
         "G90.1 G2 X0 Y-10 I0 J0 Z-2\nM2\n";
     EXPECT_EQ(fed(text, constant), expected);
-    // A thousandth up and down: the least, so that it is nowhere passed.
+    // Feeds that differ by 0.1 %: the smallest one is written, so that no feed is exceeded.
     const auto told = [](std::size_t i, const Vec3&) {
         return CuttingConditions{i % 2 == 1 ? 812.5 : 812.6, 3000, {}};
     };
     EXPECT_EQ(fed(text, told), expected);
 }
 
-// The chords' ends lie on the arc where its parts meet, at the feeds asked for.
+// At the ends of the parts lie ends of chords, and the parts have the feeds of the path.
 void expect_split(const std::string& text, double least_parts,
                   const GcodeReadOptions& options = {})
 {
@@ -114,7 +114,7 @@ void expect_split(const std::string& text, double least_parts,
     for (std::size_t i = 1; i < again.points.size(); ++i) {
         const Vec3& tip = again.points[i].location.tip;
         again_length += (tip - again.points[i - 1].location.tip).norm();
-        // On the same circle, of radius 10.
+        // All points lie on the circle of radius 10.
         if (again.points[i].move == Move::Cut) {
             EXPECT_NEAR(std::hypot(tip.x(), tip.y()), 10, 1e-5) << written;
             const Vec3 middle = (tip + again.points[i - 1].location.tip) / 2;
@@ -134,8 +134,8 @@ TEST(FedGcode, SplitsAnArcWhereTheFeedChanges)
     const std::string start = "G21 G90 S1 M3\nG0 X10 Y0 Z0\nG1 Z-1 F5\n";
     expect_split(start + "G3 X-10 Y0 I-10 J0 F80 (half)\nM2\n", 2);
     expect_split(start + "G2 X-10 R10 F80\nM2\n", 2);
-    expect_split(start + "N5 G3 I-10 F80\nM2\n", 3);      // all around
-    expect_split(start + "G3 I-10 P3 Z-7 F80\nM2\n", 7);  // a screw
+    expect_split(start + "N5 G3 I-10 F80\nM2\n", 3);      // full circle
+    expect_split(start + "G3 I-10 P3 Z-7 F80\nM2\n", 7);  // helix
     expect_split(start + "G91 G3 X-20 I-10 F80 S4\nM2\n", 2);
     expect_split(start + "G90.1 G2 X-10 Y0 I0 J0 F80\nM2\n", 2);
     expect_split(start + "G93 G2 X-10 Y0 I-10 F2\nM2\n", 2);
@@ -174,7 +174,7 @@ TEST(FedGcode, SplitsInTheOtherPlanes)
     }
 }
 
-// M1 behind the motion may stop the program: the motion stays whole, at its least feed.
+// M1 after the motion may stop the program, so the arc is not split and gets its smallest feed.
 TEST(FedGcode, LeavesAnArcWholeBesideMCodes)
 {
     const auto told = [](std::size_t, const Vec3& tip) {
@@ -182,7 +182,7 @@ TEST(FedGcode, LeavesAnArcWholeBesideMCodes)
             tip.x() > 0 ? 100.0 : 200.0, tip.x() > 0 ? 900.0 : 600.0, {}};
     };
     const std::string start = "G21 G90\nG0 X10 Y0 Z0\n";
-    // 100 at 900 rpm is the least feed a turn; at 600 rpm, 66.6667.
+    // 100 at 900 rpm is the smallest feed per revolution; at 600 rpm it is 66.6667.
     EXPECT_EQ(fed(start + "G3 X-10 Y0 I-10 J0 F80 M1\nM2\n", told),
               "G21 G90\nG0 X10 Y0 Z0 S900\nG3 X-10 Y0 I-10 J0 F66.6667 M1 S600\nM2\n");
 }

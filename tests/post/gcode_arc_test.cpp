@@ -13,7 +13,7 @@ namespace {
 
 const Vec3 origin = Vec3::Zero();
 
-// The arc of `block` after `modes`, from the origin to `end`.
+// The arc of `block` under `modes`, from the origin to `end`.
 Arc arc_of(const std::string& modes, const std::string& block, const Vec3& end)
 {
     const std::string text = modes + '\n' + block;
@@ -62,7 +62,7 @@ TEST(ArcReader, FindsTheCentreOfARadius)
 {
     const Vec3 below = arc_of("G17", "G2 X6 R5", {6, 0, 0}).centre;
     const Vec3 above = arc_of("G17", "G2 X6 R-5", {6, 0, 0}).centre;
-    EXPECT_NEAR((below - Vec3(3, -4, 0)).norm(), 0, 1e-14);  // 3, 4, 5
+    EXPECT_NEAR((below - Vec3(3, -4, 0)).norm(), 0, 1e-14);  // right triangle 3, 4, 5
     EXPECT_NEAR((above - Vec3(3, 4, 0)).norm(), 0, 1e-14);
     const Vec3 inch = arc_of("G20", "G3 X1 R1", {25.4, 0, 0}).centre;
     EXPECT_NEAR((inch - 25.4 * Vec3(0.5, std::sqrt(0.75), 0)).norm(), 0, 1e-13);
@@ -79,7 +79,7 @@ TEST(ArcReader, AcceptsRadiiThatRoundingExplains)
     EXPECT_EQ(refusal("G2 X10.01 R5", {10.01, 0, 0}), "accepted");
 }
 
-TEST(ArcReader, RefusesArcsThatAreNone)
+TEST(ArcReader, RefusesImpossibleArcs)
 {
     EXPECT_EQ(refusal("G2 X10", {10, 0, 0}),
               "E_GCODE f:2: an arc without centre or R; expected I, J, K or R");
@@ -118,7 +118,7 @@ TEST(ArcReader, RefusesWordsThatDoNotFitThePlane)
               "E_GCODE f:2: no J under G90.1; expected both words of an absolute centre");
 }
 
-TEST(ArcReader, RefusesTurnsThatAreNone)
+TEST(ArcReader, RefusesImpossibleTurns)
 {
     for (const std::string turns : {"0", "-1", "1.5"})
         EXPECT_EQ(refusal("G2 X10 I5 P" + turns, {10, 0, 0}),

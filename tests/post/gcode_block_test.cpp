@@ -72,7 +72,7 @@ TEST(ParseBlock, ReadsLongNumbersToTheNearestDouble)
     EXPECT_EQ(block_of("X" + std::string(300, '0') + "7").value('X'), 7);
 }
 
-TEST(ParseBlock, SendsWhatIsToBeExpandedToTheInterpreter)
+TEST(ParseBlock, AdvisesToExpandParametersAndSubprograms)
 {
     const std::string expand =
         "; expected plain numbers: expand them with rs274 -g and give its output";
@@ -143,7 +143,7 @@ TEST(ParseBlock, RefusesAWordTwice)
         "one code of each modal group");
 }
 
-TEST(ParseBlock, RefusesCodesThatAreNone)
+TEST(ParseBlock, RefusesUnknownCodes)
 {
     EXPECT_EQ(refusal("G1.05"),
               "E_GCODE f:1: unknown code G1.05; expected a G code of the subset");

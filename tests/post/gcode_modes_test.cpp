@@ -85,7 +85,7 @@ TEST(GcodeModes, KnowOneCoordinateSystem)
               "E_GCODE f:3: G59.1 after G54; expected one coordinate system");
 }
 
-TEST(GcodeModes, RefuseWhatIsNotFollowed)
+TEST(GcodeModes, RefuseUnsupportedCodes)
 {
     const std::string frame =
         "; expected coordinates in one coordinate system of the part";
@@ -120,7 +120,7 @@ TEST(GcodeModes, RefuseWhatIsNotFollowed)
                                      "; expected a three-axis program");
 }
 
-TEST(GcodeModes, RefuseWhatTheyDoNotKnow)
+TEST(GcodeModes, RefuseUnknownCodes)
 {
     for (const std::string code : {"G6", "G7", "G33", "G43.1", "G43.2", "G54.1", "G59.4",
                                    "G64.1", "G97", "G98", "G99", "G0.1", "G999"})
@@ -128,7 +128,7 @@ TEST(GcodeModes, RefuseWhatTheyDoNotKnow)
                                      "; expected a G code of the subset");
 }
 
-TEST(CheckMCodes, LetsPassWhatDoesNotMove)
+TEST(CheckMCodes, AcceptsCodesThatDoNotMove)
 {
     for (const std::string codes :
          {"M0", "M1", "M3 M7 M8", "M6", "M19", "M48", "M62", "M100"})

@@ -13,7 +13,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::StartsWith;
 
-// Numbers the commands, one a line, as the interpreter does.
+// Numbers the commands, one per line, as the interpreter does.
 std::string canonical(const std::string& commands)
 {
     std::string text;
@@ -27,7 +27,7 @@ std::string canonical(const std::string& commands)
     return text;
 }
 
-// As the interpreter of LinuxCNC 2.9 begins; seven lines.
+// The seven lines with which the interpreter of LinuxCNC 2.9 begins.
 const std::string beginning =
     "USE_LENGTH_UNITS(CANON_UNITS_MM)\n"
     "SET_G5X_OFFSET(1, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
@@ -94,8 +94,8 @@ struct Twin {
 
 class CanonicalArc : public testing::TestWithParam<Twin> {};
 
-// What the interpreter makes of each: ends and centre in the plane's own order, the turns,
-// the end along the normal.
+// Output of the interpreter for each arc: ends and centre in the plane's order, the turns, the end along
+// the normal.
 INSTANTIATE_TEST_SUITE_P(
     Planes, CanonicalArc,
     testing::Values(Twin{"G2 X5 Y5 Z-1 I5 F100",
@@ -124,7 +124,7 @@ TEST_P(CanonicalArc, IsThePathOfItsProgram)
     EXPECT_EQ(feeds(canonical_twin), feeds(twin));
 }
 
-TEST(ParseCanonical, PassesOverWhatDoesNotMove)
+TEST(ParseCanonical, PassesOverCommandsThatDoNotMove)
 {
     const Program program = read_canonical(
         "COMMENT(\"Move (1, 2)\")\nMESSAGE(\"x\")\nFLOOD_ON()\nMIST_OFF()\nFLOOD_OFF()\n"
@@ -137,7 +137,7 @@ TEST(ParseCanonical, PassesOverWhatDoesNotMove)
     EXPECT_EQ(program.path.points.size(), 1U);
 }
 
-// What the interpreter prints for M2, but for the coordinate system: its own test of a cam.
+// Output of the interpreter for M2 in its own test of a cam, except the coordinate system.
 TEST(ParseCanonical, ReadsTheEndOfAProgram)
 {
     const Program program = read_canonical(
@@ -147,7 +147,7 @@ TEST(ParseCanonical, ReadsTheEndOfAProgram)
                 ElementsAre("four decimals: coordinates are known to 5e-05 mm"));
 }
 
-TEST(ParseCanonical, TakesTheToolThatIsSaidToBeThere)
+TEST(ParseCanonical, TakesTheToolOfM61)
 {
     EXPECT_EQ(read_canonical("CHANGE_TOOL_NUMBER(5)\nSTRAIGHT_TRAVERSE(1.0, 2.0, 3.0)")
                   .path.conditions.back()
@@ -164,7 +164,7 @@ TEST(ParseCanonical, ReadsTheSpindleOfEarlierReleases)
     EXPECT_EQ(program.path.conditions.back().spindle_rpm, 500);
 }
 
-TEST(ParseCanonical, SaysWhatAPersonShouldKnow)
+TEST(ParseCanonical, RemarksOnAssumptions)
 {
     EXPECT_THAT(read_canonical("").remarks,
                 Contains("no PROGRAM_END: the program may be cut short"));
@@ -223,7 +223,7 @@ TEST(ParseCanonical, RefusesMovesUnderOffsetsOnly)
         "all offsets and rotations to be 0");
 }
 
-TEST(ParseCanonical, RefusesWhatIsNoSuchLine)
+TEST(ParseCanonical, RefusesOtherLines)
 {
     EXPECT_EQ(refusal_of([] { parse_canonical("1 N..... FINISH()\nG0 X1\n", "f"); }),
               "E_CANONICAL f:2: \"G0 X1\"; expected a line of rs274 -g, as \"12 N..... "
@@ -247,7 +247,7 @@ TEST(ParseCanonical, RefusesWhatIsNoSuchLine)
               "E_CANONICAL f.txt:8: tool -1; expected a whole number from 0");
 }
 
-TEST(ParseCanonical, RefusesArcsThatAreNone)
+TEST(ParseCanonical, RefusesImpossibleArcs)
 {
     const std::string feed = "SET_FEED_RATE(9.0000)\n";
     EXPECT_EQ(

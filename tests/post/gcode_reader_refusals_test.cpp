@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a whole program is refused for; codes are in gcode_modes_test.cpp, words in
-// gcode_block_test.cpp, arcs in gcode_arc_test.cpp.
+// Refusals of whole programs. gcode_modes_test.cpp tests codes, gcode_block_test.cpp words and
+// gcode_arc_test.cpp arcs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 using testing::StartsWith;
 
 struct Refused {
-    const char* blocks;  // from line 3 on
+    const char* blocks;  // blocks from line 3 on
     const char* message;
 };
 
@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 const char* const too_far =
     "E_RANGE f.ngc:3: coordinate 1e+07 mm; expected at most 1e+06 mm (--max-extent)";
-// Points of a circle around -0.9e6 come to it, all words being within the extent.
+// All words are within the extent, but points of the circle around -0.9e6 are not.
 const char* const on_the_way =
     "E_RANGE f.ngc:3: coordinate -1e+06 mm; expected at most 1e+06 mm (--max-extent)";
 

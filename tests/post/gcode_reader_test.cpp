@@ -44,7 +44,7 @@ TEST(ParseGcode, LeavesMotionOutUntilEveryAxisIsKnown)
                             "is known; left out before it: 5 moves"));
 }
 
-TEST(ParseGcode, SaysThatAllMotionIsLeftOut)
+TEST(ParseGcode, RemarksThatAllMotionIsLeftOut)
 {
     const Program program = read_gcode("G21 G91 G1 X1 Y1 Z1 F9\nX1\nM2\n");
     EXPECT_THAT(program.path.points, ElementsAre());
@@ -53,7 +53,7 @@ TEST(ParseGcode, SaysThatAllMotionIsLeftOut)
                             "give every axis a position"));
 }
 
-TEST(ParseGcode, SaysWhatAPersonShouldKnow)
+TEST(ParseGcode, RemarksOnAssumptions)
 {
     EXPECT_THAT(read_gcode("G0 X0 Y0 Z0\nM2").remarks,
                 Contains("neither G20 nor G21: lengths are taken as mm"));
@@ -82,7 +82,7 @@ TEST(ParseGcode, SaysWhatAPersonShouldKnow)
     EXPECT_THAT(read_gcode("%\nG21\n%\nwhat is this\n").remarks, ElementsAre());
 }
 
-// One program in four spellings: G90 and G91, mm and inches.
+// The same program in four spellings: G90 and G91, mm and inches.
 TEST(ParseGcode, ReadsTwinsAsOnePath)
 {
     const std::string start = "G21 G90 G94 F100 G0 X10 Y0 Z0\n";
@@ -132,7 +132,7 @@ TEST(ParseGcode, MakesNoMotionOfModesAlone)
               1U);
 }
 
-TEST(ParseGcode, IgnoresWhatHasNoMeaningHere)
+TEST(ParseGcode, IgnoresWordsWithoutEffectOnThePath)
 {
     const Program program = read_gcode(program_of(
         "N10 G61\nG61.1\nG64 P0.1 Q0.2\nG49 G40 G80\nM0\nM7 M8\nM9\nM48\nM62 P1\nD5\nH5\n"
@@ -140,7 +140,7 @@ TEST(ParseGcode, IgnoresWhatHasNoMeaningHere)
     EXPECT_THAT(tips(program), ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0)));
 }
 
-TEST(ParseGcode, RunsDeletedBlocksUnlessTold)
+TEST(ParseGcode, RunsDeletedBlocksByDefault)
 {
     const std::string text = program_of("/G1 X1 F9\n / G1 Y1 F9\n/#1=2");
     EXPECT_EQ(gcode_refusal(text).substr(0, 32), "E_GCODE f.ngc:5: parameter \"#1=2");

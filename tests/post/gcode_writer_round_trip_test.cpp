@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is written is read back: by the reader of this library, and by a few lines that
-// know no more of G-code than modal words.
+// Written programs are read back by the reader of the library, and by a few lines here that know only
+// modal words.
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -17,12 +17,12 @@ namespace {
 
 struct Told {
     Vec3 tip;
-    char motion;  // '0' or '1'
+    char motion;  // '0' for G0, '1' for G1
     double feed;
     double speed;
 };
 
-// The moves after the safe start and before the safe end.
+// The moves between the safe start and the safe end.
 std::vector<Told> replayed(const std::string& text)
 {
     std::vector<Told> moves;
@@ -53,7 +53,7 @@ std::vector<Told> replayed(const std::string& text)
 
 class GcodeRoundTrip : public testing::TestWithParam<int> {};
 
-TEST_P(GcodeRoundTrip, SaysTheSameToWhoeverKnowsModalWords)
+TEST_P(GcodeRoundTrip, IsReadBackByAnIndependentReader)
 {
     const int decimals = GetParam();
     const double rounding = 0.5 * std::pow(10, -decimals) * (1 + 1e-6);
@@ -84,7 +84,7 @@ TEST_P(GcodeRoundTrip, IsReadBack)
     const GcodeOptions options{.decimals = decimals, .line_numbers = decimals % 2 == 0};
     const Program program = parse_gcode(gcode(path, options).text, "f.ngc");
     const auto& points = program.path.points;
-    // The place over the first point in front, the safe height at the end.
+    // The program adds the position over the first point and the safe height at the end.
     ASSERT_EQ(points.size(), path.points.size() + 2);
     ASSERT_EQ(program.path.conditions.size(), points.size());
     for (std::size_t k = 0; k < path.points.size(); ++k) {
@@ -104,7 +104,7 @@ TEST_P(GcodeRoundTrip, IsReadBack)
     }
 }
 
-// Rounding what is rounded changes nothing: the second program is the first.
+// Rounding is idempotent, so the second program equals the first.
 TEST_P(GcodeRoundTrip, IsWrittenAgainAsTheSameMoves)
 {
     const GcodeOptions options{.decimals = GetParam()};

@@ -79,7 +79,7 @@ TEST_F(ProgramBuilderTest, BeginsAPassWithTheFirstMoveThatDoesNotCut)
     EXPECT_THAT(passes(builder.take()), ElementsAre(0, 1, 2, 3, 10, 11, 12, 13));
 }
 
-TEST_F(ProgramBuilderTest, MeasuresWhatTheTipDoes)
+TEST_F(ProgramBuilderTest, MeasuresTheMotionOfTheTip)
 {
     options.programmed_point_height_mm = 2;
     ProgramBuilder builder{lines, options};
@@ -163,7 +163,7 @@ TEST_F(ProgramBuilderTest, TakesSelectionsForChangesWhereThereIsNone)
     EXPECT_THAT(program.remarks, ElementsAre("several tools cut: T1, T2"));
 }
 
-TEST_F(ProgramBuilderTest, HasNoConditionsWhereNothingIsSaid)
+TEST_F(ProgramBuilderTest, HasNoConditionsIfTheProgramStatesNone)
 {
     ProgramBuilder builder{lines, options};
     builder.go_to({0, 0, 0}, std::nullopt);
@@ -180,7 +180,7 @@ TEST_F(ProgramBuilderTest, RemarksOnce)
     EXPECT_THAT(builder.take().remarks, ElementsAre());
 }
 
-TEST_F(ProgramBuilderTest, RefusesWhatIsOutOfRange)
+TEST_F(ProgramBuilderTest, RefusesNumbersOutOfRange)
 {
     ProgramBuilder builder{lines, options};
     EXPECT_EQ(

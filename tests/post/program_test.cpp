@@ -6,7 +6,7 @@
 namespace endmill {
 namespace {
 
-TEST(Program, IsEmptyAndExactUnlessToldOtherwise)
+TEST(Program, IsEmptyAndExactByDefault)
 {
     const Program program;
     EXPECT_TRUE(program.path.points.empty());
@@ -16,7 +16,7 @@ TEST(Program, IsEmptyAndExactUnlessToldOtherwise)
     EXPECT_EQ(program.position_error_mm, 0);
 }
 
-// Ten characters take an inch, 25.4 mm.
+// Ten characters take one inch, 25.4 mm.
 TEST(WrittenProgram, TakesAnInchOfTapeForTenCharacters)
 {
     WrittenProgram program;

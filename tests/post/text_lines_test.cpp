@@ -21,7 +21,7 @@ std::vector<std::string> lines_of(const std::string& text)
     return found;
 }
 
-TEST(TextLines, AreWhatStandsBetweenLineFeeds)
+TEST(TextLines, AreTheTextBetweenLineFeeds)
 {
     EXPECT_THAT(lines_of("a\n\nb\r\nc"), testing::ElementsAre("a", "", "b\r", "c"));
     EXPECT_THAT(lines_of("a\n"), testing::ElementsAre("a"));
@@ -80,7 +80,7 @@ TEST(Brief, HasSixDigits)
     EXPECT_EQ(brief(std::numeric_limits<double>::quiet_NaN()), "not a number");
 }
 
-TEST(CheckExtent, RefusesWhatIsBeyond)
+TEST(CheckExtent, RefusesCoordinatesBeyondIt)
 {
     TextLines lines{"X", {"f", "E_GCODE"}};
     lines.next();

@@ -32,8 +32,8 @@ CuttingForce force_at(const MillingCut& cut, double turn)
     return force_profile(cut, std::array{turn}).front();
 }
 
-// The mean over a turn, between the corners that the flutes make together: near each the
-// force is like a square root, so the places are dense there.
+// Mean over a turn, integrated between the events of all flutes. The nodes are dense near the events,
+// where the force behaves like a square root.
 CuttingForce mean_over_turn(const MillingCut& cut)
 {
     constexpr int samples = 100;
@@ -98,7 +98,7 @@ TEST(ForceProfile, HasTheMeanOfTheMeanModelForAnyHelix)
     }
 }
 
-// The sums of a force pattern are closed; without runout torque and thrust are theirs.
+// The sums of a force pattern are closed. Without runout they determine torque and thrust.
 TEST(ForceProfile, HasTheTorqueAndThrustOfTheForcePattern)
 {
     test::Random random{52};
@@ -121,8 +121,8 @@ TEST(ForceProfile, HasTheTorqueAndThrustOfTheForcePattern)
     }
 }
 
-// Uphill nothing is cut near azimuth 0, and no chip is clipped; what runout adds to one flute
-// it takes from others.
+// Uphill nothing is cut near azimuth 0, so no chip is clipped. The runout terms of the flutes cancel in
+// the mean.
 TEST(ForceProfile, HasTheSameMeanWithRunoutWhileNoChipIsClipped)
 {
     for (const ChipModel chip : {ChipModel::Paper, ChipModel::Exact}) {
@@ -134,14 +134,14 @@ TEST(ForceProfile, HasTheSameMeanWithRunoutWhileNoChipIsClipped)
     }
 }
 
-// One flute in turn meets what runout adds, the next what it takes.
+// Runout makes the chip of one flute thicker and that of the next thinner.
 TEST(ForceProfile, OfTwoFlutesWithRunoutDiffersFromFluteToFlute)
 {
     MillingCut one = cut({0, 0, 0, 1, PreviousPass::None}, ChipModel::Paper, 2, 0);
     const double offset = 0.02;
     one.runout = {offset, 0};
-    // Flute 0 at 90 degrees, flute 1 out of the cut; then the other way round. The torque is
-    // K r0^2 (t + h) pi/4 with t = f +- 2 e.
+    // Flute 0 stands at 90 degrees with flute 1 out of the cut, then the other way round. The torque is
+    // K r0^2 (t + h) pi/4 with t = f + 2 e and f - 2 e.
     const double scale = 2000 * 25 * pi / 4 / 1000;
     EXPECT_NEAR(-force_at(one, pi / 2).torque_n_m, scale * (0.1 + 2 * offset + 0.016),
                 1e-9);
@@ -157,7 +157,8 @@ TEST(ForceProfile, WithMoreRunoutThanFeedLeavesAFluteIdle)
     EXPECT_LT(force_at(one, pi / 2).torque_n_m, 0);
 }
 
-// A slot without helix at 90 degrees: tangential force against y when milling up, radial along x.
+// A slot without helix at 90 degrees, milling up: the tangential force acts along -y, the radial force
+// along x.
 TEST(ForceProfile, OfAStraightFluteIsClosed)
 {
     MillingCut one = cut({0, 0, 0, 1, PreviousPass::None}, ChipModel::Paper, 1, 0);
@@ -169,7 +170,7 @@ TEST(ForceProfile, OfAStraightFluteIsClosed)
     EXPECT_NEAR(force.torque_n_m, 2000 * 25 * pi / 4 * (0.1 + 0.016) / 1000, 1e-9);
 }
 
-TEST(ForceProfile, InAirIsNothing)
+TEST(ForceProfile, InAirIsZero)
 {
     const CuttingForce force =
         force_at(cut({0, 0, 0.5, -1}, ChipModel::Exact, 2, 0.5), 1);
@@ -177,7 +178,7 @@ TEST(ForceProfile, InAirIsNothing)
     EXPECT_EQ(force.torque_n_m, 0);
 }
 
-TEST(ForceProfile, RefusesWhatIsNoCut)
+TEST(ForceProfile, RefusesUnsoundCuts)
 {
     const MillingCut good = cut({0, 0, 0.5, 1}, ChipModel::Paper, 2, 0.5);
     MillingCut bad = good;
@@ -191,9 +192,10 @@ TEST(ForceProfile, RefusesWhatIsNoCut)
     EXPECT_THROW(force_at(bad, 0), DomainError);
 }
 
-// A right-hand cutter under M03 beside a level groove to its left, in the room: x along the
-// feed, y to its left; the spindle turns from y towards x, edges trail as they rise. In the
-// model's frame, mirrored in y, its helix is negative, its azimuth pi less the room's.
+// A right-hand cutter under M03 beside a level groove on its left, integrated in the frame of the
+// machine: x along the feed, y to its left. The spindle turns from y towards x, and the edges trail
+// as they rise. In the model's mirrored frame the helix is negative, and the azimuth is pi minus the
+// machine's.
 TEST(ForceProfile, MillingDownWithTheNegativeHelixIsARightHandCutterInTheRoom)
 {
     const BallEngagement engagement{0, 0, 0.5, 1};
@@ -227,7 +229,7 @@ TEST(ForceProfile, MillingDownWithTheNegativeHelixIsARightHandCutterInTheRoom)
                 room.torque_n_m += tangential * radius * milled.tool.radius / 1000;
             }
         const CuttingForce found = force_at(milled, pi - turn);
-        // Beside the room's, the stock's side and the sense of the torque are mirrored.
+        // The y component and the sense of the torque are mirrored.
         EXPECT_NEAR(found.x_n, room.x_n, 0.1);
         EXPECT_NEAR(found.y_n, -room.y_n, 0.1);
         EXPECT_NEAR(found.z_n, room.z_n, 0.1);

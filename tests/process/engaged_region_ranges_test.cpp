@@ -22,8 +22,8 @@ bool has(const std::vector<AzimuthRange>& ranges, double azimuth)
     });
 }
 
-// The definition: a point cuts if it faces the feed and the previous pass, a cylinder along
-// the feed and all above it, does not hold it. Vectors instead of the library's algebra.
+// The definition of engagement in vectors: a point cuts if it faces the feed and is not within the
+// previous pass, a cylinder along the feed and all above it.
 bool cuts(const BallEngagement& e, double latitude, double azimuth)
 {
     const double x = std::sin(latitude) * std::sin(azimuth);
@@ -84,7 +84,8 @@ TEST(EngagedRanges, OnLevelGroundAreClosed)
         }
 }
 
-// lambda = 0, mu != 0: h = cos(latitude) - b above the lowest line of the previous pass.
+// For lambda = 0 the ends are closed (docs/mathematics/ball-end-milling.md, section 3.3), with
+// h = cos(latitude) - b.
 TEST(EngagedRanges, OfALevelFeedAreClosed)
 {
     const BallEngagement e{-0.9, 0, 0.8, 1};
@@ -116,7 +117,7 @@ TEST(EngagedRanges, NearTheTipAreARingDownhillAndNothingUphill)
     EXPECT_NEAR(half[0].to - half[0].from, pi, 1e-12);
 }
 
-TEST(EngagedRanges, InAirAndAboveTheStockAreNone)
+TEST(EngagedRanges, AreEmptyInAirAndAboveTheStock)
 {
     EXPECT_TRUE(engaged_ranges({0, 0, 0.5, -1}, 0.3).empty());
     EXPECT_TRUE(engaged_ranges({0, 0, 0, 1}, 0.3).empty());
@@ -124,7 +125,7 @@ TEST(EngagedRanges, InAirAndAboveTheStockAreNone)
     EXPECT_FALSE(is_engaged({0, 0, 0, 1}, 1, 1));
 }
 
-TEST(EngagedRanges, RefuseWhatIsNoLatitude)
+TEST(EngagedRanges, RefuseOtherLatitudes)
 {
     EXPECT_THROW(engaged_ranges({0, 0, 0.5, 1}, 0), DomainError);
     EXPECT_THROW(engaged_ranges({0, 0, 0.5, 1}, 2), DomainError);

@@ -20,7 +20,7 @@ BallEngagement random_engagement(test::Random& random)
             random.uniform(0.02, 2.1), random.uniform(0.05, 1.5)};
 }
 
-// What is left of the border at a step of this size to its right and left, looking along it.
+// Whether the points at a small step to the right and left of a border are engaged.
 struct Sides {
     bool right;
     bool left;
@@ -33,7 +33,7 @@ Sides sides(const EngagedRegion& region, const BorderArc& arc, double p)
     const Vec3 at = region.point(arc.kind, p);
     const Vec3 along =
         (region.point(arc.kind, p + way) - region.point(arc.kind, p - way)).normalized();
-    // Right of the way, seen along the feed through the ball's front from behind it.
+    // Vector to the right of the border, seen along the feed.
     const Vec3 aside = along.cross(at).normalized();
     const auto is_in = [&](const Vec3& point) {
         return region.has(point.normalized()) &&
@@ -61,7 +61,7 @@ TEST(Borders, HaveTheEngagedSideOnOneSide)
         }
     }
     EXPECT_GT(looked, 6000);
-    // Beside borders that are a step's width long, or end in a point.
+    // Exceptions lie beside borders as short as the step, or near corners.
     EXPECT_LE(wrong, looked / 300);
 }
 
@@ -138,7 +138,7 @@ TEST(Borders, OfASlotAreTheFrontAlone)
     EXPECT_NEAR(arcs[0].to, -1, 1e-15);
 }
 
-TEST(Borders, PassTheAxisWhereTheyAreSaidTo)
+TEST(Borders, PassTheAxisAtBesideAxis)
 {
     test::Random random{10};
     for (int n = 0; n < 300; ++n) {

@@ -29,7 +29,7 @@ FeedRules rules(const LoadLimits& limits)
                       .form = LimitForm::Paper}};
 }
 
-// A slot one radius deep, two teeth, each load 1.8 times its mean.
+// A slot one radius deep with two teeth; each load is 1.8 times its mean.
 SegmentLoad slot(double length, const FeedRules& rules)
 {
     const EdgeSums sums = scaled({1 / pi, 0.5, 0.25, pi / 8}, 2 * 1.8);
@@ -41,8 +41,8 @@ SegmentLoad slot(double length, const FeedRules& rules)
             .peak_factor = 1.8};
 }
 
-// Spec, section 9, A14.
-TEST(SegmentFeed, OfASlotIsThatOfTheSpec)
+// docs/mathematics/ball-end-milling.md, section 9, A14.
+TEST(SegmentFeed, OfASlotIsClosed)
 {
     const FeedRules slack = rules({.cutting_force_n = 1200});
     const SegmentFeed feed = segment_feed(slot(100, slack), slack);
@@ -54,7 +54,7 @@ TEST(SegmentFeed, OfASlotIsThatOfTheSpec)
     EXPECT_LT(relative_error(feed.loads.cutting_force_n, 1200), 1e-14);
 }
 
-TEST(SegmentFeed, SaysInfeasibleBeforeBlockRateBeforeWhatGoverns)
+TEST(SegmentFeed, ReportsInfeasibleBeforeBlockRateBeforeTheGoverningLimit)
 {
     const FeedRules slack = rules({.cutting_force_n = 1200});
     EXPECT_EQ(reported_limit(segment_feed(slot(0.001, slack), slack)),
@@ -81,8 +81,8 @@ TEST(SegmentFeed, InAirIsTheCapWithoutLoads)
     EXPECT_FALSE(feed.peak_factor);
 }
 
-// The limits hold for what is written, but where it says that they do not.
-TEST(SegmentFeed, KeepsItsLimitsOrSaysSo)
+// The limits hold at the returned feed, except where it is marked as infeasible.
+TEST(SegmentFeed, KeepsItsLimitsOrIsInfeasible)
 {
     test::Random random{3};
     for (int i = 0; i < 500; ++i) {

@@ -20,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-// The front of which `engagement` says that it cuts, place by place.
+// The front of an engagement, tested cell by cell.
 BallFront front_of(const BallEngagement& engagement, int rows, int columns)
 {
     BallFront front{.lambda = engagement.lambda, .rows = rows, .columns = columns};
@@ -67,8 +67,7 @@ TEST(FrontCoefficients, TendToThoseOfTheBorders)
             const auto fine =
                 numbers_of(front_coefficients(front_of(engagement, 384, 512), chip));
             for (std::size_t k = 0; k < exact.size(); ++k) {
-                // The shank's angle is whole azimuths: one is 1/256 of a turn, whatever
-                // the height.
+                // The shank's angle is a whole number of azimuth steps, of which one is 1/256 of a turn.
                 const double shank = std::max(engagement.depth_ratio - 1, 0.0);
                 EXPECT_NEAR(coarse[k], exact[k], 3e-3 + shank / 256);
                 EXPECT_NEAR(fine[k], exact[k], 8e-4 + shank / 1024);
@@ -76,7 +75,7 @@ TEST(FrontCoefficients, TendToThoseOfTheBorders)
         }
 }
 
-TEST(FrontCoefficients, OfAirAreNone)
+TEST(FrontCoefficients, OfAirAreZero)
 {
     BallFront front = front_of({0, 0, 0.5, 1}, 96, 128);
     for (char& cell : front.engaged)
@@ -87,7 +86,7 @@ TEST(FrontCoefficients, OfAirAreNone)
     EXPECT_EQ((FrontPattern{front, ChipModel::Paper, {5, 2, 0.5}}.peak_factor()), 1);
 }
 
-// Against the pattern that follows the edges to their crossings with the borders.
+// Compared with the pattern that uses exact crossings of edges and borders.
 TEST(FrontPattern, TendsToThatOfTheBorders)
 {
     const MillingTool tool{5, 2, pi / 6};

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double radius = 5;
 
-// A ball that rolls along x over z = bend x^2 / 2 at y = 4, `count` moves in equal steps.
+// A ball that rolls along x over z = bend x^2 / 2 at y = 4, in `count` equal moves.
 ToolPath rolled(double bend, int count)
 {
     ToolPath path;
@@ -34,7 +34,7 @@ ToolPath rolled(double bend, int count)
     return path;
 }
 
-TEST(MoveContacts, ToldOfBothEndsAreHalfwayBetween)
+TEST(MoveContacts, StatedAtBothEndsAreHalfwayBetween)
 {
     ToolPath path = rolled(-0.02, 10);
     const auto moves = cut_moves(path);
@@ -52,7 +52,7 @@ TEST(MoveContacts, ToldOfBothEndsAreHalfwayBetween)
     EXPECT_TRUE(fewer[4]);
 }
 
-// On short moves the contact in the middle is halfway, to second order of the step.
+// On short moves the contact in the middle is halfway between the ends, to second order.
 TEST(MoveContacts, ProjectedOnThePartAreWhereTheBallRolls)
 {
     const double bend = -0.02;
@@ -86,7 +86,7 @@ TEST(MoveContacts, AreTheSameWithAnyNumberOfThreads)
     }
 }
 
-TEST(MoveContacts, RefuseAPathThatMissesThePartAndSayWhereMost)
+TEST(MoveContacts, RefuseAPathThatMissesThePartAndNameTheWorstPlace)
 {
     const std::vector<Surface> part{test::plane(40, 10)};
     const ContactSearch search{part};
@@ -113,8 +113,8 @@ TEST(MoveContacts, RefuseAPathThatMissesThePartAndSayWhereMost)
     }
 }
 
-// The contact is where the normal leads from the centre: normals tell as much of it.
-TEST(MoveContacts, ToldByNormalsAloneAreThoseOfWholeContacts)
+// The contact lies on the normal through the centre, so normals state the same contacts.
+TEST(MoveContacts, StatedByNormalsAloneEqualWholeContacts)
 {
     const ToolPath whole = rolled(-0.02, 10);
     ToolPath bare = whole;
@@ -134,7 +134,7 @@ TEST(MoveContacts, ToldByNormalsAloneAreThoseOfWholeContacts)
     EXPECT_TRUE(stated_contacts(bare, moves)[4]);
 }
 
-TEST(MoveContacts, RefuseThoseOfAnotherBall)
+TEST(MoveContacts, RefuseContactsOfAnotherBall)
 {
     const ToolPath path = rolled(-0.02, 10);
     const auto moves = cut_moves(path);

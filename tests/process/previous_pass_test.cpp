@@ -21,8 +21,8 @@ double value(const PassCondition& condition, const PassPoint& point)
     return condition.base + condition.turn * point.cosine + condition.front * point.tau;
 }
 
-// By looking along the border in small steps.
-TEST(PreviousPass, ConditionsChangeWhereTheyAreSaidTo)
+// Compared with small steps along the curve.
+TEST(PreviousPass, ConditionsChangeAtTheSignChanges)
 {
     test::Random random{61};
     constexpr int looks = 400;

@@ -57,7 +57,7 @@ TEST(RootsAndExtrema, OfLowerDegreesAreTheirs)
     EXPECT_EQ(roots_and_extrema({}, -1, 1).count, 0);
 }
 
-// The derivative's root stands where a double root is lost or split by rounding.
+// Rounding may remove or split a double root; the root of the derivative remains.
 TEST(RootsAndExtrema, HaveDoubleRoots)
 {
     test::Random random{4};
@@ -71,7 +71,7 @@ TEST(RootsAndExtrema, HaveDoubleRoots)
 
 TEST(RootsAndExtrema, OfNoRealRootsPartMonotonicStretches)
 {
-    // (u^2 - 1/4)^2 + 1: least at -1/2 and 1/2, a maximum at 0.
+    // (u^2 - 1/4)^2 + 1 has minima at -1/2 and 1/2 and a maximum at 0.
     const RootsAndExtrema found = roots_and_extrema({1.0625, 0, -0.5, 0, 1}, -1, 1);
     ASSERT_EQ(found.count, 3);
     EXPECT_NEAR(found.at[0], -0.5, 1e-12);

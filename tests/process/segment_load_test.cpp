@@ -27,7 +27,7 @@ SegmentCut cut_of(double mu, double lambda, double pick_feed_ratio, double depth
             .depth_mm = 5 * depth_ratio};
 }
 
-// Of the spec, section 4: K = 2000 N/mm^2, limits 1200 N, 450 N, 20 N m.
+// docs/mathematics/ball-end-milling.md, section 4: K = 2000 N/mm^2, limits 1200 N, 450 N and 20 N m.
 MillingJob job_of_the_vectors()
 {
     MillingJob job{test::steel(), test::ball_10(), {}};
@@ -71,7 +71,7 @@ void expect_bounds(const FeedBounds& bounds, const FeedBounds& expected, double 
     EXPECT_LT(relative_error(*bounds.torque, *expected.torque), tolerance);
 }
 
-TEST(SegmentLoad, GivesTheBoundsOfTheSpec)
+TEST(SegmentLoad, HasTheBoundsOfIndependentSampling)
 {
     const MillingJob job = job_of_the_vectors();
     const FeedRules rules = feed_rules(job, {.form = LimitForm::Exact});
@@ -93,7 +93,7 @@ TEST(SegmentLoad, GivesTheBoundsOfTheSpec)
     }
 }
 
-// The loads at a bound are the limit, whatever the rule.
+// At each bound of the feed the load equals the limit, under both rules.
 TEST(SegmentLoad, ReachesItsLimitsAtItsBounds)
 {
     const MillingJob job = job_of_the_vectors();
@@ -114,7 +114,7 @@ TEST(SegmentLoad, ReachesItsLimitsAtItsBounds)
 
 TEST(SegmentLoad, LifeAngleIsThatOfTheCutWithinItsBounds)
 {
-    // Flat cut as deep as the ball: cos phi = 1 - R_p at the height of the centre.
+    // A level cut as deep as the ball has cos(phi) = 1 - R_p at the height of the centre.
     EXPECT_NEAR(
         tool_life_angle({.mu = 0, .lambda = 0, .pick_feed_ratio = 0.5, .depth_ratio = 1}),
         pi / 3, 1e-7);
@@ -139,7 +139,7 @@ TEST(SegmentLoad, LifeAngleIsThatOfTheCutWithinItsBounds)
                                  .depth_ratio = -1,
                                  .previous = PreviousPass::None}),
                 pi / 36, 1e-15);
-    // Full rings at negative lambda count for no more than half a turn.
+    // Full rings at negative lambda count for half a turn at most.
     EXPECT_LE(
         tool_life_angle(
             {.mu = -0.8, .lambda = -0.6, .pick_feed_ratio = 0.6, .depth_ratio = 0.1}),
