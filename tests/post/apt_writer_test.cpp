@@ -59,8 +59,8 @@ TEST(Apt, RefusesArgumentsOutsideItsDomain)
     EXPECT_THROW(apt(path, {.feed_mm_per_min = 9}), DomainError);
 }
 
-// A third of a mm has no finite decimal. The written cutter must still read back as the same cutter,
-// and a ball as a ball.
+// A third of a mm has no finite decimal. The written cutter must still read back as the
+// same cutter, and a ball as a ball.
 TEST(AptRoundTrip, KeepsTheCutterToTheBit)
 {
     const ToolPath path{{{0, 0, Move::Cut, {{0, 0, 0}, {0, 0, 1}}, {}}}};

@@ -134,8 +134,8 @@ TEST(ArcChords, AreAsFewAsTheFormulaSays)
     EXPECT_EQ(ArcChords(circle, 1e9).count(), 2);  // one chord would be a point
 }
 
-// Seen from +normal, a clockwise arc from the first axis goes to the negative second axis: for G18 from +z
-// to -x.
+// Seen from +normal, a clockwise arc from the first axis goes to the negative second
+// axis: for G18 from +z to -x.
 TEST(ArcChords, TurnAsTheSenseSays)
 {
     for (const ArcPlane plane : planes) {

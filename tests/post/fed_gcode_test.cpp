@@ -12,7 +12,8 @@
 namespace endmill {
 namespace {
 
-// `text` with the feed and the speed that `told(number, point)` returns for every point with a feed.
+// `text` with the feed and the speed that `told(number, point)` returns for every point
+// with a feed.
 template <typename Told>
 std::string fed(const std::string& text, const Told& told, ToolPath* path = nullptr,
                 const GcodeReadOptions& options = {})
@@ -86,7 +87,8 @@ TEST(FedGcode, KeepsAnArcOfOneFeed)
         "G3 X-10 Y0 I-10 J0 F812.5 (half)\nG2 X10 R10\nG3 I-10 P2\n"
         "G90.1 G2 X0 Y-10 I0 J0 Z-2\nM2\n";
     EXPECT_EQ(fed(text, constant), expected);
-    // Feeds that differ by 0.1 %: the smallest one is written, so that no feed is exceeded.
+    // Feeds that differ by 0.1 %: the smallest one is written, so that no feed is
+    // exceeded.
     const auto told = [](std::size_t i, const Vec3&) {
         return CuttingConditions{i % 2 == 1 ? 812.5 : 812.6, 3000, {}};
     };
@@ -174,7 +176,8 @@ TEST(FedGcode, SplitsInTheOtherPlanes)
     }
 }
 
-// M1 after the motion may stop the program, so the arc is not split and gets its smallest feed.
+// M1 after the motion may stop the program, so the arc is not split and gets its smallest
+// feed.
 TEST(FedGcode, LeavesAnArcWholeBesideMCodes)
 {
     const auto told = [](std::size_t, const Vec3& tip) {

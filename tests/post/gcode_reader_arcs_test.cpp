@@ -49,8 +49,8 @@ const double half = std::sqrt(0.5);
 
 class QuarterCircle : public testing::TestWithParam<Quarter> {};
 
-// Each direction is seen from the positive end of the plane's third axis: G18 from +y, where z points
-// right and x up.
+// Each direction is seen from the positive end of the plane's third axis: G18 from +y,
+// where z points right and x up.
 INSTANTIATE_TEST_SUITE_P(
     AllPlanes, QuarterCircle,
     testing::Values(

@@ -94,8 +94,8 @@ struct Twin {
 
 class CanonicalArc : public testing::TestWithParam<Twin> {};
 
-// Output of the interpreter for each arc: ends and centre in the plane's order, the turns, the end along
-// the normal.
+// Output of the interpreter for each arc: ends and centre in the plane's order, the
+// turns, the end along the normal.
 INSTANTIATE_TEST_SUITE_P(
     Planes, CanonicalArc,
     testing::Values(Twin{"G2 X5 Y5 Z-1 I5 F100",
@@ -137,7 +137,8 @@ TEST(ParseCanonical, PassesOverCommandsThatDoNotMove)
     EXPECT_EQ(program.path.points.size(), 1U);
 }
 
-// Output of the interpreter for M2 in its own test of a cam, except the coordinate system.
+// Output of the interpreter for M2 in its own test of a cam, except the coordinate
+// system.
 TEST(ParseCanonical, ReadsTheEndOfAProgram)
 {
     const Program program = read_canonical(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Refusals of whole programs. gcode_modes_test.cpp tests codes, gcode_block_test.cpp words and
-// gcode_arc_test.cpp arcs.
+
+// Refusals of whole programs.
+// gcode_modes_test.cpp tests codes, gcode_block_test.cpp words and gcode_arc_test.cpp
+// arcs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

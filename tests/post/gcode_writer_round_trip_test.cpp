@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Written programs are read back by the reader of the library, and by a few lines here that know only
-// modal words.
+
+// Written programs are read back by the reader
+// of the library, and by a few lines here that know only modal words.
 #include <cmath>
 #include <cstdlib>
 #include <sstream>

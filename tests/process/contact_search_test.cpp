@@ -15,8 +15,8 @@
 namespace endmill {
 namespace {
 
-// Each centre lies on the normal of a surface point, at less than the radius of curvature. The
-// search has to return that point.
+// Each centre lies on the normal of a surface point, at less than the radius of
+// curvature. The search has to return that point.
 TEST(ContactSearch, FindsThePointThatTheCentreWasMadeFrom)
 {
     std::vector<Surface> part;

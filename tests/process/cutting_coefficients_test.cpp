@@ -117,8 +117,8 @@ TEST(CuttingCoefficients, OfASlopingSlotAreClosed)
     }
 }
 
-// The section of a slot normal to the feed is half a disc, minus (uphill) or plus (downhill) half an
-// ellipse.
+// The section of a slot normal to the feed is half a disc, minus (uphill) or plus
+// (downhill) half an ellipse.
 TEST(CuttingCoefficients, OfTheExactChipGiveTheSectionOfASlot)
 {
     for (const double lambda : {-1.2, -0.3, 0.0, 0.5, 1.3}) {
@@ -155,8 +155,9 @@ TEST(CuttingCoefficients, AreThoseOfTheDataSet)
     EXPECT_EQ(rows, 23);
 }
 
-// [ParkMaeng, figure 3]: I1 at a depth of the radius and a pick feed of half of it. The values come
-// from integration by slices (docs/mathematics/ball-end-milling.md, section 3.5).
+// [ParkMaeng, figure 3]: I1 at a depth of the radius and a pick feed of half of it. The
+// values come from integration by slices (docs/mathematics/ball-end-milling.md, section
+// 3.5).
 TEST(CuttingCoefficients, DrawTheThirdFigure)
 {
     const std::vector<std::vector<double>> table{
@@ -224,8 +225,8 @@ TEST(CuttingCoefficients, AreAsAccurateAsAskedFor)
     }
 }
 
-// I4 has the weight sin(azimuth) and I5 its magnitude, so they are equal if nothing is cut behind the
-// axis.
+// I4 has the weight sin(azimuth) and I5 its magnitude, so they are equal if nothing is
+// cut behind the axis.
 TEST(CuttingCoefficients, FourAndFiveDifferBehindTheAxisOnly)
 {
     test::Random random{13};
@@ -247,7 +248,8 @@ TEST(CuttingCoefficients, FourAndFiveDifferBehindTheAxisOnly)
     }
 }
 
-// Steps of 1e-9 in every parameter, across configurations in which borders appear, vanish and touch.
+// Steps of 1e-9 in every parameter, across configurations in which borders appear, vanish
+// and touch.
 TEST(CuttingCoefficients, DoNotJumpWhereTheRegionChangesItsShape)
 {
     const double touching = 2 * std::cos(0.7);

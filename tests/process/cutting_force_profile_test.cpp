@@ -32,8 +32,8 @@ CuttingForce force_at(const MillingCut& cut, double turn)
     return force_profile(cut, std::array{turn}).front();
 }
 
-// Mean over a turn, integrated between the events of all flutes. The nodes are dense near the events,
-// where the force behaves like a square root.
+// Mean over a turn, integrated between the events of all flutes. The nodes are dense near
+// the events, where the force behaves like a square root.
 CuttingForce mean_over_turn(const MillingCut& cut)
 {
     constexpr int samples = 100;
@@ -98,7 +98,8 @@ TEST(ForceProfile, HasTheMeanOfTheMeanModelForAnyHelix)
     }
 }
 
-// The sums of a force pattern are closed. Without runout they determine torque and thrust.
+// The sums of a force pattern are closed. Without runout they determine torque and
+// thrust.
 TEST(ForceProfile, HasTheTorqueAndThrustOfTheForcePattern)
 {
     test::Random random{52};
@@ -121,8 +122,8 @@ TEST(ForceProfile, HasTheTorqueAndThrustOfTheForcePattern)
     }
 }
 
-// Uphill nothing is cut near azimuth 0, so no chip is clipped. The runout terms of the flutes cancel in
-// the mean.
+// Uphill nothing is cut near azimuth 0, so no chip is clipped. The runout terms of the
+// flutes cancel in the mean.
 TEST(ForceProfile, HasTheSameMeanWithRunoutWhileNoChipIsClipped)
 {
     for (const ChipModel chip : {ChipModel::Paper, ChipModel::Exact}) {
@@ -140,8 +141,8 @@ TEST(ForceProfile, OfTwoFlutesWithRunoutDiffersFromFluteToFlute)
     MillingCut one = cut({0, 0, 0, 1, PreviousPass::None}, ChipModel::Paper, 2, 0);
     const double offset = 0.02;
     one.runout = {offset, 0};
-    // Flute 0 stands at 90 degrees with flute 1 out of the cut, then the other way round. The torque is
-    // K r0^2 (t + h) pi/4 with t = f + 2 e and f - 2 e.
+    // Flute 0 stands at 90 degrees with flute 1 out of the cut, then the other way round.
+    // The torque is K r0^2 (t + h) pi/4 with t = f + 2 e and f - 2 e.
     const double scale = 2000 * 25 * pi / 4 / 1000;
     EXPECT_NEAR(-force_at(one, pi / 2).torque_n_m, scale * (0.1 + 2 * offset + 0.016),
                 1e-9);
@@ -157,8 +158,8 @@ TEST(ForceProfile, WithMoreRunoutThanFeedLeavesAFluteIdle)
     EXPECT_LT(force_at(one, pi / 2).torque_n_m, 0);
 }
 
-// A slot without helix at 90 degrees, milling up: the tangential force acts along -y, the radial force
-// along x.
+// A slot without helix at 90 degrees, milling up: the tangential force acts along -y, the
+// radial force along x.
 TEST(ForceProfile, OfAStraightFluteIsClosed)
 {
     MillingCut one = cut({0, 0, 0, 1, PreviousPass::None}, ChipModel::Paper, 1, 0);
@@ -192,10 +193,10 @@ TEST(ForceProfile, RefusesUnsoundCuts)
     EXPECT_THROW(force_at(bad, 0), DomainError);
 }
 
-// A right-hand cutter under M03 beside a level groove on its left, integrated in the frame of the
-// machine: x along the feed, y to its left. The spindle turns from y towards x, and the edges trail
-// as they rise. In the model's mirrored frame the helix is negative, and the azimuth is pi minus the
-// machine's.
+// A right-hand cutter under M03 beside a level groove on its left, integrated in the
+// frame of the machine: x along the feed, y to its left. The spindle turns from y towards
+// x, and the edges trail as they rise. In the model's mirrored frame the helix is
+// negative, and the azimuth is pi minus the machine's.
 TEST(ForceProfile, MillingDownWithTheNegativeHelixIsARightHandCutterInTheRoom)
 {
     const BallEngagement engagement{0, 0, 0.5, 1};

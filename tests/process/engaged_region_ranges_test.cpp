@@ -22,8 +22,8 @@ bool has(const std::vector<AzimuthRange>& ranges, double azimuth)
     });
 }
 
-// The definition of engagement in vectors: a point cuts if it faces the feed and is not within the
-// previous pass, a cylinder along the feed and all above it.
+// The definition of engagement in vectors: a point cuts if it faces the feed and is not
+// within the previous pass, a cylinder along the feed and all above it.
 bool cuts(const BallEngagement& e, double latitude, double azimuth)
 {
     const double x = std::sin(latitude) * std::sin(azimuth);
@@ -84,8 +84,8 @@ TEST(EngagedRanges, OnLevelGroundAreClosed)
         }
 }
 
-// For lambda = 0 the ends are closed (docs/mathematics/ball-end-milling.md, section 3.3), with
-// h = cos(latitude) - b.
+// For lambda = 0 the ends are closed (docs/mathematics/ball-end-milling.md, section 3.3),
+// with h = cos(latitude) - b.
 TEST(EngagedRanges, OfALevelFeedAreClosed)
 {
     const BallEngagement e{-0.9, 0, 0.8, 1};

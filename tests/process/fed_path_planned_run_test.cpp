@@ -123,8 +123,8 @@ Course random_course(test::Random& random, int segments)
     return course;
 }
 
-// The largest admissible speed at every vertex by its definition: from every bound on the path, the
-// speed that acceleration can reach up to the vertex.
+// The largest admissible speed at every vertex by its definition: from every bound on the
+// path, the speed that acceleration can reach up to the vertex.
 std::vector<double> speeds_by_definition(const Course& course)
 {
     const std::size_t count = course.feeds.size();
@@ -149,7 +149,8 @@ std::vector<double> speeds_by_definition(const Course& course)
     return speeds;
 }
 
-// Time of a segment by integration of dx/v over the fastest speed profile between its ends.
+// Time of a segment by integration of dx/v over the fastest speed profile between its
+// ends.
 double time_by_quadrature(double length, double from, double to, double feed)
 {
     const double a = motion.acceleration_mm_per_s2;

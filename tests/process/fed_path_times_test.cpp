@@ -11,8 +11,8 @@
 namespace endmill {
 namespace {
 
-// [ParkMaeng, section 5]: total times in min at 80 and 40 mm/min, and with varied feed for aluminium and
-// steel, rounded to 0.1.
+// [ParkMaeng, section 5]: total times in min at 80 and 40 mm/min, and with varied feed
+// for aluminium and steel, rounded to 0.1.
 constexpr ConstantFeedRun fast{80, 79.8};
 constexpr ConstantFeedRun slow{40, 147.1};
 constexpr double aluminium_min = 31.3;

@@ -110,8 +110,8 @@ TEST(ReferencePath, HasTheStatedLengthAndRanges)
     EXPECT_NEAR(Angle::radians(up.lambda).degrees(), 49.5217, 5e-5);
 }
 
-// docs/mathematics/ball-end-milling.md, sections 8 and 9, A12. The constants were calibrated to the
-// printed 54.8 min, so this is a regression test.
+// docs/mathematics/ball-end-milling.md, sections 8 and 9, A12. The constants were
+// calibrated to the printed 54.8 min, so this is a regression test.
 TEST(FeedPlan, OfTheReferencePathInSteel)
 {
     const FeedPlan plan =
@@ -146,7 +146,8 @@ TEST(FeedPlan, OfTheReferencePathInAluminium)
     EXPECT_NEAR(plan.totals.max_power_w, 1290, 6);
 }
 
-// docs/mathematics/ball-end-milling.md, section 8: thrust governs where the cut is deep and goes downhill.
+// docs/mathematics/ball-end-milling.md, section 8: thrust governs where the cut is deep
+// and goes downhill.
 TEST(FeedPlan, LetsThrustBindWhereThePaperSays)
 {
     const std::vector<SegmentCut> cuts = test::reference_cuts();
@@ -168,7 +169,8 @@ TEST(FeedPlan, LetsThrustBindWhereThePaperSays)
     EXPECT_NEAR(Angle::radians(mu / count).degrees(), -10.2, 0.05);
 }
 
-// docs/mathematics/ball-end-milling.md, section 8: dependence of the total on the least feed.
+// docs/mathematics/ball-end-milling.md, section 8: dependence of the total on the least
+// feed.
 TEST(FeedPlan, HangsOnTheLeastFeed)
 {
     const std::vector<SegmentCut> cuts = scaled_reference_cuts();
@@ -183,7 +185,8 @@ TEST(FeedPlan, HangsOnTheLeastFeed)
     EXPECT_NEAR(exact.totals.cut_min + 12.47, 52.30, 0.0055);
 }
 
-// docs/mathematics/ball-end-milling.md, section 8: the same path with the torque of helical flutes.
+// docs/mathematics/ball-end-milling.md, section 8: the same path with the torque of
+// helical flutes.
 TEST(FeedPlan, HangsOnTheRuleOfThePeak)
 {
     const std::vector<SegmentCut> cuts = scaled_reference_cuts();
@@ -204,7 +207,8 @@ TEST(FeedPlan, HangsOnTheRuleOfThePeak)
     EXPECT_NEAR(factors.back(), 6.84, 0.01);
 }
 
-// docs/mathematics/ball-end-milling.md, section 4: equivalent radius over the radius of the ball.
+// docs/mathematics/ball-end-milling.md, section 4: equivalent radius over the radius of
+// the ball.
 TEST(FeedPlan, PutsTheForceNearTheBallsRadius)
 {
     const std::vector<SegmentCut> cuts = test::reference_cuts();

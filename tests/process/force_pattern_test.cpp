@@ -57,7 +57,8 @@ void expect_near(const FeedBounds& found, const FeedBounds& expected, double rel
     EXPECT_NEAR(*found.torque / *expected.torque, 1, relative);
 }
 
-// Values of docs/mathematics/ball-end-milling.md, section 4, sampled with refinement to 1e-5.
+// Values of docs/mathematics/ball-end-milling.md, section 4, sampled with refinement to
+// 1e-5.
 TEST(ForcePattern, HasThePeaksOfTheVectors)
 {
     for (const Vector& v : vectors) {
@@ -77,7 +78,8 @@ TEST(ForcePattern, OfTorqueBoundsTheFirstVector)
                 2e-5);
 }
 
-// The share of the shank is the difference between a deep cut and one of the depth of the ball.
+// The share of the shank is the difference between a deep cut and one of the depth of the
+// ball.
 TEST(ForcePattern, OfTheShankHasAClosedPeak)
 {
     struct Shank {
@@ -222,8 +224,8 @@ TEST(ForcePattern, ReachesEachLimitAtItsBound)
     EXPECT_NEAR(pattern.largest_loads(model, *bounds.torque).torque_n_m, 20, 5e-5);
 }
 
-// Uphill the exact chip is so thin at some turns that its sums are rounding errors of either sign. No
-// bound may result from them.
+// Uphill the exact chip is so thin at some turns that its sums are rounding errors of
+// either sign. No bound may result from them.
 TEST(ForcePattern, OfVanishingChipsKeepsItsBounds)
 {
     const LoadModel in_steel{test::steel(), 5};
@@ -268,9 +270,10 @@ TEST(ForcePattern, WithoutHelixIsThatOfOneAzimuth)
     EXPECT_NEAR(pattern.peak_factor(), pi, 1e-6);
 }
 
-// The sums of a right-hand cutter under M03 in the frame of the machine: x along the feed, y to its
-// left. The spindle turns clockwise seen from above, from y towards x, and a right-hand edge trails as
-// it rises. `side` is 1 with the stock to the left (milling up) and -1 to the right (milling down).
+// The sums of a right-hand cutter under M03 in the frame of the machine: x along the
+// feed, y to its left. The spindle turns clockwise seen from above, from y towards x, and
+// a right-hand edge trails as it rises. `side` is 1 with the stock to the left (milling
+// up) and -1 to the right (milling down).
 EdgeSums in_the_room(const BallEngagement& cut, const MillingTool& mill, double side,
                      double turn)
 {

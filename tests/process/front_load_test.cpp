@@ -67,7 +67,8 @@ TEST(FrontCoefficients, TendToThoseOfTheBorders)
             const auto fine =
                 numbers_of(front_coefficients(front_of(engagement, 384, 512), chip));
             for (std::size_t k = 0; k < exact.size(); ++k) {
-                // The shank's angle is a whole number of azimuth steps, of which one is 1/256 of a turn.
+                // The shank's angle is a whole number of azimuth steps, of which one is
+                // 1/256 of a turn.
                 const double shank = std::max(engagement.depth_ratio - 1, 0.0);
                 EXPECT_NEAR(coarse[k], exact[k], 3e-3 + shank / 256);
                 EXPECT_NEAR(fine[k], exact[k], 8e-4 + shank / 1024);

@@ -11,13 +11,14 @@
 #include "endmill/core/vec.h"
 #include "endmill/process/feed_plan.h"
 
-// The path REF of docs/mathematics/ball-end-milling.md, section 7, built from the formula of the test
-// surface alone, without the planners and surfaces of the library.
+// The path REF of docs/mathematics/ball-end-milling.md, section 7, built from the formula
+// of the test surface alone, without the planners and surfaces of the library.
 namespace endmill::test {
 
 inline constexpr double reference_radius = 5;
 
-/// The test surface z(X, Y) = 40 g(X/40, Y/40), with the derivatives that a cut along X needs.
+/// The test surface z(X, Y) = 40 g(X/40, Y/40), with the derivatives that a cut along X
+/// needs.
 struct ReferencePoint {
     Vec3 at;
     Vec3 T;           ///< unit, along X

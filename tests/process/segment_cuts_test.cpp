@@ -22,8 +22,8 @@ SegmentCutOptions by_passes()
     return {.radius = 5, .stock_top = 20, .source = CutSource::Passes};
 }
 
-// Two passes on a plane that rises by `slope` across the feed and by `climb` along it. The second pass
-// is on the given side of the first.
+// Two passes on a plane that rises by `slope` across the feed and by `climb` along it.
+// The second pass is on the given side of the first.
 TEST(SegmentCuts, OfParallelPassesOnAPlaneHaveTheGeometryOfItsPickFeed)
 {
     for (const double slope : {0.0, 0.4, -0.7})
@@ -52,8 +52,9 @@ TEST(SegmentCuts, OfParallelPassesOnAPlaneHaveTheGeometryOfItsPickFeed)
             }
 }
 
-// Passes of a ball along a cylinder of radius 30, 4 degrees apart. By eq. (13) f_p = d (1 + r0 k), where
-// d is the chord between the contacts. The slope is that of the surface half a step before.
+// Passes of a ball along a cylinder of radius 30, 4 degrees apart. By eq. (13) f_p = d (1
+// + r0 k), where d is the chord between the contacts. The slope is that of the surface
+// half a step before.
 TEST(SegmentCuts, AlongACylinderHaveThePickFeedOfTheSurfaceAndItsSlopeHalfAStepBack)
 {
     const double radius = 5;
@@ -85,8 +86,8 @@ TEST(SegmentCuts, AlongACylinderHaveThePickFeedOfTheSurfaceAndItsSlopeHalfAStepB
     }
 }
 
-// By contact, on a real cylinder: d and k come from the surface, so f_p equals the distance of the
-// centres, and mu is the slope of the surface at the contact.
+// By contact, on a real cylinder: d and k come from the surface, so f_p equals the
+// distance of the centres, and mu is the slope of the surface at the contact.
 TEST(SegmentCuts, ByContactOnACylinderHaveItsSlopeAndTheSamePickFeed)
 {
     const double radius = 5;
@@ -120,7 +121,8 @@ SurfaceContact touched(const PathPoint& point, const Vec3& normal)
     return {0, 0, {centre - 5 * normal, normal}};
 }
 
-// Eq. (10) and (11) on a tilted plane, milled in both senses, from the normals of the path alone.
+// Eq. (10) and (11) on a tilted plane, milled in both senses, from the normals of the
+// path alone.
 TEST(SegmentCuts, ByStatedContactsOnAPlaneEqualThoseByPasses)
 {
     const Vec3 normal = Vec3{-0.3, 0.4, 1}.normalized();

@@ -12,11 +12,12 @@
 // The coefficients by a second route: slices of the engaged region across the pick feed
 // (docs/mathematics/ball-end-milling.md, section 3.1).
 //
-// In the slice at y a point of the ball is (rho cos chi, y, rho sin chi), rho^2 = 1 - y^2. The engaged
-// part is one interval of chi with closed ends, and the integrals over it are closed, by Legendre's
-// elliptic integrals. The integral over y is evaluated in long double by the double-exponential rule,
-// between the places at which the formula of an end changes. These places are found by comparing many
-// slices. The code shares nothing with the library.
+// In the slice at y a point of the ball is (rho cos chi, y, rho sin chi), rho^2 = 1 -
+// y^2. The engaged part is one interval of chi with closed ends, and the integrals over
+// it are closed, by Legendre's elliptic integrals. The integral over y is evaluated in
+// long double by the double-exponential rule, between the places at which the formula of
+// an end changes. These places are found by comparing many slices. The code shares
+// nothing with the library.
 namespace endmill::test {
 
 using SlicedSums = std::array<long double, 8>;
@@ -116,7 +117,8 @@ private:
             const long double y = v < 0 ? low + near : high - near;
             const long double weight = step * pi / 2 * std::cosh(u) * (high - low) / 2 /
                                        (std::cosh(v) * std::cosh(v));
-            // Where y vanishes beside 1, the integrals are logarithms of y with negligible weight.
+            // Where y vanishes beside 1, the integrals are logarithms of y with
+            // negligible weight.
             if (!(y > low && y < high) || std::abs(y) < 1e-17L)
                 continue;
             add_slice(y, weight, total);
@@ -168,7 +170,8 @@ private:
         g[0] = y * (along * logarithm - down / ay * std::atan(rho * c / ay));
         g[1] = along * square - down * std::log(root);
         g[4] = along * arc - down * std::asinh(rho * c / ay);
-        // The area seen along the feed: 2 pi I7 is the cross-section that a tooth removes.
+        // The area seen along the feed: 2 pi I7 is the cross-section that a tooth
+        // removes.
         g[6] = rho * std::sin(chi - lambda_);
         return g;
     }

@@ -82,8 +82,8 @@ TEST(ToolLife, WithTheFittedExponentDiffersFromThePrint)
     EXPECT_NEAR(tool_life_constant(line, life), 213.808861, 1e-6);
 }
 
-// Cost per part of machine and worn tools, for a volume cut at the speed V. It is least at the economic
-// life. The life at V is (C/V)^(1/alpha).
+// Cost per part of machine and worn tools, for a volume cut at the speed V. It is least
+// at the economic life. The life at V is (C/V)^(1/alpha).
 TEST(ToolLife, IsTheCheapest)
 {
     for (const double alpha : {0.12, printed_alpha, 0.7}) {
@@ -120,7 +120,8 @@ TEST(ToolLife, ExactDataOnALineAreFittedExactly)
     }
 }
 
-// C_b and T0 cancel: at the economic life the tool-life equation gives the speed of the line.
+// C_b and T0 cancel: at the economic life the tool-life equation gives the speed of the
+// line.
 TEST(ToolLife, CostsDoNotChangeTheEconomicSpeed)
 {
     const SpeedLine line = fitted_speed_line(printed_data);

@@ -37,7 +37,7 @@ namespace endmill {
 ///         of white space.
 /// \throws LimitError if the path would have more points than the options allow.
 /// \throws DomainError unless the options are sound.
-/// Source: docs/mathematics/removal.md, section 5; [KramerProctorMessina].
+/// Source: docs/mathematics/removal.md, section 5; [KramerProctorMessina, section 3].
 Program parse_gcode(std::string_view text, const std::string& file,
                     const GcodeReadOptions& options = {});
 

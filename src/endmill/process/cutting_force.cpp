@@ -30,7 +30,7 @@ constexpr double mm_per_m = 1000;
 // Gauss nodes on [-1, 1] above 0, and their weights. The table of the handbook has 16
 // digits; its last digit is rounded differently from that of the exact value, and stored
 // results were computed with it.
-// Source: Abramowitz and Stegun, table 25.4, n = 16.
+// Source: [AbramowitzStegun, table 25.4], n = 16.
 constexpr std::array<double, 8> gauss_node{
     0.0950125098376374, 0.2816035507792589, 0.4580167776572274, 0.6178762444026438,
     0.7554044083550030, 0.8656312023878318, 0.9445750230732326, 0.9894009349916499};

@@ -80,7 +80,7 @@ struct SegmentCuts {
 ///   f_p is the distance of the ball centres.
 /// - Contacts are projections of the ball centre on the part if it is given. Otherwise
 ///   they are the means of the normals that the path states at both ends of a move.
-///   CutSource::Auto uses the passes where there is no contact or the ball does not fit
+///   `Auto` uses the passes where there is no contact or the ball does not fit
 ///   the part.
 /// Source: [ParkMaeng, eq. (8) to (14)]; docs/mathematics/ball-end-milling.md, sections 6
 /// and 12.
@@ -91,7 +91,7 @@ struct SegmentCuts {
 /// \throws GeometryError unless the axis is +z everywhere; if the ball misses the part by
 ///         more than the tolerance at an end of a cut (the message states the largest
 ///         distance and its place); if a contact of the path belongs to another ball; or,
-///         with CutSource::Contact, if a move has no contact.
+///         with the source `Contact`, if a move has no contact.
 /// The result does not depend on the number of threads. Time is about n log(n) in the
 /// moves.
 SegmentCuts segment_cuts(const ToolPath& path, const SegmentCutOptions& options);

@@ -57,13 +57,13 @@ ArcRadii arc_radii(const Arc& arc);
 double arc_angle(const Arc& arc);
 
 /// Centre of the arc with the ends of `arc` and a given radius; `arc.centre` is ignored.
+/// It follows from the right triangle of an end, the middle of the ends and the centre.
 /// \param arc ends, plane and sense.
 /// \param radius mm, signed: negative for the arc of more than half a turn.
 /// \param tolerance_mm mm, by which half the distance of the ends may exceed |radius|.
 ///        Within this tolerance the result is the middle of the ends.
 /// \return std::nullopt if the ends are farther apart.
 /// \pre The ends differ in the plane, and the radius is not 0.
-/// Source: the right triangle of an end, the middle of the ends and the centre.
 std::optional<Vec3> centre_of_radius(const Arc& arc, double radius, double tolerance_mm);
 
 /// The chords that replace an arc. Their ends lie on the arc at equal angles. Their

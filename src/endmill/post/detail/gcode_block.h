@@ -68,7 +68,7 @@ private:
 ///         O-words, an unknown letter or one without a number, an exponent, a decimal
 ///         comma, an unclosed comment, a repeated word; E_RANGE for a number that a
 ///         double cannot store.
-/// Source: [KramerProctorMessina, "Format of a Line"].
+/// Source: [KramerProctorMessina, section 3.3].
 GcodeBlock parse_block(std::string_view text, const TextLines& lines);
 
 }  // namespace endmill

@@ -97,7 +97,7 @@ private:
     }
 
     // Executes a block in the order of the language.
-    // Source: [KramerProctorMessina, "Order of Execution"].
+    // Source: [KramerProctorMessina, section 3.8].
     void execute(const GcodeBlock& block)
     {
         has_words_ = true;

@@ -40,7 +40,7 @@ enum class FeedMode {
 };
 
 /// The modes that the G codes of a program set, block after block.
-/// Source: [KramerProctorMessina, "Modal Groups"].
+/// Source: [KramerProctorMessina, section 3.4].
 struct GcodeModes {
     GcodeMotion motion = GcodeMotion::None;            ///< group 1
     ArcPlane plane = ArcPlane::Xy;                     ///< group 2
