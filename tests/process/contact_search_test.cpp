@@ -33,9 +33,9 @@ TEST(ContactSearch, FindsThePointThatTheCentreWasMadeFrom)
         EXPECT_LT((foot.normal - normal).norm(), 1e-9);
         EXPECT_NEAR(foot.distance, 5, 1e-12);
         // The search also starts from another place, to which the centre does not belong.
-        const BallFoot told =
+        const BallFoot found =
             search.foot(at.point + 5 * normal, PartPlace{0, 0, 0}, 5, 1e-3);
-        EXPECT_LT((told.point - at.point).norm(), 1e-9);
+        EXPECT_LT((found.point - at.point).norm(), 1e-9);
     }
 }
 

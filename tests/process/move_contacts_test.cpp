@@ -123,11 +123,11 @@ TEST(MoveContacts, StatedByNormalsAloneEqualWholeContacts)
         point.contact.reset();
     }
     const auto moves = cut_moves(whole);
-    const auto told = stated_contacts(whole, moves);
+    const auto stated = stated_contacts(whole, moves);
     const auto by_normals = stated_contacts(bare, moves);
     for (std::size_t i = 0; i < moves.size(); ++i) {
         ASSERT_TRUE(by_normals[i]);
-        EXPECT_EQ(by_normals[i]->normal, told[i]->normal);
+        EXPECT_EQ(by_normals[i]->normal, stated[i]->normal);
     }
     bare.normals[3] = Vec3::Zero();
     EXPECT_FALSE(stated_contacts(bare, moves)[2]);
