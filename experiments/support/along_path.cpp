@@ -88,7 +88,7 @@ CapJumps cap_jumps(const std::vector<SegmentCut>& cuts, const FeedPlan& plan,
     double length = 0;  // of the stretch so far; 0: not at the cap
     bool is_shallow = false;
     for (std::size_t i = 0; i < cuts.size(); ++i) {
-        if (said_limit(plan.rows[i]) != FeedLimit::Cap) {
+        if (reported_limit(plan.rows[i]) != FeedLimit::Cap) {
             length = 0;
             continue;
         }

@@ -38,7 +38,7 @@ NamedCells thrust_cells(const std::vector<SegmentCut>& cuts, const FeedPlan& pla
     double count = 0;
     Vec3 sums{0, 0, 0};  // depth, lambda, mu
     for (std::size_t i = 0; i < cuts.size(); ++i)
-        if (said_limit(plan.rows[i]) == FeedLimit::Thrust) {
+        if (reported_limit(plan.rows[i]) == FeedLimit::Thrust) {
             ++count;
             sums += Vec3{cuts[i].depth_mm, Angle::radians(cuts[i].lambda).degrees(),
                          Angle::radians(cuts[i].mu.value_or(0)).degrees()};

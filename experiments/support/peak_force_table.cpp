@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/front_load.h"
+#include "endmill/process/detail/segment_load.h"
 #include "support/milling_jobs.h"
 #include "support/stroke_comparison.h"
 

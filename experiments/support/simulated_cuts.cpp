@@ -7,7 +7,8 @@
 
 #include "endmill/core/parallel.h"
 #include "endmill/process/detail/force_pattern.h"
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/front_load.h"
+#include "endmill/process/detail/segment_load.h"
 #include "endmill/stock/stock_fronts.h"
 
 namespace endmill {

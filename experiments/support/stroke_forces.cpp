@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "endmill/process/force_profile.h"
-#include "endmill/process/segment_load.h"
+#include "endmill/process/cutting_force.h"
+#include "endmill/process/detail/segment_load.h"
 
 namespace endmill {
 namespace {
@@ -39,18 +39,17 @@ std::vector<CuttingForce> turn_forces(const MilledMove& move, const MillingJob& 
                                       int steps)
 {
     const BallEngagement engagement = ball_engagement(move.cut, job.tool.radius);
-    std::vector<CuttingForce> forces(static_cast<std::size_t>(steps));
     if (is_air(engagement))
-        return forces;
-    const ForceProfile profile{{.engagement = engagement,
-                                .material = job.material,
-                                .tool = job.tool,
-                                .feed_per_tooth_mm = move.feed_per_tooth_mm,
-                                .milling = move.cut.milling}};
+        return std::vector<CuttingForce>(static_cast<std::size_t>(steps));
+    std::vector<double> turns;
     for (int i = 0; i < steps; ++i)
-        forces[static_cast<std::size_t>(i)] =
-            profile.at(2 * std::numbers::pi * i / steps);
-    return forces;
+        turns.push_back(2 * std::numbers::pi * i / steps);
+    return force_profile({.engagement = engagement,
+                          .material = job.material,
+                          .tool = job.tool,
+                          .feed_per_tooth_mm = move.feed_per_tooth_mm,
+                          .milling = move.cut.milling},
+                         turns);
 }
 
 TurnRange turn_range(const MilledMove& move, const MillingJob& job, int steps)

@@ -7,7 +7,7 @@
 
 #include "endmill/core/parallel.h"
 #include "endmill/process/detail/force_pattern.h"
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/segment_load.h"
 
 namespace endmill {
 namespace {

@@ -17,8 +17,7 @@
 #include "endmill/files/output_folder.h"
 #include "endmill/files/result_csv.h"
 #include "endmill/files/tool_file.h"
-#include "endmill/process/detail/force_pattern.h"
-#include "endmill/process/force_profile.h"
+#include "endmill/process/cutting_force.h"
 
 namespace endmill {
 namespace {
@@ -107,14 +106,10 @@ void add_force(Json& summary, const CuttingForce& force)
 
 std::string profile_text(const MillingCut& cut)
 {
-    const ForceProfile profile{cut};
     std::vector<double> angles;
-    std::vector<CuttingForce> forces;
-    for (int k = 0; k < profile_angles; ++k) {
+    for (int k = 0; k < profile_angles; ++k)
         angles.push_back(2 * std::numbers::pi * k / profile_angles);
-        forces.push_back(profile.at(angles.back()));
-    }
-    return force_profile_csv(angles, forces);
+    return force_profile_csv(angles, force_profile(cut, angles));
 }
 
 // \return the folder that was written to, if any.
@@ -147,7 +142,7 @@ ExitCode run_coefficients(const CoefficientsOptions& options)
     add_coefficients(summary, coefficients);
     summary["engaged_angle_deg"] = Angle::radians(engaged_angle(engagement)).degrees();
     if (options.flutes && options.helix_deg)
-        summary["peak_factor"] = ForcePattern{engagement, chip, tool}.peak_factor();
+        summary["peak_factor"] = peak_factor(engagement, chip, tool);
     std::optional<std::string> profile;
     if (has_forces(options)) {
         const CuttingMaterial material =

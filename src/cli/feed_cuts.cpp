@@ -11,7 +11,6 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/process/cutting_coefficients.h"
-#include "endmill/process/segment_load.h"
 #include "endmill/stock/stock_fronts.h"
 
 namespace endmill {

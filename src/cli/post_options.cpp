@@ -4,7 +4,7 @@
 #include <array>
 
 #include "cli/arguments.h"
-#include "endmill/post/detail/plain_number.h"
+#include "endmill/post/program.h"
 
 namespace endmill {
 namespace {

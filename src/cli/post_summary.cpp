@@ -17,7 +17,7 @@ void add_known(Json& summary, const char* key, const std::optional<Value>& value
 }
 
 // One number where there is one, null and both ends where there are more.
-void add_range(Json& summary, const std::string& key, const NumberRange& range)
+void add_range(Json& summary, const std::string& key, const MinMax& range)
 {
     if (range.least == range.greatest) {
         summary[key] = range.least ? Json(*range.least) : Json(nullptr);

@@ -10,8 +10,6 @@
 #include "endmill/process/fed_path.h"
 #include "endmill/process/feed_limits.h"
 #include "endmill/process/feed_plan.h"
-#include "endmill/process/force_profile.h"
 #include "endmill/process/milling_data.h"
 #include "endmill/process/segment_cuts.h"
-#include "endmill/process/segment_load.h"
 #include "endmill/process/tool_life.h"

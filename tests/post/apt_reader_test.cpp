@@ -75,12 +75,12 @@ TEST(AptReader, NeedsNothingButAGoto)
                 ElementsAre(HasSubstr("taken as mm"), HasSubstr("no FINI")));
 }
 
-TEST(AptReader, LeavesOutWhatFollowsTheEnd)
+TEST(AptReader, IgnoresTextAfterTheEnd)
 {
     const Program program =
         parse_apt("UNITS/MM\nGOTO/1,2,3\nFINI\n\nGOTO/4,5,6\n", "f.apt");
     EXPECT_EQ(program.path.points.size(), 1U);
-    EXPECT_THAT(program.remarks, ElementsAre("what follows FINI is left out"));
+    EXPECT_THAT(program.remarks, ElementsAre("text after FINI is ignored"));
 }
 
 TEST(AptReader, TakesACutterWithoutACornerForAFlatOne)

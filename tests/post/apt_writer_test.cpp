@@ -59,8 +59,8 @@ TEST(Apt, RefusesArgumentsOutsideItsDomain)
     EXPECT_THROW(apt(path, {.feed_mm_per_min = 9}), DomainError);
 }
 
-// A third of a mm has no decimals that end: what is written must still be the cutter, and
-// a ball still a ball.
+// A third of a mm has no finite decimal. The written cutter must still read back as the
+// same cutter, and a ball as a ball.
 TEST(AptRoundTrip, KeepsTheCutterToTheBit)
 {
     const ToolPath path{{{0, 0, Move::Cut, {{0, 0, 0}, {0, 0, 1}}, {}}}};
@@ -88,11 +88,11 @@ TEST(AptRoundTrip, KeepsThePathWithinTheRounding)
         EXPECT_LE((a.location.tip - b.location.tip).lpNorm<Eigen::Infinity>(), 5.0001e-5);
         EXPECT_EQ(a.location.axis, b.location.axis);
         EXPECT_EQ(a.move, b.move);
-        const CuttingConditions& told = read.path.conditions[k];
-        EXPECT_NEAR(*told.spindle_rpm, *path.conditions[k].spindle_rpm, 5.0001e-5);
-        ASSERT_EQ(told.feed_mm_per_min.has_value(), b.move != Move::Rapid);
-        if (told.feed_mm_per_min) {
-            EXPECT_NEAR(*told.feed_mm_per_min, *path.conditions[k].feed_mm_per_min,
+        const CuttingConditions& conditions = read.path.conditions[k];
+        EXPECT_NEAR(*conditions.spindle_rpm, *path.conditions[k].spindle_rpm, 5.0001e-5);
+        ASSERT_EQ(conditions.feed_mm_per_min.has_value(), b.move != Move::Rapid);
+        if (conditions.feed_mm_per_min) {
+            EXPECT_NEAR(*conditions.feed_mm_per_min, *path.conditions[k].feed_mm_per_min,
                         5.0001e-5);
         }
     }

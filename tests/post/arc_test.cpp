@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-// A point of the plane's circle, by its angle from the plane's first axis.
+// Point of a circle in a plane, by its angle from the first axis of the plane.
 Vec3 on_circle(ArcPlane plane, double radius, double angle, double height = 0)
 {
     const PlaneAxes axes = plane_axes(plane);
@@ -57,7 +57,7 @@ TEST(ArcAngle, IsAFullTurnWhereTheEndsMeet)
 {
     Arc arc{{4, 0, 0}, {4, 0, -1}, Vec3::Zero()};
     EXPECT_DOUBLE_EQ(arc_angle(arc), 2 * pi);
-    arc.end.y() = 1e-12;  // the rounding of a sum of increments, in either direction
+    arc.end.y() = 1e-12;  // rounding of summed increments, in either direction
     EXPECT_DOUBLE_EQ(arc_angle(arc), 2 * pi);
     arc.end.y() = -1e-12;
     EXPECT_DOUBLE_EQ(arc_angle(arc), 2 * pi);
@@ -79,7 +79,7 @@ TEST(CentreOfRadius, GivesArcsOfThatRadiusBelowAndAboveHalfATurn)
                 EXPECT_NEAR(arc_radii(arc).start, std::abs(radius), 1e-12);
                 EXPECT_NEAR(arc_radii(arc).end, std::abs(radius), 1e-12);
                 EXPECT_EQ(arc_angle(arc) < pi, radius > 0);
-                // The chord 2 r sin(angle / 2) is that of the ends.
+                // The chord 2 r sin(angle / 2) equals the distance of the ends.
                 EXPECT_NEAR(2 * std::abs(radius) * std::sin(arc_angle(arc) / 2), 5,
                             1e-10);
             }
@@ -131,11 +131,11 @@ TEST(ArcChords, AreAsFewAsTheFormulaSays)
     EXPECT_EQ(ArcChords(quarter, 0.001).count(), std::ceil(pi / 2 / step));
     EXPECT_EQ(ArcChords(quarter, 1e9).count(), 1);
     const Arc circle{{5, 0, 0}, {5, 0, 0}, Vec3::Zero()};
-    EXPECT_EQ(ArcChords(circle, 1e9).count(), 2);  // one would be a point
+    EXPECT_EQ(ArcChords(circle, 1e9).count(), 2);  // one chord would be a point
 }
 
-// Seen from the plane's normal a clockwise arc from the first axis goes to the negative
-// second: for G18, from +z to -x.
+// Seen from +normal, a clockwise arc from the first axis goes to the negative second
+// axis: for G18 from +z to -x.
 TEST(ArcChords, TurnAsTheSenseSays)
 {
     for (const ArcPlane plane : planes) {

@@ -22,7 +22,7 @@ TEST(BlockWriter, WritesWordsOnlyWhereTheyChange)
     EXPECT_EQ(blocks.lines(), 6U);
 }
 
-// Two numbers that are spelled alike are one number to the control.
+// Numbers with the same text are the same number for the control.
 TEST(BlockWriter, ComparesNumbersAsTheyAreSpelled)
 {
     BlockWriter blocks{{1, true}};
@@ -33,7 +33,7 @@ TEST(BlockWriter, ComparesNumbersAsTheyAreSpelled)
     EXPECT_NEAR(blocks.max_rounding_error_mm(), 0.04, 1e-15);
 }
 
-TEST(BlockWriter, SaysAllAfterThePlaceIsForgotten)
+TEST(BlockWriter, WritesAllWordsAfterThePositionIsForgotten)
 {
     BlockWriter blocks{{0, false}};
     blocks.add_move(Motion::Rapid, {1, 2, 3}, {});

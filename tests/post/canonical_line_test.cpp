@@ -28,7 +28,7 @@ TEST(CanonicalLineOf, HasANameAndArguments)
     EXPECT_EQ(line->arguments, "800.0000");
 }
 
-// The number of the block is padded to six digits, and longer ones leave no blank.
+// The block number is padded to six digits; a longer number leaves no blank.
 TEST(CanonicalLineOf, TakesTheNumberOfTheBlock)
 {
     for (const std::string number : {"N30     ", "N..... ", "N123456789"}) {

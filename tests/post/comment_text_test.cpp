@@ -6,7 +6,7 @@
 namespace endmill {
 namespace {
 
-TEST(CommentText, LosesWhatWouldEndACommentOrABlock)
+TEST(CommentText, LosesCharactersThatEndACommentOrABlock)
 {
     EXPECT_EQ(comment_text("a(b)c\nG0 Z-100\r\t\x1b[31m\x7f%$$d"), "abcG0 Z-100[31md");
     EXPECT_EQ(comment_text(""), "");
@@ -32,7 +32,7 @@ TEST(OpeningComment, NamesThePathAndTheCutter)
     EXPECT_EQ(opening_comment("()", std::nullopt), "endmill: tips");
 }
 
-// A control shows, logs or evaluates comments that begin with such words.
+// A control shows, logs or evaluates comments that begin with these words.
 TEST(OpeningComment, IsNeverOneThatAControlObeys)
 {
     for (const char* name : {"MSG, stop", "DEBUG,#1", "PRINT, x", "LOGOPEN,/etc/x"})

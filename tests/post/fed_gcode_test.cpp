@@ -12,16 +12,17 @@
 namespace endmill {
 namespace {
 
-// `text` with a feed and a speed that `told(number, point)` says for every point that is fed.
-template <typename Told>
-std::string fed(const std::string& text, const Told& told, ToolPath* path = nullptr,
-                const GcodeReadOptions& options = {})
+// `text` with the feed and the speed that `conditions_at(number, point)` returns for every point
+// with a feed.
+template <typename ConditionsAt>
+std::string fed(const std::string& text, const ConditionsAt& conditions_at,
+                ToolPath* path = nullptr, const GcodeReadOptions& options = {})
 {
     ToolPath read = parse_gcode(text, "p.ngc", options).path;
     read.conditions.resize(read.points.size());
     for (std::size_t i = 0; i < read.points.size(); ++i) {
         auto& conditions = read.conditions[i];
-        const CuttingConditions wanted = told(i, read.points[i].location.tip);
+        const CuttingConditions wanted = conditions_at(i, read.points[i].location.tip);
         conditions.spindle_rpm = wanted.spindle_rpm;
         conditions.feed_mm_per_min =
             read.points[i].move == Move::Rapid ? std::nullopt : wanted.feed_mm_per_min;
@@ -41,11 +42,11 @@ TEST(FedGcode, ChangesOnlyFeedsAndSpeeds)
     const std::string text =
         "%\r\n(part, F300)\nN10 G21 G90 G17 ; S7\nT3 M6\nS1000 M3\nG0 X0 Y0 Z30\n"
         "G1 Z0 F50\nX30 F300 (first)\nY5\nG0 Z30 M9\nM5\nM30\n%\nS9 F9 what follows\n";
-    const auto told = [](std::size_t i, const Vec3&) {
+    const auto conditions_at = [](std::size_t i, const Vec3&) {
         return i < 2 ? CuttingConditions{50, 2500, {}}
                      : CuttingConditions{100.0 + static_cast<double>(i), 2500.5, {}};
     };
-    EXPECT_EQ(fed(text, told),
+    EXPECT_EQ(fed(text, conditions_at),
               "%\r\n(part, F300)\nN10 G21 G90 G17 ; S7\nT3 M6\nS2500 M3\nG0 X0 Y0 Z30\n"
               "G1 Z0 F50\nX30 F102 S2500.5 (first)\nY5 F103\nG0 Z30 M9\nM5\nM30\n%\n"
               "S9 F9 what follows\n");
@@ -56,13 +57,13 @@ TEST(FedGcode, ReadAgainHasTheFeedsOfThePath)
     const std::string text =
         "G21 G90\nS100 M3\nG0 X0 Y0 Z5\nG1 Z-1 F10\nX1\nG91 X1 Y1 F20\nF30\nX1\nG90\n"
         "G93\nX10 F2\nY7 F1\nG94\nX0 F5\nG20\nX1 F3\nG21\nX2 F7\nM2\n";
-    const auto told = [](std::size_t i, const Vec3&) {
+    const auto conditions_at = [](std::size_t i, const Vec3&) {
         return CuttingConditions{100 + 10 * std::sin(static_cast<double>(i)),
                                  1000 + static_cast<double>(i / 3),
                                  {}};
     };
     ToolPath path;
-    const ToolPath again = parse_gcode(fed(text, told, &path), "q.ngc").path;
+    const ToolPath again = parse_gcode(fed(text, conditions_at, &path), "q.ngc").path;
     ASSERT_EQ(again.points.size(), path.points.size());
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         EXPECT_EQ(again.points[i].location.tip, path.points[i].location.tip);
@@ -75,7 +76,7 @@ TEST(FedGcode, ReadAgainHasTheFeedsOfThePath)
     }
 }
 
-// One feed: whatever way an arc is written, its line stays.
+// With a single feed the line of an arc stays, in every spelling.
 TEST(FedGcode, KeepsAnArcOfOneFeed)
 {
     const std::string text =
@@ -86,22 +87,23 @@ TEST(FedGcode, KeepsAnArcOfOneFeed)
         "G3 X-10 Y0 I-10 J0 F812.5 (half)\nG2 X10 R10\nG3 I-10 P2\n"
         "G90.1 G2 X0 Y-10 I0 J0 Z-2\nM2\n";
     EXPECT_EQ(fed(text, constant), expected);
-    // A thousandth up and down: the least, so that it is nowhere passed.
-    const auto told = [](std::size_t i, const Vec3&) {
+    // Feeds that differ by 0.1 %: the smallest one is written, so that no feed is
+    // exceeded.
+    const auto conditions_at = [](std::size_t i, const Vec3&) {
         return CuttingConditions{i % 2 == 1 ? 812.5 : 812.6, 3000, {}};
     };
-    EXPECT_EQ(fed(text, told), expected);
+    EXPECT_EQ(fed(text, conditions_at), expected);
 }
 
-// The chords' ends lie on the arc where its parts meet, at the feeds asked for.
+// At the ends of the parts lie ends of chords, and the parts have the feeds of the path.
 void expect_split(const std::string& text, double least_parts,
                   const GcodeReadOptions& options = {})
 {
-    const auto told = [](std::size_t, const Vec3& tip) {
+    const auto conditions_at = [](std::size_t, const Vec3& tip) {
         return CuttingConditions{tip.x() > 0 ? 100.0 : 200.0, 3000, {}};
     };
     ToolPath path;
-    const std::string written = fed(text, told, &path, options);
+    const std::string written = fed(text, conditions_at, &path, options);
     const ToolPath again = parse_gcode(written, "q.ngc", options).path;
     EXPECT_NEAR(
         (again.points.back().location.tip - path.points.back().location.tip).norm(), 0,
@@ -114,7 +116,7 @@ void expect_split(const std::string& text, double least_parts,
     for (std::size_t i = 1; i < again.points.size(); ++i) {
         const Vec3& tip = again.points[i].location.tip;
         again_length += (tip - again.points[i - 1].location.tip).norm();
-        // On the same circle, of radius 10.
+        // All points lie on the circle of radius 10.
         if (again.points[i].move == Move::Cut) {
             EXPECT_NEAR(std::hypot(tip.x(), tip.y()), 10, 1e-5) << written;
             const Vec3 middle = (tip + again.points[i - 1].location.tip) / 2;
@@ -134,8 +136,8 @@ TEST(FedGcode, SplitsAnArcWhereTheFeedChanges)
     const std::string start = "G21 G90 S1 M3\nG0 X10 Y0 Z0\nG1 Z-1 F5\n";
     expect_split(start + "G3 X-10 Y0 I-10 J0 F80 (half)\nM2\n", 2);
     expect_split(start + "G2 X-10 R10 F80\nM2\n", 2);
-    expect_split(start + "N5 G3 I-10 F80\nM2\n", 3);      // all around
-    expect_split(start + "G3 I-10 P3 Z-7 F80\nM2\n", 7);  // a screw
+    expect_split(start + "N5 G3 I-10 F80\nM2\n", 3);      // full circle
+    expect_split(start + "G3 I-10 P3 Z-7 F80\nM2\n", 7);  // helix
     expect_split(start + "G91 G3 X-20 I-10 F80 S4\nM2\n", 2);
     expect_split(start + "G90.1 G2 X-10 Y0 I0 J0 F80\nM2\n", 2);
     expect_split(start + "G93 G2 X-10 Y0 I-10 F2\nM2\n", 2);
@@ -147,15 +149,15 @@ TEST(FedGcode, SplitsAnArcWhereTheFeedChanges)
 
 TEST(FedGcode, SplitsInTheOtherPlanes)
 {
-    const auto told = [](std::size_t, const Vec3& tip) {
+    const auto conditions_at = [](std::size_t, const Vec3& tip) {
         return CuttingConditions{tip.z() > 5 ? 100.0 : 200.0, 3000, {}};
     };
     for (const char* arc : {"G18 G3 X-10 Z0 I-10 K0", "G18 G2 X-10 Z0 I-10 K0",
                             "G19 G2 Y-20 Z0 J-10 K0 X12"}) {
         ToolPath path;
         const std::string written =
-            fed(std::string{"G21 G90 S1 M3\nG0 X10 Y0 Z0\n"} + arc + " F9\nM2\n", told,
-                &path);
+            fed(std::string{"G21 G90 S1 M3\nG0 X10 Y0 Z0\n"} + arc + " F9\nM2\n",
+                conditions_at, &path);
         const ToolPath again = parse_gcode(written, "q.ngc").path;
         double highest = 0;
         double lowest = 0;
@@ -174,16 +176,17 @@ TEST(FedGcode, SplitsInTheOtherPlanes)
     }
 }
 
-// M1 behind the motion may stop the program: the motion stays whole, at its least feed.
+// M1 after the motion may stop the program, so the arc is not split and gets its smallest
+// feed.
 TEST(FedGcode, LeavesAnArcWholeBesideMCodes)
 {
-    const auto told = [](std::size_t, const Vec3& tip) {
+    const auto conditions_at = [](std::size_t, const Vec3& tip) {
         return CuttingConditions{
             tip.x() > 0 ? 100.0 : 200.0, tip.x() > 0 ? 900.0 : 600.0, {}};
     };
     const std::string start = "G21 G90\nG0 X10 Y0 Z0\n";
-    // 100 at 900 rpm is the least feed a turn; at 600 rpm, 66.6667.
-    EXPECT_EQ(fed(start + "G3 X-10 Y0 I-10 J0 F80 M1\nM2\n", told),
+    // 100 at 900 rpm is the smallest feed per revolution; at 600 rpm it is 66.6667.
+    EXPECT_EQ(fed(start + "G3 X-10 Y0 I-10 J0 F80 M1\nM2\n", conditions_at),
               "G21 G90\nG0 X10 Y0 Z0 S900\nG3 X-10 Y0 I-10 J0 F66.6667 M1 S600\nM2\n");
 }
 

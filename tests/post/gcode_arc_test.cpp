@@ -13,19 +13,18 @@ namespace {
 
 const Vec3 origin = Vec3::Zero();
 
-// The arc of `block` after `modes`, from the origin to `end`.
+// The arc of `block` under `modes`, from the origin to `end`.
 Arc arc_of(const std::string& modes, const std::string& block, const Vec3& end)
 {
     const std::string text = modes + '\n' + block;
     TextLines lines{text, {"f", "E_GCODE"}};
     GcodeModes in_force;
-    const GcodeReadOptions options;
     GcodeBlock words;
     while (lines.next()) {
         words = parse_block(lines.line(), lines);
         in_force.apply(words, lines);
     }
-    const ArcReader reader{words, in_force, lines, options};
+    const ArcReader reader{words, in_force, lines, GcodeReadOptions{}.max_extent_mm};
     reader.check_words();
     return reader.arc(origin, end);
 }
@@ -63,7 +62,7 @@ TEST(ArcReader, FindsTheCentreOfARadius)
 {
     const Vec3 below = arc_of("G17", "G2 X6 R5", {6, 0, 0}).centre;
     const Vec3 above = arc_of("G17", "G2 X6 R-5", {6, 0, 0}).centre;
-    EXPECT_NEAR((below - Vec3(3, -4, 0)).norm(), 0, 1e-14);  // 3, 4, 5
+    EXPECT_NEAR((below - Vec3(3, -4, 0)).norm(), 0, 1e-14);  // right triangle 3, 4, 5
     EXPECT_NEAR((above - Vec3(3, 4, 0)).norm(), 0, 1e-14);
     const Vec3 inch = arc_of("G20", "G3 X1 R1", {25.4, 0, 0}).centre;
     EXPECT_NEAR((inch - 25.4 * Vec3(0.5, std::sqrt(0.75), 0)).norm(), 0, 1e-13);
@@ -80,20 +79,20 @@ TEST(ArcReader, AcceptsRadiiThatRoundingExplains)
     EXPECT_EQ(refusal("G2 X10.01 R5", {10.01, 0, 0}), "accepted");
 }
 
-TEST(ArcReader, RefusesArcsThatAreNone)
+TEST(ArcReader, RefusesImpossibleArcs)
 {
     EXPECT_EQ(refusal("G2 X10", {10, 0, 0}),
               "E_GCODE f:2: an arc without centre or R; expected I, J, K or R");
     EXPECT_EQ(refusal("G2 X10 I5 R5", {10, 0, 0}),
-              "E_GCODE f:2: an arc with both a centre and R; expected one of them");
-    EXPECT_EQ(
-        refusal("G2 X10 R4.98", {10, 0, 0}),
-        "E_GCODE f:2: a radius R4.98 too small; expected at least half the distance "
-        "of the arc's ends");
-    EXPECT_EQ(
-        refusal("G2 X1 R0", {1, 0, 0}),
-        "E_GCODE f:2: a radius R0 too small; expected at least half the distance of "
-        "the arc's ends");
+              "E_GCODE f:2: an arc with both a centre and R; expected either of them");
+    EXPECT_EQ(refusal("G2 X10 R4.98", {10, 0, 0}),
+              "E_GCODE f:2: a radius R4.98 that is too small; expected at least half the "
+              "distance "
+              "of the arc's ends");
+    EXPECT_EQ(refusal("G2 X1 R0", {1, 0, 0}),
+              "E_GCODE f:2: a radius R0 that is too small; expected at least half the "
+              "distance of "
+              "the arc's ends");
     EXPECT_EQ(refusal("G2 X0 R5", origin),
               "E_GCODE f:2: a full circle by R; expected its centre: I, J, K");
     EXPECT_EQ(refusal("G2 X10.1 I5", {10.1, 0, 0}),
@@ -119,7 +118,7 @@ TEST(ArcReader, RefusesWordsThatDoNotFitThePlane)
               "E_GCODE f:2: no J under G90.1; expected both words of an absolute centre");
 }
 
-TEST(ArcReader, RefusesTurnsThatAreNone)
+TEST(ArcReader, RefusesImpossibleTurns)
 {
     for (const std::string turns : {"0", "-1", "1.5"})
         EXPECT_EQ(refusal("G2 X10 I5 P" + turns, {10, 0, 0}),

@@ -72,7 +72,7 @@ TEST(ParseBlock, ReadsLongNumbersToTheNearestDouble)
     EXPECT_EQ(block_of("X" + std::string(300, '0') + "7").value('X'), 7);
 }
 
-TEST(ParseBlock, SendsWhatIsToBeExpandedToTheInterpreter)
+TEST(ParseBlock, AdvisesToExpandParametersAndSubprograms)
 {
     const std::string expand =
         "; expected plain numbers: expand them with rs274 -g and give its output";
@@ -107,7 +107,7 @@ TEST(ParseBlock, RefusesNumbersThatAreNoPlainDecimals)
               "E_GCODE f:1: \"-2\"; expected a word: a letter and a number");
     EXPECT_EQ(refusal("X1" + std::string(400, '0')),
               "E_RANGE f:1: \"X1" + std::string(38, '0') +
-                  "...\"; expected a number that a double can hold");
+                  "...\"; expected a number that a double can store");
 }
 
 TEST(ParseBlock, RefusesWordsItDoesNotKnow)
@@ -128,19 +128,22 @@ TEST(ParseBlock, RefusesWordsItDoesNotKnow)
 
 TEST(ParseBlock, RefusesAWordTwice)
 {
-    EXPECT_EQ(refusal("X1 X1"), "E_GCODE f:1: word X twice in a block; expected it once");
-    EXPECT_EQ(refusal("G1 G01"),
-              "E_GCODE f:1: G1 twice in a block, or beside too many others; expected one "
-              "code of a modal group");
+    EXPECT_EQ(refusal("X1 X1"),
+              "E_GCODE f:1: word X twice in a block; expected the word once");
+    EXPECT_EQ(
+        refusal("G1 G01"),
+        "E_GCODE f:1: G1 twice in a block, or with too many other codes; expected one "
+        "code of each modal group");
     std::string many;
     for (int code = 100; code < 121; ++code)
         many += "M" + std::to_string(code);
-    EXPECT_EQ(refusal(many),
-              "E_GCODE f:1: M120 twice in a block, or beside too many others; expected "
-              "one code of a modal group");
+    EXPECT_EQ(
+        refusal(many),
+        "E_GCODE f:1: M120 twice in a block, or with too many other codes; expected "
+        "one code of each modal group");
 }
 
-TEST(ParseBlock, RefusesCodesThatAreNone)
+TEST(ParseBlock, RefusesUnknownCodes)
 {
     EXPECT_EQ(refusal("G1.05"),
               "E_GCODE f:1: unknown code G1.05; expected a G code of the subset");

@@ -6,7 +6,7 @@
 namespace endmill {
 namespace {
 
-TEST(GcodeLine, KeepsWhatIsNotTouched)
+TEST(GcodeLine, KeepsOtherWordsAndBlanks)
 {
     for (const char* text :
          {"", "%", "N10 G1 X1.5 Y-2 (F1 is no word) F300 ; S5\r", "g1x1f 3 0 0",

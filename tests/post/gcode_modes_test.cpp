@@ -36,7 +36,7 @@ TEST(GcodeModes, BeginAsTheLanguageDoes)
     const GcodeModes modes;
     EXPECT_EQ(modes.motion, GcodeMotion::None);
     EXPECT_EQ(modes.plane, ArcPlane::Xy);
-    EXPECT_FALSE(modes.incremental);
+    EXPECT_EQ(modes.distance, DistanceMode::Absolute);
     EXPECT_EQ(modes.mm_per_unit(), 1);
 }
 
@@ -47,9 +47,9 @@ TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
     EXPECT_EQ(modes.motion, GcodeMotion::Straight);
     EXPECT_EQ(modes.plane, ArcPlane::Zx);
     EXPECT_EQ(modes.mm_per_unit(), 25.4);
-    EXPECT_TRUE(modes.incremental);
-    EXPECT_TRUE(modes.absolute_centres);
-    EXPECT_TRUE(modes.inverse_time);
+    EXPECT_EQ(modes.distance, DistanceMode::Incremental);
+    EXPECT_EQ(modes.centres, DistanceMode::Absolute);
+    EXPECT_EQ(modes.feed, FeedMode::InverseTime);
     EXPECT_EQ(modes.coordinate_system, 550);
     EXPECT_TRUE(modes.used_tool_length);
     EXPECT_TRUE(modes.used_blending);
@@ -60,9 +60,9 @@ TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
     EXPECT_EQ(later.motion, GcodeMotion::None);
     EXPECT_EQ(later.plane, ArcPlane::Xy);
     EXPECT_EQ(later.unit, GcodeUnit::Millimetre);
-    EXPECT_FALSE(later.incremental);
-    EXPECT_FALSE(later.absolute_centres);
-    EXPECT_FALSE(later.inverse_time);
+    EXPECT_EQ(later.distance, DistanceMode::Absolute);
+    EXPECT_EQ(later.centres, DistanceMode::Incremental);
+    EXPECT_EQ(later.feed, FeedMode::PerMinute);
     EXPECT_EQ(later.coordinate_system, 593);
 }
 
@@ -72,9 +72,10 @@ TEST(GcodeModes, AreOfOneGroupOncePerBlock)
          {"G0 G1", "G2 G80", "G17 G18", "G20 G21", "G43 G49", "G54 G55", "G61 G64",
           "G61.1 G61", "G90 G91", "G90.1 G91.1", "G93 G94"}) {
         const std::string second = codes.substr(codes.find(' ') + 1);
-        EXPECT_EQ(refusal(codes), "E_GCODE f:1: " + second +
-                                      " beside a code of its modal group; expected one "
-                                      "code of a modal group");
+        EXPECT_EQ(refusal(codes),
+                  "E_GCODE f:1: " + second +
+                      " together with another code of its modal group; expected one "
+                      "code of each modal group");
     }
 }
 
@@ -84,7 +85,7 @@ TEST(GcodeModes, KnowOneCoordinateSystem)
               "E_GCODE f:3: G59.1 after G54; expected one coordinate system");
 }
 
-TEST(GcodeModes, RefuseWhatIsNotFollowed)
+TEST(GcodeModes, RefuseUnsupportedCodes)
 {
     const std::string frame =
         "; expected coordinates in one coordinate system of the part";
@@ -119,7 +120,7 @@ TEST(GcodeModes, RefuseWhatIsNotFollowed)
                                      "; expected a three-axis program");
 }
 
-TEST(GcodeModes, RefuseWhatTheyDoNotKnow)
+TEST(GcodeModes, RefuseUnknownCodes)
 {
     for (const std::string code : {"G6", "G7", "G33", "G43.1", "G43.2", "G54.1", "G59.4",
                                    "G64.1", "G97", "G98", "G99", "G0.1", "G999"})
@@ -127,7 +128,7 @@ TEST(GcodeModes, RefuseWhatTheyDoNotKnow)
                                      "; expected a G code of the subset");
 }
 
-TEST(CheckMCodes, LetsPassWhatDoesNotMove)
+TEST(CheckMCodes, AcceptsCodesThatDoNotMove)
 {
     for (const std::string codes :
          {"M0", "M1", "M3 M7 M8", "M6", "M19", "M48", "M62", "M100"})
@@ -150,11 +151,11 @@ TEST(CheckMCodes, RefusesSubprogramsAndCentrePointCodes)
 TEST(CheckMCodes, RefusesTwoThatExcludeEachOther)
 {
     EXPECT_EQ(m_refusal("M3 M5"),
-              "E_GCODE f:1: M5 beside a code of its modal group; "
-              "expected one code of a modal group");
+              "E_GCODE f:1: M5 together with another code of its modal group; "
+              "expected one code of each modal group");
     EXPECT_EQ(m_refusal("M0 M30"),
-              "E_GCODE f:1: M30 beside a code of its modal group; "
-              "expected one code of a modal group");
+              "E_GCODE f:1: M30 together with another code of its modal group; "
+              "expected one code of each modal group");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arcs as a whole program has them; their geometry is in arc_test.cpp.
+// Arcs within whole programs; arc_test.cpp tests their geometry.
 #include <cmath>
 #include <numbers>
 
@@ -32,7 +32,7 @@ double length(const std::vector<Vec3>& points)
     return sum;
 }
 
-// The middle point of the path, which tells on which side of its chord an arc lies.
+// The middle point of the path, which shows on which side of its chord an arc lies.
 Vec3 middle(const std::vector<Vec3>& points)
 {
     return points[points.size() / 2 - 1];
@@ -42,15 +42,15 @@ struct Quarter {
     const char* block;
     Vec3 end;
     Vec3 centre;
-    Vec3 between;  // half-way along the arc
+    Vec3 between;  // halfway along the arc
 };
 
 const double half = std::sqrt(0.5);
 
 class QuarterCircle : public testing::TestWithParam<Quarter> {};
 
-// Each direction seen from the positive end of the plane's third axis: G18 from +y, where
-// z points right and x up.
+// Each direction is seen from the positive end of the plane's third axis: G18 from +y,
+// where z points right and x up.
 INSTANTIATE_TEST_SUITE_P(
     AllPlanes, QuarterCircle,
     testing::Values(
@@ -131,7 +131,7 @@ TEST(ParseGcodeArcs, KeepTheToleranceAsked)
 
 TEST(ParseGcodeArcs, CloseAfterIncrementsThatDoNotSumUpExactly)
 {
-    // Ten steps of 0.1 end beside 1 by a rounding; the circle is there all the same.
+    // Ten increments of 0.1 end beside 1 by rounding; the circle must still be complete.
     std::string blocks = "G91 G1";
     for (int i = 0; i < 10; ++i)
         blocks += " X0.1\n";

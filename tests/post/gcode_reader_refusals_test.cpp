@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a whole program is refused for; codes are in gcode_modes_test.cpp, words in
-// gcode_block_test.cpp, arcs in gcode_arc_test.cpp.
+
+// Refusals of whole programs.
+// gcode_modes_test.cpp tests codes, gcode_block_test.cpp words and gcode_arc_test.cpp
+// arcs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +15,7 @@ namespace {
 using testing::StartsWith;
 
 struct Refused {
-    const char* blocks;  // from line 3 on
+    const char* blocks;  // blocks from line 3 on
     const char* message;
 };
 
@@ -56,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "block of G2 or G3"},
         Refused{"G2 F9\nG64 X10 I5 P2",
                 "E_GCODE f.ngc:4: word P for both an arc and G4 or "
-                "G64; expected them in blocks of their own"},
+                "G64; expected two separate blocks"},
         Refused{"G4",
                 "E_GCODE f.ngc:3: G4 without P >= 0; expected P, the time to wait in "
                 "s"},
@@ -73,10 +75,9 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"T4294967296",
                 "E_GCODE f.ngc:3: a tool T4.29497e+09; expected a whole number from 0"},
         Refused{"X1 Y2 X3",
-                "E_GCODE f.ngc:3: word X twice in a block; expected it once"}));
+                "E_GCODE f.ngc:3: word X twice in a block; expected the word once"}));
 
-const char* const no_f =
-    "E_GCODE f.ngc:3: a move at cutting feed before any F; expected F > 0";
+const char* const no_f = "E_GCODE f.ngc:3: a move at feed before any F; expected F > 0";
 
 INSTANTIATE_TEST_SUITE_P(
     Feeds, RefusedProgram,
@@ -90,11 +91,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"F9\nG93 G1 X5",
                 "E_GCODE f.ngc:4: no F in a block under G93; expected F > 0"},
         Refused{"G93 F9\nG94 G1 X5",
-                "E_GCODE f.ngc:4: a move at cutting feed before any F; expected F > 0"}));
+                "E_GCODE f.ngc:4: a move at feed before any F; expected F > 0"}));
 
 const char* const too_far =
     "E_RANGE f.ngc:3: coordinate 1e+07 mm; expected at most 1e+06 mm (--max-extent)";
-// Points of a circle around -0.9e6 come to it, all words being within the extent.
+// All words are within the extent, but points of the circle around -0.9e6 are not.
 const char* const on_the_way =
     "E_RANGE f.ngc:3: coordinate -1e+06 mm; expected at most 1e+06 mm (--max-extent)";
 
@@ -134,7 +135,7 @@ TEST(ParseGcode, ChecksWordsOfArcsFromAnUnknownStart)
     EXPECT_EQ(gcode_refusal("G21\nG2 X5 F9\nM2"),
               "E_GCODE f.ngc:2: an arc without centre or R; expected I, J, K or R");
     EXPECT_EQ(gcode_refusal("G21\nG2 X5 I5\nM2"),
-              "E_GCODE f.ngc:2: a move at cutting feed before any F; expected F > 0");
+              "E_GCODE f.ngc:2: a move at feed before any F; expected F > 0");
     EXPECT_EQ(gcode_refusal("G21 G91 G0\nX10000000\nM2"),
               "E_RANGE f.ngc:2: coordinate 1e+07 mm; expected at most 1e+06 mm "
               "(--max-extent)");

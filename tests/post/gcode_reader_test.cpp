@@ -40,19 +40,20 @@ TEST(ParseGcode, LeavesMotionOutUntilEveryAxisIsKnown)
     EXPECT_THAT(tips(program), ElementsAre(Vec3(2, 0, 4), Vec3(3, 0, 4)));
     EXPECT_THAT(moves(program), ElementsAre(Move::Rapid, Move::Cut));
     EXPECT_THAT(program.remarks,
-                ElementsAre("the path begins in line 7, where every axis has been given; "
-                            "left out: 5 moves"));
+                ElementsAre("the path begins in line 7, where the position of every axis "
+                            "is known; left out before it: 5 moves"));
 }
 
-TEST(ParseGcode, SaysThatAllMotionIsLeftOut)
+TEST(ParseGcode, RemarksThatAllMotionIsLeftOut)
 {
     const Program program = read_gcode("G21 G91 G1 X1 Y1 Z1 F9\nX1\nM2\n");
     EXPECT_THAT(program.path.points, ElementsAre());
-    EXPECT_THAT(program.remarks, ElementsAre("all motion is left out: not every axis is "
-                                             "given a position"));
+    EXPECT_THAT(program.remarks,
+                ElementsAre("all motion is left out: the program does not "
+                            "give every axis a position"));
 }
 
-TEST(ParseGcode, SaysWhatAPersonShouldKnow)
+TEST(ParseGcode, RemarksOnAssumptions)
 {
     EXPECT_THAT(read_gcode("G0 X0 Y0 Z0\nM2").remarks,
                 Contains("neither G20 nor G21: lengths are taken as mm"));
@@ -62,25 +63,26 @@ TEST(ParseGcode, SaysWhatAPersonShouldKnow)
     EXPECT_THAT(read_gcode("G20 G0 X0 Y0 Z0\nM2").remarks,
                 Contains("inches (G20) converted to mm"));
     EXPECT_THAT(read_gcode("G21 G0 G43 H1 Z5\nM2").remarks,
-                Contains("G43 H1: the tool length is taken as already in the control's "
-                         "tool table"));
-    EXPECT_THAT(read_gcode("G21 G64 P0.01\nM2").remarks,
-                Contains("G64: a control may round corners, which is not followed"));
+                Contains("G43 H1: the tool length is assumed to be in the control's "
+                         "tool table already"));
+    EXPECT_THAT(
+        read_gcode("G21 G64 P0.01\nM2").remarks,
+        Contains("G64: a control may round corners, which the path does not show"));
     EXPECT_THAT(read_gcode("G21 G0 X0 Y0 Z0").remarks,
                 Contains("no M2, M30 or closing %: the program may be cut short"));
     EXPECT_THAT(read_gcode("%\nG21 G0 X0 Y0 Z0\n").remarks,
                 Contains("no M2, M30 or closing %: the program may be cut short"));
     EXPECT_THAT(read_gcode("G21\nM2\nG0 X1\n").remarks,
-                Contains("what follows M2 in line 2 is not read"));
+                Contains("text after M2 in line 2 is ignored"));
     EXPECT_THAT(
         read_gcode(program_of("G55")).remarks,
         Contains("coordinate system first named in line 3, after motion: taken as "
-                 "the one before"));
+                 "the system of the motion before it"));
     EXPECT_THAT(read_gcode("%\nG21\nM30\n%\n").remarks, ElementsAre());
     EXPECT_THAT(read_gcode("%\nG21\n%\nwhat is this\n").remarks, ElementsAre());
 }
 
-// One program in four spellings: G90 and G91, mm and inches.
+// The same program in four spellings: G90 and G91, mm and inches.
 TEST(ParseGcode, ReadsTwinsAsOnePath)
 {
     const std::string start = "G21 G90 G94 F100 G0 X10 Y0 Z0\n";
@@ -130,7 +132,7 @@ TEST(ParseGcode, MakesNoMotionOfModesAlone)
               1U);
 }
 
-TEST(ParseGcode, IgnoresWhatHasNoMeaningHere)
+TEST(ParseGcode, IgnoresWordsWithoutEffectOnThePath)
 {
     const Program program = read_gcode(program_of(
         "N10 G61\nG61.1\nG64 P0.1 Q0.2\nG49 G40 G80\nM0\nM7 M8\nM9\nM48\nM62 P1\nD5\nH5\n"
@@ -138,7 +140,7 @@ TEST(ParseGcode, IgnoresWhatHasNoMeaningHere)
     EXPECT_THAT(tips(program), ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0)));
 }
 
-TEST(ParseGcode, RunsDeletedBlocksUnlessTold)
+TEST(ParseGcode, RunsDeletedBlocksByDefault)
 {
     const std::string text = program_of("/G1 X1 F9\n / G1 Y1 F9\n/#1=2");
     EXPECT_EQ(gcode_refusal(text).substr(0, 32), "E_GCODE f.ngc:5: parameter \"#1=2");
@@ -161,7 +163,7 @@ TEST(ParseGcode, TakesPercentSignsAroundAProgramOnly)
         "E_GCODE f.ngc:2: a first % after blocks; expected it before all blocks, and "
         "another at the end");
     EXPECT_EQ(gcode_refusal("%O100\n"),
-              "E_GCODE f.ngc:1: \"%O100\"; expected a % alone in its line");
+              "E_GCODE f.ngc:1: \"%O100\"; expected a line with the % alone");
     EXPECT_EQ(gcode_refusal("(head)\n\n % \nG21 M2\n"), "accepted");
 }
 

@@ -51,7 +51,8 @@ TEST(Gcode, IsSafeAboveMovesAtFeedAndNotBelowItsRapids)
     EXPECT_EQ(height(-9, -2), -2 + default_clearance_mm);
 }
 
-// By hand, from the specification's sentence on start and end.
+// Written by hand from docs/mathematics/removal.md, section 6, start and end of a
+// program.
 TEST(Gcode, WritesASmallPathAsByHand)
 {
     const WrittenProgram program = gcode(small_path(), {.name = "plate",
@@ -86,7 +87,7 @@ TEST(Gcode, WritesASmallPathAsByHand)
     EXPECT_EQ(program.slanted_rapids + program.repeated_points, 0U);
 }
 
-TEST(Gcode, LeavesOutWhatIsNotKnownOrNotWanted)
+TEST(Gcode, LeavesOutUnknownAndUnwantedWords)
 {
     const std::string text =
         gcode(small_path(), {.feed_mm_per_min = 800, .decimals = 0, .comments = false})
@@ -150,7 +151,7 @@ TEST(Gcode, CountsPointsThatRoundingMakesEqualAndRapidsThatSlant)
     EXPECT_EQ(program.slanted_rapids, 1U);
 }
 
-// What a control refuses or misreads, whatever the numbers are.
+// Text that a control refuses or misreads, whatever the numbers are.
 TEST(Gcode, IsPlain)
 {
     const std::regex word{"[NGXYZFSTMP]-?[0-9]+(\\.[0-9]+)?"};
@@ -200,7 +201,7 @@ TEST(Gcode, RefusesArgumentsOutsideItsDomain)
     refused(small_path(), {.tolerance = nan});
     refused(small_path(), {.decimals = 10});
     refused(small_path(), {.decimals = -1});
-    EXPECT_THROW(gcode(small_path()), DomainError);  // no feed
+    EXPECT_THROW(gcode(small_path()), DomainError);  // without a feed
     ToolPath path = small_path();
     path.points[1].location.tip.y() = nan;
     refused(path, {});

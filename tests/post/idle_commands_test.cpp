@@ -6,7 +6,7 @@
 namespace endmill {
 namespace {
 
-TEST(IsIdleCommand, HoldsForWhatDoesNotMove)
+TEST(IsIdleCommand, HoldsForCommandsThatDoNotMove)
 {
     for (const std::string_view name :
          {"COMMENT", "MESSAGE", "FLOOD_ON", "DWELL", "FINISH", "SET_TRAVERSE_RATE",

@@ -73,7 +73,7 @@ TEST(MoveConditions, RefuseAFeedThatRoundsToNothing)
     EXPECT_EQ(refusal(three_moves({}), {6e-5, {}, {}}), "accepted");
 }
 
-TEST(MoveConditions, RefuseNumbersOutOfTheirDomain)
+TEST(MoveConditions, RefuseNumbersOutOfTheirRange)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "endmill/post/program.h"
 #include "random.h"
 
 namespace endmill {
@@ -65,7 +66,7 @@ TEST(PlainNumber, TrimmedHasNoZerosAtItsEnd)
     EXPECT_EQ(trimmed(0, 4), "0");
 }
 
-// The C library rounds by an algorithm of its own.
+// The C library rounds by an independent algorithm.
 TEST(PlainNumber, RoundsAsTheCLibraryDoes)
 {
     test::Random random{3};
@@ -81,7 +82,7 @@ TEST(PlainNumber, RoundsAsTheCLibraryDoes)
             EXPECT_EQ(text, std::string{"before "} + expected);
         }
         EXPECT_EQ(written, std::atof(expected));
-        // Half a unit of the last digit, and half one of the double that is written.
+        // Half a unit of the last digit, plus half a unit of the written double.
         EXPECT_LE(std::abs(written - value),
                   0.5 * std::pow(10, -decimals) + 1.2e-16 * std::abs(value));
     }
@@ -113,7 +114,7 @@ TEST(PlainNumber, IsReadInAllItsPlainForms)
     EXPECT_EQ(plain_number("007"), 7);
 }
 
-TEST(PlainNumber, RefusesWhatIsNone)
+TEST(PlainNumber, RefusesOtherTexts)
 {
     for (const char* text : {"", "-", "+", ".", "1e5", "1E5", "1,5", "nan", "inf", "-inf",
                              "+-1", "--1", "0x10", "1 ", " 1", "1.2.3", "[1]", "#1"})
@@ -121,7 +122,7 @@ TEST(PlainNumber, RefusesWhatIsNone)
     EXPECT_FALSE(plain_number(std::string(400, '9')));
 }
 
-TEST(PlainNumber, RefusesToWriteWhatIsNoNumberOrHasTooManyDigits)
+TEST(PlainNumber, RefusesToWriteNonFiniteNumbersAndTooManyDigits)
 {
     const double not_a_number = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(fixed(not_a_number, 4), DomainError);

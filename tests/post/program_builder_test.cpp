@@ -13,7 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr MoveFeed feed{600, false};
+constexpr MoveFeed feed{600};
 
 class ProgramBuilderTest : public testing::Test {
 protected:
@@ -79,7 +79,7 @@ TEST_F(ProgramBuilderTest, BeginsAPassWithTheFirstMoveThatDoesNotCut)
     EXPECT_THAT(passes(builder.take()), ElementsAre(0, 1, 2, 3, 10, 11, 12, 13));
 }
 
-TEST_F(ProgramBuilderTest, MeasuresWhatTheTipDoes)
+TEST_F(ProgramBuilderTest, MeasuresTheMotionOfTheTip)
 {
     options.programmed_point_height_mm = 2;
     ProgramBuilder builder{lines, options};
@@ -91,8 +91,8 @@ TEST_F(ProgramBuilderTest, TurnsInverseTimeIntoAFeed)
 {
     ProgramBuilder builder{lines, options};
     builder.go_to({0, 0, 0}, std::nullopt);
-    builder.go_to({3, 4, 0}, MoveFeed{2, true});
-    builder.go_to({3, 4, 0}, MoveFeed{2, true});
+    builder.go_to({3, 4, 0}, MoveFeed{2, FeedMode::InverseTime});
+    builder.go_to({3, 4, 0}, MoveFeed{2, FeedMode::InverseTime});
     EXPECT_THAT(feeds(builder.take()), ElementsAre(std::nullopt, 10, std::nullopt));
 }
 
@@ -101,7 +101,8 @@ TEST_F(ProgramBuilderTest, SharesTheTimeOfAnArcAmongItsChords)
     options.most_points = 1000;
     ProgramBuilder builder{lines, options};
     builder.go_to({5, 0, 0}, std::nullopt);
-    builder.go_along({{5, 0, 0}, {0, 5, -1}, Vec3::Zero()}, MoveFeed{0.25, true});
+    builder.go_along({{5, 0, 0}, {0, 5, -1}, Vec3::Zero()},
+                     MoveFeed{0.25, FeedMode::InverseTime});
     const Program program = builder.take();
     const auto& points = program.path.points;
     double minutes = 0;
@@ -162,7 +163,7 @@ TEST_F(ProgramBuilderTest, TakesSelectionsForChangesWhereThereIsNone)
     EXPECT_THAT(program.remarks, ElementsAre("several tools cut: T1, T2"));
 }
 
-TEST_F(ProgramBuilderTest, HasNoConditionsWhereNothingIsSaid)
+TEST_F(ProgramBuilderTest, HasNoConditionsIfTheProgramStatesNone)
 {
     ProgramBuilder builder{lines, options};
     builder.go_to({0, 0, 0}, std::nullopt);
@@ -179,7 +180,7 @@ TEST_F(ProgramBuilderTest, RemarksOnce)
     EXPECT_THAT(builder.take().remarks, ElementsAre());
 }
 
-TEST_F(ProgramBuilderTest, RefusesWhatIsOutOfRange)
+TEST_F(ProgramBuilderTest, RefusesNumbersOutOfRange)
 {
     ProgramBuilder builder{lines, options};
     EXPECT_EQ(
@@ -188,11 +189,11 @@ TEST_F(ProgramBuilderTest, RefusesWhatIsOutOfRange)
         }),
         "E_RANGE f:1: coordinate -1001 mm; expected at most 1000 mm (--max-extent)");
     builder.go_to({0, 0, 0}, std::nullopt);
-    EXPECT_EQ(
-        refusal_of([&] {
-            builder.go_to({10, 0, 0}, MoveFeed{1e308, true});
-        }),
-        "E_RANGE f:1: a feed of infinite mm/min; expected one that a double can hold");
+    EXPECT_EQ(refusal_of([&] {
+                  builder.go_to({10, 0, 0}, MoveFeed{1e308, FeedMode::InverseTime});
+              }),
+              "E_RANGE f:1: a feed of infinite mm/min; expected a feed that a double can "
+              "store");
 }
 
 TEST_F(ProgramBuilderTest, StopsAtTheMostPoints)

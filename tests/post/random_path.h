@@ -6,8 +6,8 @@
 
 namespace endmill::test {
 
-/// A path of random tips between `low` and `high`, as programs can tell one: it begins with
-/// a plunge, rapids are level, feeds and speeds change now and then.
+/// A path of random tips between `low` and `high` that a program can represent: it begins
+/// with a plunge, rapids are level, and feeds and speeds change now and then.
 inline ToolPath random_path(unsigned seed, int points, double low = -100,
                             double high = 100)
 {

@@ -10,7 +10,7 @@
 
 namespace endmill {
 
-/// What every sound program here has around its moves: lines 1 and 2, and the last.
+/// A program around `blocks`: lines 1 and 2 before them, one line after them.
 inline std::string program_of(const std::string& blocks)
 {
     return "G21 G90 G94\nG0 X0 Y0 Z0\n" + blocks + "\nM2\n";

@@ -21,7 +21,7 @@ std::vector<std::string> lines_of(const std::string& text)
     return found;
 }
 
-TEST(TextLines, AreWhatStandsBetweenLineFeeds)
+TEST(TextLines, AreTheTextBetweenLineFeeds)
 {
     EXPECT_THAT(lines_of("a\n\nb\r\nc"), testing::ElementsAre("a", "", "b\r", "c"));
     EXPECT_THAT(lines_of("a\n"), testing::ElementsAre("a"));
@@ -78,6 +78,16 @@ TEST(Brief, HasSixDigits)
     EXPECT_EQ(brief(-1.25e9), "-1.25e+09");
     EXPECT_EQ(brief(std::numeric_limits<double>::infinity()), "infinite");
     EXPECT_EQ(brief(std::numeric_limits<double>::quiet_NaN()), "not a number");
+}
+
+TEST(CheckExtent, RefusesCoordinatesBeyondIt)
+{
+    TextLines lines{"X", {"f", "E_GCODE"}};
+    lines.next();
+    EXPECT_NO_THROW(check_extent(-10, 10, lines));
+    EXPECT_THROW(check_extent(10.1, 10, lines), FormatError);
+    EXPECT_THROW(check_extent(std::numeric_limits<double>::quiet_NaN(), 10, lines),
+                 FormatError);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ TEST(UnitAxis, OfADoubleUnitVectorIsThatVectorToTheBit)
     }
 }
 
-// Rounding each component to four decimals must not make an axis unreadable.
+// An axis whose components are rounded to four decimals must be accepted.
 TEST(UnitAxis, OfAVectorOfFourDecimalsIsScaled)
 {
     test::Random random{6};

@@ -13,7 +13,7 @@ using std::numbers::pi;
 
 TEST(TorqueHeightShare, IsTheIntegralOverTheLatitude)
 {
-    for (int k = 50; k <= 1000; ++k) {  // the difference below cancels near 0
+    for (int k = 50; k <= 1000; ++k) {  // near 0 the difference below cancels
         const long double d = k * std::numbers::pi_v<long double> / 2000;
         const long double integral = (d - std::sin(d) * std::cos(d)) / 2;
         const long double u = 2 * std::sin(d / 2) * std::sin(d / 2);

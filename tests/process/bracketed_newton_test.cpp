@@ -20,7 +20,7 @@ TEST(BracketedNewton, FindsRootsWhetherTheFunctionRisesOrFalls)
                 -std::numbers::sqrt2, 4e-16);
 }
 
-// Newton's steps from these places go off to infinity, or ask for a slope that is none.
+// Newton's method alone diverges from these starts, or meets a derivative of 0.
 TEST(BracketedNewton, HalvesWhereAStepLeavesTheBracket)
 {
     const auto flat = [](double x) {

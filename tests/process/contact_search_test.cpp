@@ -15,8 +15,8 @@
 namespace endmill {
 namespace {
 
-// A centre is made by going from a point of the surface along its normal, less than the
-// radius of curvature on that side; the search has to come back to that point.
+// Each centre lies on the normal of a surface point, at less than the radius of
+// curvature. The search has to return that point.
 TEST(ContactSearch, FindsThePointThatTheCentreWasMadeFrom)
 {
     std::vector<Surface> part;
@@ -32,10 +32,10 @@ TEST(ContactSearch, FindsThePointThatTheCentreWasMadeFrom)
         EXPECT_LT((foot.point - at.point).norm(), 1e-9);
         EXPECT_LT((foot.normal - normal).norm(), 1e-9);
         EXPECT_NEAR(foot.distance, 5, 1e-12);
-        // From the other side of the surface as well, if what is told was another place.
-        const BallFoot told =
+        // The search also starts from another place, to which the centre does not belong.
+        const BallFoot found =
             search.foot(at.point + 5 * normal, PartPlace{0, 0, 0}, 5, 1e-3);
-        EXPECT_LT((told.point - at.point).norm(), 1e-9);
+        EXPECT_LT((found.point - at.point).norm(), 1e-9);
     }
 }
 
@@ -71,7 +71,8 @@ TEST(ContactSearch, TakesTheNearestOfSeveralSurfaces)
 {
     const std::vector<Surface> part{
         test::plane(20, 10),
-        test::parallelogram({0, 10, 0}, {-20, 0, 0})};  // beside it, the other way round
+        test::parallelogram({0, 10, 0},
+                            {-20, 0, 0})};  // beside it, with the opposite orientation
     const ContactSearch search{part};
     EXPECT_EQ(search.surfaces(), 2u);
     EXPECT_EQ(search.foot({-8, 4, 5}, PartPlace{0, 0.5, 0.5}, 5, 1e-3).at.surface, 1u);
@@ -85,7 +86,7 @@ TEST(ContactSearch, CurvatureIsThatOfTheSectionAcross)
     const BallFoot foot = search.foot({10, 3, 30}, {}, 5, 1e3);
     EXPECT_NEAR(search.curvature(foot.at, {0, 1, 0}).value(), 1 / 20.0, 1e-12);
     EXPECT_NEAR(search.curvature(foot.at, {1, 0, 0}).value(), 0, 1e-12);
-    // Halfway, by Euler's formula.
+    // By Euler's formula, at 45 degrees to the principal directions.
     const Vec3 around = Vec3{0, foot.normal.z(), -foot.normal.y()};
     EXPECT_NEAR(search.curvature(foot.at, around + Vec3::UnitX()).value(), 1 / 40.0,
                 1e-12);

@@ -21,7 +21,7 @@ using test::listed;
 constexpr double largest_angle = 80 * pi / 180;
 
 struct Errors {
-    double root_mean_square = 0;  // of the worst coefficient
+    double root_mean_square = 0;  // error of the worst coefficient
     double largest = 0;
 };
 
@@ -46,13 +46,13 @@ Errors errors(const CoefficientTable& table, int samples)
     return found;
 }
 
-TEST(CoefficientTable, IsAsGoodAsItSays)
+TEST(CoefficientTable, HasTheStatedAccuracy)
 {
     const CoefficientTable table;
     const Errors found = errors(table, 20000);
     EXPECT_LT(found.root_mean_square, 3e-3);
     EXPECT_LT(found.largest, 2.5e-2);
-    EXPECT_GT(found.largest, 5e-3);  // it is a table
+    EXPECT_GT(found.largest, 5e-3);  // the interpolation error is visible
 }
 
 TEST(CoefficientTable, OfHalfTheStepsHasLessThanHalfTheError)
@@ -87,7 +87,7 @@ TEST(CoefficientTable, AddsTheShank)
         1e-14);
 }
 
-TEST(CoefficientTable, ComputesWhatItDoesNotCover)
+TEST(CoefficientTable, ComputesEngagementsOutsideTheTable)
 {
     const CoefficientTable table{ChipModel::Paper, {2, 2, 2}};
     for (const BallEngagement& e :
@@ -102,7 +102,7 @@ TEST(CoefficientTable, ComputesWhatItDoesNotCover)
     EXPECT_EQ(listed(table.coefficients({0, 0, 0.5, -1})), (std::array<double, 8>{}));
 }
 
-TEST(CoefficientTable, RefusesWhatIsNoTable)
+TEST(CoefficientTable, RefusesOptionsOutOfTheirRanges)
 {
     EXPECT_THROW((CoefficientTable{ChipModel::Paper, {1, 8, 8}}), DomainError);
     EXPECT_THROW((CoefficientTable{ChipModel::Paper, {17, 65, 8}}), DomainError);

@@ -13,6 +13,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/process/detail/engaged_region.h"
 #include "random.h"
 #include "sliced_coefficients.h"
 
@@ -24,7 +25,7 @@ using test::largest_difference;
 using test::listed;
 using test::sliced_coefficients;
 
-// As the speed of the library is measured over, with the seed of that list or another.
+// Engagements as in the benchmark of the coefficients, with the given seed.
 BallEngagement random_engagement(test::Random& random)
 {
     const double mu = random.uniform(-1.3, 1.3);
@@ -36,6 +37,16 @@ BallEngagement random_engagement(test::Random& random)
 BallEngagement slot(double lambda)
 {
     return {0, lambda, 0, 1, PreviousPass::None};
+}
+
+TEST(EngagedAngle, IsThatAtTheTopOfTheStock)
+{
+    EXPECT_NEAR(engaged_angle({0, 0, 0.5, 1}), pi / 3, 1e-12);
+    EXPECT_NEAR(engaged_angle({0, 0, 0.5, 7}), pi / 3, 1e-12);
+    EXPECT_NEAR(engaged_angle({0, 0.3, 0, 2, PreviousPass::None}), pi, 1e-12);
+    EXPECT_NEAR(engaged_angle({0, 0.3, 0, 2, PreviousPass::Edge}), pi / 2, 1e-12);
+    EXPECT_NEAR(engaged_angle({0, -0.9, 0, 0.1, PreviousPass::None}), 2 * pi, 1e-12);
+    EXPECT_EQ(engaged_angle({0, 0, 0.5, 0}), 0);
 }
 
 TEST(CuttingCoefficients, OfALevelSlotAreClosed)
@@ -82,7 +93,8 @@ TEST(CuttingCoefficients, OnLevelGroundAreClosed)
     }
 }
 
-// Complete elliptic integrals of a slot on a slope.
+// Closed forms of a slot on a slope, with complete elliptic integrals. Source:
+// docs/mathematics/ball-end-milling.md, section 9, A7.
 TEST(CuttingCoefficients, OfASlopingSlotAreClosed)
 {
     for (const double lambda : {-1.4, -0.7, -0.1, -1e-4, 1e-4, 0.2, 0.9, 1.5}) {
@@ -105,7 +117,8 @@ TEST(CuttingCoefficients, OfASlopingSlotAreClosed)
     }
 }
 
-// The section that a slot takes, seen along the feed, is half a disc and a part of another.
+// The section of a slot normal to the feed is half a disc, minus (uphill) or plus
+// (downhill) half an ellipse.
 TEST(CuttingCoefficients, OfTheExactChipGiveTheSectionOfASlot)
 {
     for (const double lambda : {-1.2, -0.3, 0.0, 0.5, 1.3}) {
@@ -116,7 +129,7 @@ TEST(CuttingCoefficients, OfTheExactChipGiveTheSectionOfASlot)
     EXPECT_GT(std::abs(2 * pi * paper - pi / 2 * (1 - std::sin(-0.5))), 0.1);
 }
 
-TEST(CuttingCoefficients, AreThoseOfTheTable)
+TEST(CuttingCoefficients, AreThoseOfTheDataSet)
 {
     std::ifstream file{std::string{ENDMILL_SOURCE_DIR} +
                        "/datasets/cutting-coefficients/ball-end-coefficients.csv"};
@@ -142,8 +155,9 @@ TEST(CuttingCoefficients, AreThoseOfTheTable)
     EXPECT_EQ(rows, 23);
 }
 
-// [ParkMaeng, figure 3]: I1 at a depth of the radius and a pick feed of half of it, by slices,
-// to the digits shown.
+// [ParkMaeng, figure 3]: I1 at a depth of the radius and a pick feed of half of it. The
+// values come from integration by slices (docs/mathematics/ball-end-milling.md, section
+// 3.5).
 TEST(CuttingCoefficients, DrawTheThirdFigure)
 {
     const std::vector<std::vector<double>> table{
@@ -162,7 +176,7 @@ TEST(CuttingCoefficients, DrawTheThirdFigure)
         }
 }
 
-TEST(CuttingCoefficients, AreThoseOfSlices)
+TEST(CuttingCoefficients, EqualIntegrationBySlices)
 {
     test::Random random{11};
     for (int k = 0; k < 40; ++k) {
@@ -180,8 +194,8 @@ TEST(CuttingCoefficients, AreThoseOfSlices)
     }
 }
 
-// Level moves, for which more is promised.
-TEST(CuttingCoefficients, AreThoseOfSlicesOnLevelMoves)
+// Level moves have the accuracy 1e-11.
+TEST(CuttingCoefficients, EqualIntegrationBySlicesOnLevelMoves)
 {
     test::Random random{12};
     for (int k = 0; k < 12; ++k) {
@@ -211,7 +225,8 @@ TEST(CuttingCoefficients, AreAsAccurateAsAskedFor)
     }
 }
 
-// I4 has the weight sin(azimuth), I5 its size: equal where nothing is cut behind the axis.
+// I4 has the weight sin(azimuth) and I5 its magnitude, so they are equal if nothing is
+// cut behind the axis.
 TEST(CuttingCoefficients, FourAndFiveDifferBehindTheAxisOnly)
 {
     test::Random random{13};
@@ -233,7 +248,8 @@ TEST(CuttingCoefficients, FourAndFiveDifferBehindTheAxisOnly)
     }
 }
 
-// Steps of 1e-9 in every number, across places where borders come, go and touch.
+// Steps of 1e-9 in every parameter, across configurations in which borders appear, vanish
+// and touch.
 TEST(CuttingCoefficients, DoNotJumpWhereTheRegionChangesItsShape)
 {
     const double touching = 2 * std::cos(0.7);
@@ -249,7 +265,7 @@ TEST(CuttingCoefficients, DoNotJumpWhereTheRegionChangesItsShape)
                                               {-pi / 3, -0.2, 1, 1},
                                               {0.3, 0, 1 / std::cos(0.3), 1}};
     constexpr double step = 1e-9;
-    // Regions begin like square roots.
+    // Areas near a new region grow like square roots.
     constexpr double change = 1e-4;
     for (const BallEngagement& at : changes) {
         const auto here = listed(cutting_coefficients(at));
@@ -270,7 +286,7 @@ TEST(CuttingCoefficients, DoNotJumpWhereTheRegionChangesItsShape)
     }
 }
 
-TEST(CuttingCoefficients, OfAirAreNothing)
+TEST(CuttingCoefficients, InAirAreZero)
 {
     const std::array<double, 8> nothing{};
     EXPECT_EQ(listed(cutting_coefficients({0.1, 0.2, 0.5, 0})), nothing);
@@ -295,7 +311,7 @@ TEST(CuttingCoefficients, StayFiniteAtTheEndsOfTheirDomain)
                     }
 }
 
-TEST(CuttingCoefficients, RefuseWhatIsNoEngagement)
+TEST(CuttingCoefficients, RefuseUnsoundEngagements)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
@@ -311,7 +327,7 @@ TEST(CuttingCoefficients, RefuseWhatIsNoEngagement)
                  DomainError);
 }
 
-TEST(CuttingCoefficients, OfManyAreThoseOfEach)
+TEST(CuttingCoefficients, OfManyEqualThoseOfEach)
 {
     test::Random random{14};
     std::vector<BallEngagement> engagements;

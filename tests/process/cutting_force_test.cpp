@@ -15,7 +15,8 @@ using std::numbers::pi;
 const CuttingMaterial material{2000, 0.016, 0.4, 0.5, 0.2, 0.6, 0.37, 28};
 const MillingTool mill{5, 2, 0.5};
 
-// A slot on level ground: I = 0, 1/4, 0, 1/pi, 1/pi, 1/2, 1/4, pi/8.
+// A slot on level ground has I = 0, 1/4, 0, 1/pi, 1/pi, 1/2, 1/4, pi/8
+// (docs/mathematics/ball-end-milling.md, section 9, A1).
 TEST(MeanForce, OfASlotIsClosed)
 {
     const CuttingCoefficients slot =
@@ -30,8 +31,9 @@ TEST(MeanForce, OfASlotIsClosed)
     EXPECT_NEAR(up.torque_n_m, scale * 5 * (f / 4 + h * pi / 8) / 1000, 1e-8);
 }
 
-// A climb cut is the mirror image of its region, azimuth to pi - azimuth, in the up form, and
-// that mirrored in Y: where the edges cut behind the axis, with the same sign of the chip.
+// A climb cut is computed twice: by the form for milling down, and as the mirror image of
+// its region (azimuth t to pi - t) in the form for milling up, mirrored in Y. Behind the
+// axis, the chip keeps its sign.
 TEST(MeanForce, MillingDownIsThatOfTheMirroredCut)
 {
     for (const double lambda : {-0.4, 0.0, 0.3}) {
@@ -47,7 +49,7 @@ TEST(MeanForce, MillingDownIsThatOfTheMirroredCut)
     }
 }
 
-TEST(MeanForce, RefusesWhatIsNoCut)
+TEST(MeanForce, RefusesUnsoundCuts)
 {
     EXPECT_THROW(mean_force({}, material, mill, -0.1, Milling::Up), DomainError);
     EXPECT_THROW(mean_force({}, material, {5, 0, 0}, 0.1, Milling::Up), DomainError);

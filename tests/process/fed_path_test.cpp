@@ -25,7 +25,7 @@ SegmentFeed row(double feed, double speed, FeedLimit limit)
     return row;
 }
 
-// A rapid, a plunge with a feed of its own, two cuts, a link, a retract.
+// A rapid, a plunge with a feed of its own, two cuts, a link and a retract.
 const ToolPath path{
     {at(Move::Rapid, {0, 0, 9}), at(Move::Plunge, {0, 0, 0}), at(Move::Cut, {4, 0, 0}),
      at(Move::Link, {4, 3, 0}), at(Move::Cut, {0, 3, 0}), at(Move::Rapid, {0, 3, 12}),
@@ -48,7 +48,7 @@ TEST(FedPath, HasTheFeedOfEachCutAndKeepsThoseOfOtherMoves)
     EXPECT_EQ(fed.conditions[2].tool, 7);
 }
 
-// So that it runs when the cut begins.
+// The spindle has the speed of the next cut.
 TEST(FedPath, TurnsTheSpindleAsInTheNextCut)
 {
     const ToolPath fed = fed_path(path, points, rows, 200);
@@ -78,7 +78,7 @@ TEST(FedPath, TakesItsTimeBesidesTheCuts)
     EXPECT_EQ(noncut_minutes({}, {}, 1000), 0);
 }
 
-TEST(FedPath, WithoutACutKeepsWhatItSays)
+TEST(FedPath, WithoutACutKeepsItsFeeds)
 {
     const ToolPath fed = fed_path(path, {}, {}, 200);
     EXPECT_EQ(fed.conditions[2].feed_mm_per_min, 300);

@@ -11,8 +11,8 @@
 namespace endmill {
 namespace {
 
-// [ParkMaeng, section 5]: totals at 80 and 40 mm/min, and with varied feed of aluminium and
-// steel, in min; rounded to 0.1.
+// [ParkMaeng, section 5]: total times in min at 80 and 40 mm/min, and with varied feed
+// for aluminium and steel, rounded to 0.1.
 constexpr ConstantFeedRun fast{80, 79.8};
 constexpr ConstantFeedRun slow{40, 147.1};
 constexpr double aluminium_min = 31.3;
@@ -25,7 +25,7 @@ TEST(FeedTimes, TellThePapersLengthFromItsTimes)
     const RunParts parts = parts_of_runs(fast, slow);
     EXPECT_NEAR(parts.length_mm, 5384, 1e-9);
     EXPECT_NEAR(parts.noncut_min, 12.50, 1e-12);
-    // What the rounding of the totals leaves open: 8 mm and 0.15 min.
+    // The rounding of the totals leaves an uncertainty of 8 mm and 0.15 min.
     double longest = 0;
     double slackest = 0;
     for (const double a : {-rounding_min, rounding_min})
@@ -54,7 +54,7 @@ TEST(FeedTimes, GiveThePrintedSavings)
 {
     EXPECT_NEAR(saving_percent(aluminium_min, fast.total_min), 60.777, 5e-4);
     EXPECT_NEAR(saving_percent(steel_min, slow.total_min), 62.746, 5e-4);
-    // Printed 60.7 and 62.7: cut off, and within what the times' rounding leaves open.
+    // The print has 60.7 and 62.7, which the rounding of the times allows.
     EXPECT_NEAR(
         saving_percent(aluminium_min + rounding_min, fast.total_min - rounding_min),
         60.69, 5e-3);
@@ -78,7 +78,7 @@ TEST(FeedTimes, AddUp)
                 0.05);
 }
 
-TEST(FeedTimes, SayNoMoreThanIsKnown)
+TEST(FeedTimes, AreEmptyWhereDataAreMissing)
 {
     FeedTimes times = feed_times({.cut_length_mm = 10, .cut_min = 1});
     EXPECT_FALSE(times.noncut_min || times.total_min || times.constant_feed_min ||
@@ -96,7 +96,7 @@ TEST(FeedTimes, MayBeLongerThanAtAConstantFeed)
     EXPECT_NEAR(saving_percent(3, 2), -50, 1e-13);
 }
 
-TEST(FeedTimes, RefuseNumbersOutOfTheirDomain)
+TEST(FeedTimes, RefuseNumbersOutOfTheirRange)
 {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double wrong : {0.0, -1.0, nan}) {

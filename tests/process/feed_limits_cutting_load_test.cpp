@@ -17,7 +17,7 @@ using test::steel;
 
 constexpr double newton_per_kgf = 9.80665;
 
-// A slot one radius deep, all teeth: I5 = 1/pi, I6 = 1/2, I7 = 1/4, I8 = pi/8.
+// All teeth of a slot one radius deep: I5 = 1/pi, I6 = 1/2, I7 = 1/4, I8 = pi/8.
 EdgeSums slot(double factor)
 {
     return scaled({1 / std::numbers::pi, 0.5, 0.25, std::numbers::pi / 8}, factor);
@@ -50,7 +50,7 @@ TEST(CuttingLoad, OfASlotIsTheForceThatIsAskedFor)
     ASSERT_TRUE(bounds.cutting_force);
     EXPECT_FALSE(bounds.thrust || bounds.torque);
     EXPECT_LT(relative_error(*bounds.cutting_force, 0.072097110475), 1e-9);
-    // The same by the paper's equation (15), by hand.
+    // The same by the paper's equation (15), written out.
     const double by_hand =
         std::numbers::pi * (1200 / (std::sqrt(1.16) * 1.8 * 2 * 5 * 2000) - 0.016 / 2);
     EXPECT_LT(relative_error(*bounds.cutting_force, by_hand), 1e-14);
@@ -85,7 +85,7 @@ TEST(CuttingLoad, AtABoundIsTheLimit)
     EXPECT_GT(bound, 2000);
 }
 
-// The paper's factor sqrt(1 + r1^2) is exact only if the edge presses as the chip does.
+// The factor sqrt(1 + r1^2) of the paper is exact only for r2 = r1.
 TEST(CuttingLoad, FormsAgreeWhereR2IsR1)
 {
     test::Random random{5};
@@ -110,7 +110,8 @@ TEST(CuttingLoad, FormsAgreeWhereR2IsR1)
     }
 }
 
-// Spec, section 8: where force binds, thrust is r3 F/S + (r4 - r3) R_m m r0 K h* I6.
+// docs/mathematics/ball-end-milling.md, section 8: where the force limit binds,
+// F_z = r3 F/S + (r4 - r3) R_m m r0 K h* I6.
 TEST(CuttingLoad, ThrustAtTheForceLimitFollowsFromTheEdgeAlone)
 {
     test::Random random{8};
@@ -132,7 +133,7 @@ TEST(CuttingLoad, ThrustAtTheForceLimitFollowsFromTheEdgeAlone)
     }
 }
 
-// Then the two limits are proportional, and one of them never binds.
+// With r1 = r2 and r3 = r4 both limits are proportional, so one of them never binds.
 TEST(CuttingLoad, ForceAndThrustAreProportionalIfR1IsR2AndR3IsR4)
 {
     CuttingMaterial material = steel();
@@ -186,7 +187,7 @@ TEST(CuttingLoad, WithoutAForceOfItsKindBoundsNothing)
 TEST(CuttingLoad, PowerIsTorqueTimesAngularSpeed)
 {
     EXPECT_NEAR(cutting_power_w(LimitForm::Exact, 10, 60), 20 * std::numbers::pi, 1e-13);
-    // 974000 kgf mm at 1 rpm are 1 kW by the paper; exactly it is 973757.2551.
+    // By the paper 974000 kgf mm at 1 rpm are 1 kW; the exact value is 973757.2551.
     const double paper_torque_n_m = 974000 * newton_per_kgf / 1000;
     EXPECT_NEAR(cutting_power_w(LimitForm::Paper, paper_torque_n_m, 1), 1000, 1e-9);
     const double exact_torque_n_m = 973757.2551 * newton_per_kgf / 1000;
@@ -198,7 +199,7 @@ TEST(CuttingLoad, EquivalentRadiusHasTheTorqueOfTheTangentialForce)
     test::Random random{4};
     for (int i = 0; i < 50; ++i) {
         CuttingMaterial material = random_material(random);
-        material.r1 = material.r2 = 0;  // the cutting force is the tangential one
+        material.r1 = material.r2 = 0;  // the cutting force equals the tangential force
         const LoadModel model{material, 6, LimitForm::Exact};
         const EdgeSums sums = random_sums(random);
         const CuttingLoads loads = cutting_loads(model, sums, 0.07);

@@ -29,7 +29,7 @@ FeedRules rules(const LoadLimits& limits)
                       .form = LimitForm::Paper}};
 }
 
-// A slot one radius deep, two teeth, each load 1.8 times its mean.
+// A slot one radius deep with two teeth; each load is 1.8 times its mean.
 SegmentLoad slot(double length, const FeedRules& rules)
 {
     const EdgeSums sums = scaled({1 / pi, 0.5, 0.25, pi / 8}, 2 * 1.8);
@@ -41,28 +41,29 @@ SegmentLoad slot(double length, const FeedRules& rules)
             .peak_factor = 1.8};
 }
 
-// Spec, section 9, A14.
-TEST(SegmentFeed, OfASlotIsThatOfTheSpec)
+// docs/mathematics/ball-end-milling.md, section 9, A14.
+TEST(SegmentFeed, OfASlotIsClosed)
 {
     const FeedRules slack = rules({.cutting_force_n = 1200});
     const SegmentFeed feed = segment_feed(slot(100, slack), slack);
     EXPECT_LT(relative_error(feed.tooth.feed_per_tooth_mm, 0.072097110475), 1e-9);
     EXPECT_LT(relative_error(feed.table.spindle_rpm, 904.996386706), 1e-9);
     EXPECT_LT(relative_error(feed.table.feed_mm_per_min, 130.495248944), 1e-9);
-    EXPECT_EQ(said_limit(feed), FeedLimit::CuttingForce);
+    EXPECT_EQ(reported_limit(feed), FeedLimit::CuttingForce);
     EXPECT_EQ(feed.table.speed_limit, SpeedLimit::EconomicSpeed);
     EXPECT_LT(relative_error(feed.loads.cutting_force_n, 1200), 1e-14);
 }
 
-TEST(SegmentFeed, SaysInfeasibleBeforeBlockRateBeforeWhatGoverns)
+TEST(SegmentFeed, ReportsInfeasibleBeforeBlockRateBeforeTheGoverningLimit)
 {
     const FeedRules slack = rules({.cutting_force_n = 1200});
-    EXPECT_EQ(said_limit(segment_feed(slot(0.001, slack), slack)), FeedLimit::BlockRate);
+    EXPECT_EQ(reported_limit(segment_feed(slot(0.001, slack), slack)),
+              FeedLimit::BlockRate);
     EXPECT_EQ(segment_feed(slot(0.001, slack), slack).tooth.governing,
               FeedLimit::CuttingForce);
     const FeedRules tight = rules({.cutting_force_n = 300});
     const SegmentFeed feed = segment_feed(slot(1e-6, tight), tight);
-    EXPECT_EQ(said_limit(feed), FeedLimit::Infeasible);
+    EXPECT_EQ(reported_limit(feed), FeedLimit::Infeasible);
     EXPECT_TRUE(feed.table.is_block_bound);
     EXPECT_EQ(feed.tooth.feed_per_tooth_mm, 0.005);
     EXPECT_GT(feed.loads.cutting_force_n, 300);
@@ -74,14 +75,14 @@ TEST(SegmentFeed, InAirIsTheCapWithoutLoads)
     const SegmentFeed feed = segment_feed(
         {.length_mm = 10, .engaged_angle = pi / 36, .bounds = {}, .loads = {}}, slack);
     EXPECT_EQ(feed.tooth.feed_per_tooth_mm, 0.15);
-    EXPECT_EQ(said_limit(feed), FeedLimit::Cap);
+    EXPECT_EQ(reported_limit(feed), FeedLimit::Cap);
     EXPECT_EQ(feed.loads.cutting_force_n, 0);
     EXPECT_EQ(feed.table.power_w, 0);
     EXPECT_FALSE(feed.peak_factor);
 }
 
-// The limits hold for what is written, but where it says that they do not.
-TEST(SegmentFeed, KeepsItsLimitsOrSaysSo)
+// The limits hold at the returned feed, except where it is marked as infeasible.
+TEST(SegmentFeed, KeepsItsLimitsOrIsInfeasible)
 {
     test::Random random{3};
     for (int i = 0; i < 500; ++i) {

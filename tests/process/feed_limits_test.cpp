@@ -79,7 +79,7 @@ TEST(ToothFeed, NeedsABound)
     EXPECT_THROW(tooth_feed({}, {.most_mm = 1, .least_mm = 0}), DomainError);
 }
 
-// Spec, section 9, A14: other limits slack.
+// docs/mathematics/ball-end-milling.md, section 9, A14: the other limits do not bind.
 TEST(TableFeed, OfASlotAtTheEconomicSpeed)
 {
     MoveDemand slot = long_slot;
@@ -92,7 +92,7 @@ TEST(TableFeed, OfASlotAtTheEconomicSpeed)
     EXPECT_NEAR(table.power_w, 2 * std::numbers::pi * table.spindle_rpm / 60 * 6, 1e-9);
 }
 
-TEST(TableFeed, NamesWhatBoundsTheSpindle)
+TEST(TableFeed, NamesTheLimitOfTheSpindleSpeed)
 {
     const auto expect = [](const MachineLimits& machine, double rpm, SpeedLimit limit) {
         const TableFeed table = table_feed(long_slot, drive(machine));
@@ -104,7 +104,7 @@ TEST(TableFeed, NamesWhatBoundsTheSpindle)
     expect({.max_rpm = 1000}, spindle_speed_rpm(28.4313, 5), SpeedLimit::EconomicSpeed);
     expect({.max_power_w = 6 * 10 * std::numbers::pi}, 300, SpeedLimit::Power);
     expect({.max_feed_mm_per_min = 120}, 600, SpeedLimit::FeedDrive);
-    // Of equals the first counts.
+    // The first of equal bounds governs.
     expect({.max_rpm = 600, .max_feed_mm_per_min = 120}, 600, SpeedLimit::Spindle);
 }
 
@@ -147,7 +147,8 @@ TEST(TableFeed, LetsABlockLast)
     EXPECT_GT(bound, 50);
     MoveDemand move = long_slot;
     move.length_mm = 0.001;
-    EXPECT_DOUBLE_EQ(table_feed(move, drive({})).feed_mm_per_min, 6);  // 6000 ds
+    EXPECT_DOUBLE_EQ(table_feed(move, drive({})).feed_mm_per_min,
+                     6);  // 6000 times the length
     DriveRules rules = drive({});
     rules.block_time_ms = 0;
     EXPECT_FALSE(table_feed(move, rules).is_block_bound);

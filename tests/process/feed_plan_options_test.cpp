@@ -59,7 +59,7 @@ TEST(FeedOptions, TheWeakerOfToolAndSpindleBoundsTheTorque)
     EXPECT_FALSE(feed_rules(one, {}).limits.torque_n_m);
 }
 
-TEST(FeedOptions, RefuseWhatIsNotSound)
+TEST(FeedOptions, RefuseUnsoundData)
 {
     EXPECT_THROW(feed_rules(job(), {.peak_factor = 0.99}), DomainError);
     EXPECT_NO_THROW(feed_rules(job(), {.peak_factor = 1}));

@@ -13,7 +13,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/process/cutting_coefficients.h"
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/segment_load.h"
 #include "milling_examples.h"
 #include "random.h"
 #include "reference_path.h"
@@ -40,7 +40,7 @@ MillingJob aluminium_job()
     return job;
 }
 
-// The path REF with the length that the paper prints.
+// The path REF, scaled to the length that the paper prints.
 std::vector<SegmentCut> scaled_reference_cuts()
 {
     std::vector<SegmentCut> cuts = test::reference_cuts();
@@ -59,8 +59,8 @@ double share(const FeedPlan& plan, SpeedLimit limit)
     return plan.totals.speed_limit_shares[static_cast<std::size_t>(limit)];
 }
 
-// Spec, section 9, A14.
-TEST(FeedPlan, OfASlotIsThatOfTheSpec)
+// docs/mathematics/ball-end-milling.md, section 9, A14.
+TEST(FeedPlan, OfASlotIsClosed)
 {
     MillingJob job = steel_job();
     job.material.specific_resistance_n_per_mm2 = 2000;
@@ -79,8 +79,8 @@ TEST(FeedPlan, OfASlotIsThatOfTheSpec)
     EXPECT_EQ(share(plan, SpeedLimit::EconomicSpeed), 1);
 }
 
-// Spec, section 7: the path that the totals below belong to.
-TEST(ReferencePath, IsThatOfTheSpec)
+// docs/mathematics/ball-end-milling.md, section 7: facts of the path REF.
+TEST(ReferencePath, HasTheStatedLengthAndRanges)
 {
     const std::vector<double> passes = test::reference_passes();
     ASSERT_EQ(passes.size(), 40U);
@@ -110,7 +110,8 @@ TEST(ReferencePath, IsThatOfTheSpec)
     EXPECT_NEAR(Angle::radians(up.lambda).degrees(), 49.5217, 5e-5);
 }
 
-// Spec, sections 8 and 9, A12: a regression, calibrated to the printed 54.8 min.
+// docs/mathematics/ball-end-milling.md, sections 8 and 9, A12. The constants were
+// calibrated to the printed 54.8 min, so this is a regression test.
 TEST(FeedPlan, OfTheReferencePathInSteel)
 {
     const FeedPlan plan =
@@ -128,7 +129,7 @@ TEST(FeedPlan, OfTheReferencePathInSteel)
     EXPECT_NEAR(plan.totals.max_power_w, 960, 6);
 }
 
-// The same, calibrated to the printed 31.3 min.
+// Likewise for aluminium, calibrated to the printed 31.3 min.
 TEST(FeedPlan, OfTheReferencePathInAluminium)
 {
     const FeedPlan plan =
@@ -145,7 +146,8 @@ TEST(FeedPlan, OfTheReferencePathInAluminium)
     EXPECT_NEAR(plan.totals.max_power_w, 1290, 6);
 }
 
-// Spec, section 8: thrust governs, feasible or not, where the cut is deep and goes down.
+// docs/mathematics/ball-end-milling.md, section 8: thrust governs where the cut is deep
+// and goes downhill.
 TEST(FeedPlan, LetsThrustBindWhereThePaperSays)
 {
     const std::vector<SegmentCut> cuts = test::reference_cuts();
@@ -167,7 +169,8 @@ TEST(FeedPlan, LetsThrustBindWhereThePaperSays)
     EXPECT_NEAR(Angle::radians(mu / count).degrees(), -10.2, 0.05);
 }
 
-// Spec, section 8: how much hangs on a choice of ours.
+// docs/mathematics/ball-end-milling.md, section 8: dependence of the total on the least
+// feed.
 TEST(FeedPlan, HangsOnTheLeastFeed)
 {
     const std::vector<SegmentCut> cuts = scaled_reference_cuts();
@@ -182,7 +185,8 @@ TEST(FeedPlan, HangsOnTheLeastFeed)
     EXPECT_NEAR(exact.totals.cut_min + 12.47, 52.30, 0.0055);
 }
 
-// Spec, section 8: what the torque of helical flutes makes of the same path.
+// docs/mathematics/ball-end-milling.md, section 8: the same path with the torque of
+// helical flutes.
 TEST(FeedPlan, HangsOnTheRuleOfThePeak)
 {
     const std::vector<SegmentCut> cuts = scaled_reference_cuts();
@@ -203,7 +207,8 @@ TEST(FeedPlan, HangsOnTheRuleOfThePeak)
     EXPECT_NEAR(factors.back(), 6.84, 0.01);
 }
 
-// Spec, section 4: the radius at which the tangential force acts, over that of the ball.
+// docs/mathematics/ball-end-milling.md, section 4: equivalent radius over the radius of
+// the ball.
 TEST(FeedPlan, PutsTheForceNearTheBallsRadius)
 {
     const std::vector<SegmentCut> cuts = test::reference_cuts();
@@ -230,7 +235,7 @@ TEST(FeedPlan, PutsTheForceNearTheBallsRadius)
     EXPECT_NEAR(part(0.95), 0.98, 0.01);
 }
 
-// Spec, section 9, A13.
+// docs/mathematics/ball-end-milling.md, section 9, A13.
 TEST(FeedPlan, KeepsCapAndBlockTimeOnEveryMove)
 {
     const std::vector<SegmentCut> cuts = test::reference_cuts();
@@ -262,7 +267,7 @@ TEST(FeedPlan, TellsTheLimitsThatWouldDo)
     job.tool.cutting_force_n = needed.cutting_force_n.value_or(*job.tool.cutting_force_n);
     job.tool.thrust_n = needed.thrust_n.value_or(*job.tool.thrust_n);
     EXPECT_EQ(feed_plan(cuts, job, {}).totals.infeasible, 0U);
-    // A little less would not.
+    // A slightly smaller limit does not suffice.
     job = steel_job();
     job.tool.cutting_force_n =
         0.999 * needed.cutting_force_n.value_or(*job.tool.cutting_force_n);
@@ -282,7 +287,7 @@ TEST(FeedPlan, IsTheSameWithAnyNumberOfThreads)
         EXPECT_EQ(one.rows[i].table.feed_mm_per_min, two.rows[i].table.feed_mm_per_min);
 }
 
-// No component of the loads is ever above its limit where the plan says that it is feasible.
+// No load exceeds its limit on a move that the plan reports as feasible.
 TEST(FeedPlan, KeepsTheLimitsUnderEveryRule)
 {
     std::vector<SegmentCut> cuts = test::reference_cuts();
@@ -324,7 +329,7 @@ TEST(FeedPlan, InAirGoesAtTheCap)
         EXPECT_EQ(plan.rows[0].tooth.feed_per_tooth_mm, 0.15);
         EXPECT_NEAR(plan.rows[0].engaged_angle, pi / 36, 1e-15);
         EXPECT_EQ(plan.rows[0].loads.torque_n_m, 0);
-        EXPECT_EQ(said_limit(plan.rows[0]), FeedLimit::Cap);
+        EXPECT_EQ(reported_limit(plan.rows[0]), FeedLimit::Cap);
     }
 }
 
@@ -357,7 +362,7 @@ TEST(FeedPlan, RefusesMovesThatAreNotSound)
     EXPECT_THROW(feed_plan(std::vector{good}, unbounded, {}), DomainError);
 }
 
-// The coefficients by the table change a plan by what the table is off.
+// Coefficients from the table change a plan by no more than the error of the table.
 TEST(FeedPlan, ByTheTableIsNearlyTheSame)
 {
     const CoefficientTable table{ChipModel::Paper,

@@ -57,7 +57,8 @@ void expect_near(const FeedBounds& found, const FeedBounds& expected, double rel
     EXPECT_NEAR(*found.torque / *expected.torque, 1, relative);
 }
 
-// Computed beforehand by sampling with refinement, 1e-5.
+// Values of docs/mathematics/ball-end-milling.md, section 4, sampled with refinement to
+// 1e-5.
 TEST(ForcePattern, HasThePeaksOfTheVectors)
 {
     for (const Vector& v : vectors) {
@@ -77,7 +78,8 @@ TEST(ForcePattern, OfTorqueBoundsTheFirstVector)
                 2e-5);
 }
 
-// The shank's share alone: what a deep cut has beyond one of the ball.
+// The share of the shank is the difference between a deep cut and one of the depth of the
+// ball.
 TEST(ForcePattern, OfTheShankHasAClosedPeak)
 {
     struct Shank {
@@ -143,7 +145,7 @@ TEST(ForcePattern, HasTheMeansOfTheCoefficients)
     }
 }
 
-// The sums by small steps of the height, each in or out of the engaged region.
+// The sums by small steps of height, each tested for engagement.
 EdgeSums stepped(const BallEngagement& engagement, ChipModel chip,
                  const MillingTool& mill, double turn)
 {
@@ -211,7 +213,7 @@ TEST(ForcePattern, IsNowhereAboveItsPeaks)
     }
 }
 
-// At the feed that a limit allows, the largest load is the limit.
+// At the feed that a limit admits, the largest load equals the limit.
 TEST(ForcePattern, ReachesEachLimitAtItsBound)
 {
     const ForcePattern pattern{{-0.4, -0.5, 0.4, 2}, ChipModel::Exact, tool(3)};
@@ -222,8 +224,8 @@ TEST(ForcePattern, ReachesEachLimitAtItsBound)
     EXPECT_NEAR(pattern.largest_loads(model, *bounds.torque).torque_n_m, 20, 5e-5);
 }
 
-// Uphill, exact chips are so thin at some turns that they are rounding, of either sign: no
-// bound comes from them.
+// Uphill the exact chip is so thin at some turns that its sums are rounding errors of
+// either sign. No bound may result from them.
 TEST(ForcePattern, OfVanishingChipsKeepsItsBounds)
 {
     const LoadModel in_steel{test::steel(), 5};
@@ -256,7 +258,7 @@ TEST(ForcePattern, WhereEdgesAloneAreTooMuchHasNoFeed)
     EXPECT_FALSE(pattern.direct_bounds(model, {1, {}, {}}).thrust);
 }
 
-// Without helix the whole edge meets the chip at once.
+// Without helix the whole edge cuts at once.
 TEST(ForcePattern, WithoutHelixIsThatOfOneAzimuth)
 {
     const ForcePattern pattern{
@@ -268,9 +270,10 @@ TEST(ForcePattern, WithoutHelixIsThatOfOneAzimuth)
     EXPECT_NEAR(pattern.peak_factor(), pi, 1e-6);
 }
 
-// The sums of a right-hand cutter under M03, in the room: x along the feed, y to its left. The
-// spindle turns clockwise seen from above, from y towards x; a right-hand edge trails as it
-// rises. `side` is 1 with the stock to the left (up milling), -1 to the right (down).
+// The sums of a right-hand cutter under M03 in the frame of the machine: x along the
+// feed, y to its left. The spindle turns clockwise seen from above, from y towards x, and
+// a right-hand edge trails as it rises. `side` is 1 with the stock to the left (milling
+// up) and -1 to the right (milling down).
 EdgeSums in_the_room(const BallEngagement& cut, const MillingTool& mill, double side,
                      double turn)
 {
@@ -306,7 +309,7 @@ EdgeSums in_the_room(const BallEngagement& cut, const MillingTool& mill, double 
     return sums;
 }
 
-// Milling down, the model's azimuth runs the other way round the room: theta is pi - theta.
+// When milling down the azimuth of the model is pi minus that of the machine.
 TEST(ForcePattern, OfARightHandCutterHasTheHelixOfItsSide)
 {
     for (const BallEngagement& cut :
@@ -348,7 +351,7 @@ TEST(ForcePattern, OfASlotHasOnePeakForBothHands)
         }
 }
 
-// The most that is allowed: no peak is below the mean, and it is that of dense samples.
+// The peak is not below the mean and equals the maximum of dense samples.
 TEST(ForcePattern, OfTheSteepestFlutesHasItsPeak)
 {
     for (const double helix : {most_helix, -most_helix})

@@ -30,7 +30,7 @@ TEST(CuttingMaterial, MayHaveNoForceOfTheEdgeAndNoLimitsOfFeed)
     EXPECT_NO_THROW(require_sound(material));
 }
 
-TEST(CuttingMaterial, RefusesWhatNoMaterialHas)
+TEST(CuttingMaterial, RefusesImpossibleConstants)
 {
     for (double CuttingMaterial::*const member :
          {&CuttingMaterial::specific_resistance_n_per_mm2,

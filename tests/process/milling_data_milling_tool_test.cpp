@@ -13,7 +13,7 @@
 namespace endmill {
 namespace {
 
-TEST(MillingTool, TakesOverWhatTheToolSays)
+TEST(MillingTool, CopiesTheDataOfTheTool)
 {
     const Tool tool{.cutter = Cutter::ball(4),
                     .flutes = 3,

@@ -3,10 +3,10 @@
 
 #include "endmill/process/milling_data.h"
 
-// Materials, tools and machines that several tests of the process module share.
+// Materials, tools and machines for several tests of the module.
 namespace endmill::test {
 
-/// The reference set of the spec, section 8, in N; 1 kgf = 9.80665 N.
+/// The steel of docs/mathematics/ball-end-milling.md, section 8, in N; 1 kgf = 9.80665 N.
 inline CuttingMaterial steel()
 {
     return {.specific_resistance_n_per_mm2 = 204 * 9.80665,
@@ -22,7 +22,7 @@ inline CuttingMaterial steel()
             .name = "steel"};
 }
 
-/// The reference cutter, ditto.
+/// The cutter of the same section.
 inline MillingTool ball_10()
 {
     return {.radius = 5,
@@ -33,7 +33,7 @@ inline MillingTool ball_10()
             .torque_n_m = 2 * 9.80665};
 }
 
-/// The reference machine for steel, ditto.
+/// The machine for steel of the same section.
 inline MachineLimits mill_3000()
 {
     return {.max_rpm = 3000, .max_power_w = 3700, .max_feed_mm_per_min = 2000};

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double radius = 5;
 
-// A ball that rolls along x over z = bend x^2 / 2 at y = 4, `count` moves in equal steps.
+// A ball that rolls along x over z = bend x^2 / 2 at y = 4, in `count` equal moves.
 ToolPath rolled(double bend, int count)
 {
     ToolPath path;
@@ -34,11 +34,11 @@ ToolPath rolled(double bend, int count)
     return path;
 }
 
-TEST(MoveContacts, ToldOfBothEndsAreHalfwayBetween)
+TEST(MoveContacts, StatedAtBothEndsAreHalfwayBetween)
 {
     ToolPath path = rolled(-0.02, 10);
     const auto moves = cut_moves(path);
-    const auto contacts = told_contacts(path, moves);
+    const auto contacts = stated_contacts(path, moves);
     EXPECT_LT((contacts[2]->normal - (path.points[2].contact->contact.normal +
                                       path.points[3].contact->contact.normal)
                                          .normalized())
@@ -46,13 +46,13 @@ TEST(MoveContacts, ToldOfBothEndsAreHalfwayBetween)
               1e-14);
     EXPECT_FALSE(contacts[2]->foot);
     path.points[3].contact.reset();
-    const auto fewer = told_contacts(path, moves);
+    const auto fewer = stated_contacts(path, moves);
     EXPECT_FALSE(fewer[2]);
     EXPECT_FALSE(fewer[3]);
     EXPECT_TRUE(fewer[4]);
 }
 
-// On short moves the contact in the middle is halfway, to second order of the step.
+// On short moves the contact in the middle is halfway between the ends, to second order.
 TEST(MoveContacts, ProjectedOnThePartAreWhereTheBallRolls)
 {
     const double bend = -0.02;
@@ -86,7 +86,7 @@ TEST(MoveContacts, AreTheSameWithAnyNumberOfThreads)
     }
 }
 
-TEST(MoveContacts, RefuseAPathThatMissesThePartAndSayWhereMost)
+TEST(MoveContacts, RefuseAPathThatMissesThePartAndNameTheWorstPlace)
 {
     const std::vector<Surface> part{test::plane(40, 10)};
     const ContactSearch search{part};
@@ -113,8 +113,8 @@ TEST(MoveContacts, RefuseAPathThatMissesThePartAndSayWhereMost)
     }
 }
 
-// The contact is where the normal leads from the centre: normals tell as much of it.
-TEST(MoveContacts, ToldByNormalsAloneAreThoseOfWholeContacts)
+// The contact lies on the normal through the centre, so normals state the same contacts.
+TEST(MoveContacts, StatedByNormalsAloneEqualWholeContacts)
 {
     const ToolPath whole = rolled(-0.02, 10);
     ToolPath bare = whole;
@@ -123,18 +123,18 @@ TEST(MoveContacts, ToldByNormalsAloneAreThoseOfWholeContacts)
         point.contact.reset();
     }
     const auto moves = cut_moves(whole);
-    const auto told = told_contacts(whole, moves);
-    const auto by_normals = told_contacts(bare, moves);
+    const auto stated = stated_contacts(whole, moves);
+    const auto by_normals = stated_contacts(bare, moves);
     for (std::size_t i = 0; i < moves.size(); ++i) {
         ASSERT_TRUE(by_normals[i]);
-        EXPECT_EQ(by_normals[i]->normal, told[i]->normal);
+        EXPECT_EQ(by_normals[i]->normal, stated[i]->normal);
     }
     bare.normals[3] = Vec3::Zero();
-    EXPECT_FALSE(told_contacts(bare, moves)[2]);
-    EXPECT_TRUE(told_contacts(bare, moves)[4]);
+    EXPECT_FALSE(stated_contacts(bare, moves)[2]);
+    EXPECT_TRUE(stated_contacts(bare, moves)[4]);
 }
 
-TEST(MoveContacts, RefuseThoseOfAnotherBall)
+TEST(MoveContacts, RefuseContactsOfAnotherBall)
 {
     const ToolPath path = rolled(-0.02, 10);
     const auto moves = cut_moves(path);

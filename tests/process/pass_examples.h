@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Paths of straight passes for the tests of what lies beside a move.
+// Paths of straight passes for the tests of neighbouring passes.
 
 #include <span>
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace endmill {
 
-/// A straight pass by its tips, mm.
+/// A straight pass, given by its tips in mm.
 struct Pass {
     Vec3 from;
     Vec3 to;
 };
 
-/// `lines` one way, each in `moves` equal cuts, with a plunge to its begin.
+/// `lines` one way, each in `moves` equal cuts, with a plunge to its start.
 inline ToolPath passes(const std::vector<Pass>& lines, int moves)
 {
     ToolPath path;

@@ -13,7 +13,7 @@
 namespace endmill {
 namespace {
 
-// The rules of the header, one move after the other.
+// The rules of the header, applied to every earlier move.
 NeighbouringPasses looked_through(const std::vector<CutMove>& moves, std::size_t number,
                                   double reach)
 {
@@ -26,7 +26,7 @@ NeighbouringPasses looked_through(const std::vector<CutMove>& moves, std::size_t
         if (std::abs(slant) < std::sqrt(0.5))
             continue;
         const double along =
-            (own.middle() - other.from).dot(way) / slant;  // mm from its begin
+            (own.middle() - other.from).dot(way) / slant;  // mm from its start
         if (along < 0 || along > other.length_mm)
             continue;
         if (other.pass == own.pass && own.middle_mm() - other.begin_mm - along < reach)
@@ -39,7 +39,7 @@ NeighbouringPasses looked_through(const std::vector<CutMove>& moves, std::size_t
     return found;
 }
 
-// A wavy surface, passes at a slant, zigzag, of moves of random lengths.
+// A wavy surface with zigzag passes at an angle and moves of random lengths.
 std::vector<CutMove> wavy_moves(double slant)
 {
     std::mt19937 random{7};
@@ -68,7 +68,7 @@ void expect_same(const std::optional<PassCrossing>& one,
     }
 }
 
-TEST(PassIndex, FindsWhatLookingAtEveryMoveFinds)
+TEST(PassIndex, FindsTheSameAsExhaustiveSearch)
 {
     for (const double slant : {0.0, 0.3, 1.1, std::numbers::pi / 2}) {
         const std::vector<CutMove> moves = wavy_moves(slant);
@@ -85,16 +85,16 @@ TEST(PassIndex, FindsWhatLookingAtEveryMoveFinds)
 
 TEST(PassIndex, LeavesOutTheOwnPassNearbyButNotFurtherOn)
 {
-    // There, and back beside it, in one pass.
+    // A single pass that returns beside itself.
     ToolPath path;
     for (const Vec3& tip : {Vec3{0, 0, 0}, Vec3{10, 0, 0}, Vec3{20, 0, 0}, Vec3{20, 1, 0},
                             Vec3{10, 1, 0}, Vec3{0, 1, 0}})
         path.points.push_back({0, 0, Move::Cut, {tip, Vec3::UnitZ()}, {}});
     const std::vector<CutMove> moves = cut_moves(path);
     const PassIndex index{moves};
-    EXPECT_FALSE(index.beside(3, 15).left);  // 11 mm of path to its neighbour
+    EXPECT_FALSE(index.beside(3, 15).left);  // its neighbour is 11 mm of path away
     EXPECT_TRUE(index.beside(3, 10).left);
-    EXPECT_TRUE(index.beside(4, 15).left);  // 31 mm
+    EXPECT_TRUE(index.beside(4, 15).left);  // 31 mm away
 }
 
 TEST(PassIndex, TakesAPassStraightAboveForNoPickFeedAndOneInPlaceForAir)
@@ -110,7 +110,7 @@ TEST(PassIndex, TakesAPassStraightAboveForNoPickFeedAndOneInPlaceForAir)
     EXPECT_EQ(index.beside(2, 10).left.value().distance, 0);
 }
 
-TEST(PassIndex, LeavesOutWhatCrossesTheWay)
+TEST(PassIndex, LeavesOutCrossingMoves)
 {
     for (const double degrees : {40.0, 50.0, 130.0, 140.0}) {
         const double angle = degrees * std::numbers::pi / 180;

@@ -11,13 +11,14 @@
 #include "endmill/core/vec.h"
 #include "endmill/process/feed_plan.h"
 
-// The path REF of the spec of ball-end milling, section 7, made from the formula of the test
-// surface alone: none of the planners, no surface of the library.
+// The path REF of docs/mathematics/ball-end-milling.md, section 7, built from the formula
+// of the test surface alone, without the planners and surfaces of the library.
 namespace endmill::test {
 
 inline constexpr double reference_radius = 5;
 
-/// The test surface z(X, Y) = 40 g(X/40, Y/40), with what a cut along X needs of it.
+/// The test surface z(X, Y) = 40 g(X/40, Y/40), with the derivatives that a cut along X
+/// needs.
 struct ReferencePoint {
     Vec3 at;
     Vec3 T;           ///< unit, along X
@@ -32,7 +33,7 @@ inline ReferencePoint reference_point(double X, double Y)
 {
     const double x = X / 40;
     const double y = Y / 40;
-    // g = p / q with p = x^3 y - x y^3, q = x^2 + y^2 + 1/4.
+    // g = p / q with p = x^3 y - x y^3 and q = x^2 + y^2 + 1/4.
     const double p = x * y * (x * x - y * y);
     const double px = 3 * x * x * y - y * y * y;
     const double py = x * x * x - 3 * x * y * y;
@@ -59,7 +60,7 @@ inline ReferencePoint reference_point(double X, double Y)
     return point;
 }
 
-/// Where the passes are, from -40 to 40, for a cusp of 0.2 mm.
+/// Positions of the passes, from -40 to 40, for a cusp of 0.2 mm.
 inline std::vector<double> reference_passes()
 {
     std::vector<double> passes{-40};

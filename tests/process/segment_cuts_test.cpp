@@ -22,14 +22,14 @@ SegmentCutOptions by_passes()
     return {.radius = 5, .stock_top = 20, .source = CutSource::Passes};
 }
 
-// Two passes on a plane that rises by `slope` across the feed and `climb` along it, the
-// second on the given side of the first.
+// Two passes on a plane that rises by `slope` across the feed and by `climb` along it.
+// The second pass is on the given side of the first.
 TEST(SegmentCuts, OfParallelPassesOnAPlaneHaveTheGeometryOfItsPickFeed)
 {
     for (const double slope : {0.0, 0.4, -0.7})
         for (const double climb : {0.0, 0.5, -0.9})
             for (const bool to_right : {true, false}) {
-                // The feed, and the horizontal normal of it on the stock's side.
+                // The feed, and its horizontal normal on the side of the stock.
                 const Vec3 feed{std::cos(climb), 0, std::sin(climb)};
                 const Vec3 y{0, to_right ? -1.0 : 1.0, 0};
                 const Vec3 e1{-std::sin(climb), 0, std::cos(climb)};
@@ -52,15 +52,16 @@ TEST(SegmentCuts, OfParallelPassesOnAPlaneHaveTheGeometryOfItsPickFeed)
             }
 }
 
-// Passes of a ball along a cylinder of radius 30, 4 degrees apart: by eq. (13)
-// f_p = d (1 + r0 k), d the chord between contacts; the slope is that of the surface
+// Passes of a ball along a cylinder of radius 30, 4 degrees apart. By eq. (13) f_p = d (1
+// + r0 k), where d is the chord between the contacts. The slope is that of the surface
 // half a step before.
 TEST(SegmentCuts, AlongACylinderHaveThePickFeedOfTheSurfaceAndItsSlopeHalfAStepBack)
 {
     const double radius = 5;
     const double step = 4 * std::numbers::pi / 180;
     for (const double curvature : {1 / 30.0, -1 / 30.0}) {
-        const double reach = 1 / curvature + radius;  // of the centres; below 0: concave
+        const double reach =
+            1 / curvature + radius;  // radius of the ball centres; negative: concave
         std::vector<Pass> lines;
         // Towards the right of the feed, -y.
         for (int k = -8; k <= 8; ++k) {
@@ -76,7 +77,7 @@ TEST(SegmentCuts, AlongACylinderHaveThePickFeedOfTheSurfaceAndItsSlopeHalfAStepB
             const double contacts = 2 * 30 * std::sin(step / 2);
             EXPECT_NEAR(cut.pick_feed_mm.value(), contacts * (1 + radius * curvature),
                         1e-11);
-            // The pick feed goes down where the normal leans to the stock.
+            // The pick feed descends where the normal leans towards the stock.
             const double surface = (curvature > 0 ? -1 : 1) * k * step;
             const double half = (curvature > 0 ? 1 : -1) * step / 2;
             EXPECT_NEAR(cut.mu.value(), surface + half, 1e-11);
@@ -85,8 +86,8 @@ TEST(SegmentCuts, AlongACylinderHaveThePickFeedOfTheSurfaceAndItsSlopeHalfAStepB
     }
 }
 
-// By contact, on a real cylinder: d and k are the surface's, so f_p is what the centres
-// tell; mu is the surface's own slope at the contact.
+// By contact, on a real cylinder: d and k come from the surface, so f_p equals the
+// distance of the centres, and mu is the slope of the surface at the contact.
 TEST(SegmentCuts, ByContactOnACylinderHaveItsSlopeAndTheSamePickFeed)
 {
     const double radius = 5;
@@ -113,15 +114,16 @@ TEST(SegmentCuts, ByContactOnACylinderHaveItsSlopeAndTheSamePickFeed)
     }
 }
 
-// Where a ball of 5 mm at `point` touches a part with this normal.
+// The tip of a ball of 5 mm that touches a part with this normal at `point`.
 SurfaceContact touched(const PathPoint& point, const Vec3& normal)
 {
     const Vec3 centre = point.location.tip + 5 * Vec3::UnitZ();
     return {0, 0, {centre - 5 * normal, normal}};
 }
 
-// Eq. (10) and (11) on a tilted plane, milled either way, from the normals of the path alone.
-TEST(SegmentCuts, ByToldContactsOnAPlaneAreWhatThePassesSay)
+// Eq. (10) and (11) on a tilted plane, milled in both senses, from the normals of the
+// path alone.
+TEST(SegmentCuts, ByStatedContactsOnAPlaneEqualThoseByPasses)
 {
     const Vec3 normal = Vec3{-0.3, 0.4, 1}.normalized();
     const Vec3 feed = Vec3{1, 0.2, 0.3 - 0.4 * 0.2}.normalized();
@@ -169,10 +171,10 @@ TEST(SegmentCuts, CountTheNearerOfTwoNeighboursAndNoteIt)
     EXPECT_FALSE(cuts.cuts[2].has_two_neighbours);
     EXPECT_TRUE(cuts.cuts[4].has_two_neighbours);
     EXPECT_NEAR(cuts.cuts[4].pick_feed_mm.value(), 2, 1e-12);
-    EXPECT_EQ(cuts.cuts[4].milling, Milling::Down);  // that at y = 5 lies to the left
+    EXPECT_EQ(cuts.cuts[4].milling, Milling::Down);  // the pass at y = 5 lies to the left
 }
 
-TEST(SegmentCuts, OfAFirstPassSayWhatWasAskedFor)
+TEST(SegmentCuts, OfAFirstPassHaveTheKindOfTheOptions)
 {
     SegmentCutOptions options = by_passes();
     options.first_pass = PreviousPass::Edge;
@@ -183,7 +185,7 @@ TEST(SegmentCuts, OfAFirstPassSayWhatWasAskedFor)
     EXPECT_FALSE(cut.mu);
 }
 
-TEST(SegmentCuts, LeaveOutWhatStandsStillOrGoesUpOrDown)
+TEST(SegmentCuts, LeaveOutMovesOfLengthZeroAndVerticalMoves)
 {
     ToolPath path = passes({{Vec3{0, 0, 0}, Vec3{20, 0, 0}}}, 1);
     for (const Vec3& tip : {Vec3{20, 0, 0}, Vec3{20, 0, -3}, Vec3{25, 0, -3}})
@@ -197,14 +199,14 @@ TEST(SegmentCuts, LeaveOutWhatStandsStillOrGoesUpOrDown)
     EXPECT_EQ(cuts.points[1], path.points.size() - 1);
 }
 
-TEST(SegmentCuts, OfNoPathAreNone)
+TEST(SegmentCuts, OfAnEmptyPathAreEmpty)
 {
     EXPECT_TRUE(segment_cuts({}, by_passes()).cuts.empty());
     EXPECT_TRUE(segment_cuts(passes({{Vec3::Zero(), Vec3::UnitX()}}, 1), by_passes())
                     .cuts.size() == 1);
 }
 
-TEST(SegmentCuts, RefuseWhatIsNoOption)
+TEST(SegmentCuts, RefuseOptionsOutOfTheirRanges)
 {
     const ToolPath path = passes({{Vec3{0, 0, 0}, Vec3{20, 0, 0}}}, 1);
     SegmentCutOptions options = by_passes();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/segment_load.h"
 
 #include <numbers>
 #include <string>
@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "endmill/process/feed_plan.h"
 #include "milling_examples.h"
 #include "random.h"
 
@@ -26,7 +27,8 @@ SegmentCut cut_of(double mu, double lambda, double pick_feed_ratio, double depth
             .depth_mm = 5 * depth_ratio};
 }
 
-// Of the spec, section 4: K = 2000 N/mm^2, limits 1200 N, 450 N, 20 N m.
+// docs/mathematics/ball-end-milling.md, section 4: K = 2000 N/mm^2, limits 1200 N, 450 N
+// and 20 N m.
 MillingJob job_of_the_vectors()
 {
     MillingJob job{test::steel(), test::ball_10(), {}};
@@ -70,36 +72,37 @@ void expect_bounds(const FeedBounds& bounds, const FeedBounds& expected, double 
     EXPECT_LT(relative_error(*bounds.torque, *expected.torque), tolerance);
 }
 
-TEST(SegmentLoad, GivesTheBoundsOfTheSpec)
+TEST(SegmentLoad, HasTheBoundsOfIndependentSampling)
 {
     const MillingJob job = job_of_the_vectors();
     const FeedRules rules = feed_rules(job, {.form = LimitForm::Exact});
     for (const Vector& vector : vectors) {
         const CuttingCoefficients coefficients =
             cutting_coefficients(ball_engagement(vector.cut, 5));
-        const SegmentLoad constant = factored_load(vector.cut, coefficients, 1.8, rules);
+        const SegmentLoad constant =
+            constant_peak_load(vector.cut, coefficients, 1.8, rules);
         expect_bounds(constant.bounds, vector.constant, 5e-9);
         EXPECT_EQ(constant.peak_factor, 1.8);
         const SegmentLoad torque =
-            turning_load(vector.cut, job.tool, PeakRule::Torque, ChipModel::Paper, rules);
+            torque_peak_load(vector.cut, job.tool, ChipModel::Paper, rules);
         expect_bounds(torque.bounds, vector.torque, 2e-5);
         EXPECT_LT(relative_error(torque.peak_factor.value(), vector.torque_peak), 2e-5);
         const SegmentLoad direct =
-            turning_load(vector.cut, job.tool, PeakRule::Direct, ChipModel::Paper, rules);
+            direct_peak_load(vector.cut, job.tool, ChipModel::Paper, rules);
         expect_bounds(direct.bounds, vector.direct, 2e-5);
         EXPECT_FALSE(direct.peak_factor);
     }
 }
 
-// The loads at a bound are the limit, whatever the rule.
+// At each bound of the feed the load equals the limit, under both rules.
 TEST(SegmentLoad, ReachesItsLimitsAtItsBounds)
 {
     const MillingJob job = job_of_the_vectors();
     const FeedRules rules = feed_rules(job, {.form = LimitForm::Exact});
     for (const Vector& vector : vectors)
-        for (const PeakRule rule : {PeakRule::Torque, PeakRule::Direct}) {
+        for (const auto load_of : {torque_peak_load, direct_peak_load}) {
             const SegmentLoad load =
-                turning_load(vector.cut, job.tool, rule, ChipModel::Exact, rules);
+                load_of(vector.cut, job.tool, ChipModel::Exact, rules);
             EXPECT_LT(relative_error(
                           load.loads(*load.bounds.cutting_force).cutting_force_n, 1200),
                       2e-5);
@@ -112,7 +115,7 @@ TEST(SegmentLoad, ReachesItsLimitsAtItsBounds)
 
 TEST(SegmentLoad, LifeAngleIsThatOfTheCutWithinItsBounds)
 {
-    // Flat cut as deep as the ball: cos phi = 1 - R_p at the height of the centre.
+    // A level cut as deep as the ball has cos(phi) = 1 - R_p at the height of the centre.
     EXPECT_NEAR(
         tool_life_angle({.mu = 0, .lambda = 0, .pick_feed_ratio = 0.5, .depth_ratio = 1}),
         pi / 3, 1e-7);
@@ -137,7 +140,7 @@ TEST(SegmentLoad, LifeAngleIsThatOfTheCutWithinItsBounds)
                                  .depth_ratio = -1,
                                  .previous = PreviousPass::None}),
                 pi / 36, 1e-15);
-    // Full rings at negative lambda count for no more than half a turn.
+    // Full rings at negative lambda count for half a turn at most.
     EXPECT_LE(
         tool_life_angle(
             {.mu = -0.8, .lambda = -0.6, .pick_feed_ratio = 0.6, .depth_ratio = 0.1}),
@@ -181,11 +184,24 @@ TEST(TurningLoad, NamesAMoveThatIsCutTooDeepForItsHelix)
     FeedRules rules{};
     rules.model = {{2000, 0.016, 0.4, 0.4, 0.2, 0.6, 0.37, 28}, 5};
     try {
-        turning_load(cut, tool, PeakRule::Torque, ChipModel::Paper, rules);
+        torque_peak_load(cut, tool, ChipModel::Paper, rules);
         FAIL();
     } catch (const GeometryError& error) {
         EXPECT_NE(std::string{error.what()}.find("point 7 of pass 3"), std::string::npos);
     }
+}
+
+// The default SegmentCut states no pick feed and lies in air.
+TEST(SegmentLoad, TakesADefaultMoveForACutInAir)
+{
+    const SegmentCut cut;
+    EXPECT_FALSE(cut.mu || cut.pick_feed_mm || cut.pick_feed_horizontal_mm);
+    EXPECT_EQ(cut.length_mm, 0);
+    EXPECT_EQ(cut.previous, PreviousPass::Beside);
+    EXPECT_EQ(cut.milling, Milling::Down);
+    SegmentCut first = cut;
+    first.previous = PreviousPass::None;
+    EXPECT_TRUE(is_air(ball_engagement(first, 5)));
 }
 
 }  // namespace

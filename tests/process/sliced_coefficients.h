@@ -9,13 +9,15 @@
 
 #include "endmill/process/cutting_coefficients.h"
 
-// The coefficients by a second route: slices of the engaged region across the pick feed.
+// The coefficients by a second route: slices of the engaged region across the pick feed
+// (docs/mathematics/ball-end-milling.md, section 3.1).
 //
-// In the slice at y a point of the ball is (rho cos chi, y, rho sin chi), rho^2 = 1 - y^2, and
-// what is engaged is one interval of chi with closed ends; the integrals over it are closed,
-// by Legendre's elliptic integrals. Over y they are taken by the double-exponential rule, in
-// long double, between the places at which the formula of an end changes; these are found by
-// looking at many slices. Nothing is shared with the library but the question.
+// In the slice at y a point of the ball is (rho cos chi, y, rho sin chi), rho^2 = 1 -
+// y^2. The engaged part is one interval of chi with closed ends, and the integrals over
+// it are closed, by Legendre's elliptic integrals. The integral over y is evaluated in
+// long double by the double-exponential rule, between the places at which the formula of
+// an end changes. These places are found by comparing many slices. The code shares
+// nothing with the library.
 namespace endmill::test {
 
 using SlicedSums = std::array<long double, 8>;
@@ -47,7 +49,7 @@ private:
     struct Slice {
         long double from;
         long double to;
-        int form;  // which formulas hold: 0 where the slice is empty
+        int form;  // number of the valid formulas; 0 if the slice is empty
     };
 
     Slice slice(long double y) const
@@ -73,7 +75,7 @@ private:
                 s.form += 100;
             }
         }
-        // A slice through the region behind the axis is taken in two halves.
+        // A slice through the region behind the axis is split into two parts.
         s.form += s.from < -pi / 2 ? 1000 : 0;
         s.form += s.to < -pi / 2 ? 2000 : 0;
         return s.from < s.to ? s : Slice{0, 0, 0};
@@ -83,7 +85,7 @@ private:
     {
         constexpr int looks = 6000;
         std::vector<long double> found{-1, 0};
-        // Dense where slices are thin.
+        // The samples are dense where slices are thin.
         const auto look = [](int k) { return -std::cos(pi * (k + 0.3L) / looks); };
         for (int k = 1; k < looks; ++k) {
             long double low = look(k - 1);
@@ -110,12 +112,13 @@ private:
         for (int k = -100; k <= 100; ++k) {
             const long double u = k * step;
             const long double v = pi / 2 * std::sinh(u);
-            // Distance from the nearer end: exact also where it is tiny.
+            // Distance from the nearer end, accurate also where it is tiny.
             const long double near = (high - low) / (std::exp(2 * std::abs(v)) + 1);
             const long double y = v < 0 ? low + near : high - near;
             const long double weight = step * pi / 2 * std::cosh(u) * (high - low) / 2 /
                                        (std::cosh(v) * std::cosh(v));
-            // Where y is lost beside 1 the integrals are logarithms of it, and of no weight.
+            // Where y vanishes beside 1, the integrals are logarithms of y with
+            // negligible weight.
             if (!(y > low && y < high) || std::abs(y) < 1e-17L)
                 continue;
             add_slice(y, weight, total);
@@ -167,7 +170,8 @@ private:
         g[0] = y * (along * logarithm - down / ay * std::atan(rho * c / ay));
         g[1] = along * square - down * std::log(root);
         g[4] = along * arc - down * std::asinh(rho * c / ay);
-        // The area seen along the feed: 2 pi I7 is the section that a tooth removes.
+        // The area seen along the feed: 2 pi I7 is the cross-section that a tooth
+        // removes.
         g[6] = rho * std::sin(chi - lambda_);
         return g;
     }
@@ -180,13 +184,13 @@ private:
     long double top_;
 };
 
-/// The coefficients in a list.
+/// The coefficients as an array.
 inline std::array<double, 8> listed(const CuttingCoefficients& c)
 {
     return {c.I1, c.I2, c.I3, c.I4, c.I5, c.I6, c.I7, c.I8};
 }
 
-/// The largest difference between two lists.
+/// Largest difference between two arrays.
 inline double largest_difference(const std::array<double, 8>& a,
                                  const std::array<double, 8>& b)
 {
@@ -196,7 +200,7 @@ inline double largest_difference(const std::array<double, 8>& a,
     return largest;
 }
 
-/// I1 … I8 of the ball, without the shank; good to 1e-12.
+/// I1 to I8 of the ball without the shank, accurate to 1e-12.
 inline std::array<double, 8> sliced_coefficients(const BallEngagement& engagement,
                                                  ChipModel chip)
 {

@@ -16,14 +16,14 @@ namespace {
 
 using test::relative_error;
 
-// [ParkMaeng, fig. 4].
+// Data of [ParkMaeng, fig. 4].
 const std::vector<CuttingSpeedDatum> printed_data{
     {0.1168859, 64}, {0.2048328, 49}, {0.3333334, 43}, {0.5000001, 37}};
 constexpr double printed_alpha = 0.3680141;
 constexpr ToolCosts printed_costs{
     .change_min = 40, .tool = 20000, .machine_per_min = 200};
 
-// Least squares by the normal equations in long double, another way than about the means.
+// Least squares by the normal equations in long double, without subtracting the means.
 long double normal_equations_slope(const std::vector<CuttingSpeedDatum>& data)
 {
     long double n = 0;
@@ -82,14 +82,14 @@ TEST(ToolLife, WithTheFittedExponentDiffersFromThePrint)
     EXPECT_NEAR(tool_life_constant(line, life), 213.808861, 1e-6);
 }
 
-// Cost a part of a volume that is cut at the speed V, machine and worn tools; least at the
-// economic life. The life at V is (C/V)^(1/alpha).
+// Cost per part of machine and worn tools, for a volume cut at the speed V. It is least
+// at the economic life. The life at V is (C/V)^(1/alpha).
 TEST(ToolLife, IsTheCheapest)
 {
     for (const double alpha : {0.12, printed_alpha, 0.7}) {
         const double best = economic_tool_life(alpha, printed_costs);
         const auto cost = [&](double life) {
-            const double time = std::pow(life, alpha);  // 1/V
+            const double time = std::pow(life, alpha);  // proportional to 1/V
             return time * printed_costs.machine_per_min *
                    (1 + (printed_costs.change_min +
                          printed_costs.tool / printed_costs.machine_per_min) /
@@ -120,7 +120,8 @@ TEST(ToolLife, ExactDataOnALineAreFittedExactly)
     }
 }
 
-// C_b and T0 cancel: the speed of the life equation at the economic life is the line's.
+// C_b and T0 cancel: at the economic life the tool-life equation gives the speed of the
+// line.
 TEST(ToolLife, CostsDoNotChangeTheEconomicSpeed)
 {
     const SpeedLine line = fitted_speed_line(printed_data);

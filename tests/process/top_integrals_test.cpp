@@ -11,7 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-// The top goes round at the equator; the front takes back what it covers behind.
+// 2 pi I6 of a slot is pi - 2 lambda (docs/mathematics/ball-end-milling.md, section 9,
+// A7): the top contributes pi and the front -2 lambda.
 TEST(TopIntegrals, OfASlotAddUpToItsArea)
 {
     for (const double lambda : {-0.8, -0.2, 0.3, 1.1}) {

@@ -7,7 +7,7 @@
 // Deterministic, about 60 s on one core. Columns: README.md beside this.
 
 #include "endmill/core/text.h"
-#include "endmill/process/segment_load.h"
+#include "endmill/process/feed_plan.h"
 #include "support/experiment.h"
 #include "support/milling_jobs.h"
 #include "support/peak_force_table.h"

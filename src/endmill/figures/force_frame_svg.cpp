@@ -10,12 +10,18 @@
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+<<<<<<< HEAD:src/endmill/figures/force_frame_svg.cpp
 #include "endmill/figures/detail/ball_lines.h"
 #include "endmill/process/force_profile.h"
 
 // The directions of the force components are not drawn from formulas of this file. They
 // are taken from the force model itself (`ForceProfile`), so the figure shows the signs
 // that the program uses.
+=======
+#include "endmill/process/cutting_force.h"
+#include "endmill/process/detail/engaged_region.h"
+#include "support/named_cells.h"
+>>>>>>> own-process:experiments/support/force_frame_drawing.cpp
 
 namespace endmill {
 namespace {
@@ -52,12 +58,14 @@ CuttingForce force_with(const EdgeElement& element, Milling milling, double radi
                                    .r4 = axial,
                                    .alpha = 0.5,
                                    .v1_m_per_min = 1};
-    return ForceProfile{{.engagement = element.engagement,
-                         .material = material,
-                         .tool = {.radius = 1, .flutes = 1},
-                         .feed_per_tooth_mm = 1,
-                         .milling = milling}}
-        .at(element.azimuth);
+    const std::array turns{element.azimuth};
+    return force_profile({.engagement = element.engagement,
+                          .material = material,
+                          .tool = {.radius = 1, .flutes = 1},
+                          .feed_per_tooth_mm = 1,
+                          .milling = milling},
+                         turns)
+        .front();
 }
 
 // The force as a vector, in N.

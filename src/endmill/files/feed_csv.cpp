@@ -50,7 +50,7 @@ void append_feed(std::string& text, const SegmentFeed& row)
     append(text, row.tooth.feed_per_tooth_mm);
     append(text, row.peak_factor);
     text += ',';
-    text += feed_limit_name(said_limit(row));
+    text += feed_limit_name(reported_limit(row));
     text += ',';
     text += speed_limit_name(row.table.speed_limit);
     append(text, row.loads.cutting_force_n);

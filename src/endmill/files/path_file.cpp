@@ -12,7 +12,6 @@
 #include "endmill/files/detail/tool_path_reader.h"
 #include "endmill/files/read_file.h"
 #include "endmill/post/apt.h"
-#include "endmill/post/canonical_reader.h"
 #include "endmill/post/gcode_reader.h"
 
 namespace endmill {

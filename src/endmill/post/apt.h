@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+/// \file
+/// Reader and writer of CL data (cutter location data) in the words of APT.
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -12,46 +15,56 @@
 
 namespace endmill {
 
-/// What is accepted before the reader gives up.
+/// Limits of what the APT reader accepts.
 struct AptReadOptions {
-    double max_extent_mm = 1e6;            ///< largest magnitude of a coordinate
-    std::size_t most_points = 10'000'000;  ///< of the path
+    double max_extent_mm = 1e6;            ///< mm, largest magnitude of a coordinate
+    std::size_t most_points = 10'000'000;  ///< largest number of path points
 };
 
-/// Whether the first statement of `text` is one of those that `parse_apt` knows.
+/// Whether the first statement of `text` is one that `parse_apt` knows.
 bool is_apt(std::string_view text);
 
-/// Reads CL data in the words that `apt` writes, and REMARK, PPRINT, `$$` (comments),
-/// LOADTL, COOLNT, STOP (nothing to do). Small letters and blanks between words do not
-/// matter; numbers are plain decimals. CUTTER without a corner radius is a flat end mill.
-/// What follows FINI is left out, which a remark says. Moves are as `feed_move` has them;
-/// the first is a plunge unless it is a rapid. All points are of pass 0.
-/// \param file the name for messages.
-/// \throws FormatError E_APT with the line for any other statement or unit, a wrong count
-///         of numbers, a feed or a speed that is not above 0, a cutter that cannot be or
-///         is not the first, an axis whose length is not 1 (`unit_axis`); if there
-///         is no GOTO. E_RANGE for a coordinate beyond the limit, E_LIMIT for a line over
-///         1 MiB, E_EMPTY for an empty text.
+/// Reads CL data with the statements that `apt` writes, and with REMARK, PPRINT and `$$`
+/// (comments) and LOADTL, COOLNT and STOP (no effect). Case and blanks between words do
+/// not matter. Numbers are plain decimals. CUTTER without a corner radius is a flat end
+/// mill.
+///
+/// A move straight down is a plunge, straight up a retract, otherwise a cut; after RAPID
+/// it is a rapid. The first move is a plunge unless it is a rapid. All points belong to
+/// pass 0. Text after FINI is ignored, which a remark states.
+/// \param text the CL data.
+/// \param file name of the file for messages.
+/// \param options limits.
+/// \throws FormatError with file and line. E_APT for any other statement or unit, a wrong
+///         count of numbers, a feed or speed that is not above 0, an impossible cutter or
+///         one that differs from the first, an axis whose length is not 1 within 1e-4, or
+///         if there is no GOTO. E_RANGE for a coordinate beyond the limit, E_LIMIT for a
+///         line over 1 MiB, E_EMPTY for an empty text.
 /// \throws LimitError for more points than the limit.
+/// Source: docs/mathematics/removal.md, section 7.
 Program parse_apt(std::string_view text, const std::string& file,
                   const AptReadOptions& options = {});
 
-/// What a path does not say of itself.
+/// Data that a path does not contain, and the format of its CL data.
 struct AptOptions {
-    std::string name = {};                       ///< of the part, for PARTNO
-    std::optional<Cutter> cutter = {};           ///< for CUTTER, left out if unknown
-    std::optional<double> feed_mm_per_min = {};  ///< where the path gives none
-    std::optional<double> spindle_rpm = {};      ///< where the path gives none
-    int decimals = 4;  ///< of coordinates, feeds, speeds; 0 to 9
+    std::string name = {};              ///< name of the part, for PARTNO
+    std::optional<Cutter> cutter = {};  ///< for CUTTER, which is left out without one
+    std::optional<double> feed_mm_per_min = {};  ///< mm/min, for moves without a feed
+    std::optional<double> spindle_rpm = {};  ///< rpm, for moves without a spindle speed
+    int decimals = 4;  ///< digits after the point of coordinates, feeds, speeds; 0 to 9
 };
 
 /// The path as CL data in the words of APT (ISO 4343): PARTNO, UNITS/MM, CUTTER, then
 /// SPINDL and FEDRAT where they change, RAPID before each rapid move, GOTO to each tip,
-/// with the axis where that is not +z, and FINI. The cutter and axes are spelled so that
-/// they read back to the same doubles. What a tool's number and a safe start are is the
-/// post-processor's affair: neither is written.
-/// Source: spec of the removal, section 7.
-/// \throws DomainError as `gcode`, for points, decimals, feeds and speeds.
+/// with the axis where it is not +z, and FINI. The cutter and the axes are written
+/// exactly: they read back to the same doubles. The tool number and a safe start are left
+/// to the post-processor that reads the data.
+/// \param path the path.
+/// \param options format and missing data.
+/// \throws DomainError for a path without points; for decimals outside 0 to 9; if a move
+///         at feed has no feed; for a feed or spindle speed that is not above 0 after
+///         rounding; for a negative tool number; for a number that is not finite.
+/// Source: docs/mathematics/removal.md, section 7.
 WrittenProgram apt(const ToolPath& path, const AptOptions& options = {});
 
 }  // namespace endmill

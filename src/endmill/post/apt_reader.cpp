@@ -14,6 +14,14 @@
 #include "endmill/post/detail/text_lines.h"
 #include "endmill/post/detail/unit_axis.h"
 
+// The reader handles one statement per line:
+// 1. `statement_of` removes a comment and splits the line into a word and its rest.
+// 2. GOTO appends a point with the feed and speed in force. FEDRAT and SPINDL change
+//    these until the next such statement; RAPID makes the next GOTO a rapid.
+// 3. FINI ends the path. After it, `finish` checks that there is a path and adds remarks
+//    on missing statements.
+// Any unknown statement is an error, because it might move the tool.
+
 namespace endmill {
 namespace {
 
@@ -21,7 +29,7 @@ constexpr const char* known_statements =
     "PARTNO, UNITS, CUTTER, SPINDL, FEDRAT, RAPID, GOTO, FINI, REMARK, PPRINT, LOADTL, "
     "COOLNT, STOP or a comment after $$";
 
-// Blanks carry no meaning in APT but inside texts.
+// `text` without surrounding blanks, which have no meaning in APT outside texts.
 std::string_view trimmed(std::string_view text)
 {
     text = without_indent(text);
@@ -36,13 +44,13 @@ char upper(char letter)
                                           : letter;
 }
 
-// Whether `text` is `word` but for small letters.
+// Whether `text` equals `word`, which is in capitals, in any case.
 bool is_word(std::string_view text, std::string_view word)
 {
     return std::ranges::equal(text, word, {}, upper);
 }
 
-// A statement: WORD, WORD/REST or, for texts, WORD REST.
+// A statement of the form WORD, WORD/REST or, for texts, WORD REST.
 struct Statement {
     std::string_view word;
     std::string_view rest;
@@ -55,8 +63,9 @@ struct Statement {
     }
 };
 
-// The word ends where its letters do, so that "RAPID/", "PARTNO x" and "GOTO /1" are cut
-// alike, and whatever is no word leaves an empty one.
+// The statement of a line. The word is the run of letters at its beginning, which handles
+// "RAPID/", "PARTNO x" and "GOTO /1" alike. A line that does not begin with a letter has
+// an empty word.
 Statement statement_of(std::string_view line)
 {
     line = trimmed(line.substr(0, line.find("$$")));
@@ -71,16 +80,16 @@ Statement statement_of(std::string_view line)
     return statement;
 }
 
-// Statements whose rest is for people.
+// Statements whose rest is text for people.
 constexpr std::array<std::string_view, 3> text_words{"PARTNO", "REMARK", "PPRINT"};
-// Statements about the machine, of which a path has nothing to say.
+// Statements about the machine, which have no effect on the path.
 constexpr std::array<std::string_view, 3> ignored_words{"LOADTL", "COOLNT", "STOP"};
-// Statements that make the path.
+// Statements that define the path.
 constexpr std::array<std::string_view, 7> read_words{
     "UNITS", "CUTTER", "SPINDL", "FEDRAT", "RAPID", "GOTO", "FINI"};
 
-// Goes through the statements and keeps what is in force: feed and speed until others are
-// told, RAPID until the next GOTO.
+// Runs the statements and stores what is in force: feed and speed until they change,
+// RAPID until the next GOTO.
 class AptReader {
 public:
     AptReader(std::string_view text, const std::string& file,
@@ -121,7 +130,7 @@ private:
                                    known_statements);
     }
 
-    // The parts between the commas after the slash.
+    // The parts between the commas after the slash, valid until the next call.
     std::span<const std::string_view> arguments(const Statement& statement)
     {
         arguments_.clear();
@@ -150,7 +159,7 @@ private:
         throw lines_.complaint(quoted(trimmed(lines_.line())), expected);
     }
 
-    // The one statement that moves the tool.
+    // GOTO is the only statement that moves the tool.
     void read_goto(const Statement& statement)
     {
         const auto parts = arguments(statement);
@@ -184,7 +193,7 @@ private:
         return *unit;
     }
 
-    // A rapid has no feed, though the one in force stays so for the move after it.
+    // A rapid has no feed. The feed in force is kept for the move after it.
     void add_point(const CutterLocation& location)
     {
         std::vector<PathPoint>& points = program_.path.points;
@@ -198,14 +207,15 @@ private:
         else if (!points.empty())
             move = feed_move(points.back().location.tip, location.tip);
         points.push_back({0, static_cast<int>(points.size()), move, location, {}});
-        CuttingConditions told = told_;
+        CuttingConditions conditions = conditions_;
         if (is_rapid_)
-            told.feed_mm_per_min.reset();
-        program_.path.conditions.push_back(told);
+            conditions.feed_mm_per_min.reset();
+        program_.path.conditions.push_back(conditions);
         is_rapid_ = false;
     }
 
-    // RAPID and FINI take nothing: what stands there was meant for something else.
+    // RAPID and FINI have no arguments. An argument is refused, because its meaning is
+    // unknown.
     void read_bare(const Statement& statement)
     {
         if (statement.has_slash || !statement.rest.empty())
@@ -221,8 +231,8 @@ private:
         const auto parts = arguments(statement);
         if (parts.size() != 2 || !is_word(parts[1], "MMPM"))
             refuse("FEDRAT/feed,MMPM");
-        told_.feed_mm_per_min = number(parts[0]);
-        if (!(*told_.feed_mm_per_min > 0))
+        conditions_.feed_mm_per_min = number(parts[0]);
+        if (!(*conditions_.feed_mm_per_min > 0))
             refuse("a feed above 0");
     }
 
@@ -231,8 +241,8 @@ private:
         const auto parts = arguments(statement);
         if (parts.size() != 3 || !is_word(parts[1], "RPM") || !is_word(parts[2], "CLW"))
             refuse("SPINDL/speed,RPM,CLW");
-        told_.spindle_rpm = number(parts[0]);
-        if (!(*told_.spindle_rpm > 0))
+        conditions_.spindle_rpm = number(parts[0]);
+        if (!(*conditions_.spindle_rpm > 0))
             refuse("a speed above 0");
     }
 
@@ -245,14 +255,14 @@ private:
         const double corner = parts.size() == 2 ? number(parts[1]) : 0;
         if (!(radius > 0 && 0 <= corner && corner <= radius))
             refuse("a diameter above 0 and a corner radius from 0 to half of it");
-        // A path is of one cutter; to repeat it does no harm.
+        // A path has one cutter; the same statement may be repeated.
         const Cutter cutter{radius, corner};
         if (program_.cutter && *program_.cutter != cutter)
             refuse("one cutter for the whole path");
         program_.cutter = cutter;
     }
 
-    // Other units would scale feeds as well, by words of their own: refused, not guessed.
+    // Other units are refused: they would also change the words of the feeds.
     void read_units(const Statement& statement)
     {
         const auto parts = arguments(statement);
@@ -261,31 +271,31 @@ private:
         has_units_ = true;
     }
 
-    // Whether the file was whole can only be said at its end.
+    // Completes the program at the end of the file.
     void finish()
     {
         ToolPath& path = program_.path;
         if (path.points.empty())
             throw FormatError{"E_APT", {lines_.file(), "", "no GOTO", "a path"}};
-        const auto says_nothing = [](const CuttingConditions& told) {
-            return told == CuttingConditions{};
+        const auto is_empty = [](const CuttingConditions& conditions) {
+            return conditions == CuttingConditions{};
         };
-        if (std::ranges::all_of(path.conditions, says_nothing))
+        if (std::ranges::all_of(path.conditions, is_empty))
             path.conditions.clear();
         if (!has_units_)
-            program_.remarks.emplace_back("no UNITS statement: taken as mm");
+            program_.remarks.emplace_back("no UNITS statement: lengths are taken as mm");
         if (!is_finished_)
             program_.remarks.emplace_back(
                 "no FINI at the end: the file may be cut short");
         else if (!trimmed(lines_.rest()).empty())
-            program_.remarks.emplace_back("what follows FINI is left out");
+            program_.remarks.emplace_back("text after FINI is ignored");
     }
 
     TextLines lines_;
     const AptReadOptions& options_;
     std::vector<std::string_view> arguments_;
     Program program_;
-    CuttingConditions told_;
+    CuttingConditions conditions_;  // in force
     bool is_rapid_ = false;
     bool is_finished_ = false;
     bool has_units_ = false;

@@ -13,10 +13,12 @@
 namespace endmill {
 namespace {
 
-// Most statements are shorter: GOTO/-100.1234,-100.1234,-10.1234 and a line feed.
+// Memory reserved per point. A typical long statement is
+// GOTO/-100.1234,-100.1234,-10.1234 with a line feed.
 constexpr std::size_t likely_bytes_per_point = 36;
 
-// Appends statements and knows which feed and speed are in force.
+// Appends statements. Stores the feed and speed statements in force, so that each is
+// written only where it changes.
 class StatementWriter {
 public:
     StatementWriter(const AptOptions& options, std::size_t points) : options_{options}
@@ -37,12 +39,12 @@ public:
         add(cutter);
     }
 
-    void add_point(const PathPoint& point, const CuttingConditions& told)
+    void add_point(const PathPoint& point, const CuttingConditions& conditions)
     {
-        if (told.spindle_rpm)
-            add_changed("SPINDL/", *told.spindle_rpm, ",RPM,CLW", speed_);
-        if (told.feed_mm_per_min)
-            add_changed("FEDRAT/", *told.feed_mm_per_min, ",MMPM", feed_);
+        if (conditions.spindle_rpm)
+            add_changed("SPINDL/", *conditions.spindle_rpm, ",RPM,CLW", speed_);
+        if (conditions.feed_mm_per_min)
+            add_changed("FEDRAT/", *conditions.feed_mm_per_min, ",MMPM", feed_);
         if (point.move == Move::Rapid)
             add("RAPID");
         add_goto(point.location);
@@ -58,7 +60,7 @@ public:
     WrittenProgram take() { return std::move(program_); }
 
 private:
-    // A statement that holds until another is told.
+    // Adds a modal statement unless the same one is in force.
     void add_changed(std::string_view word, double value, std::string_view unit,
                      std::string& in_force)
     {
@@ -70,7 +72,8 @@ private:
         in_force = std::move(statement);
     }
 
-    // The axis is exact: to round it would turn the tool, not just shift it.
+    // The tip is rounded to the decimals. The axis is written exactly, because rounding
+    // it would tilt the tool.
     void add_goto(const CutterLocation& location)
     {
         std::string& text = program_.text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/canonical_reader.h"
+#include "endmill/post/gcode_reader.h"
 
 #include <algorithm>
 #include <array>
@@ -17,10 +17,20 @@
 #include "endmill/post/detail/program_builder.h"
 #include "endmill/post/detail/text_lines.h"
 
+// Every line of canonical output is one command with arguments, already resolved by the
+// interpreter. The reader
+// 1. splits the line into the name and the arguments,
+// 2. calls the handler of the name: motions go to the ProgramBuilder, settings change the
+//    state,
+// 3. passes over commands that cannot move the tool, and refuses unknown ones.
+// Offsets and rotations are only checked, not applied: while one is not 0, a motion is an
+// error.
+
 namespace endmill {
 namespace {
 
-constexpr double half_last_decimal = 5e-5;  // of four, in the program's unit
+constexpr double half_last_decimal =
+    5e-5;  // of four decimals, in the unit of the program
 constexpr double mm_per_inch = 25.4;
 
 class CanonicalReader {
@@ -62,9 +72,10 @@ private:
             (this->*handler)();
         else if (!is_idle_command(line->name))
             throw lines_.complaint("canonical command " + quoted(line->name),
-                                   "straight moves, arcs, and what does not move");
+                                   "a straight move, an arc or a command without motion");
     }
 
+    // The handler of a command, or null.
     static Handler handler_of(std::string_view name)
     {
         static constexpr std::array<std::pair<std::string_view, Handler>, 20> handlers{{
@@ -95,6 +106,7 @@ private:
         return nullptr;
     }
 
+    // The next argument as a number.
     double number()
     {
         const auto argument = take_argument(arguments_);
@@ -105,15 +117,17 @@ private:
         return *value;
     }
 
+    // The next argument as a length in mm.
     double length() { return number() * mm_per_unit_; }
 
+    // The next argument as a word; empty if there is none.
     std::string_view word()
     {
         const auto argument = take_argument(arguments_);
         return argument ? *argument : std::string_view{};
     }
 
-    // The rotary axes at the end of a move.
+    // The remaining arguments of a move are the rotary axes, which must be 0.
     void expect_no_rotation()
     {
         while (!without_indent(arguments_).empty())
@@ -158,8 +172,8 @@ private:
         note_precision();
     }
 
-    // The interpreter says where it is only by its moves: before the first the start of an
-    // arc is unknown.
+    // The output states positions only by moves, so the start of an arc before the first
+    // move is unknown. That arc is left out; its end begins the path.
     void go_along(const Arc& arc)
     {
         const MoveFeed pace = feed();
@@ -171,9 +185,9 @@ private:
             return;
         }
         for (const double coordinate : arc.centre)
-            check_extent(coordinate, options_, lines_);
+            check_extent(coordinate, options_.max_extent_mm, lines_);
         for (const double coordinate : arc.end)
-            check_extent(coordinate, options_, lines_);
+            check_extent(coordinate, options_.max_extent_mm, lines_);
         check_radii(arc, lines_);
         builder_.go_along(arc, pace);
     }
@@ -181,28 +195,30 @@ private:
     MoveFeed feed() const
     {
         if (!(feed_mm_per_min_ > 0))
-            throw lines_.complaint("a move at cutting feed before any feed rate",
+            throw lines_.complaint("a move at feed before any feed rate",
                                    "SET_FEED_RATE above 0");
-        return {feed_mm_per_min_, false};
+        return {feed_mm_per_min_, FeedMode::PerMinute};
     }
 
     void note_precision()
     {
         if (!is_unit_said_)
-            builder_.remark("no USE_LENGTH_UNITS before motion: taken as mm");
+            builder_.remark("no USE_LENGTH_UNITS before motion: lengths are taken as mm");
         error_mm_ = std::max(error_mm_, half_last_decimal * mm_per_unit_);
     }
 
-    // In the unit in force; under G93 the interpreter gives each move its own.
+    // The rate is in the unit in force. Under G93 the interpreter prints one rate per
+    // move.
     void set_feed_rate()
     {
         const double rate = length();
         if (!(rate >= 0 && std::isfinite(rate)))
-            throw lines_.complaint("feed rate " + brief(rate), "one of at least 0");
+            throw lines_.complaint("feed rate " + brief(rate),
+                                   "a feed rate of at least 0");
         feed_mm_per_min_ = rate;
     }
 
-    // Spindle and mode; earlier releases have the mode alone.
+    // Arguments: spindle and mode. Earlier releases print the mode alone.
     void set_feed_mode()
     {
         double mode = number();
@@ -239,7 +255,7 @@ private:
 
     void set_g5x_offset()
     {
-        number();  // which of the coordinate systems
+        number();  // number of the coordinate system
         g5x_line_ = is_all_zero() ? 0 : lines_.number();
     }
 
@@ -247,6 +263,7 @@ private:
 
     void set_xy_rotation() { rotation_line_ = is_all_zero() ? 0 : lines_.number(); }
 
+    // Whether all remaining arguments are 0.
     bool is_all_zero()
     {
         bool all = true;
@@ -255,8 +272,9 @@ private:
         return all;
     }
 
-    // Coordinates are the programmed ones, with the offsets beside them. The interpreter
-    // prints those of its own table before motion, and of others after it.
+    // Coordinates do not include the offsets, so a move under an offset would be
+    // misplaced. An offset that is not 0 is therefore refused, but only at a move: the
+    // interpreter prints the offsets of its own table before any motion.
     void expect_no_offset() const
     {
         const std::array offsets{std::pair{"SET_G5X_OFFSET", g5x_line_},
@@ -266,18 +284,19 @@ private:
             if (line != 0)
                 throw lines_.complaint(std::string{"a move under the "} + name +
                                            " of line " + std::to_string(line),
-                                       "offsets and rotations of 0");
+                                       "all offsets and rotations to be 0");
     }
 
-    // Its numbers are separated by blanks and commas; only whether all are 0 matters.
+    // The numbers are separated by blanks and commas. The handler only checks whether all
+    // are 0.
     void use_tool_length_offset()
     {
         if (arguments_.find_first_of("123456789") != std::string_view::npos)
             builder_.remark(
-                "the tool length is taken as already in the control's tool table");
+                "the tool length is assumed to be in the control's tool table already");
     }
 
-    // Spindle and speed; earlier releases have the speed alone.
+    // Arguments: spindle and speed. Earlier releases print the speed alone.
     void set_spindle_speed()
     {
         double rpm = number();
@@ -289,7 +308,8 @@ private:
     void start_spindle() { builder_.start_spindle(); }
     void stop_spindle() { builder_.stop_spindle(); }
 
-    // Spindle and highest speed, with no comma between them; 0 is a constant speed (G97).
+    // Arguments: spindle and highest speed, without a comma. 0 means constant spindle
+    // speed (G97).
     void set_spindle_mode()
     {
         const std::size_t blank = arguments_.find(' ');
@@ -308,10 +328,10 @@ private:
 
     void select_tool() { builder_.select_tool(tool_number()); }
 
-    // M61: the spindle has this tool.
+    // M61 states the tool in the spindle.
     void change_tool_number() { builder_.change_tool(tool_number()); }
 
-    // Its argument is the tool's place in the changer, not its number.
+    // The argument is the tool's pocket in the changer, not its number.
     void change_tool() { builder_.change_tool(); }
 
     void end_program() { has_ended_ = true; }
@@ -319,15 +339,16 @@ private:
     TextLines lines_;
     GcodeReadOptions options_;
     ProgramBuilder builder_;
-    std::string_view arguments_;    // of the line, those that are still to be read
+    std::string_view arguments_;    // of the current line, not yet read
     Vec3 position_ = Vec3::Zero();  // of the programmed point, mm
     ArcPlane plane_ = ArcPlane::Xy;
     double feed_mm_per_min_ = 0;
     double mm_per_unit_ = 1;
     double error_mm_ = half_last_decimal;
-    std::size_t g5x_line_ = 0;  // where it became other than 0; 0 if it is 0
-    std::size_t g92_line_ = 0;
-    std::size_t rotation_line_ = 0;
+    std::size_t g5x_line_ =
+        0;  // line that set an offset other than 0; 0 if the offset is 0
+    std::size_t g92_line_ = 0;       // likewise
+    std::size_t rotation_line_ = 0;  // likewise
     bool is_unit_said_ = false;
     bool has_ended_ = false;
 };
@@ -336,7 +357,7 @@ private:
 
 bool is_canonical(std::string_view text)
 {
-    constexpr std::size_t longest = 4096;  // of a first line, so that it costs nothing
+    constexpr std::size_t longest = 4096;  // bytes of the first line that are examined
     text = without_indent(text).substr(0, longest);
     return canonical_line(text.substr(0, text.find('\n'))).has_value();
 }

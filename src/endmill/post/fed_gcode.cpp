@@ -9,35 +9,51 @@
 #include <vector>
 
 #include "endmill/core/error.h"
+#include "endmill/post/detail/gcode_interpreter.h"
 #include "endmill/post/detail/gcode_line.h"
 #include "endmill/post/detail/plain_number.h"
 #include "endmill/post/detail/text_lines.h"
-#include "endmill/post/gcode_reader.h"
+
+// The program is rewritten line by line, together with the list of its lines that move
+// (`gcode_moves`):
+// 1. A line that does not move keeps its text. Only its S becomes the speed of the next
+//    motion.
+// 2. The points of a line that moves are divided into runs of about equal feed and speed.
+//    A straight move has one point, so one run.
+// 3. One run: F and S of the line are set, if they differ from those in force.
+// 4. Several runs, on an arc: the arc is written as one arc per run. The first keeps the
+//    other words of the line, and all get new ends and centres.
+// A run gets the smallest speed and the smallest feed per revolution of its points, so
+// that no limit of the plan is exceeded anywhere on it.
 
 namespace endmill {
 namespace {
 
-// Controls override feeds by steps of a percent, and no limit of a plan is known to a
-// thousandth: chords that differ by less share an arc.
+// Relative difference of feeds and speeds below which chords share an arc. Controls
+// override feeds in steps of a percent, and no limit of a plan is known to a thousandth.
 constexpr double same_share = 1e-3;
 
-// Part of an arc, so that rounded ends never make a full circle or none of it.
-constexpr double longest_part = 0.9 * 2 * std::numbers::pi;  // rad
+// Largest angle of a part of an arc in rad, and shortest chord in mm at which an arc is
+// split. Both keep rounded ends apart, so that a part becomes neither a full circle nor
+// empty.
+constexpr double longest_part = 0.9 * 2 * std::numbers::pi;
 constexpr double shortest_chord_mm = 1e-4;
 
+// Digits after the point.
 constexpr int feed_decimals = 4;
-constexpr int fine_feed_decimals = 6;  // inches a minute, and one over the minutes
+constexpr int fine_feed_decimals = 6;  // feeds in inches per minute and under G93
 constexpr int speed_decimals = 4;
-constexpr int part_decimals = 6;
-constexpr int end_decimals = 9;  // of the end that was in the program
+constexpr int part_decimals = 6;  // new ends of parts of an arc
+constexpr int end_decimals = 9;   // the end that the program states, and centres
 
-// The points [first, end) of a move that share feed and speed.
+// The points [first, end) of a move that have about the same feed and speed.
 struct Run {
     std::size_t first;
     std::size_t end;
 };
 
-std::string told_number(double value, int decimals)
+// The text of a feed or a speed.
+std::string number_text(double value, int decimals)
 {
     std::string text;
     const double written =
@@ -64,7 +80,7 @@ public:
             if (move != moves.end() && lines.number() == move->line)
                 rewrite(line, *move++);
             else {
-                // What follows the last move stays as it is.
+                // Lines after the last move stay as they are.
                 if (move != moves.end())
                     pass_by(line, *move);
                 text_ += line.text();
@@ -75,43 +91,44 @@ public:
     }
 
 private:
-    const CuttingConditions& told(std::size_t point) const
+    const CuttingConditions& conditions(std::size_t point) const
     {
         return path_.conditions[point];
     }
 
-    // Of the programmed point.
+    // Position of the programmed point in mm.
     Vec3 place(std::size_t point) const
     {
         return path_.points[point].location.tip +
                options_.programmed_point_height_mm * Vec3::UnitZ();
     }
 
-    // A line that moves nothing: its speed is that of the motion to come.
+    // Rewrites a line that does not move: its S becomes the speed of the next motion. A
+    // kept F makes the feed in force unknown.
     void pass_by(GcodeLine& line, const GcodeMove& next)
     {
-        const auto speed = told(next.first).spindle_rpm;
+        const auto speed = conditions(next.first).spindle_rpm;
         if (line.has('S') && speed && line.number('S') > 0.0)
-            line.set('S', speed_ = told_number(*speed, speed_decimals));
+            line.set('S', speed_ = number_text(*speed, speed_decimals));
         if (line.has('F'))
             feed_.clear();
     }
 
     void rewrite(GcodeLine& line, const GcodeMove& move)
     {
-        if (move.modes.unit != unit_ || move.modes.inverse_time != is_inverse_time_)
+        if (move.modes.unit != unit_ || move.modes.feed != feed_mode_)
             feed_.clear();
         unit_ = move.modes.unit;
-        is_inverse_time_ = move.modes.inverse_time;
+        feed_mode_ = move.modes.feed;
         const std::vector<Run> runs = runs_of(line, move);
         if (runs.size() == 1)
-            tell(line, move.modes, runs[0]);
+            set_conditions(line, move.modes, runs[0]);
         else
             line = split(line, move, runs);
         text_ += line.text();
     }
 
-    // Writes all parts of an arc but the last. \return the last.
+    // Writes all parts of an arc except the last one, which is returned.
     GcodeLine split(const GcodeLine& line, const GcodeMove& move,
                     const std::vector<Run>& runs)
     {
@@ -122,7 +139,7 @@ private:
         Vec3 from = move.arc->start;
         for (const Run& run : runs) {
             from = add_ends(part, move, from, run);
-            tell(part, move.modes, run);
+            set_conditions(part, move.modes, run);
             if (run.end == move.end)
                 break;
             text_ += part.text() + '\n';
@@ -132,7 +149,8 @@ private:
         return part;
     }
 
-    // \return where the part ends as it is written.
+    // Adds the end and the centre of a part of an arc that starts at `from`. Returns the
+    // end as written, at which the next part starts.
     Vec3 add_ends(GcodeLine& part, const GcodeMove& move, const Vec3& from,
                   const Run& run) const
     {
@@ -140,7 +158,8 @@ private:
         const PlaneAxes axes = plane_axes(move.modes.plane);
         const bool is_last = run.end == move.end;
         const Vec3 to = is_last ? move.arc->end : place(run.end - 1);
-        const Vec3 origin = move.modes.incremental ? from : Vec3{Vec3::Zero()};
+        const bool is_increment = move.modes.distance == DistanceMode::Incremental;
+        const Vec3 origin = is_increment ? from : Vec3{Vec3::Zero()};
         Vec3 reached = from;
         for (int axis = 0; axis < 3; ++axis) {
             if (axis == axes.normal && move.arc->start[axis] == move.arc->end[axis])
@@ -152,7 +171,8 @@ private:
             part.set("XYZ"[axis], text);
         }
         for (const int axis : {axes.first, axes.second}) {
-            const double before = move.modes.absolute_centres ? 0 : from[axis];
+            const double before =
+                move.modes.centres == DistanceMode::Absolute ? 0 : from[axis];
             std::string text;
             append_trimmed(text, (move.arc->centre[axis] - before) / unit, end_decimals);
             part.set("IJK"[axis], text);
@@ -160,7 +180,8 @@ private:
         return reached;
     }
 
-    // M codes stay in one line with the whole of the motion: some stop the program behind it.
+    // An arc on a line with M codes is not split, because some of them stop the program
+    // after the motion of their line.
     std::vector<Run> runs_of(const GcodeLine& line, const GcodeMove& move) const
     {
         const Run whole{move.first, move.end};
@@ -184,15 +205,16 @@ private:
         return runs;
     }
 
-    // Whether feed and speed are known of all points or of none, and about the same.
+    // Whether the feeds of all points are about equal or all missing, and the speeds
+    // likewise.
     bool is_same(const Run& run) const
     {
         const auto is_about = [&](std::optional<double> CuttingConditions::*value) {
-            double least = (told(run.first).*value).value_or(0);
+            double least = (conditions(run.first).*value).value_or(0);
             double most = least;
             for (std::size_t i = run.first; i < run.end; ++i) {
-                least = std::min(least, (told(i).*value).value_or(0));
-                most = std::max(most, (told(i).*value).value_or(0));
+                least = std::min(least, (conditions(i).*value).value_or(0));
+                most = std::max(most, (conditions(i).*value).value_or(0));
             }
             return most <= (1 + same_share) * least;
         };
@@ -200,26 +222,29 @@ private:
                is_about(&CuttingConditions::spindle_rpm);
     }
 
-    // The least speed and the least feed a turn, so that all limits hold on all of the run.
-    CuttingConditions least_told(const Run& run) const
+    // The smallest speed and the smallest feed per revolution, so that all limits hold on
+    // the whole run.
+    CuttingConditions least_conditions(const Run& run) const
     {
-        CuttingConditions least = told(run.first);
+        CuttingConditions least = conditions(run.first);
         for (std::size_t i = run.first; i < run.end; ++i) {
-            if (!told(i).feed_mm_per_min)
+            if (!conditions(i).feed_mm_per_min)
                 least.feed_mm_per_min.reset();
-            if (least.spindle_rpm && told(i).spindle_rpm)
-                least.spindle_rpm = std::min(*least.spindle_rpm, *told(i).spindle_rpm);
+            if (least.spindle_rpm && conditions(i).spindle_rpm)
+                least.spindle_rpm =
+                    std::min(*least.spindle_rpm, *conditions(i).spindle_rpm);
         }
         for (std::size_t i = run.first; i < run.end && least.feed_mm_per_min; ++i) {
-            const double turns = least.spindle_rpm && told(i).spindle_rpm
-                                     ? *least.spindle_rpm / *told(i).spindle_rpm
+            const double turns = least.spindle_rpm && conditions(i).spindle_rpm
+                                     ? *least.spindle_rpm / *conditions(i).spindle_rpm
                                      : 1;
             least.feed_mm_per_min =
-                std::min(*least.feed_mm_per_min, turns * *told(i).feed_mm_per_min);
+                std::min(*least.feed_mm_per_min, turns * *conditions(i).feed_mm_per_min);
         }
         return least;
     }
 
+    // Length in mm of the moves to the points of a run.
     double length(const Run& run) const
     {
         double sum = 0;
@@ -228,33 +253,35 @@ private:
         return sum;
     }
 
-    void tell(GcodeLine& line, const GcodeModes& modes, const Run& run)
+    // Sets S and F of a line where they differ from those in force.
+    void set_conditions(GcodeLine& line, const GcodeModes& modes, const Run& run)
     {
-        const CuttingConditions least = least_told(run);
+        const CuttingConditions least = least_conditions(run);
         if (least.spindle_rpm) {
-            const std::string speed = told_number(*least.spindle_rpm, speed_decimals);
+            const std::string speed = number_text(*least.spindle_rpm, speed_decimals);
             if (line.has('S') || speed != speed_)
                 line.set('S', speed);
             speed_ = speed;
         }
-        // What goes nowhere has its time under G93, and no feed.
-        const bool has_feed =
-            least.feed_mm_per_min && !(modes.inverse_time && length(run) == 0);
+        // A move of length 0 has a time under G93, but no feed.
+        const bool has_feed = least.feed_mm_per_min &&
+                              !(modes.feed == FeedMode::InverseTime && length(run) == 0);
         if (has_feed)
-            tell_feed(line, modes, *least.feed_mm_per_min, run);
+            set_feed(line, modes, *least.feed_mm_per_min, run);
         else if (line.has('F'))
             feed_.clear();
     }
 
-    void tell_feed(GcodeLine& line, const GcodeModes& modes, double feed, const Run& run)
+    void set_feed(GcodeLine& line, const GcodeModes& modes, double feed, const Run& run)
     {
-        const bool is_fine = modes.inverse_time || modes.unit == GcodeUnit::Inch;
+        const bool is_inverse = modes.feed == FeedMode::InverseTime;
+        const bool is_fine = is_inverse || modes.unit == GcodeUnit::Inch;
         const std::string text =
-            told_number(feed / (modes.inverse_time ? length(run) : modes.mm_per_unit()),
+            number_text(feed / (is_inverse ? length(run) : modes.mm_per_unit()),
                         is_fine ? fine_feed_decimals : feed_decimals);
-        // A number that is right may stay as it is spelled.
+        // A word with the right number keeps its spelling.
         if (line.has('F') ? line.number('F') != plain_number(text)
-                          : modes.inverse_time || text != feed_)
+                          : is_inverse || text != feed_)
             line.set('F', text);
         feed_ = text;
     }
@@ -262,10 +289,10 @@ private:
     const GcodeReadOptions& options_;
     const ToolPath& path_;
     std::string text_;
-    std::string feed_;   // in force, as it is written; empty: not known
-    std::string speed_;  // ditto
+    std::string feed_;   // F in force, as written; empty if unknown
+    std::string speed_;  // S in force, as written; empty if unknown
     GcodeUnit unit_ = GcodeUnit::Unsaid;
-    bool is_inverse_time_ = false;
+    FeedMode feed_mode_ = FeedMode::PerMinute;
 };
 
 }  // namespace

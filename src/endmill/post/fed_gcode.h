@@ -5,27 +5,34 @@
 #include <string_view>
 
 #include "endmill/path/tool_path.h"
-#include "endmill/post/gcode_reader.h"
+#include "endmill/post/program.h"
 
 namespace endmill {
 
-/// The G-code program `text` with the feeds and spindle speeds of `path`: lines, comments, arcs
-/// and everything else stay as they stand. Only these words change: F and S of lines that move
-/// are set, or added where what is in force would be wrong; an S before motion becomes that of
-/// the motion. F is in the program's unit and feed mode, G93 and inches too.
+/// The G-code program `text` with the feeds and spindle speeds of `path`. Only F and S
+/// words change; lines, comments, arcs and all other words stay as they are.
 ///
-/// An arc keeps its line while its chords differ by at most a thousandth in feed and in speed: it
-/// has the least speed and the least feed a turn of them, so that no limit is passed. Otherwise
-/// it becomes several arcs on the same circle, of at most a turn each, written to 1e-6 of the
-/// unit. One in a line with M codes, which may stop the program, stays one.
+/// F and S are set on lines that move, or added where the value in force would be wrong.
+/// An S on a line before a motion becomes the S of that motion. F is in the unit and feed
+/// mode of the program, including inches and G93.
 ///
-/// \param path as `parse_gcode` gives for the same text and options, but for its conditions.
-///        Moves without a feed keep what their line says.
-/// \param file the name for messages.
+/// An arc keeps its line while its chords differ by at most 0.1 % in feed and in speed.
+/// The line then gets the smallest speed and the smallest feed per revolution of its
+/// chords, so that no limit is exceeded. Otherwise the arc is split into several arcs on
+/// the same circle, each below a full turn, with ends written to 1e-6 of the unit. An arc
+/// on a line with M codes is never split, because an M code may stop the program there.
+///
+/// \param text the program.
+/// \param file name of the file for messages.
+/// \param options the options with which the path was read.
+/// \param path the path that `parse_gcode` returns for the same text and options, with
+///        other conditions. Moves without a feed keep the feed of their line.
 /// \throws FormatError, LimitError as `parse_gcode`.
-/// \throws DomainError if the path has another number of points, or a feed or speed that is
-///         not above 0 once rounded to four decimals (feeds in inches or 1/min: six).
-/// Source: spec of ball-end milling, section 13; [KramerProctorMessina] for the language.
+/// \throws DomainError if the path has another number of points, or for a feed or speed
+///         that is not above 0 after rounding to four decimals (six for feeds in inches
+///         and under G93).
+/// Source: docs/mathematics/ball-end-milling.md, section 13; [KramerProctorMessina,
+/// section 3].
 std::string fed_gcode(std::string_view text, const std::string& file,
                       const GcodeReadOptions& options, const ToolPath& path);
 

@@ -12,17 +12,23 @@
 #include "endmill/post/detail/move_conditions.h"
 #include "endmill/post/detail/plain_number.h"
 
+// A program is written in three parts: start (%, comment, modes, path control), one block
+// per move, and end (retract, M5, M30, %). BlockWriter omits words that repeat the value
+// in force. A change of tool, including the first one, adds T and M6, the start of the
+// spindle and the way over the next point.
+
 namespace endmill {
 namespace {
 
-// Most blocks are shorter, and one that moves all three axes is about as long.
+// Memory reserved per point. A block that moves all three axes has about this length.
 constexpr std::size_t likely_bytes_per_point = 34;
-// Of half the tolerance: what the rounding of its digits may change.
+// Largest relative change of half the tolerance by rounding it for P.
 constexpr double negligible_share = 0.01;
 
-// The lowest height that is clear of the moves at feed, and as high as the path's own
-// rapids, which are free where they go: a program that is read and written again gets no
-// higher start.
+// The lowest height with the default clearance above all moves at feed and not below a
+// rapid of the path. Rapids need no clearance, because the path already uses their
+// height. A program that is read and written again therefore starts no higher than
+// before.
 double default_safe_height(const ToolPath& path)
 {
     double height = path.points.front().location.tip.z();
@@ -33,7 +39,8 @@ double default_safe_height(const ToolPath& path)
     return height;
 }
 
-// Rounded as it will be spelled, so that it counts as no rounding of the path.
+// The safe height as it will be written, so that its rounding does not count as an error
+// of the path.
 double safe_height(const ToolPath& path, const GcodeOptions& options)
 {
     std::string spelled;
@@ -52,7 +59,7 @@ double safe_height(const ToolPath& path, const GcodeOptions& options)
     return height;
 }
 
-// "G64 P…" so that corners are rounded off by at most half the tolerance.
+// "G64 P" with half the tolerance: the control may round corners by that much.
 std::string path_control(const GcodeOptions& options)
 {
     if (!options.tolerance)
@@ -60,14 +67,14 @@ std::string path_control(const GcodeOptions& options)
     const double half = *options.tolerance / 2;
     require(half > 0, "gcode: need a tolerance above 0");
     std::string text;
-    // A small one needs more digits than coordinates have.
+    // A small tolerance needs more decimals than coordinates.
     for (int decimals = options.decimals; decimals <= most_decimals; ++decimals) {
         text = "G64 P";
         const double rounded = append_trimmed(text, half, decimals);
         if (std::abs(rounded - half) <= negligible_share * half)
             return text;
     }
-    return "G61";  // too small for digits: corners are not to be rounded off at all
+    return "G61";  // too small for nine decimals: the control must not round corners
 }
 
 std::string shown(const Vec3& vector)
@@ -88,14 +95,14 @@ void require_upright(const ToolPath& path)
     }
 }
 
-// Start, moves, tool changes and end, in blocks.
+// Writes the blocks of a program.
 class ProgramWriter {
 public:
     ProgramWriter(const ToolPath& path, const GcodeOptions& options)
         : options_{options},
-          told_{path,
-                {options.feed_mm_per_min, options.spindle_rpm, options.tool},
-                options.decimals},
+          conditions_{path,
+                      {options.feed_mm_per_min, options.spindle_rpm, options.tool},
+                      options.decimals},
           blocks_{{options.decimals, options.line_numbers}}
     {
         program_.safe_height_mm = safe_height(path, options);
@@ -106,15 +113,15 @@ public:
     {
         start();
         for (std::size_t i = 0; i < path.points.size(); ++i)
-            add_point(path.points[i], told_.at(i));
+            add_point(path.points[i], conditions_.at(i));
         retract();
         for (const char* last : {"M5", "M30"})
             blocks_.add_block(last);
         blocks_.add_line("%");
         program_.lines = blocks_.lines();
         program_.max_rounding_error_mm = blocks_.max_rounding_error_mm();
-        program_.feed_mm_per_min = told_.feeds();
-        program_.spindle_rpm = told_.speeds();
+        program_.feed_mm_per_min = conditions_.feeds();
+        program_.spindle_rpm = conditions_.speeds();
         program_.text = std::move(blocks_.text());
         return std::move(program_);
     }
@@ -129,16 +136,16 @@ private:
         blocks_.add_block(path_control(options_));
     }
 
-    void add_point(const PathPoint& point, const CuttingConditions& told)
+    void add_point(const PathPoint& point, const CuttingConditions& conditions)
     {
         const Motion motion = point.move == Move::Rapid ? Motion::Rapid : Motion::Feed;
         const Vec3& tip = point.location.tip;
-        if (told.tool != tool_)
-            change_tool(told, motion, tip);
-        if (told.spindle_rpm)
-            blocks_.set_speed(*told.spindle_rpm);
+        if (conditions.tool != tool_)
+            change_tool(conditions, motion, tip);
+        if (conditions.spindle_rpm)
+            blocks_.set_speed(*conditions.spindle_rpm);
         const Vec3 from = blocks_.tip();
-        if (!blocks_.add_move(motion, tip, told.feed_mm_per_min))
+        if (!blocks_.add_move(motion, tip, conditions.feed_mm_per_min))
             ++program_.repeated_points;
         else if (motion == Motion::Rapid && is_slanted(from, blocks_.tip()))
             ++program_.slanted_rapids;
@@ -149,25 +156,26 @@ private:
         return from.z() != to.z() && from.head<2>() != to.head<2>();
     }
 
-    // The first tool is put over the first point; a later one over the last point, and
-    // down to it, so that the next move at feed is the path's own.
-    void change_tool(const CuttingConditions& told, Motion next, const Vec3& tip)
+    // The first tool goes over the first point. A later tool goes over the last point and
+    // down to it, so that the next move at feed starts where the path has it.
+    void change_tool(const CuttingConditions& conditions, Motion next, const Vec3& tip)
     {
         const std::optional<Vec3> back =
             tool_ ? std::optional{blocks_.tip()} : std::nullopt;
         if (back)
             retract();
-        tool_ = told.tool;
-        blocks_.add_block('T' + std::to_string(*told.tool) + " M6");
-        if (told.spindle_rpm)
-            blocks_.set_speed(*told.spindle_rpm);
+        tool_ = conditions.tool;
+        blocks_.add_block('T' + std::to_string(*conditions.tool) + " M6");
+        if (conditions.spindle_rpm)
+            blocks_.set_speed(*conditions.spindle_rpm);
         blocks_.start_spindle();
         go_over(back.value_or(tip));
         if (back && next == Motion::Feed)
-            blocks_.add_move(next, *back, told.feed_mm_per_min);
+            blocks_.add_move(next, *back, conditions.feed_mm_per_min);
     }
 
-    // Up first, wherever the tool stands, then level.
+    // Rises vertically first, because the position of the tool is unknown, then moves
+    // level.
     void go_over(const Vec3& place)
     {
         blocks_.forget_position();
@@ -184,7 +192,7 @@ private:
     }
 
     const GcodeOptions& options_;
-    MoveConditions told_;
+    MoveConditions conditions_;
     BlockWriter blocks_;
     WrittenProgram program_;
     std::optional<int> tool_;

@@ -10,39 +10,50 @@
 
 namespace endmill {
 
-/// How far above the moves at feed the safe height lies at least if nobody says, in mm.
+/// Default clearance in mm between the moves at feed and the safe height.
 inline constexpr double default_clearance_mm = 5;
 
-/// What a path does not say of itself, and how its program is spelled.
+/// Data that a path does not contain, and the format of its program.
 struct GcodeOptions {
-    std::string name = {};                       ///< for the comment at the start
-    std::optional<Cutter> cutter = {};           ///< ditto
-    std::optional<double> feed_mm_per_min = {};  ///< where the path gives none
-    std::optional<double> spindle_rpm = {};      ///< where the path gives none
-    int tool = 1;                                ///< where the path gives none
-    std::optional<double> safe_height = {};      ///< mm; default 5 above the moves at
-                                                 ///< feed, but not below a rapid
-    std::optional<double> tolerance = {};        ///< mm, that the path was planned to
-    int decimals = 4;                            ///< of coordinates, 0 to 9
-    bool line_numbers = false;                   ///< N1, N2, ... on every block
-    bool comments = true;                        ///< the one at the start
+    std::string name = {};  ///< name of the program, for the comment at the start
+    std::optional<Cutter> cutter = {};           ///< cutter, for the comment at the start
+    std::optional<double> feed_mm_per_min = {};  ///< mm/min, for moves without a feed
+    std::optional<double> spindle_rpm = {};  ///< rpm, for moves without a spindle speed
+    int tool = 1;                            ///< tool number, for moves without one
+    /// mm. Default: `default_clearance_mm` above the moves at feed, but not below a
+    /// rapid.
+    std::optional<double> safe_height = {};
+    std::optional<double> tolerance =
+        {};                     ///< mm, tolerance for which the path was planned
+    int decimals = 4;           ///< digits after the point of coordinates, 0 to 9
+    bool line_numbers = false;  ///< whether every block has a number N1, N2, ...
+    bool comments = true;       ///< whether the comment at the start is written
 };
 
-/// The path as a program in the subset of RS-274 that 3-axis controls share: millimetres,
-/// plain decimals, the words X Y Z F S and G0, G1 only where they change. Rapid moves are
-/// G0, all others G1. Before the first point the tool rises to the safe height and goes
-/// over it; after the last it rises again; where the path changes the tool, both.
-/// Coordinates are tips; the tool's length is the control's affair.
+/// The path as a program in the subset of RS-274 that three-axis controls share:
+/// millimetres, plain decimals, and the words X, Y, Z, F, S, G0 and G1 only where they
+/// change. Rapid moves are G0, all others G1. Coordinates are those of the tip; the
+/// control applies the tool length.
 ///
-/// `G64 P` is half the tolerance, rounded down, so that what the control rounds off at
-/// corners leaves the other half; without tolerance it is plain `G64`. F and S have as
-/// many digits as coordinates, less the zeros at their end.
-/// Source: spec of the removal, section 6.
-/// \throws DomainError for a path without points; for decimals out of range; if a move at
-///         feed has none; for a feed or a spindle speed that is not above 0 once rounded;
-///         for a negative tool number; if the safe height lies below the path; if the
-///         tolerance is not above 0; for a number that is not finite.
-/// \throws GeometryError unless the axis of every point is +z: three axes cannot turn it.
+/// Before the first point the tool rises to the safe height and goes over the point.
+/// After the last point it rises again. Where the path changes the tool, it rises,
+/// changes the tool, returns over the last point and comes down to it.
+///
+/// The path control is `G64 P` with half the tolerance, so that the rounding of corners
+/// by the control leaves the other half. P is rounded to the nearest number with enough
+/// decimals to be within 1 % of that half. If nine decimals are not enough, the program
+/// has G61 (exact path). Without a tolerance it has plain `G64`. F and S have as many
+/// decimals as coordinates, without trailing zeros.
+///
+/// \param path the path.
+/// \param options format and missing data.
+/// \throws DomainError for a path without points; for decimals outside 0 to 9; if a move
+///         at feed has no feed; for a feed or spindle speed that is not above 0 after
+///         rounding; for a negative tool number; if the safe height lies below the path;
+///         if the tolerance is not above 0; for a number that is not finite.
+/// \throws GeometryError unless the axis of every point is +z: three axes cannot turn the
+///          tool.
+/// Source: docs/mathematics/removal.md, section 6.
 WrittenProgram gcode(const ToolPath& path, const GcodeOptions& options = {});
 
 }  // namespace endmill

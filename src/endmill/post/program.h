@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+/// \file
+/// What all readers and writers of this module share: a program as it was read, the
+/// options for reading one, and a program as it was written.
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -14,21 +18,49 @@ namespace endmill {
 
 /// A machine program or CL data as it was read.
 struct Program {
-    ToolPath path;                     ///< tips, with conditions where it gives any
-    std::optional<Cutter> cutter;      ///< if the program names one, as APT does
-    std::vector<std::string> remarks;  ///< for a person: units, motion left out
-    double position_error_mm = 0;      ///< of a coordinate: the rounding of its text
+    ToolPath path;  ///< tips, with cutting conditions if the program has any
+    std::optional<Cutter> cutter;  ///< the cutter, if the program names one (APT does)
+    std::vector<std::string> remarks;  ///< for a person: assumed units, motion left out
+    double position_error_mm = 0;      ///< mm, rounding error of a coordinate in the text
 };
 
-/// Metres of punched tape that a character takes: tape has ten of them an inch.
+/// Options for reading a G-code program or canonical output, and limits of what is
+/// accepted.
+struct GcodeReadOptions {
+    double arc_tolerance_mm =
+        0.001;                  ///< mm, largest distance between an arc and its chords
+    bool block_delete = false;  ///< whether blocks that begin with / are left out
+    /// mm, height of the programmed point above the tip: the corner radius if the program
+    /// describes the centre of the corner circle, 0 if it describes the tip.
+    double programmed_point_height_mm = 0;
+    double max_extent_mm = 1e6;            ///< mm, largest magnitude of a coordinate
+    std::size_t most_points = 10'000'000;  ///< largest number of path points
+};
+
+/// Number of path points that fit into `memory_gib` GiB while a program is read.
+/// \pre memory_gib >= 0
+std::size_t points_within(double memory_gib);
+
+/// Checks reading options.
+/// \throws DomainError unless the arc tolerance and the extent are positive, the height
+///         of the programmed point is at least 0, all are finite, and the number of
+///         points fits an int.
+void require_sound(const GcodeReadOptions& options);
+
+/// Length of punched tape for one character, in m: tape has ten characters per inch.
 inline constexpr double tape_metres_per_character = 0.00254;
 
-/// The least and the greatest of some numbers; both none if there are none.
-struct NumberRange {
-    std::optional<double> least;
-    std::optional<double> greatest;
+/// Largest number of digits after the decimal point in a written program. Nine digits
+/// keep all that a double stores of a coordinate up to 1e6 mm.
+inline constexpr int most_decimals = 9;
 
-    /// Widens the range so that it holds `number`. \pre it is not NaN.
+/// Smallest and largest of the numbers added so far; both are std::nullopt if there are
+/// none.
+struct MinMax {
+    std::optional<double> least;     ///< smallest number
+    std::optional<double> greatest;  ///< largest number
+
+    /// Widens the range to include `number`. \pre `number` is not NaN.
     void add(double number)
     {
         least = std::min(number, least.value_or(number));
@@ -36,18 +68,19 @@ struct NumberRange {
     }
 };
 
-/// A program as it is written to a file, and what was done to the path for it.
+/// A program as it is written to a file, with a record of what writing changed.
 struct WrittenProgram {
-    std::string text;
-    std::size_t lines = 0;
-    std::size_t repeated_points = 0;   ///< left out: rounded, equal to the one before
-    std::size_t slanted_rapids = 0;    ///< rapids that change height and place at once
-    double max_rounding_error_mm = 0;  ///< of a coordinate of the path
-    double safe_height_mm = 0;         ///< of G-code
-    NumberRange feed_mm_per_min;       ///< before rounding
-    NumberRange spindle_rpm;           ///< ditto
+    std::string text;       ///< the whole program
+    std::size_t lines = 0;  ///< number of lines
+    std::size_t repeated_points =
+        0;  ///< points left out: after rounding equal to the previous
+    std::size_t slanted_rapids = 0;    ///< rapids that change height and position at once
+    double max_rounding_error_mm = 0;  ///< mm, largest rounding error of a coordinate
+    double safe_height_mm = 0;         ///< mm, safe height of a G-code program
+    MinMax feed_mm_per_min;            ///< mm/min, range of the feeds before rounding
+    MinMax spindle_rpm;  ///< rpm, range of the spindle speeds before rounding
 
-    /// The tape that the text would take, line ends included.
+    /// Length in m of a punched tape with the text, line ends included.
     double tape_length_m() const
     {
         return tape_metres_per_character * static_cast<double>(text.size());

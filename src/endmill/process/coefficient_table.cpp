@@ -8,11 +8,16 @@
 #include "endmill/core/detail/widest_registers.h"
 #include "endmill/core/error.h"
 
+// The table is a four-dimensional grid of coefficients. `coefficients` finds the cell of
+// an engagement, interpolates linearly between its 16 corners and adds the closed share
+// of the shank, which depends on the depth beyond the ball's radius.
+
 namespace endmill {
 namespace {
 
 constexpr double largest_angle = 80 * std::numbers::pi / 180;
-// Of nodes, and of what the table does not cover: far below the table's own error.
+// Accuracy of the nodes, and of engagements that the table does not cover: far below the
+// interpolation error of the table.
 constexpr double node_accuracy = 1e-6;
 
 using Coefficients = std::array<double, 8>;
@@ -35,23 +40,27 @@ CoefficientTableOptions sound(const CoefficientTableOptions& options)
     return options;
 }
 
+// Angle in rad of a node.
 double angle_of_node(int node, int count)
 {
     return largest_angle * (2.0 * node / (count - 1) - 1);
 }
 
+// Pick feed or depth of a node, in radii of the ball.
 double ratio_of_node(int node, int count)
 {
     const double root = static_cast<double>(node) / (count - 1);
     return root * root;
 }
 
-// A place on one axis of the grid: the node below, and the share of the one above.
+// Position on one axis of the grid: the node below, and the fraction of the way to the
+// node above.
 struct GridPlace {
     int below;
     double share;
 };
 
+// `position` counts nodes. Positions at the upper end belong to the last cell.
 GridPlace place(double position, int count)
 {
     const int below = std::clamp(static_cast<int>(position), 0, count - 2);
@@ -63,7 +72,7 @@ GridPlace place_of_angle(double angle, int count)
     return place((angle / largest_angle + 1) / 2 * (count - 1), count);
 }
 
-// Linear in the ratio itself between its nodes.
+// The interpolation is linear in the ratio itself, between nodes that are squares.
 GridPlace place_of_ratio(double ratio, int count)
 {
     const int below =
@@ -72,14 +81,15 @@ GridPlace place_of_ratio(double ratio, int count)
     return {below, (ratio - low) / (ratio_of_node(below + 1, count) - low)};
 }
 
-// From a node to the next along an axis, and how far to go.
+// Number of array entries from a node to the next along an axis, and the fraction of the
+// way.
 struct GridStep {
     std::size_t nodes;
     double share;
 };
 
-// Linear between the 16 nodes from `first` on; the last axis is the depth, whose nodes follow
-// each other.
+// Multilinear interpolation between the 16 nodes around an engagement. `first` is the
+// lowest of them. The nodes of the depth, the last axis, follow each other in memory.
 ENDMILL_WIDEST_REGISTERS
 Coefficients blended(const Coefficients* first, const std::array<GridStep, 3>& steps,
                      double depth_share)

@@ -9,16 +9,23 @@
 #include "endmill/core/parallel.h"
 #include "endmill/process/detail/top_integrals.h"
 
+// The coefficients are computed in four steps:
+// 1. EngagedRegion describes the engaged part of the ball by its borders.
+// 2. `border_integrals` and `top_integrals` add up line integrals along the borders,
+//    which equal the surface integrals by Green's theorem.
+// 3. Division by 2 pi turns the sums into means over a turn.
+// 4. `shank_coefficients` adds the cylinder above the ball in closed form.
+
 namespace endmill {
 namespace {
 
 using std::numbers::pi;
 
-// The rules of a stretch may differ by this share of the accuracy of 2 pi times a
-// coefficient: where they do, the longer one is far better than the difference, and the
-// few stretches that come near it add up to less than the whole.
+// The two rules of an arc may differ by this share of the accuracy (of 2 pi times a
+// coefficient). The error of the longer rule is far smaller than the difference, and only
+// a few arcs come near the tolerance, so the sum of all errors stays below the accuracy.
 constexpr double tolerance_share = 0.1;
-// Level moves are held to a tenth of the accuracy.
+// Share of the accuracy that is demanded for level moves, for which 1e-11 is promised.
 constexpr double level_share = 0.1;
 
 CuttingCoefficients means(const CoefficientSums& sums)
@@ -29,6 +36,18 @@ CuttingCoefficients means(const CoefficientSums& sums)
 }
 
 }  // namespace
+
+double engaged_angle(const BallEngagement& engagement)
+{
+    require_sound(engagement);
+    if (is_air(engagement))
+        return 0;
+    const EngagedRegion region{engagement};
+    double angle = 0;
+    for (const AzimuthRange& range : region.ranges_at(region.top_sine, region.top_cosine))
+        angle += range.to - range.from;
+    return angle;
+}
 
 CuttingCoefficients shank_coefficients(const BallEngagement& engagement, ChipModel chip)
 {

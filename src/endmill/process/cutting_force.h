@@ -1,40 +1,102 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+/// \file
+/// Forces of a ball-end mill: means over a turn, the course during a turn, and their
+/// ratio.
+
+#include <span>
+#include <vector>
+
 #include "endmill/process/cutting_coefficients.h"
 #include "endmill/process/milling_data.h"
 
 namespace endmill {
 
-/// On which side of the feed the stock is, for a spindle that turns clockwise seen from above.
-enum class Milling {
-    Up,   ///< to the left: the chip begins thin
-    Down  ///< to the right: the chip ends thin
-};
-
-/// Force and torque of the tool on the work, in the frame of BallEngagement: x along the feed
-/// as seen from above, y across it towards the stock (to the left of the feed when milling
-/// up, to the right when milling down), z upwards.
+/// Cutting force and torque in the frame of BallEngagement: x along the feed as seen from
+/// above, y across the feed towards the stock (to the left of the feed when milling up,
+/// to the right when milling down), z upwards.
+///
+/// The horizontal components act on the work. The axial component is the thrust on the
+/// cutter.
+/// Source: docs/mathematics/ball-end-milling.md, section 1.
 struct CuttingForce {
-    double x_n;         ///< N
-    double y_n;         ///< N
-    double z_n;         ///< N
-    double torque_n_m;  ///< N m about the axis; positive when milling up
+    double x_n;         ///< N, on the work
+    double y_n;         ///< N, on the work
+    double z_n;         ///< N, on the cutter, upwards
+    double torque_n_m;  ///< N m about the axis; positive when milling up, else negative
 };
 
-/// Means over a turn of the force and torque of all teeth at a feed per tooth:
+/// Means over a turn of force and torque of all teeth:
 ///
-///     Fx = m r0 K [ f (s I1 + r1 I2) + h (s I3 + r2 I4) ]    Fz = m r0 K [ f r3 I5 + h r4 I6 ]
-///     Fy = m r0 K [ f (r1 I1 - s I2) + h (r2 I3 - s I4) ]    Mt = s m r0^2 K [ f I7 + h I8 ]
+///     Fx = m r0 K [ f (s I1 + r1 I2) + h (s I3 + r2 I4) ]
+///     Fy = m r0 K [ f (r1 I1 - s I2) + h (r2 I3 - s I4) ]
+///     Fz = m r0 K [ f r3 I5 + h r4 I6 ]
+///     Mt = s m r0^2 K [ f I7 + h I8 ]
 ///
-/// with s = 1 when milling up and -1 when milling down.
-/// Source: [ParkMaeng, eq. (1), appendices A and B], misprints corrected.
-/// \param coefficients of the engagement, as `cutting_coefficients` gives them.
-/// \param feed_per_tooth_mm f, from 0.
+/// with s = 1 when milling up and s = -1 when milling down.
+/// Source: [ParkMaeng, eq. (1), appendices A and B], with misprints corrected as in
+/// docs/mathematics/ball-end-milling.md, section 2.
+/// \param coefficients of the engagement, from `cutting_coefficients`.
+/// \param material K, h, r1 to r4.
+/// \param tool m and r0.
+/// \param feed_per_tooth_mm f in mm, at least 0.
+/// \param milling side of the feed on which the stock lies.
 /// \throws DomainError for a negative feed, or unless `material` and `tool` are sound.
-/// Relative error below 1e-15 of the sum of the terms' magnitudes.
+/// Relative error below 1e-15 of the sum of the magnitudes of the terms.
 CuttingForce mean_force(const CuttingCoefficients& coefficients,
                         const CuttingMaterial& material, const MillingTool& tool,
                         double feed_per_tooth_mm, Milling milling);
+
+/// Radial runout: offset of the cutter's axis from the spindle's axis.
+struct Runout {
+    double offset_mm = 0;  ///< mm, at least 0
+    double angle = 0;  ///< rad: azimuth of the offset when flute 0 stands at azimuth 0
+};
+
+/// A cut whose force is computed over a turn.
+struct MillingCut {
+    BallEngagement engagement;          ///< how the ball meets the stock
+    ChipModel chip = ChipModel::Paper;  ///< definition of the chip thickness
+    CuttingMaterial material;           ///< force constants of the material
+    MillingTool tool;                   ///< radius, flutes, helix
+    double feed_per_tooth_mm;           ///< mm, at least 0
+    Milling milling = Milling::Down;    ///< side of the feed on which the stock lies
+    Runout runout = {};                 ///< none by default
+};
+
+/// Force and torque of a ball-end mill with helical flutes at given positions within a
+/// turn.
+///
+/// Azimuths and the sense of the helix are those of MillingTool::helix. When milling down
+/// the frame is mirrored: a right-hand cutter under M03 has a negative helix and turns
+/// towards falling azimuths.
+///
+/// Flutes are counted in cutting order: flute j stands 2 pi j / m behind flute 0. Without
+/// runout its chip is f |sin u| thick, or as thick as the exact chip. Runout e at the
+/// angle a adds e [cos(2 pi j / m - a) - cos(2 pi (j - 1) / m - a)], by which the flute
+/// reaches beyond the flute before it. Where the sum is negative the flute does not touch
+/// the work and bears no force. While every chip is positive the mean over a turn equals
+/// `mean_force` for any helix.
+/// Source: [ParkMaeng, appendices A and B], with misprints corrected; the runout model is
+/// described in docs/mathematics/ball-end-milling.md, section 10.
+///
+/// \param cut the cut.
+/// \param turns azimuths of the tip of flute 0, in rad, any values.
+/// \return one force per entry of `turns`. Relative error below 1e-9 of the largest
+///         force.
+/// \throws DomainError unless `cut` is sound, or if its flutes wind more than 1000 times
+///         about the axis below the stock's top.
+std::vector<CuttingForce> force_profile(const MillingCut& cut,
+                                        std::span<const double> turns);
+
+/// Concentration of force R_m: largest torque of the chip over a turn divided by its
+/// mean, for all flutes of a helical ball-end mill. 1 where nothing is cut. Relative
+/// error below 1e-6.
+/// Source: docs/mathematics/ball-end-milling.md, section 4.
+/// \throws DomainError unless `engagement` and `tool` are sound, or if the flutes wind
+///         more than 1000 times about the axis below the stock's top.
+double peak_factor(const BallEngagement& engagement, ChipModel chip,
+                   const MillingTool& tool);
 
 }  // namespace endmill

@@ -9,10 +9,10 @@ namespace {
 
 constexpr double mm_per_m = 1000;
 constexpr double newton_per_kgf = 9.80665;
-// Of [ParkMaeng, eq. (19)]: kgf mm rpm a kW.
+// kgf mm rpm per kW. Source: [ParkMaeng, eq. (19)].
 constexpr double paper_power_constant = 974000;
 
-// Where a + b f reaches `most`; none if it never does.
+// The f at which a + b f reaches `most`, or std::nullopt if it never does.
 std::optional<double> linear_bound(double a, double b, double most)
 {
     if (a > most)
@@ -21,8 +21,8 @@ std::optional<double> linear_bound(double a, double b, double most)
     return std::isfinite(bound) ? std::optional{bound} : std::nullopt;
 }
 
-// Where (f A + h B)^2 + (r1 f A + r2 h B)^2 reaches `most`^2, with chip = A and edge = h B.
-// The positive root, written so that nothing cancels.
+// The f at which (f A + h B)^2 + (r1 f A + r2 h B)^2 reaches most^2, with chip = A and
+// edge = h B. This is the positive root of a quadratic, in a form without cancellation.
 std::optional<double> force_bound(const CuttingMaterial& material, double chip,
                                   double edge, double most)
 {
@@ -37,7 +37,7 @@ std::optional<double> force_bound(const CuttingMaterial& material, double chip,
     return std::isfinite(bound) ? std::optional{bound} : std::nullopt;
 }
 
-// N per unit of sums and mm of chip.
+// Force in N per unit of the sums and mm of chip thickness.
 double force_scale(const LoadModel& model)
 {
     return model.material.specific_resistance_n_per_mm2 * model.radius;

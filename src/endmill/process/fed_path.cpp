@@ -10,13 +10,14 @@
 namespace endmill {
 namespace {
 
+// Checks the end points of the planned moves and their rows.
 void require_rows(std::size_t count, std::span<const std::size_t> points,
                   std::span<const SegmentFeed> rows)
 {
-    require(points.size() == rows.size(), "fed_path: need a row a point");
+    require(points.size() == rows.size(), "fed_path: need one row per point");
     require(std::ranges::is_sorted(points, std::less_equal<>{}) &&
                 (points.empty() || points.back() < count),
-            "fed_path: need rising points of the path");
+            "fed_path: need ascending points of the path");
 }
 
 void require_feed(double feed, const char* what)
@@ -32,18 +33,19 @@ ToolPath fed_path(ToolPath path, std::span<const std::size_t> points,
     require_rows(path.points.size(), points, rows);
     require_feed(plunge_feed_mm_per_min, "fed_path: need 0 < plunge feed");
     path.conditions.resize(path.points.size());
-    std::size_t next = 0;
+    std::size_t next = 0;  // the planned move at this point or after it
     for (std::size_t i = 0; i < path.points.size(); ++i) {
-        CuttingConditions& told = path.conditions[i];
+        CuttingConditions& conditions = path.conditions[i];
         const bool is_cut = next < points.size() && points[next] == i;
         if (!rows.empty())
-            told.spindle_rpm = rows[std::min(next, rows.size() - 1)].table.spindle_rpm;
+            conditions.spindle_rpm =
+                rows[std::min(next, rows.size() - 1)].table.spindle_rpm;
         if (is_cut)
-            told.feed_mm_per_min = rows[next++].table.feed_mm_per_min;
+            conditions.feed_mm_per_min = rows[next++].table.feed_mm_per_min;
         else if (path.points[i].move == Move::Rapid)
-            told.feed_mm_per_min.reset();
-        else if (!told.feed_mm_per_min)
-            told.feed_mm_per_min = plunge_feed_mm_per_min;
+            conditions.feed_mm_per_min.reset();
+        else if (!conditions.feed_mm_per_min)
+            conditions.feed_mm_per_min = plunge_feed_mm_per_min;
     }
     return path;
 }
@@ -55,7 +57,7 @@ std::vector<std::string_view> limit_words(std::size_t count,
     require_rows(count, points, rows);
     std::vector<std::string_view> words(count);
     for (std::size_t k = 0; k < points.size(); ++k)
-        words[points[k]] = feed_limit_name(said_limit(rows[k]));
+        words[points[k]] = feed_limit_name(reported_limit(rows[k]));
     return words;
 }
 

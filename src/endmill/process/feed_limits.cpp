@@ -2,14 +2,15 @@
 #include "endmill/process/feed_limits.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "endmill/core/error.h"
 
 namespace endmill {
 namespace {
 
-// Relative. A limit that is computed from the least feed gives this feed back but for some
-// roundings; it must not be called infeasible for them.
+// Relative tolerance of a bound against the least feed. A limit that was computed from
+// the least feed reproduces this feed up to rounding, and must not count as infeasible.
 constexpr double equal_feed = 1e-9;
 
 struct BoundedSpeed {
@@ -17,13 +18,15 @@ struct BoundedSpeed {
     SpeedLimit limit;
 };
 
+// Lowers the speed to `rpm` if that is below it. Of equal bounds the first one governs.
 void lower(BoundedSpeed& speed, double rpm, SpeedLimit limit)
 {
     if (rpm < speed.rpm)
         speed = {rpm, limit};
 }
 
-// Power is proportional to the speed: what one rpm takes says how many there may be.
+// The spindle speed and the limit that governs it. Power is proportional to the speed, so
+// the power per rpm gives the speed at which the power limit is reached.
 BoundedSpeed bounded_speed(const MoveDemand& move, const DriveRules& rules)
 {
     BoundedSpeed speed{
@@ -94,7 +97,7 @@ void require_sound(const FeedRange& range)
             "FeedRange: need 0 < least feed per tooth");
     require(!range.most_mm ||
                 (std::isfinite(*range.most_mm) && *range.most_mm >= range.least_mm),
-            "FeedRange: need least feed per tooth (0.005 mm if not told) <= largest");
+            "FeedRange: need least feed per tooth (0.005 mm by default) <= largest");
 }
 
 void require_sound(const DriveRules& rules)
@@ -119,6 +122,7 @@ ToothFeed tooth_feed(const FeedBounds& bounds, const FeedRange& range)
                                     {bounds.thrust, FeedLimit::Thrust},
                                     {bounds.torque, FeedLimit::Torque},
                                     {range.most_mm, FeedLimit::Cap}}};
+    // Of equal bounds the first one governs.
     const Bound* governing = nullptr;
     for (const Bound& bound : all)
         if (bound.feed && (governing == nullptr || *bound.feed < *governing->feed))
@@ -138,11 +142,43 @@ TableFeed table_feed(const MoveDemand& move, const DriveRules& rules)
     require_sound(rules);
     const BoundedSpeed speed = bounded_speed(move, rules);
     const double feed = rules.flutes * move.feed_per_tooth_mm * speed.rpm;
-    // A block of the length that takes the least time: ds over it.
+    // The feed at which a block of this length lasts the least block time.
     const double fastest = ms_per_min * move.length_mm / rules.block_time_ms;
     const bool is_block_bound = fastest < feed;
     return {speed.rpm, speed.limit, is_block_bound ? fastest : feed, is_block_bound,
             cutting_power_w(rules.form, move.torque_n_m, speed.rpm)};
+}
+
+void require_sound(const FeedRules& rules)
+{
+    require_sound(rules.model.material);
+    require(std::isfinite(rules.model.radius) && rules.model.radius > 0,
+            "FeedRules: need 0 < radius");
+    for (const auto& limit :
+         {rules.limits.cutting_force_n, rules.limits.thrust_n, rules.limits.torque_n_m})
+        require(!limit || (std::isfinite(*limit) && *limit > 0),
+                "FeedRules: need 0 < limit");
+    require_sound(rules.range);
+    require_sound(rules.drive);
+}
+
+SegmentFeed segment_feed(const SegmentLoad& load, const FeedRules& rules)
+{
+    const ToothFeed tooth = tooth_feed(load.bounds, rules.range);
+    const CuttingLoads loads =
+        load.loads ? load.loads(tooth.feed_per_tooth_mm) : CuttingLoads{};
+    const TableFeed table =
+        table_feed({tooth.feed_per_tooth_mm, load.engaged_angle / std::numbers::pi,
+                    loads.torque_n_m, load.length_mm},
+                   rules.drive);
+    return {load.engaged_angle, tooth, load.peak_factor, loads, table};
+}
+
+FeedLimit reported_limit(const SegmentFeed& feed)
+{
+    if (feed.tooth.is_infeasible)
+        return FeedLimit::Infeasible;
+    return feed.table.is_block_bound ? FeedLimit::BlockRate : feed.tooth.governing;
 }
 
 }  // namespace endmill

@@ -2,37 +2,51 @@
 #include "endmill/process/feed_plan.h"
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
-#include "endmill/process/cutting_coefficients.h"
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/front_load.h"
+#include "endmill/process/detail/segment_load.h"
+
+// A plan treats every move by itself, in three steps:
+// 1. The geometry of the cut gives the engagement, and this gives the load: sums of the
+//    edges and bounds of the feed per tooth (detail/segment_load.h, detail/front_load.h).
+//    For PeakRule::Constant the coefficients of all moves are computed first, in one
+//    batch.
+// 2. `segment_feed` runs the stages I to IV for the move.
+// 3. `feed_plan_totals` adds up the rows in the order of the moves.
+// Steps 1 and 2 run on all threads. Their results are stored by the number of the move,
+// so the plan does not depend on the number of threads.
 
 namespace endmill {
 namespace {
 
-// Relative: above the 1e-5 to which a load's largest value over a turn is known, so that a
-// limit as told does admit the least feed.
+// Relative margin of a needed limit. It exceeds the error of 1e-5 of the largest load
+// over a turn, so that a plan with the needed limit admits the least feed.
 constexpr double needed_margin = 2e-5;
 
-// `needed` or what `load` needs where it is above `limit`.
+// Raises `needed` to the limit that `load` needs, if `load` exceeds `limit`.
 void raise(std::optional<double>& needed, double load, const std::optional<double>& limit)
 {
     if (limit && load > *limit)
         needed = std::max(needed.value_or(0), (1 + needed_margin) * load);
 }
 
+// Adds a row to the totals; the shares are lengths until the end.
 void add(FeedPlanTotals& totals, const SegmentFeed& row, double length)
 {
     totals.length_mm += length;
     totals.cut_min += length / row.table.feed_mm_per_min;
-    totals.limit_shares[static_cast<std::size_t>(said_limit(row))] += length;
+    totals.limit_shares[static_cast<std::size_t>(reported_limit(row))] += length;
     totals.speed_limit_shares[static_cast<std::size_t>(row.table.speed_limit)] += length;
     totals.max_torque_n_m = std::max(totals.max_torque_n_m, row.loads.torque_n_m);
     totals.max_power_w = std::max(totals.max_power_w, row.table.power_w);
 }
 
-// Of every move; by the table if there is one.
+// Coefficients of every cut, from the table if the options name one.
 std::vector<CuttingCoefficients> all_coefficients(std::span<const SegmentCut> cuts,
                                                   double radius,
                                                   const FeedPlanOptions& options)
@@ -51,13 +65,93 @@ std::vector<CuttingCoefficients> all_coefficients(std::span<const SegmentCut> cu
     return all;
 }
 
+// The smaller of two limits; a missing limit does not bind.
+std::optional<double> smaller(const std::optional<double>& one,
+                              const std::optional<double>& other)
+{
+    if (one && other)
+        return std::min(*one, *other);
+    return one ? one : other;
+}
+
 }  // namespace
+
+FeedRange feed_range(const CuttingMaterial& material, const FeedPlanOptions& options)
+{
+    FeedRange range;
+    range.most_mm = options.max_feed_per_tooth_mm ? options.max_feed_per_tooth_mm
+                                                  : material.max_feed_per_tooth_mm;
+    range.least_mm = options.min_feed_per_tooth_mm.value_or(
+        material.min_feed_per_tooth_mm.value_or(range.least_mm));
+    return range;
+}
+
+FeedPlanOptions corrected_feed_options()
+{
+    FeedPlanOptions options;
+    options.chip = ChipModel::Exact;
+    options.peak = PeakRule::Direct;
+    options.form = LimitForm::Exact;
+    return options;
+}
+
+FeedRules feed_rules(const MillingJob& job, const FeedPlanOptions& options)
+{
+    require_sound(job.tool);
+    require(std::isfinite(options.peak_factor) && options.peak_factor >= 1,
+            "feed plan: need 1 <= peak factor");
+    const FeedRules rules{
+        .model = {job.material, job.tool.radius, options.form},
+        .limits = {job.tool.cutting_force_n, job.tool.thrust_n,
+                   smaller(job.tool.torque_n_m, job.machine.max_torque_n_m)},
+        .range = feed_range(job.material, options),
+        .drive = {.radius = job.tool.radius,
+                  .flutes = job.tool.flutes,
+                  .speed = {job.material.alpha, job.material.v1_m_per_min},
+                  .machine = job.machine,
+                  .form = options.form,
+                  .block_time_ms = options.block_time_ms}};
+    require_sound(rules);
+    return rules;
+}
+
+SegmentLoad front_load(double length_mm, const BallFront& front, const MillingTool& tool,
+                       const FeedPlanOptions& options, const FeedRules& rules)
+{
+    const double angle = std::clamp(front.rim_angle, least_life_angle, std::numbers::pi);
+    const auto load_of_sums = [&](const EdgeSums& sums, double factor) {
+        return SegmentLoad{
+            .length_mm = length_mm,
+            .engaged_angle = angle,
+            .bounds = feed_bounds(rules.model, sums, rules.limits),
+            .loads = [sums, &rules](
+                         double feed) { return cutting_loads(rules.model, sums, feed); },
+            .peak_factor = factor};
+    };
+    if (options.peak == PeakRule::Constant)
+        return load_of_sums(edge_sums(front_coefficients(front, options.chip),
+                                      tool.flutes, options.peak_factor),
+                            options.peak_factor);
+    // A shared pointer, because a std::function must be copyable.
+    const auto pattern = std::make_shared<const FrontPattern>(front, options.chip, tool);
+    if (options.peak == PeakRule::Torque) {
+        const double factor = pattern->peak_factor();
+        return load_of_sums(scaled(pattern->mean(), factor), factor);
+    }
+    return {.length_mm = length_mm,
+            .engaged_angle = angle,
+            .bounds = pattern->direct_bounds(rules.model, rules.limits),
+            .loads = [pattern, &rules](double feed) {
+                return pattern->largest_loads(rules.model, feed);
+            }};
+}
 
 FeedPlanTotals feed_plan_totals(const std::vector<SegmentFeed>& rows,
                                 const std::vector<double>& lengths_mm,
                                 const LoadLimits& limits)
 {
-    require(rows.size() == lengths_mm.size(), "feed_plan_totals: need a length a row");
+    require(rows.size() == lengths_mm.size(),
+            "feed_plan_totals: need one length per row");
     FeedPlanTotals totals;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         add(totals, rows[i], lengths_mm[i]);
@@ -69,6 +163,7 @@ FeedPlanTotals feed_plan_totals(const std::vector<SegmentFeed>& rows,
         raise(totals.needed.thrust_n, rows[i].loads.thrust_n, limits.thrust_n);
         raise(totals.needed.torque_n_m, rows[i].loads.torque_n_m, limits.torque_n_m);
     }
+    // Lengths become shares.
     if (totals.length_mm > 0) {
         for (double& share : totals.limit_shares)
             share /= totals.length_mm;
@@ -101,11 +196,18 @@ FeedPlan feed_plan(std::span<const SegmentCut> cuts, const MillingJob& job,
                    const FeedPlanOptions& options)
 {
     const FeedRules rules = feed_rules(job, options);
-    if (options.peak != PeakRule::Constant)
+    if (options.peak == PeakRule::Torque)
         return feed_plan(
             cuts.size(),
             [&](std::size_t i) {
-                return turning_load(cuts[i], job.tool, options.peak, options.chip, rules);
+                return torque_peak_load(cuts[i], job.tool, options.chip, rules);
+            },
+            rules);
+    if (options.peak == PeakRule::Direct)
+        return feed_plan(
+            cuts.size(),
+            [&](std::size_t i) {
+                return direct_peak_load(cuts[i], job.tool, options.chip, rules);
             },
             rules);
     const std::vector<CuttingCoefficients> coefficients =
@@ -113,7 +215,8 @@ FeedPlan feed_plan(std::span<const SegmentCut> cuts, const MillingJob& job,
     return feed_plan(
         cuts.size(),
         [&](std::size_t i) {
-            return factored_load(cuts[i], coefficients[i], options.peak_factor, rules);
+            return constant_peak_load(cuts[i], coefficients[i], options.peak_factor,
+                                      rules);
         },
         rules);
 }

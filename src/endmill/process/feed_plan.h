@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+/// \file
+/// Feed and spindle speed for every cutting move of a path. The module's main entry
+/// point.
+
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -8,122 +12,129 @@
 #include <span>
 #include <vector>
 
-#include "endmill/process/ball_engagement.h"
+#include "endmill/cutter/engagement.h"
 #include "endmill/process/cutting_coefficients.h"
-#include "endmill/process/cutting_force.h"
 #include "endmill/process/feed_limits.h"
 #include "endmill/process/milling_data.h"
+#include "endmill/process/segment_cuts.h"
 
 namespace endmill {
 
-/// How a ball-end mill stands in the material on one straight cutting move: geometry at the
-/// middle of the move. What is not known, or has no meaning for a first pass, is none.
-/// Source: [ParkMaeng, eq. (8) to (14)]; spec of ball-end milling, sections 1, 3, 6.
-struct SegmentCut {
-    int pass = 0;                   ///< as in the path
-    int point = 0;                  ///< as in the path: that to which the move leads
-    double length_mm = 0;           ///< of the move of the ball's centre, above 0
-    std::optional<double> mu = {};  ///< rise of the pick feed about the feed, rad
-    double lambda = 0;              ///< rise of the feed, rad
-    std::optional<double> pick_feed_mm = {};             ///< f_p, between the centres
-    std::optional<double> pick_feed_horizontal_mm = {};  ///< f_p cos(mu)
-    double depth_mm = 0;  ///< l, stock's top over the tip; 0 or less: in air
-    PreviousPass previous = PreviousPass::Beside;  ///< needs mu and the pick feed
-    Milling milling = Milling::Down;
-    bool has_two_neighbours =
-        false;  ///< an earlier pass on the other side too, further off
-};
-
-class CoefficientTable;
-
-/// What cuts what, where.
+/// The material, the tool and the machine of a feed plan.
 struct MillingJob {
-    CuttingMaterial material;
-    MillingTool tool;
-    MachineLimits machine = {};
+    CuttingMaterial material;    ///< force constants and speeds
+    MillingTool tool;            ///< geometry and limits
+    MachineLimits machine = {};  ///< limits of spindle and feed drives
 };
 
-/// How the largest load of a turn is found. Torque and Direct need the tool's helix.
-/// Source: spec of ball-end milling, section 4; the paper uses a factor R_m that it does not
-/// print.
+/// How the largest load of a turn is found. Torque and Direct need the helix of the tool.
+/// Source: docs/mathematics/ball-end-milling.md, section 4. The paper uses a factor R_m
+/// that it does not print.
 enum class PeakRule {
-    Constant,  ///< a given factor times the mean, for every load
-    Torque,  ///< likewise, the factor being that of the chip's torque of the helical flutes
-    Direct  ///< each load of the helical flutes as it runs, no factor
+    Constant,  ///< every load is a given factor times its mean
+    Torque,    ///< the same, with the factor of the chip's torque of the helical flutes
+    Direct     ///< each load is followed over the turn; no factor
 };
 
-/// Choices of a feed plan. The defaults are those of mode `paper`.
+/// Choices of a feed plan. The defaults are those of the mode `paper`.
 struct FeedPlanOptions {
-    ChipModel chip = ChipModel::Paper;
-    PeakRule peak = PeakRule::Constant;
-    double peak_factor = 1.8;           ///< R_m of PeakRule::Constant, from 1
-    LimitForm form = LimitForm::Paper;  ///< of force and power
-    std::optional<double> max_feed_per_tooth_mm = {};  ///< none: the material's, if any
-    std::optional<double> min_feed_per_tooth_mm = {};  ///< none: the material's, or 0.005
-    double block_time_ms = 10;  ///< least time of a block; 0: no such rule
-    double accuracy = 1e-6;     ///< largest error of a cutting action coefficient
-    /// Where PeakRule::Constant has its coefficients from; none: each is computed. Of the same
-    /// chip, and outlives the plan.
+    ChipModel chip = ChipModel::Paper;   ///< definition of the chip thickness
+    PeakRule peak = PeakRule::Constant;  ///< how the largest load of a turn is found
+    double peak_factor = 1.8;            ///< R_m of PeakRule::Constant, at least 1
+    LimitForm form = LimitForm::Paper;   ///< form of the limits of force and power
+    /// Largest feed per tooth in mm. By default that of the material, if it has one.
+    std::optional<double> max_feed_per_tooth_mm = {};
+    /// Least feed per tooth in mm. By default that of the material, or 0.005.
+    std::optional<double> min_feed_per_tooth_mm = {};
+    double block_time_ms = 10;  ///< ms, least time of a block; 0 switches the rule off
+    double accuracy = 1e-6;     ///< bound of the error of a cutting action coefficient
+    /// Table from which PeakRule::Constant takes its coefficients; null: each is
+    /// computed. The table must be of the same chip model and outlive the plan.
     const CoefficientTable* table = nullptr;
 };
 
-/// The options of mode `corrected`: exact chip, direct peaks, exact limits.
+/// The options of the mode `corrected`: exact chip, direct peaks, exact limits.
 FeedPlanOptions corrected_feed_options();
 
-/// The feeds per tooth that may be used, as `options` or else the material say.
+/// The range of the feed per tooth: that of `options`, or else that of the material.
 FeedRange feed_range(const CuttingMaterial& material, const FeedPlanOptions& options);
 
-/// The rules that `job` and `options` make. The torque's limit is the smaller of the tool's
-/// and the spindle's.
-/// \throws DomainError unless all is sound, the peak factor is from 1, and the least feed per
-///         tooth is at most the largest.
+/// The rules that `job` and `options` imply. The limit of the torque is the smaller of
+/// the tool's and the spindle's.
+/// \throws DomainError unless all data are sound, the peak factor is at least 1, and the
+///         least feed per tooth is at most the largest.
 FeedRules feed_rules(const MillingJob& job, const FeedPlanOptions& options);
 
-/// The least limits with which every move were feasible at the least feed per tooth; none
-/// where a limit makes no move infeasible.
+/// Load of a move of `length_mm` whose engagement was measured in the stock.
+/// \param length_mm mm, length of the move, above 0.
+/// \param front engaged cells of the ball's front and heights of the shank.
+/// \param tool the cutter.
+/// \param options chip model and peak rule.
+/// \param rules from `feed_rules` for the same tool; they must outlive the result.
+/// \throws DomainError unless `front` is sound: it has as many cells as it states, its
+///         slope is within a right angle, and its heights are finite and not negative.
+/// \pre `rules` and `tool` are sound.
+/// Source: docs/mathematics/ball-end-milling.md, section 12.
+SegmentLoad front_load(double length_mm, const BallFront& front, const MillingTool& tool,
+                       const FeedPlanOptions& options, const FeedRules& rules);
+
+/// The smallest limits for which every move would be feasible at the least feed per
+/// tooth. std::nullopt for a limit that makes no move infeasible.
 struct NeededLimits {
-    std::optional<double> cutting_force_n = {};
-    std::optional<double> thrust_n = {};
-    std::optional<double> torque_n_m = {};
+    std::optional<double> cutting_force_n = {};  ///< N
+    std::optional<double> thrust_n = {};         ///< N
+    std::optional<double> torque_n_m = {};       ///< N m
 };
 
-/// What a feed plan amounts to. Shares are of the length of all moves.
+/// Totals of a feed plan. Shares are fractions of the total length.
 struct FeedPlanTotals {
-    double length_mm = 0;
-    double cut_min = 0;
-    std::array<double, all_feed_limits.size()> limit_shares{};  ///< as all_feed_limits
-    std::array<double, all_speed_limits.size()>
-        speed_limit_shares{};    ///< all_speed_limits
-    std::size_t infeasible = 0;  ///< moves
-    NeededLimits needed = {};
-    double max_torque_n_m = 0;
-    double max_power_w = 0;
+    double length_mm = 0;  ///< mm, length of all moves
+    double cut_min = 0;    ///< min, time of all moves at their feeds
+    /// Share of the length for which each limit governs the feed, in the order of
+    /// `all_feed_limits`.
+    std::array<double, all_feed_limits.size()> limit_shares{};
+    /// Share of the length for which each limit governs the spindle speed, in the order
+    /// of `all_speed_limits`.
+    std::array<double, all_speed_limits.size()> speed_limit_shares{};
+    std::size_t infeasible = 0;  ///< number of infeasible moves
+    NeededLimits needed = {};    ///< limits that would make them feasible
+    double max_torque_n_m = 0;   ///< N m, largest torque of all moves
+    double max_power_w = 0;      ///< W, largest power of all moves
 };
 
 /// Feed and spindle speed of every cutting move of a path.
 struct FeedPlan {
-    std::vector<SegmentFeed> rows;  ///< in the order of the moves
-    FeedPlanTotals totals;
+    std::vector<SegmentFeed> rows;  ///< one per move, in order
+    FeedPlanTotals totals;          ///< sums over the rows
 };
 
-/// Feed and speed of each of `count` moves, move by move.
-/// \param load_of what move i asks for; called once a move, from any thread.
+/// Feed and spindle speed of `count` moves, each planned by itself on all threads.
+/// \param count number of moves.
+/// \param load_of returns the load of move i; called once per move, from any thread.
+/// \param rules limits of tool, spindle and drives.
 /// \throws DomainError as `segment_feed`, or unless the rules are sound.
-/// The plan is the same with any number of threads.
+/// The plan does not depend on the number of threads.
 FeedPlan feed_plan(std::size_t count,
                    const std::function<SegmentLoad(std::size_t)>& load_of,
                    const FeedRules& rules);
 
-/// Feed and speed of each of `cuts`: engagement, coefficients or the run of the loads, stages
-/// I to IV.
-/// Source: [ParkMaeng, section 4]; spec of ball-end milling, sections 4 to 6.
-/// \throws DomainError unless `cuts`, job and options are sound; if nothing bounds a feed.
+/// Feed and spindle speed of each of `cuts`: engagement, cutting coefficients or loads
+/// over a turn, and the stages I to IV of `segment_feed`.
+/// Source: [ParkMaeng, section 4]; docs/mathematics/ball-end-milling.md, sections 4 to 6.
+/// \throws DomainError unless `cuts`, `job` and `options` are sound, or if nothing bounds
+///          a feed.
+/// \throws GeometryError if the flutes wind more than 1000 times about the axis within a
+///         cut; the message names the move.
 FeedPlan feed_plan(std::span<const SegmentCut> cuts, const MillingJob& job,
                    const FeedPlanOptions& options);
 
-/// What the rows amount to; the totals are sums in the order of the moves.
-/// \param lengths_mm one a row. \throws DomainError for another number of them.
-/// Source: [ParkMaeng, section 5]; spec of ball-end milling, sections 6, 8, 13.
+/// Totals of the rows of a plan, summed in the order of the moves.
+/// \param rows the rows of the plan.
+/// \param lengths_mm mm, one length per row.
+/// \param limits the limits from which the needed ones are determined.
+/// \throws DomainError unless there is one length per row.
+/// Source: [ParkMaeng, section 5]; docs/mathematics/ball-end-milling.md, sections 6, 8
+/// and 13.
 FeedPlanTotals feed_plan_totals(const std::vector<SegmentFeed>& rows,
                                 const std::vector<double>& lengths_mm,
                                 const LoadLimits& limits);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+/// \file
+/// Constants of the work material, the cutter and the machine, as the cutting model needs
+/// them.
+
 #include <numbers>
 #include <optional>
 #include <string>
@@ -9,69 +13,90 @@
 
 namespace endmill {
 
-/// What a work material asks of the cutter: forces by chip and edge, and the speed that it
-/// is cut at. Tangential force of an element of the edge of depth dz under a chip of
-/// thickness t: K (t + h*) dz; radial K (r1 t + r2 h*) dz; axial K (r3 t + r4 h*) dz.
-/// Source: [ParkMaeng, eq. (1), (4)] as corrected in spec of ball-end milling, section 2;
-/// in the notation of K_tc, K_te, ...: K = K_tc, h* = K_te/K_tc, r1 = K_rc/K_tc,
-/// r2 = K_re/K_te, r3 = K_ac/K_tc, r4 = K_ae/K_te.
+/// Force constants and cutting speeds of a work material.
+///
+/// An element of the edge of height dz under a chip of thickness t bears the tangential
+/// force K (t + h*) dz, the radial force K (r1 t + r2 h*) dz and the axial force
+/// K (r3 t + r4 h*) dz. In the notation of mechanistic force models K = K_tc,
+/// h* = K_te/K_tc, r1 = K_rc/K_tc, r2 = K_re/K_te, r3 = K_ac/K_tc and r4 = K_ae/K_te.
+/// Source: [ParkMaeng, eq. (1), (4)], corrected as in
+/// docs/mathematics/ball-end-milling.md, section 2.
 struct CuttingMaterial {
-    double specific_resistance_n_per_mm2;  ///< K, above 0
-    double edge_thickness_mm;              ///< h*, from 0
-    double r1;            ///< radial over tangential force of the chip, from 0
-    double r2;            ///< radial over tangential force of the edge, from 0
-    double r3;            ///< axial over tangential force of the chip, from 0
-    double r4;            ///< axial over tangential force of the edge, from 0
+    double specific_resistance_n_per_mm2;  ///< N/mm^2, K, above 0
+    double edge_thickness_mm;              ///< mm, h*, at least 0
+    double r1;            ///< radial over tangential force of the chip, at least 0
+    double r2;            ///< radial over tangential edge force, at least 0
+    double r3;            ///< axial over tangential force of the chip, at least 0
+    double r4;            ///< axial over tangential edge force, at least 0
     double alpha;         ///< exponent of the tool life, between 0 and 1
-    double v1_m_per_min;  ///< economic speed of a full half turn of engagement, above 0
-    std::optional<double> max_feed_per_tooth_mm = {};  ///< the cap, above 0
-    std::optional<double> min_feed_per_tooth_mm = {};  ///< above 0, at most the cap
-    std::string name = {};
+    double v1_m_per_min;  ///< m/min, economic speed at an engaged angle of pi, above 0
+    /// mm, largest feed per tooth (the cap), above 0. Without it there is no cap.
+    std::optional<double> max_feed_per_tooth_mm = {};
+    /// mm, least feed per tooth, above 0, at most the cap.
+    std::optional<double> min_feed_per_tooth_mm = {};
+    std::string name = {};    ///< name of the material
     std::string source = {};  ///< origin of the numbers
 };
 
-/// \throws DomainError unless every number is finite and as said above.
+/// Checks the ranges that CuttingMaterial states.
+/// \throws DomainError if a number is outside its range or not finite.
 void require_sound(const CuttingMaterial& material);
 
-/// Steeper flutes are none of an end mill, and their loads over a turn are not promised.
-inline constexpr double most_helix = 80 * std::numbers::pi / 180;  ///< rad, either way
+/// Largest helix angle in rad, in either direction. The accuracy of the loads over a turn
+/// is tested up to this angle; steeper flutes do not occur on end mills.
+inline constexpr double most_helix = 80 * std::numbers::pi / 180;
 
-/// A ball-end mill as the cut sees it. A limit that is not given does not bind.
+/// A ball-end mill, as the cutting model needs it. A missing limit does not bind.
 struct MillingTool {
-    double radius;  ///< r0 of the ball, mm, above 0
-    int flutes;     ///< m, from 1
-    /// Of the flutes against the axis, rad, within `most_helix` either way. In the frame of
-    /// BallEngagement edges trail by it, also when that frame is mirrored: see HelicalEdge.
+    double radius;  ///< mm, r0 of the ball, above 0
+    int flutes;     ///< m, at least 1
+    /// rad, angle of the flutes against the axis, within `most_helix` in either
+    /// direction.
+    ///
+    /// At the height z above the tip the azimuth of an edge is that of its tip minus z
+    /// tan(helix)/r0, in the frame of BallEngagement. This frame is mirrored when milling
+    /// down, and the helix is not:
+    /// - Milling up, the spindle (clockwise seen from above, M03) turns towards growing
+    ///   azimuths. A positive helix is a right-hand cutter.
+    /// - Milling down, the spindle turns towards falling azimuths. A positive helix is a
+    ///   left-hand cutter, and a right-hand cutter has a negative helix.
+    ///
+    /// The paper does not state the hand of the helix. Means over a turn do not depend on
+    /// the helix, and in a slot its sign changes no peak.
+    /// Source: docs/mathematics/ball-end-milling.md, section 4.
     double helix = 0;
-    std::optional<double> cutting_force_n =
-        {};  ///< most across the axis at any time, N, above 0
-    std::optional<double> thrust_n = {};    ///< most along the axis, N, above 0
-    std::optional<double> torque_n_m = {};  ///< N m, above 0
+    /// N, largest force across the axis at any time, above 0.
+    std::optional<double> cutting_force_n = {};
+    std::optional<double> thrust_n = {};    ///< N, largest force along the axis, above 0
+    std::optional<double> torque_n_m = {};  ///< N m, largest torque, above 0
 };
 
-/// \throws DomainError unless every number is finite and as said above.
+/// Checks the ranges that MillingTool states.
+/// \throws DomainError if a number is outside its range or not finite.
 void require_sound(const MillingTool& tool);
 
-/// What the cut sees of `tool`. A helix that it does not tell is 0: where the flutes' course
-/// matters, ask `tool.helix` first.
-/// \throws DomainError if it is no ball-end mill, or does not tell its flutes; or as
-///         `require_sound` of a Tool.
+/// The data of `tool` that the cutting model needs. A missing helix becomes 0; a caller
+/// for whom the helix matters must check `tool.helix` first.
+/// \throws DomainError if the cutter is not a ball-end mill or the number of flutes is
+///         missing, or as `require_sound` of a Tool.
 MillingTool milling_tool(const Tool& tool);
 
-/// What a milling machine bears and reaches, as the cut sees it. A limit that is not given
-/// does not bind.
+/// Limits of a milling machine, as the cutting model needs them. A missing limit does not
+/// bind.
 struct MachineLimits {
-    std::optional<double> max_rpm = {};                ///< of the spindle, above 0
-    std::optional<double> max_power_w = {};            ///< of the spindle, above 0
-    std::optional<double> max_torque_n_m = {};         ///< of the spindle, above 0
-    std::optional<double> max_feed_mm_per_min = {};    ///< of the feed drives, above 0
-    std::optional<double> acceleration_m_per_s2 = {};  ///< along the path, above 0
+    std::optional<double> max_rpm = {};              ///< rpm, of the spindle, above 0
+    std::optional<double> max_power_w = {};          ///< W, of the spindle, above 0
+    std::optional<double> max_torque_n_m = {};       ///< N m, of the spindle, above 0
+    std::optional<double> max_feed_mm_per_min = {};  ///< mm/min, of the drives, above 0
+    /// m/s^2, along the path, above 0.
+    std::optional<double> acceleration_m_per_s2 = {};
 
-    /// Whether both say the same.
+    /// Whether all limits are equal.
     friend bool operator==(const MachineLimits&, const MachineLimits&) = default;
 };
 
-/// \throws DomainError unless every number is finite and above 0.
+/// Checks the limits.
+/// \throws DomainError unless every limit is finite and above 0.
 void require_sound(const MachineLimits& machine);
 
 }  // namespace endmill

@@ -9,6 +9,14 @@
 
 #include "endmill/core/error.h"
 
+// The motion is planned in three passes over the points
+// (docs/mathematics/ball-end-milling.md, section 11):
+// 1. The speed at a point is at most the feed of its two segments and the corner speed.
+// 2. A forward pass reduces it to what can be reached from the previous point.
+// 3. A backward pass reduces it to what allows stopping at the next point.
+// The time of each segment then follows in closed form from its feed and its two end
+// speeds.
+
 namespace endmill {
 namespace {
 
@@ -21,7 +29,7 @@ void require_sound(const FeedAcceleration& motion)
             "planned feed: need 0 < corner tolerance");
 }
 
-// A polyline's segments.
+// The segments of a polyline.
 struct Segments {
     std::vector<Vec3> moves;      // mm
     std::vector<double> lengths;  // mm
@@ -34,21 +42,22 @@ Segments segments_of(std::span<const Vec3> points)
         const Vec3 move = points[i] - points[i - 1];
         const double length = move.norm();
         require(std::isfinite(length) && length > 0,
-                "planned_run: need points that are finite and apart");
+                "planned_run: need finite points without equal neighbours");
         segments.moves.push_back(move);
         segments.lengths.push_back(length);
     }
     return segments;
 }
 
-// The largest speed that is reached from `speed` over `length`.
+// The largest speed that can be reached from `speed` over `length`.
 double reached(double speed, double length, double acceleration)
 {
     return std::sqrt(speed * speed + 2 * acceleration * length);
 }
 
-// Most speed at each point: first by feeds and corners, then by what can be reached from
-// the rests at both ends.
+// Largest speed at each point: the minimum of the feeds of both segments and the corner
+// speed, then reduced forwards and backwards to what the acceleration allows from the
+// rests at both ends.
 std::vector<double> vertex_speeds(const Segments& segments, std::span<const double> feeds,
                                   const FeedAcceleration& motion)
 {
@@ -67,18 +76,19 @@ std::vector<double> vertex_speeds(const Segments& segments, std::span<const doub
     return speeds;
 }
 
-// Speeds up from `from`, goes on at `feed` as far as there is room, slows down to `to`.
+// Time of a segment: the machine accelerates from `from`, runs at `feed` as far as the
+// length allows, and slows down to `to`.
 double segment_time(double length, double from, double to, double feed, double a)
 {
     const double peak =
         std::min(feed, std::sqrt((2 * a * length + from * from + to * to) / 2));
     const double ramps = (2 * peak * peak - from * from - to * to) / (2 * a);
-    // Roundings may leave a ramp or the rest between them a little below nothing.
+    // Rounding may make a ramp or the part at constant speed slightly negative.
     return std::max(0.0, peak - from) / a + std::max(0.0, peak - to) / a +
            std::max(0.0, length - ramps) / peak;
 }
 
-// The feed of the move to point i in mm/s; none for a rapid.
+// Feed in mm/s of the move to point i, or std::nullopt for a rapid.
 std::optional<double> feed_of_move(const ToolPath& path, std::size_t i)
 {
     constexpr double seconds_per_min = 60;
@@ -90,14 +100,14 @@ std::optional<double> feed_of_move(const ToolPath& path, std::size_t i)
     return feed ? std::optional{*feed / seconds_per_min} : std::nullopt;
 }
 
-// A run of moves at feed, under way.
+// A run of consecutive moves at feed.
 struct Run {
     std::vector<Vec3> tips = {};
     std::vector<double> feeds = {};
-    std::vector<std::size_t> ends = {};  // points of the path to which the moves lead
+    std::vector<std::size_t> ends = {};  // indices of the end points of the moves
 };
 
-// Plans `run` and puts the times of its moves where they belong.
+// Plans `run` and stores the times of its moves.
 void finish(const Run& run, const FeedAcceleration& motion, std::vector<double>& times)
 {
     if (run.feeds.empty())
@@ -117,7 +127,8 @@ double corner_speed(const Vec3& before, const Vec3& after, const FeedAcceleratio
     require(length_before > 0 && length_after > 0, "corner_speed: need 0 < lengths");
     const Vec3 in = before / length_before;
     const Vec3 out = after / length_after;
-    // Of half the angle by which the direction turns; exactly 0 for a reversal.
+    // Cosine and sine of half the angle of turning. The cosine is exactly 0 for a
+    // reversal.
     const double cosine = (in + out).norm() / 2;
     const double sine = (in - out).norm() / 2;
     if (sine == 0)
@@ -133,7 +144,7 @@ PlannedRun planned_run(std::span<const Vec3> points, std::span<const double> fee
 {
     require_sound(motion);
     require(points.size() >= 2, "planned_run: need two points");
-    require(feeds.size() + 1 == points.size(), "planned_run: need a feed a segment");
+    require(feeds.size() + 1 == points.size(), "planned_run: need one feed per segment");
     for (const double feed : feeds)
         require(std::isfinite(feed) && feed > 0, "planned_run: need 0 < feed");
     const Segments segments = segments_of(points);
@@ -152,7 +163,7 @@ std::vector<double> planned_times(const ToolPath& path, const FeedAcceleration& 
 {
     require_sound(motion);
     require(path.conditions.empty() || path.conditions.size() == path.points.size(),
-            "planned_times: need conditions for no point or for all");
+            "planned_times: need conditions for all points or for none");
     std::vector<double> times(path.points.size(), 0);
     Run run;
     for (std::size_t i = 1; i < path.points.size(); ++i) {

@@ -11,11 +11,22 @@
 #include "endmill/process/detail/move_contacts.h"
 #include "endmill/process/detail/pass_index.h"
 
+// Each cut is described in two steps:
+// 1. PassIndex finds the nearest earlier pass on each side of the move. The nearer one
+//    determines the side of the stock, the pick feed, and whether the move belongs to a
+//    first pass.
+// 2. The slope mu and the pick feed follow from the contact with the part
+//    (`set_by_contact`), or from the line between the ball centres (`set_by_passes`) if
+//    there is no usable contact.
+// The contacts of all moves are computed beforehand, because the pick feed needs the
+// contact of the neighbouring move too.
+
 namespace endmill {
 namespace {
 
-// Of the ball's centre at the neighbouring crossing: its foot is searched from that of the
-// neighbour's middle, which lies within a move of it.
+// Tolerance in mm that accepts every foot: the foot of the ball at a neighbouring
+// crossing is searched only from the foot at the middle of the neighbouring move, which
+// is near.
 constexpr double any_distance = 1e300;
 
 void require_sound(const SegmentCutOptions& options)
@@ -29,7 +40,7 @@ void require_sound(const SegmentCutOptions& options)
             "segment_cuts: need 0 < contact tolerance");
 }
 
-// The earlier pass beside a move, and on which side it lies.
+// The earlier pass beside a move, and its side.
 struct Neighbour {
     PassCrossing crossing;
     bool is_left;
@@ -45,6 +56,8 @@ std::optional<Neighbour> nearest(const NeighbouringPasses& passes)
     return std::nullopt;
 }
 
+// Describes the cuts of a path. Constant after construction, so that threads may share
+// it.
 class CutFinder {
 public:
     CutFinder(const ToolPath& path, const SegmentCutOptions& options)
@@ -56,7 +69,7 @@ public:
         if (options.source == CutSource::Passes)
             contacts_.resize(moves_.size());
         else if (options.part.empty())
-            contacts_ = told_contacts(path, moves_);
+            contacts_ = stated_contacts(path, moves_);
         else
             contacts_ = projected_contacts(path, moves_, part_.emplace(options.part),
                                            {options.radius, options.contact_tolerance});
@@ -64,7 +77,7 @@ public:
 
     const std::vector<CutMove>& moves() const { return moves_; }
 
-    // \param is_by_contact set to 1 where the contact was used.
+    // `is_by_contact` is set to 1 if the geometry comes from the contact.
     SegmentCut cut(std::size_t i, char& is_by_contact) const
     {
         const CutMove& move = moves_[i];
@@ -88,8 +101,8 @@ public:
     }
 
 private:
-    // Source: spec of ball-end milling, section 12: the line between the centres is the
-    // model's pick feed itself.
+    // The line between the ball centres is the pick feed of the model.
+    // Source: docs/mathematics/ball-end-milling.md, section 12.
     static void set_by_passes(const CutMove& move, const PassCrossing& crossing,
                               SegmentCut& cut)
     {
@@ -102,17 +115,19 @@ private:
         cut.pick_feed_horizontal_mm = across;
     }
 
-    // \return false where the contact is none of the model: an overhang, or a part that is
-    //         too tight for the ball.
+    // Returns false where the model does not describe the contact: the normal does not
+    // point upwards, or the part is too concave for the ball.
     bool set_by_contact(std::size_t i, const std::optional<Neighbour>& neighbour,
                         SegmentCut& cut) const
     {
         const CutMove& move = moves_[i];
         const Vec3 direction = move.direction();
-        const Vec3& told = contacts_[i]->normal;
-        const Vec3 normal = (told - told.dot(direction) * direction).normalized();
+        const Vec3& stated = contacts_[i]->normal;
+        // The normal without its component along the feed, which is 0 in the model.
+        const Vec3 normal = (stated - stated.dot(direction) * direction).normalized();
         if (!(normal.z() > 0))
             return false;
+        // Direction across the feed on the part, towards the stock.
         const double to_stock = cut.milling == Milling::Down ? 1 : -1;
         const Vec3 across = to_stock * direction.cross(normal);
         const auto feed = neighbour ? pick_feed(i, neighbour->crossing, across)
@@ -127,7 +142,7 @@ private:
         return true;
     }
 
-    // Eq. (13); without a part the distance of the centres.
+    // The pick feed by eq. (13), or the distance of the ball centres without a part.
     std::optional<double> pick_feed(std::size_t i, const PassCrossing& crossing,
                                     const Vec3& across) const
     {
@@ -150,9 +165,10 @@ private:
     std::vector<CutMove> moves_;
     PassIndex passes_;
     std::optional<ContactSearch> part_;
-    std::vector<std::optional<MoveContact>> contacts_;  // one a move
+    std::vector<std::optional<MoveContact>> contacts_;  // one per move
 };
 
+// Checks that every cut was described by its contact.
 void require_contacts(const ToolPath& path, const SegmentCuts& cuts,
                       const std::vector<char>& by_contact)
 {

@@ -1,65 +1,99 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+/// \file
+/// Geometry of the cuts of a path: the slopes, pick feed and depth of every cutting move.
+
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "endmill/path/tool_path.h"
-#include "endmill/process/feed_plan.h"
+#include "endmill/process/ball_engagement.h"
 #include "endmill/surface/surface.h"
 
 namespace endmill {
 
-/// Where the geometry of a cut comes from.
+/// Geometry of the cut of a ball-end mill on one straight cutting move, taken at the
+/// middle of the move. Values that are unknown, or meaningless for a first pass, are
+/// std::nullopt.
+/// Source: [ParkMaeng, eq. (8) to (14)]; docs/mathematics/ball-end-milling.md, sections
+/// 1, 3 and 6.
+struct SegmentCut {
+    int pass = 0;          ///< number of the pass in the path
+    int point = 0;         ///< number within its pass of the point at the move's end
+    double length_mm = 0;  ///< mm, length of the move of the ball centre, above 0
+    std::optional<double> mu =
+        {};             ///< rad, slope of the pick feed, turned about the feed
+    double lambda = 0;  ///< rad, slope of the feed, positive uphill
+    std::optional<double> pick_feed_mm = {};  ///< mm, f_p, between the ball centres
+    std::optional<double> pick_feed_horizontal_mm = {};  ///< mm, f_p cos(mu)
+    double depth_mm =
+        0;  ///< mm, l, height of the stock's top above the tip; <= 0: in air
+    PreviousPass previous = PreviousPass::Beside;  ///< Beside needs mu and the pick feed
+    Milling milling = Milling::Down;               ///< side of the feed with the stock
+    bool has_two_neighbours =
+        false;  ///< earlier passes lie on both sides; the nearer counts
+};
+
+/// Source of the geometry of a cut.
 enum class CutSource {
-    Auto,     ///< contact where it is known, else the passes
-    Contact,  ///< the part's normal where the ball touches it
+    Auto,     ///< the contact where it is known, else the passes
+    Contact,  ///< the normal of the part where the ball touches it
     Passes    ///< the path alone: the earlier pass beside the move
 };
 
-/// What a path alone does not tell of its cuts.
+/// Data that `segment_cuts` needs beside the path.
 struct SegmentCutOptions {
-    double radius;     ///< of the ball, mm, above 0
-    double stock_top;  ///< height of the stock's horizontal top, mm
+    double radius;     ///< mm, radius of the ball, above 0
+    double stock_top;  ///< mm, height of the stock's horizontal top
     PreviousPass first_pass =
-        PreviousPass::None;  ///< None or Edge: no pass lies beside it
-    CutSource source = CutSource::Auto;
-    std::span<const Surface> part = {};  ///< what the path was made for; none: not known
+        PreviousPass::None;              ///< None or Edge: moves without a neighbour
+    CutSource source = CutSource::Auto;  ///< source of mu and the pick feed
+    std::span<const Surface> part =
+        {};  ///< the part for which the path was made, if known
     double contact_tolerance =
         0.05;  ///< mm, by which the ball may miss the part; above 0
 };
 
 /// The cuts of a path.
 struct SegmentCuts {
-    std::vector<SegmentCut> cuts;     ///< one a cut move, in order
-    std::vector<std::size_t> points;  ///< of the path, to which the moves lead
-    std::size_t by_contact = 0;       ///< cuts whose geometry comes from a contact
-    std::size_t by_passes = 0;        ///< the others
-    std::size_t zero_length = 0;      ///< moves to cut points that go nowhere, left out
+    std::vector<SegmentCut> cuts;     ///< one per cutting move, in order
+    std::vector<std::size_t> points;  ///< index in the path of each move's end point
+    std::size_t by_contact = 0;   ///< number of cuts whose geometry comes from a contact
+    std::size_t by_passes = 0;    ///< number of the other cuts
+    std::size_t zero_length = 0;  ///< number of moves of length 0, which are left out
 };
 
-/// How a ball-end mill stands in the stock on every cut move of `path`, at its middle. Moves
-/// that go nowhere, and those straight up or down, are left out: they are none of the model.
+/// Geometry of every cutting move of `path`. Moves of length 0 and vertical moves are
+/// left out, because the model does not describe them.
 ///
-/// The pick feed is that to the nearest earlier pass beside the move (`PassIndex`, within the
-/// ball's diameter); where there is none, the move belongs to a first pass. By the passes, its
-/// length and slope are those of the line between the centres: exact for parallel passes on
-/// planes; along a cylinder the length is exact, the slope off by half the angle between the
-/// passes. By contact, mu and lambda are those of eq. (10), (11) with the part's normal, and,
-/// if the part is given, f_p = d (1 + r0 k) with the distance d of the contacts across the
-/// feed and the normal curvature k of the part across it; else as by the passes.
-/// Contacts are found by projection of the ball's centre if the part is given, or else are
-/// between those that the path tells of both ends of the move, of which the normals are
-/// enough. Where there is none, or the ball would not fit the part, the passes are used by
-/// CutSource::Auto.
-/// Source: [ParkMaeng, eq. (8) to (14)]; spec of ball-end milling, sections 6 and 12.
+/// The pick feed leads to the nearest earlier pass beside the move, within the diameter
+/// of the ball. A move without such a neighbour belongs to a first pass.
+/// - By the passes, length and slope of the pick feed are those of the line between the
+///   ball centres. This is exact for parallel passes on planes. Along a cylinder the
+///   length is exact and the slope is off by half the angle between the passes.
+/// - By contact, mu and lambda follow from eq. (10) and (11) with the normal of the part.
+///   If the part is given, f_p = d (1 + r0 k), where d is the distance of the contacts
+///   across the feed and k is the normal curvature of the part across the feed. Otherwise
+///   f_p is the distance of the ball centres.
+/// - Contacts are projections of the ball centre on the part if it is given. Otherwise
+///   they are the means of the normals that the path states at both ends of a move.
+///   `Auto` uses the passes where there is no contact or the ball does not fit
+///   the part.
+/// Source: [ParkMaeng, eq. (8) to (14)]; docs/mathematics/ball-end-milling.md, sections 6
+/// and 12.
 ///
-/// \throws DomainError unless the options are as said.
-/// \throws GeometryError unless the axis is +z everywhere; if a cut point misses the part by
-///         more than the tolerance, with the largest distance and its place; if a contact
-///         that the path tells is another ball's; with CutSource::Contact if a move has none.
-/// The same with any number of threads. About n log(n) in the moves.
+/// \param path the path; its conditions are not used.
+/// \param options cutter, stock and part.
+/// \throws DomainError if an option is outside its range.
+/// \throws GeometryError unless the axis is +z everywhere; if the ball misses the part by
+///         more than the tolerance at an end of a cut (the message states the largest
+///         distance and its place); if a contact of the path belongs to another ball; or,
+///         with the source `Contact`, if a move has no contact.
+/// The result does not depend on the number of threads. Time is about n log(n) in the
+/// moves.
 SegmentCuts segment_cuts(const ToolPath& path, const SegmentCutOptions& options);
 
 }  // namespace endmill

@@ -44,7 +44,7 @@ LogMeans log_means(std::span<const CuttingSpeedDatum> data)
     return {sum.angle / count, sum.speed / count};
 }
 
-// Of ln V against ln(phi/pi). Taken about the means, so that nothing cancels.
+// Slope of ln V against ln(phi/pi), computed about the means to avoid cancellation.
 double slope(std::span<const CuttingSpeedDatum> data, const LogMeans& means)
 {
     double angle_angle = 0;
@@ -89,8 +89,7 @@ SpeedLine fitted_speed_line(std::span<const CuttingSpeedDatum> data, double alph
     const LogMeans means = log_means(data);
     const double v1 = std::exp(means.speed + alpha * means.angle);
     if (!is_positive(v1))
-        throw GeometryError{
-            "the cutting speeds make one at a half turn that is no number above 0"};
+        throw GeometryError{"the cutting speeds give a speed V1 that is not above 0"};
     return {alpha, v1};
 }
 

@@ -10,16 +10,17 @@ namespace {
 
 using std::numbers::pi;
 
-// A program's digits are coarser by far, and a million sums of numbers up to 1e3 mm round
-// to less.
+// Ends of an arc closer than this, in mm, coincide. The last digits of a program are much
+// coarser, and the rounding of a million sums of numbers up to 1e3 mm is smaller.
 constexpr double same_point_mm = 1e-8;
 
+// Components along the two axes of the plane of an arc.
 struct InPlane {
     double first;
     double second;
 };
 
-// From `from` to `to`, in the plane.
+// The vector from `from` to `to`, projected on the plane.
 InPlane difference(const Vec3& from, const Vec3& to, const PlaneAxes& axes)
 {
     return {to[axes.first] - from[axes.first], to[axes.second] - from[axes.second]};
@@ -78,7 +79,8 @@ std::optional<Vec3> centre_of_radius(const Arc& arc, double radius, double toler
     if (half_chord - size > tolerance_mm)
         return std::nullopt;
     // The centre of a counterclockwise arc below half a turn lies to the left of its
-    // chord; either other choice puts it to the right, both to the left again.
+    // chord. A clockwise arc, or an arc of more than half a turn, has it on the right;
+    // both together put it on the left again.
     const double left = arc.clockwise == (radius < 0) ? 1 : -1;
     const double height =
         std::sqrt(std::max(0.0, (size - half_chord) * (size + half_chord)));
@@ -97,7 +99,7 @@ ArcChords::ArcChords(const Arc& arc, double tolerance_mm)
     start_angle_ = direction(difference(arc.centre, arc.start, axes));
     const double angle = arc_angle(arc);
     angle_ = arc.clockwise ? -angle : angle;
-    // acos(1 - q) = 2 asin(sqrt(q / 2)), which loses no digits where q is small.
+    // acos(1 - q) = 2 asin(sqrt(q / 2)) is accurate also for small q.
     const double sagitta = std::min(1.0, tolerance_mm / radii_.larger());
     const double step = 4 * std::asin(std::sqrt(sagitta / 2));
     count_ = std::max(1.0, std::ceil(angle / step));

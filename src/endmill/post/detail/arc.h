@@ -15,31 +15,31 @@ enum class ArcPlane {
     Yz,  ///< G19
 };
 
-/// Which coordinates of a Vec3 are those of a plane, so that first, second and normal are
-/// right-handed: an arc that is clockwise seen from +normal turns from second to first.
-/// G18 is therefore Z, X, and not X, Z.
+/// Indices of the coordinates of a plane in a Vec3. First, second and normal are
+/// right-handed: an arc that is clockwise seen from +normal turns from the second axis to
+/// the first. For G18 the order is therefore Z, X.
 struct PlaneAxes {
     int first;   ///< 0, 1 or 2 for x, y or z
-    int second;  ///< the same
-    int normal;  ///< the same
+    int second;  ///< 0, 1 or 2
+    int normal;  ///< 0, 1 or 2
 };
 
 /// The axes of `plane`.
 PlaneAxes plane_axes(ArcPlane plane);
 
-/// An arc, or a helix: what G2 and G3 mean. In the plane it goes around `centre`, along
-/// the normal evenly with the angle. If start and end lie at different distances from
-/// the centre, the radius changes evenly with the angle.
+/// The arc or helix of a G2 or G3. In its plane it runs around `centre`; along the normal
+/// it advances in proportion to the angle. If start and end have different distances from
+/// the centre, the radius changes in proportion to the angle too.
 struct Arc {
-    Vec3 start;   ///< mm
-    Vec3 end;     ///< mm
-    Vec3 centre;  ///< mm; the coordinate along the normal does not matter
-    ArcPlane plane = ArcPlane::Xy;
-    bool clockwise = true;  ///< seen from the positive end of the plane's normal
-    double turns = 1;       ///< whole number: so many times is the end reached
+    Vec3 start;                     ///< mm
+    Vec3 end;                       ///< mm
+    Vec3 centre;                    ///< mm; the coordinate along the normal is ignored
+    ArcPlane plane = ArcPlane::Xy;  ///< plane of the arc
+    bool clockwise = true;  ///< sense, seen from the positive end of the plane's normal
+    double turns = 1;       ///< whole number, at least 1: how often the end is reached
 };
 
-/// Distances of an arc's start and end from its centre, in the plane, in mm.
+/// Distances of the start and the end of an arc from its centre, in its plane.
 struct ArcRadii {
     double start;  ///< mm
     double end;    ///< mm
@@ -50,43 +50,47 @@ struct ArcRadii {
 /// The radii of `arc`.
 ArcRadii arc_radii(const Arc& arc);
 
-/// The angle that `arc` passes, in rad: above 0, up to 2 pi a turn. Start and end within
-/// 1e-8 mm of each other, in the plane, are a full circle: the rounding of sums of
-/// incremental words must not make it vanish. Within 1e-15 rad a turn for the given ends.
-/// \pre both radii of `arc` are positive.
+/// Angle of `arc` in rad: above 0, at most 2 pi per turn. Ends within 1e-8 mm of each
+/// other in the plane make a full circle, so that the rounding of summed increments
+/// cannot turn a circle into nothing. Error below 1e-15 rad per turn for the given ends.
+/// \pre Both radii of `arc` are positive.
 double arc_angle(const Arc& arc);
 
-/// The centre of the arc with the given ends, in place of whatever `arc.centre` is.
-/// \param radius in mm, signed: negative for the arc of more than half a turn.
-/// \return none if the ends are farther apart than twice the radius by more than
-///         `tolerance_mm`; up to there it is half a circle of the radius that fits.
-/// \pre the ends differ in the plane, radius != 0
-/// Source: the triangle of both ends and the centre.
+/// Centre of the arc with the ends of `arc` and a given radius; `arc.centre` is ignored.
+/// It follows from the right triangle of an end, the middle of the ends and the centre.
+/// \param arc ends, plane and sense.
+/// \param radius mm, signed: negative for the arc of more than half a turn.
+/// \param tolerance_mm mm, by which half the distance of the ends may exceed |radius|.
+///        Within this tolerance the result is the middle of the ends.
+/// \return std::nullopt if the ends are farther apart.
+/// \pre The ends differ in the plane, and the radius is not 0.
 std::optional<Vec3> centre_of_radius(const Arc& arc, double radius, double tolerance_mm);
 
-/// The chords that stand for an arc: ends on the arc, evenly spread over its angle, as
-/// few as keep within a distance of it.
+/// The chords that replace an arc. Their ends lie on the arc at equal angles. Their
+/// number is the smallest that keeps the chords within a tolerance of the arc.
 class ArcChords {
 public:
-    /// \param tolerance_mm t > 0: the number of chords is the angle over
-    ///        2 acos(1 - t / radius), rounded up, for the larger radius.
-    ///        A chord spans at most half a turn.
-    /// Source: the sagitta of a chord; spec of the removal, section 5.
-    /// \pre both radii of `arc` are positive.
+    /// The number of chords is the angle over 2 acos(1 - t / radius), rounded up, with
+    /// the larger radius. A chord spans at most half a turn.
+    /// \param arc the arc.
+    /// \param tolerance_mm t in mm, above 0: largest distance of a chord from the arc.
+    /// \pre Both radii of `arc` are positive.
+    /// Source: sagitta of a chord; docs/mathematics/removal.md, section 5.
     ArcChords(const Arc& arc, double tolerance_mm);
 
-    double count() const { return count_; }  ///< whole number, at least 1, maybe huge
+    /// Number of chords: a whole number, at least 1. It may exceed the range of integers.
+    double count() const { return count_; }
 
-    /// The end of chord `number`, from 1; that of the last is the arc's end itself. The
-    /// others are on the arc within 1e-15 of the radius and the centre's coordinates, and
-    /// along it within 1e-15 of the way from the start.
+    /// End of chord `number`, counted from 1. The last end is the end of the arc itself.
+    /// The others lie on the arc within 1e-15 of the radius and the centre's coordinates,
+    /// and along the arc within 1e-15 of the distance from the start.
     Vec3 end(std::size_t number) const;
 
 private:
     Arc arc_;
     ArcRadii radii_;
-    double start_angle_;  // in the plane, from its first axis
-    double angle_;        // negative if clockwise
+    double start_angle_;  // rad in the plane, from its first axis
+    double angle_;        // rad, negative if clockwise
     double count_;
 };
 

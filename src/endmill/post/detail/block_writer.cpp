@@ -9,7 +9,8 @@
 namespace endmill {
 namespace {
 
-// Controls read five digits of N; nothing asks that the numbers be different.
+// Numbers start again at N1 after this one: controls read five digits, and the language
+// does not require different numbers.
 constexpr std::size_t line_numbers = 99999;
 
 }  // namespace
@@ -72,7 +73,8 @@ void BlockWriter::forget_position()
     tip_ = Vec3::Constant(unknown);
 }
 
-// A block that turns out to be empty is taken back; its number was never used up.
+// Writes the block number. If the block remains empty, add_move removes this text again;
+// the number is counted only in end_block.
 void BlockWriter::begin_block()
 {
     block_begin_ = text_.size();
@@ -87,7 +89,7 @@ void BlockWriter::end_block()
     ++blocks_;
 }
 
-// Words stand apart by a blank: no control needs it, and people read it.
+// Separates words by a blank, for readability only.
 void BlockWriter::add_word(std::string_view word)
 {
     if (text_.size() > block_begin_)
@@ -101,7 +103,8 @@ void BlockWriter::add_motion(Motion motion)
         add_word(motion == Motion::Rapid ? "G0" : "G1");
 }
 
-// Appends the word of an axis, unless it says what is in force. \return its number.
+// Appends the word of an axis, unless its rounded number is in force. Returns that
+// number.
 double BlockWriter::add_axis(char letter, double value, double in_force)
 {
     const std::size_t begin = text_.size();
@@ -113,7 +116,7 @@ double BlockWriter::add_axis(char letter, double value, double in_force)
     return rounded;
 }
 
-// Appends a word that holds until another is told, unless its number does so already.
+// Appends a modal word, unless its rounded number is in force. NaN stands for no number.
 void BlockWriter::add_modal(char letter, double value, double& in_force)
 {
     if (std::isnan(value))

@@ -11,50 +11,57 @@
 
 namespace endmill {
 
-/// A motion of RS-274 in a straight line.
-enum class Motion { Rapid, Feed };
-
-/// How blocks are spelled.
-struct BlockFormat {
-    int decimals = 4;           ///< of every number, 0 to 9
-    bool line_numbers = false;  ///< N1 to N99999, then N1 again
+/// Kind of a straight motion in RS-274.
+enum class Motion {
+    Rapid,  ///< G0
+    Feed    ///< G1
 };
 
-/// Appends blocks to a program: G0, G1, X, Y, Z, F and S only where their number, once
-/// rounded, is not the one in force. All of it throws DomainError for a number that is not
-/// finite.
+/// Format of blocks.
+struct BlockFormat {
+    int decimals = 4;  ///< digits after the point of every number, 0 to 9
+    bool line_numbers =
+        false;  ///< whether blocks are numbered N1 to N99999, then N1 again
+};
+
+/// Writes the blocks of a program. G0, G1, X, Y, Z, F and S are written only where the
+/// rounded number differs from the one in force. All functions throw DomainError for a
+/// number that is not finite.
 class BlockWriter {
 public:
-    /// Of a program without blocks so far.
+    /// Begins a program without blocks.
     explicit BlockWriter(BlockFormat format) : format_{format} {}
 
-    /// A line without a number that is no block: % or a comment.
+    /// Adds an unnumbered line that is not a block: % or a comment.
     void add_line(std::string_view text);
 
-    /// A block of `words`, as they stand.
+    /// Adds a block with the given words.
     void add_block(std::string_view words);
 
-    /// A move of the tip, in mm, to `tip`.
-    /// \param feed in mm/min.
-    /// \return false if no axis moves: then nothing is written.
+    /// Adds a move of the tip.
+    /// \param motion rapid or at feed.
+    /// \param tip end of the move, mm.
+    /// \param feed mm/min.
+    /// \return false if no rounded coordinate changes; then nothing is written.
     bool add_move(Motion motion, const Vec3& tip, std::optional<double> feed);
 
-    /// A rapid of the height alone, in mm, wherever the tool stands.
+    /// Adds a rapid to `height` (mm) along z, which is written even if the height is in
+    /// force.
     void add_rise(double height);
 
-    /// From the next block on the spindle turns at `rpm`.
+    /// Sets the spindle speed in rpm, which is written with the next block that needs it.
     void set_speed(double rpm) { wanted_speed_ = rpm; }
 
-    /// The block that starts the spindle clockwise, at the speed set.
+    /// Adds the block that starts the spindle clockwise at the speed set.
     void start_spindle();
 
-    /// The next move says its motion and all axes.
+    /// Makes the next move write its motion and all its axes.
     void forget_position();
 
-    const Vec3& tip() const { return tip_; }  ///< in mm, rounded; NaN before the first
-    double max_rounding_error_mm() const { return max_rounding_error_; }  ///< of an axis
-    std::size_t lines() const { return lines_; }                          ///< so far
-    std::string& text() { return text_; }  ///< of all lines, each with its line feed
+    const Vec3& tip() const { return tip_; }  ///< mm, rounded; NaN before the first move
+    double max_rounding_error_mm() const { return max_rounding_error_; }  ///< mm
+    std::size_t lines() const { return lines_; }  ///< number of lines so far
+    std::string& text() { return text_; }         ///< all lines, each with its line feed
 
 private:
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -70,7 +77,7 @@ private:
     std::string text_;
     std::size_t lines_ = 0;
     std::size_t blocks_ = 0;
-    std::size_t block_begin_ = 0;  // in text_
+    std::size_t block_begin_ = 0;  // position in text_
     std::optional<Motion> motion_;
     Vec3 tip_ = Vec3::Constant(unknown);
     double feed_ = unknown;

@@ -19,13 +19,14 @@ bool is_in_name(char byte)
     return ('A' <= byte && byte <= 'Z') || byte == '_' || byte == '.' || is_digit(byte);
 }
 
-// How many bytes at the beginning of `text` satisfy `holds`.
+// Number of bytes at the beginning of `text` that satisfy `holds`.
 template <class Predicate>
 std::size_t run_length(std::string_view text, Predicate holds)
 {
     return static_cast<std::size_t>(std::ranges::find_if_not(text, holds) - text.begin());
 }
 
+// `text` without the white space at its end.
 std::string_view without_tail(std::string_view text)
 {
     while (!text.empty() && is_blank(text.back()))
@@ -44,7 +45,7 @@ std::optional<CanonicalLine> canonical_line(std::string_view line)
     if (digits == 0 || !line.starts_with('N'))
         return std::nullopt;
     line.remove_prefix(1);
-    // The number of the block, padded with blanks to six digits, or dots.
+    // The block number, padded with blanks to six digits, or dots if the block has none.
     line.remove_prefix(
         run_length(line, [](char byte) { return is_digit(byte) || byte == '.'; }));
     line = without_indent(line);

@@ -8,15 +8,15 @@ namespace endmill {
 
 /// A line of canonical output: "   12 N..... NAME(argument, argument)".
 struct CanonicalLine {
-    std::string_view name;       ///< capitals, digits, _ and .
-    std::string_view arguments;  ///< between the first ( and the last )
+    std::string_view name;       ///< name of the command: capitals, digits, _ and .
+    std::string_view arguments;  ///< text between the first ( and the last )
 };
 
-/// The parts of `line`; none if it is no such line.
+/// The parts of `line`, or std::nullopt if it has another form.
 std::optional<CanonicalLine> canonical_line(std::string_view line);
 
-/// The next argument of `arguments`, without blanks around it, which is cut off with its
-/// comma; none if nothing is left.
+/// Removes the next argument with its comma from `arguments`.
+/// \return the argument without surrounding blanks, or std::nullopt if none is left.
 std::optional<std::string_view> take_argument(std::string_view& arguments);
 
 }  // namespace endmill

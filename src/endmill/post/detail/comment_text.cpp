@@ -4,6 +4,7 @@
 namespace endmill {
 namespace {
 
+// Characters.
 constexpr std::size_t longest_comment = 80;
 
 }  // namespace
@@ -13,7 +14,8 @@ std::string comment_text(std::string_view text)
     std::string clean;
     for (const char character : text) {
         const auto byte = static_cast<unsigned char>(character);
-        const bool is_continuation = (byte & 0xC0U) == 0x80U;  // of a letter in UTF-8
+        // Further bytes of a letter in UTF-8 are dropped; its first byte becomes '?'.
+        const bool is_continuation = (byte & 0xC0U) == 0x80U;
         const bool is_control = byte < 0x20U || byte == 0x7FU;
         if (is_continuation || is_control ||
             std::string_view{"()$%"}.find(character) != std::string_view::npos)

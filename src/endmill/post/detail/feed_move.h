@@ -6,9 +6,9 @@
 
 namespace endmill {
 
-/// What a move at feed is, of which a program says no more: straight down a plunge,
-/// straight up a retract, else a cut.
-/// Source: spec of the removal, section 5.
+/// Kind of a straight move at feed, derived from its ends because a program does not
+/// state it: straight down is a plunge, straight up a retract, anything else a cut.
+/// Source: docs/mathematics/removal.md, section 5.
 inline Move feed_move(const Vec3& from, const Vec3& to)
 {
     if (from.x() != to.x() || from.y() != to.y() || from.z() == to.z())

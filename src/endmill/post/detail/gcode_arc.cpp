@@ -16,8 +16,9 @@ constexpr std::string_view centre_words = "IJK";
 
 }  // namespace
 
-// Programs round ends and centre one by one, which moves the radii apart; those of a long
-// arc, whose R or centre has fewer digits to spare, by more.
+// A program rounds the ends and the centre of an arc separately, so the radii differ. The
+// relative part serves large arcs, whose R or centre is stated with fewer significant
+// digits.
 double radius_tolerance(double radius_mm)
 {
     constexpr double least_mm = 0.01;
@@ -25,7 +26,7 @@ double radius_tolerance(double radius_mm)
     return std::max(least_mm, part * radius_mm);
 }
 
-// Written so that NaN does not pass.
+// The conditions are negated so that NaN fails them.
 void check_radii(const Arc& arc, const TextLines& lines)
 {
     const ArcRadii radii = arc_radii(arc);
@@ -38,13 +39,13 @@ void check_radii(const Arc& arc, const TextLines& lines)
                               "a difference of at most 0.01 mm or 0.1 %");
 }
 
-// Asked even of an arc that is left out because its start is not known: a program is
-// wrong or not wherever it begins.
+// The caller checks the words also of an arc that is left out because its start is
+// unknown: whether a program is correct does not depend on where its path begins.
 void ArcReader::check_words() const
 {
     const bool has_centre = block_.has_any(centre_words);
     if (has_centre && block_.has('R'))
-        throw lines_.complaint("an arc with both a centre and R", "one of them");
+        throw lines_.complaint("an arc with both a centre and R", "either of them");
     if (!has_centre && !block_.has('R'))
         throw lines_.complaint("an arc without centre or R", "I, J, K or R");
     const double turns = block_.has('P') ? block_.value('P') : 1;
@@ -58,8 +59,9 @@ void ArcReader::check_words() const
         throw lines_.complaint(std::string{"word "} + centre_letters[axes.normal] +
                                    " across the arc's plane",
                                "a centre in the plane of G17, G18 or G19");
+    const bool is_absolute = modes_.centres == DistanceMode::Absolute;
     for (const int axis : {axes.first, axes.second})
-        if (modes_.absolute_centres && !block_.has(centre_letters[axis]))
+        if (is_absolute && !block_.has(centre_letters[axis]))
             throw lines_.complaint(
                 std::string{"no "} + centre_letters[axis] + " under G90.1",
                 "both words of an absolute centre");
@@ -81,11 +83,11 @@ Arc ArcReader::arc(const Vec3& start, const Vec3& end) const
 double ArcReader::length(char letter) const
 {
     const double value = block_.value(letter) * modes_.mm_per_unit();
-    check_extent(value, options_, lines_);
+    check_extent(value, max_extent_mm_, lines_);
     return value;
 }
 
-// A word that is missing is 0: the centre is level with the start.
+// A missing word is an offset of 0 from the start. (Absolute centres need both words.)
 Vec3 ArcReader::centre_of_words(const Arc& ends) const
 {
     const PlaneAxes axes = plane_axes(ends.plane);
@@ -93,12 +95,14 @@ Vec3 ArcReader::centre_of_words(const Arc& ends) const
     for (const int axis : {axes.first, axes.second}) {
         const char letter = centre_letters[axis];
         const double value = block_.has(letter) ? length(letter) : 0;
-        centre[axis] = value + (modes_.absolute_centres ? 0 : ends.start[axis]);
+        const double origin =
+            modes_.centres == DistanceMode::Absolute ? 0 : ends.start[axis];
+        centre[axis] = value + origin;
     }
     return centre;
 }
 
-// Ends at one place leave the centre anywhere on a circle around it.
+// If the ends coincide, the centre is not determined by R.
 Vec3 ArcReader::centre_of_r(const Arc& ends) const
 {
     const double radius = length('R');
@@ -110,8 +114,9 @@ Vec3 ArcReader::centre_of_r(const Arc& ends) const
     const auto centre =
         radius == 0 ? std::nullopt : centre_of_radius(ends, radius, tolerance);
     if (!centre)
-        throw lines_.complaint("a radius R" + brief(block_.value('R')) + " too small",
-                               "at least half the distance of the arc's ends");
+        throw lines_.complaint(
+            "a radius R" + brief(block_.value('R')) + " that is too small",
+            "at least half the distance of the arc's ends");
     return *centre;
 }
 

@@ -5,40 +5,44 @@
 #include "endmill/post/detail/gcode_block.h"
 #include "endmill/post/detail/gcode_modes.h"
 #include "endmill/post/detail/text_lines.h"
-#include "endmill/post/gcode_reader.h"
 
 namespace endmill {
 
-/// How far the radii at both ends of an arc may differ, and a radius be too small: the
-/// larger of 0.01 mm and 0.1 % of `radius_mm`.
-/// Source: spec of the removal, section 5.
+/// Tolerance in mm for the difference of the radii at the two ends of an arc, and for a
+/// radius R that is too small: the larger of 0.01 mm and 0.1 % of `radius_mm`.
+/// Source: docs/mathematics/removal.md, section 5.
 double radius_tolerance(double radius_mm);
 
-/// \throws FormatError at the line where `lines` stands if a radius of `arc` is 0, or both
-///         differ by more than `radius_tolerance` of that at the start.
+/// Checks the radii of `arc`.
+/// \throws FormatError at the current line of `lines` if a radius is 0, or if the radii
+///         differ by more than `radius_tolerance` of the one at the start.
 void check_radii(const Arc& arc, const TextLines& lines);
 
-/// Reads the arc that a block of G2 or G3 describes.
+/// Reads the arc that a block with G2 or G3 describes.
 class ArcReader {
 public:
-    /// All of them outlive this; `modes` with the codes of the block in force.
+    /// \param block the block; must outlive the reader.
+    /// \param modes with the codes of the block in force; must outlive the reader.
+    /// \param lines for error messages; must outlive the reader.
+    /// \param max_extent_mm mm, largest magnitude of a word.
     ArcReader(const GcodeBlock& block, const GcodeModes& modes, const TextLines& lines,
-              const GcodeReadOptions& options)
+              double max_extent_mm)
         : block_{block},
           modes_{modes},
           lines_{lines},
-          options_{options}
+          max_extent_mm_{max_extent_mm}
     {
     }
 
-    /// \throws FormatError with the line if the block has neither centre nor R, or both; a
-    ///         centre out of the plane, or half of an absolute one; turns P that are no
-    ///         whole number from 1.
+    /// Checks the words of the arc.
+    /// \throws FormatError with file and line if the block has neither a centre nor R, or
+    ///         both; for a centre outside the plane or an incomplete absolute centre; for
+    ///         a number of turns P that is not a whole number from 1.
     void check_words() const;
 
     /// The arc between two positions in mm.
-    /// \throws FormatError with the line if R is too small or is to make a full circle, or
-    ///         as `check_radii`; E_RANGE if a word is beyond the largest extent.
+    /// \throws FormatError with file and line if R is too small or describes a full
+    ///         circle, or as `check_radii`; E_RANGE if a word exceeds the largest extent.
     /// \pre check_words() has not thrown.
     Arc arc(const Vec3& start, const Vec3& end) const;
 
@@ -50,7 +54,7 @@ private:
     const GcodeBlock& block_;
     const GcodeModes& modes_;
     const TextLines& lines_;
-    const GcodeReadOptions& options_;
+    double max_extent_mm_;
 };
 
 }  // namespace endmill

@@ -7,6 +7,14 @@
 #include <string>
 #include <system_error>
 
+// The parser runs over the line once:
+// 1. skip blanks, and comments in parentheses; stop at `;` or the end;
+// 2. read a letter;
+// 3. read a signed plain decimal. Blanks may stand between its digits, which is rare:
+//    then the digits are collected and converted again without the blanks;
+// 4. enter the word. G and M codes go to lists, other words must not repeat.
+// Anything else is refused with a message that names the likely intention.
+
 namespace endmill {
 namespace {
 
@@ -17,10 +25,11 @@ constexpr std::string_view expand_subroutines =
     "moves alone: expand subroutines with rs274 -g and give its output, and leave out "
     "the "
     "number of the program";
-constexpr double g_steps = 10;  // G codes are kept in tenths
+constexpr double g_steps = 10;  // G codes are stored in tenths
 constexpr double largest_g_code = 999;
 constexpr double largest_m_code = 999;
-// Of the letters of a line, how many are looked at for a call by name.
+// Number of letters of a line that are searched for the name of a tool-centre-point
+// function.
 constexpr std::size_t longest_call = 40;
 
 bool is_digit_or_point(char byte)
@@ -68,7 +77,7 @@ private:
 
     std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
 
-    // Comments cannot be nested, by the language's definition.
+    // The language forbids nested comments.
     void skip_comment()
     {
         const char* const close =
@@ -90,7 +99,8 @@ private:
         enter(letter, number(letter));
     }
 
-    // Blanks may stand anywhere in a number too, which is rare: then it is read again.
+    // The language allows blanks inside a number. They are rare, so the number is first
+    // read without them and again only if more digits follow.
     double number(char letter)
     {
         skip_blanks();
@@ -112,7 +122,7 @@ private:
         return is_negative ? -magnitude : magnitude;
     }
 
-    // The same without the blanks, or with what makes it no number or one too large.
+    // Reads a number again with the blanks removed, or refuses it.
     double scattered_number(char letter, const char* begin)
     {
         std::string digits;
@@ -126,7 +136,7 @@ private:
                                                     std::chars_format::fixed);
         if (error == std::errc::result_out_of_range && after == digits_end)
             throw lines_.range_complaint(quoted(letter + digits),
-                                         "a number that a double can hold");
+                                         "a number that a double can store");
         if (error != std::errc{} || after != digits_end)
             throw lines_.complaint(quoted(letter + digits), "a number with one point");
         return magnitude;
@@ -140,29 +150,31 @@ private:
             return enter_code(letter, value, 1, largest_m_code);
         if (block_.has(letter))
             throw lines_.complaint(std::string{"word "} + letter + " twice in a block",
-                                   "it once");
+                                   "the word once");
         block_.set(letter, value);
     }
 
-    // `steps`: into how many parts a code's unit is divided.
+    // `steps` is the number of codes per unit: 10 for G codes, 1 for M codes.
     void enter_code(char letter, double value, double steps, double largest)
     {
         const std::string shown = letter + brief(value);
         const double code = std::round(value * steps);
-        // Reading a decimal and dividing by 10 both round correctly: to the same double.
+        // Parsing the decimal and dividing by 10 are both correctly rounded, so a valid
+        // code gives the same double.
         if (!(code / steps == value && 0 <= value && value <= largest))
             throw lines_.complaint("unknown code " + shown, letter == 'G'
                                                                 ? "a G code of the subset"
                                                                 : "M0 to M999");
         GcodeCodes& codes = letter == 'G' ? block_.g : block_.m;
         if (codes.is_full() || codes.contains(static_cast<int>(code)))
-            throw lines_.complaint(shown + " twice in a block, or beside too many others",
-                                   "one code of a modal group");
+            throw lines_.complaint(
+                shown + " twice in a block, or with too many other codes",
+                "one code of each modal group");
         codes.add(static_cast<int>(code));
         block_.set(letter, value);
     }
 
-    // What begins no word is named for what it probably is.
+    // The character cannot begin a word; the message names what it probably is.
     [[noreturn]] void refuse_character() const
     {
         const char byte = capital(*at_);
@@ -188,7 +200,7 @@ private:
         throw lines_.complaint(shown, "a word: a letter and a number");
     }
 
-    // The letter is read, and no number follows.
+    // The letter has been read, and no number follows.
     [[noreturn]] void refuse_number(char letter) const
     {
         refuse_if_centre_point();
@@ -198,8 +210,8 @@ private:
                                "a plain decimal number after the letter");
     }
 
-    // Words of Siemens' and Heidenhain's controls, which stand in a line of their own:
-    // TRAORI, FUNCTION TCPM.
+    // Siemens and Heidenhain controls switch tool-centre-point control on by a name in a
+    // line of its own: TRAORI, FUNCTION TCPM.
     void refuse_if_centre_point() const
     {
         std::string letters;

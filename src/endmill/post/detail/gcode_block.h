@@ -11,16 +11,17 @@
 
 namespace endmill {
 
-/// The codes of one letter in a block, in order; so many that two must be of one modal
-/// group if there are more.
+/// The codes of one letter (G or M) in a block, in order. The capacity exceeds the number
+/// of modal groups, so a block with more codes is wrong in any case.
 class GcodeCodes {
 public:
-    static constexpr std::size_t most = 20;  ///< more than there are groups
+    static constexpr std::size_t most =
+        20;  ///< capacity; more than there are modal groups
 
-    bool is_full() const { return count_ == most; }  ///< whether `add` may not be called
+    bool is_full() const { return count_ == most; }  ///< whether no code can be added
     void add(int code) { codes_[count_++] = code; }  ///< \pre !is_full()
     std::span<const int> all() const { return {codes_.data(), count_}; }  ///< in order
-    bool contains(int code) const;  ///< whether `add` was called with it
+    bool contains(int code) const;  ///< whether `code` is among them
 
 private:
     std::array<int, most> codes_ = {};
@@ -33,16 +34,16 @@ public:
     GcodeCodes g;  ///< G codes in tenths: 432 is G43.2
     GcodeCodes m;  ///< M codes, 0 to 999
 
-    /// Whether there is a word `letter`, a capital.
+    /// Whether the block has a word with this letter. \pre `letter` is a capital.
     bool has(char letter) const { return ((present_ >> index(letter)) & 1U) != 0; }
 
-    bool has_any(std::string_view letters) const;    ///< whether there is one of them
-    bool is_empty() const { return present_ == 0; }  ///< whether there is no word
+    bool has_any(std::string_view letters) const;  ///< whether it has one of these words
+    bool is_empty() const { return present_ == 0; }  ///< whether it has no word
 
-    /// The number of the word `letter`, neither G nor M. \pre has(letter)
+    /// The number of the word `letter`, which is neither G nor M. \pre has(letter)
     double value(char letter) const { return values_[index(letter)]; }
 
-    /// Enters a word. \pre `letter` is a capital.
+    /// Adds a word. \pre `letter` is a capital.
     void set(char letter, double value)
     {
         present_ |= 1U << index(letter);
@@ -55,17 +56,19 @@ private:
         return static_cast<std::size_t>(letter - 'A');
     }
 
-    std::uint32_t present_ = 0;  // a bit a letter
+    std::uint32_t present_ = 0;  // one bit per letter
     std::array<double, 26> values_ = {};
 };
 
-/// The words of `text`, which is the line where `lines` stands without what its reader
-/// has looked at: letters with plain decimals, in any case, blanks anywhere, comments in
-/// parentheses and from `;`.
-/// Source: [KramerProctorMessina, "Format of a Line"].
-/// \throws FormatError with the line for anything else: parameters, expressions and
-///         O-words, a letter without a number or unknown, an exponent, a decimal comma, an
-///         unclosed comment, a word twice; E_RANGE for a number that a double cannot hold.
+/// The words of a line: letters in any case with plain decimals, with blanks anywhere,
+/// comments in parentheses and comments from `;`.
+/// \param text the current line of `lines`, without a prefix that the caller has handled.
+/// \param lines for error messages.
+/// \throws FormatError with file and line for anything else: parameters, expressions,
+///         O-words, an unknown letter or one without a number, an exponent, a decimal
+///         comma, an unclosed comment, a repeated word; E_RANGE for a number that a
+///         double cannot store.
+/// Source: [KramerProctorMessina, section 3.3].
 GcodeBlock parse_block(std::string_view text, const TextLines& lines);
 
 }  // namespace endmill

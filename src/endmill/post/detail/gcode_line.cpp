@@ -20,7 +20,8 @@ bool is_letter(char byte)
     return 'A' <= capital(byte) && capital(byte) <= 'Z';
 }
 
-// How many bytes of `text`, which begins with a letter, are its word: blanks may be within.
+// Number of bytes of the word at the beginning of `text`. The word may contain blanks but
+// does not end with one.
 std::size_t word_length(std::string_view text)
 {
     constexpr std::string_view of_numbers = "0123456789.+-";
@@ -34,7 +35,7 @@ std::size_t word_length(std::string_view text)
     return length;
 }
 
-// A comment in parentheses or to the end of the line, or one byte.
+// Number of bytes of a comment at the beginning of `text`, or 1 for another byte.
 std::size_t other_length(std::string_view text)
 {
     if (text.front() == ';')
@@ -60,7 +61,7 @@ GcodeLine::GcodeLine(std::string_view line)
     }
 }
 
-// Blanks are pieces of their own, so that they can go with a word.
+// Blanks are pieces of their own, so that a word can be removed together with them.
 void GcodeLine::add_other(std::string_view text)
 {
     const auto all_blank = [](std::string_view bytes) {

@@ -8,31 +8,32 @@
 
 namespace endmill {
 
-/// A line of a program, of which words can be changed while blanks, comments and the other
-/// words stay as they are. It knows no grammar: whether the line is one of the language is for
-/// `parse_block` to say. Of words twice in a line, such as G, the first one is meant.
+/// A line of a program whose words can be changed while blanks, comments and the other
+/// words stay as they are. The class does not check the grammar; `parse_block` does. If a
+/// letter occurs several times, as G may, its first word is meant.
 class GcodeLine {
 public:
-    /// \param line without its LF.
+    /// \param line the line without its LF.
     explicit GcodeLine(std::string_view line);
 
-    /// Whether there is a word `letter`, a capital, outside comments.
+    /// Whether there is a word `letter` (a capital) outside comments.
     bool has(char letter) const { return find(letter) != pieces_.size(); }
 
-    /// The number of the word `letter`, if there is one in plain decimals.
+    /// The number of the word `letter`, if the word exists and its number is a plain
+    /// decimal.
     std::optional<double> number(char letter) const;
 
-    /// Gives the word `letter` this number: in its place, or behind the last word.
+    /// Sets the number of the word `letter`. A new word is inserted after the last word.
     void set(char letter, std::string_view number);
 
-    /// Takes these words away, with the blanks before them.
+    /// Removes the words of these letters, with the blanks before them.
     void remove(std::string_view letters);
 
-    std::string text() const;  ///< without LF
+    std::string text() const;  ///< the line without LF
 
 private:
     struct Piece {
-        char letter;  // capital; 0 of what is no word
+        char letter;  // capital; 0 for blanks, comments and other bytes
         std::string text;
     };
 

@@ -6,10 +6,17 @@
 #include <span>
 #include <string_view>
 
+// A block is checked in three steps, in this order:
+// 1. `GcodeModes::apply` sets the modes. Every G code belongs to a modal group; two codes
+//    of one group in a block are refused, so the order of the codes within a block does
+//    not matter.
+// 2. `check_m_codes` refuses M codes that would change the meaning of the program.
+// 3. `check_words` refuses words that have no use under the modes in force.
+
 namespace endmill {
 namespace {
 
-// A kind of code that is not followed, from the first to the last, in tenths (G) or whole.
+// A range of codes that are refused. G codes are in tenths, M codes are whole numbers.
 struct Refusal {
     int first;
     int last;
@@ -66,7 +73,7 @@ const Refusal* refusal_of(int code, std::span<const Refusal> refused)
     return nullptr;
 }
 
-// Numbers of the groups as in the source: codes of one exclude each other in a block.
+// Modal groups with the numbers of the source. A block may have one code of each.
 enum Group : unsigned {
     NonModal = 0,
     MotionGroup = 1,
@@ -87,6 +94,7 @@ bool is_coordinate_system(int code)
     return (540 <= code && code <= 590 && code % 10 == 0) || (591 <= code && code <= 593);
 }
 
+// The modal group of a G code in tenths.
 Group group_of(int code)
 {
     switch (code) {
@@ -136,8 +144,9 @@ Group group_of(int code)
     throw lines.complaint("unknown code " + g_name(code), "a G code of the subset");
 }
 
-// Where the origins of two systems lie to each other stands in the machine, not in the
-// program: with one of them, wherever it lies, the path is what it is.
+// The machine, not the program, stores the distance between the origins of two coordinate
+// systems. A program that uses a single one describes the same path wherever its origin
+// lies.
 void set_coordinate_system(GcodeModes& modes, int code, const TextLines& lines)
 {
     if (modes.coordinate_system != 0 && modes.coordinate_system != code)
@@ -187,23 +196,25 @@ void set_mode(GcodeModes& modes, int code)
             break;
         case 900:
         case 910:
-            modes.incremental = code == 910;
+            modes.distance =
+                code == 910 ? DistanceMode::Incremental : DistanceMode::Absolute;
             break;
         case 901:
         case 911:
-            modes.absolute_centres = code == 901;
+            modes.centres =
+                code == 901 ? DistanceMode::Absolute : DistanceMode::Incremental;
             break;
         case 930:
         case 940:
-            modes.inverse_time = code == 930;
+            modes.feed = code == 930 ? FeedMode::InverseTime : FeedMode::PerMinute;
             break;
-        default:  // G4, G40, G49, G61, G61.1 leave no trace in a path
+        default:  // G4, G40, G49, G61 and G61.1 do not change the path
             break;
     }
 }
 
-// Others may stand together, as LinuxCNC takes them: M3 beside M8.
-// The group of those M codes of which a block may have only one; 0 if there is none.
+// The modal group of an M code of which a block may have only one, or 0. Other M codes
+// may stand together in a block, as in LinuxCNC: M3 beside M8.
 unsigned m_group(int code)
 {
     constexpr unsigned stops = 4;
@@ -215,7 +226,7 @@ unsigned m_group(int code)
 
 }  // namespace
 
-// The order of the codes does not matter: of those that exclude each other there is one.
+// The order of the codes does not matter, because each group occurs at most once.
 void GcodeModes::apply(const GcodeBlock& block, const TextLines& lines)
 {
     std::uint32_t groups = 0;
@@ -224,8 +235,9 @@ void GcodeModes::apply(const GcodeBlock& block, const TextLines& lines)
         if (group == UnknownGroup)
             refuse_g_code(code, lines);
         if (((groups >> group) & 1U) != 0)
-            throw lines.complaint(g_name(code) + " beside a code of its modal group",
-                                  "one code of a modal group");
+            throw lines.complaint(
+                g_name(code) + " together with another code of its modal group",
+                "one code of each modal group");
         groups |= 1U << group;
         if (group == SystemGroup)
             set_coordinate_system(*this, code, lines);
@@ -244,8 +256,8 @@ void check_m_codes(const GcodeBlock& block, const TextLines& lines)
                                   std::string{refusal->expected});
         const unsigned group = m_group(code);
         if (group != 0 && ((groups >> group) & 1U) != 0)
-            throw lines.complaint(name + " beside a code of its modal group",
-                                  "one code of a modal group");
+            throw lines.complaint(name + " together with another code of its modal group",
+                                  "one code of each modal group");
         groups |= 1U << group;
     }
 }
@@ -279,11 +291,11 @@ void check_words(const GcodeBlock& block, const GcodeModes& modes, const TextLin
         const bool is_for_others = letter == 'P' || letter == 'R';
         if (!(is_for_others && is_used_otherwise))
             throw lines.complaint(std::string{"word "} + letter + " without an arc",
-                                  "it in a block of G2 or G3");
+                                  "the word in a block with G2 or G3");
     }
     if (block.has('P') && (dwells || blends) && along_arc)
         throw lines.complaint("word P for both an arc and G4 or G64",
-                              "them in blocks of their own");
+                              "two separate blocks");
 }
 
 }  // namespace endmill

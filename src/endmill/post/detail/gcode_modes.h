@@ -11,7 +11,7 @@
 
 namespace endmill {
 
-/// What axis words do.
+/// Motion mode: the motion that axis words cause.
 enum class GcodeMotion {
     None,                 ///< G80, and before the first code
     Rapid,                ///< G0
@@ -20,48 +20,67 @@ enum class GcodeMotion {
     CounterclockwiseArc,  ///< G3
 };
 
-/// What the numbers of a program measure in.
+/// Unit of the lengths of a program.
 enum class GcodeUnit {
     Unsaid,      ///< before the first code: taken as mm
     Inch,        ///< G20
     Millimetre,  ///< G21
 };
 
-/// What the G codes of a program leave in force, block after block.
-/// Source: [KramerProctorMessina, "Modal Groups"].
-struct GcodeModes {
-    GcodeMotion motion = GcodeMotion::None;  ///< group 1
-    ArcPlane plane = ArcPlane::Xy;           ///< group 2
-    GcodeUnit unit = GcodeUnit::Unsaid;      ///< group 6
-    bool incremental = false;                ///< G91
-    bool absolute_centres = false;           ///< G90.1
-    bool inverse_time = false;               ///< G93
-    int coordinate_system = 0;               ///< 540 to 593, in tenths; 0 if never named
-    bool used_tool_length = false;           ///< whether there was a G43
-    bool used_blending = false;              ///< whether there was a G64
+/// Meaning of coordinates.
+enum class DistanceMode {
+    Absolute,     ///< positions: G90 for ends of moves, G90.1 for centres of arcs
+    Incremental,  ///< increments: G91 for ends of moves, G91.1 for centres of arcs
+};
 
-    /// mm in the unit of length.
+/// Meaning of F.
+enum class FeedMode {
+    PerMinute,    ///< G94: units of length per minute
+    InverseTime,  ///< G93: 1 over the minutes that the move takes
+};
+
+/// The modes that the G codes of a program set, block after block.
+/// Source: [KramerProctorMessina, section 3.4].
+struct GcodeModes {
+    GcodeMotion motion = GcodeMotion::None;            ///< group 1
+    ArcPlane plane = ArcPlane::Xy;                     ///< group 2
+    DistanceMode distance = DistanceMode::Absolute;    ///< group 3, ends of moves
+    DistanceMode centres = DistanceMode::Incremental;  ///< group 4, words I, J, K
+    FeedMode feed = FeedMode::PerMinute;               ///< group 5
+    GcodeUnit unit = GcodeUnit::Unsaid;                ///< group 6
+    int coordinate_system =
+        0;  ///< group 12: 540 to 593, in tenths; 0 before the first code
+    bool used_tool_length = false;  ///< whether a G43 occurred
+    bool used_blending = false;     ///< whether a G64 occurred
+
+    /// mm per unit of length.
     double mm_per_unit() const { return unit == GcodeUnit::Inch ? 25.4 : 1; }
 
-    /// Puts the codes of `block` into force.
-    /// \throws FormatError at the line where `lines` stands for a code that is not of the
-    ///         subset, saying which kind it is; two codes of one group; a second
-    ///         coordinate system.
+    /// Applies the G codes of `block`.
+    /// \throws FormatError at the current line of `lines` for a code outside the subset,
+    ///         with its kind; for two codes of one modal group; for a second coordinate
+    ///         system.
     void apply(const GcodeBlock& block, const TextLines& lines);
 };
 
-/// \throws FormatError at the line where `lines` stands if an M code of `block` calls a
-///         subprogram, moves the tool's centre point or brings back a former state, or if
-///         two stop or two turn the spindle.
+/// Checks the M codes of `block`.
+/// \throws FormatError at the current line of `lines` for an M code that calls a
+///         subprogram, controls the tool centre point or restores saved modes, for two
+///         codes that stop, or for two that control the spindle.
 void check_m_codes(const GcodeBlock& block, const TextLines& lines);
 
-/// Whether `block` goes along an arc: a full circle needs no axis word.
-/// \param modes with the block's codes in force.
+/// Whether `block` describes an arc. A full circle needs no axis word, so I, J, K or R
+/// suffice.
+/// \param block the block.
+/// \param modes with the codes of the block in force.
 bool is_arc(const GcodeBlock& block, const GcodeModes& modes);
 
-/// \throws FormatError at the line where `lines` stands if a word stands in a block that has
-///         no use for it: it would be one that another control has a use for.
-/// \param modes with the block's codes in force.
+/// Checks that every word of `block` has a use in it. A word without a use is refused,
+/// because another control may give it one.
+/// \param block the block.
+/// \param modes with the codes of the block in force.
+/// \param lines for error messages.
+/// \throws FormatError at the current line of `lines`.
 void check_words(const GcodeBlock& block, const GcodeModes& modes,
                  const TextLines& lines);
 

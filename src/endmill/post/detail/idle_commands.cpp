@@ -7,7 +7,7 @@
 namespace endmill {
 namespace {
 
-// In the order of the alphabet.
+// In alphabetical order, for the binary search.
 constexpr std::array<std::string_view, 45> idle_names{
     "CLAMP_AXIS",
     "CLEAR_AUX_OUTPUT_BIT",
@@ -62,7 +62,7 @@ static_assert(std::ranges::is_sorted(idle_names));
 
 bool is_idle_command(std::string_view name)
 {
-    // SPINDLE.0.WAIT_ORIENT_COMPLETE, and of further spindles
+    // SPINDLE.0.WAIT_ORIENT_COMPLETE, and likewise for other spindles.
     const bool waits =
         name.starts_with("SPINDLE.") && name.ends_with(".WAIT_ORIENT_COMPLETE");
     return waits || std::ranges::binary_search(idle_names, name);

@@ -5,9 +5,10 @@
 
 namespace endmill {
 
-/// Whether the canonical command `name` can neither move the tool nor change what a later
-/// command means: comments, coolant, overrides, stops and the like.
-/// Source: the functions that LinuxCNC's src/emc/sai/saicanon.cc prints.
+/// Whether the canonical command `name` neither moves the tool nor changes the meaning of
+/// a later command: comments, coolant, overrides, stops and the like.
+/// The list follows the functions that print canonical output in LinuxCNC's
+/// src/emc/sai/saicanon.cc.
 bool is_idle_command(std::string_view name);
 
 }  // namespace endmill

@@ -27,50 +27,51 @@ MoveConditions::MoveConditions(const ToolPath& path, const CuttingConditions& ot
       decimals_{decimals}
 {
     require(path.conditions.empty() || path.conditions.size() == path.points.size(),
-            "post: need conditions for no point or for all");
+            "post: need conditions for all points or for none");
 }
 
-// Neighbouring moves mostly have the same numbers, which are then not checked again.
+// Neighbouring moves usually have the same numbers, so a number is checked only where it
+// changes.
 CuttingConditions MoveConditions::at(std::size_t point)
 {
-    CuttingConditions told =
+    CuttingConditions conditions =
         path_.conditions.empty() ? CuttingConditions{} : path_.conditions[point];
-    if (!told.feed_mm_per_min)
-        told.feed_mm_per_min = otherwise_.feed_mm_per_min;
-    if (!told.spindle_rpm)
-        told.spindle_rpm = otherwise_.spindle_rpm;
-    if (!told.tool)
-        told.tool = otherwise_.tool;
+    if (!conditions.feed_mm_per_min)
+        conditions.feed_mm_per_min = otherwise_.feed_mm_per_min;
+    if (!conditions.spindle_rpm)
+        conditions.spindle_rpm = otherwise_.spindle_rpm;
+    if (!conditions.tool)
+        conditions.tool = otherwise_.tool;
 
     if (path_.points[point].move == Move::Rapid)
-        told.feed_mm_per_min.reset();
-    else if (!told.feed_mm_per_min)
+        conditions.feed_mm_per_min.reset();
+    else if (!conditions.feed_mm_per_min)
         refuse(point, "no feed", "a feed for every move but rapids (--feed)");
-    else if (*told.feed_mm_per_min != checked_feed_) {
-        checked_feed_ = *told.feed_mm_per_min;
+    else if (*conditions.feed_mm_per_min != checked_feed_) {
+        checked_feed_ = *conditions.feed_mm_per_min;
         check(point, {"feed", checked_feed_, "mm/min"});
         feeds_.add(checked_feed_);
     }
-    if (told.spindle_rpm && *told.spindle_rpm != checked_speed_) {
-        checked_speed_ = *told.spindle_rpm;
+    if (conditions.spindle_rpm && *conditions.spindle_rpm != checked_speed_) {
+        checked_speed_ = *conditions.spindle_rpm;
         check(point, {"spindle speed", checked_speed_, "rpm"});
         speeds_.add(checked_speed_);
     }
-    if (told.tool && *told.tool < 0)
-        refuse(point, "tool " + std::to_string(*told.tool), "a number from 0");
-    return told;
+    if (conditions.tool && *conditions.tool < 0)
+        refuse(point, "tool " + std::to_string(*conditions.tool), "a number from 0");
+    return conditions;
 }
 
-void MoveConditions::check(std::size_t point, const Condition& told) const
+void MoveConditions::check(std::size_t point, const Condition& condition) const
 {
-    const std::string name = std::string{"a "} + told.name;
-    if (!(told.value > 0 && std::isfinite(told.value)))
-        refuse(point, name + " that is no number above 0",
-               std::string{"one in "} + told.unit);
+    const std::string name = std::string{"a "} + condition.name;
+    if (!(condition.value > 0 && std::isfinite(condition.value)))
+        refuse(point, name + " that is not a number above 0",
+               std::string{"one in "} + condition.unit);
     std::string text;
-    if (!(append_trimmed(text, told.value, decimals_) > 0))
+    if (!(append_trimmed(text, condition.value, decimals_) > 0))
         refuse(point,
-               name + " of " + to_text(told.value) + ' ' + told.unit +
+               name + " of " + to_text(condition.value) + ' ' + condition.unit +
                    ", which rounds to 0 with " +
                    counted(static_cast<std::size_t>(decimals_), "decimal"),
                "a higher one, or more --decimals");

@@ -9,23 +9,25 @@
 
 namespace endmill {
 
-/// Feed, speed and tool of each move of a path, from the path or else from what is told
-/// for all of it, checked.
+/// Feed, spindle speed and tool of each move of a path: those of the path, or else given
+/// defaults, after a check.
 class MoveConditions {
 public:
-    /// \param path outlives this. \param otherwise where the path says nothing.
-    /// \param decimals to which a feed is rounded when it is written.
-    /// \throws DomainError unless the path has no conditions or one a point.
+    /// \param path the path; must outlive this object.
+    /// \param otherwise values for moves whose conditions are not in the path.
+    /// \param decimals digits after the point with which a feed is written.
+    /// \throws DomainError unless the path has no conditions or one per point.
     MoveConditions(const ToolPath& path, const CuttingConditions& otherwise,
                    int decimals);
 
-    /// Those of the move to a point, from 0. A rapid has no feed.
-    /// \throws DomainError if a move at feed has none; for a feed or a spindle speed that
-    ///         is not finite, or not above 0 once rounded; for a tool number below 0.
+    /// Conditions of the move to the point with this index. A rapid has no feed.
+    /// \throws DomainError if a move at feed has no feed; for a feed or spindle speed
+    ///         that is not finite or not above 0 after rounding; for a negative tool
+    ///         number.
     CuttingConditions at(std::size_t point);
 
-    const NumberRange& feeds() const { return feeds_; }    ///< so far, in mm/min
-    const NumberRange& speeds() const { return speeds_; }  ///< so far, in rpm
+    const MinMax& feeds() const { return feeds_; }  ///< mm/min, range of the feeds so far
+    const MinMax& speeds() const { return speeds_; }  ///< rpm, range of the speeds so far
 
 private:
     struct Condition {
@@ -34,15 +36,15 @@ private:
         const char* unit;
     };
 
-    void check(std::size_t point, const Condition& told) const;
+    void check(std::size_t point, const Condition& condition) const;
 
     const ToolPath& path_;
     CuttingConditions otherwise_;
     int decimals_;
     double checked_feed_ = std::numeric_limits<double>::quiet_NaN();
     double checked_speed_ = std::numeric_limits<double>::quiet_NaN();
-    NumberRange feeds_;
-    NumberRange speeds_;
+    MinMax feeds_;
+    MinMax speeds_;
 };
 
 }  // namespace endmill

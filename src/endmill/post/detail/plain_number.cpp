@@ -6,14 +6,15 @@
 #include <cmath>
 
 #include "endmill/core/error.h"
+#include "endmill/post/program.h"
 
 namespace endmill {
 namespace {
 
-// The greatest double has 309 digits before the point, the least 1074 after it.
+// Bytes. The largest double has 309 digits before the point, the smallest 1074 after it.
 constexpr std::size_t longest_number = 1100;
 
-// Drops a sign that stands before nothing but zeros.
+// `number` without its sign if all its digits are 0.
 std::string_view without_minus_zero(std::string_view number)
 {
     const bool is_zero = number.find_first_of("123456789") == std::string_view::npos;
@@ -22,6 +23,7 @@ std::string_view without_minus_zero(std::string_view number)
     return number;
 }
 
+// The double nearest to a plain decimal.
 double value_of(std::string_view number)
 {
     double value = 0;
@@ -32,6 +34,7 @@ double value_of(std::string_view number)
 
 using Digits = std::array<char, longest_number>;
 
+// Writes `value` into `digits`, correctly rounded.
 std::string_view fixed(Digits& digits, double value, int decimals)
 {
     require(std::isfinite(value), "plain number: a number must be finite");

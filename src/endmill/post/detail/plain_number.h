@@ -7,25 +7,26 @@
 
 namespace endmill {
 
-/// Digits after the point that a machine program may have. Nine keep what a double knows
-/// of a coordinate up to 1e6 mm.
-inline constexpr int most_decimals = 9;
-
-/// Appends `value` with so many digits after the point, correctly rounded: without an
-/// exponent, never "-0".
-/// \return the number that was written: the double nearest to the text.
-/// \throws DomainError unless `value` is finite and 0 <= `decimals` <= `most_decimals`.
+/// Appends `value` with `decimals` digits after the point, correctly rounded, without an
+/// exponent and never as "-0".
+/// \param text to which the number is appended.
+/// \param value the number.
+/// \param decimals digits after the point, 0 to `most_decimals`.
+/// \return the number as written: the double nearest to the text.
+/// \throws DomainError unless `value` is finite and `decimals` is in its range.
 double append_fixed(std::string& text, double value, int decimals);
 
-/// The same without zeros at the end of the fraction: "800", "0.25".
+/// Appends `value` as `append_fixed`, without zeros at the end of the fraction: "800",
+/// "0.25".
 double append_trimmed(std::string& text, double value, int decimals);
 
-/// Appends the shortest decimals that read back to the same double, without an exponent.
+/// Appends the shortest plain decimal that reads back to the same double.
 /// \throws DomainError unless `value` is finite.
 void append_exact(std::string& text, double value);
 
-/// The double that the whole of `text` spells in plain decimals: "-1.5", ".5", "5.", "+2".
-/// \return nothing for anything else: an exponent, infinity, NaN, or what overflows.
+/// The double that the whole of `text` states as a plain decimal: "-1.5", ".5", "5.",
+/// "+2".
+/// \return std::nullopt for anything else: an exponent, infinity, NaN, or an overflow.
 std::optional<double> plain_number(std::string_view text);
 
 }  // namespace endmill

@@ -9,14 +9,16 @@
 #include "endmill/post/detail/feed_move.h"
 
 namespace endmill {
+
 ProgramBuilder::ProgramBuilder(const TextLines& lines, const GcodeReadOptions& options)
     : lines_{lines},
       options_{options}
 {
-    check_options(options);
+    require_sound(options);
 }
 
-// Nothing is cut on the way to the first point, which has therefore no feed either.
+// The move to the first point starts at an unknown position and cuts nothing, so it is a
+// rapid without a feed.
 void ProgramBuilder::go_to(const Vec3& target, const std::optional<MoveFeed>& feed)
 {
     const std::size_t first_point = path_.points.size();
@@ -25,7 +27,8 @@ void ProgramBuilder::go_to(const Vec3& target, const std::optional<MoveFeed>& fe
         set_feed(*feed, first_point);
 }
 
-// The chords are counted before they are made: a word P alone can ask for any number.
+// The number of chords is checked before they are made, because a single word P can
+// demand any number of them.
 void ProgramBuilder::go_along(const Arc& arc, const MoveFeed& feed)
 {
     const ArcChords chords{arc, options_.arc_tolerance_mm};
@@ -46,14 +49,14 @@ void ProgramBuilder::go_along(const Arc& arc, const MoveFeed& feed)
 void ProgramBuilder::append(Move move, const Vec3& point)
 {
     for (const double coordinate : point)
-        check_extent(coordinate, options_, lines_);
+        check_extent(coordinate, options_.max_extent_mm, lines_);
     if (path_.points.size() >= options_.most_points)
         throw LimitError{lines_.file() + ':' + std::to_string(lines_.number()) +
                          ": more than " + std::to_string(options_.most_points) +
                          " points (--max-memory)"};
     int pass = 0;
     int number = 0;
-    // A pass is what leads to its cuts and then these: it ends with the last of them.
+    // A pass is a run of moves without cuts followed by a run of cuts.
     if (has_position()) {
         const PathPoint& last = path_.points.back();
         const bool is_new_pass = last.move == Move::Cut && move != Move::Cut;
@@ -68,29 +71,30 @@ void ProgramBuilder::append(Move move, const Vec3& point)
     position_ = point;
 }
 
-// The moves from `first_point` on, which is not the first of all, are one to the program.
+// Sets the feed of the points from `first_point` on, which are one move of the program.
+// Precondition: `first_point` is not 0.
 void ProgramBuilder::set_feed(const MoveFeed& feed, std::size_t first_point)
 {
     const auto& points = path_.points;
     double feed_mm_per_min = feed.value;
-    if (feed.inverse_time) {
+    if (feed.mode == FeedMode::InverseTime) {
         double length = 0;
         for (std::size_t i = first_point; i < points.size(); ++i)
             length += (points[i].location.tip - points[i - 1].location.tip).norm();
         if (length == 0)
-            return;  // it takes its time, at no speed
-        // F is one over the minutes of the whole move.
+            return;  // a move of length 0 takes time but has no feed
+        // F is 1 over the minutes of the whole move.
         feed_mm_per_min *= length;
     }
     if (!(std::isfinite(feed_mm_per_min) && feed_mm_per_min > 0))
         throw lines_.range_complaint("a feed of " + brief(feed_mm_per_min) + " mm/min",
-                                     "one that a double can hold");
+                                     "a feed that a double can store");
     for (std::size_t i = first_point; i < points.size(); ++i)
         path_.conditions[i].feed_mm_per_min = feed_mm_per_min;
 }
 
-// T says which tool comes next; the one that cuts changes with M6, so that a program may
-// select early. Whether there is any M6 is known only at the end.
+// T selects the next tool and M6 changes to it, so that a program may select a tool
+// early. Whether the program has an M6 at all is known only at its end.
 void ProgramBuilder::select_tool(int number)
 {
     if (selections_.empty() || selections_.back().tool != number)
@@ -116,7 +120,7 @@ void ProgramBuilder::remark(const std::string& text)
         remarks_.push_back(text);
 }
 
-// Without any change T alone must be what changes: by hand, or on a turret.
+// In a program without M6 the T itself changes the tool: by hand, or on a turret.
 void ProgramBuilder::fill_selected_tools()
 {
     for (std::size_t k = 0; k < selections_.size(); ++k) {
@@ -128,7 +132,7 @@ void ProgramBuilder::fill_selected_tools()
     }
 }
 
-// One cutter stands for a whole path: where several tools cut, that is worth a word.
+// A path has one cutter, so a remark lists the tools if several of them cut.
 void ProgramBuilder::remark_tools()
 {
     constexpr std::size_t most_named = 10;
@@ -146,7 +150,8 @@ void ProgramBuilder::remark_tools()
     remark(tools.size() > most_named ? text + ", ..." : text);
 }
 
-// Moves after the last cut began a pass in which nothing is cut.
+// The moves after the last cut have begun a pass without cuts; adds them to the pass
+// before.
 void ProgramBuilder::close_last_pass()
 {
     auto& points = path_.points;

@@ -6,47 +6,51 @@
 #include <vector>
 
 #include "endmill/post/detail/arc.h"
+#include "endmill/post/detail/gcode_modes.h"
 #include "endmill/post/detail/text_lines.h"
-#include "endmill/post/gcode_reader.h"
 #include "endmill/post/program.h"
 
 namespace endmill {
 
-/// How fast a move is.
+/// Feed of a move.
 struct MoveFeed {
-    double value = 0;           ///< above 0; mm/min, or 1/min if inverse time
-    bool inverse_time = false;  ///< the move lasts 1 / value minutes
+    double value = 0;                     ///< above 0; mm/min, or 1/min for inverse time
+    FeedMode mode = FeedMode::PerMinute;  ///< meaning of the value
 };
 
-/// Puts together the path of a program, move by move, from positions of the programmed
-/// point in mm. A straight feed downwards is a `Plunge`, upwards a `Retract`. The first
-/// point says where the path begins, and is a `Rapid` whatever leads to it.
+/// Builds the path of a program move by move, from positions of the programmed point in
+/// mm.
 ///
-/// A pass is a run of moves that do not cut, then one of cuts: a new pass begins with the
-/// first move after cuts that does not cut. What follows the last cut belongs to its pass.
-///
-/// The `tool` of a move is the one that was changed to last; in a program that never
-/// changes, the one that was selected last. `spindle_rpm` is the speed that was set last,
-/// whether or not a start was told; none after a stop, until the next start.
+/// - *Kinds of moves*: a straight feed down is a Plunge, up a Retract, otherwise a Cut.
+///   The first point only states where the path begins, so it is a Rapid whatever move
+///   leads to it.
+/// - *Passes*: a pass is a run of moves that do not cut, followed by a run of cuts. A new
+///   pass begins with the first move after cuts that does not cut. Moves after the last
+///   cut belong to the pass of that cut.
+/// - *Tools*: the tool of a move is the one changed to last. In a program without tool
+///   changes it is the one selected last.
+/// - *Spindle*: the speed of a move is the one set last, whether or not the program has a
+///   start command. After a stop there is none until the next start.
 class ProgramBuilder {
 public:
-    /// \param lines where complaints say to be; \param options as the reader has them.
-    /// Both outlive this. \throws DomainError as `check_options`.
+    /// \param lines for error messages; must outlive the builder.
+    /// \param options of the reader; must outlive the builder.
+    /// \throws DomainError unless the options are sound.
     ProgramBuilder(const TextLines& lines, const GcodeReadOptions& options);
 
-    /// Whether the path has begun.
+    /// Whether the path has a point.
     bool has_position() const { return !path_.points.empty(); }
 
-    /// How many points the path has so far.
+    /// Number of points of the path so far.
     std::size_t point_count() const { return path_.points.size(); }
 
-    /// Goes straight to `target`; without a feed as a rapid.
+    /// Adds a straight move to `target` (mm). A move without a feed is a rapid.
     /// \throws FormatError E_RANGE if a coordinate or the feed is out of range.
     /// \throws LimitError if the path has too many points.
     void go_to(const Vec3& target, const std::optional<MoveFeed>& feed);
 
-    /// Goes along `arc`, which starts where the path has come to, in chords.
-    /// \throws as `go_to`. \pre has_position(), both radii are positive.
+    /// Adds the chords of `arc`, which starts at the current position. Errors as `go_to`.
+    /// \pre has_position(), and both radii are positive.
     void go_along(const Arc& arc, const MoveFeed& feed);
 
     void set_spindle_speed(double rpm) { speed_rpm_ = rpm; }  ///< S; 0 is a stop
@@ -54,13 +58,13 @@ public:
     void stop_spindle() { spindle_stopped_ = true; }          ///< M5
 
     void select_tool(int number);  ///< T
-    void change_tool();            ///< M6, to the one that was selected last, if any
-    void change_tool(int number);  ///< to this one
+    void change_tool();            ///< M6: to the tool selected last, if any
+    void change_tool(int number);  ///< to the tool with this number
 
-    /// Notes what a person should know; the same thing only once.
+    /// Adds a remark for a person. A repeated remark is added once.
     void remark(const std::string& text);
 
-    /// What was read; afterwards this is empty.
+    /// The program. The builder is empty afterwards.
     Program take();
 
 private:
@@ -80,7 +84,7 @@ private:
     ToolPath path_;
     std::vector<std::string> remarks_;
     std::vector<ToolChoice> selections_;
-    Vec3 position_ = Vec3::Zero();  // of the programmed point
+    Vec3 position_ = Vec3::Zero();  // of the programmed point, mm
     std::optional<double> speed_rpm_;
     bool spindle_stopped_ = false;
     bool has_changes_ = false;

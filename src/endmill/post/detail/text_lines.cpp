@@ -10,8 +10,8 @@
 namespace endmill {
 namespace {
 
-constexpr std::size_t longest_line = std::size_t{1} << 20U;
-constexpr std::size_t longest_echo = 40;
+constexpr std::size_t longest_line = std::size_t{1} << 20U;  // bytes
+constexpr std::size_t longest_echo = 40;  // bytes of a text that a message repeats
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 }  // namespace
@@ -55,7 +55,15 @@ FormatError TextLines::range_complaint(const std::string& found,
     return FormatError{"E_RANGE", {kind_.file, std::to_string(number_), found, expected}};
 }
 
-// White space as std::isspace has it in the "C" locale, without the locale.
+void check_extent(double coordinate_mm, double max_extent_mm, const TextLines& lines)
+{
+    if (!(std::abs(coordinate_mm) <= max_extent_mm))
+        throw lines.range_complaint(
+            "coordinate " + brief(coordinate_mm) + " mm",
+            "at most " + brief(max_extent_mm) + " mm (--max-extent)");
+}
+
+// White space is that of std::isspace in the "C" locale, without the cost of a locale.
 std::string_view without_indent(std::string_view text)
 {
     const auto begin = std::ranges::find_if_not(text, is_blank);

@@ -9,33 +9,36 @@
 
 namespace endmill {
 
-/// Walks over the lines of a program, keeping the place for complaints. A line ends with
-/// LF; the CR before it belongs to it. A byte order mark at the beginning is skipped.
+/// Iterates over the lines of a program and makes errors at the current line. A line ends
+/// with LF; a CR before it belongs to the line. A byte order mark at the beginning is
+/// skipped.
 class TextLines {
 public:
-    /// What a text is called, and how complaints about it are.
+    /// Name of a text and code of its errors.
     struct Kind {
-        std::string file;  ///< its name for messages
-        std::string code;  ///< of its FormatErrors, such as "E_GCODE"
+        std::string file;  ///< name of the file for messages
+        std::string code;  ///< code of its FormatErrors, such as "E_GCODE"
     };
 
-    /// \param text outlives this, which stands before its first line.
-    /// \throws FormatError E_EMPTY if the text holds nothing but white space.
+    /// Stands before the first line.
+    /// \param text must outlive this object.
+    /// \param kind name and code for errors.
+    /// \throws FormatError E_EMPTY if the text contains only white space.
     TextLines(std::string_view text, Kind kind);
 
     /// Goes to the next line. \return false if there is none.
-    /// \throws FormatError E_LIMIT if it is longer than 1 MiB.
+    /// \throws FormatError E_LIMIT if the line is longer than 1 MiB.
     bool next();
 
-    std::string_view line() const { return line_; }         ///< without its LF
-    std::size_t number() const { return number_; }          ///< of this line, from 1
-    std::string_view rest() const { return rest_; }         ///< what follows this line
-    const std::string& file() const { return kind_.file; }  ///< the name for messages
+    std::string_view line() const { return line_; }  ///< current line without its LF
+    std::size_t number() const { return number_; }   ///< its number, from 1
+    std::string_view rest() const { return rest_; }  ///< text after the current line
+    const std::string& file() const { return kind_.file; }  ///< file name for messages
 
-    /// An error at this line.
+    /// An error at the current line.
     FormatError complaint(const std::string& found, const std::string& expected) const;
 
-    /// An error E_RANGE at this line: a number that is too large or too small.
+    /// An error E_RANGE at the current line, for a number that is too large or too small.
     FormatError range_complaint(const std::string& found,
                                 const std::string& expected) const;
 
@@ -46,19 +49,25 @@ private:
     std::size_t number_ = 0;
 };
 
-inline bool is_blank(char byte)  ///< whether it is a blank, a tab, a CR or the like
+/// Checks a coordinate.
+/// \throws FormatError E_RANGE at the current line of `lines` if |coordinate| exceeds
+///         `max_extent_mm` or is not a number.
+void check_extent(double coordinate_mm, double max_extent_mm, const TextLines& lines);
+
+/// Whether `byte` is white space: a blank, tab, CR, LF, vertical tab or form feed.
+inline bool is_blank(char byte)
 {
     return byte == ' ' || ('\t' <= byte && byte <= '\r');
 }
 
-/// `text` without the blanks at its beginning.
+/// `text` without the white space at its beginning.
 std::string_view without_indent(std::string_view text);
 
-/// `text` of a file in quotes, fit for one line on a terminal: up to 40 bytes, with '?'
-/// for each that is no printing ASCII character.
+/// `text` in quotes, for one line on a terminal: at most 40 bytes, with '?' for each byte
+/// that is not a printing ASCII character.
 std::string quoted(std::string_view text);
 
-/// `value` with six significant digits, for messages; "infinite" or "not a number" if so.
+/// `value` with six significant digits, or "infinite", or "not a number", for messages.
 std::string brief(double value);
 
 }  // namespace endmill

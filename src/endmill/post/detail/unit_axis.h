@@ -8,9 +8,10 @@
 
 namespace endmill {
 
-/// The unit vector that an axis in a file means: as it stands if rounding of doubles
-/// explains its length (1e-12), so that what was written is read; else scaled.
-/// \return nothing if its length is not 1 within `axis_length_tolerance`.
+/// The unit vector for an axis read from a file. An axis whose length is 1 up to the
+/// rounding of doubles (1e-12) is returned unchanged, so that written axes read back
+/// exactly. Otherwise the axis is normalised.
+/// \return std::nullopt if the length is not 1 within `axis_length_tolerance`.
 std::optional<Vec3> unit_axis(const Vec3& axis);
 
 }  // namespace endmill

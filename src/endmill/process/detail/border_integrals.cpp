@@ -5,61 +5,65 @@
 #include <cmath>
 #include <cstddef>
 
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
 #include "endmill/core/detail/widest_registers.h"
+
+// Line integrals along the borders of the engaged region, by an adaptive Gauss-Kronrod
+// rule:
+// 1. All arcs are put on a stack. Arcs of constant azimuth are skipped: their integral is
+//    0.
+// 2. For the arc on top, the points at the 15 nodes are computed, with y dX - X dy, then
+//    the eight integrands, and from them the eight sums of the Kronrod rule and of the
+//    Gauss rule.
+// 3. If no pair of sums differs by more than the tolerance, the Kronrod sums are added to
+//    the total. Otherwise the two halves of the arc replace it on the stack.
+// All loops run over 16 nodes without branches, so that the compiler uses SIMD registers.
+// With (1 - cos d) dt = (y dX - X dy) / (1 - Z), no integrand has a singular point
+// (paper/notes/ball-engagement.md, section 3).
 
 namespace endmill {
 namespace {
 
-constexpr int nodes = 16;  // 15 and one of no weight, to fill registers
+constexpr int nodes = 16;  // 15, and one of weight 0 that fills the SIMD registers
 constexpr int lanes = 4;
 
 using Row = std::array<double, nodes>;
 
-// Gauss-Kronrod rule of 7 and 15 nodes on [-1, 1], the middle first.
-// Source: QUADPACK, routine qk15.
-constexpr std::array<double, 8> kronrod_node{0,
-                                             0.207784955007898467600689403773245,
-                                             0.405845151377397166906606412076961,
-                                             0.586087235467691130294144691693280,
-                                             0.741531185599394439863864773280788,
-                                             0.864864423359769072789712788640926,
-                                             0.949107912342758524526189684047851,
-                                             0.991455371120812639206854697526329};
-constexpr std::array<double, 8> kronrod_weight{
-    0.209482141084727828012999174891714, 0.204432940075298892414161999234649,
-    0.190350578064785409913256402421014, 0.169004726639267902826583426598550,
-    0.140653259715525918745189590510238, 0.104790010322250183839876322541518,
-    0.063092092629978553290700663189204, 0.022935322010529224963732008058970};
-// Of the nodes 0, 2, 4, 6 alone.
-constexpr std::array<double, 4> gauss_weight{
-    0.417959183673469387755102040816327, 0.381830050505118944950369775488975,
-    0.279705391489276667901467771423780, 0.129484966168869693270611432679082};
-
+// Nodes and weights of the Gauss-Kronrod rule of 15 nodes on [-1, 1] and of its Gauss
+// rule of 7 nodes, in ascending order of the nodes.
 struct Rule {
     Row node{};
     Row weight{};
-    Row gauss_weight{};
+    Row gauss_weight{};  // 0 at the nodes that the Gauss rule does not have
 };
 
-constexpr Rule both_sides()
+// Boost tabulates the nodes from 0 on; every second one belongs to the Gauss rule.
+Rule gauss_kronrod_rule()
 {
+    using boost::math::quadrature::gauss;
+    using boost::math::quadrature::gauss_kronrod;
+    const auto& kronrod_node = gauss_kronrod<double, 15>::abscissa();
+    const auto& kronrod_weight = gauss_kronrod<double, 15>::weights();
+    const auto& gauss_weight = gauss<double, 7>::weights();
+    constexpr std::size_t middle = 7;
     Rule rule;
     for (std::size_t k = 0; k < kronrod_node.size(); ++k)
         for (const int side : {-1, 1}) {
-            if (k == 0 && side > 0)
-                continue;
-            const std::size_t at = 7 + (side < 0 ? -k : k);
-            rule.node[at] = side * kronrod_node[k];
+            const std::size_t at = side < 0 ? middle - k : middle + k;
+            rule.node[at] = k == 0 ? 0 : side * kronrod_node[k];
             rule.weight[at] = kronrod_weight[k];
             rule.gauss_weight[at] = k % 2 == 0 ? gauss_weight[k / 2] : 0;
         }
     return rule;
 }
 
-constexpr Rule rule = both_sides();
+const Rule rule = gauss_kronrod_rule();
 
-// Coefficients of torque_height_share in powers of 2u - 1: its Chebyshev series of degree 20,
-// whose next term is 1e-17.
+// Coefficients of torque_height_share in powers of 2u - 1, from its Chebyshev series of
+// degree
+// 20. The next term of the series is 1e-17.
 constexpr std::array<double, 21> height_share{
     0.709199576156145235,    0.054400565125139498,    0.0153326269269083556,
     0.00450451999558602168,  0.001357108979340724,    0.000415819481432203479,
@@ -69,6 +73,7 @@ constexpr std::array<double, 21> height_share{
     4.53173313639513294e-9,  1.47539347212301531e-9,  3.65779664717030118e-10,
     1.14572538003212002e-10, 8.72284951619901148e-11, 2.92228169349759437e-11};
 
+// Horner's rule in v = 2u - 1.
 inline double height_share_at(double u)
 {
     const double v = 2 * u - 1;
@@ -78,8 +83,8 @@ inline double height_share_at(double u)
     return sum;
 }
 
-// Points of a border at the nodes, and `turn`, the weight's share of y dX - X dy, which is
-// sin^2 of the latitude times the change of azimuth.
+// Points of a border at the nodes. `turn` is the product of the node's step with y dX - X
+// dy, which is sin^2 of the latitude times the change of the azimuth.
 struct BorderNodes {
     Row x;
     Row y;
@@ -87,24 +92,28 @@ struct BorderNodes {
     Row turn;
 };
 
+// Part of an arc.
 struct Stretch {
     BorderKind kind;
     double from;  // p
-    double to;
+    double to;    // p
 };
 
+// The parameter p at node i.
 inline double parameter(const Stretch& stretch, int i)
 {
     return (stretch.from + stretch.to) / 2 +
            (stretch.to - stretch.from) / 2 * rule.node[i];
 }
 
-// dx of the angle x = 2 atan p for dp, times 1 + p^2.
+// Derivative of the angle x = 2 atan(p) by the variable of the rule on [-1, 1], times 1 +
+// p^2.
 inline double angle_rate(const Stretch& stretch)
 {
     return stretch.to - stretch.from;
 }
 
+// Nodes on the front plane.
 inline void front_nodes(const EngagedRegion& region, const Stretch& stretch,
                         BorderNodes& at)
 {
@@ -120,6 +129,7 @@ inline void front_nodes(const EngagedRegion& region, const Stretch& stretch,
     }
 }
 
+// Nodes on the wall.
 inline void wall_nodes(const EngagedRegion& region, const Stretch& stretch,
                        BorderNodes& at)
 {
@@ -136,39 +146,45 @@ inline void wall_nodes(const EngagedRegion& region, const Stretch& stretch,
     }
 }
 
+// Nodes on the curve of the previous pass. The formulas of pass_point, repeated here for
+// 16 points at once without a function call.
 inline void previous_ball_nodes(const EngagedRegion& region, const Stretch& stretch,
                                 BorderNodes& at)
 {
     const EngagedRegion& r = region;
+    const PreviousPassCurve& c = region.pass;
     const double rate = angle_rate(stretch);
     for (int i = 0; i < nodes; ++i) {
         const double p = parameter(stretch, i);
         const double unit = 1 / (1 + p * p);
         const double sine = 2 * p * unit;
         const double cosine = (1 - p) * (1 + p) * unit;
-        const double half_sine = r.amplitude * sine;
+        const double half_sine = c.amplitude * sine;
         const double half_cosine = std::sqrt((1 - half_sine) * (1 + half_sine));
         const double sin_nu = 2 * half_sine * half_cosine;
         const double cos_nu = 1 - 2 * half_sine * half_sine;
-        const double sin_phi = cos_nu * r.cos_mu + sin_nu * r.sin_mu;
-        const double cos_phi = sin_nu * r.cos_mu - cos_nu * r.sin_mu;
-        const double tau = r.reach * cosine;
-        const double w = -r.rise - cos_phi;
-        const double phi_by_x = -2 * r.amplitude * cosine / half_cosine;
+        const double sin_phi = cos_nu * c.cos_mu + sin_nu * c.sin_mu;
+        const double cos_phi = sin_nu * c.cos_mu - cos_nu * c.sin_mu;
+        const double tau = c.reach * cosine;
+        const double w = -c.rise - cos_phi;
+        const double phi_by_x = -2 * c.amplitude * cosine / half_cosine;
         const double x_by_x =
-            -r.reach * sine * r.cos_lambda - sin_phi * phi_by_x * r.sin_lambda;
+            -c.reach * sine * r.cos_lambda - sin_phi * phi_by_x * r.sin_lambda;
         at.x[i] = tau * r.cos_lambda - w * r.sin_lambda;
-        at.y[i] = sin_phi - r.across;
+        at.y[i] = sin_phi - c.across;
         at.z[i] = w * r.cos_lambda + tau * r.sin_lambda;
         at.turn[i] = rate * unit * (at.y[i] * x_by_x - at.x[i] * cos_phi * phi_by_x);
     }
 }
 
+// The integrands of I1 to I8 at the nodes.
 using Integrands = std::array<Row, 8>;
 
-// At the tip itself the azimuth has no meaning, and the integrands' share is nothing.
+// Keeps divisions by sin^2 of the latitude finite at the tip, where the azimuth is
+// undefined and the integrands vanish.
 constexpr double least_square = 1e-300;
 
+// Integrands with the paper's chip: its thickness is |sin(azimuth)|.
 inline void paper_integrands(const BorderNodes& at, Integrands& f)
 {
     for (int i = 0; i < nodes; ++i) {
@@ -191,6 +207,8 @@ inline void paper_integrands(const BorderNodes& at, Integrands& f)
     }
 }
 
+// Integrands with the exact chip: its area is (cos lambda sin d sin t - sin lambda cos d)
+// dd dt.
 inline void exact_integrands(const EngagedRegion& region, const BorderNodes& at,
                              Integrands& f)
 {
@@ -216,6 +234,7 @@ inline void exact_integrands(const EngagedRegion& region, const BorderNodes& at,
     }
 }
 
+// Weighted sum in four independent lanes.
 inline double weighted(const Row& weight, const Row& f)
 {
     std::array<double, lanes> part{};
@@ -225,7 +244,7 @@ inline double weighted(const Row& weight, const Row& f)
     return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
-// Sums over a stretch by both rules.
+// Sums over a part of an arc by both rules.
 struct BothSums {
     CoefficientSums kronrod;
     CoefficientSums gauss;
@@ -273,7 +292,8 @@ CoefficientSums border_integrals(const EngagedRegion& region, ChipModel chip,
 {
     CoefficientSums total{};
     std::vector<Stretch> open;
-    const std::vector<BorderArc> arcs = region.borders(chip == ChipModel::Paper);
+    const std::vector<BorderArc> arcs = region.borders(
+        chip == ChipModel::Paper ? BorderSplit::AtAxis : BorderSplit::Whole);
     for (const BorderArc& arc : arcs)
         if (!region.is_radial(arc.kind))
             open.push_back({arc.kind, arc.from, arc.to});

@@ -5,26 +5,29 @@
 
 namespace endmill {
 
-/// Where a function of one variable is looked for a root.
+/// An interval in which a function changes its sign, and a first guess of the root.
 struct RootBracket {
-    double low;   ///< one end
-    double high;  ///< the other, above it
-    bool
-        rises;  ///< the function is above zero at `high`, and not at `low`; else the reverse
-    double start;  ///< first place, in the bracket
+    double low;   ///< lower end
+    double high;  ///< upper end
+    /// True if the function is positive at `high` and not at `low`, false for the
+    /// reverse.
+    bool rises;
+    double start;  ///< first guess, within the bracket
 };
 
-/// A function at a place.
+/// Value and derivative of a function.
 struct ValueAndSlope {
-    double value;
-    double slope;  ///< to the place; may be 0
+    double value;  ///< of the function
+    double slope;  ///< of its derivative; may be 0
 };
 
-/// A root in a bracket by Newton's steps, halved where one would leave it.
-/// \param least_step a step that changes less, in the variable's unit, ends the search; it
-///        ends after 60 steps in any case, more than halving would need for a bracket of 2
-///        and a step of 1e-15.
-/// \param function gives the `ValueAndSlope` at a place.
+/// Root of a function in a bracket, by Newton's method. A step that would leave the
+/// bracket is replaced by bisection.
+/// \param bracket the bracket.
+/// \param least_step a smaller change of the variable ends the iteration. It ends after
+///        60 steps in any case, which exceeds what bisection needs for a bracket of width
+///        2 and a step of 1e-15.
+/// \param function returns the ValueAndSlope at a place.
 template <typename Function>
 double bracketed_newton(RootBracket bracket, double least_step, const Function& function)
 {
@@ -34,7 +37,7 @@ double bracketed_newton(RootBracket bracket, double least_step, const Function& 
         const ValueAndSlope here = function(at);
         (here.value > 0) == rises ? high = at : low = at;
         double next = at - here.value / here.slope;
-        if (!(low <= next && next <= high))  // nor is NaN within
+        if (!(low <= next && next <= high))  // also true for NaN
             next = (low + high) / 2;
         const double change = std::abs(next - at);
         at = next;

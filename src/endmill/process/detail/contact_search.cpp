@@ -11,6 +11,16 @@
 #include "endmill/surface/curvature.h"
 #include "endmill/surface/tool_side.h"
 
+// The foot minimises the squared distance to the centre. `foot_from` runs Newton's
+// method:
+// 1. Take a Newton step on half the squared distance, with parameters held at their
+//    bounds where the gradient points outwards.
+// 2. Halve the step until the distance does not grow.
+// 3. Stop if no step helps, or if the point moves by less than the tolerance.
+// `foot` first tries the place of a neighbour, which usually converges in a few steps. If
+// the distance found there is not the expected one, it starts again at the nearest
+// sample.
+
 namespace endmill {
 namespace {
 
@@ -18,21 +28,26 @@ constexpr int most_samples_a_patch_side = 16;
 constexpr int least_samples_a_patch_side = 3;
 constexpr double most_samples = 300'000;
 
-// Far more than Newton needs from a neighbour's place; a bound for a search from afar.
+// Largest number of Newton steps. A search from a neighbouring place needs a few; the
+// bound is for a search from a distant sample.
 constexpr int most_steps = 60;
 constexpr int most_halvings = 30;
 
-// Of the surface's diagonal: a step that moves the point by less ends the search.
+// A step that moves the point by less than this share of the surface's diagonal ends the
+// search.
 constexpr double step_tolerance = 1e-12;
 
-// Of the trace of the first form: keeps the system solvable at a pole.
+// Share of the trace of the first fundamental form that is added to its diagonal. It
+// keeps the system solvable at a pole.
 constexpr double damping = 1e-12;
 
-// Of the surface's diagonal: nearer to the centre, the direction from the foot is rounding.
+// Share of the surface's diagonal. If the foot is nearer to the centre, the direction
+// between them is dominated by rounding.
 constexpr double coincidence = 1e-9;
 
-// Of a squared distance: what it is rounded by. Near the foot, where it is level, a step that
-// gains nothing else may still bring the place nearer.
+// Relative rounding error of a squared distance. Near the foot the distance is
+// stationary, so a step that does not reduce it by more than this may still bring the
+// place nearer.
 constexpr double distance_rounding = 1e-14;
 
 struct PlaneVector {
@@ -40,8 +55,8 @@ struct PlaneVector {
     double v;
 };
 
-// The step that minimises the model with gradient g and matrix [a b; b c]; along a parameter
-// that is held, none.
+// The step that minimises the quadratic model with gradient g and matrix [a b; b c]. The
+// step is 0 along a parameter that is held at its bound.
 PlaneVector model_step(PlaneVector g, const Eigen::Matrix2d& matrix, bool hold_u,
                        bool hold_v)
 {
@@ -54,7 +69,8 @@ PlaneVector model_step(PlaneVector g, const Eigen::Matrix2d& matrix, bool hold_u
     return {-(c * g.u - b * g.v) / determinant, -(a * g.v - b * g.u) / determinant};
 }
 
-// Of half the squared distance: exact if it is definite, else without the bend of the surface.
+// Hessian of half the squared distance if it is positive definite. Otherwise the first
+// fundamental form alone, without the curvature of the surface.
 Eigen::Matrix2d distance_hessian(const SurfaceJet& jet, const Vec3& offset)
 {
     Eigen::Matrix2d first;
@@ -71,7 +87,7 @@ Eigen::Matrix2d distance_hessian(const SurfaceJet& jet, const Vec3& offset)
     return first + Eigen::Matrix2d::Identity() * std::max(least, damping);
 }
 
-// Whether the gradient pushes a parameter out of its range.
+// Whether the parameter is at a bound and the gradient points outwards.
 bool is_held(double at, double gradient, const Interval& range)
 {
     return (at <= range.low && gradient > 0) || (at >= range.high && gradient < 0);
@@ -88,7 +104,7 @@ int samples_a_side(std::span<const Surface> surfaces)
                                        static_cast<double>(most_samples_a_patch_side)));
 }
 
-// Places along a parameter, `count` in each patch, in the middles of equal parts.
+// Parameters of the samples: `count` per patch, in the middles of equal parts.
 std::vector<double> sampled_parameters(std::span<const double> breaks, int count)
 {
     std::vector<double> all;

@@ -13,51 +13,58 @@ namespace endmill {
 
 /// A place on one of several surfaces.
 struct PartPlace {
-    std::size_t surface;
-    double u;
-    double v;
+    std::size_t surface;  ///< index of the surface
+    double u;             ///< parameter
+    double v;             ///< parameter
 };
 
-/// The point of a part that is nearest to the centre of a ball.
+/// Foot point of a ball centre: the point of a part that is nearest to the centre.
 struct BallFoot {
-    PartPlace at;
-    Vec3 point;  ///< mm
-    Vec3
-        normal;  ///< unit, from the point to the centre, or the surface's on the tool's side
-                 ///< where they coincide
-    double distance;  ///< mm, from the point to the centre; negative behind the part
+    PartPlace at;  ///< place of the foot
+    Vec3 point;    ///< mm
+    /// Unit vector from the foot to the centre. Where both coincide it is the normal of
+    /// the surface on the tool's side.
+    Vec3 normal;
+    double distance;  ///< mm, from the foot to the centre; negative behind the part
 };
 
-/// Projects centres onto surfaces by Newton's method with descent, kept within the surfaces'
-/// borders, from a place that is known or the nearest of many samples (16 by 16 a patch,
-/// fewer of very many patches).
+/// Orthogonal projection of ball centres on surfaces. The search starts at a known place,
+/// or at the nearest of many samples (16 by 16 per patch, fewer for very many patches).
+/// It runs Newton's method on half the squared distance, with step halving, inside the
+/// borders of one surface.
 class ContactSearch {
 public:
-    /// \param surfaces on whose upper side the tool is unless they say otherwise; they must
-    ///        outlive the search. \throws DomainError if there are none.
+    /// \param surfaces the part; must outlive the search. The tool is on the upper side
+    ///        of a surface unless the surface states otherwise.
+    /// \throws DomainError if there is no surface.
     explicit ContactSearch(std::span<const Surface> surfaces);
 
-    /// The foot of `centre`, searched from `near` if the one found there is at `distance`
-    /// within `tolerance` (mm); else from the nearest sample, and then whichever of both is
-    /// nearer to that distance. Its place is good to 1e-9 of the part's size where the
-    /// projection is regular.
+    /// The foot of `centre`. The search starts from `near` if given. If the foot found
+    /// there is not at `distance` within `tolerance`, it starts again from the nearest
+    /// sample, and the foot whose distance is closer to the expected one is returned.
+    /// \param centre mm.
+    /// \param near start of the search.
+    /// \param distance mm, expected distance of the foot.
+    /// \param tolerance mm.
+    /// Accurate to 1e-9 of the size of the part where the projection is regular.
     BallFoot foot(const Vec3& centre, const std::optional<PartPlace>& near,
                   double distance, double tolerance) const;
 
-    std::size_t surfaces() const { return surfaces_.size(); }  ///< their number
+    std::size_t surfaces() const { return surfaces_.size(); }  ///< number of surfaces
 
-    /// Normal curvature in 1/mm of the part at `place`, along the tangent vector nearest to
-    /// `direction`, positive where convex; none where the surface is singular.
+    /// Normal curvature in 1/mm of the part at `place`, along the tangent vector nearest
+    /// to `direction`; positive where the part is convex. std::nullopt where the surface
+    /// is singular.
     std::optional<double> curvature(const PartPlace& place, const Vec3& direction) const;
 
 private:
     BallFoot foot_from(const Vec3& centre, const PartPlace& start) const;
 
     std::span<const Surface> surfaces_;
-    std::vector<double> sides_;
-    std::vector<PartPlace> places_;  // of the samples
-    std::vector<Vec3> samples_;
-    std::optional<PointTree> tree_;
+    std::vector<double> sides_;      // sign of the normal on the tool's side, per surface
+    std::vector<PartPlace> places_;  // places of the samples
+    std::vector<Vec3> samples_;      // points of the samples, mm
+    std::optional<PointTree> tree_;  // over the samples
 };
 
 }  // namespace endmill

@@ -10,10 +10,11 @@
 namespace endmill {
 namespace {
 
-// Of the horizontal share of a direction. Below it the azimuth of the feed is rounding.
+// Least horizontal share of a direction. Below it, rounding dominates the azimuth of the
+// feed.
 constexpr double least_horizontal_share = 1e-6;
 
-// Of the axis across: what a unit vector may be off by in a file.
+// Largest deviation of an axis from +z: the rounding of a unit vector in a file.
 constexpr double axis_tolerance = 1e-6;
 
 void require_upright(const ToolPath& path)
@@ -21,13 +22,14 @@ void require_upright(const ToolPath& path)
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         const Vec3& axis = path.points[i].location.axis;
         if (!((axis - Vec3::UnitZ()).norm() <= axis_tolerance))
-            throw GeometryError{"the axis of point " + std::to_string(i) + " is " +
-                                to_text(axis.x()) + "," + to_text(axis.y()) + "," +
-                                to_text(axis.z()) +
-                                "; the cut of a ball is known for +z only"};
+            throw GeometryError{
+                "the axis of point " + std::to_string(i) + " is " + to_text(axis.x()) +
+                "," + to_text(axis.y()) + "," + to_text(axis.z()) +
+                "; expected 0,0,1: the model describes vertical axes only"};
     }
 }
 
+// Whether a move is vertical up to rounding.
 bool is_upright(const Vec3& way, double length)
 {
     return std::hypot(way.x(), way.y()) < least_horizontal_share * length;

@@ -9,26 +9,27 @@
 
 namespace endmill {
 
-/// A straight move in the material. With a fixed axis the ball's centre goes as the tip.
+/// A straight cutting move. The axis is fixed, so the ball centre moves parallel to the
+/// tip.
 struct CutMove {
-    std::size_t point;  ///< to which it leads, in the path
-    int pass;
-    Vec3 from;         ///< tip, mm
-    Vec3 to;           ///< tip, mm
-    double begin_mm;   ///< length of the whole path up to `from`
-    double length_mm;  ///< above 0
+    std::size_t point;  ///< index in the path of the move's end point
+    int pass;           ///< number of the pass
+    Vec3 from;          ///< mm, tip at the start
+    Vec3 to;            ///< mm, tip at the end
+    double begin_mm;    ///< mm, length of the path up to `from`
+    double length_mm;   ///< mm, above 0
 
-    Vec3 middle() const { return (from + to) / 2; }                ///< tip, mm
-    Vec3 direction() const { return (to - from) / length_mm; }     ///< unit
-    double middle_mm() const { return begin_mm + length_mm / 2; }  ///< as begin_mm
+    Vec3 middle() const { return (from + to) / 2; }                ///< mm, tip
+    Vec3 direction() const { return (to - from) / length_mm; }     ///< unit vector
+    double middle_mm() const { return begin_mm + length_mm / 2; }  ///< mm, as begin_mm
 };
 
-/// The moves of `path` to its cut points, in order, without those that go nowhere and those
-/// straight up or down, which are none of the model.
+/// The moves to the cut points of `path`, in order. Moves of length 0 and vertical moves
+/// are left out, because the model does not describe them.
 /// \throws GeometryError unless the axis of every point is +z.
 std::vector<CutMove> cut_moves(const ToolPath& path);
 
-/// How many moves to cut points go nowhere.
+/// Number of moves of length 0 to cut points.
 std::size_t zero_length_cuts(const ToolPath& path);
 
 }  // namespace endmill

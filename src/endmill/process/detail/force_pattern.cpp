@@ -9,18 +9,29 @@
 
 #include "endmill/process/detail/border_integrals.h"
 
+// Outline:
+// - Construction tabulates the moments of the edge over the latitude and samples the sums
+//   at nine turns between each pair of neighbouring events.
+// - `at` adds the closed sums over the engaged ranges of each flute. The paper's chip
+//   |sin u| needs ranges split where sin u changes its sign; the exact chip does not on
+//   the ball.
+// - `largest` finds the maximum over the turn of any function of the sums, such as a
+//   load. It refines by golden-section search the intervals whose best sample comes close
+//   to the best of all.
+
 namespace endmill {
 namespace {
 
 using std::numbers::pi;
 
-// Cells of the table of moments over the ball: with three Gauss nodes in each, 1e-13 up to a
-// helix of 80 degrees.
+// Number of cells of the table of moments over the ball. With three Gauss nodes in each
+// cell the error is 1e-13 up to a helix of 80 degrees.
 constexpr int moment_cells = 128;
 constexpr double moment_cell = pi / 2 / moment_cells;
 
-// Integral of sin(t - z tangent) for z in a range, as a product without cancellation.
-double sine_integral(const EdgeStretch& range, double turn, double tangent)
+// Integral of sin(t - z tangent) over a range of z, written as a product to avoid
+// cancellation.
+double sine_integral(const HeightRange& range, double turn, double tangent)
 {
     const double length = range.to - range.from;
     const double middle = turn - (range.from + range.to) / 2 * tangent;
@@ -29,36 +40,37 @@ double sine_integral(const EdgeStretch& range, double turn, double tangent)
     return length * share * std::sin(middle);
 }
 
+// Latitude in rad of a height above the tip, at most a right angle.
 double latitude_at(double height)
 {
     return 2 * std::asin(std::sqrt(std::clamp(height / 2, 0.0, 0.5)));
 }
 
-// Integral of r dz from the tip: h of `torque_height_share`.
+// Integral of r dz from the tip to `height`.
 double radius_integral(double height)
 {
     return height * std::sqrt(height * (2 - height)) * torque_height_share(height);
 }
 
-// Calls `visit` with the parts of a stretch in which sin(t - z tangent) has one sign.
+// Calls `visit` with the parts of a range in which sin(t - z tangent) has one sign.
 template <typename Visit>
-void for_each_half_turn(const EdgeStretch& stretch, double turn, double tangent,
+void for_each_half_turn(const HeightRange& range, double turn, double tangent,
                         const Visit& visit)
 {
-    const double bottom = turn - stretch.from * tangent;
-    const double top = turn - stretch.to * tangent;
-    double from = stretch.from;
+    const double bottom = turn - range.from * tangent;
+    const double top = turn - range.to * tangent;
+    double from = range.from;
     const double step = top > bottom ? 1 : -1;
     double half_turns =
         step > 0 ? std::floor(bottom / pi) + 1 : std::ceil(bottom / pi) - 1;
     for (; step * half_turns * pi < step * top; half_turns += step) {
         const double to = (turn - half_turns * pi) / tangent;
-        if (to > from && to < stretch.to) {
-            visit(EdgeStretch{from, to});
+        if (to > from && to < range.to) {
+            visit(HeightRange{from, to});
             from = to;
         }
     }
-    visit(EdgeStretch{from, stretch.to});
+    visit(HeightRange{from, range.to});
 }
 
 }  // namespace
@@ -89,7 +101,8 @@ std::array<double, 2> ForcePattern::torque_moments(double latitude) const
     return moments_from(std::clamp(below, 0, moment_cells - 1), latitude);
 }
 
-// By three Gauss nodes from the latitude number `below` of the table.
+// The moments from the tip to `latitude`: the table's entry `below`, plus three Gauss
+// nodes from the latitude of that entry.
 std::array<double, 2> ForcePattern::moments_from(int below, double latitude) const
 {
     constexpr std::array<double, 3> weight{5.0 / 9, 8.0 / 9, 5.0 / 9};
@@ -107,38 +120,36 @@ std::array<double, 2> ForcePattern::moments_from(int below, double latitude) con
     return sums;
 }
 
-void ForcePattern::add_stretch(const EdgeStretch& stretch, double turn,
-                               EdgeSums& sums) const
+void ForcePattern::add_range(const HeightRange& range, double turn, EdgeSums& sums) const
 {
-    const bool is_on_ball = stretch.to <= 1;
-    const double length = stretch.to - stretch.from;
+    const bool is_on_ball = range.to <= 1;
+    const double length = range.to - range.from;
     sums.edge += length;
     if (!is_on_ball) {
         const double share = chip_ == ChipModel::Exact ? cos_lambda_ : 1;
-        const double chip =
-            share * std::abs(sine_integral(stretch, turn, edge_.tangent()));
+        const double chip = share * std::abs(sine_integral(range, turn, edge_.tangent()));
         sums.chip += chip;
         sums.chip_torque += chip;
         sums.edge_torque += length;
         return;
     }
-    const double low = latitude_at(stretch.from);
-    const double high = latitude_at(stretch.to);
+    const double low = latitude_at(range.from);
+    const double high = latitude_at(range.to);
     const std::array<double, 2> from = torque_moments(low);
     const std::array<double, 2> to = torque_moments(high);
     const double torque =
         std::sin(turn) * (to[0] - from[0]) - std::cos(turn) * (to[1] - from[1]);
-    sums.edge_torque += radius_integral(stretch.to) - radius_integral(stretch.from);
+    sums.edge_torque += radius_integral(range.to) - radius_integral(range.from);
     if (chip_ == ChipModel::Paper) {
-        sums.chip += std::abs(sine_integral(stretch, turn, edge_.tangent()));
+        sums.chip += std::abs(sine_integral(range, turn, edge_.tangent()));
         sums.chip_torque += std::abs(torque);
         return;
     }
-    // The exact chip over dz is (P T) / sin(latitude): cos(lambda) sin(u) less
+    // The exact chip over dz is (P T) / sin(latitude) = cos(lambda) sin(u) -
     // sin(lambda) cot(latitude).
     const double sin_low = std::sin(low);
     const double sin_high = std::sin(high);
-    sums.chip += cos_lambda_ * sine_integral(stretch, turn, edge_.tangent()) -
+    sums.chip += cos_lambda_ * sine_integral(range, turn, edge_.tangent()) -
                  sin_lambda_ * (sin_high - sin_low);
     sums.chip_torque += cos_lambda_ * torque -
                         sin_lambda_ / 2 * (sin_high - sin_low) * (sin_high + sin_low);
@@ -149,17 +160,17 @@ EdgeSums ForcePattern::at(double turn) const
     EdgeSums sums;
     for (int flute = 0; flute < flutes_; ++flute) {
         const double azimuth = turn + 2 * pi * flute / flutes_;
-        for (const EdgeStretch& stretch : edge_.engaged(azimuth)) {
-            if (chip_ == ChipModel::Exact && stretch.to <= 1)
-                add_stretch(stretch, azimuth, sums);
+        for (const HeightRange& range : edge_.engaged(azimuth)) {
+            if (chip_ == ChipModel::Exact && range.to <= 1)
+                add_range(range, azimuth, sums);
             else
                 for_each_half_turn(
-                    stretch, azimuth, edge_.tangent(),
-                    [&](const EdgeStretch& part) { add_stretch(part, azimuth, sums); });
+                    range, azimuth, edge_.tangent(),
+                    [&](const HeightRange& part) { add_range(part, azimuth, sums); });
         }
     }
-    // Thin chips are differences of closed sums, which may round to below 0; a limit would take
-    // that for a feed that thins the chip.
+    // The sums of a thin chip are differences of larger terms and may round to below 0. A
+    // negative sum would look like a load that falls as the feed grows.
     sums.chip = std::max(sums.chip, 0.0);
     sums.chip_torque = std::max(sums.chip_torque, 0.0);
     return sums;
@@ -171,12 +182,14 @@ EdgeSums ForcePattern::mean() const
     return scaled({one.I5, one.I6, one.I7, one.I8}, flutes_);
 }
 
-// Between two events that follow each other the sums are smooth, but for square roots at the
-// ends: nodes are dense there, the outermost within a rounding of the events.
+// Between two neighbouring events the sums are smooth in the turn, except for square
+// roots at the ends. The samples are therefore dense at the ends; the outermost are
+// almost at the events.
 void ForcePattern::sample()
 {
     constexpr int nodes = 9;
-    constexpr double inside = 1e-10;  // of the interval
+    constexpr double inside =
+        1e-10;  // distance of the outermost samples, share of the interval
     const double period = 2 * pi / flutes_;
     std::vector<double> ends{0, period};
     for (const double event : edge_.events())
@@ -197,11 +210,11 @@ void ForcePattern::sample()
     }
 }
 
-// The largest value in a stretch in which it has one maximum, by golden sections.
+// The largest value in an interval with a single maximum, by golden-section search.
 double ForcePattern::largest_between(const Measure& measure, double low,
                                      double high) const
 {
-    constexpr int sections = 17;  // to 3e-4 of the stretch, where a maximum is flat
+    constexpr int sections = 17;  // to 3e-4 of the interval, where a maximum is flat
     const double golden = (std::sqrt(5.0) - 1) / 2;
     double left = high - golden * (high - low);
     double right = low + golden * (high - low);
@@ -225,7 +238,8 @@ double ForcePattern::largest_between(const Measure& measure, double low,
 
 double ForcePattern::largest(const Measure& measure) const
 {
-    // A maximum between samples is higher than the highest of them by less than this share.
+    // Only intervals whose best sample comes within this share of the best of all are
+    // refined: a maximum between samples exceeds them by less.
     constexpr double share = 0.02;
     double highest = -std::numeric_limits<double>::infinity();
     for (const std::vector<Sample>& samples : samples_)
@@ -259,6 +273,7 @@ FeedBounds ForcePattern::direct_bounds(const LoadModel& model,
                                        const LoadLimits& limits) const
 {
     constexpr double never = -std::numeric_limits<double>::infinity();
+    // The least bound over the turn is the largest negative bound.
     const auto least = [&](std::optional<double> FeedBounds::*bound,
                            const LoadLimits& limit) -> std::optional<double> {
         const double found = -largest([&](const EdgeSums& sums) {

@@ -6,47 +6,55 @@
 #include <vector>
 
 #include "endmill/process/cutting_coefficients.h"
+#include "endmill/process/detail/helical_edge.h"
 #include "endmill/process/feed_limits.h"
-#include "endmill/process/force_profile.h"
 #include "endmill/process/milling_data.h"
 
 namespace endmill {
 
-/// What all edges of a helical ball-end mill bear while it turns: at the turn t, with the
-/// azimuths u = t + 2 pi j / m - z tan(helix) of its flutes j and heights z in ball radii,
+/// Sums over all edges of a helical ball-end mill while it turns. At the turn t flute j
+/// has the azimuth u = t + 2 pi j / m - z tan(helix) at the height z (in radii of the
+/// ball), and
 ///
-///     A = sum of |sin u| dz    B = sum of dz    A_T = sum of r |sin u| dz    B_T = sum of r dz
+///     A   = sum of the integrals of |sin u| dz      B   = sum of the integrals of dz
+///     A_T = sum of the integrals of r |sin u| dz    B_T = sum of the integrals of r dz
 ///
-/// (for the sense of the helix see HelicalEdge: when milling down a right-hand cutter under M03
-/// is told by a negative one) over what is engaged, r the distance from the axis; with the exact chip its thickness for
-/// |sin u|. Over a turn their means are m I5, m I6, m I7, m I8.
-/// Which edges cut is found from the borders of the engaged region (HelicalEdge); the sums over
-/// them are closed, but that of r sin u, which is tabulated along the latitude to 1e-13.
-/// Source: [ParkMaeng, appendices A and B]; the paper's five torque patterns are not printed,
-/// this stands for them: paper/notes/ball-engagement.md, section 5.
+/// over the engaged heights, where r is the distance from the axis. With the exact chip
+/// its thickness replaces |sin u|. The means over a turn are m I5, m I6, m I7 and m I8.
+/// The sense of the helix is explained at MillingTool::helix.
+///
+/// 1. HelicalEdge gives the engaged heights of each edge from the borders of the region.
+/// 2. The sums over these heights are closed, except that of r sin u, which is tabulated
+///    over the latitude to 1e-13.
+/// 3. Between the events of HelicalEdge the sums are smooth in t. Nine samples per
+///    interval locate the maximum of any function of the sums, and golden-section search
+///    refines it.
+/// Source: [ParkMaeng, appendices A and B]; the paper does not print its five torque
+/// patterns, and these sums replace them: paper/notes/ball-engagement.md, section 5.
 class ForcePattern {
 public:
     /// \throws DomainError unless `engagement` and `tool` are sound, and as HelicalEdge.
     ForcePattern(const BallEngagement& engagement, ChipModel chip,
                  const MillingTool& tool);
 
-    /// The sums when flute 0 stands at the azimuth `turn` (rad, any) at the tip. Absolute
-    /// error below 1e-11, but within 1e-6 of a turn at which an edge touches a border: 1e-5.
+    /// The sums when the tip of flute 0 stands at the azimuth `turn` (rad, any value).
+    /// Absolute error below 1e-11; below 1e-5 within 1e-6 of a turn at which an edge
+    /// touches a border.
     EdgeSums at(double turn) const;
 
-    /// Their means over a turn, as `cutting_coefficients` gives them.
+    /// Means of the sums over a turn, from `cutting_coefficients`.
     EdgeSums mean() const;
 
-    /// R_m, the concentration of force: the largest torque of the chip, A_T, over its mean.
+    /// R_m, the concentration of force: the largest torque of the chip A_T over its mean.
     /// 1 where nothing is cut. Relative error below 1e-6.
     double peak_factor() const;
 
-    /// The largest feeds per tooth in mm at which no limit is passed at any time of the turn:
-    /// the least over t of `feed_bounds`. Relative error below 1e-6.
+    /// Largest feeds per tooth in mm at which no limit is exceeded at any time of the
+    /// turn: the minimum over t of `feed_bounds`. Relative error below 1e-6.
     /// \pre as `feed_bounds`.
     FeedBounds direct_bounds(const LoadModel& model, const LoadLimits& limits) const;
 
-    /// The largest of each load over a turn at a feed per tooth. Relative error below 1e-6.
+    /// Largest of each load over a turn at a feed per tooth. Relative error below 1e-6.
     CuttingLoads largest_loads(const LoadModel& model, double feed_per_tooth_mm) const;
 
 private:
@@ -56,7 +64,7 @@ private:
     };
     using Measure = std::function<double(const EdgeSums&)>;
 
-    void add_stretch(const EdgeStretch& stretch, double turn, EdgeSums& sums) const;
+    void add_range(const HeightRange& range, double turn, EdgeSums& sums) const;
     std::array<double, 2> torque_moments(double latitude) const;
     std::array<double, 2> moments_from(int below, double latitude) const;
     void tabulate_moments();
@@ -70,10 +78,10 @@ private:
     double cos_lambda_;
     double sin_lambda_;
     HelicalEdge edge_;
-    // Integrals of sin^2 cos(z tan) and sin^2 sin(z tan) from the tip to latitudes.
+    // Integrals of sin^2 cos(z tan(helix)) and sin^2 sin(z tan(helix)) over the latitude,
+    // from the tip to equidistant latitudes.
     std::vector<std::array<double, 2>> moments_;
-    std::vector<std::vector<Sample>>
-        samples_;  // between events each, in the flutes' period
+    std::vector<std::vector<Sample>> samples_;  // per interval between events
 };
 
 }  // namespace endmill

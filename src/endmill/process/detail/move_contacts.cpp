@@ -9,17 +9,22 @@
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 
+// Contacts by projection are searched from move to move, because neighbouring contacts
+// are near each other. The moves are divided into blocks of fixed length. Each block is
+// searched by one thread and starts without a predecessor, so the result does not depend
+// on the number of threads.
+
 namespace endmill {
 namespace {
 
-// Moves that are searched one from another. Their number is fixed, so that no result depends
-// on the threads.
+// Number of consecutive moves that are searched one from another. It is fixed, so that
+// the result does not depend on the number of threads.
 constexpr std::size_t block_moves = 128;
 
-// The point that the ball misses the part by most at.
+// The point at which the ball misses the part by most.
 struct Miss {
     std::size_t point = 0;
-    double distance = 0;  // from the ball to the part; below 0: the ball reaches into it
+    double distance = 0;  // mm from the ball to the part; negative if they overlap
 };
 
 Vec3 centre_at(const Vec3& tip, double radius)
@@ -27,7 +32,7 @@ Vec3 centre_at(const Vec3& tip, double radius)
     return tip + radius * Vec3::UnitZ();
 }
 
-std::optional<PartPlace> told_place(const PathPoint& point, const ContactSearch& part)
+std::optional<PartPlace> stated_place(const PathPoint& point, const ContactSearch& part)
 {
     if (!point.contact || point.patch < 0 ||
         static_cast<std::size_t>(point.patch) >= part.surfaces())
@@ -36,7 +41,8 @@ std::optional<PartPlace> told_place(const PathPoint& point, const ContactSearch&
                      point.contact->v};
 }
 
-// Between the feet of both ends; that of the end where they are on different surfaces.
+// The middle between the feet at both ends, or the foot at the end if they are on
+// different surfaces.
 PartPlace between(const PartPlace& from, const PartPlace& to)
 {
     if (from.surface != to.surface)
@@ -44,7 +50,7 @@ PartPlace between(const PartPlace& from, const PartPlace& to)
     return {to.surface, (from.u + to.u) / 2, (from.v + to.v) / 2};
 }
 
-// Searches a run of moves, one from another.
+// Searches the contacts of consecutive moves, each starting from the last.
 class BlockSearch {
 public:
     BlockSearch(const ToolPath& path, const ContactSearch& part, const BallOnPart& ball)
@@ -62,7 +68,8 @@ public:
         const PartPlace to = end_place(move.point, move.to);
         last_ = to;
         last_point_ = move.point;
-        // The middle of a chord is off by its sagitta, which is no miss.
+        // The tolerance is the radius: the ball at the middle of a chord is off the part
+        // by the sagitta, which is not an error.
         const BallFoot foot = part_.foot(centre_at(move.middle(), ball_.radius),
                                          between(from, to), ball_.radius, ball_.radius);
         return {foot.normal, foot};
@@ -73,10 +80,10 @@ public:
 private:
     PartPlace end_place(std::size_t point, const Vec3& tip)
     {
-        const auto told = told_place(path_.points[point], part_);
+        const auto stated = stated_place(path_.points[point], part_);
         const BallFoot foot =
-            part_.foot(centre_at(tip, ball_.radius), told ? told : last_, ball_.radius,
-                       ball_.tolerance);
+            part_.foot(centre_at(tip, ball_.radius), stated ? stated : last_,
+                       ball_.radius, ball_.tolerance);
         const double miss = foot.distance - ball_.radius;
         if (std::abs(miss) > std::abs(worst_.distance))
             worst_ = {point, miss};
@@ -87,7 +94,7 @@ private:
     const ContactSearch& part_;
     const BallOnPart& ball_;
     std::optional<PartPlace> last_;
-    std::size_t last_point_ = 0;  // at which `last_` is
+    std::size_t last_point_ = 0;  // point of the path to which `last_` belongs
     Miss worst_;
 };
 
@@ -106,7 +113,7 @@ void require_touch(const ToolPath& path, const Miss& worst, double tolerance)
         " mm); expected at most " + to_text(tolerance) + " mm (--contact-tolerance)"};
 }
 
-// What the path tells of a point must be of this ball.
+// Checks that a contact stated in the path belongs to this ball.
 void require_ball(const PathPoint& point, const BallOnPart& ball)
 {
     if (!point.contact)
@@ -115,7 +122,7 @@ void require_ball(const PathPoint& point, const BallOnPart& ball)
     const double distance = (point.contact->contact.point - centre).norm();
     if (!(std::abs(distance - ball.radius) <= ball.tolerance))
         throw GeometryError{
-            "the contact that the path tells of point " + std::to_string(point.point) +
+            "the contact stated in the path for point " + std::to_string(point.point) +
             " of pass " + std::to_string(point.pass) + " is " + to_text(distance) +
             " mm from the centre of ball:" + to_text(2 * ball.radius) + "; expected " +
             to_text(ball.radius) + " mm within " + to_text(ball.tolerance) +
@@ -133,8 +140,8 @@ void require_ball(const ToolPath& path, std::span<const CutMove> moves,
     }
 }
 
-std::vector<std::optional<MoveContact>> told_contacts(const ToolPath& path,
-                                                      std::span<const CutMove> moves)
+std::vector<std::optional<MoveContact>> stated_contacts(const ToolPath& path,
+                                                        std::span<const CutMove> moves)
 {
     std::vector<std::optional<MoveContact>> contacts(moves.size());
     for (std::size_t i = 0; i < moves.size(); ++i) {

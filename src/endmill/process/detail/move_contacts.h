@@ -11,33 +11,35 @@
 
 namespace endmill {
 
-/// The contact of the ball in the middle of a move.
+/// Contact of the ball with the part at the middle of a move.
 struct MoveContact {
-    Vec3 normal;                        ///< of the part, unit, towards the centre
-    std::optional<BallFoot> foot = {};  ///< if the part is known
+    Vec3 normal;  ///< unit normal of the part, towards the ball centre
+    std::optional<BallFoot> foot = {};  ///< foot of the ball centre, if the part is given
 };
 
-/// What is known of contacts without a part: between the normals that `path` tells of both
-/// ends of a move, none where it does not.
-std::vector<std::optional<MoveContact>> told_contacts(const ToolPath& path,
-                                                      std::span<const CutMove> moves);
+/// Contacts without a part: the normalised sum of the normals that `path` states at the
+/// two ends of a move, or std::nullopt where a normal is missing.
+std::vector<std::optional<MoveContact>> stated_contacts(const ToolPath& path,
+                                                        std::span<const CutMove> moves);
 
-/// How far a ball may be from the part that it touches.
+/// A ball and the tolerance of its contact with the part.
 struct BallOnPart {
     double radius;     ///< mm
-    double tolerance;  ///< mm
+    double tolerance;  ///< mm, by which the ball may miss the part
 };
 
-/// \throws GeometryError if a contact that `path` tells of an end of a move is not as far from
-///         the ball's centre as its radius, within the tolerance: names the first.
+/// Checks that the contacts stated in `path` belong to this ball.
+/// \throws GeometryError if the distance between a stated contact at an end of a move and
+///         the ball centre differs from the radius by more than the tolerance; the
+///         message names the first such point.
 void require_ball(const ToolPath& path, std::span<const CutMove> moves,
                   const BallOnPart& ball);
 
-/// The contacts by projection on a part, searched from what `path` tells, or else from move
-/// to move.
+/// Contacts by projection on a part. The search at a point starts from the contact stated
+/// in `path`, or else from the contact of the move before.
 /// \throws GeometryError if the ball at an end of a move misses the part by more than the
-///         tolerance: says by how much it does where it does most.
-/// The same with any number of threads.
+///         tolerance; the message states the largest distance and its place.
+/// The result does not depend on the number of threads.
 std::vector<std::optional<MoveContact>> projected_contacts(const ToolPath& path,
                                                            std::span<const CutMove> moves,
                                                            const ContactSearch& part,

@@ -6,23 +6,32 @@
 #include <complex>
 #include <numbers>
 
+// The tree is searched depth-first for each move:
+// 1. A node is skipped if all its moves come later, if the plane across the move misses
+//    its box, or if the box is farther away than the nearest crossings found so far.
+// 2. In a leaf every move is intersected with the plane, and the nearest crossing on each
+//    side is kept.
+// 3. The later child is visited first, because the pass cut last is most likely the
+//    nearest. Its crossings reduce the reach of the rest of the search.
+
 namespace endmill {
 namespace {
 
 constexpr std::size_t leaf_moves = 8;
 
-// Of a box's size and place: what turning and adding may round off.
+// Relative rounding error of a rotated box, by which boxes are enlarged.
 constexpr double box_rounding = 1e-14;
 
-// Of the pick feed's length, across the feed: below it the pass lies straight above or below
-// to rounding, and the pick feed's slope is no angle of the model.
+// Least horizontal share of the pick feed. Below it the pass lies straight above or below
+// up to rounding, and the slope of the pick feed is undefined.
 constexpr double least_side_share = 1e-6;
 
-// Crossings as near are in the way of the move itself: coordinates in files have no more
+// Crossings closer than this coincide with the move: coordinates in files have no more
 // digits.
 constexpr double same_place_mm = 1e-9;
 
-// The rotation about z that lays the mean direction of the moves, either way, along x.
+// The rotation about z that turns the mean direction of the moves into the x axis.
+// Opposite directions count as equal: the mean is taken of the doubled angles.
 Eigen::Matrix3d turn_along(std::span<const CutMove> moves)
 {
     std::complex<double> doubled{0, 0};
@@ -39,15 +48,15 @@ Eigen::Matrix3d turn_along(std::span<const CutMove> moves)
 
 struct PassIndex::Search {
     const CutMove* move;
-    std::size_t end;  // moves before this number are looked at
+    std::size_t end;  // only moves before this index are considered
     Vec3 middle;
     Vec3 direction;
-    Vec3 left;  // unit, horizontal
+    Vec3 left;  // unit vector, horizontal
     double reach;
     Vec3 turned_middle;
     Vec3 turned_direction;
     Vec3 turned_left;
-    // Squared distance that a crossing has to be below, on either side.
+    // Squared distance below which a crossing on that side is accepted.
     double left_bound;
     double right_bound;
     NeighbouringPasses found = {};
@@ -77,6 +86,7 @@ PassIndex::PassIndex(std::span<const CutMove> moves)
         build_level();
 }
 
+// Adds the level whose boxes each enclose two boxes of the level below.
 void PassIndex::build_level()
 {
     const std::vector<Box>& below = levels_.back();
@@ -92,7 +102,8 @@ void PassIndex::build_level()
     levels_.push_back(std::move(level));
 }
 
-// Whether the plane goes through the box, and near enough on a side that it reaches.
+// Whether the plane intersects the box, and the box comes near enough on a side that it
+// reaches.
 bool PassIndex::may_hold(const Search& search, const Box& box) const
 {
     const Vec3 offset = box.centre - search.turned_middle;
@@ -109,6 +120,7 @@ bool PassIndex::may_hold(const Search& search, const Box& box) const
     return (offset.cwiseAbs() - box.half).cwiseMax(0).squaredNorm() < bound;
 }
 
+// Intersects the moves of a leaf with the plane and keeps the nearest crossings.
 void PassIndex::look_into(Search& search, std::size_t leaf) const
 {
     const std::size_t first = leaf * leaf_moves;
@@ -126,7 +138,8 @@ void PassIndex::look_into(Search& search, std::size_t leaf) const
             continue;
         const Vec3 offset = search.middle - other.from - share * (other.to - other.from);
         const double distance = offset.norm();
-        // The stock lies where the offset points to; the pass on the other side.
+        // The offset points from the pass to the stock, so the pass lies on the opposite
+        // side.
         const double side = -offset.dot(search.left);
         if (distance > same_place_mm && std::abs(side) < least_side_share * distance)
             continue;
@@ -139,6 +152,7 @@ void PassIndex::look_into(Search& search, std::size_t leaf) const
     }
 }
 
+// Visits a node of a level, and its children.
 void PassIndex::descend(Search& search, std::size_t level, std::size_t node) const
 {
     if (node >= levels_[level].size() || (node << level) * leaf_moves >= search.end ||
@@ -148,7 +162,8 @@ void PassIndex::descend(Search& search, std::size_t level, std::size_t node) con
         look_into(search, node);
         return;
     }
-    // What was cut last is most likely the nearest, and bounds the rest.
+    // The moves cut last are most likely the nearest; visiting them first tightens the
+    // bounds.
     descend(search, level - 1, 2 * node + 1);
     descend(search, level - 1, 2 * node);
 }

@@ -12,42 +12,48 @@
 
 namespace endmill {
 
-/// Where an earlier move goes through the plane across a later one.
+/// Intersection of an earlier move with the plane across a later one.
 struct PassCrossing {
-    std::size_t move;  ///< the earlier one, in the span
-    double share;      ///< of its length, 0 to 1
-    Vec3 offset;       ///< mm, from the crossing to the later move's middle
+    std::size_t move;  ///< index of the earlier move
+    double share;      ///< position on the earlier move, 0 at its start, 1 at its end
+    Vec3 offset;       ///< mm, from the crossing to the middle of the later move
     double distance;   ///< mm, length of `offset`
 };
 
-/// The nearest crossing on either side of a move, as seen along it from above.
+/// The nearest crossing on each side of a move, seen along the move from above.
 struct NeighbouringPasses {
-    std::optional<PassCrossing> left;
-    std::optional<PassCrossing> right;
+    std::optional<PassCrossing> left;   ///< to the left of the move
+    std::optional<PassCrossing> right;  ///< to the right of the move
 };
 
-/// Finds, for every move, the passes cut before it that lie beside it. Keeps a tree of boxes
-/// over runs of moves in the order in which they are cut: a run is a short piece of a pass,
-/// so that its box is narrow, and what is cut later is left out by its number. Boxes stand
-/// along the mean direction of the moves, for which those of a slanted raster are narrow too.
-/// Source: spec of ball-end milling, section 12, `passes`.
+/// Finds for every move the earlier passes beside it.
+///
+/// The index is a binary tree of bounding boxes over runs of consecutive moves, in the
+/// order of cutting. A run is a short piece of a pass, so its box is narrow. The order
+/// excludes all later moves by their numbers. The boxes are aligned with the mean
+/// direction of the moves, which keeps them narrow for rasters at any angle.
+/// Source: docs/mathematics/ball-end-milling.md, section 12, `passes`.
 class PassIndex {
 public:
-    /// \param moves in the order of cutting; they must outlive the index.
+    /// \param moves in the order of cutting; must outlive the index.
     explicit PassIndex(std::span<const CutMove> moves);
 
-    /// The nearest crossings of moves before `move` with the plane through its middle across
-    /// its direction. A crossing counts if it is nearer than `reach` (mm), if its move goes
-    /// within 45 degrees along or against this one, if it is no part of the own pass within
-    /// `reach` of path, and does not lie straight above or below: that is no pick feed. One
-    /// that coincides with the middle counts as to the left. Of several equally near ones
-    /// that which is cut last. About log(n) steps.
+    /// The nearest crossings of earlier moves with the plane through the middle of a
+    /// move, across its direction. A crossing counts if
+    /// - it is nearer than `reach` (mm),
+    /// - its move runs within 45 degrees of this move or of its reverse,
+    /// - it is not part of the same pass within `reach` of path length, and
+    /// - it does not lie straight above or below, where the pick feed would have no
+    ///   direction.
+    ///
+    /// A crossing at the middle itself counts as left. Of several equally near crossings
+    /// the one cut last is returned. Takes about log(n) steps.
     NeighbouringPasses beside(std::size_t move, double reach) const;
 
 private:
     struct Box {
-        Vec3 centre;  // turned
-        Vec3 half;
+        Vec3 centre;  // mm, in the rotated frame
+        Vec3 half;    // mm, half the extents
     };
     struct Search;
 
@@ -57,8 +63,8 @@ private:
     void descend(Search& search, std::size_t level, std::size_t node) const;
 
     std::span<const CutMove> moves_;
-    Eigen::Matrix3d turn_;                  // about z
-    std::vector<std::vector<Box>> levels_;  // of leaves, of pairs of them, ...
+    Eigen::Matrix3d turn_;  // rotation about z into the frame of the boxes
+    std::vector<std::vector<Box>> levels_;  // boxes of the leaves, of pairs of them, ...
 };
 
 }  // namespace endmill

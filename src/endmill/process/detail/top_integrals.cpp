@@ -4,20 +4,25 @@
 #include <cmath>
 #include <numbers>
 
+// On the stock's top the latitude is constant, so the integral of g_k(t) h_k(latitude)
+// over the azimuth t is h_k times a closed integral of g_k. The azimuths engaged on the
+// top come from the region.
+
 namespace endmill {
 namespace {
 
 using std::numbers::pi;
 
-// Integrals of g_k over the azimuth on a range in which sin(azimuth) has the sign of `front`.
+// Integrals of g_k over a range of azimuths in which sin(azimuth) has one sign.
 struct AzimuthIntegrals {
-    double sine_cosine;
-    double sine_square;
-    double cosine;
-    double sine;
-    double length;
+    double sine_cosine;  // of sin t cos t
+    double sine_square;  // of sin^2 t
+    double cosine;       // of cos t
+    double sine;         // of sin t
+    double length;       // of 1
 };
 
+// The integrals in closed form.
 AzimuthIntegrals azimuth_integrals(const AzimuthRange& range)
 {
     const double sin_from = std::sin(range.from);
@@ -30,6 +35,7 @@ AzimuthIntegrals azimuth_integrals(const AzimuthRange& range)
             cos_from - cos_to, length};
 }
 
+// Adds a range of azimuths in which sin(azimuth) has one sign.
 void add_top(const EngagedRegion& region, ChipModel chip, const AzimuthRange& range,
              CoefficientSums& sums)
 {
@@ -64,7 +70,7 @@ CoefficientSums top_integrals(const EngagedRegion& region, ChipModel chip)
 {
     CoefficientSums sums{};
     for (AzimuthRange range : region.ranges_at(region.top_sine, region.top_cosine)) {
-        // sin(azimuth) changes its sign at multiples of pi.
+        // The range is split at multiples of pi, where sin(azimuth) changes its sign.
         for (const double turn : {0.0, pi})
             if (range.from < turn && turn < range.to) {
                 add_top(region, chip, {range.from, turn}, sums);

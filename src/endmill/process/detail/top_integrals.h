@@ -5,8 +5,8 @@
 
 namespace endmill {
 
-/// What the stock's top adds to the sums, or the ball's equator where the stock is higher:
-/// closed, over the azimuths engaged there.
+/// Contribution to the sums of the stock's top, or of the ball's equator in deeper stock.
+/// Closed form over the azimuths engaged there.
 /// Source: derived in paper/notes/ball-engagement.md, section 3.
 CoefficientSums top_integrals(const EngagedRegion& region, ChipModel chip);
 

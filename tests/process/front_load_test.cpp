@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/front_load.h"
 
 #include <array>
 #include <cmath>
@@ -9,7 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "endmill/process/detail/engaged_region.h"
 #include "endmill/process/detail/force_pattern.h"
+#include "endmill/process/detail/segment_load.h"
+#include "endmill/process/feed_plan.h"
 #include "milling_examples.h"
 
 namespace endmill {
@@ -17,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-// The front of which `engagement` says that it cuts, place by place.
+// The front of an engagement, tested cell by cell.
 BallFront front_of(const BallEngagement& engagement, int rows, int columns)
 {
     BallFront front{.lambda = engagement.lambda, .rows = rows, .columns = columns};
@@ -64,8 +67,8 @@ TEST(FrontCoefficients, TendToThoseOfTheBorders)
             const auto fine =
                 numbers_of(front_coefficients(front_of(engagement, 384, 512), chip));
             for (std::size_t k = 0; k < exact.size(); ++k) {
-                // The shank's angle is whole azimuths: one is 1/256 of a turn, whatever
-                // the height.
+                // The shank's angle is a whole number of azimuth steps, of which one is
+                // 1/256 of a turn.
                 const double shank = std::max(engagement.depth_ratio - 1, 0.0);
                 EXPECT_NEAR(coarse[k], exact[k], 3e-3 + shank / 256);
                 EXPECT_NEAR(fine[k], exact[k], 8e-4 + shank / 1024);
@@ -73,7 +76,7 @@ TEST(FrontCoefficients, TendToThoseOfTheBorders)
         }
 }
 
-TEST(FrontCoefficients, OfAirAreNone)
+TEST(FrontCoefficients, OfAirAreZero)
 {
     BallFront front = front_of({0, 0, 0.5, 1}, 96, 128);
     for (char& cell : front.engaged)
@@ -84,7 +87,7 @@ TEST(FrontCoefficients, OfAirAreNone)
     EXPECT_EQ((FrontPattern{front, ChipModel::Paper, {5, 2, 0.5}}.peak_factor()), 1);
 }
 
-// Against the pattern that follows the edges to their crossings with the borders.
+// Compared with the pattern that uses exact crossings of edges and borders.
 TEST(FrontPattern, TendsToThatOfTheBorders)
 {
     const MillingTool tool{5, 2, pi / 6};
@@ -112,8 +115,11 @@ TEST(FrontLoad, IsThatOfTheSameEngagementInClosedForm)
         SegmentCut cut{.length_mm = 2, .mu = 0, .pick_feed_mm = 2.5, .depth_mm = 5};
         const SegmentLoad closed =
             peak == PeakRule::Constant
-                ? factored_load(cut, cutting_coefficients({0, 0, 0.5, 1}), 1.8, rules)
-                : turning_load(cut, job.tool, peak, ChipModel::Paper, rules);
+                ? constant_peak_load(cut, cutting_coefficients({0, 0, 0.5, 1}), 1.8,
+                                     rules)
+            : peak == PeakRule::Torque
+                ? torque_peak_load(cut, job.tool, ChipModel::Paper, rules)
+                : direct_peak_load(cut, job.tool, ChipModel::Paper, rules);
         EXPECT_NEAR(load.engaged_angle, closed.engaged_angle, 1e-9);
         EXPECT_EQ(load.peak_factor.has_value(), closed.peak_factor.has_value());
         EXPECT_NEAR(load.bounds.cutting_force.value(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/detail/quartic_stations.h"
+#include "endmill/process/detail/quartic_roots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,17 +7,22 @@
 
 #include "endmill/process/detail/bracketed_newton.h"
 
+// `roots` descends to the quadratic, whose roots are closed, and comes back up: the roots
+// of the derivative split the interval into parts on which the polynomial is monotonic,
+// so each part with a change of sign holds exactly one root.
+
 namespace endmill {
 namespace {
 
-// Of a root in u, which is about 1: a step that changes less ends the search.
+// A Newton step that changes the root in u by less ends the iteration; u is of the order
+// of 1.
 constexpr double least_step = 1e-13;
 
-// A polynomial of degree N - 1, c[0] first.
+// Coefficients of a polynomial of degree N - 1, the constant one first.
 template <std::size_t N>
 using Polynomial = std::array<double, N>;
 
-// Rising places; the first `count` hold.
+// Ascending places; the first `count` are valid.
 struct Places {
     std::array<double, 4> at;
     int count = 0;
@@ -25,6 +30,7 @@ struct Places {
     void add(double place) { at[count++] = place; }
 };
 
+// Value at u by Horner's rule.
 template <std::size_t N>
 double value(const Polynomial<N>& c, double u)
 {
@@ -43,7 +49,7 @@ Polynomial<N - 1> derivative(const Polynomial<N>& c)
     return d;
 }
 
-// The root between `low` and `high`, where the signs of the polynomial differ.
+// The root between `low` and `high`, where the polynomial has different signs.
 template <std::size_t N>
 double root_between(const Polynomial<N>& c, const Polynomial<N - 1>& d, double low,
                     double high)
@@ -54,7 +60,7 @@ double root_between(const Polynomial<N>& c, const Polynomial<N - 1>& d, double l
                             });
 }
 
-// Roots of a quadratic, or of what is left of it where leading coefficients vanish.
+// Roots of a quadratic. Leading coefficients may be 0.
 Places roots(const Polynomial<3>& c, double low, double high)
 {
     Places found;
@@ -72,6 +78,7 @@ Places roots(const Polynomial<3>& c, double low, double high)
     return found;
 }
 
+// Roots of a polynomial of higher degree.
 template <std::size_t N>
 Places roots(const Polynomial<N>& c, double low, double high)
 {
@@ -93,16 +100,16 @@ Places roots(const Polynomial<N>& c, double low, double high)
 
 }  // namespace
 
-QuarticStations quartic_stations(const Quartic& quartic, double low, double high)
+RootsAndExtrema roots_and_extrema(const Quartic& quartic, double low, double high)
 {
     const Places turns = roots(derivative(quartic), low, high);
     const Places zeros = roots(quartic, low, high);
-    QuarticStations stations;
+    RootsAndExtrema found;
     const auto end =
         std::merge(zeros.at.begin(), zeros.at.begin() + zeros.count, turns.at.begin(),
-                   turns.at.begin() + turns.count, stations.at.begin());
-    stations.count = static_cast<int>(end - stations.at.begin());
-    return stations;
+                   turns.at.begin() + turns.count, found.at.begin());
+    found.count = static_cast<int>(end - found.at.begin());
+    return found;
 }
 
 }  // namespace endmill

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/force_profile.h"
+#include "endmill/process/detail/helical_edge.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "endmill/core/error.h"
-#include "endmill/process/cutting_coefficients.h"
 #include "endmill/process/detail/bracketed_newton.h"
 
 namespace endmill {
@@ -15,7 +14,8 @@ namespace {
 
 using std::numbers::pi;
 
-// An engagement with the same angles that is no air, so that its region has a meaning.
+// The engagement itself or, in air, one with the same angles that is not in air:
+// EngagedRegion requires it.
 BallEngagement not_air(BallEngagement engagement)
 {
     if (is_air(engagement)) {
@@ -39,7 +39,7 @@ HelicalEdge::HelicalEdge(const BallEngagement& engagement, double helix)
             "HelicalEdge: the edge winds too often about the axis");
     if (is_air_)
         return;
-    for (const BorderArc& arc : region_.borders(false))
+    for (const BorderArc& arc : region_.borders(BorderSplit::Whole))
         add_runs(arc);
     for (const double height : {1.0, shank_top_})
         if (shank_top_ > 1)
@@ -49,23 +49,25 @@ HelicalEdge::HelicalEdge(const BallEngagement& engagement, double helix)
     events_.erase(std::unique(events_.begin(), events_.end()), events_.end());
 }
 
-// The azimuth of a point of a run, from the side on which that lies, so that it has no jump.
+// Azimuth of a point of a run. It is computed from the side of the axis on which the run
+// lies, so that it is continuous along the run.
 double HelicalEdge::azimuth(const Run& run, const Vec3& at) const
 {
     if (region_.is_radial(run.kind) && run.kind == BorderKind::Wall)
-        return run.to > 0 ? pi / 2 : -pi / 2;  // through the axis, and parted there
+        return run.to > 0 ? pi / 2
+                          : -pi / 2;  // passes through the axis, where runs are split
     return run.is_at_stock ? std::atan2(at.x(), std::max(0.0, at.y()))
                            : pi - std::atan2(at.x(), std::max(0.0, -at.y()));
 }
 
-// The azimuth at the tip when the edge goes through a point of a run.
+// Azimuth of the tip at which the edge passes the point of a run.
 double HelicalEdge::turn_at(const Run& run, double p) const
 {
     const Vec3 at = region_.point(run.kind, p);
     return azimuth(run, at) + (1 + at.z()) * tangent_;
 }
 
-// Its rate as p grows, times sin^2 of the latitude.
+// Derivative of turn_at by p, times sin^2 of the latitude.
 double HelicalEdge::turn_rate(const Run& run, double p) const
 {
     const BorderPoint point = region_.moving_point(run.kind, p);
@@ -73,9 +75,11 @@ double HelicalEdge::turn_rate(const Run& run, double p) const
     return point.turn + tangent_ * square * point.height;
 }
 
+// Parameter p at which the edge crosses a run when its tip stands at `turn`. The secant
+// between the ends of the run is the first guess.
 double HelicalEdge::crossing(const Run& run, double turn) const
 {
-    constexpr double least_step = 1e-14;  // of p, which is at most 1
+    constexpr double least_step = 1e-14;  // of p, whose magnitude is at most 1
     const double secant = run.from + (run.to - run.from) * (turn - run.turn_from) /
                                          (run.turn_to - run.turn_from);
     return bracketed_newton(
@@ -89,12 +93,12 @@ double HelicalEdge::crossing(const Run& run, double turn) const
         });
 }
 
-// Parts a border where it goes from one side of the axis to the other across the feed.
+// Splits a border where it crosses y = 0, the plane along the feed through the axis.
 void HelicalEdge::add_runs(const BorderArc& arc)
 {
     const double low = std::min(arc.from, arc.to);
     const double high = std::max(arc.from, arc.to);
-    double middle = 0;  // Front, and an edge's plane, which goes through the axis
+    double middle = 0;  // for Front, and for the wall of an edge, which contains the axis
     if (arc.kind == BorderKind::PreviousBall)
         middle = region_.beside_axis();
     else if (arc.kind == BorderKind::Wall && region_.wall != 0)
@@ -108,11 +112,12 @@ void HelicalEdge::add_runs(const BorderArc& arc)
     }
 }
 
-// Parts a run where its azimuth at the tip turns, and keeps the parts.
+// Splits a run at the local extrema of its azimuth at the tip, and stores the parts.
 void HelicalEdge::add_monotonic(Run run)
 {
-    // The rate is smooth: a border of less than half a turn has no more wiggles than these
-    // samples show, and what they miss is as small as they are dense.
+    // The derivative is sampled for changes of sign, which bisection then locates. It is
+    // smooth on a border of less than half a turn; an extremum that the samples miss is
+    // insignificant.
     constexpr int samples = 24;
     constexpr int halvings = 40;
     const double end = run.to;
@@ -148,13 +153,15 @@ void HelicalEdge::add_monotonic(Run run)
     keep(from, end);
 }
 
+// Adds an event, reduced to [0, 2 pi).
 void HelicalEdge::add_event(double turn)
 {
     const double once = turn - 2 * pi * std::floor(turn / (2 * pi));
     events_.push_back(once < 2 * pi ? once : 0);
 }
 
-void HelicalEdge::add_ball(double turn, std::vector<EdgeStretch>& ranges) const
+// Adds the engaged ranges on the ball: between neighbouring crossings the middle decides.
+void HelicalEdge::add_ball(double turn, std::vector<HeightRange>& ranges) const
 {
     std::vector<double> heights{0, region_.depth};
     for (const Run& run : runs_) {
@@ -169,7 +176,7 @@ void HelicalEdge::add_ball(double turn, std::vector<EdgeStretch>& ranges) const
     }
     std::sort(heights.begin(), heights.end());
     for (std::size_t k = 1; k < heights.size(); ++k) {
-        const EdgeStretch range{heights[k - 1], heights[k]};
+        const HeightRange range{heights[k - 1], heights[k]};
         const double middle = (range.from + range.to) / 2;
         const double here = turn - middle * tangent_;
         const double sine = std::sqrt(middle * (2 - middle));
@@ -183,13 +190,14 @@ void HelicalEdge::add_ball(double turn, std::vector<EdgeStretch>& ranges) const
     }
 }
 
-void HelicalEdge::add_shank(double turn, std::vector<EdgeStretch>& ranges) const
+// Adds the engaged ranges on the shank, one per winding of the edge.
+void HelicalEdge::add_shank(double turn, std::vector<HeightRange>& ranges) const
 {
     const double bottom = turn - tangent_;
     const double top = turn - shank_top_ * tangent_;
     const double least = std::min(bottom, top);
     const double most = std::max(bottom, top);
-    // The azimuths engaged are `winding` to `winding` + the shank's angle.
+    // The shank is engaged at azimuths from `winding` to `winding` plus its angle.
     for (double winding = 2 * pi * std::floor(least / (2 * pi)); winding <= most;
          winding += 2 * pi) {
         if (bottom == top) {
@@ -206,16 +214,16 @@ void HelicalEdge::add_shank(double turn, std::vector<EdgeStretch>& ranges) const
     }
 }
 
-std::vector<EdgeStretch> HelicalEdge::engaged(double turn) const
+std::vector<HeightRange> HelicalEdge::engaged(double turn) const
 {
-    std::vector<EdgeStretch> ranges;
+    std::vector<HeightRange> ranges;
     if (is_air_)
         return ranges;
     add_ball(turn, ranges);
     if (shank_top_ > 1)
         add_shank(turn, ranges);
     std::sort(ranges.begin(), ranges.end(),
-              [](const EdgeStretch& a, const EdgeStretch& b) { return a.from < b.from; });
+              [](const HeightRange& a, const HeightRange& b) { return a.from < b.from; });
     return ranges;
 }
 

@@ -1,34 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/front_load.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <optional>
 
 #include "endmill/core/error.h"
 #include "endmill/core/vec.h"
 
+// A front states which cells of the ball's front are in the stock, and how high the stock
+// reaches along the shank. Everything here is a midpoint rule over these data:
+// - `front_coefficients` sums over the cells, which have equal areas, and over the
+//   azimuths of the shank.
+// - FrontPattern follows each helical edge upwards in small steps of height, at 180 turns
+//   of the flutes' period, and adds the steps whose cell is engaged.
+
 namespace endmill {
 namespace {
 
 using std::numbers::pi;
 
-// Turns of the flutes' period, and heights of an edge over the ball's radius: finer than the
-// cells of a front, whose width the sums are good to.
+// Number of turns within the period of the flutes, and of height steps per radius of the
+// ball. Both are finer than the cells of a front, whose width limits the accuracy of the
+// sums.
 constexpr int turns = 180;
 constexpr int edge_steps = 64;
 
-// A place on the ball or the shank, in radii.
+// A point of the ball or the shank. Lengths are in radii of the ball.
 struct Place {
-    double sine;  // of the azimuth from Y
-    double cosine;
-    double radius;     // from the axis
-    double thickness;  // of the chip over the feed, for an element of height
+    double sine;       // sine of the azimuth from Y
+    double cosine;     // cosine of the azimuth from Y
+    double radius;     // distance from the axis
+    double thickness;  // chip thickness over the feed per tooth, for an element of height
 };
 
+// The point of the ball at `at`. The exact thickness is the component of the feed normal
+// to the ball.
 Place ball_place(const Vec3& at, const BallFront& front, ChipModel chip)
 {
     const double radius = std::hypot(at.x(), at.y());
@@ -39,6 +48,7 @@ Place ball_place(const Vec3& at, const BallFront& front, ChipModel chip)
             chip == ChipModel::Exact ? ahead / radius : std::abs(sine)};
 }
 
+// The point of the shank at an azimuth.
 Place shank_place(double azimuth, const BallFront& front, ChipModel chip)
 {
     const double sine = std::sin(azimuth);
@@ -46,7 +56,8 @@ Place shank_place(double azimuth, const BallFront& front, ChipModel chip)
             chip == ChipModel::Exact ? std::cos(front.lambda) * sine : std::abs(sine)};
 }
 
-// I1 to I8 of an element: the chip's terms with its thickness, the edge's with 1.
+// Adds an element to I1 to I8. The chip terms have the factor thickness, the edge terms
+// 1.
 void add(CuttingCoefficients& sum, const Place& at, double weight)
 {
     sum.I1 += weight * at.thickness * at.cosine;
@@ -59,6 +70,7 @@ void add(CuttingCoefficients& sum, const Place& at, double weight)
     sum.I8 += weight * at.radius;
 }
 
+// Middle of a cell of the front.
 Vec3 cell_middle(const BallFront& front, int row, int column)
 {
     const double y = -1 + 2 * (row + 0.5) / front.rows;
@@ -67,6 +79,7 @@ Vec3 cell_middle(const BallFront& front, int row, int column)
     return {rho * std::cos(chi), y, rho * std::sin(chi)};
 }
 
+// Whether the cell at a point of the ball is in the stock.
 bool is_engaged(const BallFront& front, const Vec3& at)
 {
     const double chi = std::atan2(at.z(), at.x());
@@ -80,7 +93,7 @@ bool is_engaged(const BallFront& front, const Vec3& at)
     return front.engaged[static_cast<std::size_t>(row) * front.columns + column] != 0;
 }
 
-// How far up the shank is engaged at an azimuth, in radii.
+// Height in radii to which the shank is engaged at an azimuth.
 double shank_height(const BallFront& front, double azimuth)
 {
     const double turned = azimuth - 2 * pi * std::floor(azimuth / (2 * pi));
@@ -91,6 +104,7 @@ double shank_height(const BallFront& front, double azimuth)
         .shank[static_cast<std::size_t>(std::min(turned / pi * count, count - 1))];
 }
 
+// Adds an element of an edge of this height.
 void add(EdgeSums& sums, const Place& at, double height)
 {
     sums.chip += at.thickness * height;
@@ -103,9 +117,10 @@ void add(EdgeSums& sums, const Place& at, double height)
 struct Edge {
     const BallFront& front;
     ChipModel chip;
-    double tangent;  // of the helix
-    double top;      // of the shank's material over the centre
+    double tangent;  // tan(helix)
+    double top;      // height of the stock above the ball centre
 
+    // Adds the sums of the edge when its tip stands at an azimuth.
     void add_to(EdgeSums& sums, double tip_azimuth) const
     {
         const double step = 1.0 / edge_steps;
@@ -126,6 +141,7 @@ struct Edge {
     }
 };
 
+// Replaces `least` by `bound` if that is smaller. A missing bound does not bind.
 void keep_smaller(std::optional<double>& least, const std::optional<double>& bound)
 {
     if (bound && (!least || *bound < *least))
@@ -225,36 +241,6 @@ CuttingLoads FrontPattern::largest_loads(const LoadModel& model,
         largest.torque_n_m = std::max(largest.torque_n_m, loads.torque_n_m);
     }
     return largest;
-}
-
-SegmentLoad front_load(double length_mm, const BallFront& front, const MillingTool& tool,
-                       const FeedPlanOptions& options, const FeedRules& rules)
-{
-    const double angle = std::clamp(front.rim_angle, least_life_angle, pi);
-    const auto load_of_sums = [&](const EdgeSums& sums, double factor) {
-        return SegmentLoad{
-            .length_mm = length_mm,
-            .engaged_angle = angle,
-            .bounds = feed_bounds(rules.model, sums, rules.limits),
-            .loads = [sums, &rules](
-                         double feed) { return cutting_loads(rules.model, sums, feed); },
-            .peak_factor = factor};
-    };
-    if (options.peak == PeakRule::Constant)
-        return load_of_sums(edge_sums(front_coefficients(front, options.chip),
-                                      tool.flutes, options.peak_factor),
-                            options.peak_factor);
-    const auto pattern = std::make_shared<const FrontPattern>(front, options.chip, tool);
-    if (options.peak == PeakRule::Torque) {
-        const double factor = pattern->peak_factor();
-        return load_of_sums(scaled(pattern->mean(), factor), factor);
-    }
-    return {.length_mm = length_mm,
-            .engaged_angle = angle,
-            .bounds = pattern->direct_bounds(rules.model, rules.limits),
-            .loads = [pattern, &rules](double feed) {
-                return pattern->largest_loads(rules.model, feed);
-            }};
 }
 
 }  // namespace endmill

@@ -20,7 +20,7 @@ namespace {
 using test::relative_error;
 using Points = std::vector<Vec3>;
 
-// Of the spec, section 11.
+// docs/mathematics/ball-end-milling.md, section 11.
 constexpr FeedAcceleration motion{.acceleration_mm_per_s2 = 1000,
                                   .corner_tolerance_mm = 0.01};
 
@@ -101,7 +101,7 @@ TEST(PlannedFeed, FollowsAPolygonAsTheCircleInIt)
     }
 }
 
-// A random polyline with the feeds of its segments.
+// A random polyline with feeds of its segments.
 struct Course {
     Points points;
     std::vector<double> feeds;
@@ -123,8 +123,8 @@ Course random_course(test::Random& random, int segments)
     return course;
 }
 
-// The fastest admissible speed at every vertex by its definition: no cap anywhere on the path
-// may be missed by what the acceleration brakes on the way to it.
+// The largest admissible speed at every vertex by its definition: from every bound on the
+// path, the speed that acceleration can reach up to the vertex.
 std::vector<double> speeds_by_definition(const Course& course)
 {
     const std::size_t count = course.feeds.size();
@@ -149,14 +149,15 @@ std::vector<double> speeds_by_definition(const Course& course)
     return speeds;
 }
 
-// Time over a segment by summing dx/v over the fastest speed profile between its ends.
+// Time of a segment by integration of dx/v over the fastest speed profile between its
+// ends.
 double time_by_quadrature(double length, double from, double to, double feed)
 {
     const double a = motion.acceleration_mm_per_s2;
     constexpr int steps = 20000;
     double sum = 0;
     for (int k = 0; k < steps; ++k) {
-        // x runs slowly at both ends, where 1/v may be infinite.
+        // The substitution is dense at both ends, where 1/v may be infinite.
         const double u = (k + 0.5) / steps;
         const double x = length * u * u * (3 - 2 * u);
         const double width = length * 6 * u * (1 - u) / steps;
@@ -216,7 +217,7 @@ TEST(PlannedFeed, KeepsItsBoundsAndIsNoFasterThanTheFeeds)
     }
 }
 
-// Back and forth along the same path takes the same time.
+// The reversed path takes the same time.
 TEST(PlannedFeed, IsTheSameBackwards)
 {
     test::Random random{31};
@@ -229,7 +230,7 @@ TEST(PlannedFeed, IsTheSameBackwards)
         1e-13);
 }
 
-TEST(PlannedFeed, RefusesWhatIsNoPath)
+TEST(PlannedFeed, RefusesDegeneratePaths)
 {
     const std::vector<double> feed{100};
     const auto refused = [](const Points& points, const std::vector<double>& feeds) {

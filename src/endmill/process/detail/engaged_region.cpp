@@ -1,43 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/ball_engagement.h"
+#include "endmill/process/detail/engaged_region.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "endmill/process/detail/previous_pass.h"
+#include "endmill/core/error.h"
+
+// The borders of the engaged region below the stock's top are found per kind (`borders`):
+// - Front: the great circle is split where it meets the top, the wall and the previous
+//   pass, and the parts that the previous pass has left are kept.
+// - PreviousBall: `sign_changes` gives the parts of the curve below the top, and
+//   optionally the places where the curve crosses X = 0.
+// - Wall: a circle, whose ends are closed formulas.
+// `ranges_at` proceeds likewise on a circle of latitude: it collects all places where a
+// border may cross the circle, sorts them, and tests the middle of each range.
 
 namespace endmill {
 namespace {
 
 using std::numbers::pi;
 
-// P_z + `cosine` on the previous pass.
+// The condition P_z + cosine > 0 on the curve of the previous pass.
 PassCondition above(const EngagedRegion& region, double cosine)
 {
-    return {cosine - region.rise * region.cos_lambda, -region.cos_lambda,
+    return {cosine - region.pass.rise * region.cos_lambda, -region.cos_lambda,
             region.sin_lambda};
 }
 
-// P_x on the previous pass.
+// The condition P_x > 0 on the curve of the previous pass.
 PassCondition in_front_of_axis(const EngagedRegion& region)
 {
-    return {region.rise * region.sin_lambda, region.sin_lambda, region.cos_lambda};
+    return {region.pass.rise * region.sin_lambda, region.sin_lambda, region.cos_lambda};
 }
 
-// p of an angle x with this sine and cosine.
+// The parameter p of an angle with this sine and cosine.
 double half_tangent(double sine, double cosine)
 {
     return sine / (1 + cosine);
 }
 
+// The second leg of a right triangle; 0 if rounding makes the leg longer than the
+// hypotenuse.
 double other_leg(double hypotenuse, double leg)
 {
     return std::sqrt(std::max(0.0, (hypotenuse - leg) * (hypotenuse + leg)));
 }
 
-// The front plane below the top: the stretches that the previous pass has left.
+// Adds the parts of the front plane below the top that the previous pass has left. Its
+// candidates for end points split it; the middle of each part decides.
 void add_front(const EngagedRegion& region, std::vector<BorderArc>& arcs)
 {
     if (region.top_cosine >= region.cos_lambda)
@@ -54,11 +67,11 @@ void add_front(const EngagedRegion& region, std::vector<BorderArc>& arcs)
         add(0);
     if (std::abs(region.wall) < 1)
         add(-half_tangent(region.wall, other_leg(1, region.wall)));
-    if (region.previous == PreviousPass::Beside && region.pick_feed < 2) {
-        const double half_chord = other_leg(1, region.pick_feed / 2);
+    if (region.previous == PreviousPass::Beside && region.pass.pick_feed < 2) {
+        const double half_chord = other_leg(1, region.pass.pick_feed / 2);
         for (const double side : {-half_chord, half_chord}) {
-            const double y = -region.across / 2 - side * region.sin_mu;
-            const double w = -region.rise / 2 + side * region.cos_mu;
+            const double y = -region.pass.across / 2 - side * region.pass.sin_mu;
+            const double w = -region.pass.rise / 2 + side * region.pass.cos_mu;
             add(half_tangent(-y, -w));
         }
     }
@@ -74,18 +87,18 @@ void add_front(const EngagedRegion& region, std::vector<BorderArc>& arcs)
     }
 }
 
-// The previous pass below the top.
-void add_previous_ball(const EngagedRegion& region, bool split_at_axis,
+// Adds the parts of the previous pass's curve below the top.
+void add_previous_ball(const EngagedRegion& region, BorderSplit split,
                        std::vector<BorderArc>& arcs)
 {
-    const SignChanges top = sign_changes(region, above(region, region.top_cosine));
+    const SignChanges top = sign_changes(region.pass, above(region, region.top_cosine));
     SignChanges axis;
-    if (split_at_axis && region.sin_lambda < 0)
-        axis = sign_changes(region, in_front_of_axis(region));
+    if (split == BorderSplit::AtAxis && region.sin_lambda < 0)
+        axis = sign_changes(region.pass, in_front_of_axis(region));
     for (int k = 0; k <= top.count; ++k) {
         if (top.is_positive == (k % 2 == 0))
             continue;
-        double from = k > 0 ? top.at[k - 1] : region.first;
+        double from = k > 0 ? top.at[k - 1] : region.pass.first;
         const double to = k < top.count ? top.at[k] : 1;
         for (int j = 0; j < axis.count; ++j)
             if (axis.at[j] > from && axis.at[j] < to) {
@@ -97,25 +110,27 @@ void add_previous_ball(const EngagedRegion& region, bool split_at_axis,
     }
 }
 
-// Lower end in p of the wall: where the previous pass or the front plane bounds it. None if
-// it is not engaged at all.
+// Lower end in p of the wall, where the previous pass or the front plane bounds it.
+// std::nullopt if no part of the wall is engaged.
 std::optional<double> wall_begin(const EngagedRegion& region)
 {
     const double front = half_tangent(region.sin_lambda, region.cos_lambda);
     if (region.previous != PreviousPass::Beside)
         return front;
-    const double tau2 = 2 * region.across - region.pick_feed * region.pick_feed;
+    const double tau2 =
+        2 * region.pass.across - region.pass.pick_feed * region.pass.pick_feed;
     if (tau2 <= 0)
-        return region.rise > 0 ? std::optional{front} : std::nullopt;
+        return region.pass.rise > 0 ? std::optional{front} : std::nullopt;
     const double tau = std::sqrt(tau2);
-    const double x = tau * region.cos_lambda + region.rise * region.sin_lambda;
-    const double z = tau * region.sin_lambda - region.rise * region.cos_lambda;
+    const double x = tau * region.cos_lambda + region.pass.rise * region.sin_lambda;
+    const double z = tau * region.sin_lambda - region.pass.rise * region.cos_lambda;
     if (z >= 0)
         return std::nullopt;
     return x / (other_leg(1, region.wall) - z);
 }
 
-void add_wall(const EngagedRegion& region, bool split_at_axis,
+// Adds the part of the wall below the top.
+void add_wall(const EngagedRegion& region, BorderSplit split,
               std::vector<BorderArc>& arcs)
 {
     const double rho = other_leg(1, region.wall);
@@ -127,7 +142,7 @@ void add_wall(const EngagedRegion& region, bool split_at_axis,
     const double cosine = region.top_cosine / rho;
     const double high = half_tangent(other_leg(1, cosine), cosine);
     const double low = std::max(-high, *begin);
-    if (split_at_axis && low < 0 && high > 0) {
+    if (split == BorderSplit::AtAxis && low < 0 && high > 0) {
         arcs.push_back({BorderKind::Wall, high, 0});
         arcs.push_back({BorderKind::Wall, 0, low});
     } else if (low < high) {
@@ -139,34 +154,18 @@ void add_wall(const EngagedRegion& region, bool split_at_axis,
 
 EngagedRegion::EngagedRegion(const BallEngagement& engagement)
     : previous{engagement.previous},
+      pass{engagement},
       cos_lambda{std::cos(engagement.lambda)},
       sin_lambda{std::sin(engagement.lambda)},
-      cos_mu{std::cos(engagement.mu)},
-      sin_mu{std::sin(engagement.mu)},
-      pick_feed{previous == PreviousPass::Beside ? engagement.pick_feed_ratio : 0},
-      across{pick_feed * cos_mu},
-      rise{pick_feed * sin_mu},
       top_cosine{std::max(0.0, 1 - engagement.depth_ratio)},
       top_sine{engagement.depth_ratio < 1
                    ? std::sqrt(engagement.depth_ratio * (2 - engagement.depth_ratio))
                    : 1},
       depth{std::min(1.0, engagement.depth_ratio)},
       wall{previous == PreviousPass::Beside
-               ? 1 - across
-               : (previous == PreviousPass::Edge ? 0.0 : 1.0)},
-      amplitude{std::sqrt(std::max(0.0, 1 - pick_feed / 2) / 2)},
-      reach{2 * std::sqrt(pick_feed) * amplitude},
-      first{1}
+               ? 1 - pass.across
+               : (previous == PreviousPass::Edge ? 0.0 : 1.0)}
 {
-    if (previous != PreviousPass::Beside || pick_feed >= 2)
-        return;
-    // nu runs from mu, at the wall, if that is not behind the front plane.
-    const double tau2 = 2 * across - pick_feed * pick_feed;
-    const double half_sine = std::sin(engagement.mu / 2);
-    if (tau2 > 0)
-        first = (half_sine / amplitude) / (1 + std::sqrt(tau2) / reach);
-    else
-        first = sin_mu > 0 ? 1 : -1;
 }
 
 bool EngagedRegion::previous_left(const Vec3& point) const
@@ -175,11 +174,11 @@ bool EngagedRegion::previous_left(const Vec3& point) const
         return true;
     if (previous == PreviousPass::Edge)
         return point.y() > 0;
-    const double from_axis = point.y() + across;
+    const double from_axis = point.y() + pass.across;
     if (std::abs(from_axis) >= 1)
         return true;
     const double w = cos_lambda * point.z() - sin_lambda * point.x();
-    return w <= -rise - std::sqrt((1 - from_axis) * (1 + from_axis));
+    return w <= -pass.rise - std::sqrt((1 - from_axis) * (1 + from_axis));
 }
 
 bool EngagedRegion::has(const Vec3& point) const
@@ -197,10 +196,10 @@ Vec3 EngagedRegion::point(BorderKind kind, double p) const
         const double rho = other_leg(1, wall);
         return {rho * sine, wall, -rho * cosine};
     }
-    const PassPoint pass = pass_point(*this, p);
-    const double w = -rise - pass.cosine;
-    return {pass.tau * cos_lambda - w * sin_lambda, pass.sine - across,
-            w * cos_lambda + pass.tau * sin_lambda};
+    const PassPoint at_pass = pass_point(pass, p);
+    const double w = -pass.rise - at_pass.cosine;
+    return {at_pass.tau * cos_lambda - w * sin_lambda, at_pass.sine - pass.across,
+            w * cos_lambda + at_pass.tau * sin_lambda};
 }
 
 BorderPoint EngagedRegion::moving_point(BorderKind kind, double p) const
@@ -215,18 +214,19 @@ BorderPoint EngagedRegion::moving_point(BorderKind kind, double p) const
         const double rho = other_leg(1, wall);
         return {at, wall * rho * cosine * angle_rate, rho * sine * angle_rate};
     }
-    const PassPoint pass = pass_point(*this, p);
-    const double w_rate = pass.sine * pass.phi_by_x;
-    const double x_rate = pass.tau_by_x * cos_lambda - w_rate * sin_lambda;
-    const double y_rate = pass.cosine * pass.phi_by_x;
-    const double z_rate = w_rate * cos_lambda + pass.tau_by_x * sin_lambda;
+    const PassPoint at_pass = pass_point(pass, p);
+    const double w_rate = at_pass.sine * at_pass.phi_by_x;
+    const double x_rate = at_pass.tau_by_x * cos_lambda - w_rate * sin_lambda;
+    const double y_rate = at_pass.cosine * at_pass.phi_by_x;
+    const double z_rate = w_rate * cos_lambda + at_pass.tau_by_x * sin_lambda;
     return {at, (at.y() * x_rate - at.x() * y_rate) * angle_rate, z_rate * angle_rate};
 }
 
 double EngagedRegion::beside_axis() const
 {
-    return across < 1 ? pass_parameter(*this, half_tangent(across, other_leg(1, across)))
-                      : first;
+    return pass.across < 1 ? pass_parameter(pass, half_tangent(pass.across,
+                                                               other_leg(1, pass.across)))
+                           : pass.first;
 }
 
 bool EngagedRegion::is_radial(BorderKind kind) const
@@ -254,7 +254,7 @@ std::vector<AzimuthRange> EngagedRegion::ranges_at(double sine, double cosine) c
         add(x, wall);
         add(-x, wall);
     }
-    const SignChanges crossings = sign_changes(*this, above(*this, cosine));
+    const SignChanges crossings = sign_changes(pass, above(*this, cosine));
     for (int k = 0; k < crossings.count; ++k) {
         const Vec3 crossing = point(BorderKind::PreviousBall, crossings.at[k]);
         add(crossing.x(), crossing.y());
@@ -274,15 +274,41 @@ std::vector<AzimuthRange> EngagedRegion::ranges_at(double sine, double cosine) c
     return ranges;
 }
 
-std::vector<BorderArc> EngagedRegion::borders(bool split_at_axis) const
+std::vector<BorderArc> EngagedRegion::borders(BorderSplit split) const
 {
     constexpr int usual_arcs = 8;
     std::vector<BorderArc> arcs;
     arcs.reserve(usual_arcs);
     add_front(*this, arcs);
-    add_previous_ball(*this, split_at_axis, arcs);
-    add_wall(*this, split_at_axis, arcs);
+    add_previous_ball(*this, split, arcs);
+    add_wall(*this, split, arcs);
     return arcs;
+}
+
+bool is_engaged(const BallEngagement& engagement, double latitude, double azimuth)
+{
+    if (is_air(engagement))
+        return false;
+    const EngagedRegion region{engagement};
+    const double sine = std::sin(latitude);
+    const double cosine = std::cos(latitude);
+    return cosine >= region.top_cosine &&
+           region.has({sine * std::sin(azimuth), sine * std::cos(azimuth), -cosine});
+}
+
+std::vector<AzimuthRange> engaged_ranges(const BallEngagement& engagement,
+                                         double latitude)
+{
+    require_sound(engagement);
+    require(latitude > 0 && latitude <= pi / 2,
+            "engaged_ranges: need a latitude above 0, at most a right angle");
+    if (is_air(engagement))
+        return {};
+    const EngagedRegion region{engagement};
+    const double cosine = std::cos(latitude);
+    if (cosine < region.top_cosine)
+        return {};
+    return region.ranges_at(std::sin(latitude), cosine);
 }
 
 }  // namespace endmill

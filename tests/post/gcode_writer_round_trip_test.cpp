@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is written is read back: by the reader of this library, and by a few lines that
-// know no more of G-code than modal words.
+
+// Written programs are read back by the reader
+// of the library, and by a few lines here that know only modal words.
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -15,18 +16,18 @@
 namespace endmill {
 namespace {
 
-struct Told {
+struct ModalWords {
     Vec3 tip;
-    char motion;  // '0' or '1'
+    char motion;  // '0' for G0, '1' for G1
     double feed;
     double speed;
 };
 
-// The moves after the safe start and before the safe end.
-std::vector<Told> replayed(const std::string& text)
+// The moves between the safe start and the safe end.
+std::vector<ModalWords> replayed(const std::string& text)
 {
-    std::vector<Told> moves;
-    Told told{Vec3::Zero(), '0', 0, 0};
+    std::vector<ModalWords> moves;
+    ModalWords modal{Vec3::Zero(), '0', 0, 0};
     std::istringstream lines{text};
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words{line};
@@ -34,42 +35,42 @@ std::vector<Told> replayed(const std::string& text)
         for (std::string word; words >> word;) {
             const double value = std::atof(word.c_str() + 1);
             if (word == "G0" || word == "G1")
-                told.motion = word[1];
+                modal.motion = word[1];
             if (word[0] == 'F')
-                told.feed = value;
+                modal.feed = value;
             if (word[0] == 'S')
-                told.speed = value;
+                modal.speed = value;
             for (const int c : {0, 1, 2})
                 if (word[0] == "XYZ"[c]) {
-                    told.tip[c] = value;
+                    modal.tip[c] = value;
                     has_moved = true;
                 }
         }
         if (has_moved)
-            moves.push_back(told);
+            moves.push_back(modal);
     }
     return {moves.begin() + 2, moves.end() - 1};
 }
 
 class GcodeRoundTrip : public testing::TestWithParam<int> {};
 
-TEST_P(GcodeRoundTrip, SaysTheSameToWhoeverKnowsModalWords)
+TEST_P(GcodeRoundTrip, IsReadBackByAnIndependentReader)
 {
     const int decimals = GetParam();
     const double rounding = 0.5 * std::pow(10, -decimals) * (1 + 1e-6);
     const ToolPath path = test::random_path(11, 2000);
     const WrittenProgram program = gcode(path, {.decimals = decimals});
-    const std::vector<Told> moves = replayed(program.text);
+    const std::vector<ModalWords> moves = replayed(program.text);
     ASSERT_EQ(moves.size(), path.points.size());
     double largest = 0;
     for (std::size_t k = 0; k < moves.size(); ++k) {
         const Vec3 off = moves[k].tip - path.points[k].location.tip;
         largest = std::max(largest, off.lpNorm<Eigen::Infinity>());
-        const CuttingConditions& told = path.conditions[k];
+        const CuttingConditions& conditions = path.conditions[k];
         EXPECT_EQ(moves[k].motion, path.points[k].move == Move::Rapid ? '0' : '1');
-        EXPECT_NEAR(moves[k].speed, *told.spindle_rpm, rounding);
-        if (told.feed_mm_per_min) {
-            EXPECT_NEAR(moves[k].feed, *told.feed_mm_per_min, rounding);
+        EXPECT_NEAR(moves[k].speed, *conditions.spindle_rpm, rounding);
+        if (conditions.feed_mm_per_min) {
+            EXPECT_NEAR(moves[k].feed, *conditions.feed_mm_per_min, rounding);
         }
     }
     EXPECT_LE(largest, rounding);
@@ -84,27 +85,27 @@ TEST_P(GcodeRoundTrip, IsReadBack)
     const GcodeOptions options{.decimals = decimals, .line_numbers = decimals % 2 == 0};
     const Program program = parse_gcode(gcode(path, options).text, "f.ngc");
     const auto& points = program.path.points;
-    // The place over the first point in front, the safe height at the end.
+    // The program adds the position over the first point and the safe height at the end.
     ASSERT_EQ(points.size(), path.points.size() + 2);
     ASSERT_EQ(program.path.conditions.size(), points.size());
     for (std::size_t k = 0; k < path.points.size(); ++k) {
         const PathPoint& read = points[k + 1];
-        const CuttingConditions& told = program.path.conditions[k + 1];
+        const CuttingConditions& conditions = program.path.conditions[k + 1];
         const PathPoint& point = path.points[k];
         EXPECT_LE((read.location.tip - point.location.tip).lpNorm<Eigen::Infinity>(),
                   rounding);
         EXPECT_EQ(read.move, point.move) << k;
-        EXPECT_EQ(told.tool, 3);
-        EXPECT_NEAR(*told.spindle_rpm, *path.conditions[k].spindle_rpm, rounding);
-        ASSERT_EQ(told.feed_mm_per_min.has_value(), point.move != Move::Rapid);
-        if (told.feed_mm_per_min) {
-            EXPECT_NEAR(*told.feed_mm_per_min, *path.conditions[k].feed_mm_per_min,
+        EXPECT_EQ(conditions.tool, 3);
+        EXPECT_NEAR(*conditions.spindle_rpm, *path.conditions[k].spindle_rpm, rounding);
+        ASSERT_EQ(conditions.feed_mm_per_min.has_value(), point.move != Move::Rapid);
+        if (conditions.feed_mm_per_min) {
+            EXPECT_NEAR(*conditions.feed_mm_per_min, *path.conditions[k].feed_mm_per_min,
                         rounding);
         }
     }
 }
 
-// Rounding what is rounded changes nothing: the second program is the first.
+// Rounding is idempotent, so the second program equals the first.
 TEST_P(GcodeRoundTrip, IsWrittenAgainAsTheSameMoves)
 {
     const GcodeOptions options{.decimals = GetParam()};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/canonical_reader.h"
+#include "endmill/post/gcode_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::StartsWith;
 
-// Numbers the commands, one a line, as the interpreter does.
+// Numbers the commands, one per line, as the interpreter does.
 std::string canonical(const std::string& commands)
 {
     std::string text;
@@ -27,7 +27,7 @@ std::string canonical(const std::string& commands)
     return text;
 }
 
-// As the interpreter of LinuxCNC 2.9 begins; seven lines.
+// The seven lines with which the interpreter of LinuxCNC 2.9 begins.
 const std::string beginning =
     "USE_LENGTH_UNITS(CANON_UNITS_MM)\n"
     "SET_G5X_OFFSET(1, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
@@ -94,8 +94,8 @@ struct Twin {
 
 class CanonicalArc : public testing::TestWithParam<Twin> {};
 
-// What the interpreter makes of each: ends and centre in the plane's own order, the turns,
-// the end along the normal.
+// Output of the interpreter for each arc: ends and centre in the plane's order, the
+// turns, the end along the normal.
 INSTANTIATE_TEST_SUITE_P(
     Planes, CanonicalArc,
     testing::Values(Twin{"G2 X5 Y5 Z-1 I5 F100",
@@ -124,7 +124,7 @@ TEST_P(CanonicalArc, IsThePathOfItsProgram)
     EXPECT_EQ(feeds(canonical_twin), feeds(twin));
 }
 
-TEST(ParseCanonical, PassesOverWhatDoesNotMove)
+TEST(ParseCanonical, PassesOverCommandsThatDoNotMove)
 {
     const Program program = read_canonical(
         "COMMENT(\"Move (1, 2)\")\nMESSAGE(\"x\")\nFLOOD_ON()\nMIST_OFF()\nFLOOD_OFF()\n"
@@ -137,7 +137,8 @@ TEST(ParseCanonical, PassesOverWhatDoesNotMove)
     EXPECT_EQ(program.path.points.size(), 1U);
 }
 
-// What the interpreter prints for M2, but for the coordinate system: its own test of a cam.
+// Output of the interpreter for M2 in its own test of a cam, except the coordinate
+// system.
 TEST(ParseCanonical, ReadsTheEndOfAProgram)
 {
     const Program program = read_canonical(
@@ -147,7 +148,7 @@ TEST(ParseCanonical, ReadsTheEndOfAProgram)
                 ElementsAre("four decimals: coordinates are known to 5e-05 mm"));
 }
 
-TEST(ParseCanonical, TakesTheToolThatIsSaidToBeThere)
+TEST(ParseCanonical, TakesTheToolOfM61)
 {
     EXPECT_EQ(read_canonical("CHANGE_TOOL_NUMBER(5)\nSTRAIGHT_TRAVERSE(1.0, 2.0, 3.0)")
                   .path.conditions.back()
@@ -164,15 +165,15 @@ TEST(ParseCanonical, ReadsTheSpindleOfEarlierReleases)
     EXPECT_EQ(program.path.conditions.back().spindle_rpm, 500);
 }
 
-TEST(ParseCanonical, SaysWhatAPersonShouldKnow)
+TEST(ParseCanonical, RemarksOnAssumptions)
 {
     EXPECT_THAT(read_canonical("").remarks,
                 Contains("no PROGRAM_END: the program may be cut short"));
     EXPECT_THAT(
         read_canonical("USE_TOOL_LENGTH_OFFSET(0.0000 0.0000 25.4000, 0.0000)").remarks,
-        Contains("the tool length is taken as already in the control's tool table"));
+        Contains("the tool length is assumed to be in the control's tool table already"));
     EXPECT_THAT(parse_canonical("1 N..... STRAIGHT_TRAVERSE(1, 2, 3)", "f").remarks,
-                Contains("no USE_LENGTH_UNITS before motion: taken as mm"));
+                Contains("no USE_LENGTH_UNITS before motion: lengths are taken as mm"));
     const Program arc_first = parse_canonical(
         canonical("SET_FEED_RATE(9.0)\nARC_FEED(1.0, 2.0, 0.0, 0.0, 1, 3.0)"), "f");
     EXPECT_THAT(tips(arc_first), ElementsAre(Vec3(1, 2, 3)));
@@ -189,7 +190,7 @@ TEST(ParseCanonical, RefusesMotionThatItDoesNotFollow)
           "SET_ORIGIN_OFFSETS"}) {
         EXPECT_EQ(refusal(name + "(1.0000, 2.0000, 3.0000)"),
                   "E_CANONICAL f.txt:8: canonical command \"" + name +
-                      "\"; expected straight moves, arcs, and what does not move");
+                      "\"; expected a straight move, an arc or a command without motion");
     }
     EXPECT_EQ(refusal("SET_FEED_MODE(0, 1)"),
               "E_CANONICAL f.txt:8: feed per revolution; expected feed per minute");
@@ -199,10 +200,9 @@ TEST(ParseCanonical, RefusesMotionThatItDoesNotFollow)
     EXPECT_EQ(
         refusal("STRAIGHT_TRAVERSE(0.0000, 0.0000, 0.0000, 0.0000, 9.0000, 0.0000)"),
         "E_CANONICAL f.txt:8: a turned rotary axis; expected a three-axis program");
-    EXPECT_EQ(
-        refusal("STRAIGHT_FEED(1.0000, 0.0000, 0.0000)"),
-        "E_CANONICAL f.txt:8: a move at cutting feed before any feed rate; expected "
-        "SET_FEED_RATE above 0");
+    EXPECT_EQ(refusal("STRAIGHT_FEED(1.0000, 0.0000, 0.0000)"),
+              "E_CANONICAL f.txt:8: a move at feed before any feed rate; expected "
+              "SET_FEED_RATE above 0");
 }
 
 TEST(ParseCanonical, RefusesMovesUnderOffsetsOnly)
@@ -213,18 +213,18 @@ TEST(ParseCanonical, RefusesMovesUnderOffsetsOnly)
     EXPECT_EQ(refusal(other + zero + move + other), "accepted");
     EXPECT_EQ(refusal(other + move),
               "E_CANONICAL f.txt:9: a move under the SET_G5X_OFFSET of line 8; expected "
-              "offsets and rotations of 0");
+              "all offsets and rotations to be 0");
     EXPECT_EQ(refusal("SET_G92_OFFSET(0.0000, 0.0000, 1.0000)\n" + move),
               "E_CANONICAL f.txt:9: a move under the SET_G92_OFFSET of line 8; expected "
-              "offsets and rotations of 0");
+              "all offsets and rotations to be 0");
     EXPECT_EQ(
         refusal("SET_XY_ROTATION(30.0000)\nSET_FEED_RATE(9.0)\n"
                 "ARC_FEED(0.0, 0.0, 5.0, 0.0, 1, 0.0)"),
         "E_CANONICAL f.txt:10: a move under the SET_XY_ROTATION of line 8; expected "
-        "offsets and rotations of 0");
+        "all offsets and rotations to be 0");
 }
 
-TEST(ParseCanonical, RefusesWhatIsNoSuchLine)
+TEST(ParseCanonical, RefusesOtherLines)
 {
     EXPECT_EQ(refusal_of([] { parse_canonical("1 N..... FINISH()\nG0 X1\n", "f"); }),
               "E_CANONICAL f:2: \"G0 X1\"; expected a line of rs274 -g, as \"12 N..... "
@@ -243,12 +243,12 @@ TEST(ParseCanonical, RefusesWhatIsNoSuchLine)
               "E_CANONICAL f.txt:8: unit \"UNKNOWN\"; expected CANON_UNITS_MM or "
               "CANON_UNITS_INCHES");
     EXPECT_EQ(refusal("SET_FEED_RATE(-1.0000)"),
-              "E_CANONICAL f.txt:8: feed rate -1; expected one of at least 0");
+              "E_CANONICAL f.txt:8: feed rate -1; expected a feed rate of at least 0");
     EXPECT_EQ(refusal("SELECT_TOOL(-1)"),
               "E_CANONICAL f.txt:8: tool -1; expected a whole number from 0");
 }
 
-TEST(ParseCanonical, RefusesArcsThatAreNone)
+TEST(ParseCanonical, RefusesImpossibleArcs)
 {
     const std::string feed = "SET_FEED_RATE(9.0000)\n";
     EXPECT_EQ(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/force_profile.h"
+#include "endmill/process/detail/helical_edge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,14 @@ namespace {
 
 using std::numbers::pi;
 
-bool has(const std::vector<EdgeStretch>& ranges, double height)
+bool has(const std::vector<HeightRange>& ranges, double height)
 {
-    return std::any_of(ranges.begin(), ranges.end(), [&](const EdgeStretch& range) {
+    return std::any_of(ranges.begin(), ranges.end(), [&](const HeightRange& range) {
         return height > range.from && height < range.to;
     });
 }
 
-// A point of the edge in the material, on ball or shank.
+// Whether a point of the edge is in the material, on the ball or the shank.
 bool cuts(const BallEngagement& e, double helix, double turn, double height)
 {
     const double azimuth = turn - height * std::tan(helix);
@@ -61,7 +61,7 @@ TEST(HelicalEdge, IsEngagedWhereItsPointsAre)
     EXPECT_EQ(wrong, 0) << "of " << looked;
 }
 
-// Between events the number of ranges does not change.
+// The number of ranges is constant between events.
 TEST(HelicalEdge, ChangesAtItsEventsOnly)
 {
     test::Random random{22};
@@ -70,7 +70,7 @@ TEST(HelicalEdge, ChangesAtItsEventsOnly)
                                random.uniform(0.05, 1), random.uniform(0.2, 2)};
         const HelicalEdge edge{e, 0.5};
         const std::vector<double>& events = edge.events();
-        if (events.empty())  // the previous pass has left nothing
+        if (events.empty())  // the previous pass has removed everything
             continue;
         EXPECT_TRUE(std::is_sorted(events.begin(), events.end()));
         EXPECT_GE(events.front(), 0);
@@ -106,7 +106,7 @@ TEST(HelicalEdge, InAirIsNotEngaged)
     EXPECT_TRUE(HelicalEdge({0, 0, 0.5, -2}, 0.5).events().empty());
 }
 
-TEST(HelicalEdge, RefusesWhatIsNoHelix)
+TEST(HelicalEdge, RefusesSteepHelicesAndManyWindings)
 {
     EXPECT_THROW(HelicalEdge({0, 0, 0.5, 1}, 1.6), DomainError);
     EXPECT_THROW(HelicalEdge({0, 0, 0.5, 1e9}, 0.5), DomainError);

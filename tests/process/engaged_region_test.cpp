@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/ball_engagement.h"
+#include "endmill/process/detail/engaged_region.h"
 
 #include <cmath>
 #include <numbers>
@@ -20,7 +20,7 @@ BallEngagement random_engagement(test::Random& random)
             random.uniform(0.02, 2.1), random.uniform(0.05, 1.5)};
 }
 
-// What is left of the border at a step of this size to its right and left, looking along it.
+// Whether the points at a small step to the right and left of a border are engaged.
 struct Sides {
     bool right;
     bool left;
@@ -33,7 +33,7 @@ Sides sides(const EngagedRegion& region, const BorderArc& arc, double p)
     const Vec3 at = region.point(arc.kind, p);
     const Vec3 along =
         (region.point(arc.kind, p + way) - region.point(arc.kind, p - way)).normalized();
-    // Right of the way, seen along the feed through the ball's front from behind it.
+    // Vector to the right of the border, seen along the feed.
     const Vec3 aside = along.cross(at).normalized();
     const auto is_in = [&](const Vec3& point) {
         return region.has(point.normalized()) &&
@@ -49,7 +49,8 @@ TEST(Borders, HaveTheEngagedSideOnOneSide)
     int wrong = 0;
     for (int n = 0; n < 2000; ++n) {
         const EngagedRegion region{random_engagement(random)};
-        for (const BorderArc& arc : region.borders(n % 2 == 0)) {
+        for (const BorderArc& arc :
+             region.borders(n % 2 == 0 ? BorderSplit::AtAxis : BorderSplit::Whole)) {
             for (const double share : {0.1, 0.5, 0.9}) {
                 const double p = arc.from + share * (arc.to - arc.from);
                 const Sides found = sides(region, arc, p);
@@ -60,7 +61,7 @@ TEST(Borders, HaveTheEngagedSideOnOneSide)
         }
     }
     EXPECT_GT(looked, 6000);
-    // Beside borders that are a step's width long, or end in a point.
+    // Exceptions lie beside borders as short as the step, or near corners.
     EXPECT_LE(wrong, looked / 300);
 }
 
@@ -69,7 +70,7 @@ TEST(Borders, LieOnTheBallAndOnTheirSurface)
     test::Random random{7};
     for (int n = 0; n < 1000; ++n) {
         const EngagedRegion r{random_engagement(random)};
-        for (const BorderArc& arc : r.borders(true))
+        for (const BorderArc& arc : r.borders(BorderSplit::AtAxis))
             for (const double share : {0.0, 0.3, 1.0}) {
                 const Vec3 at = r.point(arc.kind, arc.from + share * (arc.to - arc.from));
                 EXPECT_NEAR(at.norm(), 1, 1e-13);
@@ -82,7 +83,8 @@ TEST(Borders, LieOnTheBallAndOnTheirSurface)
                 } else if (arc.kind == BorderKind::Wall) {
                     EXPECT_NEAR(at.y(), r.wall, 1e-13);
                 } else {
-                    EXPECT_NEAR(std::hypot(at.y() + r.across, w + r.rise), 1, 1e-13);
+                    EXPECT_NEAR(std::hypot(at.y() + r.pass.across, w + r.pass.rise), 1,
+                                1e-13);
                 }
             }
     }
@@ -93,7 +95,7 @@ TEST(Borders, SplitAtTheAxisAreOnOneSideOfIt)
     test::Random random{8};
     for (int n = 0; n < 1000; ++n) {
         const EngagedRegion region{random_engagement(random)};
-        for (const BorderArc& arc : region.borders(true)) {
+        for (const BorderArc& arc : region.borders(BorderSplit::AtAxis)) {
             const double middle = region.point(arc.kind, (arc.from + arc.to) / 2).x();
             for (const double share : {0.01, 0.25, 0.75, 0.99}) {
                 const double x =
@@ -110,7 +112,7 @@ TEST(Borders, MoveAtTheirRates)
     constexpr double step = 1e-6;
     for (int n = 0; n < 300; ++n) {
         const EngagedRegion region{random_engagement(random)};
-        for (const BorderArc& arc : region.borders(false)) {
+        for (const BorderArc& arc : region.borders(BorderSplit::Whole)) {
             const double p = arc.from + 0.4 * (arc.to - arc.from);
             const BorderPoint point = region.moving_point(arc.kind, p);
             const Vec3 rate =
@@ -129,14 +131,14 @@ TEST(Borders, MoveAtTheirRates)
 TEST(Borders, OfASlotAreTheFrontAlone)
 {
     const EngagedRegion region{{0, 0.4, 0, 1, PreviousPass::None}};
-    const auto arcs = region.borders(true);
+    const auto arcs = region.borders(BorderSplit::AtAxis);
     ASSERT_EQ(arcs.size(), 1U);
     EXPECT_EQ(arcs[0].kind, BorderKind::Front);
     EXPECT_NEAR(arcs[0].from, 1, 1e-15);
     EXPECT_NEAR(arcs[0].to, -1, 1e-15);
 }
 
-TEST(Borders, PassTheAxisWhereTheyAreSaidTo)
+TEST(Borders, PassTheAxisAtBesideAxis)
 {
     test::Random random{10};
     for (int n = 0; n < 300; ++n) {
@@ -144,7 +146,7 @@ TEST(Borders, PassTheAxisWhereTheyAreSaidTo)
         engagement.pick_feed_ratio *= 0.45;
         const EngagedRegion region{engagement};
         const double p = region.beside_axis();
-        if (p > region.first && p < 1) {
+        if (p > region.pass.first && p < 1) {
             EXPECT_NEAR(region.point(BorderKind::PreviousBall, p).y(), 0, 1e-12);
         }
     }

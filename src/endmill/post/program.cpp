@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/gcode_reader.h"
+#include "endmill/post/program.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "endmill/core/error.h"
-#include "endmill/path/tool_path.h"
 
 namespace endmill {
 
 std::size_t points_within(double memory_gib)
 {
     constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
-    // A vector that grows holds its points up to three times: once in the old place, and
-    // in a new one of twice the size.
+    // A growing vector needs the memory of its points three times: once for the old
+    // array, and twice for the new array of double size.
     constexpr double bytes_per_point =
         3 * (sizeof(PathPoint) + sizeof(CuttingConditions));
-    constexpr double most = std::numeric_limits<int>::max();  // passes and points are int
+    constexpr double most = std::numeric_limits<int>::max();  // point numbers are int
     return static_cast<std::size_t>(
         std::min(std::floor(memory_gib * bytes_per_gib / bytes_per_point), most));
 }
 
-void check_options(const GcodeReadOptions& options)
+void require_sound(const GcodeReadOptions& options)
 {
     const auto is_positive = [](double value) {
         return std::isfinite(value) && value > 0;
@@ -36,15 +35,6 @@ void check_options(const GcodeReadOptions& options)
             "GcodeReadOptions: need 0 <= height of the programmed point");
     require(options.most_points <= std::numeric_limits<int>::max(),
             "GcodeReadOptions: need at most 2^31 - 1 points");
-}
-
-void check_extent(double coordinate_mm, const GcodeReadOptions& options,
-                  const TextLines& lines)
-{
-    if (!(std::abs(coordinate_mm) <= options.max_extent_mm))
-        throw lines.range_complaint(
-            "coordinate " + brief(coordinate_mm) + " mm",
-            "at most " + brief(options.max_extent_mm) + " mm (--max-extent)");
 }
 
 }  // namespace endmill

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/segment_load.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <string>
 
 #include "endmill/core/error.h"
@@ -14,6 +13,7 @@
 namespace endmill {
 namespace {
 
+// The load of a move whose sums do not depend on the turn.
 SegmentLoad load_of_sums(const SegmentCut& cut, const EdgeSums& sums,
                          const FeedRules& rules)
 {
@@ -25,8 +25,9 @@ SegmentLoad load_of_sums(const SegmentCut& cut, const EdgeSums& sums,
             }};
 }
 
-void require_countable(const SegmentCut& cut, const BallEngagement& engagement,
-                       const MillingTool& tool)
+// HelicalEdge refuses the same cuts; this message names the move and the options.
+void require_few_windings(const SegmentCut& cut, const BallEngagement& engagement,
+                          const MillingTool& tool)
 {
     const double windings = std::max(1.0, engagement.depth_ratio) *
                             std::abs(std::tan(tool.helix)) / (2 * std::numbers::pi);
@@ -77,8 +78,9 @@ EdgeSums edge_sums(const CuttingCoefficients& coefficients, int flutes, double f
                   flutes * factor);
 }
 
-SegmentLoad factored_load(const SegmentCut& cut, const CuttingCoefficients& coefficients,
-                          double factor, const FeedRules& rules)
+SegmentLoad constant_peak_load(const SegmentCut& cut,
+                               const CuttingCoefficients& coefficients, double factor,
+                               const FeedRules& rules)
 {
     SegmentLoad load =
         load_of_sums(cut, edge_sums(coefficients, rules.drive.flutes, factor), rules);
@@ -86,21 +88,29 @@ SegmentLoad factored_load(const SegmentCut& cut, const CuttingCoefficients& coef
     return load;
 }
 
-SegmentLoad turning_load(const SegmentCut& cut, const MillingTool& tool, PeakRule rule,
-                         ChipModel chip, const FeedRules& rules)
+SegmentLoad torque_peak_load(const SegmentCut& cut, const MillingTool& tool,
+                             ChipModel chip, const FeedRules& rules)
 {
     const BallEngagement engagement = ball_engagement(cut, rules.model.radius);
     if (is_air(engagement))
         return load_of_sums(cut, {}, rules);
-    require_countable(cut, engagement, tool);
-    // Shared, since a std::function has to be copyable.
+    require_few_windings(cut, engagement, tool);
+    const ForcePattern pattern{engagement, chip, tool};
+    const double factor = pattern.peak_factor();
+    SegmentLoad load = load_of_sums(cut, scaled(pattern.mean(), factor), rules);
+    load.peak_factor = factor;
+    return load;
+}
+
+SegmentLoad direct_peak_load(const SegmentCut& cut, const MillingTool& tool,
+                             ChipModel chip, const FeedRules& rules)
+{
+    const BallEngagement engagement = ball_engagement(cut, rules.model.radius);
+    if (is_air(engagement))
+        return load_of_sums(cut, {}, rules);
+    require_few_windings(cut, engagement, tool);
+    // A shared pointer, because a std::function must be copyable.
     const auto pattern = std::make_shared<const ForcePattern>(engagement, chip, tool);
-    if (rule == PeakRule::Torque) {
-        const double factor = pattern->peak_factor();
-        SegmentLoad load = load_of_sums(cut, scaled(pattern->mean(), factor), rules);
-        load.peak_factor = factor;
-        return load;
-    }
     return {.length_mm = cut.length_mm,
             .engaged_angle = tool_life_angle(engagement),
             .bounds = pattern->direct_bounds(rules.model, rules.limits),
