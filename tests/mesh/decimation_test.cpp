@@ -18,7 +18,7 @@ namespace {
 // Points less edges plus triangles: 0 for a torus, 1 for a disc, 2 for a sphere.
 std::ptrdiff_t euler_characteristic(const TriangleMesh& mesh)
 {
-    std::set<Edge> edges;
+    std::set<MeshEdge> edges;
     std::set<std::int32_t> points;
     for (const Triangle& triangle : mesh.triangles())
         for (int k = 0; k < 3; ++k) {

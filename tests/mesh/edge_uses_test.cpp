@@ -15,9 +15,9 @@ namespace {
 
 using Use = std::tuple<bool, std::int32_t>;  // backward, triangle
 
-std::map<Edge, std::vector<Use>> uses_by_map(const TriangleMesh& mesh)
+std::map<MeshEdge, std::vector<Use>> uses_by_map(const TriangleMesh& mesh)
 {
-    std::map<Edge, std::vector<Use>> uses;
+    std::map<MeshEdge, std::vector<Use>> uses;
     std::int32_t number = 0;
     for (const Triangle& triangle : mesh.triangles()) {
         const std::set<std::int32_t> corners(triangle.begin(), triangle.end());
@@ -48,7 +48,7 @@ TEST(EdgeUses, EqualThoseOfAMapInOrder)
     test::Random random{1};
     for (const int points : {3, 5, 20, 400}) {
         const TriangleMesh mesh = random_triangles(random, points, 500);
-        std::vector<std::pair<Edge, std::vector<Use>>> found;
+        std::vector<std::pair<MeshEdge, std::vector<Use>>> found;
         EdgeUses{mesh}.for_each([&](const Edge& edge, std::span<const EdgeUse> uses) {
             found.emplace_back(edge, std::vector<Use>{});
             for (const EdgeUse& use : uses)

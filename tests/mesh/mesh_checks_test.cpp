@@ -95,7 +95,7 @@ TEST(MeshReport, NamesTheFirstNonManifoldEdge)
     triangles.push_back({3, 8, 0});
     const MeshReport report = mesh_report({points, triangles});
     EXPECT_EQ(report.non_manifold_edges, 1U);
-    EXPECT_EQ(report.first_non_manifold_edge, (Edge{0, 3}));
+    EXPECT_EQ(report.first_non_manifold_edge, (MeshEdge{0, 3}));
     EXPECT_EQ(report.boundary_edges, 2U);
     EXPECT_EQ(report.components, 1U);
     EXPECT_FALSE(report.closed);

@@ -11,6 +11,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/figures/detail/ball_lines.h"
+#include "endmill/process/detail/engaged_region.h"
 
 // The figure is drawn from back to front:
 //

@@ -10,18 +10,13 @@
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
-<<<<<<< HEAD:src/endmill/figures/force_frame_svg.cpp
 #include "endmill/figures/detail/ball_lines.h"
-#include "endmill/process/force_profile.h"
-
-// The directions of the force components are not drawn from formulas of this file. They
-// are taken from the force model itself (`ForceProfile`), so the figure shows the signs
-// that the program uses.
-=======
 #include "endmill/process/cutting_force.h"
 #include "endmill/process/detail/engaged_region.h"
-#include "support/named_cells.h"
->>>>>>> own-process:experiments/support/force_frame_drawing.cpp
+
+// The directions of the force components are not drawn from formulas of this file. They
+// are taken from the force model itself (`force_profile`), so the figure shows the signs
+// that the program uses.
 
 namespace endmill {
 namespace {

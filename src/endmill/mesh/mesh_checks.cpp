@@ -67,7 +67,7 @@ Measures measures(const TriangleMesh& mesh)
 struct EdgeReport {
     std::size_t boundary = 0;
     std::size_t non_manifold = 0;
-    std::optional<Edge> first_non_manifold;
+    std::optional<MeshEdge> first_non_manifold;
     std::size_t inconsistent = 0;
     std::size_t joints = 0;  // number of joins that made one component of two
     bool all_even = true;

@@ -21,7 +21,7 @@ namespace endmill {
 struct MeshReport {
     std::size_t boundary_edges;                   ///< edges of one triangle
     std::size_t non_manifold_edges;               ///< edges of more than two triangles
-    std::optional<Edge> first_non_manifold_edge;  ///< the lexicographically least of them
+    std::optional<MeshEdge> first_non_manifold_edge;  ///< the lexicographically least of them
     /// Edges whose two triangles run along them in the same direction: the orientations of
     /// the two triangles disagree.
     std::size_t inconsistent_edges;

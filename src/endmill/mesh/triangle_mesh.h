@@ -14,7 +14,7 @@ namespace endmill {
 using Triangle = std::array<std::int32_t, 3>;
 
 /// An edge by the numbers of its ends, the lower one first.
-using Edge = std::array<std::int32_t, 2>;
+using MeshEdge = std::array<std::int32_t, 2>;
 
 /// Triangles over shared points. An immutable value of 12 bytes a triangle and 24 a point.
 /// The topology is not checked: `mesh_report` examines it, `mesh_repair.h` corrects it.

@@ -189,13 +189,13 @@ private:
     const WideFloats offset_y{nodes.offset_y};
     const auto outside = [](const WideFloats& low, const WideFloats& high,
                             const WideFloats& place) {
-        return larger(larger(low - place, place - high), WideFloats{0});
+        return larger(larger(low - place, place - high), WideFloats{0.0F});
     };
     const WideFloats away_x = outside(low_x, high_x, offset_x + WideFloats{x});
     const WideFloats away_y = outside(low_y, high_y, offset_y + WideFloats{y});
     const WideFloats gap_x = outside(low_x, high_x, WideFloats{x});
     const WideFloats gap_y = outside(low_y, high_y, WideFloats{y});
-    const WideFloats lift = WideFloats{2} * (offset_x * (WideFloats{x} - low_x) +
+    const WideFloats lift = WideFloats{2.0F} * (offset_x * (WideFloats{x} - low_x) +
                                              offset_y * (WideFloats{y} - low_y)) -
                             (away_x * away_x + away_y * away_y);
     const WideFloats bounds = smaller(

@@ -55,7 +55,7 @@ public:
     /// The edges of all triangles of `mesh`, which is not needed afterwards.
     explicit EdgeUses(const TriangleMesh& mesh);
 
-    /// Calls `visit(Edge, std::span<const EdgeUse>)` for each edge, in lexicographic
+    /// Calls `visit(MeshEdge, std::span<const EdgeUse>)` for each edge, in lexicographic
     /// order.
     template <typename Visit>
     void for_each(const Visit& visit) const
@@ -66,7 +66,7 @@ public:
                 const std::int32_t high = uses_[first].high();
                 while (k < begin_[low + 1] && uses_[k].high() == high)
                     ++k;
-                visit(Edge{static_cast<std::int32_t>(low), high},
+                visit(MeshEdge{static_cast<std::int32_t>(low), high},
                       std::span{uses_}.subspan(first, k - first));
             }
         }
