@@ -30,6 +30,11 @@ void add_common_options(CLI::App& command, CommonOptions& options)
         ->group(group);
     command.add_flag("--json-errors", options.json_errors, "print errors as JSON")
         ->group(group);
+    command.parse_complete_callback([&command, &options] {
+        for (const CLI::Option* option : command.get_options())
+            if (option->count() > 0)
+                options.given.insert(option->get_name());
+    });
 }
 
 }  // namespace endmill
