@@ -10,7 +10,7 @@ import unittest
 
 from program import ENDMILL, ProgramTest, endmill, plane
 
-PLAN = ["--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "1", "--direction", "u"]
+PLAN = ["--mode", "paper", "--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "1", "--direction", "u"]
 TIPS = "tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n10,0,-0.00001\n10,20.5,3\n"
 
 
