@@ -81,7 +81,7 @@ CLI::Option* add_number(CLI::App& command, const NumberOption& option, double& t
     const auto take = [option, &target](const std::string& text) {
         target = number_argument(option.name, text, option.domain);
     };
-    const std::string help = option.help + "; default " + to_text(target);
+    const std::string help = option.help + " (default " + to_text(target) + ")";
     return command.add_option_function<std::string>(option.name, take, help)
         ->type_name(option.unit);
 }

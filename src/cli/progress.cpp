@@ -73,7 +73,8 @@ void ProgressLine::draw()
 {
     is_shown_ = true;
     const double seconds =
-        std::chrono::duration<double>(Clock::now() - start_).count();
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - program_start)
+            .count();
     std::fprintf(stderr, "\r\033[K%s: %s%s%.0f s", work_.c_str(), state_.c_str(),
                  state_.empty() ? "" : ", ", seconds);
     std::fflush(stderr);

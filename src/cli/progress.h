@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <string>
@@ -11,8 +10,8 @@
 
 namespace endmill {
 
-/// A line on standard error that names the work in progress, how far it is and the time it
-/// has taken. It appears once the program has run for a second, if standard error is a
+/// A line on standard error that names the work in progress, how far it is and the time
+/// since the program began. It appears once the program has run for a second, if standard error is a
 /// terminal, and not with --quiet. A thread of its own keeps the time up to date, so that
 /// work that reports nothing is seen to go on. Any thread may report.
 ///
@@ -35,12 +34,9 @@ public:
     void show(std::string state);
 
 private:
-    using Clock = std::chrono::steady_clock;
-
     void run();
     void draw();
 
-    const Clock::time_point start_ = Clock::now();
     std::mutex mutex_;
     std::condition_variable is_over_changed_;
     bool is_over_ = false;

@@ -58,7 +58,7 @@ SetupRequest request_for(const SetupMachine& machine, const SetupCommandOptions&
     const MachineConfiguration& configuration = machine.machine.configuration;
     return {.family = configuration.family.value(),
             .is_b_first = configuration.rotary[0].letter == 'b',
-            .mode = options.mode,
+            .mode = cell_mode(options.mode),
             .limits = machine.machine.rotary,
             .objective = options.objective,
             .floor = Angle::degrees(options.floor_deg).radians(),
@@ -70,7 +70,7 @@ SetupRequest request_for(const SetupMachine& machine, const SetupCommandOptions&
 double objective_of(const FittedPose& pose, const SetupMachine& machine,
                     const SetupCommandOptions& options)
 {
-    if (options.mode)
+    if (options.mode != SetupChoice::Set)
         return pose.area;
     // The one rotary axis of four is phi, as R1 of A,B.
     const RotaryFamily family =

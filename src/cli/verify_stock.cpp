@@ -73,6 +73,12 @@ KeptStock stock_of_file(const VerifyOptions& options)
 
 }  // namespace
 
+bool may_be_mesh(const std::string& stock)
+{
+    return stock != "block" && !block_of_numbers(stock) &&
+           std::filesystem::path{stock}.extension() != ".vti";
+}
+
 VerifyStock read_verify_stock(const VerifyOptions& options, const Part* part,
                               const ToolPath& path, const Cutter& cutter)
 {
