@@ -111,8 +111,8 @@ void add_setup_search(CLI::App& command, SetupCommandOptions& options)
         "bound");
     add_choice<SetupObjective>(command, "--objective", options.objective,
                                setup_objectives,
-                               "quantity to minimise (--mode set only; default "
-                               "floored-area)");
+                               "quantity to minimise (default floored-area; --mode set "
+                               "only)");
     add_number(command,
                {"--floor-deg", "DEG", "angle added to both ranges in the floored area",
                 NumberDomain::from_to(1e-6, 360)},
@@ -124,8 +124,8 @@ void add_setup_search(CLI::App& command, SetupCommandOptions& options)
                options.gap);
     add_whole_number(command,
                      {"--max-nodes",
-                      "largest number of nodes to search (--mode set only; default "
-                      "200000)",
+                      "largest number of nodes to search (default 200000; --mode set "
+                      "only)",
                       1, 100'000'000},
                      [&options](int nodes) { options.max_nodes = nodes; })
         ->type_name("N");

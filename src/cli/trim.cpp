@@ -176,7 +176,7 @@ void add_trim_command(CLI::App& program, Action& action)
         "of method envelope).\n\n"
         "Example:\n"
         "  endmill trim datasets/surfaces/valley.json --cutter ball:20 --method all\n"
-        "  endmill verify valley-trim/envelope/toolpath.csv --resolution 0.5 --scallop 1");
+        "  endmill verify valley-trim/envelope/toolpath.csv --resolution 0.5 --scallop 2");
     command->callback([options, &action] {
         action = [options] {
             const std::string& file =

@@ -88,7 +88,7 @@ class Post(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("every move is taken for a cut", done.stderr)
         self.assertIn("taken for +z", done.stderr)
-        self.assertIn("M3 stands without S; --spindle-rpm", done.stderr)
+        self.assertIn("M3 has no S word; expected --spindle-rpm", done.stderr)
         self.assertIn("X10.0000", blocks(self.folder / "p-post/p.ngc"))
 
     def test_name_of_a_summary_cannot_leave_its_comment(self):
@@ -101,7 +101,7 @@ class Post(ProgramTest):
         path = self.file(TIPS, "p.csv")
         self.file({"chord_tolerance_mm": 0.01}, "summary.json")
         done = endmill("post", path, "--feed", "100", "--decimals", "0", "-o", "out", cwd=self.folder)
-        self.assertIn("rounded by up to 0.5 mm, of a tolerance of 0.01 mm", done.stderr)
+        self.assertIn("rounded by up to 0.5 mm, with a tolerance of 0.01 mm", done.stderr)
 
     def test_a_program_may_say_the_centre_skip_blocks_and_be_cut_finely(self):
         program = "G21 F9\nG0 X0 Y0 Z5\n/G1 Y7\nG2 X10 I5\nM2\n"

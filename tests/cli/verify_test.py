@@ -108,7 +108,7 @@ class Verdicts(VerifyTest):
         self.assertAlmostEqual(facts["gouge_area_mm2"], 20 * width, delta=0.25 * 20 + 2)
         done = endmill("verify", "p.csv", "--part", "surface.json", "--cutter", "ball:10", "--resolution", "1", "-o",
                        "said", cwd=self.folder)
-        self.assertRegex(done.stdout, r"p: gouged\ndeepest gouge 0\.04\d+ mm at .* on the move to point 2[234] ")
+        self.assertRegex(done.stdout, r"p: gouged\n  gouge       0\.04\d+ mm \(limit 0\.\d+\) at x .*, point 2[234];")
 
     def rest_of(self, tips, *options, status=0):
         """stock.vti of a run, whatever its verdict."""
@@ -128,7 +128,7 @@ class Verdicts(VerifyTest):
         self.assertTrue(19.5 <= place["point_mm"][0] <= 40.5, place)
         done = endmill("verify", "p.csv", "--part", "surface.json", "--cutter", "ball:10", "--stock", "rest.vti", "-o",
                        "said", cwd=self.folder)
-        self.assertRegex(done.stdout, r"p: gouged\ndeepest gouge 0\.0[45]\d* mm at .* by an earlier run ")
+        self.assertRegex(done.stdout, r"p: gouged\n  gouge       0\.0[45]\d* mm \(limit 0\.\d+\) at x .*, by an earlier run;")
 
     def test_two_halves_are_clean_together(self):
         first = self.rest_of(passes(range(16)), status=1)
@@ -192,7 +192,7 @@ class Verdicts(VerifyTest):
                        "--resolution", "2", "--max-refine", "0", cwd=self.folder)
         self.assertEqual(done.returncode, 1)
         self.assertIn("p: undecided\n", done.stdout)
-        self.assertIn("a finer --resolution tells", done.stdout)
+        self.assertIn("use a finer --resolution", done.stdout)
 
     def test_a_rapid_that_cuts_is_a_gouge(self):
         text = "move," + COLUMNS + "cut,0,10,0\ncut,60,10,0\nrapid,60,20,0\nrapid,60,20,30\nrapid,0,0,30\n"
@@ -224,7 +224,7 @@ class Verdicts(VerifyTest):
         self.assert_refused(done, 3, "the part that its summary names, ", "--part FILE")
         self.assertFalse((self.folder / "out").exists())
         done = endmill("verify", path, "--part", "none", "--resolution", "1", "-o", "out", cwd=self.folder)
-        self.assertIn("no part to judge by", done.stdout)
+        self.assertIn("none to judge by", done.stdout)
 
     def test_a_program_is_judged_by_the_part_of_its_path(self):
         path = self.planned("--mode", "verified")
@@ -353,7 +353,7 @@ class Volumes(VerifyTest):
     def test_a_path_above_its_own_block_is_told_of_stock(self):
         done = endmill("verify", self.file(THROUGH, "p.csv"), "--cutter", "ball:10", cwd=self.folder)
         self.assertEqual(done.returncode, 0)
-        self.assertIn("--stock says where the material is", done.stdout)
+        self.assertIn("--stock sets where the material is", done.stdout)
 
 
 class Origins(VerifyTest):
@@ -466,7 +466,7 @@ class BadInput(VerifyTest):
             facts = json.loads((self.folder / "out/summary.json").read_text())
             self.assertEqual((facts["verdict"], facts["gouge_bound_refined"]), (verdict, verdict != "gouged"))
             self.assertFalse(facts["scallop_bound_refined"])
-            self.assertEqual("gouge" in done.stdout and "as this is settled" in done.stdout, True)
+            self.assertEqual("gouge" in done.stdout and "the verdict is settled" in done.stdout, True)
         shutil.rmtree(self.folder / "out")
 
     def test_a_path_beside_the_part(self):
