@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/console.h"
+#include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
 #include "endmill/io/machine_file.h"
@@ -215,7 +216,10 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
                                             : known.cutter;
     std::string text = read_file(file, limits);
     const PathReadOptions reading = path_reading(options.path, cutter, options.common);
-    Program program = parse_program(text, file, reading);
+    Program program = [&] {
+        const ProgressLine progress{"reading " + printable(file), options.common};
+        return parse_program(text, file, reading);
+    }();
     require_order(program, file, text);
     if (!tool)
         tool = tool_without_file(options, program, known);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cli/arguments.h"
+#include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/io/printable.h"
 #include "endmill/io/read_file.h"
@@ -107,6 +108,7 @@ PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter
 Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
                          const CommonOptions& options)
 {
+    const ProgressLine progress{"reading " + printable(path.file), options};
     return read_program(path.file, path_reading(path, cutter, options));
 }
 

@@ -11,6 +11,7 @@
 #include "cli/console.h"
 #include "cli/idle_options.h"
 #include "cli/post_summary.h"
+#include "cli/progress.h"
 #include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/error.h"
@@ -112,7 +113,10 @@ ExitCode run_post(const PostOptions& options)
     PathSummary known = known_of(program, beside, options);
     const std::string stem = std::filesystem::path{options.path.file}.stem().string();
     const std::string name = printable(known.name.value_or(stem));
-    WrittenProgram text = written(program.path, name, known, options);
+    WrittenProgram text = [&] {
+        const ProgressLine progress{"writing the program", options.common};
+        return written(program.path, name, known, options);
+    }();
     const PostedPath posted{name, std::move(known), program, std::move(text),
                             stem + names_of(options.format).extension};
     warn_of(posted, options);

@@ -37,10 +37,10 @@ PartVisibility computed(const SetupInput& input, const StoredVisibility& file,
     };
     PartVisibility found = part_visibility(input.mesh, input.grid.centres, visibility);
     if (!file.tool.empty()) {
-        ProgressLine body{"clearing shank and holder", options};
+        progress.begin("clearing shank and holder");
         keep_reachable(
             found, input.mesh, input.grid.centres, tool_body(*input.tool),
-            [&](std::size_t done) { body.show(static_cast<double>(done) / cells); });
+            [&](std::size_t done) { progress.show(static_cast<double>(done) / cells); });
     }
     return found;
 }
@@ -120,6 +120,7 @@ constexpr const char* axes_grid = "ico:4";
 BestSetup four_axis_setup(const SetupMachine& machine, const SetupInput& input,
                           const VisibilityMap& map, const SetupCommandOptions& options)
 {
+    const ProgressLine progress{"searching for a setup", options.common};
     const SetupSearch search =
         arc_search(map, input.grid.centres, sphere_grid(axes_grid).centres,
                    machine.machine.rotary.phi, Angle::degrees(options.arc_tolerance_deg));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/console.h"
+#include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/numbers.h"
 #include "endmill/io/mesh_file.h"
@@ -86,6 +87,7 @@ VerifyStock read_verify_stock(const VerifyOptions& options, const Part* part,
         return {default_block(part, path, cutter), {}, {}, {}};
     if (const auto block = block_of_numbers(options.stock))
         return {*block, {}, {}, {}};
+    const ProgressLine progress{"reading the stock", options.common};
     KeptStock stock = stock_of_file(options);
     const StockGrid& grid = stock.heights.grid();
     const auto range = height_range(stock.heights);

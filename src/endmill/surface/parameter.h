@@ -16,7 +16,8 @@ struct SurfacePoint {
     double v;
 };
 
-/// "u = 1.5, v = 0 (30, 0, 12 mm)": the place and its point, for a message.
+/// "u = 1.5, v = 0 (30, 0, 12 mm)": the place and its point, for a message; parameters to
+/// 1e-4, coordinates to 0.001 mm.
 std::string place_text(const SurfacePoint& at, const Vec3& point);
 
 /// A closed interval of a parameter, or of a length in mm.
