@@ -21,6 +21,15 @@ constexpr std::size_t shown_characters = 40;
                                            "\"; expected " + expected);
 }
 
+// "help (default VALUE)"; in parentheses that end the help the default comes first.
+std::string with_default(const std::string& help, const std::string& value)
+{
+    const std::size_t open = help.rfind('(');
+    if (!help.ends_with(')') || open == std::string::npos)
+        return help + " (default " + value + ")";
+    return help.substr(0, open + 1) + "default " + value + "; " + help.substr(open + 1);
+}
+
 }  // namespace
 
 NumberDomain NumberDomain::above_zero_to(double high)
@@ -79,7 +88,7 @@ CLI::Option* add_number(CLI::App& command, const NumberOption& option, double& t
     const auto take = [option, &target](const std::string& text) {
         target = number_argument(option.name, text, option.domain);
     };
-    const std::string help = option.help + "; default " + to_text(target);
+    const std::string help = with_default(option.help, to_text(target));
     return command.add_option_function<std::string>(option.name, take, help)
         ->type_name(option.unit);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// endmill cite: the papers behind the methods.
+// endmill cite: the papers that the methods follow.
 
 #include <array>
 #include <memory>
@@ -9,6 +9,7 @@
 
 #include "build_facts.h"
 #include "cli/console.h"
+#include "cli/idle_options.h"
 #include "endmill/files/output_folder.h"
 
 namespace endmill {
@@ -21,14 +22,23 @@ struct CiteOptions {
 
 struct Paper {
     std::string_view key;      // in paper/references.bib
-    std::string_view methods;  // that stand on it
+    std::string_view methods;  // that follow it
 };
 
 constexpr std::array papers{
-    Paper{"KimChoi", "economic cutter locations: info, plan, eval"},
-    Paper{"JangKimJeong", "trimming of offset sections (not yet part of the program)"},
-    Paper{"KangSuh", "five-axis machinability and setup (not yet)"},
-    Paper{"ParkMaeng", "cutting forces, variable feed and speed (not yet)"},
+    Paper{
+        "KimChoi",
+        "economic cutter locations: plan --mode paper, eval (step length, path interval, "
+        "scallop height); curvature and largest ball of info and plan"},
+    Paper{"JangKimJeong",
+          "trimming of offset sections: trim --mode paper, methods 1, 2 and 3"},
+    Paper{"KangSuh",
+          "five-axis machinability and setup: machine; setup, modes paper and "
+          "paper-literal"},
+    Paper{
+        "ParkMaeng",
+        "cutting forces of a ball-end mill, variable feed and speed: feed --mode paper, "
+        "coefficients, toollife"},
 };
 
 // The value of `field` in the bibliography's entry `key`, without braces.
@@ -46,6 +56,9 @@ std::string bibliography_field(std::string_view key, std::string_view field)
 
 ExitCode run_cite(const CiteOptions& options)
 {
+    if (options.common.json)
+        refuse_idle_options(options.common, std::array{"--bibtex"}, "--json",
+                            "one of the two");
     Json summary = Json::array();
     std::string text;
     for (const auto& [key, methods] : papers) {
@@ -71,12 +84,12 @@ ExitCode run_cite(const CiteOptions& options)
 void add_cite_command(CLI::App& program, Action& action)
 {
     CLI::App* command =
-        program.add_subcommand("cite", "the papers behind the methods used");
+        program.add_subcommand("cite", "list the papers that the methods follow");
     const auto options = std::make_shared<CiteOptions>();
-    command->add_flag("--bibtex", options->bibtex, "as BibTeX");
+    command->add_flag("--bibtex", options->bibtex, "print the bibliography as BibTeX");
     add_common_options(*command, options->common);
     command->footer(
-        "Prints; writes DIR/references.bib only with --output.\n\n"
+        "Prints; with --output also writes DIR/references.bib.\n\n"
         "Example:\n  endmill cite --bibtex");
     command->callback(
         [options, &action] { action = [options] { return run_cite(*options); }; });

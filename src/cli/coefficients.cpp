@@ -50,16 +50,16 @@ bool has_forces(const CoefficientsOptions& options)
            options.diameter_mm && options.flutes;
 }
 
-// An option that changes nothing was meant for something.
+// Options that have no effect without others.
 void refuse_idle(const CoefficientsOptions& options)
 {
     if (options.pick_feed_ratio && options.previous != PreviousPass::Beside)
         throw DomainError{
-            "--pick-feed-ratio: found with --previous none or edge; expected --previous "
-            "pass, or no pick feed"};
+            "--pick-feed-ratio: has no effect with --previous none or edge; expected "
+            "--previous pass"};
     const auto refuse = [](const char* option, const char* expected) {
-        throw DomainError{std::string{option} +
-                          ": found without what it needs; expected " + expected};
+        throw DomainError{std::string{option} + ": has no effect alone; expected " +
+                          expected};
     };
     constexpr const char* forces =
         "all of --material, --feed-per-tooth, --cutter and --flutes, for the forces";
@@ -176,20 +176,21 @@ ExitCode run_coefficients(const CoefficientsOptions& options)
 void add_coefficients_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "coefficients", "cutting action coefficients of a ball-end mill, and its forces");
+        "coefficients",
+        "compute cutting action coefficients and forces of a ball-end mill");
     const auto options = std::make_shared<CoefficientsOptions>();
     add_coefficients_options(*command, *options);
     command->footer(
-        "I1 to I8 are means over a turn of one tooth, in ball radii. With --flutes and\n"
-        "--helix-deg also peak_factor, largest over mean torque; with --material,\n"
-        "--feed-per-tooth, --cutter and --flutes the mean forces on the work: x along "
-        "the\n"
-        "feed, y across it towards the stock, z upwards. Prints; writes summary.json "
-        "only\n"
-        "with --output or --profile (default ./profile-coefficients).\n\n"
-        "Example:\n  endmill coefficients --mu-deg 0 --lambda-deg -17 --pick-feed-ratio "
-        "0.5 --depth-ratio 1\n    --flutes 2 --helix-deg 30 --cutter ball:10 "
-        "--feed-per-tooth 0.1\n    --material datasets/materials/steel.json");
+        "I1 to I8 are means over one turn of one tooth, in ball radii. --flutes and\n"
+        "--helix-deg add peak_factor, the ratio of largest to mean torque. --material,\n"
+        "--feed-per-tooth, --cutter and --flutes add the mean forces on the work: x "
+        "along\n"
+        "the feed, y across it towards the stock, z upwards. Prints; with --output or\n"
+        "--profile (default ./profile-coefficients) also writes summary.json.\n\n"
+        "Example:\n"
+        "  endmill coefficients --mu-deg 0 --lambda-deg -17 --pick-feed-ratio 0.5 "
+        "--depth-ratio 1 --flutes 2 --helix-deg 30 --cutter ball:10 --feed-per-tooth 0.1 "
+        "--material datasets/materials/steel.json");
     command->callback([options, &action] {
         action = [options] { return run_coefficients(*options); };
     });

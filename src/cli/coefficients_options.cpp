@@ -19,29 +19,34 @@ void add_geometry(CLI::App& command, CoefficientsOptions& options)
 {
     const NumberDomain any = NumberDomain::any();
     add_number(command,
-               {"--mu-deg", "DEG", "rise of the pick feed about the feed", slope_domain},
+               {"--mu-deg", "DEG", "angle of the pick feed about the feed", slope_domain},
                options.mu_deg)
         ->required();
-    add_number(command, {"--lambda-deg", "DEG", "rise of the feed", slope_domain},
-               options.lambda_deg)
+    add_number(
+        command,
+        {"--lambda-deg", "DEG", "angle of the feed above the horizontal", slope_domain},
+        options.lambda_deg)
         ->required();
     add_number(command,
-               {"--pick-feed-ratio", "RP", "pick feed over the ball's radius",
+               {"--pick-feed-ratio", "RP", "ratio of pick feed to ball radius",
                 NumberDomain::from_zero()},
                options.pick_feed_ratio);
-    add_number(command,
-               {"--depth-ratio", "RL",
-                "stock's top over the tip, over the ball's radius; at most 0: air", any},
-               options.depth_ratio)
+    add_number(
+        command,
+        {"--depth-ratio", "RL",
+         "ratio of the stock's height above the tip to the ball radius; 0 or below: air",
+         any},
+        options.depth_ratio)
         ->required();
-    add_choice<PreviousPass>(command, "--previous", options.previous, previous_passes,
-                             "what was cut before: a pass beside, nothing, or all on one "
-                             "side");
+    add_choice<PreviousPass>(
+        command, "--previous", options.previous, previous_passes,
+        "earlier cut: a pass beside, none, or the whole of one side (default "
+        "pass)");
 }
 
 void add_forces(CLI::App& command, CoefficientsOptions& options)
 {
-    add_whole_number(command, {"--flutes", "of the cutter", 1, most_flutes},
+    add_whole_number(command, {"--flutes", "number of flutes", 1, most_flutes},
                      [&options](int flutes) { options.flutes = flutes; })
         ->type_name("N");
     add_number(command, {"--helix-deg", "DEG", helix_help, helix_domain},
@@ -50,7 +55,8 @@ void add_forces(CLI::App& command, CoefficientsOptions& options)
         .add_option("--material", options.material, "material file (endmill-material/1)")
         ->type_name("FILE");
     add_number(command,
-               {"--feed-per-tooth", "MM", "for the forces", NumberDomain::from_zero()},
+               {"--feed-per-tooth", "MM", "feed per tooth, for the forces",
+                NumberDomain::from_zero()},
                options.feed_per_tooth_mm);
     command
         .add_option_function<std::string>(
@@ -61,7 +67,7 @@ void add_forces(CLI::App& command, CoefficientsOptions& options)
             "ball:DIAMETER in mm, for the forces")
         ->type_name("CUTTER");
     add_choice<Milling>(command, "--milling", options.milling, milling_words,
-                        "on which side the stock is: right (down) or left (up)");
+                        "side of the stock: right (down, default) or left (up)");
 }
 
 }  // namespace
@@ -76,16 +82,17 @@ void add_coefficients_options(CLI::App& command, CoefficientsOptions& options)
                options.accuracy);
     CLI::Option* const profile =
         command.add_flag("--profile", options.has_profile,
-                         "write profile.csv: forces and torque degree by degree");
+                         "write profile.csv: forces and torque for each degree");
     add_number(command,
-               {"--runout-mm", "MM", "of the cutter's axis (profile)",
+               {"--runout-mm", "MM", "radial runout of the cutter's axis (--profile)",
                 NumberDomain::from_zero()},
                options.runout_mm)
         ->needs(profile);
-    add_number(command,
-               {"--runout-deg", "DEG", "its azimuth when flute 0 stands at azimuth 0",
-                NumberDomain::any()},
-               options.runout_deg)
+    add_number(
+        command,
+        {"--runout-deg", "DEG", "azimuth of the runout while flute 0 is at azimuth 0",
+         NumberDomain::any()},
+        options.runout_deg)
         ->needs(profile);
     add_common_options(command, options.common);
 }

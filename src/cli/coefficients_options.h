@@ -9,7 +9,7 @@
 
 namespace endmill {
 
-/// What `endmill coefficients` is told.
+/// The options of `endmill coefficients`.
 struct CoefficientsOptions {
     CommonOptions common;
     std::optional<double> mu_deg;           ///< required

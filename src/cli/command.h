@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -26,6 +27,8 @@ struct CommonOptions {
     bool force = false;
     bool json_errors = false;  ///< main looks for it itself: parsing may fail
     ReadLimits limits;
+    std::set<std::string>
+        given;  ///< names of the options on the command line, as "--gap"
 };
 
 /// Adds them to `command`; --threads takes effect at once.

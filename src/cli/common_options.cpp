@@ -8,28 +8,36 @@ namespace endmill {
 void add_common_options(CLI::App& command, CommonOptions& options)
 {
     const std::string group = "Options of every command";
-    command.add_option("-o,--output", options.output, "folder for the results")
+    command
+        .add_option("-o,--output", options.output,
+                    "folder for the results (default: see below)")
         ->type_name("DIR")
         ->group(group);
     command
         .add_flag("--json", options.json,
-                  "print the summary as one JSON object, and nothing else")
+                  "print the summary as one JSON object, with all digits")
         ->group(group);
     command.add_flag("--quiet", options.quiet, "print errors only")->group(group);
     command.add_flag("--force", options.force, "write into a folder that is not empty")
         ->group(group);
     add_whole_number(command,
-                     {"--threads", "how many threads to use; default all", 1, 1024},
+                     {"--threads", "number of threads (default: all cores)", 1, 1024},
                      set_thread_count)
         ->group(group);
-    add_number(command, {"--max-memory", "GIB", "most memory to use"},
+    add_number(command, {"--max-memory", "GIB", "largest memory to use"},
                options.limits.max_memory_gib)
         ->group(group);
-    add_number(command, {"--max-extent", "MM", "largest coordinate to believe in a file"},
+    add_number(command,
+               {"--max-extent", "MM", "largest coordinate to accept from a file"},
                options.limits.max_extent_mm)
         ->group(group);
     command.add_flag("--json-errors", options.json_errors, "print errors as JSON")
         ->group(group);
+    command.parse_complete_callback([&command, &options] {
+        for (const CLI::Option* option : command.get_options())
+            if (option->count() > 0)
+                options.given.insert(option->get_name());
+    });
 }
 
 }  // namespace endmill

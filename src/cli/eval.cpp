@@ -66,12 +66,12 @@ void add_formula(CLI::App& eval, const Formula& formula,
 void add_eval_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "eval", "any closed formula of the library, by name; alone: what it knows");
+        "eval", "evaluate a closed formula by name; alone: list the formulas");
     const auto options = std::make_shared<EvalOptions>();
     command->require_subcommand(0, 1);
     add_common_options(*command, options->common);
     command->footer(
-        "Prints; writes DIR/summary.json only with --output.\n\n"
+        "Prints; with --output also writes DIR/summary.json.\n\n"
         "Example:\n  endmill eval path-interval --radius 5 --curvature 0.01 "
         "--scallop 0.1 --json");
     for (const Formula& formula : eval_formulas())

@@ -11,8 +11,8 @@ namespace endmill {
 namespace {
 
 constexpr Argument radius{"radius", "MM", "radius of the ball", true};
-constexpr Argument curvature{"curvature", "PER_MM", "positive where the part is convex",
-                             false};
+constexpr Argument curvature{
+    "curvature", "PER_MM", "normal curvature, positive where the part is convex", false};
 constexpr Argument scallop{"scallop", "MM", "scallop height, below the ball's diameter",
                            true};
 
@@ -59,22 +59,24 @@ Json highest_scallop_json(const Numbers& numbers)
 
 const std::array formulas{
     Formula{"path-interval",
-            "widest interval between passes that keeps a scallop height, eq. (4), (5)",
+            "largest interval between passes for a scallop height, eq. (4), (5)",
             "--radius 5 --curvature 0.01 --scallop 0.1",
             {radius, curvature, scallop},
             path_interval_json},
-    Formula{"step-length",
-            "longest step that keeps a chord tolerance, eq. (1), (2)",
-            "--curvature 0.01 --chord-tolerance 0.5",
-            {curvature, {"chord-tolerance", "MM", "from the curve to its chord", true}},
-            step_length_json},
+    Formula{
+        "step-length",
+        "longest step within a chord tolerance, eq. (1), (2)",
+        "--curvature 0.01 --chord-tolerance 0.5",
+        {curvature,
+         {"chord-tolerance", "MM", "largest distance from the curve to its chord", true}},
+        step_length_json},
     Formula{"scallop-height",
-            "scallop that passes at an interval leave, the inverse of path-interval",
+            "scallop height between passes, the inverse of path-interval",
             "--radius 7.5 --curvature 0.02 --interval 5",
-            {radius, curvature, {"interval", "MM", "chord between two contacts", true}},
+            {radius, curvature, {"interval", "MM", "distance of two contacts", true}},
             scallop_height_json},
     Formula{"highest-scallop",
-            "highest scallop that neighbouring passes leave at all",
+            "largest scallop height that neighbouring passes can leave",
             "--radius 5 --curvature 0.1",
             {radius, curvature},
             highest_scallop_json},

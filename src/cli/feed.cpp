@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// endmill feed: how fast each move of a path may go.
+// endmill feed: feed and spindle speed for each move of a path.
 
 #include <memory>
 
@@ -7,6 +7,7 @@
 #include "cli/feed_cuts.h"
 #include "cli/feed_files.h"
 #include "cli/feed_remarks.h"
+#include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/output_folder.h"
@@ -48,7 +49,10 @@ ExitCode run_feed(const FeedCommandOptions& options)
     const FeedInput input = read_feed_input(options);
     for (const std::string& remark : input.program.remarks)
         warn(options.common, options.path.file + ": " + remark);
-    const SegmentCuts cuts = feed_cuts(input, options);
+    const SegmentCuts cuts = [&] {
+        const ProgressLine progress{"finding the engagement", options.common};
+        return feed_cuts(input, options);
+    }();
     const CutsPlan planned = cuts_plan(input, cuts, options);
     const FeedPlan& plan = planned.feeds;
     std::vector<std::string> remarks = input.program.remarks;
@@ -62,10 +66,13 @@ ExitCode run_feed(const FeedCommandOptions& options)
                         options.common.force};
     for (const std::string& file : files_of(input, options))
         folder.protect(file);
-    const Json summary =
-        write_feed({input, options, cuts, plan, path, times_of(plan, path, cuts, options),
-                    planned_minutes(path, cuts, input, options), folder.path(), remarks},
-                   folder);
+    const Json summary = [&] {
+        const ProgressLine progress{"writing the results", options.common};
+        return write_feed(
+            {input, options, cuts, plan, path, times_of(plan, path, cuts, options),
+             planned_minutes(path, cuts, input, options), folder.path(), remarks},
+            folder);
+    }();
     folder.publish();
     print_result(
         options.common, summary,
@@ -86,21 +93,26 @@ ExitCode run_feed(const FeedCommandOptions& options)
 void add_feed_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "feed", "feed and spindle speed of every move of a ball-end mill");
+        "feed", "choose feed and spindle speed for each move of a ball-end mill");
     const auto options = std::make_shared<FeedCommandOptions>();
     add_feed_options(*command, *options);
     command->footer(
-        "Writes toolpath.csv, engagement.csv (a row a cutting move), feed.svg and\n"
-        "summary.json to --output (default ./NAME-feed); of a machine program also\n"
-        "NAME-feed.ngc. The axis is +z. Exit 1 if no feed satisfies the limits "
-        "somewhere:\n"
-        "the least is used there, unless --allow-infeasible.\n\n"
-        "Example:\n  endmill plan datasets/surfaces/wavy.json --cutter ball:10 "
-        "--order one-way\n    --direction u -o results\n"
-        "  endmill feed results/toolpath.csv --material datasets/materials/steel.json\n"
-        "    --machine datasets/machines/milling-machine-steel.json\n"
-        "    --tool datasets/tools/ball-10-steel-and-aluminium.json --stock-top 6\n"
-        "    --rapid-mm-per-min 5000 --constant-feed-mm-per-min 80 -o results/feed");
+        "Writes toolpath.csv, engagement.csv (a row for each cutting move), feed.svg "
+        "and\n"
+        "summary.json to --output (default ./NAME-feed), and NAME-feed.ngc if TOOLPATH "
+        "is "
+        "a\n"
+        "machine program. The tool axis is +z.\n\n"
+        "Exit 1: no feed satisfies the limits on some move, where the smallest feed is "
+        "used\n"
+        "(--allow-infeasible: exit 0).\n\n"
+        "Example:\n"
+        "  endmill plan datasets/surfaces/wavy.json --cutter ball:10 --chord-tolerance "
+        "0.05 --scallop 0.3 --order one-way --direction u -o results\n"
+        "  endmill feed results/toolpath.csv --material datasets/materials/steel.json "
+        "--machine datasets/machines/milling-machine-steel.json "
+        "--tool datasets/tools/ball-10-steel-and-aluminium.json --stock-top 6 "
+        "--rapid-mm-per-min 5000 --constant-feed-mm-per-min 80 -o results/feed");
     command->callback([options, &action] {
         action = [options] {
             return naming(options->path.file, [&] { return run_feed(*options); });

@@ -62,7 +62,7 @@ CutsPlan stock_plan(const FeedInput& input, const SegmentCuts& cuts,
     std::vector<double> lengths;
     for (const SegmentCut& cut : cuts.cuts)
         lengths.push_back(cut.length_mm);
-    ProgressLine progress{"removing and planning", options.common};
+    ProgressLine progress{"removing material and planning feeds", options.common};
     for_each_ball_front(
         stock,
         {.path = &input.program.path,
@@ -99,7 +99,8 @@ SegmentCuts feed_cuts(const FeedInput& input, const FeedCommandOptions& options)
         cut.source = CutSource::Passes;
     SegmentCuts cuts = segment_cuts(input.program.path, cut);
     if (cuts.cuts.empty())
-        throw GeometryError{"no move of the path cuts; expected one that goes along"};
+        throw GeometryError{
+            "no move of the path cuts; expected a cutting move of some length"};
     const auto is_deep = [](const SegmentCut& move) { return move.depth_mm > 0; };
     if (std::ranges::none_of(cuts.cuts, is_deep))
         throw GeometryError{"the whole path lies above the stock, whose top is at z = " +
@@ -115,9 +116,10 @@ CutsPlan cuts_plan(const FeedInput& input, const SegmentCuts& cuts,
 {
     if (options.engagement == EngagementChoice::Stock)
         return stock_plan(input, cuts, options);
+    const ProgressLine progress{"planning feeds", options.common};
     FeedPlanOptions plan = input.plan;
     std::optional<CoefficientTable> table;
-    if (options.has_table)
+    if (options.coefficients == CoefficientSource::Table)
         plan.table = &table.emplace(plan.chip);
     std::vector<Milling> milling;
     for (const SegmentCut& cut : cuts.cuts)

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/console.h"
+#include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/machine_file.h"
@@ -18,7 +19,7 @@
 namespace endmill {
 namespace {
 
-// Of a path alone the block is the path's own box, whose top tells nothing of the stock's.
+// Without a part the block is the box of the path, whose top is not that of the stock.
 std::optional<double> told_stock_top(const FeedCommandOptions& options,
                                      const VerifyStock& stock)
 {
@@ -131,10 +132,11 @@ void require_answerable(const FeedInput& input, const FeedCommandOptions& option
         throw DomainError{"--peak " + peak +
                           ": the helix of the flutes is not known; expected --helix-deg, "
                           "or a tool file with helix_deg"};
-    if (!has_factor && options.has_table)
+    if (!has_factor && options.coefficients == CoefficientSource::Table)
         throw DomainError{"--coefficients table: expected --peak constant:R; " + peak +
                           " asks for the loads of every turn, not their mean"};
-    if (options.engagement == EngagementChoice::Stock && options.has_table)
+    if (options.engagement == EngagementChoice::Stock &&
+        options.coefficients == CoefficientSource::Table)
         throw DomainError{
             "--coefficients table: expected --engagement contact, passes or auto; those "
             "of the stock are in no table"};
@@ -174,7 +176,7 @@ void require_cut(const Program& program)
     std::string found = "no move of the path cuts";
     for (const std::string& remark : program.remarks)
         found += "; " + remark;
-    throw GeometryError{found + "; expected a cutting move that goes along"};
+    throw GeometryError{found + "; expected a cutting move of some length"};
 }
 
 void add_stock(FeedInput& input, const FeedCommandOptions& options)
@@ -200,6 +202,7 @@ void add_stock(FeedInput& input, const FeedCommandOptions& options)
 
 FeedInput read_feed_input(const FeedCommandOptions& options)
 {
+    refuse_idle_feed_options(options);
     const std::string& file = options.path.file;
     const ReadLimits& limits = options.common.limits;
     std::optional<Tool> tool;
@@ -212,7 +215,10 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
                                             : known.cutter;
     std::string text = read_file(file, limits);
     const PathReadOptions reading = path_reading(options.path, cutter, options.common);
-    Program program = parse_program(text, file, reading);
+    Program program = [&] {
+        const ProgressLine progress{"reading " + printable(file), options.common};
+        return parse_program(text, file, reading);
+    }();
     require_order(program, file, text);
     if (!tool)
         tool = tool_without_file(options, program, known);

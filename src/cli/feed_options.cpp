@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/feed_options.h"
 
+#include <array>
 #include <string_view>
 
+#include "cli/idle_options.h"
+#include "cli/verify_options.h"
+#include "cli/verify_stock.h"
 #include "endmill/core/text.h"
 
 namespace endmill {
@@ -31,16 +35,17 @@ void add_tool_options(CLI::App& command, ToolOptions& tool)
         .add_option("--tool", tool.file,
                     "tool file (endmill-tool/1): cutter, flutes, helix, limits")
         ->type_name("FILE");
-    add_whole_number(command, {"--flutes", "of the cutter", 1, most_flutes},
+    add_whole_number(command, {"--flutes", "number of flutes", 1, most_flutes},
                      [&tool](int flutes) { tool.flutes = flutes; })
         ->type_name("N");
     add_number(command, {"--helix-deg", "DEG", helix_help, helix_domain}, tool.helix_deg);
     add_number(command,
-               {"--max-force-n", "N", "most that the tool bears across its axis"},
+               {"--max-force-n", "N", "largest force on the tool across its axis"},
                tool.max_force_n);
-    add_number(command, {"--max-thrust-n", "N", "most that it bears along its axis"},
+    add_number(command,
+               {"--max-thrust-n", "N", "largest force on the tool along its axis"},
                tool.max_thrust_n);
-    add_number(command, {"--max-torque-n-m", "NM", "most torque that it bears"},
+    add_number(command, {"--max-torque-n-m", "NM", "largest torque on the tool"},
                tool.max_torque_n_m);
 }
 
@@ -48,81 +53,112 @@ void add_engagement_options(CLI::App& command, FeedCommandOptions& options)
 {
     add_choice<EngagementChoice>(command, "--engagement", options.engagement,
                                  engagement_choices,
-                                 "where the engagement comes from; auto (default): the "
-                                 "contact where it is known, else the passes");
-    add_choice<PreviousPass>(command, "--first-pass", options.first_pass, first_passes,
-                             "what a pass with none beside it cuts; default slot");
+                                 "source of the engagement (default auto: the contact "
+                                 "where it is known, else the passes)");
+    add_choice<PreviousPass>(
+        command, "--first-pass", options.first_pass, first_passes,
+        "cut of a pass without a pass beside it: full slot, or along an edge (default "
+        "slot)");
     command
         .add_option("--part", options.part.path,
                     "surface that the path was planned for: contacts and curvature")
         ->type_name("FILE");
     add_mesh_options(command, options.part);
     add_number(command,
-               {"--contact-tolerance", "MM", "by which the ball may miss the part"},
+               {"--contact-tolerance", "MM", "largest gap between ball and contact"},
                options.contact_tolerance);
     add_number(command,
                {"--stock-top", "Z",
-                "height of the stock's top in mm; default that of "
-                "--stock, or of the block around the part",
+                "height of the top of the stock in mm (default: that of --stock, or of "
+                "the block around the part)",
                 NumberDomain::any()},
                options.stock_top);
-    command
-        .add_option("--stock", options.stock,
-                    "block (default: around the part), X0,Y0,Z0,X1,Y1,Z1, a closed mesh, "
-                    "or the stock.vti of an earlier run")
-        ->type_name("STOCK");
-    add_number(command, {"--resolution", "MM", "pitch of the stock"}, options.resolution);
+    command.add_option("--stock", options.stock, stock_help)->type_name("STOCK");
+    add_number(command, {"--resolution", "MM", "pitch of the stock (--engagement stock)"},
+               options.resolution);
 }
 
 void add_model_options(CLI::App& command, FeedCommandOptions& options)
 {
     add_choice<FeedMode>(command, "--mode", options.mode, feed_modes,
-                         "by which rules; default paper");
+                         "rules of the plan (default paper); planned also follows the "
+                         "machine's acceleration");
     add_chip_option(command, options.chip);
     command
         .add_option_function<std::string>(
             "--peak",
             [&options](const std::string& word) { options.peak = peak_argument(word); },
-            "largest over mean load: constant:R (paper: 1.8), torque, direct (corrected)")
+            "ratio of largest to mean load: constant:R, torque or direct (default "
+            "constant:1.8; --mode corrected, planned: direct)")
         ->type_name("RULE");
     add_number(command,
-               {"--accuracy", "EPS", "of a cutting action coefficient", accuracy_domain},
+               {"--accuracy", "EPS", "largest error of a cutting action coefficient",
+                accuracy_domain},
                options.accuracy);
-    add_choice<bool>(command, "--coefficients", options.has_table, coefficient_sources,
-                     "computed one by one, or from a table that is off by up to " +
-                         to_text(table_error));
+    add_choice<CoefficientSource>(
+        command, "--coefficients", options.coefficients, coefficient_sources,
+        "computed (default), or from a table with errors up to " + to_text(table_error));
     add_number(command,
-               {"--min-feed-per-tooth", "MM", "default the material's, or 0.005"},
+               {"--min-feed-per-tooth", "MM",
+                "smallest feed per tooth (default: the material's, or 0.005)"},
                options.min_feed_per_tooth_mm);
-    add_number(command, {"--max-feed-per-tooth", "MM", "default the material's"},
+    add_number(command,
+               {"--max-feed-per-tooth", "MM",
+                "largest feed per tooth (default: the material's)"},
                options.max_feed_per_tooth_mm);
+    add_number(command,
+               {"--block-time-ms", "MS", "shortest time of a block; 0: no such limit",
+                NumberDomain::from_zero()},
+               options.block_time_ms);
     add_number(
         command,
-        {"--block-time-ms", "MS", "least time of a block", NumberDomain::from_zero()},
-        options.block_time_ms);
-    add_number(command,
-               {"--corner-tolerance", "MM", "by which a corner may be cut (planned)"},
-               options.corner_tolerance);
+        {"--corner-tolerance", "MM", "largest rounding of a corner (--mode planned)"},
+        options.corner_tolerance);
 }
 
 void add_time_options(CLI::App& command, FeedCommandOptions& options)
 {
-    CLI::Option* const rapid =
-        add_number(command, {"--rapid-mm-per-min", "F", "of rapids, for the times"},
-                   options.rapid_mm_per_min);
+    CLI::Option* const rapid = add_number(
+        command, {"--rapid-mm-per-min", "F", "speed of rapids, for the total time"},
+        options.rapid_mm_per_min);
     add_number(command,
-               {"--noncut-min", "MIN", "time besides cutting", NumberDomain::from_zero()},
+               {"--noncut-min", "MIN", "time of all other moves, for the total time",
+                NumberDomain::from_zero()},
                options.noncut_min)
         ->excludes(rapid);
-    add_number(command, {"--constant-feed-mm-per-min", "F", "the feed to compare with"},
-               options.constant_feed_mm_per_min);
+    add_number(
+        command,
+        {"--constant-feed-mm-per-min", "F", "constant feed to compare the plan with"},
+        options.constant_feed_mm_per_min);
     add_number(command,
                {"--plunge-feed-mm-per-min", "F",
-                "of moves at feed that do not cut and have none"},
+                "feed of moves that do not cut and have no feed of their own"},
                options.plunge_feed_mm_per_min);
 }
 
 }  // namespace
+
+void refuse_idle_feed_options(const FeedCommandOptions& options)
+{
+    const CommonOptions& common = options.common;
+    if (options.mode != FeedMode::Planned)
+        refuse_idle_options(
+            common, std::array{"--corner-tolerance"},
+            "--mode " + std::string{word_for<FeedMode>(options.mode, feed_modes)},
+            "--mode planned");
+    if (options.coefficients == CoefficientSource::Table)
+        refuse_idle_options(common, std::array{"--accuracy"}, "--coefficients table",
+                            "--coefficients direct");
+    const bool is_by_stock = options.engagement == EngagementChoice::Stock;
+    if (!is_by_stock && !may_be_mesh(options.stock))
+        refuse_idle_options(
+            common, std::array{"--resolution"},
+            "--engagement " + std::string{word_for<EngagementChoice>(options.engagement,
+                                                                     engagement_choices)},
+            "--engagement stock, or a mesh as --stock");
+    if (options.part.path.empty() && !may_be_mesh(options.stock))
+        refuse_idle_mesh_options(common);
+}
 
 std::string peak_word(PeakRule rule, double factor)
 {
@@ -139,8 +175,9 @@ std::string peak_word(PeakRule rule, double factor)
 
 void add_chip_option(CLI::App& command, std::optional<ChipModel>& chip)
 {
-    add_choice<ChipModel>(command, "--chip", chip, chip_models,
-                          "what the chip's thickness is taken for");
+    add_choice<ChipModel>(
+        command, "--chip", chip, chip_models,
+        "chip thickness: as the paper approximates it, or exact (default: the mode's)");
 }
 
 void add_feed_options(CLI::App& command, FeedCommandOptions& options)
@@ -151,8 +188,9 @@ void add_feed_options(CLI::App& command, FeedCommandOptions& options)
         ->type_name("FILE")
         ->required();
     command
-        .add_option("--machine", options.machine,
-                    "machine file (endmill-machine/1); default: it binds nothing")
+        .add_option(
+            "--machine", options.machine,
+            "machine file (endmill-machine/1) with its limits (default: no limits)")
         ->type_name("FILE");
     add_tool_options(command, options.tool);
     add_engagement_options(command, options);
@@ -160,7 +198,7 @@ void add_feed_options(CLI::App& command, FeedCommandOptions& options)
     add_time_options(command, options);
     add_reading_options(command, options.path);
     command.add_flag("--allow-infeasible", options.allow_infeasible,
-                     "exit 0 also where no feed satisfies the limits");
+                     "exit 0 even if no feed satisfies the limits somewhere");
     add_common_options(command, options.common);
 }
 

@@ -40,9 +40,16 @@ inline constexpr std::array chip_models{Choice<ChipModel>{"paper", ChipModel::Pa
 inline constexpr std::array first_passes{
     Choice<PreviousPass>{"slot", PreviousPass::None},
     Choice<PreviousPass>{"edge", PreviousPass::Edge}};
-/// Whether coefficients come from a table.
-inline constexpr std::array coefficient_sources{Choice<bool>{"direct", false},
-                                                Choice<bool>{"table", true}};
+/// Where cutting action coefficients come from.
+enum class CoefficientSource {
+    Direct,  ///< each is computed
+    Table,   ///< interpolated: off by up to `table_error`
+};
+
+/// Ditto.
+inline constexpr std::array coefficient_sources{
+    Choice<CoefficientSource>{"direct", CoefficientSource::Direct},
+    Choice<CoefficientSource>{"table", CoefficientSource::Table}};
 
 /// A right angle is none of a feed or a pick feed.
 inline const NumberDomain slope_domain = NumberDomain::between(-90, 90);
@@ -53,13 +60,14 @@ inline const NumberDomain accuracy_domain = NumberDomain::from_to(1e-12, 1e-3);
 
 /// What --helix-deg means, as its help says.
 inline constexpr const char* helix_help =
-    "of the flutes against the axis; where the cut is milled down, the model's positive "
-    "helix is that of a left-hand cutter under M03, a right-hand one has the negative";
+    "angle of the flutes against the axis; in down milling the model's positive helix is "
+    "a "
+    "left-hand cutter under M03, a right-hand one has the negative angle";
 
-/// More edges than any mill has; their sums would take long.
+/// More edges than any mill has; the sums over more would take long.
 inline constexpr int most_flutes = 100;
 
-/// What --peak says.
+/// The rule that --peak names.
 struct PeakChoice {
     PeakRule rule = PeakRule::Constant;
     double factor = 1.8;  ///< of PeakRule::Constant
@@ -71,7 +79,7 @@ inline constexpr double table_error = 0.025;
 /// As on the command line: "constant:1.8", "torque" or "direct".
 std::string peak_word(PeakRule rule, double factor);
 
-/// A tool that is told without a file, or what is told instead of what the file says.
+/// A tool without a file, or values in place of those in the file.
 struct ToolOptions {
     std::string file;
     std::optional<int> flutes;
@@ -81,7 +89,7 @@ struct ToolOptions {
     std::optional<double> max_torque_n_m;
 };
 
-/// What `endmill feed` is told.
+/// The options of `endmill feed`.
 struct FeedCommandOptions {
     CommonOptions common;
     PathOptions path;
@@ -97,7 +105,7 @@ struct FeedCommandOptions {
     double resolution = 0.1;          ///< mm, of the stock
     double contact_tolerance = 0.05;  ///< mm
     double accuracy = 1e-6;           ///< of a coefficient
-    bool has_table = false;
+    CoefficientSource coefficients = CoefficientSource::Direct;
     std::optional<ChipModel> chip;   ///< empty: the mode's
     std::optional<PeakChoice> peak;  ///< empty: the mode's
     std::optional<double> min_feed_per_tooth_mm;
@@ -116,5 +124,8 @@ void add_chip_option(CLI::App& command, std::optional<ChipModel>& chip);
 
 /// Adds every option of `feed` to `command`.
 void add_feed_options(CLI::App& command, FeedCommandOptions& options);
+
+/// \throws DomainError naming an option that has no effect beside the others.
+void refuse_idle_feed_options(const FeedCommandOptions& options);
 
 }  // namespace endmill

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "build_facts.h"
+#include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/text.h"
 
@@ -55,8 +56,9 @@ void add_choices(Json& summary, const FeedResult& result)
     summary["engagement"] =
         word_for<EngagementChoice>(options.engagement, engagement_choices);
     summary["first_pass"] = word_for<PreviousPass>(options.first_pass, first_passes);
-    summary["coefficients"] = word_for<bool>(options.has_table, coefficient_sources);
-    if (options.has_table)
+    summary["coefficients"] =
+        word_for<CoefficientSource>(options.coefficients, coefficient_sources);
+    if (options.coefficients == CoefficientSource::Table)
         summary["table_error"] = table_error;
     summary["accuracy"] = plan.accuracy;
     summary["stock"] = printable(options.stock);
@@ -135,19 +137,25 @@ std::string shares_text(const Json& shares)
     return text;
 }
 
-std::string saving_text(const Json& s)
+std::string minutes(const Json& value)
 {
-    std::string text;
+    return shown(value.get<double>()) + " min";
+}
+
+std::string times_text(const Json& s)
+{
+    std::string text = "  time          " + minutes(s["cut_min"]) + " of cutting";
     if (!s["total_min"].is_null())
-        text += fmt::format("; with {:.4g} min besides {:.4g} min",
-                            s["noncut_min"].get<double>(), s["total_min"].get<double>());
+        text += fmt::format(", {} in all with {} of other moves", minutes(s["total_min"]),
+                            minutes(s["noncut_min"]));
+    text += "\n";
     if (!s["saving_percent"].is_null())
-        text += fmt::format(", {:.1f} % less than at {:g} mm/min",
+        text += fmt::format("  saving        {:.1f} % against {} mm/min\n",
                             s["saving_percent"].get<double>(),
-                            s["constant_feed_mm_per_min"].get<double>());
+                            shown(s["constant_feed_mm_per_min"].get<double>()));
     if (s.contains("planned_min"))
-        text += fmt::format("; as the machine follows, {:.4g} min of cutting",
-                            s["planned_min"].get<double>());
+        text += "  machine       " + minutes(s["planned_min"]) +
+                " of cutting with its acceleration\n";
     return text;
 }
 
@@ -182,15 +190,15 @@ Json feed_summary(const FeedResult& result)
 std::string feed_text(const Json& s)
 {
     std::string text =
-        fmt::format("{}: {} of cut in {}, {:.4g} min{}\n", s["name"].get<std::string>(),
-                    fmt::format("{:.6g} mm", s["cut_mm"].get<double>()),
-                    counted(s["segments"].get<std::size_t>(), "segment"),
-                    s["cut_min"].get<double>(), saving_text(s));
-    text += "feed limited by " + shares_text(s["limits"]) + " of the length\n";
-    text += "speed limited by " + shares_text(s["speed_limits"]) + "\n";
+        fmt::format("{}: mode {}, {} mm of cut in {}\n", s["name"].get<std::string>(),
+                    s["mode"].get<std::string>(), shown(s["cut_mm"].get<double>()),
+                    counted(s["segments"].get<std::size_t>(), "segment"));
+    text += times_text(s);
+    text += "  feed limits   " + shares_text(s["limits"]) + " of the length\n";
+    text += "  speed limits  " + shares_text(s["speed_limits"]) + " of the length\n";
     if (s["mode"] == "paper")
         text +=
-            "mode paper; --mode corrected takes the exact chip and the loads of every "
+            "  better mode   --mode corrected uses the exact chip and the load of every "
             "turn\n";
     return text;
 }
@@ -198,7 +206,7 @@ std::string feed_text(const Json& s)
 std::string infeasible_text(const Json& s)
 {
     std::string text = fmt::format(
-        "no feed from {:g} mm a tooth satisfies the limits on {} of {}",
+        "no feed of at least {:g} mm per tooth satisfies the limits on {} of {}",
         s["min_feed_per_tooth_mm"].get<double>(), s["infeasible"].get<std::size_t>(),
         counted(s["segments"].get<std::size_t>(), "segment"));
     const char* separator = "; expected at least ";

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// endmill info: what a part is like, and which ball fits it.
+// endmill info: measures of a part, and the largest ball that fits it.
 
+#include <array>
 #include <memory>
 #include <span>
 
 #include "cli/console.h"
+#include "cli/idle_options.h"
 #include "cli/info_summary.h"
 #include "cli/mesh_remarks.h"
+#include "cli/progress.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/error.h"
 #include "endmill/files/output_folder.h"
@@ -37,10 +40,12 @@ ExitCode run_info(const InfoOptions& options)
     const PartFile file = read_part_for(options.part, options.common);
     const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
     if (!surfaces) {
-        if (options.g1_is_required)
-            throw DomainError{options.part.path +
-                              ": --require g1 is for surfaces; found a mesh"};
-        const Json summary = mesh_summary(file, options.part);
+        refuse_idle_options(options.common, std::array{"--require", "--axis"}, "a mesh",
+                            "a surface");
+        const Json summary = [&] {
+            const ProgressLine progress{"checking the mesh", options.common};
+            return mesh_summary(file, options.part);
+        }();
         if (summary["non_manifold_edges"] != 0)
             warn(options.common,
                  options.part.path + ": " +
@@ -51,7 +56,10 @@ ExitCode run_info(const InfoOptions& options)
         return ExitCode::Yes;
     }
     const SurfaceContinuity whole = continuity(std::span{*surfaces});
-    const Json summary = surface_summary(file, whole, options.axis);
+    const Json summary = [&] {
+        const ProgressLine progress{"measuring the surface", options.common};
+        return surface_summary(file, whole, options.axis);
+    }();
     write_summary(options, summary);
     print_result(options.common, summary, surface_text(summary));
     if (whole.continuity == Continuity::G1)
@@ -67,15 +75,15 @@ ExitCode run_info(const InfoOptions& options)
 void add_info_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "info", "size, area, continuity, curvature and largest ball cutter of a part");
+        "info", "report size, area, continuity, curvature and largest ball of a part");
     const auto options = std::make_shared<InfoOptions>();
     add_part_options(*command, options->part);
     add_axis_option(*command, options->axis);
     add_require_option(*command, options->g1_is_required);
     add_common_options(*command, options->common);
     command->footer(
-        "Prints; writes DIR/summary.json only with --output.\n\n"
-        "Example:\n  endmill info datasets/surfaces/net_rot24_7D.json --json");
+        "Prints; with --output also writes DIR/summary.json.\n\n"
+        "Example:\n  endmill info datasets/surfaces/net_rot24_7D.json");
     command->callback(
         [options, &action] { action = [options] { return run_info(*options); }; });
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include "cli/shown_numbers.h"
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/surface/extent.h"
 #include "endmill/surface/tool_side.h"
@@ -46,10 +47,10 @@ std::string patches_text(const Json& s)
                        s["patches_v"].get<int>());
 }
 
-// A number of a summary for a person: six digits and no minus zero, or "none".
-std::string shown(const Json& number)
+// A number of a summary for a person, or "none".
+std::string shown_or_none(const Json& number)
 {
-    return number.is_null() ? "none" : fmt::format("{:.6g}", number.get<double>() + 0.0);
+    return number.is_null() ? "none" : shown(number.get<double>());
 }
 
 // Number of the boundary loops, their length together, and that of the longest.
@@ -73,17 +74,39 @@ std::string boundary_text(const Json& s)
     if (loops == 0)
         return "none";
     return fmt::format("{} {}, {} mm long in all, the longest {} mm", loops,
-                       loops == 1 ? "loop" : "loops", shown(s["boundary_mm"]),
-                       shown(s["longest_boundary_loop_mm"]));
+                       loops == 1 ? "loop" : "loops", shown_or_none(s["boundary_mm"]),
+                       shown_or_none(s["longest_boundary_loop_mm"]));
 }
 
 std::string place_shown(const Json& place)
 {
     if (place.is_null())
         return "";
-    const std::string patch =
-        place.contains("patch") ? " patch " + shown(place["patch"]) + "," : "";
-    return ", at" + patch + " u " + shown(place["u"]) + ", v " + shown(place["v"]);
+    const std::string patch = place.contains("patch")
+                                  ? fmt::format("patch {}, ", place["patch"].get<int>())
+                                  : "";
+    const Json& at = place["point_mm"];
+    return " at " + patch +
+           place_text({place["u"].get<double>(), place["v"].get<double>()},
+                      {at[0].get<double>(), at[1].get<double>(), at[2].get<double>()});
+}
+
+std::string size_text(const Json& s)
+{
+    return fmt::format(
+        "  size          {} x {} x {} mm\n"
+        "  area          {} mm2\n",
+        shown_or_none(s["size_mm"][0]), shown_or_none(s["size_mm"][1]),
+        shown_or_none(s["size_mm"][2]), shown_or_none(s["area_mm2"]));
+}
+
+std::string limit_text(const Json& s)
+{
+    if (s["max_cutter_radius_mm"].is_null())
+        return "no limit: the surface has no concavity";
+    return fmt::format("radius below {} mm,{}",
+                       shown_limit(s["max_cutter_radius_mm"].get<double>()),
+                       place_shown(s["max_cutter_radius_at"]));
 }
 
 }  // namespace
@@ -116,24 +139,19 @@ std::string surface_text(const Json& s)
 {
     return fmt::format(
         "{}: {}\n"
-        "size             {} x {} x {} mm\n"
-        "area             {} mm2\n"
-        "continuity       {}, worst break {} degrees{}\n"
-        "curvature        {} to {} per mm (positive: convex)\n"
-        "largest ball     {}{}\n"
-        "from the axis    {}\n",
-        s["name"].get<std::string>(), patches_text(s), shown(s["size_mm"][0]),
-        shown(s["size_mm"][1]), shown(s["size_mm"][2]), shown(s["area_mm2"]),
-        s["continuity"].get<std::string>(), shown(s["worst_break_deg"]),
-        place_shown(s["worst_break_at"]), shown(s["min_curvature_per_mm"]),
-        shown(s["max_curvature_per_mm"]),
-        s["max_cutter_radius_mm"].is_null()
-            ? "none: nothing is concave"
-            : "radius " + shown(s["max_cutter_radius_mm"]) + " mm",
-        place_shown(s["max_cutter_radius_at"]),
+        "{}"
+        "  continuity    {}, largest break {} degrees{}\n"
+        "  curvature     {} to {} per mm (positive: convex)\n"
+        "  ball cutter   {}\n"
+        "  tool axis     {}\n",
+        s["name"].get<std::string>(), patches_text(s), size_text(s),
+        s["continuity"].get<std::string>(),
+        shown_degrees(s["worst_break_deg"].get<double>()),
+        place_shown(s["worst_break_at"]), shown_or_none(s["min_curvature_per_mm"]),
+        shown_or_none(s["max_curvature_per_mm"]), limit_text(s),
         s["unreachable_at"].is_null()
-            ? "all of the surface can be touched"
-            : "not all can be touched: not" + place_shown(s["unreachable_at"]).substr(1));
+            ? "the cutter can touch the whole surface"
+            : "the cutter cannot touch the surface" + place_shown(s["unreachable_at"]));
 }
 
 Json mesh_summary(const PartFile& file, const PartOptions& options)
@@ -173,19 +191,18 @@ std::string mesh_text(const Json& s)
 {
     return fmt::format(
         "{}: {} triangles, {} points, {} {}\n"
-        "size             {} x {} x {} mm\n"
-        "area             {} mm2\n"
-        "volume           {}\n"
-        "edges            {} of a border, {} of more than two triangles, {} whose "
-        "triangles disagree\n"
-        "boundary         {}\n"
-        "triangles        {} degenerate left out, {} duplicate\n",
+        "{}"
+        "  volume        {}\n"
+        "  edges         {} on a border, {} of more than two triangles, {} between "
+        "opposite triangles\n"
+        "  boundary      {}\n"
+        "  triangles     {} degenerate (left out), {} duplicate\n",
         s["name"].get<std::string>(), s["triangles"].get<std::size_t>(),
         s["vertices"].get<std::size_t>(), s["components"].get<std::size_t>(),
-        s["components"] == 1 ? "piece" : "pieces", shown(s["size_mm"][0]),
-        shown(s["size_mm"][1]), shown(s["size_mm"][2]), shown(s["area_mm2"]),
-        s["volume_mm3"].is_null() ? "none: the mesh is open, or its triangles disagree"
-                                  : shown(s["volume_mm3"]) + " mm3",
+        s["components"] == 1 ? "piece" : "pieces", size_text(s),
+        s["volume_mm3"].is_null()
+            ? "none: the mesh is open, or its triangles face opposite sides"
+            : shown_or_none(s["volume_mm3"]) + " mm3",
         s["boundary_edges"].get<std::size_t>(),
         s["non_manifold_edges"].get<std::size_t>(),
         s["inconsistent_edges"].get<std::size_t>(), boundary_text(s),

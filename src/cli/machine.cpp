@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// endmill machine: what a configuration of axes can do.
+// endmill machine: directions and positions of a configuration of axes.
 
 #include <memory>
 
@@ -14,7 +14,7 @@
 namespace endmill {
 namespace {
 
-// An option that changes nothing was meant for something.
+// Options that have no effect without another one.
 void refuse_idle(const MachineOptions& options)
 {
     const bool has_positions = !options.at.empty() || options.inverse;
@@ -48,18 +48,25 @@ ExitCode run_machine(const MachineOptions& options)
 void add_machine_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "machine", "what a machine of 3, 4 or 5 axes can do: tool directions, positions");
+        "machine",
+        "report tool directions and axis positions of a 3-, 4- or 5-axis "
+        "machine");
     const auto options = std::make_shared<MachineOptions>();
     add_machine_options(*command, *options);
     command->footer(
-        "Limits and results phi, theta are turns of the tool against the part. C,A: phi "
-        "is the\ntilt, theta that of C; A,B: phi is that of the axis nearer to the part. "
-        "Letters are\npositions of axes: right-hand turns of what they carry. Exit 1: no "
-        "machine of so many\naxes, with the reason. Prints; writes DIR/summary.json only "
-        "with --output.\n\n"
-        "Example:\n  endmill machine W/caxyBz/T --limits a=-120:30 --contains 45,100 "
-        "--contains 0,170\n  endmill machine W/cxyBza/T --at c=-40,a=25 --point 50,20,30 "
-        "--length 200");
+        "phi and theta, in limits and results, are rotations of the tool against the "
+        "part.\n"
+        "C,A: phi is the tilt, theta the rotation of C. A,B: phi is the rotation of the "
+        "axis\n"
+        "nearer to the part. Letters are axis positions: right-hand rotations of what "
+        "the\n"
+        "axis carries. Prints; with --output also writes DIR/summary.json.\n\n"
+        "Exit 1: the word is not a machine of so many axes; the report has the "
+        "reason.\n\n"
+        "Example:\n"
+        "  endmill machine W/caxyBz/T --limits a=-120:30 --contains 45,100 --contains "
+        "0,170\n"
+        "  endmill machine W/cxyBza/T --at c=-40,a=25 --point 50,20,30 --length 200");
     command->callback(
         [options, &action] { action = [options] { return run_machine(*options); }; });
 }

@@ -40,8 +40,7 @@ void add_contains(CLI::App& command, std::vector<Vec3>& contains)
                 for (const std::string& text : directions)
                     contains.push_back(spherical_argument("--contains", text));
             },
-            "is this direction, in degrees, among those that the tool can take; may be "
-            "repeated")
+            "report whether the tool reaches this direction, in degrees; may be repeated")
         ->type_name("AZ,POL")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -62,8 +61,7 @@ void add_machine_options(CLI::App& command, MachineOptions& options)
     add_contains(command, options.contains);
     command
         .add_option("--at", options.at,
-                    "positions of rotary axes in degrees, such as "
-                    "c=-40,a=25; those left out are 0")
+                    "positions of rotary axes in degrees, such as c=-40,a=25 (others 0)")
         ->type_name("POSITIONS");
     command
         .add_option_function<std::string>(
@@ -71,7 +69,7 @@ void add_machine_options(CLI::App& command, MachineOptions& options)
             [&options](const std::string& text) {
                 options.inverse = spherical_argument("--inverse", text);
             },
-            "which positions give this direction, in degrees")
+            "report the positions that give this direction, in degrees")
         ->type_name("AZ,POL");
     command
         .add_option_function<std::string>(
@@ -79,12 +77,12 @@ void add_machine_options(CLI::App& command, MachineOptions& options)
             [&options](const std::string& text) {
                 options.point = vector_argument("--point", text);
             },
-            "point of the part at which the tip is to be, in mm")
+            "point of the part for the tip, in mm (with --at or --inverse)")
         ->type_name("X,Y,Z");
-    add_number(
-        command,
-        {"--length", "MM", "of the tool, spindle to tip", NumberDomain::from_zero()},
-        options.length_mm);
+    add_number(command,
+               {"--length", "MM", "length of the tool, from spindle to tip",
+                NumberDomain::from_zero()},
+               options.length_mm);
     add_common_options(command, options.common);
 }
 

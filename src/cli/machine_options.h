@@ -10,7 +10,7 @@
 
 namespace endmill {
 
-/// What `endmill machine` is told.
+/// The options of `endmill machine`.
 struct MachineOptions {
     CommonOptions common;
     std::string machine;          ///< word or file

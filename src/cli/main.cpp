@@ -18,9 +18,12 @@ namespace {
 
 constexpr const char* footer =
     "Example:\n"
-    "  endmill plan datasets/surfaces/net_rot24_7D.json --cutter ball:15\n\n"
-    "Exit status: 0 done, yes   1 done, no   2 command line   3 input file   4 geometry\n"
-    "             5 output      6 limit      7 our own fault  130, 143 interrupted";
+    "  endmill info datasets/surfaces/saddle.json\n"
+    "  endmill plan datasets/surfaces/saddle.json -o saddle\n"
+    "  endmill verify saddle/u/toolpath.csv --resolution 0.5\n\n"
+    "Exit status: 0 done, yes    1 done, no    2 command line    3 input file\n"
+    "             4 geometry     5 output      6 limit           7 fault of endmill\n"
+    "             130, 143 interrupted";
 
 ExitCode run(int argc, char** argv, bool json_errors)
 {

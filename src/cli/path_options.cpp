@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cli/arguments.h"
+#include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/read_file.h"
@@ -11,14 +12,16 @@
 namespace endmill {
 namespace {
 
-constexpr std::array programmed_points{Choice<bool>{"tip", false},
-                                       Choice<bool>{"centre", true}};
+constexpr std::array programmed_points{
+    Choice<ProgrammedPoint>{"tip", ProgrammedPoint::Tip},
+    Choice<ProgrammedPoint>{"centre", ProgrammedPoint::Centre}};
 
 // Only G-code has arcs and blocks to leave out, and its centre may be programmed; what
 // rs274 prints has no such blocks left.
 void require_effect(const PathOptions& path, const CommonOptions& options)
 {
-    if (!path.arc_tolerance && !path.centre_is_programmed && !path.block_delete)
+    if (!path.arc_tolerance && path.programmed_point == ProgrammedPoint::Tip &&
+        !path.block_delete)
         return;
     const PathFormat format =
         path_format(read_file(path.file, options.limits), path.file);
@@ -37,7 +40,7 @@ void require_effect(const PathOptions& path, const CommonOptions& options)
                                               : "which has no blocks to leave out");
     if (is_canonical)
         return;
-    if (path.centre_is_programmed)
+    if (path.programmed_point == ProgrammedPoint::Centre)
         refuse("--programmed-point centre", "whose coordinates are the tip's");
     refuse("--arc-tolerance", "which has no arcs");
 }
@@ -56,27 +59,28 @@ void add_path_options(CLI::App& command, PathOptions& path)
             [&path](const std::string& word) {
                 path.cutter = cutter_argument("--cutter", word);
             },
-            "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm; default "
-            "that of the path or its summary")
+            "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm (default: "
+            "that of the path or its summary)")
         ->type_name("CUTTER");
 }
 
 void add_reading_options(CLI::App& command, PathOptions& path)
 {
-    add_choice<bool>(command, "--programmed-point", path.centre_is_programmed,
-                     programmed_points, "G-code: what its coordinates say");
-    add_number(
-        command,
-        {"--arc-tolerance", "MM", "G-code: from an arc to its chords; default 0.001"},
-        path.arc_tolerance);
+    add_choice<ProgrammedPoint>(
+        command, "--programmed-point", path.programmed_point, programmed_points,
+        "G-code: point of the cutter that the coordinates give (default tip)");
+    add_number(command,
+               {"--arc-tolerance", "MM",
+                "G-code: largest distance from an arc to its chords (default 0.001)"},
+               path.arc_tolerance);
     command.add_flag("--block-delete", path.block_delete,
-                     "G-code: leave out blocks that begin with /");
+                     "G-code: skip blocks that begin with /");
 }
 
 void add_reading(Json& summary, const PathOptions& path)
 {
     summary["programmed_point"] =
-        word_for<bool>(path.centre_is_programmed, programmed_points);
+        word_for<ProgrammedPoint>(path.programmed_point, programmed_points);
     summary["arc_tolerance_mm"] =
         path.arc_tolerance.value_or(GcodeReadOptions{}.arc_tolerance_mm);
     summary["block_delete"] = path.block_delete;
@@ -91,7 +95,7 @@ PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter
     if (path.arc_tolerance)
         reading.gcode.arc_tolerance_mm = *path.arc_tolerance;
     reading.gcode.block_delete = path.block_delete;
-    if (path.centre_is_programmed) {
+    if (path.programmed_point == ProgrammedPoint::Centre) {
         if (!cutter)
             throw DomainError{
                 "--programmed-point centre: expected --cutter or a file that names the "
@@ -104,6 +108,7 @@ PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter
 Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
                          const CommonOptions& options)
 {
+    const ProgressLine progress{"reading " + printable(path.file), options};
     return read_program(path.file, path_reading(path, cutter, options));
 }
 

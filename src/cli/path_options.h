@@ -10,22 +10,25 @@
 
 namespace endmill {
 
-/// What a command is told of the tool path that it reads.
+/// The point of the cutter that the coordinates of a program give.
+enum class ProgrammedPoint { Tip, Centre };
+
+/// The tool path that a command reads, and how.
 struct PathOptions {
     std::string file;
     std::optional<Cutter> cutter;              ///< empty: that of the path or its summary
     std::optional<double> arc_tolerance = {};  ///< mm, from a program's arc to its chords
-    bool centre_is_programmed = false;  ///< coordinates of a program are not the tip's
-    bool block_delete = false;          ///< blocks that begin with / are left out
+    ProgrammedPoint programmed_point = ProgrammedPoint::Tip;
+    bool block_delete = false;  ///< skip blocks that begin with /
 };
 
 /// The argument TOOLPATH and the option --cutter.
 void add_path_options(CLI::App& command, PathOptions& path);
 
-/// The options that say how a program is read.
+/// The options on how a program is read.
 void add_reading_options(CLI::App& command, PathOptions& path);
 
-/// Adds what they say to a summary: programmed_point, arc_tolerance_mm, block_delete.
+/// Adds them to a summary: programmed_point, arc_tolerance_mm, block_delete.
 void add_reading(Json& summary, const PathOptions& path);
 
 /// How the path is read.

@@ -11,6 +11,7 @@
 #include "cli/console.h"
 #include "cli/plan_files.h"
 #include "cli/plan_text.h"
+#include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -29,18 +30,17 @@ double chosen_diameter(const std::optional<double>& asked,
 {
     if (asked && !fits(BallCutter{*asked / 2}, limit))
         throw GeometryError{fmt::format(
-            "--cutter ball:{}: radius {} mm; expected below {:.6f} mm, the largest that "
-            "fits, at {}",
-            to_text(*asked), to_text(*asked / 2), limit->radius_mm,
+            "--cutter ball:{}: found radius {} mm; expected a radius below {} mm, the "
+            "limit of the surface at {}",
+            to_text(*asked), to_text(*asked / 2), shown_limit(limit->radius_mm),
             place_text(limit->at, limit->point))};
     const std::optional<double> diameter = asked ? asked : default_diameter(limit);
     if (!diameter)
-        throw GeometryError{
-            fmt::format("no ball of {:g} to {:g} mm diameter fits: the largest has "
-                        "radius {:.6f} mm, at "
-                        "{}; expected a smaller one, named with --cutter",
-                        stock_diameters.front(), stock_diameters.back(), limit->radius_mm,
-                        place_text(limit->at, limit->point))};
+        throw GeometryError{fmt::format(
+            "no ball of {:g} to {:g} mm diameter fits; expected --cutter with a radius "
+            "below {} mm, the limit of the surface at {}",
+            stock_diameters.front(), stock_diameters.back(),
+            shown_limit(limit->radius_mm), place_text(limit->at, limit->point))};
     return *diameter;
 }
 
@@ -48,8 +48,9 @@ double chosen_diameter(const std::optional<double>& asked,
 void complete(PlanOptions& options, std::span<const Surface> surfaces, double diameter)
 {
     IsoParametricOptions& planning = options.planning;
-    planning.chord_tolerance =
-        options.chord_tolerance.value_or(default_tolerance(BallCutter{diameter / 2}));
+    planning.chord_tolerance = options.chord_tolerance.value_or(
+        options.mode == PlanMode::Paper ? default_tolerance(BallCutter{diameter / 2})
+                                        : verified_tolerance);
     planning.scallop_height = options.scallop_height.value_or(planning.chord_tolerance);
     if (planning.scallop_height >= diameter)
         throw DomainError{"--scallop " + to_text(planning.scallop_height) +
@@ -66,8 +67,23 @@ void complete(PlanOptions& options, std::span<const Surface> surfaces, double di
     planning.most_points = most_path_points(options.common.limits.max_memory_gib);
 }
 
+// States on standard error that the path gouges, and what avoids it.
+void report_gouge(const KnownGouge& gouge, const PlanOptions& options)
+{
+    const std::string better =
+        options.mode == PlanMode::Paper ? "; --mode verified keeps the tolerance" : "";
+    report_error("E_GOUGE",
+                 fmt::format("{}: the path along {} gouges the part {} mm deep with "
+                             "--mode {}, beyond the inner tolerance of {} mm{}",
+                             options.part, gouge.along == Parameter::U ? "u" : "v",
+                             shown(gouge.depth_mm), mode_word(options.mode),
+                             shown(options.motion.inner), better),
+                 ExitCode::No, options.common.json_errors);
+}
+
 ExitCode run_plan(PlanOptions options)
 {
+    refuse_idle_plan_options(options);
     require_within_extent("--safe-height", options.safe_height, options.common.limits);
     const SurfaceFile file = read_surface_for(options.part, "plan", options.common);
     const std::span<const Surface> surfaces = file.surfaces;
@@ -91,10 +107,13 @@ ExitCode run_plan(PlanOptions options)
     const PlanResult result = write_plan({surfaces, context, options}, folder);
     folder.publish();
     print_result(options.common, result.summary,
-                 limit_text(context.limit) + settings_text(context, options) +
+                 settings_text(context, options) + limit_text(context.limit) +
                      result.text + "written to " + printable(folder.path().string()) +
                      "\n");
-    return result.uncovered_places == 0 ? ExitCode::Yes : ExitCode::No;
+    if (result.gouge)
+        report_gouge(*result.gouge, options);
+    const bool is_good = result.uncovered_places == 0 && !result.gouge;
+    return is_good ? ExitCode::Yes : ExitCode::No;
 }
 
 }  // namespace
@@ -102,19 +121,20 @@ ExitCode run_plan(PlanOptions options)
 void add_plan_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "plan", "economic cutter locations along the parameters of a surface");
+        "plan", "plan iso-parametric finishing passes of a ball-end mill on a surface");
     const auto options = std::make_shared<PlanOptions>();
     add_plan_options(*command, *options);
     command->footer(
         "Writes toolpath.csv, toolpath.vtp, toolpath.svg and summary.json to --output\n"
-        "(default ./NAME-plan), for both directions to its folders u and v. With\n"
-        "--force, files of these names that an earlier run left there are replaced or\n"
-        "removed. Exits 1 if mode verified finds a place under more material than "
-        "scallop\n"
-        "height and outer tolerance that no pass covers, a crease say; the rest "
-        "holds.\n\n"
-        "Example:\n  endmill plan datasets/surfaces/net_rot24_7D.json --cutter ball:15 "
-        "\\\n      --chord-tolerance 0.5 --scallop 0.5 --direction both -o results");
+        "(default ./NAME-plan); --direction both writes to its folders u and v. --force\n"
+        "replaces the files of an earlier run.\n\n"
+        "Exit 1: a path gouges the part deeper than the inner tolerance (--mode paper "
+        "may),\n"
+        "or --mode verified finds places that no pass covers, such as a crease.\n\n"
+        "Example:\n"
+        "  endmill plan datasets/surfaces/saddle.json\n"
+        "  endmill plan datasets/surfaces/wavy.json --cutter ball:10 --chord-tolerance "
+        "0.05 --direction u -o wavy");
     command->callback([options, &action] {
         action = [options] {
             return naming(options->part, [&] { return run_plan(*options); });

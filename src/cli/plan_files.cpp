@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <system_error>
+#include <functional>
+#include <map>
+#include <mutex>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,6 +15,7 @@
 #include "cli/plan_text.h"
 #include "cli/progress.h"
 #include "cli/surface_facts.h"
+#include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/vtk.h"
@@ -53,21 +56,148 @@ std::optional<double> tape_length(const ToolPath& path, const PlanTask& task)
 
 // Rays that the part is measured by, about: their pitch follows from its area.
 constexpr double measured_rays = 1e5;
+// Fewer rays do where the planner has bounded what lies between them.
+constexpr double measured_rays_of_proved = 3e4;
+
+// Whether the planner has shown that the path keeps its tolerances everywhere.
+bool is_proved(const VerifiedPlan& plan, const PlanOptions& options)
+{
+    return options.mode == PlanMode::Verified && plan.uncovered.empty();
+}
 
 // What the path leaves of a block around the part. With another axis than +z, part and
 // path are turned.
-Deviation measured_deviation(const ToolPath& path, const PlanTask& task)
+Deviation measured_deviation(const VerifiedPlan& plan, const PlanTask& task,
+                             const std::function<void(double)>& progress)
 {
     const auto& [surfaces, context, options] = task;
+    const bool proved = is_proved(plan, options);
     const Eigen::Matrix3d rotation = upright_rotation(options.planning.link.axis);
     const Part part =
         turned(Part{std::vector<Surface>(surfaces.begin(), surfaces.end())}, rotation);
     DeviationOptions measure;
     measure.limits = {options.motion.inner,
                       options.planning.scallop_height + options.motion.outer};
-    measure.pitch = std::sqrt(area(surfaces) / measured_rays);
-    return deviation_in_block(part, turned(path, rotation),
-                              Cutter::ball(context.cutter_diameter / 2), measure);
+    measure.pitch =
+        std::sqrt(area(surfaces) / (proved ? measured_rays_of_proved : measured_rays));
+    measure.progress = progress;
+    if (proved)
+        measure.max_refine = 0;
+    Deviation found =
+        deviation_in_block(part, turned(plan.path, rotation),
+                           Cutter::ball(context.cutter_diameter / 2), measure);
+    if (proved) {
+        const auto tighten = [](double& bound, double limit, double greatest) {
+            bound = std::min(bound, std::max(0.0, limit - greatest));
+        };
+        tighten(found.gouge_bound_mm, measure.limits.tolerance, found.max_gouge_mm);
+        tighten(found.scallop_bound_mm, measure.limits.scallop, found.max_scallop_mm);
+    }
+    return found;
+}
+
+std::string direction_word(Parameter along)
+{
+    return along == Parameter::U ? "u" : "v";
+}
+
+// The state of each direction; both may be planned at the same time.
+class PlanProgress {
+public:
+    explicit PlanProgress(const CommonOptions& options) : line_{"planning", options} {}
+
+    // For the work on one direction, to be called with its share.
+    std::function<void(double)> of(Parameter along, const std::string& work)
+    {
+        return [this, along, work](double share) {
+            const std::lock_guard lock{mutex_};
+            states_[along] = fmt::format("along {} {} {:.0f} %", direction_word(along),
+                                         work, 100 * share);
+            std::string text;
+            for (const auto& [parameter, state] : states_)
+                text += (text.empty() ? "" : "; ") + state;
+            line_.show(text);
+        };
+    }
+
+private:
+    ProgressLine line_;
+    std::mutex mutex_;
+    std::map<Parameter, std::string> states_;
+};
+
+// What the planner of the mode is told, along one parameter.
+IsoParametricOptions planning_options(const PlanTask& task, Parameter along)
+{
+    const PlanOptions& options = task.options;
+    IsoParametricOptions planning = options.planning;
+    planning.direction = along;
+    if (options.mode == PlanMode::Verified)
+        planning.chord_tolerance = std::min(options.motion.inner, options.motion.outer);
+    return planning;
+}
+
+double points_along(const PlanTask& task, Parameter along)
+{
+    const BallCutter ball{task.context.cutter_diameter / 2};
+    double points = 0;
+    for (const Surface& surface : task.surfaces)
+        points += estimated_points(surface, ball, planning_options(task, along));
+    return points;
+}
+
+// The path by the planner of the mode; the paper's proves nothing of it.
+VerifiedPlan planned_path(const PlanTask& task, Parameter along, PlanProgress& progress)
+{
+    const BallCutter ball{task.context.cutter_diameter / 2};
+    const auto report = progress.of(along, "passes");
+    if (task.options.mode == PlanMode::Verified) {
+        VerifiedOptions verified = verified_options(task.options, along);
+        verified.progress = report;
+        return plan_verified(task.surfaces, ball, verified);
+    }
+    IsoParametricOptions planning = planning_options(task, along);
+    planning.progress = report;
+    VerifiedPlan plan;
+    plan.path = plan_iso_parametric(task.surfaces, ball, planning).path;
+    return plan;
+}
+
+// A direction and its path.
+struct DirectionPlan {
+    PlannedDirection planned;
+    ToolPath path;
+};
+
+DirectionPlan plan_direction(const PlanTask& task, Parameter along,
+                             PlanProgress& progress)
+{
+    const BallCutter ball{task.context.cutter_diameter / 2};
+    VerifiedPlan plan = planned_path(task, along, progress);
+    const auto report = progress.of(along, "measured");
+    report(0);
+    PlannedDirection planned{along,
+                             path_economy(plan.path),
+                             chord_error(task.surfaces, plan.path, along),
+                             motion_error(task.surfaces, plan.path, ball, along),
+                             measured_deviation(plan, task, report),
+                             tape_length(plan.path, task),
+                             plan.lifted_links,
+                             std::move(plan.uncovered)};
+    return {std::move(planned), std::move(plan.path)};
+}
+
+void warn_of_uncovered(const PlannedDirection& planned, const CommonOptions& options)
+{
+    if (planned.uncovered.empty())
+        return;
+    const UncoveredPlace& first = planned.uncovered.front();
+    warn(options,
+         fmt::format("along {}: {} may stay under more material than scallop height and "
+                     "outer tolerance; the first is at {} of patch {}",
+                     direction_word(planned.along),
+                     counted(planned.uncovered.size(), "place"),
+                     place_text(first.at, first.point), first.patch));
 }
 
 struct DirectionResult {
@@ -75,55 +205,90 @@ struct DirectionResult {
     Json summary;
 };
 
-// Plans along one parameter and writes its files into `folder` under `prefix`.
-DirectionResult plan_direction(const PlanTask& task, Parameter along,
-                               OutputFolder& folder, const std::string& prefix)
+// Writes the files of one direction into `folder` under `prefix`.
+DirectionResult write_direction(const PlanTask& task, DirectionPlan plan,
+                                OutputFolder& folder, const std::string& prefix)
 {
     const auto& [surfaces, context, options] = task;
-    const BallCutter ball{context.cutter_diameter / 2};
-    ProgressLine progress{along == Parameter::U ? "planning along u" : "planning along v",
-                          options.common};
-    IsoParametricOptions planning = options.planning;
-    planning.direction = along;
-    planning.progress = [&](double share) { progress.show(share); };
-    if (options.mode == PlanMode::Verified)
-        planning.chord_tolerance = std::min(options.motion.inner, options.motion.outer);
-    double points = 0;
-    for (const Surface& surface : surfaces)
-        points += estimated_points(surface, ball, planning);
-    require_path_memory(points, options.common.limits.max_memory_gib);
-    VerifiedPlan plan;  // of the paper's, the path
-    if (options.mode == PlanMode::Verified) {
-        VerifiedOptions verified = verified_options(options, along);
-        verified.progress = planning.progress;
-        plan = plan_verified(surfaces, ball, verified);
-    } else {
-        plan.path = plan_iso_parametric(surfaces, ball, planning).path;
-    }
-    const PlannedDirection planned{along,
-                                   path_economy(plan.path),
-                                   chord_error(surfaces, plan.path, along),
-                                   motion_error(surfaces, plan.path, ball, along),
-                                   measured_deviation(plan.path, task),
-                                   tape_length(plan.path, task),
-                                   plan.lifted_links,
-                                   std::move(plan.uncovered)};
-    if (!planned.uncovered.empty()) {
-        const UncoveredPlace& first = planned.uncovered.front();
-        warn(options.common,
-             fmt::format("under more than scallop height and outer tolerance, or not "
-                         "known to be under less: {}, the first at {} of patch {}",
-                         counted(planned.uncovered.size(), "place"),
-                         place_text(first.at, first.point), first.patch));
-    }
-    Json summary = direction_summary(context, options, planned);
+    warn_of_uncovered(plan.planned, options.common);
+    Json summary = direction_summary(context, options, plan.planned);
     name_part(summary, {options.part}, folder.path() / prefix);
     folder.write(prefix + "toolpath.csv", tool_path_csv(plan.path));
     folder.write(prefix + "toolpath.vtp", tool_path_vtp(plan.path));
     folder.write(prefix + "toolpath.svg",
                  tool_path_svg(plan.path, figure_options(summary)));
     folder.write(prefix + "summary.json", summary.dump(2) + "\n");
-    return {planned, std::move(summary)};
+    return {std::move(plan.planned), std::move(summary)};
+}
+
+// Of the memory: what both directions at the same time are expected to take at most.
+constexpr double share_of_both = 0.25;
+
+// Whether the paths along all of `directions` fit into memory at the same time.
+// \throws LimitError if one of them alone does not fit.
+bool fit_together(const PlanTask& task, std::span<const Parameter> directions)
+{
+    const double most_gib = task.options.common.limits.max_memory_gib;
+    double points = 0;
+    for (const Parameter along : directions) {
+        const double own = points_along(task, along);
+        require_path_memory(own, most_gib);
+        points += own;
+    }
+    return points <= share_of_both * static_cast<double>(most_path_points(most_gib));
+}
+
+// Plans along several parameters at the same time.
+std::vector<DirectionPlan> plan_directions(const PlanTask& task,
+                                           std::span<const Parameter> directions)
+{
+    PlanProgress progress{task.options.common};
+    std::vector<std::optional<DirectionPlan>> plans(directions.size());
+    parallel_for(directions.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            plans[k] = plan_direction(task, directions[k], progress);
+    });
+    std::vector<DirectionPlan> finished;
+    for (std::optional<DirectionPlan>& plan : plans)
+        finished.push_back(std::move(plan).value());
+    return finished;
+}
+
+// Plans along `directions` and writes each to a folder of its own, if there are two.
+std::vector<DirectionResult> write_directions(const PlanTask& task,
+                                              std::span<const Parameter> directions,
+                                              OutputFolder& folder)
+{
+    const bool is_alone = directions.size() == 1;
+    const std::size_t at_once = fit_together(task, directions) ? directions.size() : 1;
+    std::vector<DirectionResult> results;
+    for (std::size_t first = 0; first < directions.size(); first += at_once)
+        for (DirectionPlan& plan :
+             plan_directions(task, directions.subspan(first, at_once))) {
+            const std::string prefix =
+                is_alone ? "" : direction_word(plan.planned.along) + "/";
+            results.push_back(write_direction(task, std::move(plan), folder, prefix));
+        }
+    return results;
+}
+
+// The deepest gouge of a direction, by its motion along the passes and over the whole part.
+double deepest_gouge(const PlannedDirection& planned)
+{
+    return std::max(planned.deviation.max_gouge_mm,
+                    planned.motion_error.gouge.greatest_mm);
+}
+
+std::optional<KnownGouge> known_gouge(std::span<const DirectionResult> results,
+                                      double tolerance)
+{
+    std::optional<KnownGouge> deepest;
+    for (const DirectionResult& result : results) {
+        const double depth = deepest_gouge(result.planned);
+        if (depth > tolerance + verdict_slack && (!deepest || depth > deepest->depth_mm))
+            deepest = {result.planned.along, depth};
+    }
+    return deepest;
 }
 
 }  // namespace
@@ -131,23 +296,25 @@ DirectionResult plan_direction(const PlanTask& task, Parameter along,
 PlanResult write_plan(const PlanTask& task, OutputFolder& folder)
 {
     replace_earlier_run(folder);
-    if (task.options.direction != PlanDirection::Both) {
-        const Parameter along =
-            task.options.direction == PlanDirection::U ? Parameter::U : Parameter::V;
-        DirectionResult result = plan_direction(task, along, folder, "");
-        std::string text = direction_text(result.summary);
-        return {std::move(result.summary), std::move(text),
-                result.planned.uncovered.size()};
+    std::vector<Parameter> directions{Parameter::U, Parameter::V};
+    if (task.options.direction != PlanDirection::Both)
+        directions = {task.options.direction == PlanDirection::U ? Parameter::U
+                                                                 : Parameter::V};
+    const std::vector<DirectionResult> results =
+        write_directions(task, directions, folder);
+    PlanResult plan{
+        results.front().summary, {}, 0, known_gouge(results, task.options.motion.inner)};
+    for (const DirectionResult& result : results) {
+        plan.text += direction_text(result.summary);
+        plan.uncovered_places += result.planned.uncovered.size();
     }
-    const DirectionResult u = plan_direction(task, Parameter::U, folder, "u/");
-    const DirectionResult v = plan_direction(task, Parameter::V, folder, "v/");
-    Json summary{{"u", u.summary}, {"v", v.summary}};
-    add_comparison(summary, task.options, u.planned, v.planned);
-    folder.write("summary.json", summary.dump(2) + "\n");
-    return {
-        summary,
-        direction_text(u.summary) + direction_text(v.summary) + comparison_text(summary),
-        u.planned.uncovered.size() + v.planned.uncovered.size()};
+    if (results.size() == 1)
+        return plan;
+    plan.summary = {{"u", results[0].summary}, {"v", results[1].summary}};
+    add_comparison(plan.summary, task.options, results[0].planned, results[1].planned);
+    folder.write("summary.json", plan.summary.dump(2) + "\n");
+    plan.text += comparison_text(plan.summary);
+    return plan;
 }
 
 }  // namespace endmill

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cli/arguments.h"
+#include "cli/idle_options.h"
 #include "cli/surface_facts.h"
 
 namespace endmill {
@@ -34,50 +35,89 @@ constexpr std::array order{Choice<PassOrder>{"zigzag", PassOrder::ZigZag},
 constexpr std::array distance{Choice<TravelKind>{"contact", TravelKind::Contact},
                               Choice<TravelKind>{"cl", TravelKind::Tip}};
 constexpr std::array no_first{Choice<bool>{"no", false}, Choice<bool>{"yes", true}};
-constexpr std::array modes{Choice<PlanMode>{"paper", PlanMode::Paper},
-                           Choice<PlanMode>{"verified", PlanMode::Verified}};
+constexpr std::array modes{Choice<PlanMode>{"verified", PlanMode::Verified},
+                           Choice<PlanMode>{"paper", PlanMode::Paper}};
 
-void add_policy_options(CLI::App& command, PlanOptions& options)
+// Policies of the paper's planner. The verified one chooses points and passes by the
+// ball's motion.
+constexpr std::array paper_options{"--governing",      "--last-path", "--end-point",
+                                   "--step-curvature", "--march",     "--cross-curvature",
+                                   "--cross-step"};
+
+void add_paper_options(CLI::App& command, IsoParametricOptions& planning)
 {
-    IsoParametricOptions& planning = options.planning;
     add_choice<Governing>(command, "--governing", planning.governing, governing,
-                          "which point of a pass decides how far the next one lies");
+                          "point of a pass that sets the interval to the next pass");
     add_choice<LastPath>(command, "--last-path", planning.last_path, last_path,
-                         "what happens where the next pass would lie beyond the border");
+                         "last pass, where the next one would lie beyond the border");
     add_choice<EndPoint>(command, "--end-point", planning.end_point, end_point,
-                         "what happens where no further step fits on a pass");
-    add_choice<bool>(command, "--stop-at-borders", planning.stop_at_borders, no_first,
-                     "a CL point on every patch border");
+                         "end of a pass: a point on the border, or the last full step");
     add_choice<StepCurvature>(command, "--step-curvature", planning.step_curvature,
-                              step_curvature, "the curvature that the step follows");
+                              step_curvature,
+                              "curvature for the step length: of the curve, or normal");
     add_choice<March>(command, "--march", planning.march, march,
-                      "whether every other pass is computed from its far end");
+                      "start of the steps: the same end, or the far end of every other "
+                      "pass");
     add_choice<CrossCurvature>(command, "--cross-curvature", planning.cross_curvature,
                                cross, "curvature across the feed: exact, or by eq. (8)");
     add_number(command,
-               {"--cross-step", "MM", "step of eq. (8)", NumberDomain::of_machine()},
+               {"--cross-step", "MM", "step of eq. (8) (--cross-curvature chord)",
+                NumberDomain::of_machine()},
                planning.cross_step);
+    for (const char* name : paper_options)
+        command.get_option(name)->group(
+            "Policies of --mode paper (default: the first word)");
+}
+
+void add_path_policies(CLI::App& command, PlanOptions& options)
+{
+    IsoParametricOptions& planning = options.planning;
+    add_choice<bool>(command, "--stop-at-borders", planning.stop_at_borders, no_first,
+                     "put a point on every patch border");
     add_choice<PassOrder>(command, "--order", planning.link.order, order,
-                          "in which sense neighbouring passes are cut");
+                          "direction of neighbouring passes: opposite, or the same");
+    add_number(command,
+               {"--safe-height", "MM",
+                "height of free moves along the axis (default 5 above the part)",
+                NumberDomain::any()},
+               options.safe_height);
+    add_choice<bool>(command, "--count-links", options.count_links, yes_first,
+                     "count links in tcd_mm and tcd_cl_mm");
+    add_choice<TravelKind>(command, "--distance", options.distance, distance,
+                           "travel that --feed and the comparison of directions use");
+    for (const char* name :
+         {"--stop-at-borders", "--order", "--safe-height", "--count-links", "--distance"})
+        command.get_option(name)->group("Policies (default: the first word)");
+}
+
+void add_tolerances(CLI::App& command, PlanOptions& options)
+{
+    const NumberDomain length = NumberDomain::of_machine();
+    add_number(command,
+               {"--chord-tolerance", "MM",
+                "largest deviation of a move (default 0.01; --mode paper: diameter / 30)",
+                length},
+               options.chord_tolerance);
     add_number(
         command,
-        {"--safe-height", "MM", "where the cutter moves freely; default 5 above the part",
-         NumberDomain::any()},
-        options.safe_height);
-    add_choice<bool>(command, "--count-links", options.count_links, yes_first,
-                     "links in tcd_mm and tcd_cl_mm");
-    add_choice<TravelKind>(command, "--distance", options.distance, distance,
-                           "the travel that time and comparison use");
-    for (CLI::Option* option : command.get_options())
-        if (option->get_group() == "Options" && option->get_lnames().front() != "help")
-            option->group("Policies (the first word is the default)");
+        {"--scallop", "MM",
+         "largest scallop height between passes (default: the chord tolerance)", length},
+        options.scallop_height);
+    add_number(command,
+               {"--inner-tolerance", "MM",
+                "largest gouge depth (default: the chord tolerance)", length},
+               options.inner_tolerance);
+    add_number(
+        command,
+        {"--outer-tolerance", "MM",
+         "largest remaining height along a pass (default: the chord tolerance)", length},
+        options.outer_tolerance);
 }
 
 }  // namespace
 
 void add_plan_options(CLI::App& command, PlanOptions& options)
 {
-    add_policy_options(command, options);
     command.add_option("SURFACE", options.part, "surface file (endmill-surface/1)")
         ->required();
     command
@@ -86,43 +126,43 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
             [&options](const std::string& word) {
                 options.cutter_diameter = ball_diameter_argument("--cutter", word);
             },
-            "ball:DIAMETER in mm; default the largest of 20, 15, 10, 6, 4, 3, 2, 1 that "
-            "fits")
+            "ball:DIAMETER in mm (default: the largest of 20, 15, 10, 6, 4, 3, 2, 1 that "
+            "fits)")
         ->type_name("CUTTER");
-    add_number(command,
-               {"--chord-tolerance", "MM",
-                "from the surface's line to the chord; default diameter / 30",
-                NumberDomain::of_machine()},
-               options.chord_tolerance);
-    add_number(command,
-               {"--scallop", "MM", "scallop height; default the chord tolerance",
-                NumberDomain::of_machine()},
-               options.scallop_height);
+    add_tolerances(command, options);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
-                              "along which parameter the passes run");
+                              "parameter along which the passes run (default both)");
     add_choice<PlanMode>(
         command, "--mode", options.mode, modes,
-        "paper: what the paper does, its misprints corrected; verified: true motion and "
-        "scallop within tolerance, of the policies only --order and --stop-at-borders");
+        "verified (default): every move within tolerance, with proof; paper: as "
+        "published, without its misprints");
     add_number(command,
-               {"--inner-tolerance", "MM",
-                "how deep the ball may enter the part (mode verified); default the chord "
-                "tolerance",
-                NumberDomain::of_machine()},
-               options.inner_tolerance);
-    add_number(command,
-               {"--outer-tolerance", "MM",
-                "material that may stay along a pass (mode verified); default the chord "
-                "tolerance",
-                NumberDomain::of_machine()},
-               options.outer_tolerance);
-    add_number(command,
-               {"--feed", "MM_PER_MIN", "adds the machining time to the summary",
+               {"--feed", "MM_PER_MIN", "feed for the machining time in the summary",
                 NumberDomain::of_machine()},
                options.feed_mm_per_min);
     add_axis_option(command, options.planning.link.axis);
     add_require_option(command, options.g1_is_required);
+    add_path_policies(command, options);
+    add_paper_options(command, options.planning);
     add_common_options(command, options.common);
+}
+
+void refuse_idle_plan_options(const PlanOptions& options)
+{
+    const CommonOptions& common = options.common;
+    if (options.mode == PlanMode::Verified)
+        refuse_idle_options(common, paper_options, "--mode verified", "--mode paper");
+    if (options.mode == PlanMode::Verified && options.inner_tolerance &&
+        options.outer_tolerance && options.scallop_height)
+        refuse_idle_options(common, std::array{"--chord-tolerance"},
+                            "--inner-tolerance, --outer-tolerance and --scallop",
+                            "at most three of the four");
+    if (options.planning.cross_curvature == CrossCurvature::Exact)
+        refuse_idle_options(common, std::array{"--cross-step"}, "--cross-curvature exact",
+                            "--cross-curvature chord");
+    if (options.direction != PlanDirection::Both && !options.feed_mm_per_min)
+        refuse_idle_options(common, std::array{"--distance"}, "one --direction",
+                            "--direction both or --feed");
 }
 
 std::string mode_word(PlanMode mode)

@@ -25,7 +25,7 @@ enum class TravelKind {
     Tip,      ///< the cutter's tip: what the machine travels
 };
 
-/// What `endmill plan` is told. What stays empty is chosen by the rules of the help text.
+/// The options of `endmill plan`. An empty one gets the default that the help states.
 struct PlanOptions {
     CommonOptions common;
     std::string part;
@@ -37,21 +37,24 @@ struct PlanOptions {
     std::optional<double> safe_height;      ///< mm along the axis
     std::optional<double> feed_mm_per_min;
     PlanDirection direction = PlanDirection::Both;
-    PlanMode mode = PlanMode::Paper;
+    PlanMode mode = PlanMode::Verified;
     TravelKind distance = TravelKind::Contact;
     bool count_links = true;
     bool g1_is_required = false;
     IsoParametricOptions planning;  ///< the policies
-    MotionTolerances motion{};      ///< in force; PlanMode::Paper only records them
+    MotionTolerances motion{};      ///< in force; PlanMode::Paper is judged by them
 };
 
 /// Adds every option of `plan` to `command`.
 void add_plan_options(CLI::App& command, PlanOptions& options);
 
+/// \throws DomainError naming an option that has no effect in the mode, or beside others.
+void refuse_idle_plan_options(const PlanOptions& options);
+
 /// The word for `mode` in summaries.
 std::string mode_word(PlanMode mode);
 
-/// What a verified plan along `along` is told.
+/// The options of a verified plan along `along`.
 VerifiedOptions verified_options(const PlanOptions& options, Parameter along);
 
 /// Adds every policy with the value in force to a summary.

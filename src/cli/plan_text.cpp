@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 
 namespace endmill {
@@ -10,77 +11,87 @@ namespace endmill {
 std::string limit_text(const std::optional<CutterLimit>& limit)
 {
     if (!limit)
-        return "largest ball: none, the surface has no concavity\n";
-    return fmt::format("largest ball: radius {:.6f} mm, at {}\n", limit->radius_mm,
+        return "  cutter limit  none: the surface has no concavity\n";
+    return fmt::format("  cutter limit  radius below {} mm, at {}\n",
+                       shown_limit(limit->radius_mm),
                        place_text(limit->at, limit->point));
 }
 
 std::string settings_text(const PlanContext& context, const PlanOptions& options)
 {
-    const bool is_paper = options.mode == PlanMode::Paper;
     const std::string tolerance =
-        is_paper
-            ? fmt::format("chord tolerance {:g} mm", options.planning.chord_tolerance)
-            : fmt::format("inner tolerance {:g} mm, outer {:g} mm", options.motion.inner,
-                          options.motion.outer);
-    return fmt::format("cutter ball:{}, {}, scallop height {:g} mm, mode {}\n",
-                       to_text(context.cutter_diameter), tolerance,
-                       options.planning.scallop_height, mode_word(options.mode));
+        options.mode == PlanMode::Paper
+            ? fmt::format("chord tolerance {} mm",
+                          shown(options.planning.chord_tolerance))
+            : fmt::format("inner tolerance {} mm, outer tolerance {} mm",
+                          shown(options.motion.inner), shown(options.motion.outer));
+    return fmt::format("{}: cutter ball:{}, mode {}, {}, scallop height {} mm\n",
+                       context.name, to_text(context.cutter_diameter),
+                       mode_word(options.mode), tolerance,
+                       shown(options.planning.scallop_height));
 }
 
 namespace {
 
-std::string motion_text(const Json& s)
+std::string length_of(const Json& s, const char* key)
 {
-    std::string text = fmt::format(
-        "         along its lines the moving ball enters the part by {:.4g} mm, and "
-        "leaves "
-        "{:.4g} mm\n",
-        s["max_motion_gouge_mm"].get<double>(), s["max_motion_left_mm"].get<double>());
-    if (const auto links = s["lifted_links"].get<std::size_t>())
-        text += "         " + counted(links, "link") + " lifted\n";
-    if (const auto places = s["uncovered_places"].get<std::size_t>())
-        text += "         not covered: " + counted(places, "place") + "\n";
-    return text;
+    return s[key].is_null() ? "unknown" : shown(s[key].get<double>()) + " mm";
+}
+
+// The ball's motion along its own passes, then what it leaves on the whole part.
+std::string deviation_text(const Json& s)
+{
+    return fmt::format(
+        "    motion error  {}: {} into the part, {} left\n"
+        "    gouge         {} (limit {})\n"
+        "    scallop       {} (limit {} mm)\n",
+        length_of(s, "max_motion_error_mm"), length_of(s, "max_motion_gouge_mm"),
+        length_of(s, "max_motion_left_mm"), length_of(s, "max_gouge_mm"),
+        length_of(s, "inner_tolerance_mm"), length_of(s, "max_scallop_mm"),
+        shown(s["scallop_mm"].get<double>() + s["outer_tolerance_mm"].get<double>()));
+}
+
+std::string chord_error_text(const Json& s)
+{
+    const double error = s["max_chord_error_mm"];
+    const double tolerance = s["chord_tolerance_mm"];
+    constexpr double rounding = 1e-9;
+    const bool is_kept = error <= tolerance * (1 + rounding);
+    return fmt::format("    chord error   {} mm (limit {} mm){}\n", shown(error),
+                       shown(tolerance),
+                       is_kept ? "" : ": mode paper checks the start of each step only");
 }
 
 }  // namespace
 
 std::string direction_text(const Json& s)
 {
-    const double chord_error = s["max_chord_error_mm"];
-    const double tolerance = s["chord_tolerance_mm"];
     std::string text = fmt::format(
-        "along {}: {} passes, {} CL points, {:.1f} mm of travel ({:.1f} mm by tips), "
-        "{:.1f} "
-        "mm of it links\n"
-        "         largest chord error {:.4g} mm, {:.3g} x the tolerance",
+        "  along {}: {} passes, {} points\n"
+        "    travel        {} by contacts, {} by tips; links {}\n",
         s["direction"].get<std::string>(), s["passes"].get<std::size_t>(),
-        s["ncl"].get<std::size_t>(), s["tcd_mm"].get<double>(),
-        s["tcd_cl_mm"].get<double>(), s["link_mm"].get<double>(), chord_error,
-        chord_error / tolerance);
-    constexpr double rounding = 1e-9;
-    const bool is_paper = s["mode"] == "paper";
-    if (is_paper && chord_error > tolerance * (1 + rounding))
-        text += ": mode paper looks at each step's start only";
-    text += "\n" + motion_text(s);
-    const bool holds = s["max_motion_gouge_mm"] <= s["inner_tolerance_mm"] &&
-                       s["max_motion_left_mm"] <= s["outer_tolerance_mm"];
-    if (is_paper && !holds)
-        text +=
-            "         --mode verified keeps both, and the scallop height, everywhere\n";
+        s["ncl"].get<std::size_t>(), length_of(s, "tcd_mm"), length_of(s, "tcd_cl_mm"),
+        length_of(s, "link_mm"));
+    if (s["mode"] == "paper")
+        text += chord_error_text(s);
+    text += deviation_text(s);
+    if (const auto links = s["lifted_links"].get<std::size_t>())
+        text += fmt::format("    lifted links  {}\n", links);
+    if (const auto places = s["uncovered_places"].get<std::size_t>())
+        text += "    not covered   " + counted(places, "place") + "\n";
     if (s.contains("time_min"))
-        text +=
-            fmt::format("         {:.4g} min at {:g} mm/min\n",
-                        s["time_min"].get<double>(), s["feed_mm_per_min"].get<double>());
+        text += fmt::format("    time          {} min at {} mm/min\n",
+                            shown(s["time_min"].get<double>()),
+                            shown(s["feed_mm_per_min"].get<double>()));
     return text;
 }
 
 std::string comparison_text(const Json& both)
 {
     return fmt::format(
-        "more economic: {}; the directions differ by {:.1f} % in travel and {:.1f} % in "
-        "points\n",
+        "  recommended   along {}: the directions differ by {:.1f} % in travel and "
+        "{:.1f} "
+        "% in points\n",
         both["recommended"].get<std::string>(), 100 * both["reduction_tcd"].get<double>(),
         100 * both["reduction_ncl"].get<double>());
 }

@@ -9,16 +9,16 @@
 
 namespace endmill {
 
-/// What a plan says to a person: the largest ball and where it touches.
+/// A line for a person: the limit of the ball's radius and its place.
 std::string limit_text(const std::optional<CutterLimit>& limit);
 
-/// The cutter, the tolerances and the mode that are in force.
+/// The first line of a report: part, cutter, mode and tolerances in force.
 std::string settings_text(const PlanContext& context, const PlanOptions& options);
 
 /// The summary of one direction.
 std::string direction_text(const Json& summary);
 
-/// What `add_comparison` found.
+/// The direction that `add_comparison` recommends.
 std::string comparison_text(const Json& both);
 
 /// Title and caption of the drawing of a direction with that summary.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// endmill post: a tool path in the machine's language.
+// endmill post: writes a tool path as a machine program.
 
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -8,7 +9,10 @@
 
 #include "cli/arguments.h"
 #include "cli/console.h"
+#include "cli/idle_options.h"
 #include "cli/post_summary.h"
+#include "cli/progress.h"
+#include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -20,10 +24,10 @@
 namespace endmill {
 namespace {
 
-// Rounding that takes a larger share of the tolerance is worth telling.
+// Rounding by a larger share of the tolerance is reported.
 constexpr double negligible_share = 0.1;
 
-// What the command line says rules over what the path says of its moves.
+// Options replace the values of the path.
 void tell(ToolPath& path, const PostOptions& options)
 {
     for (CuttingConditions& told : path.conditions) {
@@ -72,38 +76,32 @@ void warn_of(const PostedPath& posted, const PostOptions& options)
     const double error = posted.written.max_rounding_error_mm;
     if (tolerance && error > negligible_share * *tolerance)
         warn(options.common,
-             fmt::format("coordinates are rounded by up to {:.2g} mm, of a tolerance of "
-                         "{:g} mm; more --decimals round less",
-                         error, *tolerance));
+             fmt::format("coordinates are rounded by up to {} mm, with a tolerance of {} "
+                         "mm; more --decimals round less",
+                         shown(error), shown(*tolerance)));
     if (posted.written.slanted_rapids > 0)
-        warn(options.common,
-             counted(posted.written.slanted_rapids, "rapid") +
-                 " that change height and place at once: not all machines go straight");
+        warn(options.common, counted(posted.written.slanted_rapids, "rapid") +
+                                 " change height and place at once: not every machine "
+                                 "moves straight there");
     if (options.format == PostFormat::Gcode && !posted.written.spindle_rpm.least)
         warn(options.common,
-             "no spindle speed is known: M3 stands without S; --spindle-rpm tells one");
+             "no spindle speed is known: M3 has no S word; expected --spindle-rpm");
 }
 
-// What only G-code has must not be asked for in vain.
-void require_effect(const PostOptions& options)
+// Options that only G-code has.
+void refuse_idle_post_options(const PostOptions& options)
 {
     if (options.format == PostFormat::Gcode)
         return;
-    const std::pair<bool, const char*> told[] = {
-        {options.safe_height.has_value(), "--safe-height"},
-        {options.tool.has_value(), "--tool-number"},
-        {options.line_numbers, "--line-numbers"},
-        {!options.comments, "--comments no"}};
-    for (const auto& [is_told, option] : told)
-        if (is_told)
-            throw DomainError{std::string{option} + ": has no meaning in " +
-                              names_of(options.format).word +
-                              "; expected --format gcode, or not this option"};
+    refuse_idle_options(
+        options.common,
+        std::array{"--safe-height", "--tool-number", "--line-numbers", "--comments"},
+        "--format " + names_of(options.format).word, "--format gcode");
 }
 
 ExitCode run_post(const PostOptions& options)
 {
-    require_effect(options);
+    refuse_idle_post_options(options);
     require_within_extent("--safe-height", options.safe_height, options.common.limits);
     const PathSummary beside = read_path_summary(options.path.file, options.common.limits)
                                    .value_or(PathSummary{});
@@ -114,7 +112,10 @@ ExitCode run_post(const PostOptions& options)
     PathSummary known = known_of(program, beside, options);
     const std::string stem = std::filesystem::path{options.path.file}.stem().string();
     const std::string name = printable(known.name.value_or(stem));
-    WrittenProgram text = written(program.path, name, known, options);
+    WrittenProgram text = [&] {
+        const ProgressLine progress{"writing the program", options.common};
+        return written(program.path, name, known, options);
+    }();
     const PostedPath posted{name, std::move(known), program, std::move(text),
                             stem + names_of(options.format).extension};
     warn_of(posted, options);
@@ -143,18 +144,20 @@ ExitCode run_post(const PostOptions& options)
 void add_post_command(CLI::App& program, Action& action)
 {
     CLI::App* command =
-        program.add_subcommand("post", "a tool path as G-code or APT CL data");
+        program.add_subcommand("post", "write a tool path as G-code or APT CL data");
     const auto options = std::make_shared<PostOptions>();
     add_post_options(*command, *options);
     command->footer(
-        "Writes NAME.ngc or NAME.apt and summary.json to --output (default "
-        "./NAME-post;\n"
-        "NAME of results/u/toolpath.csv is results-u).\n"
-        "Cutter, tolerance and feed are those of the summary.json beside TOOLPATH, "
-        "unless\n"
-        "the path or an option says otherwise. Coordinates are tips, in mm.\n\n"
-        "Example:\n  endmill post results/u/toolpath.csv --format gcode --feed 800 "
-        "--spindle-rpm 6000");
+        "Writes NAME.ngc or NAME.apt and summary.json to --output (default ./NAME-post;\n"
+        "NAME of results/u/toolpath.csv is results-u). Cutter, tolerance and feed "
+        "default\n"
+        "to those of the path, then of the summary.json beside it. Coordinates are tips "
+        "in\n"
+        "mm.\n\n"
+        "Example:\n"
+        "  endmill plan datasets/surfaces/saddle.json --cutter ball:20 -o saddle\n"
+        "  endmill post saddle/u/toolpath.csv --format gcode --feed 800 --spindle-rpm "
+        "6000");
     command->callback([options, &action] {
         action = [options] {
             return naming(options->path.file, [&] { return run_post(*options); });

@@ -19,23 +19,23 @@ void add_program_options(CLI::App& command, PostOptions& options)
 {
     add_number(command,
                {"--safe-height", "MM",
-                "G-code: where the tool moves freely; default 5 above all moves at feed, "
-                "but not "
-                "below a rapid",
+                "G-code: height of free moves (default 5 above all moves at feed, not "
+                "below a rapid)",
                 NumberDomain::any()},
                options.safe_height);
     add_whole_number(
         command,
-        {"--tool-number", "G-code: the tool to change to; default the path's own, or 1",
-         0, greatest_tool},
+        {"--tool-number", "G-code: number of the tool (default: the path's own, or 1)", 0,
+         greatest_tool},
         [&options](int number) { options.tool = number; })
         ->type_name("N");
     command.add_flag("--line-numbers", options.line_numbers,
-                     "G-code: N1, N2, ... before every block");
+                     "G-code: write N1, N2, ... before every block");
     add_choice<bool>(command, "--comments", options.comments, yes_first,
-                     "G-code: the name and the cutter in a comment");
+                     "G-code: write name and cutter as comments (default yes)");
     add_whole_number(
-        command, {"--decimals", "digits after the point; default 4", 0, most_decimals},
+        command,
+        {"--decimals", "digits after the decimal point (default 4)", 0, most_decimals},
         [&options](int decimals) { options.decimals = decimals; })
         ->type_name("N");
 }
@@ -52,14 +52,16 @@ void add_post_options(CLI::App& command, PostOptions& options)
 {
     add_path_options(command, options.path);
     add_choice<PostFormat>(command, "--format", options.format, formats,
-                           "the language to write");
+                           "language of the program (default gcode)");
+    add_number(
+        command,
+        {"--feed", "MM_PER_MIN",
+         "feed of all moves but rapids (default: the path's own, or its summary's)",
+         NumberDomain::of_machine()},
+        options.feed_mm_per_min);
     add_number(command,
-               {"--feed", "MM_PER_MIN",
-                "of all moves but rapids; default the path's own, or its summary's",
-                NumberDomain::of_machine()},
-               options.feed_mm_per_min);
-    add_number(command,
-               {"--spindle-rpm", "RPM", "default the path's own, or its summary's",
+               {"--spindle-rpm", "RPM",
+                "spindle speed (default: the path's own, or its summary's)",
                 NumberDomain::of_machine()},
                options.spindle_rpm);
     add_reading_options(command, options.path);

@@ -19,7 +19,7 @@ struct PostFormatNames {
 /// Those of `format`.
 PostFormatNames names_of(PostFormat format);
 
-/// What `endmill post` is told. What stays empty is taken from the path or its summary.
+/// The options of `endmill post`. An empty one is taken from the path or its summary.
 struct PostOptions {
     CommonOptions common;
     PathOptions path;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "build_facts.h"
+#include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 
 namespace endmill {
@@ -76,10 +77,13 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
 std::string post_text(const Json& s)
 {
     return fmt::format(
-        "{}: {} points in {} lines, {:.1f} m of tape; {}, rounded by at most {:.2g} mm\n",
+        "{}: {} points in {} lines, {}\n"
+        "  tape          {} m\n"
+        "  rounding      at most {} mm\n",
         s["name"].get<std::string>(), s["points"].get<std::size_t>(),
-        s["lines"].get<std::size_t>(), s["tape_length_m"].get<double>(), feed_text(s),
-        s["max_rounding_error_mm"].get<double>());
+        s["lines"].get<std::size_t>(), feed_text(s),
+        shown(s["tape_length_m"].get<double>()),
+        shown(s["max_rounding_error_mm"].get<double>()));
 }
 
 }  // namespace endmill

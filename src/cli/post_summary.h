@@ -12,7 +12,7 @@ namespace endmill {
 /// A path with what is known of it, and what was written.
 struct PostedPath {
     std::string name;
-    PathSummary known;  ///< completed by what the command was told
+    PathSummary known;  ///< completed by the options
     const Program& read;
     WrittenProgram written;
     std::string file;  ///< its name in the output folder

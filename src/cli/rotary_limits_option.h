@@ -9,8 +9,9 @@ namespace endmill {
 
 /// How --limits is written.
 inline constexpr const char* rotary_limits_help =
-    "phi=LO:HI,theta=LO:HI in degrees, turns of the tool against the part; or a, b, c: "
-    "positions of these axes";
+    "limits phi=LO:HI,theta=LO:HI in degrees, rotations of the tool against the part; or "
+    "a, b, c: "
+    "positions of these axes (default: none)";
 
 /// The limits that `text` spells for a machine. Names are phi and theta, turns of the tool
 /// against the part, or the letters of its axes, positions that are mirrored on the part's side

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// endmill sample: a surface as a triangle mesh.
+// endmill sample: a triangle mesh of a surface.
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,8 @@
 #include "build_facts.h"
 #include "cli/arguments.h"
 #include "cli/console.h"
+#include "cli/progress.h"
+#include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/text.h"
 #include "endmill/files/mesh_file.h"
@@ -23,7 +25,7 @@ namespace {
 
 // Memory that a triangle takes, with its share of points, until its file is written.
 constexpr double bytes_per_triangle = 250;
-// Rounding to float in mm below which nobody minds.
+// Rounding to float in mm from which on a warning is due.
 constexpr double float_worth_telling = 1e-4;
 
 struct SampleOptions {
@@ -66,31 +68,36 @@ double float_rounding_mm(const TriangleMesh& mesh)
 
 std::string summary_text(const Json& s, const OutputFolder& folder)
 {
+    const bool is_grid = s.contains("grid");
     const std::string how =
-        s.contains("grid") ? fmt::format("grid of {0} x {0} places", s["grid"].get<int>())
-                           : fmt::format("chord tolerance {:g} mm",
-                                         s["chord_tolerance_mm"].get<double>());
+        is_grid ? fmt::format("grid of {0} x {0} points", s["grid"].get<int>())
+                : fmt::format("chord tolerance {} mm",
+                              shown(s["chord_tolerance_mm"].get<double>()));
     return fmt::format(
-        "{}: {} triangles, {} points; {}, error {} {:.4g} mm\nwritten to {}\n",
+        "{}: {} triangles, {} points; {}\n"
+        "  chord error   {}{} mm\n"
+        "written to {}\n",
         s["name"].get<std::string>(), s["triangles"].get<std::size_t>(),
-        s["vertices"].get<std::size_t>(), how,
-        s.contains("grid") ? "measured" : "at most",
-        s["max_chord_error_mm"].get<double>(), printable(folder.path().string()));
+        s["vertices"].get<std::size_t>(), how, is_grid ? "" : "at most ",
+        shown(s["max_chord_error_mm"].get<double>()), printable(folder.path().string()));
 }
 
 ExitCode run_sample(const SampleOptions& options)
 {
     const SurfaceFile file = read_surface_for(options.surface, "sample", options.common);
-    Sampling sampling = sampled_as_asked(options, file.surfaces);
+    Sampling sampling = [&] {
+        const ProgressLine progress{"sampling", options.common};
+        return sampled_as_asked(options, file.surfaces);
+    }();
     if (options.format == MeshFormat::Stl) {
         const double rounding = float_rounding_mm(sampling.found.mesh);
         if (rounding > sampling.found.max_chord_error_mm &&
             rounding > float_worth_telling)
-            warn(
-                options.common,
-                fmt::format("binary STL rounds these coordinates by up to {:.2g} mm; the "
-                            "other formats do not",
-                            rounding));
+            warn(options.common,
+                 fmt::format(
+                     "binary STL rounds these coordinates by up to {} mm; the other "
+                     "formats do not",
+                     shown(rounding)));
         sampling.found.max_chord_error_mm += rounding;
     }
     const std::string name = "mesh" + std::string{mesh_extension(options.format)};
@@ -121,17 +128,17 @@ ExitCode run_sample(const SampleOptions& options)
 
 void add_sample_command(CLI::App& program, Action& action)
 {
-    CLI::App* command = program.add_subcommand("sample", "a triangle mesh of a surface");
+    CLI::App* command =
+        program.add_subcommand("sample", "write a triangle mesh of a surface");
     const auto options = std::make_shared<SampleOptions>();
     add_surface_argument(*command, options->surface);
     CLI::Option* tolerance = add_number(
         *command,
         {"--chord-tolerance", "MM",
-         "greatest distance from the surface to the mesh; default a thousandth of the "
-         "longest side"},
+         "largest distance from surface to mesh (default: longest side / 1000)"},
         options->chord_tolerance);
     add_whole_number(*command,
-                     {"--grid", "sample N by N places of each surface instead", 2, 20000},
+                     {"--grid", "sample N by N points of each surface instead", 2, 20000},
                      [options](int lines) { options->lines = lines; })
         ->type_name("N")
         ->excludes(tolerance);
@@ -141,8 +148,9 @@ void add_sample_command(CLI::App& program, Action& action)
         Choice<MeshFormat>{"obj", MeshFormat::Obj},
         Choice<MeshFormat>{"ply", MeshFormat::Ply},
         Choice<MeshFormat>{"off", MeshFormat::Off}};
-    add_choice<MeshFormat>(*command, "--format", options->format, formats,
-                           "kind of mesh file; default stl (binary, rounded to float)");
+    add_choice<MeshFormat>(
+        *command, "--format", options->format, formats,
+        "format of the mesh file (default stl: binary, rounded to float)");
     add_axis_option(*command, options->axis);
     add_common_options(*command, options->common);
     command->footer(

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// endmill setup: whether a part can be machined in one setup, and which needs the least.
+// endmill setup: the setup of a part that needs the least rotary travel.
 
 #include <algorithm>
 #include <memory>
 
 #include "cli/console.h"
+#include "cli/progress.h"
 #include "cli/setup_files.h"
 #include "cli/setup_idle.h"
 #include "cli/setup_points.h"
@@ -57,7 +58,10 @@ ExitCode run_setup(const SetupCommandOptions& options)
     const SetupVisibility visibility = visibility_for(input, options);
     const std::vector<SetupAnswer> answers = ranked_answers(input, visibility, options);
     const Json summary = setup_summary(input, visibility, answers, options);
-    write_setup_files(input, visibility, answers.front(), options, folder);
+    {
+        const ProgressLine progress{"writing the results", options.common};
+        write_setup_files(input, visibility, answers.front(), options, folder);
+    }
     folder.write("summary.json", summary.dump(2) + "\n");
     folder.publish();
     print_result(
@@ -71,23 +75,28 @@ ExitCode run_setup(const SetupCommandOptions& options)
 void add_setup_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "setup", "can a part be machined in one setup, and which needs the least turns");
+        "setup",
+        "find the setup of a part that needs the least rotary travel, or list the facets "
+        "that no setup reaches");
     const auto options = std::make_shared<SetupCommandOptions>();
     add_setup_options(*command, *options);
     command->footer(
-        "Writes visibility.bsm, cones.csv (a row a facet), setup.vtp, setup.svg,\n"
-        "sphere.svg and summary.json to --output (default ./NAME-setup); with\n"
-        "--points prints, and writes only DIR/summary.json with --output.\n"
-        "phi, theta are turns of the tool against the part. C,A: phi is the tilt,\n"
-        "theta the turn of C; A,B: phi is the turn of the axis nearer to the part.\n"
-        "Exit 1: not machinable, with the turns that would do, undecided, or beyond\n"
-        "the linear axes.\n\n"
-        "Example:\n  endmill setup datasets/meshes/teapot-288.off --machine W/caxyBz/T\n"
-        "  endmill setup datasets/meshes/teapot-288.off --machine all --mode set");
-    command->callback([options, command, &action] {
-        for (const CLI::Option* option : command->get_options())
-            if (option->count() > 0)
-                options->given.insert(option->get_name());
+        "Writes visibility.bsm, cones.csv (a row for each facet), setup.vtp, setup.svg,\n"
+        "sphere.svg and summary.json to --output (default ./NAME-setup). With --points "
+        "it\n"
+        "prints; with --output it also writes DIR/summary.json.\n\n"
+        "phi and theta are rotations of the tool against the part. C,A: phi is the "
+        "tilt,\n"
+        "theta the rotation of C. A,B: phi is the rotation of the axis nearer to the "
+        "part.\n\n"
+        "Exit 1: the part is not machinable in one setup (the report has the ranges "
+        "that\n"
+        "would be needed), undecided, or beyond the linear axes.\n\n"
+        "Example:\n"
+        "  endmill setup datasets/meshes/teapot-288.off --machine W/caxyBz/T -o teapot\n"
+        "  endmill setup datasets/meshes/teapot-288.off --machine all --from-visibility "
+        "teapot/visibility.bsm -o machines");
+    command->callback([options, &action] {
         action = [options] {
             return naming(options->part.path, [&] { return run_setup(*options); });
         };

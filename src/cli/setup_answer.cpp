@@ -37,10 +37,10 @@ PartVisibility computed(const SetupInput& input, const StoredVisibility& file,
     };
     PartVisibility found = part_visibility(input.mesh, input.grid.centres, visibility);
     if (!file.tool.empty()) {
-        ProgressLine body{"clearing shank and holder", options};
+        progress.begin("clearing shank and holder");
         keep_reachable(
             found, input.mesh, input.grid.centres, tool_body(*input.tool),
-            [&](std::size_t done) { body.show(static_cast<double>(done) / cells); });
+            [&](std::size_t done) { progress.show(static_cast<double>(done) / cells); });
     }
     return found;
 }
@@ -58,7 +58,7 @@ SetupRequest request_for(const SetupMachine& machine, const SetupCommandOptions&
     const MachineConfiguration& configuration = machine.machine.configuration;
     return {.family = configuration.family.value(),
             .is_b_first = configuration.rotary[0].letter == 'b',
-            .mode = options.mode,
+            .mode = cell_mode(options.mode),
             .limits = machine.machine.rotary,
             .objective = options.objective,
             .floor = Angle::degrees(options.floor_deg).radians(),
@@ -70,7 +70,7 @@ SetupRequest request_for(const SetupMachine& machine, const SetupCommandOptions&
 double objective_of(const FittedPose& pose, const SetupMachine& machine,
                     const SetupCommandOptions& options)
 {
-    if (options.mode)
+    if (options.mode != SetupChoice::Set)
         return pose.area;
     // The one rotary axis of four is phi, as R1 of A,B.
     const RotaryFamily family =
@@ -120,6 +120,7 @@ constexpr const char* axes_grid = "ico:4";
 BestSetup four_axis_setup(const SetupMachine& machine, const SetupInput& input,
                           const VisibilityMap& map, const SetupCommandOptions& options)
 {
+    const ProgressLine progress{"searching for a setup", options.common};
     const SetupSearch search =
         arc_search(map, input.grid.centres, sphere_grid(axes_grid).centres,
                    machine.machine.rotary.phi, Angle::degrees(options.arc_tolerance_deg));

@@ -75,8 +75,8 @@ std::string sphere_picture(const SetupInput& input, const SetupVisibility& visib
     figure.title = input.name + " on " + answer.machine->name + ": tool directions";
     figure.captions = setup_captions(answer, options);
     figure.setup = shown_setup(answer);
-    // Only these modes take the nearest cells of a pose for all that matters.
-    if (options.mode && answer.machine->machine.configuration.family)
+    // Mode set does not use the nearest cells of a pose.
+    if (options.mode != SetupChoice::Set && answer.machine->machine.configuration.family)
         for (const std::size_t cell :
              nearest_cells(map, input.grid.centres, answer.told()->cell))
             figure.marked.push_back(input.grid.centres[cell]);

@@ -14,6 +14,7 @@
 #include "cli/console.h"
 #include "cli/data_folder.h"
 #include "cli/machine_argument.h"
+#include "cli/progress.h"
 #include "cli/rotary_limits_option.h"
 #include "cli/setup_idle.h"
 #include "endmill/core/error.h"
@@ -219,6 +220,7 @@ SetupInput read_setup_input(const SetupCommandOptions& options)
     input.name = file.name;
     input.source = file.source;
     input.notes = std::move(file.notes);
+    const ProgressLine progress{"checking the mesh", options.common};
     if (auto* mesh = std::get_if<TriangleMesh>(&file.part)) {
         if (options.chord_tolerance)
             throw DomainError{"--chord-tolerance: found with a mesh; expected a surface"};

@@ -43,7 +43,7 @@ std::string body_text(const std::optional<Tool>& tool);
 ///         without a machine file.
 std::vector<SetupMachine> setup_machines(const SetupCommandOptions& options);
 
-/// Reads all that `endmill setup` is told of. A surface is sampled.
+/// Reads all files that the options of `endmill setup` name. A surface is sampled.
 /// \throws FormatError, LimitError, DomainError as the readers; DomainError for a grid that is
 ///         none; LimitError if the visibility does not fit --max-memory.
 SetupInput read_setup_input(const SetupCommandOptions& options);

@@ -9,12 +9,11 @@
 namespace endmill {
 namespace {
 
-using ModeChoice = Choice<std::optional<SetupMode>>;
-
-constexpr std::array setup_modes{ModeChoice{"paper", SetupMode::Paper},
-                                 ModeChoice{"paper-literal", SetupMode::PaperLiteral},
-                                 ModeChoice{"corrected", SetupMode::Corrected},
-                                 ModeChoice{"set", std::nullopt}};
+constexpr std::array setup_modes{
+    Choice<SetupChoice>{"paper", SetupChoice::Paper},
+    Choice<SetupChoice>{"paper-literal", SetupChoice::PaperLiteral},
+    Choice<SetupChoice>{"corrected", SetupChoice::Corrected},
+    Choice<SetupChoice>{"set", SetupChoice::Set}};
 
 constexpr std::array setup_objectives{
     Choice<SetupObjective>{"floored-area", SetupObjective::FlooredArea},
@@ -36,26 +35,28 @@ void add_setup_part(CLI::App& command, SetupCommandOptions& options)
     add_mesh_options(command, options.part);
     add_number(command,
                {"--chord-tolerance", "MM",
-                "of the mesh that stands for a surface; default a thousandth of its "
-                "longest side"},
+                "largest distance from a surface to its mesh (default: longest side / "
+                "1000)"},
                options.chord_tolerance);
     command
         .add_option("--points", options.points,
-                    "directions to reach at the pole +z instead of a part: CSV "
-                    "azimuth_deg,polar_deg")
+                    "directions to reach at the pole +z, in place of PART (CSV: "
+                    "azimuth_deg, polar_deg)")
         ->type_name("FILE");
 }
 
 void add_setup_machine(CLI::App& command, SetupCommandOptions& options)
 {
     command
-        .add_option("--machine", options.machine,
-                    "axes from workpiece to tool with B the bed, such as W/caxyBz/T; a "
-                    "file (endmill-machine/1); a folder of such files, of which each is "
-                    "tried; or all, for those that come with endmill")
+        .add_option(
+            "--machine", options.machine,
+            "axes from workpiece to tool with B the bed, such as W/caxyBz/T; a "
+            "file (endmill-machine/1); a folder of such files to try; or all, the "
+            "machines of endmill")
         ->type_name("MACHINE");
-    add_choice<RotaryFamily>(command, "--family", options.family, rotary_families,
-                             "instead of a machine: any of this family, R1 = A in AB");
+    add_choice<RotaryFamily>(
+        command, "--family", options.family, rotary_families,
+        "family of rotary axes, in place of a machine (AB: R1 is A)");
     command.add_option("--limits", options.limits, rotary_limits_help)
         ->type_name("LIMITS");
     command
@@ -64,7 +65,8 @@ void add_setup_machine(CLI::App& command, SetupCommandOptions& options)
             [&options](const std::string& text) {
                 options.clamp = vector_argument("--clamp", text);
             },
-            "where the part's origin is put, in mm, in the machine's directions")
+            "position of the part's origin in mm, along the machine's axes (default "
+            "0,0,0)")
         ->type_name("X,Y,Z");
 }
 
@@ -74,73 +76,72 @@ void add_setup_visibility(CLI::App& command, SetupCommandOptions& options)
         command
             .add_option(
                 "--sphere", options.sphere,
-                "directions: hex:F, cube:F, latlong:NxM or ico:L; default hex:10, 1200 "
-                "cells")
+                "grid of directions: hex:F, cube:F, latlong:NxM or ico:L (default "
+                "hex:10, 1200 cells)")
             ->type_name("GRID");
     CLI::Option* kind = add_choice<VisibilityKind>(
         command, "--visibility", options.visibility, visibility_kinds,
-        "what blocks: other facets too, or the facet's own side alone");
+        "obstacles: all facets, or the facet's own back side alone (default global)");
     CLI::Option* incidence =
         add_number(command,
                    {"--incidence-deg", "DEG",
-                    "largest angle between tool and normal, itself excluded",
+                    "open upper limit of the angle between tool axis and normal",
                     NumberDomain::above_zero_to(90)},
                    options.incidence_deg);
     command
         .add_option("--tool", options.tool,
-                    "tool file: shank and holder must stay clear of the part")
+                    "tool file: its shank and holder must stay clear of the part")
         ->type_name("FILE");
     command
-        .add_option(
-            "--from-visibility", options.from_visibility,
-            "visibility.bsm of an earlier run for this part: no rays are cast, and it "
-            "tells sphere, visibility and incidence")
+        .add_option("--from-visibility", options.from_visibility,
+                    "visibility.bsm of an earlier run for this part, in place of casting "
+                    "rays")
         ->type_name("FILE")
         ->excludes(sphere)
         ->excludes(kind)
         ->excludes(incidence);
-    command.add_flag("--write-bsm-csv", options.write_bsm_csv,
-                     "write visibility.csv too: a row a facet, a column a cell, 0 = "
-                     "accessible");
+    command.add_flag(
+        "--write-bsm-csv", options.write_bsm_csv,
+        "write visibility.csv: a row for each facet, a column for each cell, "
+        "0 = accessible");
 }
 
 void add_setup_search(CLI::App& command, SetupCommandOptions& options)
 {
-    command
-        .add_option_function<std::string>(
-            "--mode",
-            [&options](const std::string& word) {
-                std::vector<std::string_view> words;
-                words.reserve(setup_modes.size());
-                for (const ModeChoice& choice : setup_modes)
-                    words.push_back(choice.word);
-                options.mode = setup_modes[choice_argument("--mode", word, words)].value;
-            },
-            "as the paper, its misprints corrected; as printed; exact for the nearest "
-            "cells; over whole cones, with a certified bound")
-        ->type_name("paper|paper-literal|corrected|set");
-    add_choice<SetupObjective>(
-        command, "--objective", options.objective, setup_objectives,
-        "what --mode set has least of; the other modes minimise the area");
+    add_choice<SetupChoice>(
+        command, "--mode", options.mode, setup_modes,
+        "paper (default): as published, misprints corrected; paper-literal: as printed; "
+        "corrected: exact for the nearest cells; set: over whole cones, with a lower "
+        "bound");
+    add_choice<SetupObjective>(command, "--objective", options.objective,
+                               setup_objectives,
+                               "quantity to minimise (default floored-area; --mode set "
+                               "only)");
     add_number(command,
-               {"--floor-deg", "DEG", "added to both ranges in the floored area",
+               {"--floor-deg", "DEG", "angle added to both ranges in the floored area",
                 NumberDomain::from_to(1e-6, 360)},
                options.floor_deg);
     add_number(command,
-               {"--gap", "SHARE", "of --mode set: stop so near to the certified bound"},
+               {"--gap", "SHARE",
+                "stop when the result is within this share of the lower bound (--mode "
+                "set only)"},
                options.gap);
     add_whole_number(command,
-                     {"--max-nodes", "of --mode set: stop after so many; default 200000",
+                     {"--max-nodes",
+                      "largest number of nodes to search (default 200000; --mode set "
+                      "only)",
                       1, 100'000'000},
                      [&options](int nodes) { options.max_nodes = nodes; })
         ->type_name("N");
     add_whole_number(
-        command, {"--max-setups", "look for up to so many setups; default 1", 1, 1000},
+        command,
+        {"--max-setups",
+         "most setups to combine until every facet is reachable (default 1)", 1, 1000},
         [&options](int setups) { options.max_setups = setups; })
         ->type_name("N");
     add_number(command,
                {"--arc-tolerance-deg", "DEG",
-                "of 4-axis machines: a cell counts so near to the arc",
+                "largest angle from a cell to the arc of a 4-axis machine",
                 NumberDomain::from_to(0, 45)},
                options.arc_tolerance_deg);
 }
@@ -156,9 +157,24 @@ void add_setup_options(CLI::App& command, SetupCommandOptions& options)
     add_common_options(command, options.common);
 }
 
-std::string_view setup_mode_word(const std::optional<SetupMode>& mode)
+std::optional<SetupMode> cell_mode(SetupChoice mode)
 {
-    return word_for<std::optional<SetupMode>>(mode, setup_modes);
+    switch (mode) {
+        case SetupChoice::Paper:
+            return SetupMode::Paper;
+        case SetupChoice::PaperLiteral:
+            return SetupMode::PaperLiteral;
+        case SetupChoice::Corrected:
+            return SetupMode::Corrected;
+        case SetupChoice::Set:
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+std::string_view setup_mode_word(SetupChoice mode)
+{
+    return word_for<SetupChoice>(mode, setup_modes);
 }
 
 std::string_view setup_objective_word(SetupObjective objective)

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "cli/surface_facts.h"
@@ -14,7 +13,15 @@
 
 namespace endmill {
 
-/// What `endmill setup` is told.
+/// How a setup is searched for.
+enum class SetupChoice {
+    Paper,         ///< as published, misprints corrected
+    PaperLiteral,  ///< as printed
+    Corrected,     ///< exact for the nearest cells of a pose
+    Set,           ///< over whole cones of directions, with a lower bound
+};
+
+/// The options of `endmill setup`.
 struct SetupCommandOptions {
     CommonOptions common;
     PartOptions part;                       ///< empty with `points`
@@ -24,7 +31,7 @@ struct SetupCommandOptions {
     std::optional<RotaryFamily> family;     ///< instead of a machine
     std::string limits;                     ///< as `rotary_limits_help` says; empty: none
     std::string sphere = "hex:10";
-    std::optional<SetupMode> mode = SetupMode::Paper;  ///< none: set
+    SetupChoice mode = SetupChoice::Paper;
     VisibilityKind visibility = VisibilityKind::Global;
     double incidence_deg = 90;
     SetupObjective objective = SetupObjective::FlooredArea;
@@ -37,14 +44,16 @@ struct SetupCommandOptions {
     std::string tool;             ///< file
     std::string from_visibility;  ///< file
     bool write_bsm_csv = false;
-    std::set<std::string> given;  ///< names of the options that were given, as "--gap"
 };
 
 /// Adds them to `command`.
 void add_setup_options(CLI::App& command, SetupCommandOptions& options);
 
+/// The mode of the search over the cells of the sphere; none for `SetupChoice::Set`.
+std::optional<SetupMode> cell_mode(SetupChoice mode);
+
 /// The word of a mode, as --mode takes it.
-std::string_view setup_mode_word(const std::optional<SetupMode>& mode);
+std::string_view setup_mode_word(SetupChoice mode);
 
 /// The word of an objective, as --objective takes it.
 std::string_view setup_objective_word(SetupObjective objective);

@@ -15,11 +15,11 @@ namespace {
 
 SetupMachine machine_for_points(const SetupCommandOptions& options)
 {
-    if (!options.mode)
+    if (options.mode == SetupChoice::Set)
         throw DomainError{
             "--mode set: found with --points; expected paper, paper-literal or "
             "corrected: "
-            "directions are no cones"};
+            "single directions have no cones"};
     const std::vector<SetupMachine> machines = setup_machines(options);
     const MachineConfiguration& configuration = machines.front().machine.configuration;
     const bool is_other_machine = configuration.is_valid() && !configuration.family;
@@ -77,9 +77,10 @@ ExitCode run_setup_points(const SetupCommandOptions& options)
         read_directions(options.points, options.common.limits);
     SetupSearch search;  // nothing fits a word that is no machine
     if (configuration.family)
-        search = pose_fit(Vec3::UnitZ(), directions,
-                          {*configuration.family, *options.mode, machine.machine.rotary,
-                           configuration.rotary[0].letter == 'b'});
+        search =
+            pose_fit(Vec3::UnitZ(), directions,
+                     {*configuration.family, cell_mode(options.mode).value(),
+                      machine.machine.rotary, configuration.rotary[0].letter == 'b'});
     const Json summary = points_summary(machine, search, options, directions.size());
     give_answer(options.common, {options.points, machine.file}, summary);
     return search.feasible ? ExitCode::Yes : ExitCode::No;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "build_facts.h"
+#include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 
 namespace endmill {
@@ -48,7 +49,7 @@ std::string setup_type_word(const MachineConfiguration& configuration)
 
 bool is_set(const SetupCommandOptions& options)
 {
-    return !options.mode.has_value();
+    return options.mode == SetupChoice::Set;
 }
 
 // The objective that was minimised: the area in the modes that know no other.
@@ -168,53 +169,65 @@ void add_search(Json& summary, const SetupAnswer& answer,
     add_travel_keys(summary, answer, options);
 }
 
-// What is 0 but for rounding is said to be 0.
-std::string degrees_text(double degrees)
-{
-    constexpr double rounding_deg = 1e-9;
-    return fmt::format("{:.4g}", std::abs(degrees) < rounding_deg ? 0 : degrees);
-}
-
-// The first of them; the summary has all.
+// The first facets; the summary lists all.
 std::string unreached_text(const Json& facets)
 {
-    constexpr std::size_t most_told = 10;
-    std::string text = fmt::format("{} facets are reached from nowhere:", facets.size());
-    for (std::size_t k = 0; k < std::min(most_told, facets.size()); ++k)
+    constexpr std::size_t most_shown = 10;
+    std::string text = fmt::format("  unreachable  {} from every direction:",
+                                   counted(facets.size(), "facet"));
+    for (std::size_t k = 0; k < std::min(most_shown, facets.size()); ++k)
         text += fmt::format(" {}", facets[k].get<std::size_t>());
-    return text + (facets.size() > most_told ? " ...\n" : "\n");
+    return text + (facets.size() > most_shown ? " ...\n" : "\n");
 }
 
-// Whether the linear axes go where the facets ask for the tool, and what may mend it.
+// Whether the linear axes reach all facets, and which clamping helps.
 std::string travel_text(const Json& s)
 {
     if (s["travel_ok"].is_null())
         return {};
     if (s["travel_ok"].get<bool>())
-        return "the linear axes reach all facets\n";
+        return "  travel       the linear axes reach all facets\n";
     if (s["travel_mm"].is_null())
-        return "at this pose a facet has no direction within the limits\n";
-    std::string text = "beyond the linear axes, which would have to go";
+        return "  travel       at this pose a facet has no direction within the limits\n";
+    std::string text = "  travel       beyond the limits of the linear axes; needed are";
     for (const char* axis : {"x", "y", "z"})
-        text += fmt::format(" {} {:.6g} to {:.6g}", axis,
-                            s["travel_mm"][axis][0].get<double>(),
-                            s["travel_mm"][axis][1].get<double>());
+        text += fmt::format(" {} {} to {}", axis,
+                            shown(s["travel_mm"][axis][0].get<double>()),
+                            shown(s["travel_mm"][axis][1].get<double>()));
     const Json& clamp = s["clamp_centred_mm"];
-    return text +
-           fmt::format(" mm; nearest to their middle with --clamp {:.6g},{:.6g},{:.6g}\n",
-                       clamp[0].get<double>(), clamp[1].get<double>(),
-                       clamp[2].get<double>());
+    return text + fmt::format(" mm; --clamp {},{},{} is nearest to the middle\n",
+                              shown(clamp[0].get<double>()),
+                              shown(clamp[1].get<double>()),
+                              shown(clamp[2].get<double>()));
 }
 
-// What the mode falls short of, and which one does not.
+// What the mode leaves open, and the mode that does not.
 std::string better_mode_text(const Json& s)
 {
     const std::string mode = s["mode"].get<std::string>();
     if (mode == "set" || (s["type"] != "CA" && s["type"] != "AB"))
         return {};
-    return (mode == "corrected" ? "mode corrected tries the centres of cells alone"
-                                : "as the paper has it; --mode corrected fits exactly") +
-           std::string{"; --mode set searches all poses for whole cones\n"};
+    const std::string limits = mode == "corrected"
+                                   ? "mode corrected tries the centres of cells only"
+                                   : "--mode corrected fits the pose exactly";
+    return "  better mode  " + limits +
+           "; --mode set searches all poses for whole cones\n";
+}
+
+std::string machinable_text(const Json& machinable)
+{
+    if (machinable.is_null())
+        return "undecided";
+    return machinable.get<bool>() ? "machinable in one setup"
+                                  : "not machinable in one setup";
+}
+
+std::string range_text(const Json& range)
+{
+    if (range.is_null())
+        return "none";
+    return shown_degrees(range[0].get<double>()) + " to " +
+           shown_degrees(range[1].get<double>());
 }
 
 }  // namespace
@@ -308,34 +321,28 @@ Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,
 
 std::string setup_text(const Json& s)
 {
-    const auto range = [&](const char* key) {
-        return s[key].is_null() ? std::string{"none"}
-                                : fmt::format("{} to {}", degrees_text(s[key][0]),
-                                              degrees_text(s[key][1]));
-    };
-    std::string text = fmt::format(
-        "{}: {} on {}, mode {}; {} facets, {} directions\n", s["name"].get<std::string>(),
-        s["machinable"].is_null()     ? "undecided"
-        : s["machinable"].get<bool>() ? "machinable in one setup"
-                                      : "not machinable in one setup",
-        s["configuration"].is_null() ? s["type"].get<std::string>()
-                                     : s["configuration"].get<std::string>(),
-        s["mode"].get<std::string>(), s["facets"].get<std::size_t>(),
-        s["cells"].get<std::size_t>());
+    std::string text =
+        fmt::format("{}: {} on {}, mode {}; {} facets, {} directions\n",
+                    s["name"].get<std::string>(), machinable_text(s["machinable"]),
+                    s["configuration"].is_null() ? s["type"].get<std::string>()
+                                                 : s["configuration"].get<std::string>(),
+                    s["mode"].get<std::string>(), s["facets"].get<std::size_t>(),
+                    s["cells"].get<std::size_t>());
     if (!s["reason"].is_null())
-        text += s["reason"].get<std::string>() + "\n";
+        text += "  reason       " + s["reason"].get<std::string>() + "\n";
     if (!s["empty_cones"].empty())
         text += unreached_text(s["empty_cones"]);
     if (!s["area_deg2"].is_null())
-        text += fmt::format("{} phi {}, theta {} degrees (area {:.6g} deg^2)\n",
-                            s["empty_cones"].empty() ? "needs" : "the others need",
-                            range("phi_range_deg"), range("theta_range_deg"),
-                            s["area_deg2"].get<double>());
-    if (!s["tool_axis"].is_null())
         text +=
-            fmt::format("tool axis ({:.4f}, {:.4f}, {:.4f}) in coordinates of the part\n",
-                        s["tool_axis"][0].get<double>(), s["tool_axis"][1].get<double>(),
-                        s["tool_axis"][2].get<double>());
+            fmt::format("  ranges       phi {}, theta {} degrees{}; area {} deg^2\n",
+                        range_text(s["phi_range_deg"]), range_text(s["theta_range_deg"]),
+                        s["empty_cones"].empty() ? "" : " for the other facets",
+                        shown(s["area_deg2"].get<double>()));
+    if (!s["tool_axis"].is_null())
+        text += fmt::format(
+            "  tool axis    ({:.4f}, {:.4f}, {:.4f}) in coordinates of the part\n",
+            s["tool_axis"][0].get<double>(), s["tool_axis"][1].get<double>(),
+            s["tool_axis"][2].get<double>());
     return text + travel_text(s) + better_mode_text(s);
 }
 

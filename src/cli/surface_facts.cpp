@@ -9,6 +9,8 @@
 
 #include "cli/arguments.h"
 #include "cli/console.h"
+#include "cli/progress.h"
+#include "cli/shown_numbers.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
@@ -32,9 +34,9 @@ void add_mesh_options(CLI::App& command, PartOptions& part)
         Choice<UpAxis>{"x", UpAxis::X},       Choice<UpAxis>{"-x", UpAxis::MinusX},
         Choice<UpAxis>{"-y", UpAxis::MinusY}, Choice<UpAxis>{"-z", UpAxis::MinusZ}};
     add_choice<LengthUnit>(command, "--units", part.units, units,
-                           "what a 1 in a mesh file stands for; default mm");
+                           "unit of a mesh file (default mm)");
     add_choice<UpAxis>(command, "--up", part.up, axes,
-                       "the axis of a mesh file that points upwards; default z");
+                       "axis of a mesh file that points upwards (default z)");
 }
 
 void add_surface_argument(CLI::App& command, std::string& path)
@@ -44,7 +46,10 @@ void add_surface_argument(CLI::App& command, std::string& path)
 
 PartFile read_part_for(const PartOptions& part, const CommonOptions& options)
 {
-    PartFile file = read_part(part.path, {options.limits, part.units, part.up});
+    PartFile file = [&] {
+        const ProgressLine progress{"reading " + printable(part.path), options};
+        return read_part(part.path, {options.limits, part.units, part.up});
+    }();
     for (const std::string& note : file.notes)
         warn(options, fmt::format("{}: {}", part.path, note));
     return file;
@@ -156,13 +161,12 @@ void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit,
 std::string break_text(const SurfaceContinuity& continuity)
 {
     if (continuity.continuity == Continuity::None)
-        return fmt::format("patches meet with a gap of {:.6g} mm at {}; expected none",
-                           continuity.worst.gap_mm,
+        return fmt::format("patches meet with a gap of {} mm at {}; expected none",
+                           shown(continuity.worst.gap_mm),
                            place_text(continuity.worst.at, continuity.worst.point));
     return fmt::format(
-        "patches meet with a break of {:.6g} degrees at {}: the surface is {}; expected "
-        "G1",
-        continuity.worst.normals.degrees(),
+        "patches meet with a break of {} degrees at {}: the surface is {}; expected G1",
+        shown_degrees(continuity.worst.normals.degrees()),
         place_text(continuity.worst.at, continuity.worst.point),
         continuity_name(continuity.continuity));
 }
@@ -180,7 +184,7 @@ void add_require_option(CLI::App& command, bool& g1_is_required)
 {
     static constexpr std::array choices{Choice<bool>{"g1", true}};
     add_choice<bool>(command, "--require", g1_is_required, choices,
-                     "exit 1 unless all patches meet with one tangent plane");
+                     "exit 1 unless all patches meet with a common tangent plane");
 }
 
 void add_axis_option(CLI::App& command, Vec3& axis)
@@ -194,7 +198,7 @@ void add_axis_option(CLI::App& command, Vec3& axis)
     };
     command
         .add_option_function<std::string>(
-            "--axis", take, "tool axis, from the tip to the spindle; default 0,0,1")
+            "--axis", take, "tool axis, from the tip to the spindle (default 0,0,1)")
         ->type_name("X,Y,Z");
 }
 

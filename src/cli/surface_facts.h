@@ -13,7 +13,7 @@
 
 namespace endmill {
 
-/// What a command is told of its part.
+/// The options that name a part and its unit and orientation.
 struct PartOptions {
     std::string path;
     LengthUnit units = LengthUnit::Mm;
@@ -34,7 +34,7 @@ void name_part(Json& summary, const PartOptions& part,
 /// The argument SURFACE, for a command that a mesh cannot serve.
 void add_surface_argument(CLI::App& command, std::string& path);
 
-/// Reads the part that a command is given. Its notes become warnings.
+/// Reads the part of a command. Its notes become warnings.
 /// \throws FormatError, LimitError, DomainError as read_part.
 PartFile read_part_for(const PartOptions& part, const CommonOptions& options);
 
@@ -66,14 +66,14 @@ void add_continuity(Json& summary, const SurfaceContinuity& continuity, bool sev
 void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit,
                       bool several);
 
-/// What to tell about a surface whose patches do not meet smoothly.
+/// A sentence on the worst border between patches.
 std::string break_text(const SurfaceContinuity& continuity);
 
 /// Reports that --require g1 is not met by the surface of `file`.
 ExitCode refuse_break(const std::string& file, const SurfaceContinuity& continuity,
                       const CommonOptions& options);
 
-/// The option --require, whose one word so far is g1.
+/// The option --require, whose one word is g1.
 void add_require_option(CLI::App& command, bool& g1_is_required);
 
 /// The option --axis, as a unit vector; +z by default.

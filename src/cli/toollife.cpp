@@ -49,32 +49,37 @@ ExitCode run_tool_life(const ToolLifeOptions& options)
 void add_toollife_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "toollife", "tool life and economic speed from recommended cutting speeds");
+        "toollife",
+        "compute tool life and economic cutting speed from recommended speeds");
     const auto options = std::make_shared<ToolLifeOptions>();
-    command->add_option("FILE", options->file, "CSV: phi_over_pi,v_m_per_min")
+    command
+        ->add_option("FILE", options->file,
+                     "recommended speeds (CSV: phi_over_pi, v_m_per_min)")
         ->required();
     const NumberDomain from_zero = NumberDomain::from_zero();
     add_number(*command, {"--tool-change-min", "MIN", "time to change a tool", from_zero},
                options->change_min)
         ->required();
     add_number(*command,
-               {"--tool-cost", "COST", "of a tool, or of grinding it", from_zero},
+               {"--tool-cost", "COST", "cost of a tool, or of regrinding it", from_zero},
                options->tool_cost)
         ->required();
-    add_number(*command,
-               {"--machine-cost-per-min", "COST", "of machine and operator, a minute"},
-               options->machine_cost_per_min)
+    add_number(
+        *command,
+        {"--machine-cost-per-min", "COST", "cost of machine and operator per minute"},
+        options->machine_cost_per_min)
         ->required();
     add_number(*command,
-               {"--alpha", "A", "exponent, between 0 and 1, instead of the fit",
+               {"--alpha", "A",
+                "exponent of the tool-life law, between 0 and 1 (default: fitted)",
                 NumberDomain::between(0, 1)},
                options->alpha);
     add_common_options(*command, options->common);
     command->footer(
         "V (phi/pi T0)^alpha = C_b, V in m/min, T0 in min; costs in one currency.\n"
-        "Prints; writes DIR/summary.json only with --output.\n\n"
+        "Prints; with --output also writes DIR/summary.json.\n\n"
         "Example:\n  endmill toollife datasets/materials/steel-cutting-speeds.csv "
-        "--tool-change-min 40\n    --tool-cost 20000 --machine-cost-per-min 200");
+        "--tool-change-min 40 --tool-cost 20000 --machine-cost-per-min 200");
     command->callback([options, &action] {
         action = [options] {
             return naming(options->file, [&] { return run_tool_life(*options); });

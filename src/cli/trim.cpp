@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // endmill trim: sections of an offset, their loops cut out.
 
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
 
 #include "cli/console.h"
+#include "cli/idle_options.h"
+#include "cli/shown_numbers.h"
 #include "cli/trim_files.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -12,14 +17,36 @@
 namespace endmill {
 namespace {
 
-// What a mesh can be trimmed by: its curves come from the drop cutter.
+// The only method for a mesh, whose curves come from the drop cutter.
 constexpr std::string_view mesh_method = "envelope";
 constexpr const char* needs_surface = "it needs a surface, whose normals give an offset";
 
-// What decides the exit status.
-bool is_good(const TrimResult& result, const TrimOptions& options)
+// What would make the path better.
+std::string better_choice(const TrimResult& result, const TrimOptions& options)
 {
-    return unresolved(result) == 0 && max_gouge(result).value_or(0) <= options.tolerance;
+    if (result.method != "envelope" && result.method != "winding")
+        return "--method envelope leaves no folds";
+    if (boundary_contact(options) == BoundaryContact::None)
+        return "--boundary contact keeps the cutter off borders and creases";
+    return "a finer --grid or --refine comes closer";
+}
+
+// What is wrong with the path: a gouge beyond the tolerance, or folds that are left.
+std::optional<std::string> fault_of(const TrimResult& result, const TrimOptions& options)
+{
+    const double gouge = max_gouge(result).value_or(0);
+    const std::size_t folds = unresolved(result);
+    if (gouge <= options.tolerance && folds == 0)
+        return std::nullopt;
+    std::string text = "method " + result.method + " with --mode " +
+                       std::string{mode_word(options.mode)};
+    if (gouge > options.tolerance)
+        text += " gouges the part " + shown(gouge) + " mm deep, beyond --tolerance " +
+                shown(options.tolerance) + " mm";
+    if (folds > 0)
+        text += (gouge > options.tolerance ? ", and leaves " : " leaves ") +
+                counted(folds, "fold");
+    return text + "; " + better_choice(result, options);
 }
 
 void check_figure(const TrimOptions& options, const TrimInput& input)
@@ -50,13 +77,13 @@ void warn_of_empty_planes(const TrimOptions& options, const TrimInput& input)
 struct Outcome {
     Json summary;
     std::string text;
-    bool is_good = true;
+    std::optional<std::string> fault = {};  // what makes the answer a no
 };
 
 Outcome trim_all(const TrimInput& input, const TrimOptions& options, OutputFolder& folder)
 {
     Outcome outcome;
-    // The first run pays for the start of the threads and for what is read first.
+    // The first run also starts the threads and fills the caches; its time would mislead.
     if (!input.drop_cutter)
         trim_planes(input.sections, input.ranges, trimming_methods().front(),
                     trimming_options(options, 1));
@@ -70,9 +97,10 @@ Outcome trim_all(const TrimInput& input, const TrimOptions& options, OutputFolde
         const TrimResult result = trim_by(method, input, options);
         const std::string prefix = std::string{method.name} + "/";
         Json summary = write_trimmed(result, input, options, folder, prefix);
-        outcome.text += trim_text(summary);
+        if (input.drop_cutter)
+            outcome.text += trim_text(summary);
         if (method.name == "envelope")
-            outcome.is_good = is_good(result, options);
+            outcome.fault = fault_of(result, options);
         outcome.summary["methods"][std::string{method.name}] = std::move(summary);
     }
     if (!input.drop_cutter)
@@ -87,7 +115,7 @@ Outcome trim_with(const TrimmingMethod& method, const TrimInput& input,
     const TrimResult result = trim_by(method, input, options);
     Json summary = write_trimmed(result, input, options, folder, "");
     std::string text = trim_text(summary);
-    return {std::move(summary), std::move(text), is_good(result, options)};
+    return {std::move(summary), std::move(text), fault_of(result, options)};
 }
 
 ExitCode run_trim(const TrimOptions& options)
@@ -100,6 +128,11 @@ ExitCode run_trim(const TrimOptions& options)
     require_option(
         !input.drop_cutter || name == mesh_method || name == "all",
         "--method " + name + ": " + needs_surface + "; for a mesh expected envelope");
+    if (input.drop_cutter)
+        refuse_idle_options(
+            options.common,
+            std::array{"--detection", "--m1-step", "--m1-threshold", "--m3"}, "a mesh",
+            "a surface: method envelope alone trims a mesh");
     OutputFolder folder{output_folder(input.file, "trim", options.common),
                         options.common.force};
     folder.protect(input.file);
@@ -112,7 +145,11 @@ ExitCode run_trim(const TrimOptions& options)
     folder.publish();
     print_result(options.common, outcome.summary,
                  outcome.text + "written to " + printable(folder.path().string()) + "\n");
-    return outcome.is_good ? ExitCode::Yes : ExitCode::No;
+    if (!outcome.fault)
+        return ExitCode::Yes;
+    report_error("E_GOUGE", input.file + ": " + *outcome.fault, ExitCode::No,
+                 options.common.json_errors);
+    return ExitCode::No;
 }
 
 }  // namespace
@@ -120,26 +157,33 @@ ExitCode run_trim(const TrimOptions& options)
 void add_trim_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "trim", "sections of an offset by drive planes, their loops cut out");
+        "trim", "cut an offset by drive planes and remove the loops of the sections");
     const auto options = std::make_shared<TrimOptions>();
     add_trim_options(*command, *options);
     command->footer(
-        "Writes sections.csv (before) and trimmed.csv (after), both reference points,\n"
-        "loops.csv, toolpath.csv (tips) and summary.json to --output (default\n"
-        "./NAME-trim); --method all to a folder for each method. Exits 1 if the path\n"
-        "gouges by more than --tolerance or a fold is left; --method all is judged on\n"
-        "envelope.\n\n"
-        "Example:\n  endmill trim datasets/surfaces/valley.json --cutter ball:20 "
-        "--method all\n  endmill verify valley-trim/envelope/toolpath.csv");
+        "Writes sections.csv (before), trimmed.csv (after), loops.csv (removed pieces),\n"
+        "toolpath.csv (tips) and summary.json to --output (default ./NAME-trim); "
+        "--method\n"
+        "all writes a folder for each method. Sections hold reference points.\n\n"
+        "The column rule of loops.csv (--explain) is one of: below the envelope; "
+        "winding\n"
+        "number; valley (behind a crossing); E1, E2 (a tail at the end, at the "
+        "beginning);\n"
+        "E3 (a branch too short); P4, P3 (signs of dz, --detection literal), followed by "
+        "cut\n"
+        "where no crossing was found; closed; outside the range.\n\n"
+        "Exit 1: the path gouges deeper than --tolerance, or a fold is left (--method "
+        "all:\n"
+        "of method envelope).\n\n"
+        "Example:\n"
+        "  endmill trim datasets/surfaces/valley.json --cutter ball:20 --method all\n"
+        "  endmill verify valley-trim/envelope/toolpath.csv --resolution 0.5 --scallop "
+        "2");
     command->callback([options, &action] {
         action = [options] {
-            try {
-                return run_trim(*options);
-            } catch (const GeometryError& error) {
-                throw GeometryError{
-                    (options->polyline.empty() ? options->part.path : options->polyline) +
-                    ": " + error.what()};
-            }
+            const std::string& file =
+                options->polyline.empty() ? options->part.path : options->polyline;
+            return naming(file, [&] { return run_trim(*options); });
         };
     });
 }

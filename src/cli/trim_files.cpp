@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/drop_cutter/clearance.h"
@@ -187,6 +188,8 @@ TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
     using Clock = std::chrono::steady_clock;
     TrimResult result;
     result.method = std::string{method.name};
+    const std::string name = "method " + result.method + ": ";
+    ProgressLine progress{name + "trimming", options.common};
     result.options = trimming_options(options, height_of(input));
     const auto start = Clock::now();
     result.trimmed = input.drop_cutter ? as_trimmed(input.sections)
@@ -194,13 +197,16 @@ TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
                                                      result.options);
     result.trim_ms =
         std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    progress.begin(name + "comparing with the envelope");
     if (method_name(options) == "all" && !input.drop_cutter)
         result.comparison = comparison(input, options, result.trimmed);
+    progress.begin(name + (options.refine ? "refining" : "measuring the sampling error"));
     if (input.offset)
         measure_sampling(input, options, result);
     for (std::size_t k = 0; k < result.trimmed.size(); ++k)
         result.loops.push_back(
             cut_out(input.sections[k].curves, result.trimmed[k], crease_test(input, k)));
+    progress.begin(name + "measuring the clearance");
     if (input.planes) {
         result.path = linked(input, options, result.trimmed);
         result.min_clearance = clearance(input, options, result.trimmed);

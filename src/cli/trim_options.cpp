@@ -7,13 +7,15 @@
 #include <vector>
 
 #include "cli/arguments.h"
+#include "cli/idle_options.h"
 #include "endmill/core/error.h"
 #include "endmill/trimming/trimming_methods.h"
 
 namespace endmill {
 namespace {
 
-constexpr std::array modes{Choice<bool>{"corrected", false}, Choice<bool>{"paper", true}};
+constexpr std::array modes{Choice<TrimMode>{"corrected", TrimMode::Corrected},
+                           Choice<TrimMode>{"paper", TrimMode::Paper}};
 constexpr std::array detections{Choice<FoldDetection>{"guarded", FoldDetection::Guarded},
                                 Choice<FoldDetection>{"literal", FoldDetection::Literal}};
 constexpr std::array searches{Choice<BranchSearch>{"march", BranchSearch::March},
@@ -24,7 +26,7 @@ constexpr std::array boundaries{
 constexpr std::array orders{Choice<PassOrder>{"zigzag", PassOrder::ZigZag},
                             Choice<PassOrder>{"one-way", PassOrder::OneWay}};
 
-// What says something of a part and its path, and nothing of curves that are given.
+// Options of a part and its path: they do not apply to --polyline.
 constexpr std::array part_options{
     "--units", "--up",       "--planes",    "--pitch", "--scallop",    "--direction-deg",
     "--grid",  "--boundary", "--allowance", "--order", "--safe-height"};
@@ -58,67 +60,66 @@ void add_method_options(CLI::App& command, TrimOptions& options)
                 options.method =
                     std::string{words[choice_argument("--method", word, words)]};
             },
-            "how loops are cut out; default envelope, with --mode paper 3")
+            "trimming method (default envelope; --mode paper: 3)")
         ->type_name(shown);
-    add_choice<bool>(command, "--mode", options.paper, modes,
-                     "paper: --boundary none, and unless given --method 3 --detection "
-                     "literal");
+    add_choice<TrimMode>(command, "--mode", options.mode, modes,
+                         "corrected (default), or paper: defaults --method 3 --detection "
+                         "literal --boundary none");
     add_choice<FoldDetection>(command, "--detection", options.detection, detections,
-                              "how methods 1, 2 and 3 find folds; default "
-                              "guarded");
+                              "fold detection of methods 1, 2 and 3 (default guarded)");
     add_number(command,
                {"--m1-step", "MM",
-                "between the lines of method 1; default R/500, for curves their height / "
-                "1000",
+                "distance of the scan lines of method 1 (default radius / 500; curves: "
+                "height / 1000)",
                 NumberDomain::of_machine()},
                options.scan_step);
-    add_number(
-        command,
-        {"--m1-threshold", "MM", "at which method 1 sees a crossing; default 4 steps",
-         NumberDomain::of_machine()},
-        options.scan_threshold);
-    add_choice<BranchSearch>(command, "--m3", options.search, searches,
-                             "how method 3 goes through two branches; default march");
-    command.add_flag(
-        "--explain", options.explain,
-        "a column `rule` in loops.csv: below the envelope, winding number; valley "
-        "(behind "
-        "a crossing), E1, E2 (a tail at the end, the beginning), E3 (a branch too "
-        "short); "
-        "literal P4, P3 (signs of dz), with `cut` where no crossing was found; closed; "
-        "outside the range");
+    add_number(command,
+               {"--m1-threshold", "MM",
+                "distance at which method 1 takes two points for a crossing (default 4 "
+                "steps)",
+                NumberDomain::of_machine()},
+               options.scan_threshold);
+    add_choice<BranchSearch>(
+        command, "--m3", options.search, searches,
+        "search of methods 3 and 3r for the crossing of two branches (default march)");
+    command.add_flag("--explain", options.explain,
+                     "add the column rule to loops.csv: why each piece was removed");
 }
 
 void add_plane_options(CLI::App& command, TrimOptions& options)
 {
-    add_whole_number(command, {"--planes", "drive planes; default 100", 1, most_planes},
+    add_whole_number(command,
+                     {"--planes", "number of drive planes (default 100)", 1, most_planes},
                      [&options](int count) { options.planes = count; });
     add_number(command,
-               {"--pitch", "MM", "widest step between planes, for --planes",
+               {"--pitch", "MM", "largest distance of the drive planes, for --planes",
                 NumberDomain::of_machine()},
                options.pitch);
     add_number(command,
                {"--scallop", "MM",
-                "scallop height on level ground, for --planes (ball, bull-nose)",
+                "largest scallop height on level ground, for --planes (ball, bull-nose)",
                 NumberDomain::of_machine()},
                options.scallop);
-    add_number(command, {"--direction-deg", "DEG", "feed, from +x", NumberDomain::any()},
+    add_number(command,
+               {"--direction-deg", "DEG", "feed direction, from +x in the xy plane",
+                NumberDomain::any()},
                options.direction_deg);
-    add_whole_number(command,
-                     {"--grid",
-                      "samples along each parameter; of a mesh, along each plane; "
-                      "default 200",
-                      2, most_grid},
-                     [&options](int count) { options.grid = count; });
+    add_whole_number(
+        command,
+        {"--grid",
+         "samples along each parameter; of a mesh, along each plane (default "
+         "200)",
+         2, most_grid},
+        [&options](int count) { options.grid = count; });
     add_choice<BoundaryContact>(
         command, "--boundary", options.boundary, boundaries,
-        "whether border, corners and creases count; default contact");
+        "contacts on borders, corners and creases (default contact)");
     add_number(command,
                {"--allowance", "MM", "stock to leave",
                 NumberDomain::from_to(0, most_of_machine)},
                options.allowance);
     command.add_flag("--refine", options.refine,
-                     "polish what is left on the smooth surface");
+                     "move the trimmed points onto the exact offset surface");
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
     command.add_option("PART", options.part.path, "surface or mesh file");
     command
         .add_option("--polyline", options.polyline,
-                    "curves to trim instead of a part (CSV: s_mm, z_mm, curve)")
+                    "curves to trim, in place of PART (CSV: s_mm, z_mm, curve)")
         ->type_name("FILE");
     add_mesh_options(command, options.part);
     command
@@ -141,19 +142,20 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
         ->type_name("CUTTER");
     add_plane_options(command, options);
     add_method_options(command, options);
-    add_choice<PassOrder>(command, "--order", options.order, orders,
-                          "in which sense neighbouring planes are cut; default zigzag");
-    add_number(
-        command,
-        {"--safe-height", "MM", "where the cutter moves freely; default 5 above the part",
-         NumberDomain::any()},
-        options.safe_height);
+    add_choice<PassOrder>(
+        command, "--order", options.order, orders,
+        "direction of neighbouring planes: opposite, or the same (default zigzag)");
     add_number(command,
-               {"--tolerance", "MM", "deepest gouge", NumberDomain::of_machine()},
+               {"--safe-height", "MM", "height of free moves (default 5 above the part)",
+                NumberDomain::any()},
+               options.safe_height);
+    add_number(command,
+               {"--tolerance", "MM", "largest gouge depth", NumberDomain::of_machine()},
                options.tolerance);
     add_whole_number(
         command,
-        {"--figure", "number of a plane to be drawn before and after", 0, most_planes},
+        {"--figure", "draw the plane of this number before and after, from 0", 0,
+         most_planes},
         [&options](int plane) { options.figure = plane; });
     add_common_options(command, options.common);
     CLI::Option* const polyline = command.get_option("--polyline");
@@ -167,6 +169,29 @@ void require_option(bool holds, const std::string& what)
         throw DomainError{what};
 }
 
+namespace {
+
+// Options of single methods beside another one.
+void refuse_idle_method_options(const TrimOptions& options, const std::string& method)
+{
+    if (method == all_methods)
+        return;
+    const auto refuse = [&](const char* name, const std::string& users) {
+        refuse_idle_options(options.common, std::array{name}, "--method " + method,
+                            "--method " + users + " or all");
+    };
+    for (const TrimmingMethod& known : trimming_methods())
+        if (known.name == method && !known.has_detection)
+            refuse("--detection", "1, 2, 3");
+    if (method != "1")
+        for (const char* name : {"--m1-step", "--m1-threshold"})
+            refuse(name, "1");
+    if (method != "3" && method != "3r")
+        refuse("--m3", "3, 3r");
+}
+
+}  // namespace
+
 void check_trim_options(const TrimOptions& options)
 {
     const bool has_curves = !options.polyline.empty();
@@ -175,39 +200,49 @@ void check_trim_options(const TrimOptions& options)
     require_option(has_curves != !options.part.path.empty(),
                    "expected PART or --polyline, one of them");
     require_option(has_curves || options.cutter, "--cutter is needed, such as ball:20");
-    require_option(!has_curves || !options.cutter,
-                   "--cutter and --polyline: curves are trimmed as they are");
-    require_option(!has_curves || !options.refine,
-                   "--refine and --polyline: curves have no surface to be refined on");
+    require_option(
+        !has_curves || !options.cutter,
+        "--cutter and --polyline: curves are already an offset; expected one of the two");
+    require_option(
+        !has_curves || !options.refine,
+        "--refine and --polyline: curves have no surface to refine on; expected one of "
+        "the two");
     require_option(int{options.planes.has_value()} + int{options.pitch.has_value()} +
                            int{options.scallop.has_value()} <
                        2,
                    "--planes, --pitch and --scallop: expected one of them");
     require_option(
         !options.scallop || !options.cutter || !options.cutter->is_flat(),
-        "--scallop: a flat cutter leaves none on level ground; expected --pitch");
-    if (options.detection && method != all_methods)
-        for (const TrimmingMethod& known : trimming_methods())
-            require_option(known.name != method || known.has_detection,
-                           "--detection does not go with --method " + method);
+        "--scallop: a flat cutter leaves no scallop on level ground; expected --pitch");
+    refuse_idle_method_options(options, method);
+    if (has_curves && method != all_methods)
+        refuse_idle_options(options.common, std::array{"--tolerance"},
+                            "--polyline and one --method", "a PART, or --method all");
+}
+
+std::string_view mode_word(TrimMode mode)
+{
+    return word_for<TrimMode>(mode, modes);
 }
 
 std::string method_name(const TrimOptions& options)
 {
-    return options.method.value_or(options.paper ? "3" : "envelope");
+    return options.method.value_or(options.mode == TrimMode::Paper ? "3" : "envelope");
 }
 
 BoundaryContact boundary_contact(const TrimOptions& options)
 {
-    return options.boundary.value_or(options.paper ? BoundaryContact::None
-                                                   : BoundaryContact::Contact);
+    return options.boundary.value_or(options.mode == TrimMode::Paper
+                                         ? BoundaryContact::None
+                                         : BoundaryContact::Contact);
 }
 
 TrimmingOptions trimming_options(const TrimOptions& options, double extent)
 {
     TrimmingOptions trimming;
-    trimming.detection = options.detection.value_or(
-        options.paper ? FoldDetection::Literal : FoldDetection::Guarded);
+    trimming.detection = options.detection.value_or(options.mode == TrimMode::Paper
+                                                        ? FoldDetection::Literal
+                                                        : FoldDetection::Guarded);
     const double step = options.cutter ? step_share_of_radius * options.cutter->radius()
                                        : step_share_of_extent * extent;
     // Curves on one level have no folds that a line could meet.
@@ -222,7 +257,7 @@ TrimmingOptions trimming_options(const TrimOptions& options, double extent)
 void add_settings(Json& summary, const TrimOptions& options,
                   const TrimmingOptions& trimming)
 {
-    summary["mode"] = word_for<bool>(options.paper, modes);
+    summary["mode"] = mode_word(options.mode);
     summary["detection"] = word_for<FoldDetection>(trimming.detection, detections);
     summary["m1_step_mm"] = trimming.scan_step;
     summary["m1_threshold_mm"] = trimming.scan_threshold;

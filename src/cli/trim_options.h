@@ -13,7 +13,13 @@
 
 namespace endmill {
 
-/// What `endmill trim` is told. What stays empty is chosen by the rules of the help text.
+/// How folds are found and borders treated unless an option says otherwise.
+enum class TrimMode {
+    Corrected,  ///< guarded detection, contacts on borders and creases, method envelope
+    Paper,      ///< literal detection, no contacts on borders, method 3
+};
+
+/// The options of `endmill trim`. An empty one gets the default that the help states.
 struct TrimOptions {
     CommonOptions common;
     PartOptions part;      ///< its path is empty if curves are given
@@ -24,7 +30,7 @@ struct TrimOptions {
     std::optional<double> scallop;  ///< mm on level ground, ditto
     double direction_deg = 0;       ///< of the feed, from +x
     int grid = 200;
-    bool paper = false;                      ///< mode paper
+    TrimMode mode = TrimMode::Corrected;
     std::optional<std::string> method;       ///< a name in the table, or "all"
     std::optional<FoldDetection> detection;  ///< methods 1, 2, 3
     std::optional<double> scan_step;         ///< mm, method 1
@@ -43,20 +49,24 @@ struct TrimOptions {
 /// Adds every option of `trim` to `command`.
 void add_trim_options(CLI::App& command, TrimOptions& options);
 
-/// What does not go together, and what is needed, beyond what single options tell.
-/// \throws DomainError naming the options.
+/// Checks the options together.
+/// \throws DomainError naming options that exclude each other, are missing, or have no effect.
 void check_trim_options(const TrimOptions& options);
 
 /// Throws DomainError with `what` unless `holds`.
 void require_option(bool holds, const std::string& what);
 
-/// The name of the method that is asked for, or "all".
+/// The word for `mode`, as --mode takes it.
+std::string_view mode_word(TrimMode mode);
+
+/// Name of the method in force, or "all".
 std::string method_name(const TrimOptions& options);
 
-/// Whether the offset has the border's contacts.
+/// Whether the offset gets contacts on borders, corners and creases.
 BoundaryContact boundary_contact(const TrimOptions& options);
 
-/// What a method is told. \param extent of the curves' z in mm, for want of a cutter.
+/// The options of a trimming method. \param extent of the curves' z in mm; sets the step of
+/// method 1 where there is no cutter.
 TrimmingOptions trimming_options(const TrimOptions& options, double extent);
 
 /// Adds every setting with the value in force to a summary.

@@ -7,6 +7,7 @@
 
 #include "cli/console.h"
 #include "cli/mesh_remarks.h"
+#include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/cutter/cutter.h"
@@ -77,9 +78,11 @@ void add_surface_sections(const std::vector<Surface>& surfaces,
     require_trimming_memory(
         {surfaces.size(), options.grid, input.planes->positions.size(), offset.boundary},
         options.common.limits.max_memory_gib);
+    ProgressLine progress{"offsetting the surface", options.common};
     const auto start = Clock::now();
     input.offset = offset_mesh(surfaces, *options.cutter, offset);
     input.offset_ms = milliseconds_since(start);
+    progress.begin("slicing the offset");
     const auto slicing = Clock::now();
     input.sections =
         slice(input.offset->mesh, *input.planes, {input.offset->part_triangles});
@@ -109,6 +112,7 @@ void add_mesh_sections(const TriangleMesh& mesh, const TrimOptions& options,
     input.planes = planes_over(across, options);
     require_trimming_memory({0, options.grid, input.planes->positions.size()},
                             options.common.limits.max_memory_gib);
+    const ProgressLine progress{"dropping the cutter on the mesh", options.common};
     const auto start = Clock::now();
     input.drop_cutter.emplace(mesh, with_allowance(*options.cutter, options.allowance));
     MeshSectionOptions sampling;

@@ -7,6 +7,7 @@
 
 #include "build_facts.h"
 #include "cli/console.h"
+#include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/trimming/trimming.h"
@@ -107,29 +108,36 @@ Json trim_summary(const TrimInput& input, const TrimOptions& options,
 std::string trim_text(const Json& s)
 {
     std::string text = fmt::format(
-        "method {}: {} cut out of {}, {} left, trimmed in {:.3g} ms",
+        "method {}: {} removed from {}\n"
+        "  points     {} left\n"
+        "  time       {} ms\n",
         s["method"].get<std::string>(), counted(s["loops"].get<std::size_t>(), "loop"),
         counted(s["planes"].get<std::size_t>(), "section"),
-        counted(s["points"].get<std::size_t>(), "point"), s["trim_ms"].get<double>());
+        s["points"].get<std::size_t>(), shown(s["trim_ms"].get<double>()));
     if (!s["min_clearance_mm"].is_null())
-        text += fmt::format(", clearance {:.4g} mm", s["min_clearance_mm"].get<double>());
+        text += fmt::format("  clearance  {} mm (limit -{} mm)\n",
+                            shown(s["min_clearance_mm"].get<double>()),
+                            shown(s["tolerance_mm"].get<double>()));
     if (const auto left = s["unresolved"].get<std::size_t>())
-        text += ", " + counted(left, "fold") + " left";
-    return text + "\n";
+        text += fmt::format("  folds      {} left\n", left);
+    return text;
 }
 
 std::string methods_text(const Json& methods)
 {
+    constexpr const char* row = "{:<10}{:>10}{:>8}{:>10}{:>12}{:>8}{:>19}{:>14}\n";
     std::string text =
-        fmt::format("{:<10}{:>10}{:>8}{:>10}{:>12}{:>8}{:>22}\n", "method", "trim ms",
-                    "loops", "points", "folds left", "wrong", "below envelope mm");
-    for (const auto& [name, s] : methods.items())
-        text += fmt::format("{:<10}{:>10.3g}{:>8}{:>10}{:>12}{:>8}{:>22.3g}\n", name,
-                            s["trim_ms"].get<double>(), s["loops"].get<std::size_t>(),
-                            s["points"].get<std::size_t>(),
+        fmt::format(row, "method", "time ms", "loops", "points", "folds left", "wrong",
+                    "below envelope mm", "clearance mm");
+    for (const auto& [name, s] : methods.items()) {
+        const Json& clearance = s["min_clearance_mm"];
+        text += fmt::format(row, name, shown(s["trim_ms"].get<double>()),
+                            s["loops"].get<std::size_t>(), s["points"].get<std::size_t>(),
                             s["unresolved"].get<std::size_t>(),
                             s["wrong_sections"].get<std::size_t>(),
-                            s["max_below_envelope_mm"].get<double>());
+                            shown(s["max_below_envelope_mm"].get<double>()),
+                            clearance.is_null() ? "" : shown(clearance.get<double>()));
+    }
     return text +
            "wrong: sections that step back, or lie more than --tolerance below the upper "
            "envelope\n";

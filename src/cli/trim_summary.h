@@ -42,10 +42,10 @@ std::optional<double> max_gouge(const TrimResult& result);
 Json trim_summary(const TrimInput& input, const TrimOptions& options,
                   const TrimResult& result);
 
-/// A line for people: counts, times and clearance.
+/// The report for a person: counts, time and clearance.
 std::string trim_text(const Json& summary);
 
-/// What several methods made of the same sections, side by side: a table, a line a method.
+/// A table that compares methods on the same sections, a line for each method.
 /// \param methods their summaries by name.
 std::string methods_text(const Json& methods);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// endmill verify: what a tool path really leaves.
+// endmill verify: simulates the cut and judges what it leaves.
 
 #include <memory>
 
@@ -14,6 +14,16 @@
 namespace endmill {
 namespace {
 
+Verification verified(VerificationTask& task, const VerifyOptions& options)
+{
+    ProgressLine progress{"removing material", options.common};
+    task.deviation.progress = [&](double share) {
+        progress.begin("measuring the part");
+        progress.show(share);
+    };
+    return verify_path(task);
+}
+
 ExitCode run_verify(const VerifyOptions& options)
 {
     const VerifyInput input = read_verify_input(options);
@@ -24,12 +34,13 @@ ExitCode run_verify(const VerifyOptions& options)
     for (const std::string& file : files_of(input, options))
         folder.protect(file);
 
-    ProgressLine progress{"removing and measuring", options.common};
     VerificationTask task = verification_task(input, options);
-    task.progress = [&](double share) { progress.show(share); };
     const Verification verification =
-        naming(options.path.file, [&] { return verify_path(task); });
-    const Json summary = write_verification({input, options, task, verification}, folder);
+        naming(options.path.file, [&] { return verified(task, options); });
+    const Json summary = [&] {
+        const ProgressLine progress{"writing the results", options.common};
+        return write_verification({input, options, task, verification}, folder);
+    }();
     folder.publish();
     print_result(options.common, summary,
                  verify_text(summary, verification) + "written to " +
@@ -42,23 +53,22 @@ ExitCode run_verify(const VerifyOptions& options)
 void add_verify_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "verify", "what a tool path leaves, and whether it gouges");
+        "verify", "simulate the cut and bound gouge and remaining material");
     const auto options = std::make_shared<VerifyOptions>();
     add_verify_options(*command, *options);
     command->footer(
-        "Exit 0 if the path is clean, 1 if it gouges, leaves too much or stays "
-        "undecided.\n"
+        "Exit 0: the path is clean. Exit 1: it gouges, leaves too much material, stays\n"
+        "undecided, or there is no part to judge by.\n\n"
         "Writes summary.json, removal.csv and, with a part, deviation.vtp, "
         "deviation.svg\n"
-        "and histogram.csv to --output (default ./NAME-verify; NAME of "
-        "results/u/toolpath.csv\n"
-        "is results-u). Part, cutter and limits are those of the summary.json beside "
-        "TOOLPATH, unless an option says "
-        "otherwise.\n"
-        "Points are numbered from 0 through the whole path, as in removal.csv.\n\n"
-        "Example:\n  endmill plan datasets/surfaces/saddle.json --mode verified -o "
-        "results\n"
-        "  endmill verify results/u/toolpath.csv --resolution 0.5");
+        "and histogram.csv to --output (default ./NAME-verify; NAME of\n"
+        "results/u/toolpath.csv is results-u). Part, cutter and limits default to those "
+        "of\n"
+        "the summary.json beside TOOLPATH. Points are numbered from 0 through the whole\n"
+        "path, as in removal.csv.\n\n"
+        "Example:\n"
+        "  endmill plan datasets/surfaces/saddle.json --cutter ball:20 -o saddle\n"
+        "  endmill verify saddle/u/toolpath.csv --resolution 0.5");
     command->callback(
         [options, &action] { action = [options] { return run_verify(*options); }; });
 }

@@ -32,18 +32,19 @@ std::string stock_text(const VerifyResult& result)
                                    : "block " + box;
 }
 
-// What the figure does not know of itself.
+// Captions on cutter, resolution and verdict.
 std::vector<std::string> figure_captions(const VerifyResult& result)
 {
     const Deviation& deviation = *result.verification.deviation;
     const auto [gouge, scallop] = refined_bounds(deviation, result.input.limits);
-    std::string between = ", not finer, as a gouge is certain";
+    std::string between = ", not refined, as a gouge is certain";
     if (gouge)
         between = fmt::format(
-            ", finer where in doubt; between them a gouge may be {:.3g} mm deeper",
+            ", refined where in doubt; between rays a gouge is at most {:.3g} mm deeper",
             deviation.gouge_bound_mm);
     if (gouge && scallop)
-        between += fmt::format(", a rest {:.3g} mm higher", deviation.scallop_bound_mm);
+        between += fmt::format(", a scallop at most {:.3g} mm higher",
+                               deviation.scallop_bound_mm);
     std::vector<std::string> captions{fmt::format("{}; rays {:g} mm apart{}",
                                                   cutter_word(result.task.cutter),
                                                   result.options.resolution, between)};
@@ -60,7 +61,7 @@ void write_deviation(const VerifyResult& result, const PartCharts& charts,
     const Deviation& deviation = *result.verification.deviation;
     folder.write("deviation.vtp", deviation_vtp(charts, deviation));
     DeviationFigure figure;
-    figure.title = result.input.name + ": what the path leaves, seen along -z";
+    figure.title = result.input.name + ": deviation after the cut, seen along -z";
     figure.captions = figure_captions(result);
     figure.limits = result.input.limits;
     folder.write("deviation.svg", deviation_svg(charts, deviation, figure));

@@ -16,12 +16,11 @@
 namespace endmill {
 namespace {
 
-// Where neither the command line nor a summary says anything.
-// Source: spec of the removal, section 3.
+// Limits where neither the command line nor a summary names any.
 constexpr double default_tolerance_mm = 0.01;
 constexpr double default_scallop_mm = 0.1;
 
-// Instead of a part's file: the path is judged by none.
+// In place of a part's file: there is no part to judge by.
 constexpr std::string_view no_part = "none";
 
 std::optional<Tool> told_tool(const VerifyOptions& options)
@@ -77,7 +76,7 @@ void add_part(VerifyInput& input, const VerifyOptions& options, const PathSummar
                               {options.path.file, "",
                                "the part that its summary names, " + shown_path(file) +
                                    ", is not there",
-                               "it, or --part FILE, or --part none to judge nothing"}};
+                               "it, or --part FILE, or --part none to judge by no part"}};
         part = {file.lexically_normal().string(), units, up};
     }
     if (part.path.empty())
@@ -132,6 +131,11 @@ VerifyInput read_verify_input(const VerifyOptions& options)
                             ": no move is left of the path to be judged; expected two "
                             "points at least"};
     add_part(input, options, known);
+    if (!input.part)
+        refuse_options_without_part(options.common);
+    const bool is_part_given = !options.part.path.empty() && options.part.path != no_part;
+    if (!is_part_given && !may_be_mesh(options.stock))
+        refuse_idle_mesh_options(options.common);
     naming(file, [&] { stand_upright(input); });
     input.stock = read_verify_stock(options, input.part ? &input.part->part : nullptr,
                                     input.program.path, input.tool.cutter);

@@ -9,7 +9,12 @@
 
 namespace endmill {
 
-/// What `endmill verify` is told. What stays empty is taken from the path's summary.
+/// What --stock takes, as the help states it.
+inline constexpr const char* stock_help =
+    "block (default: around the part), X0,Y0,Z0,X1,Y1,Z1 in mm, a closed mesh, or the "
+    "stock.vti of an earlier run";
+
+/// The options of `endmill verify`. An empty one is taken from the path's summary.
 struct VerifyOptions {
     CommonOptions common;
     PathOptions path;
@@ -27,5 +32,11 @@ struct VerifyOptions {
 
 /// Adds every option of `verify` to `command`.
 void add_verify_options(CLI::App& command, VerifyOptions& options);
+
+/// Refuses limits where there is no part to judge by. \throws DomainError
+void refuse_options_without_part(const CommonOptions& options);
+
+/// Refuses the options of mesh files where no mesh is read. \throws DomainError
+void refuse_idle_mesh_options(const CommonOptions& options);
 
 }  // namespace endmill

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/console.h"
+#include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/mesh_file.h"
@@ -64,6 +65,12 @@ KeptStock stock_of_file(const VerifyOptions& options)
 
 }  // namespace
 
+bool may_be_mesh(const std::string& stock)
+{
+    return stock != "block" && !block_of_numbers(stock) &&
+           std::filesystem::path{stock}.extension() != ".vti";
+}
+
 VerifyStock read_verify_stock(const VerifyOptions& options, const Part* part,
                               const ToolPath& path, const Cutter& cutter)
 {
@@ -71,6 +78,7 @@ VerifyStock read_verify_stock(const VerifyOptions& options, const Part* part,
         return {default_block(part, path, cutter), {}, {}};
     if (const auto block = block_of_numbers(options.stock))
         return {*block, {}, {}};
+    const ProgressLine progress{"reading the stock", options.common};
     KeptStock stock = stock_of_file(options);
     const Block box = material_box(stock.heights);
     return {box, std::move(stock), options.stock};

@@ -17,7 +17,10 @@ struct VerifyStock {
     std::string file;               ///< where that comes from; empty for a block
 };
 
-/// What --stock says.
+/// Whether --stock may name a mesh: it is neither a block nor the .vti of an earlier run.
+bool may_be_mesh(const std::string& stock);
+
+/// The stock that --stock names.
 /// \param part null: the default block is that of the path alone.
 /// \throws DomainError if it is no stock; GeometryError, naming its file, for a mesh that
 ///         is not closed; FormatError, LimitError as the readers.

@@ -7,6 +7,7 @@
 
 #include "build_facts.h"
 #include "cli/console.h"
+#include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 
 namespace endmill {
@@ -114,14 +115,9 @@ void add_earlier(Json& summary, const Verification& verification)
         earlier ? finite_or_null(earlier->bound_mm) : nullptr;
 }
 
-std::string number_text(const Json& value)
+std::string length_text(const Json& mm)
 {
-    return value.is_null() ? "unknown" : fmt::format("{:.4g}", value.get<double>());
-}
-
-std::string area_text(const Json& value)
-{
-    return fmt::format("{:.6g} mm2", value.get<double>());
+    return mm.is_null() ? "unknown" : shown(mm.get<double>()) + " mm";
 }
 
 // Where, and on the way to which point.
@@ -130,79 +126,102 @@ std::string place_text(const Json& place)
     if (place.is_null())
         return "";
     const Json& at = place["point_mm"];
-    std::string text = fmt::format(" at {:.4g}, {:.4g}, {:.4g}", at[0].get<double>(),
-                                   at[1].get<double>(), at[2].get<double>());
+    std::string text = fmt::format(
+        " at x {} y {} z {}", shown_coordinate(at[0].get<double>()),
+        shown_coordinate(at[1].get<double>()), shown_coordinate(at[2].get<double>()));
     if (place.value("earlier_run", false))
-        text += " by an earlier run";
+        text += ", by an earlier run";
     else if (!place["point"].is_null())
-        text += fmt::format(" on the move to point {}", place["point"].get<int>());
+        text += fmt::format(", point {}", place["point"].get<int>());
     return text;
 }
 
-// A bound of the first rays alone says how coarse they are, not what was done.
-std::string between_text(const Json& bound, const Json& is_refined)
+// A bound that was not refined states how coarse the first rays are, not what was cut.
+std::string bound_text(const Json& greatest, const Json& over, const Json& is_refined)
 {
-    return is_refined.get<bool>()
-               ? "between rays at most " + number_text(bound) + " mm more"
-               : "not looked for between the rays, as this is settled";
+    if (!is_refined.get<bool>())
+        return "not bounded further, the verdict is settled";
+    if (greatest.is_null() || over.is_null())
+        return "bound unknown";
+    return "bound " + shown(greatest.get<double>() + over.get<double>());
 }
 
-std::string extremes_text(const Json& s)
+std::string extreme_text(const Json& s, const std::string& key, const char* limit_key)
 {
+    return fmt::format("{} (limit {}){}; {}\n", length_text(s["max_" + key + "_mm"]),
+                       shown(s[limit_key].get<double>()),
+                       place_text(s["max_" + key + "_at"]),
+                       bound_text(s["max_" + key + "_mm"], s[key + "_bound_mm"],
+                                  s[key + "_bound_refined"]));
+}
+
+std::string deviation_text(const Json& s)
+{
+    const auto area = [&](const char* key) {
+        return shown(s[key].get<double>()) + " mm2";
+    };
     return fmt::format(
-        "deepest gouge {} mm{} ({}; tolerance {:g} mm)\n"
-        "highest rest {} mm{} ({}; limit {:g} mm)\n",
-        number_text(s["max_gouge_mm"]), place_text(s["max_gouge_at"]),
-        between_text(s["gouge_bound_mm"], s["gouge_bound_refined"]),
-        s["tolerance_mm"].get<double>(), number_text(s["max_scallop_mm"]),
-        place_text(s["max_scallop_at"]),
-        between_text(s["scallop_bound_mm"], s["scallop_bound_refined"]),
-        s["scallop_limit_mm"].get<double>());
+        "  gouge       {}"
+        "  remaining   {}"
+        "  area        {} judged, {} gouged, {} uncut\n"
+        "  average     {} remaining; 99 % of the area below {}\n",
+        extreme_text(s, "gouge", "tolerance_mm"),
+        extreme_text(s, "scallop", "scallop_limit_mm"), area("judged_area_mm2"),
+        area("gouge_area_mm2"), area("uncut_area_mm2"), length_text(s["mean_scallop_mm"]),
+        length_text(s["p99_scallop_mm"]));
 }
 
-std::string areas_text(const Json& s)
-{
-    return fmt::format(
-        "of {}, {} are gouged and {} uncut; the rest of material is {} mm on average, on "
-        "99 % of the area below {} mm\n",
-        area_text(s["judged_area_mm2"]), area_text(s["gouge_area_mm2"]),
-        area_text(s["uncut_area_mm2"]), number_text(s["mean_scallop_mm"]),
-        number_text(s["p99_scallop_mm"]));
-}
-
-// What rapids, shank and holder may do unseen.
+// Contacts of rapids, shank and holder that the stock's resolution may miss.
 std::string contacts_text(const StockContacts& contacts)
 {
     if (!(contacts.width_mm > 0))
         return "";
     return fmt::format(
-        "a cut by a rapid, or by shank or holder, that is narrower than {:.3g} mm seen "
-        "from above may be missed\n",
-        contacts.width_mm);
+        "  contacts    of rapids, shank and holder may be missed if narrower than {} mm "
+        "seen from above\n",
+        shown(contacts.width_mm));
 }
 
-// The heights of a stock, and what may lie between them.
+// Gouges of earlier runs, which the heights of a stock show, and what lies between them.
 std::string earlier_text(const Json& s)
 {
     return fmt::format(
-        "the stock was gouged {} mm deep before, at most {} mm more between its "
+        "  stock       gouged {} deep before; at most {} more between its "
         "heights\n",
-        number_text(s["earlier_gouge_mm"]), number_text(s["earlier_gouge_bound_mm"]));
+        length_text(s["earlier_gouge_mm"]), length_text(s["earlier_gouge_bound_mm"]));
 }
 
-// What has to be known to read the verdict.
+// What helps where the verdict does not settle the question.
 std::string hint_text(const Json& s)
 {
     if (s["verdict"] == verdict_name(Verdict::Undecided) &&
         !s["earlier_gouge_mm"].is_null())
-        return "a limit may be broken between the rays, or between the stock's heights: "
-               "a "
-               "finer --resolution tells, and a stock.vti that keeps its moves\n";
+        return "  undecided   a limit may be broken between the rays, or between the "
+               "heights of the stock: use a finer --resolution, and a stock.vti that "
+               "keeps its moves\n";
     if (s["verdict"] == verdict_name(Verdict::Undecided))
-        return "a limit may be broken between the rays: a finer --resolution tells\n";
+        return "  undecided   a limit may be broken between the rays: use a finer "
+               "--resolution\n";
     if (s["part"].is_null() && s["removed_mm3"] == 0)
-        return "the stock lies below the path: --stock says where the material is\n";
+        return "  hint        the stock lies below the path: --stock sets where the "
+               "material is\n";
     return "";
+}
+
+std::string removal_text(const Json& s)
+{
+    const auto moves = s["points"].get<std::size_t>() - 1;
+    const auto air = s["air_moves"].get<std::size_t>();
+    std::string text =
+        fmt::format("  removed     {} mm3 in {} of {}; deepest cut {}\n",
+                    shown(s["removed_mm3"].get<double>()), moves - std::min(air, moves),
+                    counted(moves, "move"), length_text(s["deepest_cut_mm"]));
+    const Json& greatest = s["max_rate_mm3_per_min"];
+    const Json& mean = s["mean_rate_mm3_per_min"];
+    if (greatest.is_null() || mean.is_null())
+        return text + "  rate        not computed: the path has no feeds\n";
+    return text + fmt::format("  rate        at most {} mm3/min, on average {} mm3/min\n",
+                              shown(greatest.get<double>()), shown(mean.get<double>()));
 }
 
 }  // namespace
@@ -220,29 +239,31 @@ std::vector<std::string> broken_rules(const Verification& verification)
     std::vector<std::string> rules;
     const auto& [rapids, first_rapid, depth] = removal.rapid_cuts;
     if (rapids > 0)
-        rules.push_back(fmt::format("{} cut, up to {:.4g} mm deep, the first to point {}",
-                                    counted(rapids, "rapid"), depth,
+        rules.push_back(fmt::format("{} cut, up to {} mm deep, the first to point {}",
+                                    counted(rapids, "rapid"), shown(depth),
                                     first_rapid.value_or(0)));
     const auto& [hits, first_hit, inside] = removal.collisions;
     if (hits > 0)
         rules.push_back(fmt::format(
-            "shank or holder is up to {:.4g} mm in the material, on {}, the first to "
-            "point {}",
-            inside, counted(hits, "move"), first_hit.value_or(0)));
+            "shank or holder enters the material up to {} mm, on {}, the first to point "
+            "{}",
+            shown(inside), counted(hits, "move"), first_hit.value_or(0)));
     const PartCollisions in_part =
         verification.part_collisions.value_or(PartCollisions{});
     if (in_part.deepest)
         rules.push_back(fmt::format(
-            "shank or holder is up to {:.4g} mm in the part, on {}, the first to point "
-            "{}; deepest at {:.4g}, {:.4g}, {:.4g} on the move to point {}",
-            in_part.moves.deepest, counted(in_part.moves.count, "move"),
-            in_part.moves.first.value_or(0), in_part.deepest->point.x(),
-            in_part.deepest->point.y(), in_part.deepest->point.z(),
-            in_part.deepest->move));
+            "shank or holder enters the part up to {} mm, on {}, the first to point {}; "
+            "deepest at x {} y {} z {}, point {}",
+            shown(in_part.moves.deepest), counted(in_part.moves.count, "move"),
+            in_part.moves.first.value_or(0), shown_coordinate(in_part.deepest->point.x()),
+            shown_coordinate(in_part.deepest->point.y()),
+            shown_coordinate(in_part.deepest->point.z()), in_part.deepest->move));
     else if (in_part.bound_mm > closed_contact_bound)
-        rules.push_back(fmt::format(
-            "shank or holder may be up to {:.4g} mm in the part, for all that is known",
-            in_part.bound_mm));
+        rules.push_back(
+            fmt::format("shank or holder may enter the part by up to {} mm: no contact "
+                        "was found, but "
+                        "none is excluded",
+                        shown(in_part.bound_mm)));
     return rules;
 }
 
@@ -288,23 +309,14 @@ std::string verify_text(const Json& s, const Verification& verification)
     std::string text = fmt::format("{}: {}\n", s["name"].get<std::string>(),
                                    s["verdict"].get<std::string>());
     if (s["part"].is_null())
-        text += "no part to judge by: --part FILE names one\n";
+        text += "  part        none to judge by; --part FILE names one\n";
     else
-        text += extremes_text(s) + areas_text(s);
+        text += deviation_text(s);
     if (verification.earlier_gouge)
         text += earlier_text(s);
     for (const std::string& rule : broken_rules(verification))
-        text += rule + "\n";
-    text += contacts_text(verification.contacts);
-    text += fmt::format("removed {:.6g} mm3; {} of {} moves cut nothing\n",
-                        s["removed_mm3"].get<double>(), s["air_moves"].get<std::size_t>(),
-                        s["points"].get<std::size_t>() - 1);
-    text += fmt::format(
-        "deepest cut {:.4g} mm; removal rate {} mm3/min at most, {} on "
-        "average\n",
-        s["deepest_cut_mm"].get<double>(), number_text(s["max_rate_mm3_per_min"]),
-        number_text(s["mean_rate_mm3_per_min"]));
-    return text + hint_text(s);
+        text += "  collision   " + rule + "\n";
+    return text + contacts_text(verification.contacts) + removal_text(s) + hint_text(s);
 }
 
 }  // namespace endmill

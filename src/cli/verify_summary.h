@@ -35,8 +35,8 @@ RefinedBounds refined_bounds(const Deviation& deviation, const DeviationLimits& 
 Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
                     const Verification& verification, const PartCharts* charts);
 
-/// What makes a path gouged, or leaves it undecided, whatever it leaves: rapids that cut,
-/// and a shank or holder in the material or the part; a line each.
+/// A sentence for each rule that the path breaks, or may break, whatever it leaves on the
+/// part: rapids that cut, and a shank or holder in the material or the part.
 std::vector<std::string> broken_rules(const Verification& verification);
 
 /// The summary for a person.

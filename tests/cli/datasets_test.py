@@ -88,8 +88,8 @@ class SurfacesReadme(ProgramTest):
                 self.assertIsNone(facts["max_cutter_radius_mm"])
                 told += 1
             for length in re.findall(r"a pass along u is (\d+) mm", known):
-                plan = self.summary("plan", SURFACES / name, "--cutter", "ball:10", "--direction", "u",
-                                    "--count-links", "no", "-o", name)
+                plan = self.summary("plan", SURFACES / name, "--mode", "paper", "--cutter", "ball:10",
+                                    "--direction", "u", "--count-links", "no", "-o", name)
                 self.assertAlmostEqual(plan["tcd_mm"] / plan["passes"], number(length), delta=1e-9)
                 told += 1
         self.assertEqual(told, 13)

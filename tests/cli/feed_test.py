@@ -161,8 +161,8 @@ class Feed(ProgramTest):
 
     def test_contact_is_used_where_the_path_knows_it(self):
         surface = self.file(plane())
-        done = endmill("plan", surface, "--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "0.5",
-                       "--direction", "u", "--order", "one-way", "-o", "plan", cwd=self.folder)
+        done = endmill("plan", surface, "--mode", "paper", "--cutter", "ball:10", "--chord-tolerance", "0.5",
+                       "--scallop", "0.5", "--direction", "u", "--order", "one-way", "-o", "plan", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         path = self.folder / "plan/toolpath.csv"
         results = []
@@ -180,8 +180,8 @@ class Feed(ProgramTest):
 
     def test_what_it_writes_is_verified_by_the_same_part(self):
         surface = self.file(plane())
-        done = endmill("plan", surface, "--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "0.5",
-                       "--direction", "u", "-o", "plan", cwd=self.folder)
+        done = endmill("plan", surface, "--mode", "paper", "--cutter", "ball:10", "--chord-tolerance", "0.5",
+                       "--scallop", "0.5", "--direction", "u", "-o", "plan", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         out, facts = self.fed(self.folder / "plan/toolpath.csv", "--flutes", "2", "--max-force-n", "900",
                               "--stock-top", "4")
@@ -351,8 +351,8 @@ class Feed(ProgramTest):
 
     def test_another_cutter_than_the_path_was_made_for_is_refused(self):
         surface = self.file(plane())
-        done = endmill("plan", surface, "--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "0.5",
-                       "--direction", "u", "-o", "plan", cwd=self.folder)
+        done = endmill("plan", surface, "--mode", "paper", "--cutter", "ball:10", "--chord-tolerance", "0.5",
+                       "--scallop", "0.5", "--direction", "u", "-o", "plan", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         path = self.folder / "plan/toolpath.csv"
         self.refused(2, "ball:8", "ball:10", path=path, options=["--cutter", "ball:8", "--flutes", "2",

@@ -10,7 +10,7 @@ import unittest
 
 from program import ENDMILL, ProgramTest, endmill, plane
 
-PLAN = ["--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "1", "--direction", "u"]
+PLAN = ["--mode", "paper", "--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "1", "--direction", "u"]
 TIPS = "tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n10,0,-0.00001\n10,20.5,3\n"
 
 
@@ -88,7 +88,7 @@ class Post(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("every move is assumed to be a cut", done.stderr)
         self.assertIn("assumed to be +z", done.stderr)
-        self.assertIn("M3 stands without S; --spindle-rpm", done.stderr)
+        self.assertIn("M3 has no S word; expected --spindle-rpm", done.stderr)
         self.assertIn("X10.0000", blocks(self.folder / "p-post/p.ngc"))
 
     def test_name_of_a_summary_cannot_leave_its_comment(self):
@@ -101,7 +101,7 @@ class Post(ProgramTest):
         path = self.file(TIPS, "p.csv")
         self.file({"chord_tolerance_mm": 0.01}, "summary.json")
         done = endmill("post", path, "--feed", "100", "--decimals", "0", "-o", "out", cwd=self.folder)
-        self.assertIn("rounded by up to 0.5 mm, of a tolerance of 0.01 mm", done.stderr)
+        self.assertIn("rounded by up to 0.5 mm, with a tolerance of 0.01 mm", done.stderr)
 
     def test_a_program_may_say_the_centre_skip_blocks_and_be_cut_finely(self):
         program = "G21 F9\nG0 X0 Y0 Z5\n/G1 Y7\nG2 X10 I5\nM2\n"

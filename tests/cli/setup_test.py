@@ -198,7 +198,7 @@ class Setup(ProgramTest):
         self.assertEqual((far["machinable"], far["travel_ok"]), (True, False))
         told = endmill("setup", cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
                        "-o", "told", cwd=self.folder).stdout
-        self.assertIn("beyond the linear axes", told)
+        self.assertIn("beyond the limits of the linear axes", told)
         self.assertIn("--mode set", told)
         clamp = ",".join(str(x) for x in far["clamp_centred_mm"])
         self.assertTrue(self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp",

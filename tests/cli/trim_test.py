@@ -80,7 +80,18 @@ class Trim(ProgramTest):
                        cwd=self.folder)
         facts = json.loads(done.stdout)
         self.assertEqual((done.returncode, facts["unresolved"], facts["loops"]), (1, 2, 0), done.stderr)
-        self.assertIn("2 folds left", endmill("trim", "--polyline", "w.csv", "--method", "3", cwd=self.folder).stdout)
+        done = endmill("trim", "--polyline", "w.csv", "--method", "3", cwd=self.folder)
+        self.assertRegex(done.stdout, r"folds +2 left")
+        self.assertIn("w.csv: method 3 with --mode corrected leaves 2 folds; --method envelope", done.stderr)
+
+    def test_a_known_gouge_is_a_no_that_names_the_better_method(self):
+        done = endmill("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--mode", "paper",
+                       cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        errors = [line for line in done.stderr.splitlines() if "error" in line]
+        self.assertEqual(len(errors), 1, done.stderr)
+        for word in ("method 3 with --mode paper gouges the part", "--tolerance 0.01 mm", "--method envelope"):
+            self.assertIn(word, errors[0])
 
     def test_a_surface_becomes_a_path_that_verify_accepts(self):
         facts = self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--tolerance",
@@ -208,7 +219,7 @@ class Trim(ProgramTest):
                 ((), "PART or --polyline"),
                 ((part,), "--cutter is needed"),
                 ((part, "--polyline", curves, "--cutter", "ball:5"), "one of them"),
-                ((part, "--cutter", "ball:5", "--detection", "literal"), "--detection does not go"),
+                ((part, "--cutter", "ball:5", "--detection", "literal"), "--detection: has no effect with --method envelope"),
                 (("--polyline", curves, "--refine"), "--refine"),
                 (("--polyline", curves, "--cutter", "ball:5"), "--cutter and --polyline"),
                 (("--polyline", curves, "--planes", "5"), "--polyline excludes --planes"),

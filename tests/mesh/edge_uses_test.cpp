@@ -49,7 +49,7 @@ TEST(EdgeUses, EqualThoseOfAMapInOrder)
     for (const int points : {3, 5, 20, 400}) {
         const TriangleMesh mesh = random_triangles(random, points, 500);
         std::vector<std::pair<MeshEdge, std::vector<Use>>> found;
-        EdgeUses{mesh}.for_each([&](const Edge& edge, std::span<const EdgeUse> uses) {
+        EdgeUses{mesh}.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
             found.emplace_back(edge, std::vector<Use>{});
             for (const EdgeUse& use : uses)
                 found.back().second.emplace_back(!use.is_forward(), use.triangle());

@@ -20,8 +20,8 @@ namespace {
 using std::string_view_literals::operator""sv;
 
 constexpr const char* expected =
-    "a tool path: CSV with the column tip_x_mm, G-code, APT CL data or what rs274 -g "
-    "prints";
+    "a tool path: CSV with the columns tip_x_mm, tip_y_mm and tip_z_mm, G-code, APT CL "
+    "data or the output of rs274 -g";
 constexpr std::array gcode_extensions{".ngc"sv, ".nc"sv,  ".gcode"sv,
                                       ".tap"sv, ".cnc"sv, ".mpf"sv};
 constexpr std::array apt_extensions{".apt"sv, ".cl"sv, ".cls"sv};

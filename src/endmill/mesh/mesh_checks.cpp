@@ -79,7 +79,7 @@ EdgeReport edge_report(const EdgeUses& edges, std::size_t triangles)
 {
     EdgeReport report;
     DisjointSets components{triangles};
-    edges.for_each([&](const Edge& edge, std::span<const EdgeUse> uses) {
+    edges.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
         std::ptrdiff_t surplus = 0;  // of triangles that run along the edge forwards
         for (const EdgeUse& use : uses) {
             surplus += use.is_forward() ? 1 : -1;
@@ -102,7 +102,7 @@ EdgeReport edge_report(const EdgeUses& edges, std::size_t triangles)
 std::vector<bool> boundary_points(const TriangleMesh& pieces)
 {
     std::vector<bool> is_on_boundary(pieces.points().size(), false);
-    EdgeUses{pieces}.for_each([&](const Edge& edge, std::span<const EdgeUse> uses) {
+    EdgeUses{pieces}.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
         if (uses.size() == 1)
             is_on_boundary[edge[0]] = is_on_boundary[edge[1]] = true;
     });

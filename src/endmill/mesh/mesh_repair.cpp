@@ -93,7 +93,7 @@ private:
 Pieces pieces_of(const EdgeUses& edges, std::size_t triangles)
 {
     Pieces pieces{triangles};
-    edges.for_each([&](const Edge&, std::span<const EdgeUse> uses) {
+    edges.for_each([&](const MeshEdge&, std::span<const EdgeUse> uses) {
         if (uses.size() == 2)
             pieces.join(uses[0].triangle(), uses[1].triangle(),
                         uses[0].is_forward() == uses[1].is_forward());
@@ -392,7 +392,7 @@ void Orientation::open_where_unbalanced(const EdgeUses& edges)
 {
     // piece, and 1 or -1 for forward or backward
     std::vector<std::pair<std::size_t, int>> directions;
-    edges.for_each([&](const Edge&, std::span<const EdgeUse> uses) {
+    edges.for_each([&](const MeshEdge&, std::span<const EdgeUse> uses) {
         // both directions occur, unless the piece cannot be oriented
         if (uses.size() == 2)
             return;

@@ -125,8 +125,12 @@ bool fits(const BallCutter& ball, const std::optional<CutterLimit>& limit);
 /// \return nothing if none does.
 std::optional<double> default_diameter(const std::optional<CutterLimit>& limit);
 
-/// Chord tolerance and scallop height in mm for `ball`: a thirtieth of its diameter, as
-/// 0.5 mm with a ball of 15 mm in [KimChoi, fig. 12].
+/// Default of the tolerances and of the scallop height of a verified plan, in mm: a common
+/// requirement for a finished surface.
+inline constexpr double verified_tolerance = 0.01;
+
+/// Chord tolerance and scallop height in mm for `ball` as the paper chooses them: a
+/// thirtieth of its diameter, as 0.5 mm with a ball of 15 mm in [KimChoi, fig. 12].
 double default_tolerance(const BallCutter& ball);
 
 /// Height in mm along `axis`, a unit vector, at which the cutter moves freely: 5 mm above

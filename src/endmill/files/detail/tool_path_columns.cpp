@@ -56,6 +56,16 @@ bool is_without_unit(std::string_view name, std::string_view known)
     });
 }
 
+// The columns that a tool path must have, and those that it may have.
+std::string expected_columns()
+{
+    std::string optional;
+    for (const std::string_view name : names)
+        if (!name.starts_with("tip_"))
+            optional += (optional.empty() ? "" : ", ") + std::string{name};
+    return "tip_x_mm, tip_y_mm and tip_z_mm, and any of " + optional;
+}
+
 // Refuses an unknown name and suggests a known one: the name with its unit, or a close
 // name.
 [[noreturn]] void refuse_name(const CsvLines& lines, std::string_view name)
@@ -69,8 +79,8 @@ bool is_without_unit(std::string_view name, std::string_view known)
     const auto closest = closest_word(name, names);
     throw lines.complaint(
         "E_CSV", "unknown column " + quoted(name),
-        closest ? "a column of a tool path; did you mean " + quoted(*closest) + "?"
-                : "a column of a tool path, such as tip_x_mm");
+        expected_columns() +
+            (closest ? "; did you mean " + quoted(*closest) + "?" : std::string{}));
 }
 
 // Checks that every vector has all its columns or none, and that the tip has all.

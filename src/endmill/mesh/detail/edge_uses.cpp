@@ -52,7 +52,7 @@ std::vector<std::int32_t> duplicate_triangles(const TriangleMesh& mesh,
 {
     std::vector<std::int32_t> found;
     std::vector<std::pair<std::int32_t, std::int32_t>> thirds;  // third corner, triangle
-    edges.for_each([&](const Edge& edge, std::span<const EdgeUse> uses) {
+    edges.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
         if (uses.size() < 2)
             return;
         thirds.clear();

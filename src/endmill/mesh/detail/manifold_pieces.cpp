@@ -44,7 +44,7 @@ Fans fans_of(const TriangleMesh& mesh, const EdgeUses& edges,
              const std::vector<bool>& is_detached)
 {
     Fans fans{DisjointSets{3 * mesh.triangles().size()}, false};
-    edges.for_each([&](const Edge& edge, std::span<const EdgeUse> uses) {
+    edges.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
         if (uses.size() == 1)
             return;
         const std::int32_t a = uses[0].triangle();
@@ -94,7 +94,7 @@ bool detach_non_manifold(const TriangleMesh& mesh, const ManifoldPieces& pieces,
         points.push_back(mesh.points()[point]);
     bool is_any = false;
     const TriangleMesh cut{std::move(points), pieces.triangles};
-    EdgeUses{cut}.for_each([&](const Edge&, std::span<const EdgeUse> uses) {
+    EdgeUses{cut}.for_each([&](const MeshEdge&, std::span<const EdgeUse> uses) {
         if (uses.size() == 1 || are_neighbours(uses))
             return;
         is_any = true;

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace endmill {
+
+/// Numbers as a person reads them, rounded to what matters. Files and --json keep all
+/// digits.
+
+/// A length in mm, or any other quantity, to 5 significant digits: "0.66637", "137107".
+/// Below 5e-7 it is "0".
+std::string shown(double value);
+
+/// A coordinate in mm to 0.001 mm: "-2.435".
+std::string shown_coordinate(double mm);
+
+/// An angle to 0.01 degrees: "12.35", "45".
+std::string shown_degrees(double degrees);
+
+/// An open upper limit in mm: 5 significant digits, rounded down so that every value below
+/// what is shown is below the limit.
+std::string shown_limit(double mm);
+
+}  // namespace endmill
