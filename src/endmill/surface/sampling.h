@@ -15,7 +15,7 @@ struct SampledSurface {
     TriangleMesh mesh;  ///< counter-clockwise seen from the tool's side
     /// Unit normal of the surface at each point, on the tool's side.
     std::vector<Vec3> normals;
-    /// Mm, largest distance of a point of the surface from the mesh.
+    /// Largest distance in mm of a point of the surface from the mesh.
     double max_chord_error_mm;
 };
 
