@@ -36,7 +36,7 @@ void refuse_idle_setup_options(const SetupCommandOptions& options)
     if (!options.points.empty())
         refuse_setup_options(options, part_only_options, "--points",
                              "a PART: directions have neither facets nor a mesh");
-    if (options.mode)
+    if (options.mode != SetupMode::WholeCones)
         refuse_setup_options(
             options, set_only_options,
             "--mode " + std::string{setup_mode_word(options.mode)},

@@ -9,12 +9,12 @@
 namespace endmill {
 namespace {
 
-using ModeChoice = Choice<std::optional<SetupMode>>;
+using ModeChoice = Choice<SetupMode>;
 
 constexpr std::array setup_modes{ModeChoice{"paper", SetupMode::Paper},
                                  ModeChoice{"paper-literal", SetupMode::PaperLiteral},
                                  ModeChoice{"corrected", SetupMode::Corrected},
-                                 ModeChoice{"set", std::nullopt}};
+                                 ModeChoice{"set", SetupMode::WholeCones}};
 
 constexpr std::array setup_objectives{
     Choice<SetupObjective>{"floored-area", SetupObjective::FlooredArea},
@@ -156,9 +156,9 @@ void add_setup_options(CLI::App& command, SetupCommandOptions& options)
     add_common_options(command, options.common);
 }
 
-std::string_view setup_mode_word(const std::optional<SetupMode>& mode)
+std::string_view setup_mode_word(SetupMode mode)
 {
-    return word_for<std::optional<SetupMode>>(mode, setup_modes);
+    return word_for<SetupMode>(mode, setup_modes);
 }
 
 std::string_view setup_objective_word(SetupObjective objective)

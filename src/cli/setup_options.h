@@ -9,7 +9,7 @@
 #include "cli/surface_facts.h"
 #include "endmill/core/angle.h"
 #include "endmill/core/vec.h"
-#include "endmill/setup/best_setup.h"
+#include "endmill/setup/setup.h"
 #include "endmill/visibility/visibility.h"
 
 namespace endmill {
@@ -24,7 +24,7 @@ struct SetupCommandOptions {
     std::optional<RotaryFamily> family;     ///< instead of a machine
     std::string limits;                     ///< as `rotary_limits_help` says; empty: none
     std::string sphere = "hex:10";
-    std::optional<SetupMode> mode = SetupMode::Paper;  ///< none: set
+    SetupMode mode = SetupMode::Paper;
     VisibilityKind visibility = VisibilityKind::Global;
     double incidence_deg = 90;
     SetupObjective objective = SetupObjective::FlooredArea;
@@ -44,7 +44,7 @@ struct SetupCommandOptions {
 void add_setup_options(CLI::App& command, SetupCommandOptions& options);
 
 /// The word of a mode, as --mode takes it.
-std::string_view setup_mode_word(const std::optional<SetupMode>& mode);
+std::string_view setup_mode_word(SetupMode mode);
 
 /// The word of an objective, as --objective takes it.
 std::string_view setup_objective_word(SetupObjective objective);

@@ -48,7 +48,7 @@ std::string setup_type_word(const MachineConfiguration& configuration)
 
 bool is_set(const SetupCommandOptions& options)
 {
-    return !options.mode.has_value();
+    return options.mode == SetupMode::WholeCones;
 }
 
 // The objective that was minimised: the area in the modes that know no other.
@@ -118,15 +118,18 @@ void add_setups(Json& summary, const SetupAnswer& answer,
                           {"facets", setup.facets}});
     summary["setups"] = setups;
     summary["uncovered"] = answer.setups->uncovered;
-    const bool needs_two =
-        is_set(options) && answer.best.is_machinable == false && answer.best.is_proved;
+    const bool needs_two = is_set(options) &&
+                           answer.best.machinability == Machinability::NotMachinable &&
+                           answer.best.is_proved;
     if (!has_empty_cones)  // else no number of setups will do
         summary["setups_lower_bound"] = needs_two ? 2 : 1;
 }
 
-Json machinable_json(const BestSetup& best)
+Json machinable_json(const PartSetup& best)
 {
-    return best.is_machinable ? Json(*best.is_machinable) : Json{};
+    if (best.machinability == Machinability::Undecided)
+        return nullptr;
+    return best.machinability == Machinability::Machinable;
 }
 
 Json ranking(std::span<const SetupAnswer> answers, const SetupCommandOptions& options)
@@ -148,7 +151,7 @@ Json ranking(std::span<const SetupAnswer> answers, const SetupCommandOptions& op
 void add_search(Json& summary, const SetupAnswer& answer,
                 const SetupCommandOptions& options)
 {
-    const BestSetup& best = answer.best;
+    const PartSetup& best = answer.best;
     summary["machinable"] = machinable_json(best);
     summary["proved"] = best.is_proved;
     // Words for what a pose is like need one.
