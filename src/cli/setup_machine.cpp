@@ -34,7 +34,7 @@ SetupMachine one_machine(const std::string& text, const SetupCommandOptions& opt
     return found;
 }
 
-// In the order of their names.
+// All machine files of a folder, sorted by name.
 std::vector<SetupMachine> machines_of_folder(const std::filesystem::path& folder,
                                              const SetupCommandOptions& options)
 {

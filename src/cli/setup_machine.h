@@ -9,12 +9,12 @@
 
 namespace endmill {
 
-/// A machine that a part is to be set up on.
+/// A machine for which a setup is searched.
 struct SetupMachine {
-    std::string name;        ///< its word, or its file as given, or its family
-    std::string file;        ///< that it was read from; empty: none
-    bool is_family = false;  ///< stands for all machines of its family
-    Machine machine;         ///< its limits those of the command line, where given
+    std::string name;        ///< word, file as given, or family
+    std::string file;        ///< the file that it was read from, or empty
+    bool is_family = false;  ///< the machine stands for all machines of its family
+    Machine machine;         ///< with the limits of the command line, if given
 };
 
 /// The machines of --machine or --family.

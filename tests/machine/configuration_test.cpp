@@ -13,7 +13,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// The machines of figure 4 of the paper. The place of the bed corrects the captions of (b) and (c).
+// The machines of figure 4 of the paper. The place of the bed corrects the captions of
+// (b) and (c).
 TEST(Configuration, OfThePapersFourMachines)
 {
     struct Row {

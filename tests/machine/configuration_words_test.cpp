@@ -69,8 +69,8 @@ TEST(RotaryWords, AreCountedAsThePaperDoes)
     EXPECT_EQ(counts.families, 2U);
 }
 
-// 162 without enumeration: an ordered pair of rotary axes, and each of x, y, z before, between or
-// after them.
+// 162 without enumeration: an ordered pair of rotary axes, and each of x, y, z before,
+// between or after them.
 TEST(RotaryWords, RelativeMotionsAreAPairAndThreePlaces)
 {
     constexpr std::size_t ordered_pairs = 3 * 2;

@@ -59,7 +59,8 @@ double distance_round(double angle)
     return angle - 2 * pi * std::floor(angle / (2 * pi));
 }
 
-// Overlaps count once. The area is compared with the share of random directions in the union.
+// Overlaps count once. The area is compared with the share of random directions in the
+// union.
 TEST(DirectionCells, HaveTheAreaOfTheUnion)
 {
     test::Random random{7};

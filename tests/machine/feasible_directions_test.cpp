@@ -146,8 +146,8 @@ RotaryLimits random_limits(RotaryFamily family, test::Random& random)
                                       : RotaryLimits{first, second};
 }
 
-// The solid angle is compared with the share of random directions in the set, also for R2 beyond a
-// quarter turn.
+// The solid angle is compared with the share of random directions in the set, also for R2
+// beyond a quarter turn.
 TEST(FeasibleDirections, HaveTheSolidAngleOfTheirMembers)
 {
     test::Random random{7};
@@ -182,8 +182,8 @@ TEST(FeasibleDirections, ContainEveryDirectionOfTurnsWithinTheLimits)
         }
 }
 
-// Every point of the border belongs to the set. Close to it lie a direction of the set and a
-// direction outside of it.
+// Every point of the border belongs to the set. Close to it lie a direction of the set
+// and a direction outside of it.
 TEST(FeasibleDirections, EndAtTheirBorder)
 {
     test::Random random{9};

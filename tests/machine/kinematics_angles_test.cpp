@@ -130,7 +130,8 @@ TEST(RotaryAngles, AreFiniteAtSingularDirections)
     EXPECT_NEAR(rotary_angles(frame_of("abB"), Vec3{1, 0, 0}).theta, pi / 2, 1e-15);
 }
 
-// Half a turn of the part about the tool axis reverses both rotary axes, and in A,B both angles.
+// Half a turn of the part about the tool axis reverses both rotary axes, and in A,B both
+// angles.
 TEST(RotaryAngles, ChangeSignWithThePartHalfATurnAboutTheToolAxis)
 {
     test::Random random{4};

@@ -41,7 +41,8 @@ std::vector<Machine> valid_machines()
     return valid;
 }
 
-// Positions of three machines. Source: docs/mathematics/five-axis-setup.md, section 9 (9.2).
+// Positions of three machines. Source: docs/mathematics/five-axis-setup.md, section 9
+// (9.2).
 struct PrintedPosition {
     const char* word;
     RotaryPositions degrees;
@@ -80,8 +81,8 @@ TEST(Kinematics, GiveThePositionsOfTheTable)
     }
 }
 
-// The joints of a machine as a chain from part to bed and from bed to tool. A point and a direction
-// are moved along the chain axis by axis.
+// The joints of a machine as a chain from part to bed and from bed to tool. A point and a
+// direction are moved along the chain axis by axis.
 struct Carried {
     Vec3 point;
     Vec3 axis;

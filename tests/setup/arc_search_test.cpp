@@ -36,7 +36,8 @@ double distance_to(const DirectionArc& arc, const Vec3& v)
     return nearest;
 }
 
-// On the circle x = 0 of the 1200 cells the teapot needs 77.99 degrees to both sides of z.
+// On the circle x = 0 of the 1200 cells the teapot needs 77.99 degrees to both sides of
+// z.
 TEST(ArcSearch, MachinesTheTeapotAboutTheAxisFromSpoutToHandle)
 {
     const std::vector<Vec3> centres = sphere_grid("hex:10").centres;
@@ -59,8 +60,9 @@ TEST(ArcSearch, MachinesTheTeapotAboutTheAxisFromSpoutToHandle)
                     .feasible);
 }
 
-// The bottoms of two long V-grooves along y, tilted by +-40 degrees, with a half angle of 15 degrees.
-// Their cones are wedges of directions, so that the tool turns by 2 (40 - 15) degrees.
+// The bottoms of two long V-grooves along y, tilted by +-40 degrees, with a half angle of
+// 15 degrees. Their cones are wedges of directions, so that the tool turns by 2 (40 - 15)
+// degrees.
 TEST(ArcSearch, TurnsFromGrooveToGroove)
 {
     const std::vector<Vec3> centres = sphere_grid("ico:4").centres;
@@ -78,8 +80,8 @@ TEST(ArcSearch, TurnsFromGrooveToGroove)
     EXPECT_NEAR(arc->length / degree, 50, 2 * cell_deg);
 }
 
-// Random cones. Each facet has a cell close to the arc, and no shorter arc that begins at a multiple
-// of half a degree has this property.
+// Random cones. Each facet has a cell close to the arc, and no shorter arc that begins at
+// a multiple of half a degree has this property.
 TEST(ArcSearch, IsTheShortestArc)
 {
     const std::vector<Vec3> centres = sphere_grid("hex:4").centres;

@@ -134,7 +134,8 @@ TEST_F(RandomCones, HaveBoundsBelowEveryFitInTheNode)
 
 TEST_F(RandomCones, HaveArcBoundsBelowEveryThinLune)
 {
-    // A lune of full height along a circle is compared with the bound of the circle's normal.
+    // A lune of full height along a circle is compared with the bound of the circle's
+    // normal.
     ConeFitting fitting = this->fitting(RotaryFamily::AB);
     fitting.thin_width = 30 * degree;
     AxisFitter fitter{fitting};

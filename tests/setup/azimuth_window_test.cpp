@@ -24,8 +24,8 @@ VisibilityMap random_map(std::size_t facets, std::size_t cells, std::mt19937& ra
     return map;
 }
 
-/// The least window that begins at the end of an interval and meets an interval of every cone, or
-/// infinity.
+/// The least window that begins at the end of an interval and meets an interval of every
+/// cone, or infinity.
 double naive_width(const ConeSet& cones, const AxisView& view, const LevelLimits& limits)
 {
     const MissingWords<0> words{cones.words()};

@@ -38,7 +38,8 @@ inline std::vector<Vec3> directions(const std::vector<AzimuthPolar>& points)
     return result;
 }
 
-/// The direction R_a(alpha) R_b(beta) z: z turned by beta about +Y, then by alpha about +X, degrees.
+/// The direction R_a(alpha) R_b(beta) z: z turned by beta about +Y, then by alpha about
+/// +X, degrees.
 inline Vec3 turned_to(double alpha, double beta)
 {
     const double a = alpha * degree;

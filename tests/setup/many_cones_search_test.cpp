@@ -10,7 +10,8 @@
 namespace endmill {
 namespace {
 
-// Both searches find a pose and a bound. Neither bound exceeds the objective of the other pose.
+// Both searches find a pose and a bound. Neither bound exceeds the objective of the other
+// pose.
 void expect_consistent(const WholeConeSearchResult& one,
                        const WholeConeSearchResult& other, double gap)
 {

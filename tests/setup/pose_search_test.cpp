@@ -52,7 +52,8 @@ PoseSearchResult search(const Part& part, RotaryFamily family, SetupMode mode,
     return pose_search(part.map, part.centres, {family, mode, limits});
 }
 
-// Cones of the facets of a convex part: caps of half angle `open_deg` about their normals.
+// Cones of the facets of a convex part: caps of half angle `open_deg` about their
+// normals.
 Part part_of_caps(const std::string& grid, const std::vector<Vec3>& normals,
                   double open_deg)
 {
@@ -251,8 +252,8 @@ TEST(PoseSearch, HasTheGroupsOfTheTableOnTheTeapot)
     }
 }
 
-// The grid has both symmetries. If the bits of every facet move to the mirrored or turned cell, all
-// areas stay the same.
+// The grid has both symmetries. If the bits of every facet move to the mirrored or turned
+// cell, all areas stay the same.
 TEST(PoseSearch, IsTheSameForATeapotMirroredOrTurned)
 {
     const Part& part = teapot("hex:10");
@@ -347,8 +348,8 @@ TEST(PoseSearch, HasTheRingOfACubeAtItsPole)
                                  .least->area));
 }
 
-// The bottoms of two long V-grooves along `along`, tilted about it from `above` by +-tilt degrees,
-// with a half angle of `half` degrees. Their cones are wedges of directions.
+// The bottoms of two long V-grooves along `along`, tilted about it from `above` by +-tilt
+// degrees, with a half angle of `half` degrees. Their cones are wedges of directions.
 Part two_grooves(const std::vector<Vec3>& centres, const Vec3& along, const Vec3& above,
                  double tilt, double half)
 {
@@ -365,7 +366,8 @@ Part two_grooves(const std::vector<Vec3>& centres, const Vec3& along, const Vec3
     return part;
 }
 
-// In every mode and family, the tool turns about `axis` by `turn` and about no other axis.
+// In every mode and family, the tool turns about `axis` by `turn` and about no other
+// axis.
 void expect_one_turn(const Part& part, double turn, const Vec3& axis)
 {
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
@@ -384,8 +386,8 @@ void expect_one_turn(const Part& part, double turn, const Vec3& axis)
     }
 }
 
-// The only directions lie across the grooves, at odd multiples of half a degree. The tool turns by
-// 2 (tilt - half), and by half a degree more at both ends.
+// The only directions lie across the grooves, at odd multiples of half a degree. The tool
+// turns by 2 (tilt - half), and by half a degree more at both ends.
 TEST(PoseSearch, TurnsFromGrooveToGrooveAboutTheirDirection)
 {
     const Vec3 along = Vec3{1, 9, 3}.normalized();
@@ -398,8 +400,8 @@ TEST(PoseSearch, TurnsFromGrooveToGrooveAboutTheirDirection)
                         (2 * (tilt - half) + 1) * degree, along);
 }
 
-// On a grid the nearest two directions of both grooves lie off that plane. With the tool along one of
-// them, the other is the only direction to reach.
+// On a grid the nearest two directions of both grooves lie off that plane. With the tool
+// along one of them, the other is the only direction to reach.
 TEST(PoseSearch, TurnsFromGrooveToGrooveByTheLeastAngleOfTwoCells)
 {
     const Vec3 along = Vec3{1, 9, 3}.normalized();
@@ -446,7 +448,8 @@ TEST(PoseSearch, LeavesOutEmptyCones)
               SetupStatus::ThreeAxis);
 }
 
-// Random convex parts: the area of `Corrected` is never above that of `Paper`, in both families.
+// Random convex parts: the area of `Corrected` is never above that of `Paper`, in both
+// families.
 TEST(PoseSearch, IsNeverWorseCorrected)
 {
     test::Random random{61};

@@ -58,7 +58,8 @@ TEST(RectangleNeeds, LeaveTheSideOfTheOppositeOfTheToolAxisOpen)
     EXPECT_NEAR(bound.areas[1], (180 + 30) * degree * beta, 1e-7);
 }
 
-// Intervals of all widths between neighbouring splits. No rectangle in them is below the bound.
+// Intervals of all widths between neighbouring splits. No rectangle in them is below the
+// bound.
 TEST(RectangleNeeds, AreNowhereBelowTheBoundOfTheInterval)
 {
     test::Random random{12};
@@ -97,8 +98,8 @@ TEST(RectangleNeeds, AreNowhereBelowTheBoundOfTheInterval)
     }
 }
 
-// With the convex alpha of a low direction and a sum of two betas that rise and fall, the gap of the
-// bound falls to a quarter when the interval is halved.
+// With the convex alpha of a low direction and a sum of two betas that rise and fall, the
+// gap of the bound falls to a quarter when the interval is halved.
 TEST(RectangleNeeds, ConvergeWithTheSquareOfTheIntervalsWidth)
 {
     const std::vector<Vec3> points =

@@ -30,8 +30,8 @@ TEST(RectangleBranch, FindsTheMinimumOfTheHulls)
     }
 }
 
-// Two directions lie 120 degrees from the tool axis; their alpha jumps where R1 has their azimuth. No
-// position of R1 at a multiple of 0.01 degrees is better.
+// Two directions lie 120 degrees from the tool axis; their alpha jumps where R1 has their
+// azimuth. No position of R1 at a multiple of 0.01 degrees is better.
 TEST(RectangleBranch, CrossesTheJumpsOfLowDirections)
 {
     const std::vector<Vec3> points =
@@ -47,9 +47,9 @@ TEST(RectangleBranch, CrossesTheJumpsOfLowDirections)
     EXPECT_NEAR(rectangle_about(up, found->r1_axis, points).area(), found->area(), 1e-9);
 }
 
-// A direction perpendicular to the tool axis, or nearly so, needs no turn about R1 if R1 lies along
-// it. No other position of R1, however close, has such a small rectangle. The alpha of this direction
-// is 0, to 1e-9 rad, as in rectangle_about.
+// A direction perpendicular to the tool axis, or nearly so, needs no turn about R1 if R1
+// lies along it. No other position of R1, however close, has such a small rectangle. The
+// alpha of this direction is 0, to 1e-9 rad, as in rectangle_about.
 TEST(RectangleBranch, PutsR1AlongADirectionAtRightAnglesToTheToolAxis)
 {
     for (const double polar : {90.0, 90 - 1e-8, 90 + 1e-8, 90 - 1e-5}) {
@@ -77,9 +77,9 @@ TEST(RectangleBranch, PutsR1AlongADirectionAtRightAnglesToTheToolAxis)
     }
 }
 
-// Directions on a lattice; many of them are perpendicular or opposite to the tool axis, or have the
-// same azimuth. No position of R1 at a multiple of a quarter degree or along a direction is better,
-// and the machine reaches all directions within the ranges found.
+// Directions on a lattice; many of them are perpendicular or opposite to the tool axis,
+// or have the same azimuth. No position of R1 at a multiple of a quarter degree or along
+// a direction is better, and the machine reaches all directions within the ranges found.
 TEST(RectangleBranch, IsNotWorseThanAnyPositionOfR1)
 {
     test::Random random{83};
@@ -111,8 +111,8 @@ TEST(RectangleBranch, IsNotWorseThanAnyPositionOfR1)
     }
 }
 
-// The opposite of the tool axis costs less on the side where alpha is larger. On that side neither
-// this rectangle nor the one turned by 180 degrees fits the limits.
+// The opposite of the tool axis costs less on the side where alpha is larger. On that
+// side neither this rectangle nor the one turned by 180 degrees fits the limits.
 TEST(RectangleBranch, PutsTheOppositeOfTheToolAxisWhereTheLimitsHaveRoom)
 {
     const std::vector<Vec3> points{test::turned_to(10, 20), test::turned_to(-5, 1), -up};

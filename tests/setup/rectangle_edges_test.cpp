@@ -38,7 +38,8 @@ TEST(RectangleEdges, PassThroughTwoDirectionsOfAHull)
                                      SetupMode::Corrected};
         points.push_back(up);
         for (const RectangleCandidate& found : images.at_edges()) {
-            // One border passes through two directions, or one and the tool axis; each other border through one.
+            // One border passes through two directions, or one and the tool axis; each
+            // other border through one.
             const bool of_alpha = found.origin == RectangleOrigin::GnomonicEdge;
             EXPECT_GE(at_border(found, points, of_alpha), 3);
             const auto measured = rectangle_about(up, found.r1_axis, points);
@@ -53,7 +54,8 @@ TEST(RectangleEdges, MeetALimitWithADirection)
     const RotaryLimits limits{{-29.95 * degree, 20 * degree}, {-27 * degree, 3}};
     const RectangleImages images{PolePoints{up, points}, points, SetupMode::Corrected};
     const auto found = images.at_limits(limits);
-    // Three directions at three limits below 90 degrees, twice each. The tool axis is not a vertex.
+    // Three directions at three limits below 90 degrees, twice each. The tool axis is not
+    // a vertex.
     EXPECT_EQ(found.size(), 18U);
     for (const RectangleCandidate& rectangle : found) {
         const auto meets = [&](double limit) {

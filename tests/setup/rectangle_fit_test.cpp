@@ -310,8 +310,8 @@ TEST(RectangleFit, FindsTheBestWithADirectionAtALimit)
                 51.215449, 1e-6);
 }
 
-// Random limits, with and without directions beyond 90 degrees. The rectangle found fits, and no
-// fitting rectangle of a search in steps of 0.01 degrees is better.
+// Random limits, with and without directions beyond 90 degrees. The rectangle found fits,
+// and no fitting rectangle of a search in steps of 0.01 degrees is better.
 TEST(RectangleFit, IsTheLeastThatFitsIfCorrected)
 {
     test::Random random{33};

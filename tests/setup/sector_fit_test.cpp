@@ -49,8 +49,9 @@ bool has_candidate(const std::vector<SectorCandidate>& found, double width, doub
     });
 }
 
-// Tests whether a C,A machine in this pose reaches the direction v within these ranges, by one of the
-// two solutions: (polar, azimuth from r2 x C) and (-polar, azimuth + 180 degrees).
+// Tests whether a C,A machine in this pose reaches the direction v within these ranges,
+// by one of the two solutions: (polar, azimuth from r2 x C) and (-polar, azimuth + 180
+// degrees).
 bool reaches(const FittedPose& fit, const Vec3& v)
 {
     constexpr double slack = 1e-8;
@@ -137,7 +138,8 @@ TEST_P(SectorOfARing, HasTheWidthOfTheClosedForm)
             sector_fit(up, test::ring(count, polar), options(SetupMode::Corrected));
         const double width = 180 - (count % 2 == 0 ? 360.0 : 180.0) / count;
         EXPECT_NEAR(square_degrees(found.least->area), 2 * polar * width, 1e-6);
-        // Odd rings tie with one wide sector. Its ranges have the larger sum, except close to the pole.
+        // Odd rings tie with one wide sector. Its ranges have the larger sum, except
+        // close to the pole.
         if (count % 2 == 0 || polar <= width) {
             EXPECT_NEAR(width_of(*found.least), width, 1e-7);
         } else {
@@ -198,8 +200,8 @@ TEST(SectorFit, DividesTheAzimuthsInTheRatioOfTheLimits)
                      .feasible);
 }
 
-// By the kinematics of the machine, the ranges reach every direction, for every mode, tool axis and
-// limits.
+// By the kinematics of the machine, the ranges reach every direction, for every mode,
+// tool axis and limits.
 TEST(SectorFit, ReachesAllDirections)
 {
     test::Random random{21};

@@ -11,7 +11,8 @@
 namespace endmill {
 namespace {
 
-// Cones that are caps of about 20 degrees around random directions of the upper half sphere.
+// Cones that are caps of about 20 degrees around random directions of the upper half
+// sphere.
 VisibilityMap random_cones(const SphereGrid& grid, test::Random& random,
                            std::size_t facets)
 {
@@ -40,8 +41,8 @@ SetupRequest request_of(RotaryFamily family, SetupMode mode)
     return {.reach = {.configuration = configuration_of_family(family)}, .mode = mode};
 }
 
-// Random parts of at most 20 facets. Only the first parts use the search over whole cones, which
-// takes longer.
+// Random parts of at most 20 facets. Only the first parts use the search over whole
+// cones, which takes longer.
 TEST(FiveAxisSetup, LaterModesNeedNoMoreAndTheBoundIsNoLarger)
 {
     const SphereGrid grid = sphere_grid("hex:4");

@@ -28,7 +28,8 @@ TEST(SetupOrder, TakesTheLeastAreaThenTheLeastSumThenTheFirst)
     EXPECT_EQ(best.area(), 0.9);
 }
 
-// Three areas, each equal to the next one. Only the least area decides which of them are equal.
+// Three areas, each equal to the next one. Only the least area decides which of them are
+// equal.
 TEST(SetupOrder, DoesNotDependOnOtherCandidates)
 {
     const SetupScore chain[] = {{1 + 1.6e-9, 3}, {1 + 0.8e-9, 4}, {1, 5}};
@@ -52,9 +53,9 @@ TEST(SetupOrder, LeavesOutCandidatesBeyondItsBound)
     EXPECT_EQ(best.best(), 'b');
 }
 
-// Five poses, with areas that equal those of their neighbours but not the least. The poses are offered
-// in every order, each with the least area so far as its bound, as threads would do. The best is
-// always that of a search without bounds.
+// Five poses, with areas that equal those of their neighbours but not the least. The
+// poses are offered in every order, each with the least area so far as its bound, as
+// threads would do. The best is always that of a search without bounds.
 TEST(SetupOrder, IsTheSameForBoundsFromPosesInAnyOrder)
 {
     struct Offer {

@@ -11,8 +11,8 @@
 namespace endmill {
 namespace {
 
-// Two facets are accessible within 30 degrees of two directions that are 90 degrees apart, and a
-// third facet has no area.
+// Two facets are accessible within 30 degrees of two directions that are 90 degrees
+// apart, and a third facet has no area.
 struct TwoCones {
     SphereGrid grid = sphere_grid("hex:6");
     PartVisibility visibility{VisibilityMap{3, grid.centres.size()}, {2}};
@@ -60,9 +60,9 @@ TEST(FindSetup, UsesTheSearchThatSuitsTheMachine)
                   .feasible->area);
 }
 
-// The cones are caps of 30 degrees about axes 90 degrees apart, so that 30 degrees lie between
-// them. The arc tolerance of 2.95 degrees shortens the arc at either end; the outermost centres of
-// the cells, which are 10 degrees wide, lengthen it.
+// The cones are caps of 30 degrees about axes 90 degrees apart, so that 30 degrees lie
+// between them. The arc tolerance of 2.95 degrees shortens the arc at either end; the
+// outermost centres of the cells, which are 10 degrees wide, lengthen it.
 TEST(FindSetup, NeedsTheAngleBetweenTwoCapsWithFourAxes)
 {
     const TwoCones part;

@@ -99,8 +99,9 @@ TEST(ReachedPoints, AreCentroidsUnlessAFacetWithAnAreaIsMissed)
     EXPECT_FALSE(reached_points(part, visibility, centres, frame, {{-1, 1}, {-1, 1}}));
 }
 
-// A head that turns about C and A moves the tip about the pivot. The positions for a point that is
-// reached straight down and at 90 degrees differ by the length of the arm, pivot plus tool.
+// A head that turns about C and A moves the tip about the pivot. The positions for a
+// point that is reached straight down and at 90 degrees differ by the length of the arm,
+// pivot plus tool.
 TEST(SetupTravel, FollowsTheArmOfAHead)
 {
     Machine machine{.configuration = configuration_from_word("W/xyzBca/T"), .pivot = 150};

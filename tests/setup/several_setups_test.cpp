@@ -76,8 +76,8 @@ TEST(SeveralSetups, AreOneWithFiveAxesWithoutLimitsAndMoreWithThem)
     }
 }
 
-// The teapot has no bottom. A four-axis machine reaches all of it with 156 degrees about the axis
-// from spout to handle.
+// The teapot has no bottom. A four-axis machine reaches all of it with 156 degrees about
+// the axis from spout to handle.
 TEST(SeveralSetups, WithFourAxesReachWhatTheArcReaches)
 {
     const SphereGrid grid = sphere_grid("hex:10");
@@ -173,7 +173,8 @@ TEST(SeveralSetups, AreThoseOfTheRuleWithoutShortcuts)
     test::Random random{21};
     const SphereGrid grid = sphere_grid("hex:1");
     for (const RotaryReach& reach : test::reaches()) {
-        // No cell is opposite to another one, where the turn of C is a result of rounding.
+        // No cell is opposite to another one, where the turn of C is a result of
+        // rounding.
         const std::vector<Vec3> centres(grid.centres.begin(), grid.centres.begin() + 6);
         const auto facets = static_cast<std::size_t>(random.uniform(1, 80));
         const VisibilityMap map = test::random_caps(facets, centres, random);

@@ -34,7 +34,8 @@ bool has(const std::vector<Vec3>& hull, const Vec3& v)
     return std::find(hull.begin(), hull.end(), v) != hull.end();
 }
 
-// Tests whether all points lie to the left of every edge of the hull, in the plane facing +Z.
+// Tests whether all points lie to the left of every edge of the hull, in the plane facing
+// +Z.
 void expect_inside(const std::vector<Vec3>& hull, const std::vector<Vec3>& points,
                    HullProjection projection)
 {
@@ -76,8 +77,8 @@ TEST(SphericalHull, HasAllDirectionsOnTheLeftOfEachEdge)
     }
 }
 
-// A rotation of all directions must not change which of them are vertices, although the exact signs
-// are those of other doubles.
+// A rotation of all directions must not change which of them are vertices, although the
+// exact signs are those of other doubles.
 TEST(SphericalHull, TurnsWithItsDirections)
 {
     Random random{9};

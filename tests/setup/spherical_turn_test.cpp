@@ -10,8 +10,8 @@ namespace {
 
 using test::Random;
 
-// Coordinates are multiples of 2^-18 below 1. Determinants then have at most 61 bits and are exact in
-// a long double.
+// Coordinates are multiples of 2^-18 below 1. Determinants then have at most 61 bits and
+// are exact in a long double.
 Vec3 coarse_vector(Random& random)
 {
     const auto coordinate = [&random] {
@@ -56,8 +56,8 @@ TEST(SphericalTurn, IsTheSignOfTheDeterminantWhereThatIsExact)
     }
 }
 
-// 0.1 + 0.2 - 0.3 is not 0 in doubles, so that the exact sign is not 0 either. A vector multiplied by
-// a power of two is exactly collinear.
+// 0.1 + 0.2 - 0.3 is not 0 in doubles, so that the exact sign is not 0 either. A vector
+// multiplied by a power of two is exactly collinear.
 TEST(SphericalTurn, DependsOnTheLastBit)
 {
     const Vec3 axis = Vec3::UnitZ();

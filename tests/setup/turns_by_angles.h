@@ -29,7 +29,8 @@ inline bool takes(const RotaryReach& reach, const RotaryFrame& frame,
                              holds(other_rotary_angles(frame.family, angles)));
 }
 
-/// Machines of each kind with narrow, wide and one-sided limits, some of them beyond half a turn.
+/// Machines of each kind with narrow, wide and one-sided limits, some of them beyond half
+/// a turn.
 inline std::vector<RotaryReach> reaches()
 {
     std::vector<RotaryReach> all{{.configuration = configuration_from_word("W/xyBz/T")}};

@@ -94,7 +94,8 @@ double beyond(const RotaryRange& range, double angle)
     return least;
 }
 
-/// The largest distance, over all facets, of the best cell of a facet from the pose's ranges, rad.
+/// The largest distance, over all facets, of the best cell of a facet from the pose's
+/// ranges, rad.
 double worst_miss(const SphereGrid& grid, const VisibilityMap& map,
                   const FittedPose& fitted, RotaryFamily family)
 {
@@ -121,8 +122,8 @@ double worst_miss(const SphereGrid& grid, const VisibilityMap& map,
     return worst;
 }
 
-/// The objective of the least window about a random axis up to random levels. All windows that begin
-/// at a cell are tried. Infinite if none meets all cones.
+/// The objective of the least window about a random axis up to random levels. All windows
+/// that begin at a cell are tried. Infinite if none meets all cones.
 double random_objective(const SphereGrid& grid, const VisibilityMap& map,
                         const PoseMeasure& measure, std::mt19937& random)
 {
@@ -193,7 +194,8 @@ TEST_P(ConvexParts, NeedTheShortestArcBetweenTwoDirections)
     EXPECT_EQ(result.unresolved, 0U);
 }
 
-// On ico:4 only one of four parts, because they take long; the experiment `convex-parts` has all.
+// On ico:4 only one of four parts, because they take long; the experiment `convex-parts`
+// has all.
 INSTANTIATE_TEST_SUITE_P(
     Grids, ConvexParts,
     testing::Values(Arc{"hex:10", RotaryFamily::AB, true, 385.806, 0.005},
@@ -202,8 +204,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Arc{"cube:10", RotaryFamily::CA, false, 359.636, 0.01},
                     Arc{"ico:4", RotaryFamily::AB, true, 306.732, 0.01}));
 
-/// The bottoms of two long V-grooves along `along`, tilted about it by +-40 degrees, with a half angle
-/// of 15 degrees. Their cones are wedges of directions within 60 degrees of the bottom's normal.
+/// The bottoms of two long V-grooves along `along`, tilted about it by +-40 degrees, with
+/// a half angle of 15 degrees. Their cones are wedges of directions within 60 degrees of
+/// the bottom's normal.
 VisibilityMap two_grooves(const SphereGrid& grid, const Vec3& along, const Vec3& above)
 {
     VisibilityMap map{2, grid.centres.size()};
@@ -234,11 +237,12 @@ double least_angle(const SphereGrid& grid, const VisibilityMap& map)
     return least;
 }
 
-// A range that contains two directions at the angle d has w + h >= d, because a turn of at most h
-// about one axis and a turn of at most w about the other axis lead from one to the other. So the
-// floored area is at least floor (floor + d), and the great arc between the nearest two directions
-// reaches this value. For whole wedges d is 2 asin(sin 25 cos 60 / cos 15), between the ends of the
-// wedges; this is less than the angle 2 (40 - 15) about the axis of the grooves.
+// A range that contains two directions at the angle d has w + h >= d, because a turn of
+// at most h about one axis and a turn of at most w about the other axis lead from one to
+// the other. So the floored area is at least floor (floor + d), and the great arc between
+// the nearest two directions reaches this value. For whole wedges d is 2 asin(sin 25 cos
+// 60 / cos 15), between the ends of the wedges; this is less than the angle 2 (40 - 15)
+// about the axis of the grooves.
 TEST(WholeConeSearch, TurnsFromGrooveToGrooveAlongTheShortestArc)
 {
     const SphereGrid grid = sphere_grid("hex:10");
@@ -346,8 +350,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(WholeConeSearch, ProvesThatOppositeWallsExceedTheTilt)
 {
     const SphereGrid grid = sphere_grid("hex:4");
-    // Caps of 30 degrees about x and -x. Their nearest cells are at least 120 degrees apart, so that one
-    // of the caps is 60 degrees or more from any tool axis.
+    // Caps of 30 degrees about x and -x. Their nearest cells are at least 120 degrees
+    // apart, so that one of the caps is 60 degrees or more from any tool axis.
     const std::vector<Vec3> walls{{1, 0, 0}, {-1, 0, 0}};
     const VisibilityMap map = caps(grid, walls, 30 * degree);
     WholeConeSearchOptions options;

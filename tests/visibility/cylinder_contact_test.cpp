@@ -24,8 +24,8 @@ double distance(const SolidCylinder& cylinder, const Vec3& point)
                       std::max({0.0, cylinder.from - height, height - cylinder.to}));
 }
 
-// Least distance of sample points of the triangle; every point of the triangle is within `spacing`
-// of a sample.
+// Least distance of sample points of the triangle; every point of the triangle is within
+// `spacing` of a sample.
 double sampled_distance(const SolidCylinder& cylinder, const Corners& corners, int steps)
 {
     double least = std::numeric_limits<double>::infinity();

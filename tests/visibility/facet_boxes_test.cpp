@@ -20,8 +20,8 @@ TEST(FacetBoxes, TestEachFacetOnceIfNoBoxIsExcluded)
         EXPECT_EQ(times, 1);
 }
 
-// A box that excludes a point does not contain it, so that no facet with the point as a corner is
-// missed.
+// A box that excludes a point does not contain it, so that no facet with the point as a
+// corner is missed.
 TEST(FacetBoxes, FindTheOneFacetWithACorner)
 {
     const TriangleMesh part = test::torus_mesh(17, 9);

@@ -19,8 +19,8 @@ void make_accessible(VisibilityMap& map, std::size_t facet, std::size_t cell)
     map.column(cell)[facet / 64] |= std::uint64_t{1} << (facet % 64);
 }
 
-// The definition: for each facet of Group II the accessible cell of the largest dot product, the
-// lowest of those within 1e-12 of it.
+// The definition: for each facet of Group II the accessible cell of the largest dot
+// product, the lowest of those within 1e-12 of it.
 std::set<std::size_t> nearest_by_definition(const VisibilityMap& map,
                                             const std::vector<Vec3>& centres,
                                             std::size_t pose)
@@ -85,8 +85,8 @@ TEST(NearestCells, AreEmptyIfThePoseReachesEverything)
     EXPECT_EQ(nearest_cells(map, grid.centres, 4), std::vector<std::size_t>{3});
 }
 
-// Two cells are equally near to the pole up to rounding, and lie in different classes of the dot
-// product, with the border 1 - 1 / 32. The lower cell counts.
+// Two cells are equally near to the pole up to rounding, and lie in different classes of
+// the dot product, with the border 1 - 1 / 32. The lower cell counts.
 TEST(NearestCells, TakeTheLowestOfEqualCellsInDifferentClasses)
 {
     const double border = 1 - 1.0 / 32;

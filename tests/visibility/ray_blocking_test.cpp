@@ -42,7 +42,8 @@ Corners corners_of(const Next& next)
     return corners;
 }
 
-// Compares `trials` random rays with exact constructions. \return how many rays are blocked.
+// Compares `trials` random rays with exact constructions. \return how many rays are
+// blocked.
 template <typename Next>
 int agreed_hits(int trials, const Next& next)
 {
@@ -110,8 +111,8 @@ TEST(BlocksRay, IsTheSameForAnySize)
     }
 }
 
-// Scaling by a power of two changes no digit of the coordinates. The answer must stay the same even
-// if products of coordinates overflow.
+// Scaling by a power of two changes no digit of the coordinates. The answer must stay the
+// same even if products of coordinates overflow.
 TEST(BlocksRay, IsRightIfProductsOverflow)
 {
     test::Random random{3};

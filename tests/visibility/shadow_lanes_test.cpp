@@ -19,8 +19,8 @@ Eigen::Vector3f random_place(test::Random& random)
     return {next(), next(), next()};
 }
 
-// Distance of a point inside a triangle's outline, and its depth below the triangle along z, in
-// doubles. Negative outside or above.
+// Distance of a point inside a triangle's outline, and its depth below the triangle along
+// z, in doubles. Negative outside or above.
 double insideness(const std::array<Eigen::Vector3f, 3>& corners,
                   const Eigen::Vector3f& point)
 {

@@ -34,7 +34,8 @@ bool is_blocked(const TriangleMesh& part, const PartFacets& facets, std::size_t 
     return false;
 }
 
-// Compares the raster with exact tests of all pairs of facets, for all facets and directions.
+// Compares the raster with exact tests of all pairs of facets, for all facets and
+// directions.
 void expect_same_shadows(const TriangleMesh& part, const std::vector<Vec3>& directions)
 {
     const PartFacets facets = part_facets(part);

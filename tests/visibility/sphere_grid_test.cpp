@@ -36,8 +36,9 @@ Polygon clipped(const Polygon& polygon, const Vec3& line)
     return kept;
 }
 
-// The cover radius: the largest angle from a direction to the nearest centre. It is computed from the
-// Voronoi cell of each centre in the plane that touches the sphere there.
+// The cover radius: the largest angle from a direction to the nearest centre. It is
+// computed from the Voronoi cell of each centre in the plane that touches the sphere
+// there.
 double cover_radius(const std::vector<Vec3>& centres)
 {
     double tangent = 0;

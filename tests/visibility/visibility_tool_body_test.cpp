@@ -48,8 +48,9 @@ TEST(KeepReachable, KeepsDirectionsWithoutAContact)
     EXPECT_GT(lost, 100);
 }
 
-// The tool stands upright on the floor of a pocket with walls of height h at the distance w. A
-// cylinder of radius r fits if r < w; a cylinder that begins at the height h always fits.
+// The tool stands upright on the floor of a pocket with walls of height h at the distance
+// w. A cylinder of radius r fits if r < w; a cylinder that begins at the height h always
+// fits.
 TEST(KeepReachable, FitsAnUprightToolIntoAPocket)
 {
     TriangleMesh part{{{-0.1, -0.1, 0}, {0.2, -0.1, 0}, {-0.1, 0.2, 0}}, {{0, 1, 2}}};
@@ -81,8 +82,8 @@ TEST(KeepReachable, FitsAnUprightToolIntoAPocket)
     EXPECT_FALSE(fits({{2, 0, 9}}));  // this cylinder touches the facet of the tip
 }
 
-// An obstacle at the distance L from the tip, where a cylinder of radius r has begun, meets it if the
-// angle from the axis is below asin(r / L).
+// An obstacle at the distance L from the tip, where a cylinder of radius r has begun,
+// meets it if the angle from the axis is below asin(r / L).
 TEST(KeepReachable, KeepsAwayFromAFarPointByItsRadius)
 {
     const double far = 100;

@@ -12,13 +12,13 @@
 #include "endmill/core/vec.h"
 #include "endmill/machine/configuration.h"
 
-/// \file
-/// Travel limits of linear and rotary axes.
+/// \file Travel limits of linear and rotary axes.
 ///
-/// A *turn* is a rotation of the tool against the part, by the right-hand rule about +X, +Y or
-/// +Z. A *position* is the rotation of whatever the axis carries, by the same rule. Turn and
-/// position are equal on the tool's side of the bed, and have opposite signs on the part's side.
-/// The library computes with turns; machine files and controllers use positions.
+/// A *turn* is a rotation of the tool against the part, by the right-hand rule about +X,
+/// +Y or +Z. A *position* is the rotation of whatever the axis carries, by the same rule.
+/// Turn and position are equal on the tool's side of the bed, and have opposite signs on
+/// the part's side. The library computes with turns; machine files and controllers use
+/// positions.
 /// Source: docs/mathematics/five-axis-setup.md, section 2.
 
 namespace endmill {
@@ -34,9 +34,9 @@ struct RotaryRange {
 
 /// Limits of the two rotary axes as turns. The default does not limit either.
 ///
-/// phi is the tilt (second letter) of a C,A machine and the turn of R1 (first letter) of an A,B
-/// machine; theta belongs to the other letter. The only rotary axis of a four-axis machine is
-/// phi, and its theta is 0.
+/// phi is the tilt (second letter) of a C,A machine and the turn of R1 (first letter) of
+/// an A,B machine; theta belongs to the other letter. The only rotary axis of a four-axis
+/// machine is phi, and its theta is 0.
 struct RotaryLimits {
     RotaryRange phi = {};    ///< C,A: tilt, second letter; A,B: R1, first letter
     RotaryRange theta = {};  ///< C,A: turn of C, first letter; A,B: R2, second letter
@@ -69,27 +69,27 @@ bool is_within(const LinearLimits& limits, const Vec3& xyz);
 /// \return rad, or nothing if no such turn lies within the range.
 std::optional<double> turn_within(const RotaryRange& range, double turn);
 
-/// Converts a position of an axis to the turn that it causes, or a turn to its position. The
-/// sign changes on the part's side of the bed. Exact.
+/// Converts a position of an axis to the turn that it causes, or a turn to its position.
+/// The sign changes on the part's side of the bed. Exact.
 /// \param side side of the axis.
 /// \param turn rad.
 double mirrored(MachineSide side, double turn);
 
-/// Converts a range of positions to turns, or back: [lo, hi] becomes [-hi, -lo] on the part's
-/// side. Exact.
+/// Converts a range of positions to turns, or back: [lo, hi] becomes [-hi, -lo] on the
+/// part's side. Exact.
 RotaryRange mirrored(MachineSide side, const RotaryRange& range);
 
-/// Checks the limits of a rotary axis, in degrees, as a person writes them. They must contain 0
-/// and be at most 360 degrees wide. The axis next to the tool (the tilt of C,A, R2 of A,B) must
-/// stay within 180 degrees to either side.
+/// Checks the limits of a rotary axis, in degrees, as a person writes them. They must
+/// contain 0 and be at most 360 degrees wide. The axis next to the tool (the tilt of C,A,
+/// R2 of A,B) must stay within 180 degrees to either side.
 /// \param axis 0 for the axis nearer to the part, or the only one; 1 for the other axis.
 /// \param from_deg lower limit. \param to_deg upper limit.
 /// \return a description of what is expected, or nothing if the limits are valid.
 std::optional<std::string> expected_rotary_range(std::size_t axis, double from_deg,
                                                  double to_deg);
 
-/// Selects the limits of one rotary axis: theta for the first axis of C,A and the second axis of
-/// A,B, else phi.
+/// Selects the limits of one rotary axis: theta for the first axis of C,A and the second
+/// axis of A,B, else phi.
 /// \param limits turns. \param configuration the machine.
 /// \param axis index from the part to the tool. \pre the configuration has this axis.
 RotaryRange& turns_of(RotaryLimits& limits, const MachineConfiguration& configuration,
@@ -99,8 +99,8 @@ RotaryRange& turns_of(RotaryLimits& limits, const MachineConfiguration& configur
 const RotaryRange& turns_of(const RotaryLimits& limits,
                             const MachineConfiguration& configuration, std::size_t axis);
 
-/// Limits that restrict nothing: a whole turn for each axis of the machine, and [0, 0] for an
-/// axis that it lacks.
+/// Limits that restrict nothing: a whole turn for each axis of the machine, and [0, 0]
+/// for an axis that it lacks.
 RotaryLimits widest_limits(const MachineConfiguration& configuration);
 
 }  // namespace endmill

@@ -75,8 +75,8 @@ bool is_linear(char letter)
     return letter == 'x' || letter == 'y' || letter == 'z';
 }
 
-// A word without the bed and with neighbouring linear axes in alphabetical order. It is the same for
-// all words with the same relative motion.
+// A word without the bed and with neighbouring linear axes in alphabetical order. It is
+// the same for all words with the same relative motion.
 std::string relative_motion(std::string word)
 {
     std::erase(word, 'B');
@@ -116,7 +116,8 @@ MachineConfiguration configuration_from_word(std::string_view word)
     machine.rank = static_cast<int>(machine.rotary.size());
     if (machine.rank == 0)
         return machine;
-    // C next to the tool turns the tool about its own axis, whatever the position of the other axis.
+    // C next to the tool turns the tool about its own axis, whatever the position of the
+    // other axis.
     if (machine.rotary.back().letter == 'c')
         --machine.rank;
     else if (machine.rank == 2)

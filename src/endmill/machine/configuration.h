@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
-/// \file
-/// Machine words such as W/caxyBz/T: how they are read, what their axes can do with the tool
-/// axis, and how many different words there are.
+/// \file Machine words such as W/caxyBz/T: how they are read, what their axes can do with
+/// the tool axis, and how many different words there are.
 ///
-/// A word lists the axes of a machine from the workpiece W to the tool T. The letters x, y, z
-/// are linear axes, a, b, c are rotary axes about +X, +Y, +Z, and B is the bed. Axes before B
-/// move the part, axes after B move the tool. Upper and lower case differ: b is an axis.
+/// A word lists the axes of a machine from the workpiece W to the tool T. The letters x,
+/// y, z are linear axes, a, b, c are rotary axes about +X, +Y, +Z, and B is the bed. Axes
+/// before B move the part, axes after B move the tool. Upper and lower case differ: b is
+/// an axis.
 /// Source: [KangSuh, section 3]; docs/mathematics/five-axis-setup.md, section 2.
 
 namespace endmill {
@@ -22,8 +22,7 @@ namespace endmill {
 /// Source: [KangSuh, section 3].
 enum class RotaryFamily {
     CA,  ///< the first rotary axis is C: two opposite sectors about the pole
-    AB  ///< the rotary axes are A and B, in either order: a rectangle between two meridians
-        ///< and two parallels about the first rotary axis
+    AB  ///< A and B in either order: a rectangle between meridians and parallels about R1
 };
 
 /// The side of the bed on which an axis lies.
@@ -43,8 +42,8 @@ struct RotaryAxis {
 
 /// The axes of a machine and what they can do with the tool axis.
 ///
-/// The tool axis is +Z when all axes are at zero. Linear axes and the place of the bed do not
-/// change which directions are possible.
+/// The tool axis is +Z when all axes are at zero. Linear axes and the place of the bed do
+/// not change which directions are possible.
 /// Source: [KangSuh, section 3]; its list of words is corrected in
 /// docs/mathematics/five-axis-setup.md, section 2.
 struct MachineConfiguration {
@@ -55,39 +54,43 @@ struct MachineConfiguration {
 
     int axes() const { return 3 + static_cast<int>(rotary.size()); }  ///< 3, 4 or 5
 
-    /// Returns true if every rotary axis adds one dimension to the set of tool directions.
+    /// Returns true if every rotary axis adds one dimension to the set of tool
+    /// directions.
     bool is_valid() const { return rank == axes() - 3; }
 };
 
 /// Finds the first error of a machine word.
 ///
-/// A word reads W/, then the axes from workpiece to tool, then /T. It holds x, y, z and the bed
-/// B once each, and at most two different letters of a, b, c.
+/// A word reads W/, then the axes from workpiece to tool, then /T. It holds x, y, z and
+/// the bed B once each, and at most two different letters of a, b, c.
 /// \param word any text.
-/// \return a message such as "B, the bed, is missing", or nothing if the word can be read.
+/// \return a message such as "B, the bed, is missing", or nothing if the word can be
+///         read.
 std::optional<std::string> configuration_fault(std::string_view word);
 
-/// Reads a machine word. The machine may be valid or not; see MachineConfiguration::is_valid.
+/// Reads a machine word. The machine may be valid or not; see
+/// MachineConfiguration::is_valid.
 /// \param word such as "W/caxyBz/T".
 /// \throws DomainError if `configuration_fault` finds an error.
 MachineConfiguration configuration_from_word(std::string_view word);
 
-/// A machine that stands for its family: "W/caBxyz/T" for C,A and "W/abBxyz/T" for A,B. Both
-/// rotary axes turn the part.
+/// A machine that stands for its family: "W/caBxyz/T" for C,A and "W/abBxyz/T" for A,B.
+/// Both rotary axes turn the part.
 MachineConfiguration configuration_of_family(RotaryFamily family);
 
 /// Explains why a configuration is not valid.
 /// \return one sentence, or an empty text if the configuration is valid.
 std::string why_not_valid(const MachineConfiguration& configuration);
 
-/// The 18 words of two different rotary axes and the bed, such as "caB", without linear axes.
-/// They are ordered by the pair of axes (ab, ba, ca, cb, ac, bc), and within a pair by the place
-/// of the bed: last, middle, first.
+/// The 18 words of two different rotary axes and the bed, such as "caB", without linear
+/// axes. They are ordered by the pair of axes (ab, ba, ca, cb, ac, bc), and within a pair
+/// by the place of the bed: last, middle, first.
 /// Source: [KangSuh, section 3]. The paper lists caB twice and lacks cbB; see
 /// docs/mathematics/five-axis-setup.md, section 7.
 std::vector<std::string> rotary_words();
 
-/// Completes a rotary word with linear axes on the tool's side: "caB" becomes "W/caBxyz/T".
+/// Completes a rotary word with linear axes on the tool's side: "caB" becomes
+/// "W/caBxyz/T".
 /// \param rotary_word one of `rotary_words`.
 /// \throws DomainError if it is not one of these.
 std::string whole_word(const std::string& rotary_word);
@@ -103,9 +106,9 @@ struct WordCounts {
 
 /// Counts by enumerating every word, in about 1 ms.
 ///
-/// Two words have the same relative motion if they differ only by the place of the bed and by
-/// the order of neighbouring linear axes, which commute. There are 162 relative motions; the
-/// paper takes this number from Sakamoto and Inasaki without deriving it.
+/// Two words have the same relative motion if they differ only by the place of the bed
+/// and by the order of neighbouring linear axes, which commute. There are 162 relative
+/// motions; the paper takes this number from Sakamoto and Inasaki without deriving it.
 WordCounts count_words();
 
 }  // namespace endmill

@@ -28,9 +28,9 @@ void require_range(const RotaryRange& range)
             "FeasibleDirections: need limits that hold 0, at most 2 pi wide");
 }
 
-// The patches whose union is the set of tool directions. Azimuth and latitude refer to the pole in
-// C,A and to R1 in A,B. C,A has the two sectors. A,B has the rectangle, and one patch behind R1 for
-// each side on which R2 turns beyond 90 degrees.
+// The patches whose union is the set of tool directions. Azimuth and latitude refer to
+// the pole in C,A and to R1 in A,B. C,A has the two sectors. A,B has the rectangle, and
+// one patch behind R1 for each side on which R2 turns beyond 90 degrees.
 std::vector<DirectionPatch> patches(RotaryFamily family, const RotaryLimits& limits)
 {
     const RotaryRange& phi = limits.phi;

@@ -22,16 +22,16 @@ Vec3 axis_of(char letter)
     return Vec3::Unit(letter - 'a');
 }
 
-// Components of a direction from which its angles follow: along the tool axis, and along the two
-// vectors of Across.
+// Components of a direction from which its angles follow: along the tool axis, and along
+// the two vectors of Across.
 struct Components {
     double along;
     double first;
     double second;
 };
 
-// Two unit vectors perpendicular to the tool axis: r1 x C and r2 x C in A,B, the directions of the
-// azimuths 0 and 90 degrees in C,A.
+// Two unit vectors perpendicular to the tool axis: r1 x C and r2 x C in A,B, the
+// directions of the azimuths 0 and 90 degrees in C,A.
 struct Across {
     Vec3 first;
     Vec3 second;
@@ -89,7 +89,8 @@ Vec3 tip_shift(const Machine& machine, const Turns& turns, double tool_length)
     return (machine.pivot + tool_length) * (turns.tool.col(2) - Vec3::UnitZ());
 }
 
-// The solution with these turns, shifted by whole turns into the limits where that is possible.
+// The solution with these turns, shifted by whole turns into the limits where that is
+// possible.
 RotarySolution solution(const Machine& machine, const RotaryAngles& angles)
 {
     const MachineConfiguration& configuration = machine.configuration;
@@ -141,7 +142,8 @@ RotaryAngles rotary_angles(const RotaryFrame& frame, const Vec3& direction)
     if (frame.family == RotaryFamily::CA)
         return {std::atan2(std::hypot(v.first, v.second), v.along),
                 std::atan2(v.second, v.first)};
-    // The arc tangent is accurate close to R1, where an arc sine would lose half of the digits.
+    // The arc tangent is accurate close to R1, where an arc sine would lose half of the
+    // digits.
     return {std::atan2(v.first, v.along),
             std::atan2(v.second, std::hypot(v.first, v.along))};
 }

@@ -9,18 +9,17 @@
 #include "endmill/machine/axis_limits.h"
 #include "endmill/machine/configuration.h"
 
-/// \file
-/// Forward and inverse kinematics of machines with three to five axes.
+/// \file Forward and inverse kinematics of machines with three to five axes.
 ///
-/// Two layers: `RotaryFrame` and `RotaryAngles` relate tool directions to the two turns phi and
-/// theta, in any coordinate frame. `Machine` and `AxisPositions` add offsets, sides and travel,
-/// and give the positions of all axes.
+/// Two layers: `RotaryFrame` and `RotaryAngles` relate tool directions to the two turns
+/// phi and theta, in any coordinate frame. `Machine` and `AxisPositions` add offsets,
+/// sides and travel, and give the positions of all axes.
 /// Source: docs/mathematics/five-axis-setup.md, section 2.
 
 namespace endmill {
 
-/// The directions of tool and rotary axes while all axes are at zero. They may be given in the
-/// machine's own frame, or in the frame of a part that stands on the machine.
+/// The directions of tool and rotary axes while all axes are at zero. They may be given
+/// in the machine's own frame, or in the frame of a part that stands on the machine.
 struct RotaryFrame {
     RotaryFamily family;
     Vec3 tool_axis;  ///< unit: C, from the part towards the spindle
@@ -34,8 +33,8 @@ struct RotaryAngles {
     double theta;  ///< rad; C,A: turn of C; A,B: turn of R2
 };
 
-/// The axes of a machine in its own frame. The only rotary axis of a four-axis machine is R1 of
-/// the family A,B, with R2 at rest. A three-axis machine has both at rest.
+/// The axes of a machine in its own frame. The only rotary axis of a four-axis machine is
+/// R1 of the family A,B, with R2 at rest. A three-axis machine has both at rest.
 /// \throws DomainError if the configuration is not valid.
 RotaryFrame machine_frame(const MachineConfiguration& configuration);
 
@@ -43,12 +42,12 @@ RotaryFrame machine_frame(const MachineConfiguration& configuration);
 /// Source: [KangSuh, eq. (2)].
 Vec3 turned_tool_axis(const RotaryFrame& frame, const RotaryAngles& angles);
 
-/// The turns that bring the tool into a direction. In C,A 0 <= phi <= pi, in A,B
-/// |theta| <= pi/2; the other angle lies within (-pi, pi].
+/// The turns that bring the tool into a direction. In C,A 0 <= phi <= pi, in A,B |theta|
+/// <= pi/2; the other angle lies within (-pi, pi].
 ///
-/// At a singular direction (C,A: both poles; A,B: along R1) the other angle has no effect; it
-/// is 0 or a result of rounding. The absolute error is below 1e-14 for phi of C,A and theta of
-/// A,B, and below 1e-14 / `distance_from_singular` for the other angle.
+/// At a singular direction (C,A: both poles; A,B: along R1) the other angle has no
+/// effect; it is 0 or a result of rounding. The absolute error is below 1e-14 for phi of
+/// C,A and theta of A,B, and below 1e-14 / `distance_from_singular` for the other angle.
 /// Source: [KangSuh, eq. (5), (17), (18)], in the closed form of
 /// docs/mathematics/five-axis-setup.md, section 2.
 /// \param frame axes at zero.
@@ -59,8 +58,8 @@ RotaryAngles rotary_angles(const RotaryFrame& frame, const Vec3& direction);
 /// [-pi, pi].
 RotaryAngles other_rotary_angles(RotaryFamily family, const RotaryAngles& angles);
 
-/// The sine of the angle between a direction and the nearest singular direction, where one turn
-/// has no effect (C,A: the poles; A,B: the two directions along R1).
+/// The sine of the angle between a direction and the nearest singular direction, where
+/// one turn has no effect (C,A: the poles; A,B: the two directions along R1).
 /// \param frame axes at zero.
 /// \param direction unit.
 double distance_from_singular(const RotaryFrame& frame, const Vec3& direction);
@@ -75,8 +74,8 @@ struct Machine {
     LinearLimits linear = {};    ///< travel of X, Y, Z
 };
 
-/// Positions of the rotary axes, from the part to the tool, in rad. A position is the right-hand
-/// turn of what the axis carries; it is 0 for an axis that the machine lacks.
+/// Positions of the rotary axes, from the part to the tool, in rad. A position is the
+/// right-hand turn of what the axis carries; it is 0 for an axis that the machine lacks.
 using RotaryPositions = std::array<double, 2>;
 
 /// Positions of all axes of a machine.
@@ -93,15 +92,15 @@ struct AxisPositions {
 AxisPositions axis_positions(const Machine& machine, const RotaryPositions& rotary,
                              const Vec3& point, double tool_length);
 
-/// Forward kinematics, the inverse of `axis_positions`: tip and axis of the tool in the frame of
-/// the part.
+/// Forward kinematics, the inverse of `axis_positions`: tip and axis of the tool in the
+/// frame of the part.
 /// \param machine any. \param positions of all axes.
 /// \param tool_length mm, from the spindle nose to the tip.
 CutterLocation tool_location(const Machine& machine, const AxisPositions& positions,
                              double tool_length);
 
-/// Tests whether all axes can take these positions, the rotary ones to `turn_tolerance`. A
-/// rotary axis without limits may stand at any multiple of a turn.
+/// Tests whether all axes can take these positions, the rotary ones to `turn_tolerance`.
+/// A rotary axis without limits may stand at any multiple of a turn.
 /// \pre the configuration is valid.
 bool is_within_travel(const Machine& machine, const AxisPositions& positions);
 
@@ -112,8 +111,8 @@ struct RotarySolution {
     bool is_within_limits;      ///< the rotary limits hold, to `turn_tolerance`
 };
 
-/// All ways to turn the tool into a direction of the part: two solutions with two rotary axes,
-/// at most one with fewer.
+/// All ways to turn the tool into a direction of the part: two solutions with two rotary
+/// axes, at most one with fewer.
 ///
 /// Turns are shifted by whole turns into the limits where that is possible, else into
 /// [-pi, pi]. Where one turn has no effect it is 0 in the first solution.

@@ -19,11 +19,12 @@
 
 // The search looks at each tool axis twice.
 //
-// 1. The first pass finds the nearest cells of each tool axis and, where that is cheap, an upper
-//    bound of the least area. The smallest of these bounds is known before the second pass.
-// 2. The second pass fits each tool axis. The fit stops early if its area exceeds the least area
-//    that any thread knows. Such a fit cannot be the best, so that the result does not depend on
-//    the order in which threads work.
+// 1. The first pass finds the nearest cells of each tool axis and, where that is cheap,
+//    an upper bound of the least area. The smallest of these bounds is known before the
+//    second pass.
+// 2. The second pass fits each tool axis. The fit stops early if its area exceeds the
+//    least area that any thread knows. Such a fit cannot be the best, so that the result
+//    does not depend on the order in which threads work.
 
 namespace endmill {
 namespace {
@@ -46,9 +47,9 @@ PoseSearchResult fit(const Vec3& tool_axis, std::span<const Vec3> directions,
                : rectangle_fit(tool_axis, directions, options, bounds);
 }
 
-// A minimum area that all threads lower. It is never below the area of the best pose. A fit is the
-// same for every bound that is not below its area, so that all poses that can be the best are
-// fitted as without a bound.
+// A minimum area that all threads lower. It is never below the area of the best pose. A
+// fit is the same for every bound that is not below its area, so that all poses that can
+// be the best are fitted as without a bound.
 class SharedMinimum {
 public:
     double value() const { return value_.load(std::memory_order_relaxed); }
@@ -99,8 +100,8 @@ public:
             std::count(is_skipped_.begin(), is_skipped_.end(), true));
         result.least = best_of(least_);
         result.feasible = best_of(feasible_);
-        // `least` and `feasible` of a pose may come from two searches of limited accuracy. If the
-        // least pose fits the limits, it is the feasible one too.
+        // `least` and `feasible` of a pose may come from two searches of limited
+        // accuracy. If the least pose fits the limits, it is the feasible one too.
         if (result.least && setup_rules(options_.mode).has_signed_limits &&
             is_within(result.least->phi, options_.limits.phi) &&
             is_within(result.least->theta, options_.limits.theta))

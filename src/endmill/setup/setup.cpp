@@ -18,8 +18,8 @@
 namespace endmill {
 namespace {
 
-// The rotary axes of a four-axis machine that are tried: cell centres 2.7 degrees apart, half a
-// cell of a sphere of 1200 cells.
+// The rotary axes of a four-axis machine that are tried: cell centres 2.7 degrees apart,
+// half a cell of a sphere of 1200 cells.
 constexpr const char* axes_grid = "ico:4";
 
 // Words without two rotary axes count as A,B: the only rotary axis of four is phi, as R1.
@@ -57,8 +57,9 @@ PartSetup setup_of(PoseSearchResult search)
     return setup;
 }
 
-// Words that begin with B have R2 = R1 x C, the search over whole cones has R2 = C x R1. Both
-// limits and ranges of theta change from one convention to the other by their mirror image.
+// Words that begin with B have R2 = R1 x C, the search over whole cones has R2 = C x R1.
+// Both limits and ranges of theta change from one convention to the other by their mirror
+// image.
 RotaryLimits with_r2_reversed(RotaryLimits limits)
 {
     limits.theta = turned(limits.theta);
@@ -84,7 +85,8 @@ std::vector<SetupPose> starting_poses(const SphereGrid& grid, const VisibilityMa
     return poses;
 }
 
-// Two searches: without limits for the least pose, within the limits for the feasible one.
+// Two searches: without limits for the least pose, within the limits for the feasible
+// one.
 PartSetup best_over_whole_cones(const SphereGrid& grid, const VisibilityMap& map,
                                 const SetupRequest& request)
 {

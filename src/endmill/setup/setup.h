@@ -15,9 +15,8 @@
 #include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"
 
-/// \file
-/// The best setup of a part on a machine of three, four or five axes. Start here: `find_setup`
-/// chooses the search that suits the machine and the mode.
+/// \file The best setup of a part on a machine of three, four or five axes. Start here:
+/// `find_setup` chooses the search that suits the machine and the mode.
 
 namespace endmill {
 
@@ -65,34 +64,37 @@ struct PartSetup {
 /// Finds the best setup of a part on a machine.
 ///
 /// - Five axes: `five_axis_setup`.
-/// - Four axes: the shortest arc of tool directions about each of 5120 rotary axes. The arc about
-///   a given axis is exact, the choice of axes is not certified.
-/// - Three axes: the cell that reaches the most facets. All cells are tried, which decides.
+/// - Four axes: the shortest arc of tool directions about each of 5120 rotary axes. The
+///   arc about a given axis is exact, the choice of axes is not certified.
+/// - Three axes: the cell that reaches the most facets. All cells are tried, which
+///   decides.
 /// - A configuration that is not valid: not machinable, without a pose.
 ///
-/// A facet that has an area and that no cell reaches makes the part not machinable on every
-/// machine. The result then describes the ranges that the other facets need.
-/// Source: [KangSuh, sections 4 to 6]; docs/mathematics/five-axis-setup.md, sections 8 and 10.
+/// A facet that has an area and that no cell reaches makes the part not machinable on
+/// every machine. The result then describes the ranges that the other facets need.
+/// Source: [KangSuh, sections 4 to 6]; docs/mathematics/five-axis-setup.md, sections 8
+/// and 10.
 /// \param grid cells of the sphere of directions.
 /// \param visibility cones of the part's facets over these cells.
 /// \param request machine, mode and objective.
-/// \throws DomainError as `pose_search` and `whole_cone_search`; or if the arc tolerance is not
-///         within 0 and 45 degrees.
+/// \throws DomainError as `pose_search` and `whole_cone_search`; or if the arc tolerance
+///         is not within 0 and 45 degrees.
 PartSetup find_setup(const SphereGrid& grid, const PartVisibility& visibility,
                      const SetupRequest& request);
 
-/// Finds the best setup on a machine of five axes for the cones of a map. Empty cones are left
-/// out. The search over whole cones starts from the poses of `SetupMode::Corrected`, so that its
-/// result is never worse than theirs.
+/// Finds the best setup on a machine of five axes for the cones of a map. Empty cones are
+/// left out. The search over whole cones starts from the poses of `SetupMode::Corrected`,
+/// so that its result is never worse than theirs.
 /// \param grid cells of the sphere of directions. \param map cones over these cells.
 /// \param request machine, mode and objective.
-/// \throws DomainError as `pose_search` and `whole_cone_search`, or if the machine does not have
-///         two rotary axes that tilt the tool.
+/// \throws DomainError as `pose_search` and `whole_cone_search`, or if the machine does
+///         not have two rotary axes that tilt the tool.
 PartSetup five_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
                           const SetupRequest& request);
 
-/// The floored area (w + floor)(h + floor) of the pose that a setup shows, in square degrees. It
-/// compares setups on different machines: h is 0 with four axes, w and h are 0 with three.
+/// The floored area (w + floor)(h + floor) of the pose that a setup shows, in square
+/// degrees. It compares setups on different machines: h is 0 with four axes, w and h are
+/// 0 with three.
 /// \param setup found on a machine of this configuration.
 /// \param configuration the machine. \param floor_deg degrees.
 /// \return nothing if the setup shows no pose.
@@ -110,9 +112,9 @@ struct SetupRank {
     friend auto operator<=>(const SetupRank&, const SetupRank&) = default;
 };
 
-/// Ranks a setup: machinable machines first, then undecided, then not machinable ones; then by
-/// floored area; then by the machine's word. The travel of linear axes does not count, because
-/// it changes with the clamping position.
+/// Ranks a setup: machinable machines first, then undecided, then not machinable ones;
+/// then by floored area; then by the machine's word. The travel of linear axes does not
+/// count, because it changes with the clamping position.
 /// \param setup found on a machine of this configuration.
 /// \param configuration the machine. \param floor_deg floor of the area, degrees.
 SetupRank setup_rank(const PartSetup& setup, const MachineConfiguration& configuration,

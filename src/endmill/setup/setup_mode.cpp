@@ -22,7 +22,8 @@ constexpr std::array all_rules{
 
 bool is_valid_range(const RotaryRange& range)
 {
-    // rad; the two ends of a whole turn are each rounded when they are converted from degrees.
+    // rad; the two ends of a whole turn are each rounded when they are converted from
+    // degrees.
     constexpr double conversion_error = 1e-12;
     return range.from <= 0 && 0 <= range.to &&
            range.to - range.from <= 2 * std::numbers::pi + conversion_error;

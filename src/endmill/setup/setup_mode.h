@@ -8,9 +8,8 @@
 
 #include "endmill/machine/axis_limits.h"
 
-/// \file
-/// The four modes of a setup search and the rules that three of them follow at a given tool
-/// axis. Source: docs/mathematics/five-axis-setup.md, table of modes.
+/// \file The four modes of a setup search and the rules that three of them follow at a
+/// given tool axis. Source: docs/mathematics/five-axis-setup.md, table of modes.
 
 namespace endmill {
 
@@ -41,7 +40,8 @@ const SetupRules& setup_rules(SetupMode mode);
 /// \return nothing if no mode has this name.
 std::optional<SetupMode> setup_mode(std::string_view name);
 
-/// Options of the fits and searches whose tool axes are given: `pose_fit` and `pose_search`.
+/// Options of the fits and searches whose tool axes are given: `pose_fit` and
+/// `pose_search`.
 struct PoseFitOptions {
     RotaryFamily family = RotaryFamily::CA;
     SetupMode mode = SetupMode::Paper;  ///< any but `WholeCones`
@@ -50,14 +50,15 @@ struct PoseFitOptions {
     /// A,B: the first rotary axis is B, so that r2 = r1 x C; otherwise r2 = C x r1.
     bool is_b_first = false;
 
-    /// Called twice for each tool axis, after its quick bound and after its fit, with the number
-    /// of calls so far. Any thread may call, one at a time. An exception ends the search.
+    /// Called twice for each tool axis, after its quick bound and after its fit, with the
+    /// number of calls so far. Any thread may call, one at a time. An exception ends the
+    /// search.
     std::function<void(std::size_t done)> progress = {};
 };
 
 /// Checks the options of a fit or search.
-/// \throws DomainError if the mode is `WholeCones`, or if a range of `limits` does not contain
-///         0 or is wider than 2 pi.
+/// \throws DomainError if the mode is `WholeCones`, or if a range of `limits` does not
+///         contain 0 or is wider than 2 pi.
 void check_pose_fit_options(const PoseFitOptions& options);
 
 }  // namespace endmill

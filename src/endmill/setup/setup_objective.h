@@ -7,12 +7,12 @@
 #include "endmill/machine/configuration.h"
 #include "endmill/setup/setup_pose.h"
 
-/// \file
-/// Objectives by which setups are compared.
+/// \file Objectives by which setups are compared.
 ///
-/// All of them depend on two ranges, in rad: the width w of the window of the first rotary axis
-/// (C in C,A, R1 in A,B), and the height h = m0 + m1 of the other axis. The paper's area w h is
-/// not an objective, because it is 0 for every arc of a great circle, however long.
+/// All of them depend on two ranges, in rad: the width w of the window of the first
+/// rotary axis (C in C,A, R1 in A,B), and the height h = m0 + m1 of the other axis. The
+/// paper's area w h is not an objective, because it is 0 for every arc of a great circle,
+/// however long.
 /// Source: docs/mathematics/five-axis-setup.md, section 10.
 
 namespace endmill {
@@ -44,12 +44,13 @@ struct PoseMeasure {
     SetupObjective objective = SetupObjective::FlooredArea;
     double floor_rad = 5.9 * std::numbers::pi / 180;  ///< floor of FlooredArea, above 0
 
-    /// The objective of these ranges: rad^2 for FlooredArea, else rad. Relative error below
-    /// 1e-15.
+    /// The objective of these ranges: rad^2 for FlooredArea, else rad. Relative error
+    /// below 1e-15.
     double operator()(const PoseRanges& ranges) const;
 
-    /// A width such that the objective is less than `target` only for windows narrower than it.
-    /// The result is rounded up; it is not positive if no width reaches the target.
+    /// A width such that the objective is less than `target` only for windows narrower
+    /// than it. The result is rounded up; it is not positive if no width reaches the
+    /// target.
     /// \param target rad^2 or rad, in the unit of the objective.
     /// \param m0, m1 the other ranges, rad.
     double useful_width(double target, double m0, double m1) const;

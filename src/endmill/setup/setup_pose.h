@@ -17,8 +17,8 @@
 
 namespace endmill {
 
-/// A pose of the part on the machine: the machine's axes in coordinates of the part, with all
-/// rotary axes at zero.
+/// A pose of the part on the machine: the machine's axes in coordinates of the part, with
+/// all rotary axes at zero.
 struct SetupPose {
     Vec3 tool_axis;  ///< unit: C, from the part towards the spindle
     Vec3 r1_axis;    ///< unit: the rotary axis nearest to the part; C,A: the tool axis
@@ -27,7 +27,7 @@ struct SetupPose {
 
 /// A pose and the ranges of turns that it needs. Both ranges contain 0.
 struct FittedPose {
-    SetupPose pose;
+    SetupPose pose;        ///< axes in coordinates of the part
     RotaryRange phi;       ///< rad; C,A: tilt; A,B: turn of R1
     RotaryRange theta;     ///< rad; C,A: turn of C, azimuth 0 is r2 x C; A,B: turn of R2
     double area;           ///< rad^2: range of phi times range of theta, the paper's F
@@ -67,25 +67,25 @@ struct PoseSearchResult {
 
 /// The rotary axes of a machine, as far as a setup depends on them.
 struct RotaryReach {
-    MachineConfiguration configuration = {};
+    MachineConfiguration configuration = {};  ///< axes of the machine
     RotaryLimits limits =
         {};  ///< turns of the tool against the part; of four axes phi counts
 
-    /// Four axes: a cell counts if its centre lies this close to the arc of tool directions. The
-    /// default is half a cell of a sphere of 1200 cells.
+    /// Four axes: a cell counts if its centre lies this close to the arc of tool
+    /// directions. The default is half a cell of a sphere of 1200 cells.
     Angle arc_tolerance = Angle::degrees(2.95);
 };
 
-/// Returns true if the rotary axes are B, then A. Such words have r2 = r1 x C, all other words
-/// of the family A,B have r2 = C x r1.
+/// Returns true if the rotary axes are B, then A. Such words have r2 = r1 x C, all other
+/// words of the family A,B have r2 = C x r1.
 bool is_b_first(const MachineConfiguration& configuration);
 
-/// The axes of a machine on which the part stands in `pose`, in coordinates of the part. A
-/// machine with fewer than two rotary axes counts as A,B with R2 at rest.
+/// The axes of a machine on which the part stands in `pose`, in coordinates of the part.
+/// A machine with fewer than two rotary axes counts as A,B with R2 at rest.
 RotaryFrame pose_frame(const MachineConfiguration& configuration, const SetupPose& pose);
 
-/// The limits within which a cell counts as reached in the frame of `pose_frame`. With four
-/// axes theta is the arc tolerance to either side, with three axes it is 0.
+/// The limits within which a cell counts as reached in the frame of `pose_frame`. With
+/// four axes theta is the arc tolerance to either side, with three axes it is 0.
 RotaryLimits cell_limits(const RotaryReach& reach);
 
 }  // namespace endmill

@@ -19,7 +19,8 @@ struct ReachableCell {
     FacetReach reach;
 };
 
-// The solution for a direction that is within the limits; of two the one of less |phi| + |theta|.
+// The solution for a direction that is within the limits; of two the one of less |phi| +
+// |theta|.
 std::optional<ReachableCell> reachable(const RotaryFrame& frame,
                                        const RotaryLimits& limits, const Vec3& direction,
                                        std::size_t cell)
@@ -83,9 +84,9 @@ Eigen::Matrix3d part_to_machine(const SetupPose& pose,
                                 const MachineConfiguration& configuration)
 {
     require(configuration.is_valid(), "part_to_machine: need a valid configuration");
-    // One rotary axis is perpendicular to the tool axis, so that it is X or Y; the remaining row
-    // follows from it and Z. In C,A this is the second axis, in A,B the first one. A machine
-    // without rotary axes has r1 as X.
+    // One rotary axis is perpendicular to the tool axis, so that it is X or Y; the
+    // remaining row follows from it and Z. In C,A this is the second axis, in A,B the
+    // first one. A machine without rotary axes has r1 as X.
     const auto& rotary = configuration.rotary;
     const bool is_ca = configuration.family == RotaryFamily::CA;
     const char letter = rotary.empty() ? 'a' : rotary[is_ca ? 1 : 0].letter;
@@ -160,8 +161,8 @@ SetupTravel setup_travel(const Machine& machine, const Eigen::Matrix3d& part_to_
         travel.low = travel.low.cwiseMin(xyz);
         travel.high = travel.high.cwiseMax(xyz);
         travel.is_within = travel.is_within && is_within(machine.linear, xyz);
-        // A position is X = G p' + constant with the turn G of the part. It moves to the middle of
-        // the travel if the point p' moves by G^T (middle - X).
+        // A position is X = G p' + constant with the turn G of the part. It moves to the
+        // middle of the travel if the point p' moves by G^T (middle - X).
         const Vec3 met = tool_location(machine, {rotary, centre}, tool_length).tip;
         shift += met - point;
     }

@@ -12,15 +12,14 @@
 #include "endmill/setup/setup_pose.h"
 #include "endmill/visibility/visibility.h"
 
-/// \file
-/// Travel of the linear axes for a setup: which direction each facet is reached from, and where
-/// X, Y and Z go for it. The paper names this as future work.
+/// \file Travel of the linear axes for a setup: which direction each facet is reached
+/// from, and where X, Y and Z go for it. The paper names this as future work.
 /// Source: docs/mathematics/five-axis-setup.md, section 10.
 
 namespace endmill {
 
-/// The rotation that sets a part up, x_machine = M x_part. The rows of M are the machine's X, Y
-/// and Z in coordinates of the part.
+/// The rotation that sets a part up, x_machine = M x_part. The rows of M are the
+/// machine's X, Y and Z in coordinates of the part.
 /// Source: [KangSuh, section 2]; docs/mathematics/five-axis-setup.md, section 2.
 /// \throws DomainError if the configuration is not valid.
 Eigen::Matrix3d part_to_machine(const SetupPose& pose,
@@ -33,13 +32,14 @@ struct FacetReach {
 };
 
 /// Chooses for each facet the accessible cell within the limits that needs the least
-/// |phi| + |theta|. Of the two solutions for a direction the smaller counts; of equal cells the
-/// lowest. O(cells * facets / 64).
+/// |phi| + |theta|. Of the two solutions for a direction the smaller counts; of equal
+/// cells the lowest. O(cells * facets / 64).
 /// \param map accessible cells of each facet.
 /// \param centres unit, one for each cell of `map`.
 /// \param frame axes of the machine in coordinates of the part.
 /// \param limits turns.
-/// \return one entry for each facet, empty for a facet that no cell within the limits reaches.
+/// \return one entry for each facet, empty for a facet that no cell within the limits
+///         reaches.
 /// \throws DomainError if there is not one centre for each cell.
 std::vector<std::optional<FacetReach>> facet_reach(const VisibilityMap& map,
                                                    std::span<const Vec3> centres,
@@ -74,12 +74,13 @@ struct SetupTravel {
 
 /// Computes the travel of X, Y and Z while the tip goes to each of the points.
 ///
-/// The centred clamp minimises the sum of the squared distances between the positions and the
-/// middle of the travel. The middle of an axis without limits is 0.
+/// The centred clamp minimises the sum of the squared distances between the positions and
+/// the middle of the travel. The middle of an axis without limits is 0.
 /// \param machine valid.
 /// \param part_to_machine rotation of the part, from the function of this name.
-/// \param reached points and turns. \param clamp position of the part's origin, mm, in the
-///        machine's directions. \param tool_length mm, from the spindle nose to the tip.
+/// \param reached points and turns. \param clamp position of the part's origin, mm, in
+///         the machine's directions. \param tool_length mm, from the spindle nose to the
+///         tip.
 /// \throws DomainError if there is no point, or not one pair of turns for each point.
 SetupTravel setup_travel(const Machine& machine, const Eigen::Matrix3d& part_to_machine,
                          const ReachedPoints& reached, const Vec3& clamp,

@@ -15,20 +15,20 @@
 // How the next setup is chosen.
 //
 // 1. Facets with equal cones are merged; a cone counts as many times as it has facets.
-// 2. Every tool axis has an upper bound: the facets that it reached of an earlier, larger rest.
-//    Axes are sorted by it, so that the search stops at the first axis whose bound is below the
-//    best candidate.
-// 3. Axes are tried in rounds of 32. For each axis `feasible_turns` lists the cells that the
-//    machine reaches from each of the 72 turns, and ConeTiles counts the facets of the cones
-//    that contain one of these cells, for all turns at once.
+// 2. Every tool axis has an upper bound: the facets that it reached of an earlier, larger
+//    rest. Axes are sorted by it, so that the search stops at the first axis whose bound
+//    is below the best candidate.
+// 3. Axes are tried in rounds of 32. For each axis `feasible_turns` lists the cells that
+//    the machine reaches from each of the 72 turns, and ConeTiles counts the facets of
+//    the cones that contain one of these cells, for all turns at once.
 // 4. The best candidate becomes a setup, and the cones that it reaches leave the rest.
 
 namespace endmill {
 namespace {
 
-// Number of tool axes that are tried before the best candidate is updated. It is fixed, so that
-// the result does not depend on the number of threads, and large enough that a tile of cones is
-// used for several axes while it is in the cache.
+// Number of tool axes that are tried before the best candidate is updated. It is fixed,
+// so that the result does not depend on the number of threads, and large enough that a
+// tile of cones is used for several axes while it is in the cache.
 constexpr std::size_t axes_per_round = 32;
 
 // A candidate and the number of facets of the rest that it reaches.
@@ -135,8 +135,8 @@ private:
         return best;
     }
 
-    // Finds the best turn about each of these axes, and stores its count as the axis's new
-    // upper bound.
+    // Finds the best turn about each of these axes, and stores its count as the axis's
+    // new upper bound.
     std::vector<Reached> best_turns(const ConeTiles& tiles,
                                     std::span<AxisBound> axes) const
     {

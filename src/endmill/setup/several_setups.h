@@ -17,13 +17,13 @@ namespace endmill {
 
 /// One of several setups.
 struct PartialSetup {
-    SetupPose pose;
+    SetupPose pose;                   ///< axes in coordinates of the part
     std::vector<std::size_t> facets;  ///< facets that no earlier setup reaches; ascending
 };
 
 /// Setups chosen one after the other.
 struct SetupCover {
-    std::vector<PartialSetup> setups;
+    std::vector<PartialSetup> setups;    ///< in the order of their choice
     std::vector<std::size_t> uncovered;  ///< facets with a cone that no setup reaches
 };
 
@@ -36,22 +36,23 @@ struct SetupCoverProgress {
 
 /// Chooses setups greedily: each one reaches the most of the facets that are left.
 ///
-/// A candidate has the centre of a cell as its tool axis, and the other axes turned about it by
-/// a multiple of 5 degrees. It reaches a facet if its tool directions contain a cell of the
-/// facet's cone. Of equal candidates the lowest cell wins, then the least turn. The greedy choice
-/// is not optimal. Facets with empty cones are left out. The result does not depend on the number
-/// of threads.
+/// A candidate has the centre of a cell as its tool axis, and the other axes turned about
+/// it by a multiple of 5 degrees. It reaches a facet if its tool directions contain a
+/// cell of the facet's cone. Of equal candidates the lowest cell wins, then the least
+/// turn. The greedy choice is not optimal. Facets with empty cones are left out. The
+/// result does not depend on the number of threads.
 ///
-/// The first setup costs about cells^2 (72 + facets / 16) operations. Later setups try few tool
-/// axes, because a candidate never reaches more of the rest than it did before. Memory: twice
-/// that of the map.
+/// The first setup costs about cells^2 (72 + facets / 16) operations. Later setups try
+/// few tool axes, because a candidate never reaches more of the rest than it did before.
+/// Memory: twice that of the map.
 /// Source: [KangSuh, section 1] names the fewest setups as a goal; docs/mathematics/
 /// five-axis-setup.md, section 10.
 /// \param map cones of the facets. \param centres unit, one for each cell.
 /// \param reach the machine. \param most largest number of setups, at least 1.
-/// \param progress called from time to time by the calling thread. An exception ends the search.
-/// \throws DomainError if there is not one centre for each cell, if the configuration is not
-///         valid, or unless 1 <= most.
+/// \param progress called from time to time by the calling thread. An exception ends the
+///         search.
+/// \throws DomainError if there is not one centre for each cell, if the configuration is
+///         not valid, or unless 1 <= most.
 SetupCover greedy_setups(
     const VisibilityMap& map, std::span<const Vec3> centres, const RotaryReach& reach,
     std::size_t most,

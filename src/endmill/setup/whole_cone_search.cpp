@@ -12,19 +12,21 @@
 #include "endmill/setup/detail/axis_node.h"
 #include "endmill/setup/detail/cone_set.h"
 #include "endmill/setup/detail/first_fits.h"
+#include "endmill/setup/detail/range_limits.h"
 
 // Branch and bound over the axis of the range of tool directions.
 //
 // 1. `first_fit` finds a good pose. Its objective gives the target T = best / (1 + gap).
-// 2. The sphere of axes is covered by triangles, the nodes. NodeBounder gives each node a lower
-//    bound of the objective of all poses with their axis in the triangle. A node whose bound
-//    reaches the target is dropped.
-// 3. The centre of each remaining node is fitted exactly and improved by descent, which may lower
-//    the best objective and the target.
-// 4. The 64 nodes of least bound are split in four and bounded, until no node is left below the
-//    target. The least bound of all nodes, dropped or not, is the lower bound of the result.
-// 5. Poses with a thin window are described by nodes of arcs. If one of these becomes too small to
-//    split, the search starts again with a quarter of the thin width.
+// 2. The sphere of axes is covered by triangles, the nodes. NodeBounder gives each node a
+//    lower bound of the objective of all poses with their axis in the triangle. A node
+//    whose bound reaches the target is dropped.
+// 3. The centre of each remaining node is fitted exactly and improved by descent, which
+//    may lower the best objective and the target.
+// 4. The 64 nodes of least bound are split in four and bounded, until no node is left
+//    below the target. The least bound of all nodes, dropped or not, is the lower bound
+//    of the result.
+// 5. Poses with a thin window are described by nodes of arcs. If one of these becomes too
+//    small to split, the search starts again with a quarter of the thin width.
 
 namespace endmill {
 namespace {
@@ -35,12 +37,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// rad; smaller nodes are not split. No machine resolves smaller changes of a pose.
 constexpr double least_radius = 0.004 * degree;
 
-/// Largest number of restarts with a quarter of the thin width. After three of them the thin width
-/// is below 0.04 degrees with the default floor.
+/// Largest number of restarts with a quarter of the thin width. After three of them the
+/// thin width is below 0.04 degrees with the default floor.
 constexpr int most_retries = 3;
 
-/// Nodes that are bounded before the best pose is updated. The number is fixed, so that the result
-/// does not depend on the number of threads.
+/// Nodes that are bounded before the best pose is updated. The number is fixed, so that
+/// the result does not depend on the number of threads.
 constexpr std::size_t nodes_per_round = 64;
 
 /// rad or rad^2: a smaller objective counts as 0, so that no gap needs to be proved.
@@ -49,10 +51,12 @@ constexpr double negligible = 1e-9;
 /// First step of the descent from a node's centre, in radii of the node.
 constexpr double first_step = 0.5;
 
-/// The final descent of the best fit, with more directions than pays off for the earlier ones.
+/// The final descent of the best fit, with more directions than pays off for the earlier
+/// ones.
 constexpr Descent last_descent{.from = 2 * degree, .directions = 36};
 
-/// rad: nodes of this radius or less also try the cells in them as axes. About half a cell.
+/// rad: nodes of this radius or less also try the cells in them as axes. About half a
+/// cell.
 constexpr double cell_sized = 3 * degree;
 
 /// A node in the queue.
@@ -112,9 +116,9 @@ private:
         return below() > negligible ? below() / (1 + options_.gap) : 0;
     }
 
-    /// Bounds nodes until the gap or the limit of nodes is reached. \return false if a node of arcs
-    /// became too small to split and the search should start again: `may_retry` is set, and less
-    /// than half of the nodes are used.
+    /// Bounds nodes until the gap or the limit of nodes is reached. \return false if a
+    /// node of arcs became too small to split and the search should start again:
+    /// `may_retry` is set, and less than half of the nodes are used.
     bool resolves_arcs(bool may_retry)
     {
         queue_.clear();
@@ -158,8 +162,8 @@ private:
             best_ = fit;
     }
 
-    /// Bounds nodes and queues those that are not dropped. \return true if a node of arcs became
-    /// too small to split.
+    /// Bounds nodes and queues those that are not dropped. \return true if a node of arcs
+    /// became too small to split.
     bool bound(std::vector<AxisNode> fresh)
     {
         std::vector<Bounded> bounded(fresh.size());
@@ -185,9 +189,10 @@ private:
         return has_small_arc;
     }
 
-    /// Fits ranges about the node's centre, and about the cells in a small node. A cell has no
-    /// azimuth about itself, so that the range about it may be better than those about all axes
-    /// nearby. Without these fits the bounds of such nodes would never be reached.
+    /// Fits ranges about the node's centre, and about the cells in a small node. A cell
+    /// has no azimuth about itself, so that the range about it may be better than those
+    /// about all axes nearby. Without these fits the bounds of such nodes would never be
+    /// reached.
     void try_axes(AxisFitter& fitter, Bounded& one) const
     {
         if (one.node.boxes.empty() || one.node.kind == NodeKind::Arc)
@@ -214,7 +219,8 @@ private:
         }
     }
 
-    /// Queues a node. \return false if it is too small to split; its bound is then unresolved.
+    /// Queues a node. \return false if it is too small to split; its bound is then
+    /// unresolved.
     bool enqueue(AxisNode&& node)
     {
         if (radius(node) < least_radius) {

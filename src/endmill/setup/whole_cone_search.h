@@ -13,9 +13,8 @@
 #include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"
 
-/// \file
-/// The search over whole cones: it takes every cell of every cone and every pose into account,
-/// and proves a lower bound of the objective.
+/// \file The search over whole cones: it takes every cell of every cone and every pose
+/// into account, and proves a lower bound of the objective.
 
 namespace endmill {
 
@@ -33,8 +32,8 @@ struct WholeConeSearchOptions {
     double floor_rad =
         5.9 * std::numbers::pi / 180;  ///< of FlooredArea, > 0: a cell of 1200
 
-    /// Relative gap at which the search stops: objective <= (1 + gap) * lower bound. It also
-    /// stops if the objective is below 1e-9.
+    /// Relative gap at which the search stops: objective <= (1 + gap) * lower bound. It
+    /// also stops if the objective is below 1e-9.
     double gap = 0.05;
     std::size_t max_nodes = 200'000;    ///< the search stops after this many nodes
     RotaryLimits limits;                ///< turns, for words with R2 = C x R1
@@ -57,17 +56,18 @@ struct WholeConeSearchResult {
         0;  ///< nodes that are too small to split and are not excluded
 };
 
-/// Finds the pose whose range of tool directions meets all visibility cones with the least
-/// objective, by branch and bound over the axis of that range (C in C,A, R1 in A,B).
+/// Finds the pose whose range of tool directions meets all visibility cones with the
+/// least objective, by branch and bound over the axis of that range (C in C,A, R1 in
+/// A,B).
 ///
-/// A cone is the set of the centres of its accessible cells. Empty cones are left out; without
-/// any other cone every pose fits and all ranges are 0. Ranges may exceed their limits by 1e-9
-/// rad. The result does not depend on the number of threads.
+/// A cone is the set of the centres of its accessible cells. Empty cones are left out;
+/// without any other cone every pose fits and all ranges are 0. Ranges may exceed their
+/// limits by 1e-9 rad. The result does not depend on the number of threads.
 /// Source: paper/notes/whole-cones.md; docs/mathematics/five-axis-setup.md, section 10.
 /// \param grid cells. \param map cones of the facets over these cells.
 /// \param options what is minimised, and when the search stops.
-/// \throws DomainError if map and grid have different numbers of cells, or unless floor_rad > 0
-///         and gap > 0.
+/// \throws DomainError if map and grid have different numbers of cells, or unless
+///         floor_rad > 0 and gap > 0.
 WholeConeSearchResult whole_cone_search(const SphereGrid& grid, const VisibilityMap& map,
                                         const WholeConeSearchOptions& options);
 

@@ -9,12 +9,13 @@
 
 // How the nearest cells are found.
 //
-// 1. Cells are distributed to 64 classes by the dot product of their centre and the tool axis.
-// 2. The classes are visited from the nearest one outwards. Cells that reach no facet of those
-//    still wanted are dropped, the others are sorted by their dot product.
-// 3. Cells are taken in this order. A cell that reaches a wanted facet is listed, and its facets
-//    are no longer wanted.
-// Only a few cells are sorted, because most facets are reached by the first classes.
+// 1. Cells are distributed to 64 classes by the dot product of their centre and the tool
+//    axis.
+// 2. The classes are visited from the nearest one outwards. Cells that reach no facet of
+//    those still wanted are dropped, the others are sorted by their dot product.
+// 3. Cells are taken in this order. A cell that reaches a wanted facet is listed, and its
+//    facets are no longer wanted. Only a few cells are sorted, because most facets are
+//    reached by the first classes.
 
 namespace endmill {
 namespace {
@@ -23,8 +24,8 @@ using Columns = std::span<const std::uint64_t>;
 
 constexpr std::size_t classes = 64;  // of the dot product, from 1 down to -1
 
-// Dot products that differ by less are equal. Their rounding is 1e-16, and dot products of
-// different distances differ by 1e-6 or more.
+// Dot products that differ by less are equal. Their rounding is 1e-16, and dot products
+// of different distances differ by 1e-6 or more.
 constexpr double equal_dots = 1e-12;
 
 struct NearCell {
@@ -78,7 +79,8 @@ bool have_common_bit(Columns wanted, Columns column)
     return false;
 }
 
-// One beyond the last of the cells from `begin` on that are equally near, each as its predecessor.
+// One beyond the last of the cells from `begin` on that are equally near, each as its
+// predecessor.
 std::size_t end_of_equals(const std::vector<NearCell>& near, std::size_t begin)
 {
     std::size_t end = begin + 1;
@@ -152,8 +154,8 @@ std::vector<std::size_t> nearest_cells(const VisibilityMap& map,
         std::sort(near.begin(), near.end(), [](const NearCell& a, const NearCell& b) {
             return a.dot != b.dot ? a.dot > b.dot : a.cell < b.cell;
         });
-        // Cells at the far end of the class wait, because the next class may have equally near
-        // cells.
+        // Cells at the far end of the class wait, because the next class may have equally
+        // near cells.
         const double far_end = 1 - static_cast<double>(number + 1) / (classes / 2.0);
         std::size_t begin = 0;
         while (begin < near.size()) {

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The solid angle of a spherical triangle, in sr. Differences of corners keep the relative accuracy
-// for small cells. Source: [VanOosteromStrackee, eq. (8)].
+// The solid angle of a spherical triangle, in sr. Differences of corners keep the
+// relative accuracy for small cells. Source: [VanOosteromStrackee, eq. (8)].
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const double volume = a.dot((b - a).cross(c - a));
@@ -37,8 +37,8 @@ public:
 
     const Vec3& at(std::int32_t corner) const { return grid_.corners[corner]; }
 
-    // Adds a cell. Its corners may be given in either sense; they are stored counter-clockwise
-    // seen from outside.
+    // Adds a cell. Its corners may be given in either sense; they are stored
+    // counter-clockwise seen from outside.
     void cell(std::int32_t a, std::int32_t b, std::int32_t c)
     {
         grid_.centres.push_back((at(a) + at(b) + at(c)).normalized());
@@ -64,7 +64,8 @@ Vec3 direction(double polar, double azimuth)
             std::cos(polar)};
 }
 
-// The corners of one half of the bipyramid in rings about the pole, with 6 k corners on ring k.
+// The corners of one half of the bipyramid in rings about the pole, with 6 k corners on
+// ring k.
 class HexRings {
 public:
     HexRings(GridBuilder& builder, int f)
@@ -120,8 +121,8 @@ void add_hex(GridBuilder& builder, int f)
     north.below(builder).add_cells(builder);
 }
 
-// The corners of the squares on a cube. The key is the place on the cube: a number of steps from -f
-// to f along each axis. Faces share the corners on their common sides.
+// The corners of the squares on a cube. The key is the place on the cube: a number of
+// steps from -f to f along each axis. Faces share the corners on their common sides.
 class CubeCorners {
 public:
     CubeCorners(GridBuilder& builder, int f) : builder_{builder}, f_{f} {}
@@ -171,8 +172,8 @@ void add_cube(GridBuilder& builder, int f)
             add_cube_face(builder, corners, f, axis, sign);
 }
 
-// The corners on a parallel between two bands. A pole is repeated as often as a parallel has
-// corners.
+// The corners on a parallel between two bands. A pole is repeated as often as a parallel
+// has corners.
 std::vector<std::int32_t> latitude_ring(GridBuilder& builder, int around, int ring,
                                         int bands)
 {
@@ -203,8 +204,8 @@ void add_latlong(GridBuilder& builder, int around, int bands)
         }
 }
 
-// Adds the twelve corners of an icosahedron. \return its twenty triangles, which are the triples of
-// neighbouring corners.
+// Adds the twelve corners of an icosahedron. \return its twenty triangles, which are the
+// triples of neighbouring corners.
 std::vector<Triangle> icosahedron(GridBuilder& builder)
 {
     constexpr double tau = std::numbers::phi;

@@ -26,11 +26,12 @@
 namespace endmill {
 namespace {
 
-// Largest number of words of a map, 2^45 bytes. A larger map is refused before memory is requested.
+// Largest number of words of a map, 2^45 bytes. A larger map is refused before memory is
+// requested.
 constexpr std::size_t most_words = std::size_t{1} << 42;
 
-// Least cosine of the incidence. A facet that is seen from its edge, closer to 90 degrees than
-// 1e-6 rad, is not accessible; the paper excludes 90 degrees.
+// Least cosine of the incidence. A facet that is seen from its edge, closer to 90 degrees
+// than 1e-6 rad, is not accessible; the paper excludes 90 degrees.
 constexpr double least_cosine = 1e-6;
 
 double limit_of(Angle incidence)
@@ -56,7 +57,8 @@ void mark_facing(const PartFacets& facets, const Vec3& direction, double least,
     }
 }
 
-// The rasters that no thread uses at the moment. A raster keeps memory between directions.
+// The rasters that no thread uses at the moment. A raster keeps memory between
+// directions.
 class SpareRasters {
 public:
     SpareRasters(const TriangleMesh& part, const FacetGroups& groups)
@@ -107,7 +109,8 @@ public:
           centroids_{part_facets(part).centroids},
           body_{body.begin(), body.end()}
     {
-        // The widest cylinder is the most likely to meet a facet, so that it is tested first.
+        // The widest cylinder is the most likely to meet a facet, so that it is tested
+        // first.
         std::ranges::stable_sort(body_, std::greater{}, &ToolCylinder::diameter);
     }
 

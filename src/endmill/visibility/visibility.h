@@ -12,21 +12,21 @@
 #include "endmill/cutter/tool.h"
 #include "endmill/mesh/triangle_mesh.h"
 
-/// \file
-/// Which facets of a part a tool reaches along which directions: the visibility cones of the
-/// facets, with and without the body of the tool. A direction points from the part towards the
-/// spindle.
+/// \file Which facets of a part a tool reaches along which directions: the visibility
+/// cones of the facets, with and without the body of the tool. A direction points from
+/// the part towards the spindle.
 /// Source: [KangSuh, section 2]; docs/mathematics/five-axis-setup.md, section 1.
 
 namespace endmill {
 
-/// The visibility cones of all facets as bits: one column for each direction (cell), with one bit
-/// for each facet.
+/// The visibility cones of all facets as bits: one column for each direction (cell), with
+/// one bit for each facet.
 ///
-/// A set bit means *accessible*. The paper's binary spherical map, and the files named after it,
-/// use 0 for accessible. Source: [KangSuh, eq. (3)].
+/// A set bit means *accessible*. The paper's binary spherical map, and the files named
+/// after it, use 0 for accessible. Source: [KangSuh, eq. (3)].
 class VisibilityMap {
 public:
+    /// A map without facets and cells.
     VisibilityMap() = default;
 
     /// Makes a map in which nothing is accessible.
@@ -40,13 +40,15 @@ public:
     /// Words of 64 bits of a column. The bits beyond the last facet are 0.
     std::size_t words() const { return words_; }
 
-    /// The column of a cell: bit j % 64 of word j / 64 belongs to facet j. \pre cell < cells().
+    /// The column of a cell: bit j % 64 of word j / 64 belongs to facet j. \pre cell <
+    /// cells().
     std::span<const std::uint64_t> column(std::size_t cell) const
     {
         return {bits_.data() + cell * words_, words_};
     }
 
-    /// The column of a cell, to be filled. \pre cell < cells(); bits beyond the last facet stay 0.
+    /// The column of a cell, to be filled. \pre cell < cells(); bits beyond the last
+    /// facet stay 0.
     std::span<std::uint64_t> column(std::size_t cell)
     {
         return {bits_.data() + cell * words_, words_};
@@ -74,13 +76,13 @@ enum class VisibilityKind {
 
 /// Options of `part_visibility`.
 struct VisibilityOptions {
-    /// Upper limit of the angle between the direction and the facet's normal, itself excluded;
-    /// above 0, at most 90 degrees.
+    /// Upper limit of the angle between the direction and the facet's normal, itself
+    /// excluded; above 0, at most 90 degrees.
     Angle incidence = Angle::degrees(90);
     VisibilityKind kind = VisibilityKind::Global;  ///< with or without occlusion
 
-    /// Called after each direction with the number of directions done. Any thread may call, one
-    /// at a time. An exception ends the work.
+    /// Called after each direction with the number of directions done. Any thread may
+    /// call, one at a time. An exception ends the work.
     std::function<void(std::size_t done)> progress = {};
 };
 
@@ -94,27 +96,29 @@ struct PartVisibility {
 
 /// Computes the visibility cones of a part.
 ///
-/// Facet j is accessible along the direction C if n_j . C > max(cos incidence, 1e-6) and, in the
-/// kind `Global`, if the ray from its centroid along C meets no other facet. Facets are closed, so
-/// that a ray through an edge is blocked, and they block from both sides.
+/// Facet j is accessible along the direction C if n_j . C > max(cos incidence, 1e-6) and,
+/// in the kind `Global`, if the ray from its centroid along C meets no other facet.
+/// Facets are closed, so that a ray through an edge is blocked, and they block from both
+/// sides.
 ///
-/// Occlusion is exact for the doubles of points and directions; the centroid (a + b + c) / 3 is not
-/// rounded. The incidence is compared in doubles: the error of n . C is at most 1e-15 times the
-/// square of the facet's longest side divided by its area.
+/// Occlusion is exact for the doubles of points and directions; the centroid (a + b + c)
+/// / 3 is not rounded. The incidence is compared in doubles: the error of n . C is at
+/// most 1e-15 times the square of the facet's longest side divided by its area.
 ///
-/// Directions are processed in parallel, one column each. The result does not depend on the number
-/// of threads. Memory besides the map: about 100 bytes for each facet, and 100 more on each thread.
+/// Directions are processed in parallel, one column each. The result does not depend on
+/// the number of threads. Memory besides the map: about 100 bytes for each facet, and 100
+/// more on each thread.
 /// Source: [KangSuh, section 2]. The rule of occlusion is ours: docs/mathematics/
 /// five-axis-setup.md, section 1; the method is described in section 11.
 /// \param part facets in mm. \param directions unit to 1e-9. \param options what counts.
-/// \throws DomainError if a direction does not have unit length, or if the incidence is outside its
-///         range.
+/// \throws DomainError if a direction does not have unit length, or if the incidence is
+///         outside its range.
 /// \throws LimitError if the map does not fit into memory.
 PartVisibility part_visibility(const TriangleMesh& part, std::span<const Vec3> directions,
                                const VisibilityOptions& options = {});
 
-/// Facets with an area that no direction reaches, ascending. If there is one, no machine can make
-/// the part in one setup.
+/// Facets with an area that no direction reaches, ascending. If there is one, no machine
+/// can make the part in one setup.
 std::vector<std::size_t> empty_cones(const PartVisibility& visibility);
 
 /// The share of the sphere that the cone of each facet covers, from 0 to 1.
@@ -123,23 +127,23 @@ std::vector<std::size_t> empty_cones(const PartVisibility& visibility);
 std::vector<double> visible_fractions(const VisibilityMap& map,
                                       std::span<const double> solid_angles_sr);
 
-/// Removes from a map the directions along which the body of a tool would meet the part. The tip is
-/// at the centroid of the facet and the tool axis is the direction. No cylinder of the body may
-/// meet a facet, touching included.
+/// Removes from a map the directions along which the body of a tool would meet the part.
+/// The tip is at the centroid of the facet and the tool axis is the direction. No
+/// cylinder of the body may meet a facet, touching included.
 ///
-/// The facet of the tip counts too, so that a cylinder that begins at the tip removes every
-/// direction. The cutter itself is not tested. The decision is made for the cylinders with their
-/// flat ends, and is right except for distances within 1e-14 of the largest coordinate. Directions
-/// are processed in parallel; the result does not depend on the number of threads. Memory: up to 90
-/// bytes for each facet.
+/// The facet of the tip counts too, so that a cylinder that begins at the tip removes
+/// every direction. The cutter itself is not tested. The decision is made for the
+/// cylinders with their flat ends, and is right except for distances within 1e-14 of the
+/// largest coordinate. Directions are processed in parallel; the result does not depend
+/// on the number of threads. Memory: up to 90 bytes for each facet.
 /// Source: [KangSuh, section 6] names this as future work.
 /// \param visibility of `part` along `directions`; it is changed.
 /// \param part facets in mm. \param directions unit to 1e-9.
 /// \param body cylinders from `tool_body`.
 /// \param progress as VisibilityOptions::progress.
-/// \throws DomainError if the map does not belong to this part and these directions, if a direction
-///         does not have unit length, or unless each cylinder has a finite diameter above 0 and
-///         finite 0 <= from < to.
+/// \throws DomainError if the map does not belong to this part and these directions, if a
+///         direction does not have unit length, or unless each cylinder has a finite
+///         diameter above 0 and finite 0 <= from < to.
 void keep_reachable(PartVisibility& visibility, const TriangleMesh& part,
                     std::span<const Vec3> directions, std::span<const ToolCylinder> body,
                     const std::function<void(std::size_t done)>& progress = {});

@@ -4,9 +4,8 @@
 #include <span>
 #include <vector>
 
-/// \file
-/// Unions of patches on the sphere, for their solid angle and border. Azimuths and latitudes refer
-/// to one axis.
+/// \file Unions of patches on the sphere, for their solid angle and border. Azimuths and
+/// latitudes refer to one axis.
 
 namespace endmill {
 
@@ -28,12 +27,13 @@ struct DirectionEdge {
 
 /// A union of patches.
 ///
-/// All meridians and parallels of the patches divide the sphere into cells. A cell lies completely
-/// inside or outside of each patch, so that overlaps count once, and the border consists of the
-/// cell sides between inside and outside. Meridians or parallels closer than 1e-12 rad are merged;
-/// thinner patches vanish.
+/// All meridians and parallels of the patches divide the sphere into cells. A cell lies
+/// completely inside or outside of each patch, so that overlaps count once, and the
+/// border consists of the cell sides between inside and outside. Meridians or parallels
+/// closer than 1e-12 rad are merged; thinner patches vanish.
 class DirectionCells {
 public:
+    /// \param patches any number, in any position.
     explicit DirectionCells(std::span<const DirectionPatch> patches);
 
     /// Solid angle of the union in sr. Absolute error below 1e-13.

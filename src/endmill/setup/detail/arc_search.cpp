@@ -31,9 +31,9 @@ struct NearCell {
     std::size_t cell;
 };
 
-// Lists the cells close to the circle, sorted by the begins of their intervals. A cell at the
-// latitude b is within the tolerance t of the azimuths that differ from its own by at most delta,
-// where cos t = cos b cos delta.
+// Lists the cells close to the circle, sorted by the begins of their intervals. A cell at
+// the latitude b is within the tolerance t of the azimuths that differ from its own by at
+// most delta, where cos t = cos b cos delta.
 std::vector<NearCell> cells_near(const PolePoints& points, double tolerance)
 {
     std::vector<NearCell> near;
@@ -90,10 +90,10 @@ struct Window {
 
 // Finds the least window that meets an interval of a cell of each facet.
 //
-// A least window ends at the begin of an interval. For each facet it must begin before the end of
-// an interval that has begun so far; the interval with the last end is the best. So the window
-// begins at the least of these ends over all facets. Two rounds about the axis consider all
-// windows.
+// A least window ends at the begin of an interval. For each facet it must begin before
+// the end of an interval that has begun so far; the interval with the last end is the
+// best. So the window begins at the least of these ends over all facets. Two rounds about
+// the axis consider all windows.
 std::optional<Window> least_window(const VisibilityMap& map,
                                    const std::vector<NearCell>& near)
 {

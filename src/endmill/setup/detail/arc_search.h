@@ -24,31 +24,33 @@ struct DirectionArc {
     double length;  ///< rad, counter-clockwise about the axis; at most 2 pi
 };
 
-/// Finds the shortest arc about an axis such that each facet has an accessible cell within
-/// `tolerance` of it. Of equally short arcs the first one counter-clockwise wins. Facets that no
-/// cell reaches are left out. Exact for the cell centres as points. O(cells * facets).
+/// Finds the shortest arc about an axis such that each facet has an accessible cell
+/// within `tolerance` of it. Of equally short arcs the first one counter-clockwise wins.
+/// Facets that no cell reaches are left out. Exact for the cell centres as points.
+/// O(cells * facets).
 /// \param map cones of the facets. \param centres unit, one for each cell of `map`.
 /// \param axis unit.
-/// \param tolerance 0 to 45 degrees; with half a cell every circle meets cells. 1e-9 rad is added
-///        for rounding.
+/// \param tolerance 0 to 45 degrees; with half a cell every circle meets cells. 1e-9 rad
+///         is added for rounding.
 /// \return nothing if a facet has no cell close to the circle.
-/// \throws DomainError if the tolerance is outside its range, or if there is not one centre for
-///         each cell.
+/// \throws DomainError if the tolerance is outside its range, or if there is not one
+///         centre for each cell.
 std::optional<DirectionArc> shortest_arc(const VisibilityMap& map,
                                          std::span<const Vec3> centres, const Vec3& axis,
                                          Angle tolerance);
 
-/// Finds the setup for a machine of four axes from the shortest of the arcs about some axes.
+/// Finds the setup for a machine of four axes from the shortest of the arcs about some
+/// axes.
 ///
-/// The only rotary axis is phi; theta is [0, 0] and the area is 0. The status is `FourAxis`, or
-/// `ThreeAxis` if one direction suffices. The tool axis divides the arc in the ratio in which 0
-/// divides the limits, and r2 = C x r1. Of arcs that are equally short, to 1e-9 rad, the first
-/// one wins.
+/// The only rotary axis is phi; theta is [0, 0] and the area is 0. The status is
+/// `FourAxis`, or `ThreeAxis` if one direction suffices. The tool axis divides the arc in
+/// the ratio in which 0 divides the limits, and r2 = C x r1. Of arcs that are equally
+/// short, to 1e-9 rad, the first one wins.
 /// \param map cones of the facets. \param centres unit, one for each cell.
 /// \param axes unit: candidates of the rotary axis. \param limits turns.
 /// \param tolerance as in `shortest_arc`.
-/// \return `feasible` is empty if the shortest arc is longer than `limits`; `poses_skipped` counts
-///         axes without an arc.
+/// \return `feasible` is empty if the shortest arc is longer than `limits`;
+///         `poses_skipped` counts axes without an arc.
 /// \throws DomainError as `shortest_arc`, or if `limits` do not contain 0 or exceed 2 pi.
 PoseSearchResult arc_search(const VisibilityMap& map, std::span<const Vec3> centres,
                             std::span<const Vec3> axes, const RotaryRange& limits,
@@ -60,8 +62,9 @@ struct DirectionReach {
     std::size_t facets = 0;  ///< number of facets reached
 };
 
-/// Finds the direction that reaches the most facets, which is the best setup of a machine of three
-/// axes. Of equal directions the lowest cell wins. \throws DomainError if the map has no cell.
+/// Finds the direction that reaches the most facets, which is the best setup of a machine
+/// of three axes. Of equal directions the lowest cell wins. \throws DomainError if the
+/// map has no cell.
 DirectionReach widest_direction(const VisibilityMap& map);
 
 }  // namespace endmill

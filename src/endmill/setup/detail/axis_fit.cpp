@@ -10,16 +10,17 @@
 
 #include "endmill/setup/detail/setup_order.h"
 
-// How the best range about an axis is found: branch and bound over pairs of levels (m0, m1).
+// How the best range about an axis is found: branch and bound over pairs of levels (m0,
+// m1).
 //
-// 1. Only levels of cells can be optimal, so that m0 and m1 are chosen from sorted lists. A box is
-//    a pair of intervals of these lists.
-// 2. The cells up to the upper levels of a box are swept once about the axis. This gives the least
-//    window w that meets all cones with these cells.
-// 3. (w, upper levels) is a range that meets all cones, and a candidate. (w, lower levels) is a
-//    lower bound for all ranges of the box.
-// 4. The box of least bound is split in the middle of its longer side, until no bound is below
-//    the best candidate.
+// 1. Only levels of cells can be optimal, so that m0 and m1 are chosen from sorted lists.
+//    A box is a pair of intervals of these lists.
+// 2. The cells up to the upper levels of a box are swept once about the axis. This gives
+//    the least window w that meets all cones with these cells.
+// 3. (w, upper levels) is a range that meets all cones, and a candidate. (w, lower
+//    levels) is a lower bound for all ranges of the box.
+// 4. The box of least bound is split in the middle of its longer side, until no bound is
+//    below the best candidate.
 
 namespace endmill {
 namespace {
@@ -44,8 +45,8 @@ RotaryRange divided_as(double width, const RotaryRange& limits)
     return {-below, width - below};
 }
 
-/// Tests whether the part must be turned by 180 degrees: only the negated range fits the limits,
-/// or the limits do not decide and the larger end is negative.
+/// Tests whether the part must be turned by 180 degrees: only the negated range fits the
+/// limits, or the limits do not decide and the larger end is negative.
 bool is_turned(const RotaryRange& range, const RotaryRange& limits)
 {
     const RotaryRange other{-range.to, -range.from};
@@ -94,8 +95,9 @@ double AxisFitter::high(const RankBox& box, std::size_t side) const
     return levels_[side][box.last[side]];
 }
 
-/// Tests whether the ranges of a box need no look: they exceed the limits, they are the ranges of
-/// another box with both sectors exchanged, or a higher level has the same objective.
+/// Tests whether the ranges of a box need no look: they exceed the limits, they are the
+/// ranges of another box with both sectors exchanged, or a higher level has the same
+/// objective.
 bool AxisFitter::is_needless(const RankBox& box) const
 {
     const bool is_ca = fitting_.measure.family == RotaryFamily::CA;
@@ -112,7 +114,8 @@ bool AxisFitter::is_needless(const RankBox& box) const
     return false;
 }
 
-/// Stores a range as the best one. In C,A its sectors are exchanged if that makes m0 >= m1.
+/// Stores a range as the best one. In C,A its sectors are exchanged if that makes m0 >=
+/// m1.
 void AxisFitter::take(const AzimuthWindow& window, const PoseRanges& ranges,
                       double objective)
 {
@@ -124,8 +127,8 @@ void AxisFitter::take(const AzimuthWindow& window, const PoseRanges& ranges,
     }
 }
 
-/// Bounds a box. Takes the range of its upper levels if it is better than the best one, and puts
-/// the box on the heap if its bound is.
+/// Bounds a box. Takes the range of its upper levels if it is better than the best one,
+/// and puts the box on the heap if its bound is.
 void AxisFitter::look_at(RankBox box)
 {
     const double low0 = low(box, 0);

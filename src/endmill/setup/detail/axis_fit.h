@@ -14,32 +14,32 @@
 #include "endmill/setup/setup_objective.h"
 #include "endmill/setup/setup_pose.h"
 
-/// \file
-/// The best range of tool directions about a given axis, over whole cones.
+/// \file The best range of tool directions about a given axis, over whole cones.
 ///
-/// A range of tool directions about an axis (C in C,A, R1 in A,B) is a window of azimuths of
-/// width w together with two levels m0 and m1. C,A: the directions in the window up to the polar
-/// angle m0, and those opposite to the window up to m1. A,B: the directions in the window with
-/// latitudes from -m1 to m0.
+/// A range of tool directions about an axis (C in C,A, R1 in A,B) is a window of azimuths
+/// of width w together with two levels m0 and m1. C,A: the directions in the window up to
+/// the polar angle m0, and those opposite to the window up to m1. A,B: the directions in
+/// the window with latitudes from -m1 to m0.
 
 namespace endmill {
 
 /// The problem of a search over axes. Cones and centres must outlive the search.
 struct ConeFitting {
-    const ConeSet* cones;
+    const ConeSet* cones;           ///< to be met
     std::span<const Vec3> centres;  ///< unit, one for each of cones->cells()
     PoseMeasure measure;            ///< what is minimised
-    RangeLimits limits;
+    RangeLimits limits;             ///< of w, m0 and m1
 
-    /// rad; sets with a narrower window are searched for along great circles, see axis_node.h.
+    /// rad; sets with a narrower window are searched for along great circles, see
+    /// axis_node.h.
     double thin_width = 0;
 };
 
 /// A range of tool directions that meets all cones. In C,A m1 <= m0.
 struct AxisFit {
-    Vec3 axis;  ///< unit: C in C,A, R1 in A,B
-    AzimuthWindow window;
-    PoseRanges ranges;
+    Vec3 axis;             ///< unit: C in C,A, R1 in A,B
+    AzimuthWindow window;  ///< azimuths about the axis, from `azimuth_zero` on
+    PoseRanges ranges;     ///< w, m0 and m1
     double objective = 0;  ///< rad^2 or rad
 };
 
@@ -52,14 +52,16 @@ struct FitRequest {
     std::array<double, 2> high = {4, 4};  ///< upper bounds of m0 and m1, rad
 };
 
-/// Finds the best range about a given axis. Keeps its memory between calls; one for each thread.
+/// Finds the best range about a given axis. Keeps its memory between calls; one for each
+/// thread.
 class AxisFitter {
 public:
+    /// \param fitting the problem; its cones and centres must outlive the fitter.
     explicit AxisFitter(const ConeFitting& fitting);
 
-    /// The range of least objective about `axis` among those asked for and within the limits.
-    /// The objective is exact up to rounding (1e-14 relative), except for cells so close to the
-    /// axis that their azimuth is known less accurately.
+    /// The range of least objective about `axis` among those asked for and within the
+    /// limits. The objective is exact up to rounding (1e-14 relative), except for cells
+    /// so close to the axis that their azimuth is known less accurately.
     /// \return nothing if there is no such range.
     std::optional<AxisFit> best(const Vec3& axis, const FitRequest& request);
 
@@ -103,15 +105,16 @@ struct Descent {
         12;  ///< tried at each length before it is halved: valleys are narrow
 };
 
-/// Improves a fit by moving its axis, with step lengths that are halved when no step helps. The
-/// result is close to a local minimum. Levels may change by three steps at a time.
+/// Improves a fit by moving its axis, with step lengths that are halved when no step
+/// helps. The result is close to a local minimum. Levels may change by three steps at a
+/// time.
 AxisFit descend(AxisFitter& fitter, AxisFit fit, const Descent& descent);
 
 /// Converts a fit to a pose on a machine, in words with R2 = C x R1 (A,B: a, then b).
 ///
-/// The part is turned so that the limits hold; if that does not decide, so that the larger end of
-/// phi (C,A) or theta (A,B) is positive. Zero divides the window in the ratio in which it divides
-/// the limits.
+/// The part is turned so that the limits hold; if that does not decide, so that the
+/// larger end of phi (C,A) or theta (A,B) is positive. Zero divides the window in the
+/// ratio in which it divides the limits.
 FittedPose fitted_pose(const AxisFit& fit, RotaryFamily family,
                        const RotaryLimits& limits);
 

@@ -8,29 +8,31 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/setup/detail/range_limits.h"
 #include "endmill/visibility/sphere_grid.h"
 
 // How a node of radius rho is bounded.
 //
-// 1. Moving the axis by at most rho changes the level of a cell by at most rho, and its azimuth by
-//    at most asin(sin rho / sin p) at an angle p from the axis. `axis_view` lists the intervals of
-//    azimuth that each cell may have.
-// 2. A box of levels is split until its sides are about rho. Before each split the coverage table
-//    tests whether any window can meet all cones with the cells of the box; most boxes end here.
-// 3. For a small box WindowSweep finds the least window that meets an interval of every cone. The
-//    objective of this window and of the lower levels is the bound of the box.
+// 1. Moving the axis by at most rho changes the level of a cell by at most rho, and its
+//    azimuth by at most asin(sin rho / sin p) at an angle p from the axis. `axis_view`
+//    lists the intervals of azimuth that each cell may have.
+// 2. A box of levels is split until its sides are about rho. Before each split the
+//    coverage table tests whether any window can meet all cones with the cells of the
+//    box; most boxes end here.
+// 3. For a small box WindowSweep finds the least window that meets an interval of every
+//    cone. The objective of this window and of the lower levels is the bound of the box.
 // 4. A box whose bound reaches the target is dropped.
 //
-// A node of arcs uses the same steps with the normal of a great circle as its axis and a band about
-// the circle as its box. Its window is the length of the arc.
+// A node of arcs uses the same steps with the normal of a great circle as its axis and a
+// band about the circle as its box. Its window is the length of the arc.
 
 namespace endmill {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// rad, added to a node's radius. It covers the rounding of levels, azimuths near the axis, and
-/// of the radius itself, which are 1e-15 each.
+/// rad, added to a node's radius. It covers the rounding of levels, azimuths near the
+/// axis, and of the radius itself, which are 1e-15 each.
 constexpr double angle_rounding = 1e-12;
 
 /// Relative, subtracted from a bound: it covers a few roundings of 1.1e-16.
@@ -39,9 +41,9 @@ constexpr double bound_rounding = 1e-14;
 /// Grid of the triangles with which the search begins: 320 cells.
 constexpr const char* root_grid = "ico:2";
 
-/// Bound, in rad, by which the distance of two directions of a lune along its middle circle can
-/// exceed the difference of their latitudes, divided by 2: the maximum over b of
-/// atan2(tan b, cos t) - b for the half width t of the lune.
+/// Bound, in rad, by which the distance of two directions of a lune along its middle
+/// circle can exceed the difference of their latitudes, divided by 2: the maximum over b
+/// of atan2(tan b, cos t) - b for the half width t of the lune.
 /// Source: paper/notes/whole-cones.md, (a).
 double lune_slack(double t)
 {
@@ -49,15 +51,16 @@ double lune_slack(double t)
     return std::asin(std::min(tangent * tangent, 1.0));
 }
 
-/// The side at which boxes are no longer split, in radii of their node. Smaller boxes would not
-/// improve the bound, because the radius moves levels as much.
+/// The side at which boxes are no longer split, in radii of their node. Smaller boxes
+/// would not improve the bound, because the radius moves levels as much.
 double least_box(NodeKind kind, RotaryFamily family)
 {
     return kind == NodeKind::Axis && family == RotaryFamily::CA ? 3 : 1;
 }
 
-/// Two cell centres, unit vectors, are opposite if their sum is shorter than this. The sum of
-/// opposite centres is a few roundings of 1e-16, that of any other pair is above 1e-2.
+/// Two cell centres, unit vectors, are opposite if their sum is shorter than this. The
+/// sum of opposite centres is a few roundings of 1e-16, that of any other pair is above
+/// 1e-2.
 constexpr double opposite_sum = 1e-6;
 
 /// One cell of each pair of opposite cells.

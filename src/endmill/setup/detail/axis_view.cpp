@@ -12,13 +12,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Sine of an angle from the axis below which a cell counts as lying on it. The rounding of unit
-/// vectors is 1e-16, and no machine resolves 1e-12 rad.
+/// Sine of an angle from the axis below which a cell counts as lying on it. The rounding
+/// of unit vectors is 1e-16, and no machine resolves 1e-12 rad.
 constexpr double on_axis = 1e-12;
 
-/// Longest part of an interval of azimuths, in radii. Short parts improve the bound of the sweep,
-/// which depends on the differences of their lengths; most intervals are a little longer than 2
-/// radii and are not cut.
+/// Longest part of an interval of azimuths, in radii. Short parts improve the bound of
+/// the sweep, which depends on the differences of their lengths; most intervals are a
+/// little longer than 2 radii and are not cut.
 constexpr double longest_part = 3;
 
 double in_one_turn(double azimuth)

@@ -6,17 +6,18 @@
 
 // How the sweep finds the least window.
 //
-// The cells that count are sorted by the begins of their intervals, over two rounds. A window can
-// be moved back until it ends at the begin of an interval; it then has to begin before the end of
-// one interval of each cone.
+// The cells that count are sorted by the begins of their intervals, over two rounds. A
+// window can be moved back until it ends at the begin of an interval; it then has to
+// begin before the end of one interval of each cone.
 // 1. `last` runs over all begins. The cells head ... last are a queue.
-// 2. While the cells of the queue meet all cones, the window from the end of the first cell to the
-//    begin of the last one is a candidate, and the first cell leaves the queue.
-// 3. The AND of the columns of a queue is kept by two stacks: the front stack stores the AND from
-//    each cell to the split, the back is a single AND. When the front is empty, the back is turned
-//    into it. So each cell costs a constant number of ANDs.
-// The ends are replaced by their running maximum, so that a long interval hides short ones. This
-// can make a window too narrow, never too wide.
+// 2. While the cells of the queue meet all cones, the window from the end of the first
+//    cell to the begin of the last one is a candidate, and the first cell leaves the
+//    queue.
+// 3. The AND of the columns of a queue is kept by two stacks: the front stack stores the
+//    AND from each cell to the split, the back is a single AND. When the front is empty,
+//    the back is turned into it. So each cell costs a constant number of ANDs. The ends
+//    are replaced by their running maximum, so that a long interval hides short ones.
+//    This can make a window too narrow, never too wide.
 
 namespace endmill {
 namespace {
@@ -54,7 +55,8 @@ bool WindowSweep::gather(const AxisView& view, std::span<const SweptRange> place
     return words.complete(back_.data(), back_.data());
 }
 
-/// Extends the ends of the intervals to two rounds and replaces them by their running maximum.
+/// Extends the ends of the intervals to two rounds and replaces them by their running
+/// maximum.
 void WindowSweep::raise_ends()
 {
     const std::size_t count = begin_.size();
@@ -65,7 +67,8 @@ void WindowSweep::raise_ends()
         end_[k] = std::max(end_[k], end_[k - 1]);
 }
 
-/// Fills the front stack: for each of `head` ... `last` the AND of the columns from it to `last`.
+/// Fills the front stack: for each of `head` ... `last` the AND of the columns from it to
+/// `last`.
 template <std::size_t W>
 void WindowSweep::fill_front(std::size_t head, std::size_t last)
 {
@@ -80,8 +83,8 @@ void WindowSweep::fill_front(std::size_t head, std::size_t last)
     words.copy(back_.data(), always_.data());
 }
 
-/// Sweeps twice around. The front stack holds the cells head ... split - 1, the back those from
-/// split to last.
+/// Sweeps twice around. The front stack holds the cells head ... split - 1, the back
+/// those from split to last.
 template <std::size_t W>
 std::optional<AzimuthWindow> WindowSweep::sweep(double cap)
 {

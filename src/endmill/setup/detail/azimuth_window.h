@@ -15,7 +15,7 @@ namespace endmill {
 
 /// Azimuths from `begin` to `begin + width`, rad.
 struct AzimuthWindow {
-    double begin = 0;
+    double begin = 0;  ///< about the axis
     double width = 0;  ///< in [0, 2 pi]
 };
 
@@ -26,22 +26,23 @@ struct LevelLimits {
 
 /// A range of indices of AxisView::swept.
 struct SweptRange {
-    std::size_t first = 0;
-    std::size_t end = 0;  ///< one beyond the last
+    std::size_t first = 0;  ///< index of the first cell
+    std::size_t end = 0;    ///< one beyond the last
 };
 
-/// Finds least windows by one circular sweep over the cells of a view. Keeps its memory between
-/// calls; one for each thread. Source: paper/notes/whole-cones.md.
+/// Finds least windows by one circular sweep over the cells of a view. Keeps its memory
+/// between calls; one for each thread. Source: paper/notes/whole-cones.md.
 class WindowSweep {
 public:
+    /// \param cones must outlive the sweep.
     explicit WindowSweep(const ConeSet& cones) : cones_{&cones} {}
 
     /// Finds a window of least width that meets an interval of some cell of each cone.
     ///
-    /// If intervals differ in length, the width may be too small by the difference. It is never
-    /// too large, up to a rounding of 1e-15, so that it is a lower bound.
-    /// \param view cells. \param places ranges of its swept cells that count, ascending and
-    ///        disjoint; free cells always count. \param limits of the levels.
+    /// If intervals differ in length, the width may be too small by the difference. It is
+    /// never too large, up to a rounding of 1e-15, so that it is a lower bound.
+    /// \param view cells. \param places ranges of its swept cells that count, ascending
+    ///         and disjoint; free cells always count. \param limits of the levels.
     /// \param cap rad: windows of this width or more are of no interest.
     /// \return nothing if there is no window narrower than `cap`.
     std::optional<AzimuthWindow> least(const AxisView& view,

@@ -10,8 +10,8 @@ namespace endmill {
 /// A matrix of 64 x 64 bits: 64 rows of 64 bits.
 using BitBlock = std::array<std::uint64_t, 64>;
 
-/// Transposes the matrix: bit k of word i becomes bit i of word k. Six passes swap squares of 32,
-/// 16, ..., 1 bits, which takes about 400 operations instead of 4096.
+/// Transposes the matrix: bit k of word i becomes bit i of word k. Six passes swap
+/// squares of 32, 16, ..., 1 bits, which takes about 400 operations instead of 4096.
 inline void transpose(BitBlock& block)
 {
     std::uint64_t low =

@@ -9,7 +9,8 @@
 namespace endmill {
 namespace {
 
-/// Words of a column, rounded up to a multiple of 4 from 3 words on, so that loops vectorise.
+/// Words of a column, rounded up to a multiple of 4 from 3 words on, so that loops
+/// vectorise.
 std::size_t padded_words(std::size_t cones)
 {
     const std::size_t words = std::max<std::size_t>((cones + 63) / 64, 1);

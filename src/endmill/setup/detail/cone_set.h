@@ -11,11 +11,11 @@
 
 namespace endmill {
 
-/// The cones that decide whether a set of tool directions meets all visibility cones of a part.
-/// Empty cones are left out, and so are cones that contain another cone.
+/// The cones that decide whether a set of tool directions meets all visibility cones of a
+/// part. Empty cones are left out, and so are cones that contain another cone.
 ///
-/// The cones are stored as columns of *missing* bits: bit k of a cell's column is 0 if the cell
-/// lies in cone k. Some cells meet all cones if the AND of their columns is 0.
+/// The cones are stored as columns of *missing* bits: bit k of a cell's column is 0 if
+/// the cell lies in cone k. Some cells meet all cones if the AND of their columns is 0.
 class ConeSet {
 public:
     /// Of equal cones the first is kept. For the time see `least_cones`.
@@ -39,13 +39,13 @@ public:
     /// The column of an empty set of cells, which misses every cone: a 1 for each cone.
     const std::uint64_t* everything() const { return everything_.data(); }
 
-    /// The cone of fewest cells, as indices into cells(). Every set that meets all cones contains
-    /// one of these cells. Empty if there is no cone.
+    /// The cone of fewest cells, as indices into cells(). Every set that meets all cones
+    /// contains one of these cells. Empty if there is no cone.
     std::span<const std::size_t> smallest_cone() const { return smallest_; }
 
-    /// The smallest cone that shares no cell with smallest_cone(), as indices into cells(). Every
-    /// set that meets all cones contains a cell of each of the two. All cells if no such cone
-    /// exists.
+    /// The smallest cone that shares no cell with smallest_cone(), as indices into
+    /// cells(). Every set that meets all cones contains a cell of each of the two. All
+    /// cells if no such cone exists.
     std::span<const std::size_t> other_cone() const { return other_; }
 
 private:
@@ -58,8 +58,8 @@ private:
     std::vector<std::size_t> other_;
 };
 
-/// Calls `body` with the number of words of a column as a compile-time constant, so that loops
-/// over words unroll. The constant is 0 if the number is not 1, 2 or 4.
+/// Calls `body` with the number of words of a column as a compile-time constant, so that
+/// loops over words unroll. The constant is 0 if the number is not 1, 2 or 4.
 template <typename Body>
 auto with_words(std::size_t words, Body&& body)
 {

@@ -62,12 +62,12 @@ void CoverageTable::fill(const AxisView& view, const std::array<double, 2>& reac
     with_words(cones_->words(), [&](auto w) { fill_bins<decltype(w)::value>(view); });
 }
 
-/// Finds the runs of `run` neighbouring bins that together meet all cones: all of them, or only
-/// whether there is one.
+/// Finds the runs of `run` neighbouring bins that together meet all cones: all of them,
+/// or only whether there is one.
 ///
-/// A run is the end of one block of `run` bins and the beginning of the next block. The ANDs of all
-/// ends (tail_) and of the growing beginning (sum_) give each run by one AND, as in the algorithm
-/// of van Herk for running minima.
+/// A run is the end of one block of `run` bins and the beginning of the next block. The
+/// ANDs of all ends (tail_) and of the growing beginning (sum_) give each run by one AND,
+/// as in the algorithm of van Herk for running minima.
 template <std::size_t W>
 bool CoverageTable::find_runs(const LevelLimits& limits, std::size_t run, bool all)
 {
@@ -113,8 +113,8 @@ bool CoverageTable::find_runs(const LevelLimits& limits, std::size_t run, bool a
     return is_found;
 }
 
-/// Largest number of bins in which the cells that a window meets begin. An interval that meets the
-/// window begins within it, or before it by at most its own length.
+/// Largest number of bins in which the cells that a window meets begin. An interval that
+/// meets the window begins within it, or before it by at most its own length.
 std::size_t CoverageTable::bins_of(double width) const
 {
     const double bins = (width + longest_) * bins_per_turn + 2;

@@ -13,15 +13,17 @@
 
 namespace endmill {
 
-/// A filter before WindowSweep: the cells of a view in bins of azimuth and level, with the AND of
-/// the columns of each bin. It excludes windows in less than a microsecond. Keeps its memory
-/// between views; one for each thread.
+/// A filter before WindowSweep: the cells of a view in bins of azimuth and level, with
+/// the AND of the columns of each bin. It excludes windows in less than a microsecond.
+/// Keeps its memory between views; one for each thread.
 class CoverageTable {
 public:
+    /// \param cones must outlive the table.
     explicit CoverageTable(const ConeSet& cones) : cones_{&cones} {}
 
     /// Fills the table.
-    /// \param view cells. \param reach largest level to either side that later calls use, rad.
+    /// \param view cells. \param reach largest level to either side that later calls use,
+    ///         rad.
     void fill(const AxisView& view, const std::array<double, 2>& reach);
 
     /// Tests whether a window narrower than `width`, rad, may meet all cones.
@@ -29,9 +31,11 @@ public:
     /// \pre limits.upto does not exceed the `reach` of fill.
     bool may_fit(const LevelLimits& limits, double width);
 
-    /// Selects the parts of the view in which windows narrower than `width`, rad, may lie.
-    /// WindowSweep::least gives the same result for these parts as for the whole view.
-    /// \return ascending ranges, valid until the next call; empty if there is no such window.
+    /// Selects the parts of the view in which windows narrower than `width`, rad, may
+    /// lie. WindowSweep::least gives the same result for these parts as for the whole
+    /// view.
+    /// \return ascending ranges, valid until the next call; empty if there is no such
+    ///         window.
     std::span<const SweptRange> places(const LevelLimits& limits, double width);
 
 private:

@@ -35,8 +35,9 @@ std::vector<std::uint64_t> rows_of(const VisibilityMap& map, std::size_t row_wor
     return rows;
 }
 
-// A multiplicative hash: the factor is an odd number close to 2^64 / golden ratio. The shift
-// brings the high bits, which depend on all bits of the word, down to those that select a slot.
+// A multiplicative hash: the factor is an odd number close to 2^64 / golden ratio. The
+// shift brings the high bits, which depend on all bits of the word, down to those that
+// select a slot.
 std::uint64_t hash_of(Row row)
 {
     std::uint64_t hash = 0;
@@ -47,8 +48,8 @@ std::uint64_t hash_of(Row row)
     return hash;
 }
 
-// A hash table with open addressing from the content of a row to the number of its cone. The
-// rows themselves are stored elsewhere.
+// A hash table with open addressing from the content of a row to the number of its cone.
+// The rows themselves are stored elsewhere.
 class RowTable {
 public:
     explicit RowTable(std::size_t most)
@@ -85,7 +86,8 @@ DistinctCones::DistinctCones(const VisibilityMap& map)
         if (std::ranges::all_of(found, [](std::uint64_t word) { return word == 0; }))
             continue;
         std::size_t& cone = table.slot(found, [this](std::size_t i) { return row(i); });
-        // The row of a new cone is copied to the front, over a row that is no longer needed.
+        // The row of a new cone is copied to the front, over a row that is no longer
+        // needed.
         if (cone == none) {
             cone = facets_.size();
             facets_.push_back(0);

@@ -11,15 +11,16 @@
 
 namespace endmill {
 
-/// The different visibility cones of a part, without the empty one, in the order of their first
-/// facets. Each cone is a row of bits over the cells. Large parts have many facets with equal
-/// cones, and the searches look at each cone once.
+/// The different visibility cones of a part, without the empty one, in the order of their
+/// first facets. Each cone is a row of bits over the cells. Large parts have many facets
+/// with equal cones, and the searches look at each cone once.
 class DistinctCones {
 public:
     /// Number in `cone_of` of a facet that no cell reaches.
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-    /// Takes O(facets * cells / 64) operations, and as much memory as the map while it works.
+    /// Takes O(facets * cells / 64) operations, and as much memory as the map while it
+    /// works.
     explicit DistinctCones(const VisibilityMap& map);
 
     std::size_t size() const { return facets_.size(); }  ///< number of cones
@@ -43,7 +44,8 @@ public:
     /// A visibility map with one facet for each cone.
     VisibilityMap map() const;
 
-    /// A visibility map with one facet for each of `cones`. \pre all of them are below size().
+    /// A visibility map with one facet for each of `cones`. \pre all of them are below
+    /// size().
     VisibilityMap map(std::span<const std::size_t> cones) const;
 
 private:

@@ -12,14 +12,15 @@
 
 // How the feasible turns of a cell are found.
 //
-// The angles of a cell depend on the turn about the tool axis only through sin and cos of its
-// azimuth against R1 or R2. For each of the 72 turns:
-// 1. The products `along` and `across` give sine and cosine of the angle, up to a common factor.
+// The angles of a cell depend on the turn about the tool axis only through sin and cos of
+// its azimuth against R1 or R2. For each of the 72 turns:
+// 1. The products `along` and `across` give sine and cosine of the angle, up to a common
+//    factor.
 // 2. TurnRange tests whether that angle lies within the limits. It compares the signs of
 //    sin(end - angle) and sin(angle - begin), so that no arc tangent is needed.
-// 3. In C,A both solutions count, (phi, theta) and (-phi, theta + 180 degrees); phi does not
-//    depend on the turn. In A,B the first solution counts.
-// Neighbouring feasible turns are joined to runs.
+// 3. In C,A both solutions count, (phi, theta) and (-phi, theta + 180 degrees); phi does
+//    not depend on the turn. In A,B the first solution counts. Neighbouring feasible
+//    turns are joined to runs.
 
 namespace endmill {
 namespace {
@@ -32,8 +33,8 @@ double azimuth_of(std::size_t turn)
     return 2 * pi * static_cast<double>(turn) / static_cast<double>(turns);
 }
 
-// The angles within [0, pi] that equal an angle of [begin, end] up to whole turns: those up to
-// `end`, and if the range begins below -pi also those from begin + 2 pi on.
+// The angles within [0, pi] that equal an angle of [begin, end] up to whole turns: those
+// up to `end`, and if the range begins below -pi also those from begin + 2 pi on.
 class HalfRange {
 public:
     // \pre begin <= 0 <= end, rad
@@ -82,8 +83,8 @@ private:
     HalfRange right_;
 };
 
-// A cell in the frame of the tool axis. `along` and `across` are its components along a rotary
-// axis that is perpendicular to the tool axis, and across both.
+// A cell in the frame of the tool axis. `along` and `across` are its components along a
+// rotary axis that is perpendicular to the tool axis, and across both.
 struct SeenFrom {
     double x;
     double y;

@@ -14,9 +14,10 @@ namespace endmill {
 /// Number of turns of a part about its tool axis that are tried: steps of 5 degrees.
 inline constexpr std::size_t turns_about_tool_axis = 72;
 
-/// The machine's axes in coordinates of the part, `turn` steps of 5 degrees about the tool axis.
-/// A machine of four axes has R1 of A,B, with R2 at rest.
-/// \param reach the machine. \param tool_axis unit. \param turn below turns_about_tool_axis.
+/// The machine's axes in coordinates of the part, `turn` steps of 5 degrees about the
+/// tool axis. A machine of four axes has R1 of A,B, with R2 at rest.
+/// \param reach the machine. \param tool_axis unit. \param turn below
+///         turns_about_tool_axis.
 RotaryFrame frame_at(const RotaryReach& reach, const Vec3& tool_axis, std::size_t turn);
 
 /// A run of turns about the tool axis from which the machine reaches a cell: `first`,
@@ -33,13 +34,14 @@ struct FeasibleTurns {
     }
 };
 
-/// Finds for every cell the turns from which the machine reaches it, with the centre of cell
-/// `pole` as the tool axis. Limits are met to 1e-9 rad.
+/// Finds for every cell the turns from which the machine reaches it, with the centre of
+/// cell `pole` as the tool axis. Limits are met to 1e-9 rad.
 ///
-/// A cell may have several runs. The tool axis itself is reached from all turns. In C,A its
-/// opposite is reached from all turns if the tilt goes that far, because C has no effect there. A
-/// machine of three axes reaches the tool axis only. Limits are compared by the signs of sines of
-/// differences, whose errors are 1e-15 rad, instead of by arc tangents.
+/// A cell may have several runs. The tool axis itself is reached from all turns. In C,A
+/// its opposite is reached from all turns if the tilt goes that far, because C has no
+/// effect there. A machine of three axes reaches the tool axis only. Limits are compared
+/// by the signs of sines of differences, whose errors are 1e-15 rad, instead of by arc
+/// tangents.
 /// Source: [KangSuh, eq. (5), (17), (18)].
 /// \param reach the machine. \param centres unit, at most 2^32.
 /// \param pole below centres.size().

@@ -13,6 +13,7 @@
 
 #include "endmill/core/parallel.h"
 #include "endmill/setup/detail/axis_node.h"
+#include "endmill/setup/detail/range_limits.h"
 
 namespace endmill {
 namespace {
@@ -21,7 +22,8 @@ constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The following numbers trade time for the quality of the first fit. They do not affect bounds.
+// The following numbers trade time for the quality of the first fit. They do not affect
+// bounds.
 constexpr double arc_band =
     0.2 * degree;  ///< cells this close to a circle lie on its arc
 constexpr double arc_reach = 0.5 * degree;  ///< the same while a circle is improved
@@ -49,8 +51,8 @@ bool is_better(const AxisFit& a, const AxisFit& b)
     return a.objective < b.objective;
 }
 
-/// The problem of short arcs as one of ranges in A,B: R1 is the normal of the circle, the arc is
-/// the window, and latitudes are limited to a narrow band.
+/// The problem of short arcs as one of ranges in A,B: R1 is the normal of the circle, the
+/// arc is the window, and latitudes are limited to a narrow band.
 ConeFitting along_arcs(const ConeFitting& fitting)
 {
     ConeFitting arcs = fitting;
@@ -60,13 +62,15 @@ ConeFitting along_arcs(const ConeFitting& fitting)
     return arcs;
 }
 
-/// Finds the circles through a cell whose bands meet all cones. Circles through the cell are binned
-/// by their azimuth there; a bin holds the AND of the columns of the cells that its band may meet.
+/// Finds the circles through a cell whose bands meet all cones. Circles through the cell
+/// are binned by their azimuth there; a bin holds the AND of the columns of the cells
+/// that its band may meet.
 class CircleScan {
 public:
     explicit CircleScan(const ConeFitting& fitting) : fitting_{fitting} {}
 
-    /// Normals of the circles through cell `from` and one of `others` whose bins meet all cones.
+    /// Normals of the circles through cell `from` and one of `others` whose bins meet all
+    /// cones.
     std::vector<Vec3> normals(std::size_t from, std::span<const std::size_t> others)
     {
         const Vec3& pole = fitting_.centres[from];
@@ -92,8 +96,8 @@ private:
     static constexpr std::size_t bins =
         1440;  // of 0.125 degrees, less than a band's width
 
-    /// Azimuths half a turn apart have the same bin, because a circle leaves the cell in both
-    /// directions.
+    /// Azimuths half a turn apart have the same bin, because a circle leaves the cell in
+    /// both directions.
     static std::size_t bin(double azimuth)
     {
         return std::size_t(azimuth / pi * double(bins)) % bins;
@@ -132,8 +136,9 @@ private:
     std::vector<char> complete_;          ///< by bin: 1 if its cells meet all cones
 };
 
-/// A key of a circle that is equal for normals within `same_circle` and for opposite normals.
-/// Normals on two sides of a rounding limit get different keys and are kept twice.
+/// A key of a circle that is equal for normals within `same_circle` and for opposite
+/// normals. Normals on two sides of a rounding limit get different keys and are kept
+/// twice.
 std::array<std::int64_t, 3> circle_key(const Vec3& normal)
 {
     std::array<std::int64_t, 3> key{};
@@ -151,8 +156,8 @@ std::array<std::int64_t, 3> circle_key(const Vec3& normal)
     return key;
 }
 
-/// At most about `cells_scanned` of the cells, evenly spaced. On grids of a thousand cells these
-/// are all; on finer grids the descent starts from a neighbouring circle.
+/// At most about `cells_scanned` of the cells, evenly spaced. On grids of a thousand
+/// cells these are all; on finer grids the descent starts from a neighbouring circle.
 std::vector<std::size_t> thinned(std::span<const std::size_t> cells)
 {
     const std::size_t step = (cells.size() + cells_scanned - 1) / cells_scanned;
@@ -182,7 +187,8 @@ std::vector<Vec3> scanned_circles(const ConeFitting& fitting)
     return circles;
 }
 
-/// Improves the first `count` fits with different objectives by descent. \return best first.
+/// Improves the first `count` fits with different objectives by descent. \return best
+/// first.
 std::vector<AxisFit> improved(std::vector<AxisFit> fits, std::size_t count,
                               const ConeFitting& fitting, const Descent& descent)
 {
@@ -270,8 +276,8 @@ std::vector<Vec3> short_arcs(const ConeFitting& fitting)
 
 namespace {
 
-// The exact best fit about these axes. Fits that were improved from rough ones may be slightly
-// worse than the range about their first axis.
+// The exact best fit about these axes. Fits that were improved from rough ones may be
+// slightly worse than the range about their first axis.
 std::optional<AxisFit> exact_fit(const ConeFitting& fitting, std::span<const Vec3> axes)
 {
     AxisFitter fitter{fitting};

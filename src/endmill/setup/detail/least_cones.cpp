@@ -13,11 +13,13 @@
 
 // How minimal cones are found.
 //
-// 1. Cones are taken in the order of their sizes, so that a cone can contain only cones that were
-//    taken before it. Cones of equal size do not contain each other and are tested in parallel.
-// 2. To test whether a cone contains a kept cone, 64 cells outside it are chosen. A kept cone with
-//    one of these cells is not contained. Kept cones are stored in tiles of 512 with a line of
-//    512 bits for each cell, so that a cell excludes the cones of a tile by one OR of a line.
+// 1. Cones are taken in the order of their sizes, so that a cone can contain only cones
+//    that were taken before it. Cones of equal size do not contain each other and are
+//    tested in parallel.
+// 2. To test whether a cone contains a kept cone, 64 cells outside it are chosen. A kept
+//    cone with one of these cells is not contained. Kept cones are stored in tiles of 512
+//    with a line of 512 bits for each cell, so that a cell excludes the cones of a tile
+//    by one OR of a line.
 // 3. The few kept cones that remain are compared cell by cell.
 // 4. A cone that contains no kept cone is kept.
 
@@ -29,8 +31,8 @@ using Row = std::span<const std::uint64_t>;
 constexpr std::size_t tile_words = 8;  // a line of a tile fills a cache line of 64 bytes
 constexpr std::size_t tile_cones = 64 * tile_words;
 
-// Number of cells outside a cone that are used as a filter. A kept cone of a tenth of all cells
-// that is not contained passes the filter with a probability of 0.001.
+// Number of cells outside a cone that are used as a filter. A kept cone of a tenth of all
+// cells that is not contained passes the filter with a probability of 0.001.
 constexpr std::size_t filter_cells = 64;
 
 using Line = std::array<std::uint64_t, tile_words>;
@@ -68,7 +70,8 @@ public:
         kept_.push_back(cone);
     }
 
-    // Tests whether `row` contains a cone of the tile. `outside` are some cells not in `row`.
+    // Tests whether `row` contains a cone of the tile. `outside` are some cells not in
+    // `row`.
     bool has_inside(std::size_t tile, Row row, std::span<const std::size_t> outside) const
     {
         Line excluded{};
@@ -104,8 +107,8 @@ std::vector<std::size_t> sizes_of(const DistinctCones& cones)
     return sizes;
 }
 
-// The cells in a fixed random order. Neighbouring cells belong to nearly the same cones, so that
-// cells far apart make a better filter.
+// The cells in a fixed random order. Neighbouring cells belong to nearly the same cones,
+// so that cells far apart make a better filter.
 std::vector<std::size_t> shuffled_cells(std::size_t count)
 {
     std::vector<std::size_t> cells(count);
@@ -125,7 +128,8 @@ public:
     {
     }
 
-    // Keeps the minimal cones among some of equal size. \pre the size grows from call to call.
+    // Keeps the minimal cones among some of equal size. \pre the size grows from call to
+    // call.
     void take(std::span<const std::size_t> equals)
     {
         std::vector<char> has_smaller(equals.size(), 0);
@@ -144,7 +148,8 @@ public:
     }
 
 private:
-    // Tests the cones against one tile after the other, so that a tile stays in the cache.
+    // Tests the cones against one tile after the other, so that a tile stays in the
+    // cache.
     void sift(std::span<const std::size_t> equals, std::span<char> has_smaller) const
     {
         std::vector<std::vector<std::size_t>> outside;

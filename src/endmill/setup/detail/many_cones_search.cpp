@@ -11,6 +11,7 @@
 #include "endmill/setup/detail/axis_fit.h"
 #include "endmill/setup/detail/cone_set.h"
 #include "endmill/setup/detail/least_cones.h"
+#include "endmill/setup/detail/range_limits.h"
 #include "endmill/setup/setup_travel.h"
 
 namespace endmill {
@@ -105,7 +106,8 @@ private:
         return found;
     }
 
-    // Reports the best pose that meets all cones, not a pose that meets only some of them.
+    // Reports the best pose that meets all cones, not a pose that meets only some of
+    // them.
     void report(const WholeConeSearchProgress& now) const
     {
         WholeConeSearchProgress all{result_.nodes + now.nodes, std::nullopt,
@@ -129,8 +131,8 @@ private:
         return missed;
     }
 
-    // Finds the best range about this axis that meets all cones, and keeps it if it is the best
-    // so far.
+    // Finds the best range about this axis that meets all cones, and keeps it if it is
+    // the best so far.
     void extend(const Vec3& axis)
     {
         if (!everything_) {

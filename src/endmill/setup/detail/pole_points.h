@@ -11,8 +11,8 @@
 
 namespace endmill {
 
-/// A right-handed frame whose z axis, the pole, is a tool axis. For the tool axis +Z it is the
-/// frame of the part.
+/// A right-handed frame whose z axis, the pole, is a tool axis. For the tool axis +Z it
+/// is the frame of the part.
 struct PoleFrame {
     Vec3 pole;  ///< unit: z
     Vec3 x;     ///< unit: azimuth 0
@@ -27,10 +27,10 @@ struct PoleFrame {
 
 /// Coordinates of directions in the frame of a tool axis, in arrays for fast loops.
 struct PolePoints {
-    PoleFrame frame;
-    std::vector<double> x;
-    std::vector<double> y;
-    std::vector<double> z;
+    PoleFrame frame;        ///< of the tool axis
+    std::vector<double> x;  ///< one for each direction
+    std::vector<double> y;  ///< one for each direction
+    std::vector<double> z;  ///< one for each direction
 
     /// \pre `tool_axis` and `directions` have unit length.
     PolePoints(const Vec3& tool_axis, std::span<const Vec3> directions);

@@ -15,8 +15,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Lower limit of z. It keeps s / z finite at z = 0, where alpha is +-90 degrees.
 constexpr double least_height = 1e-200;
 
-// Directions with a smaller z are split points. Their alpha passes so quickly through 0 where R1
-// has their azimuth that even the narrowest interval would miss the certified accuracy.
+// Directions with a smaller z are split points. Their alpha passes so quickly through 0
+// where R1 has their azimuth that even the narrowest interval would miss the certified
+// accuracy.
 constexpr double steep_height = 1e-3;
 
 void add_sides(double& plus, double& minus, double value)
@@ -43,8 +44,8 @@ bool RectangleNeeds::LowPoint::is_along_r1(double across) const
     return depth <= equal_angles && std::hypot(across, depth) <= equal_angles;
 }
 
-// The largest extents to either side, as tangents and sines. Low points have |alpha| > 90 degrees;
-// the smaller |s| / depth, the larger |alpha|.
+// The largest extents to either side, as tangents and sines. Low points have |alpha| > 90
+// degrees; the smaller |s| / depth, the larger |alpha|.
 struct RectangleNeeds::Extents {
     double tangent_plus = 0;
     double tangent_minus = 0;
@@ -60,8 +61,8 @@ struct RectangleNeeds::Ends {
     double right;
 };
 
-// The tangent or sine, of all directions to one side, whose smaller end value is the largest. All
-// values are 0 if no direction stays on that side over the interval.
+// The tangent or sine, of all directions to one side, whose smaller end value is the
+// largest. All values are 0 if no direction stays on that side over the interval.
 struct RectangleNeeds::Support {
     double least = 0;
     double left = 0;
@@ -75,7 +76,8 @@ struct RectangleNeeds::Support {
     }
 };
 
-// The low point, of those to one side, whose largest |s| / depth over the interval is the least.
+// The low point, of those to one side, whose largest |s| / depth over the interval is the
+// least.
 struct RectangleNeeds::LowSupport {
     double ratio = infinity;
     const LowPoint* point = nullptr;
@@ -179,10 +181,10 @@ RectangleNeeds::Supports RectangleNeeds::supports(const R1Azimuth& left,
     return found;
 }
 
-// Lower bounds of the area, rad^2, from one direction for each extent. The sums of both alphas and
-// of both betas are at least linear between the ends of the interval: alpha and beta of a high
-// direction are concave; |alpha| of a low direction is convex and is replaced by its tangent in the
-// middle. The product of two such sums is least at an end.
+// Lower bounds of the area, rad^2, from one direction for each extent. The sums of both
+// alphas and of both betas are at least linear between the ends of the interval: alpha
+// and beta of a high direction are concave; |alpha| of a low direction is convex and is
+// replaced by its tangent in the middle. The product of two such sums is least at an end.
 std::array<double, 2> RectangleNeeds::areas_between(const Supports& supports,
                                                     const R1Azimuth& middle,
                                                     double half_width) const

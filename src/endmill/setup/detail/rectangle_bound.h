@@ -8,18 +8,17 @@
 #include "endmill/machine/axis_limits.h"
 #include "endmill/setup/detail/pole_points.h"
 
-/// \file
-/// Lower bounds of the rectangles of A,B about a tool axis while R1 turns within an interval of
-/// azimuths. Directions may be 90 degrees or more from the tool axis.
+/// \file Lower bounds of the rectangles of A,B about a tool axis while R1 turns within an
+/// interval of azimuths. Directions may be 90 degrees or more from the tool axis.
 /// Source: paper/notes/rectangle-about-an-axis.md.
 
 namespace endmill {
 
 /// An azimuth of R1 about the tool axis, with its cosine and sine.
 struct R1Azimuth {
-    double angle;  ///< rad
-    double cosine;
-    double sine;
+    double angle;   ///< rad
+    double cosine;  ///< of the angle
+    double sine;    ///< of the angle
 
     /// Computes cosine and sine. \param value rad.
     explicit R1Azimuth(double value)
@@ -32,7 +31,8 @@ struct R1Azimuth {
     /// sin beta of a direction with the coordinates x and y in PoleFrame.
     double along(double x, double y) const { return x * cosine + y * sine; }
 
-    /// The value s with tan alpha = s / z, of a direction with the coordinates x, y and z.
+    /// The value s with tan alpha = s / z, of a direction with the coordinates x, y and
+    /// z.
     double across(double x, double y) const { return x * sine - y * cosine; }
 };
 
@@ -50,37 +50,39 @@ struct RectangleBound {
     RectangleExtents
         extents;  ///< bound of each end, without the opposite of the tool axis
 
-    /// Lower bounds of the area, rad^2. If the opposite of the tool axis is one of the directions,
-    /// it has alpha = 180 degrees in the first and -180 degrees in the second; otherwise both
-    /// bounds are equal.
+    /// Lower bounds of the area, rad^2. If the opposite of the tool axis is one of the
+    /// directions, it has alpha = 180 degrees in the first and -180 degrees in the
+    /// second; otherwise both bounds are equal.
     std::array<double, 2> areas;
 };
 
-/// The directions that the rectangles about a tool axis must contain. They may lie anywhere on
-/// the sphere.
+/// The directions that the rectangles about a tool axis must contain. They may lie
+/// anywhere on the sphere.
 class RectangleNeeds {
 public:
     /// \pre the directions have unit length.
     explicit RectangleNeeds(const PolePoints& points);
 
-    /// Azimuths of R1 within [0, pi], rad, at which the alpha of a direction jumps or passes 0 very
-    /// quickly. An interval of azimuths must not contain one of them in its interior.
+    /// Azimuths of R1 within [0, pi], rad, at which the alpha of a direction jumps or
+    /// passes 0 very quickly. An interval of azimuths must not contain one of them in its
+    /// interior.
     const std::vector<double>& splits() const { return splits_; }
 
-    /// Returns true if a direction is opposite to the tool axis, to 1e-9 rad. The range of alpha
-    /// must then reach 180 degrees on one of its sides.
+    /// Returns true if a direction is opposite to the tool axis, to 1e-9 rad. The range
+    /// of alpha must then reach 180 degrees on one of its sides.
     bool has_opposite() const { return has_opposite_; }
 
-    /// The extents with R1 at `azimuth`, without the opposite of the tool axis. A direction within
-    /// 1e-9 rad of R1 or its opposite has alpha 0.
+    /// The extents with R1 at `azimuth`, without the opposite of the tool axis. A
+    /// direction within 1e-9 rad of R1 or its opposite has alpha 0.
     /// \param azimuth of R1.
-    /// \param beside an azimuth of the same interval. It decides the sign of alpha of directions
-    ///        beyond 90 degrees, which is ambiguous at a split.
+    /// \param beside an azimuth of the same interval. It decides the sign of alpha of
+    ///         directions beyond 90 degrees, which is ambiguous at a split.
     RectangleExtents at(const R1Azimuth& azimuth, const R1Azimuth& beside) const;
 
-    /// A lower bound for R1 between `left` and `right`, except where R1 is within 1e-9 rad of a
-    /// direction. If the same directions decide all extents over the whole interval, the gap to the
-    /// least area is proportional to the square of the interval's width.
+    /// A lower bound for R1 between `left` and `right`, except where R1 is within 1e-9
+    /// rad of a direction. If the same directions decide all extents over the whole
+    /// interval, the gap to the least area is proportional to the square of the
+    /// interval's width.
     /// \pre 0 < right - left <= pi, rad, without a split between them.
     RectangleBound over(const R1Azimuth& left, const R1Azimuth& right) const;
 

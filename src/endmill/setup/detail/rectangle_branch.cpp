@@ -12,13 +12,13 @@
 
 // Branch and bound over the azimuth psi of R1.
 //
-// A direction (x, y, z) has s = x sin psi - y cos psi, tan alpha = s / z and
-// sin beta = x cos psi + y sin psi.
-// 1. The half turn of psi is cut at the azimuths at which an alpha jumps. These intervals are the
-//    first pieces. R1 at both of their ends is evaluated.
+// A direction (x, y, z) has s = x sin psi - y cos psi, tan alpha = s / z and sin beta = x
+// cos psi + y sin psi.
+// 1. The half turn of psi is cut at the azimuths at which an alpha jumps. These intervals
+//    are the first pieces. R1 at both of their ends is evaluated.
 // 2. RectangleNeeds bounds the area over a piece from below.
-// 3. The piece of least bound is split in the middle, where R1 is evaluated, until the bound is
-//    within `branch_accuracy` of the best rectangle.
+// 3. The piece of least bound is split in the middle, where R1 is evaluated, until the
+//    bound is within `branch_accuracy` of the best rectangle.
 
 namespace endmill {
 namespace {
@@ -26,8 +26,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// rad; narrower pieces are not split. This is 1e4 roundings of an angle, and such a change of R1
-// changes an area by less than `branch_accuracy` of a square degree.
+// rad; narrower pieces are not split. This is 1e4 roundings of an angle, and such a
+// change of R1 changes an area by less than `branch_accuracy` of a square degree.
 constexpr double narrowest = 1e-12;
 
 // An interval of azimuths of R1 in which no direction changes its side.
@@ -39,7 +39,8 @@ struct Piece {
 
     double middle() const { return (left.angle + right.angle) / 2; }
 
-    // Orders a std::priority_queue so that its top has the least bound, then the least number.
+    // Orders a std::priority_queue so that its top has the least bound, then the least
+    // number.
     friend bool operator<(const Piece& a, const Piece& b)
     {
         return a.bound != b.bound ? a.bound > b.bound : a.number > b.number;
@@ -55,8 +56,8 @@ public:
     {
     }
 
-    // Evaluates R1 at `azimuth`. Low directions have the sign of alpha that they have with R1 at
-    // `beside`.
+    // Evaluates R1 at `azimuth`. Low directions have the sign of alpha that they have
+    // with R1 at `beside`.
     void evaluate(const R1Azimuth& azimuth, const R1Azimuth& beside)
     {
         const Vec3 r1_axis = azimuth.cosine * frame_.x + azimuth.sine * frame_.y;
@@ -98,8 +99,9 @@ public:
 
     std::optional<RectangleCandidate> best() const { return best_.best(); }
 
-    // Tests whether all areas above this bound are of no interest. The tolerance is applied twice:
-    // once because an area equal to the limit is of interest, once for the rounding of bounds.
+    // Tests whether all areas above this bound are of no interest. The tolerance is
+    // applied twice: once because an area equal to the limit is of interest, once for the
+    // rounding of bounds.
     bool is_worthless(double bound) const
     {
         return bound > equal_area_limit(equal_area_limit(goal_.worthless));
@@ -114,8 +116,8 @@ private:
         return {r1_axis, extents.alpha, extents.beta, RectangleOrigin::Search};
     }
 
-    // The extents; or, if a direction is opposite to the tool axis, two extents that reach it on
-    // either side.
+    // The extents; or, if a direction is opposite to the tool axis, two extents that
+    // reach it on either side.
     std::vector<RectangleExtents> with_opposite(const RectangleExtents& extents) const
     {
         if (!needs_.has_opposite())

@@ -10,8 +10,9 @@
 
 namespace endmill {
 
-/// Accuracy of a search over R1: the area exceeds the least area by at most this share of it, or of
-/// a square degree for smaller areas. It is far below the effect of a cell's width of 0.1 rad.
+/// Accuracy of a search over R1: the area exceeds the least area by at most this share of
+/// it, or of a square degree for smaller areas. It is far below the effect of a cell's
+/// width of 0.1 rad.
 inline constexpr double branch_accuracy = 1e-7;
 
 /// The goal of a search over R1.
@@ -24,18 +25,20 @@ struct BranchGoal {
 };
 
 /// The best rectangle with R1 at a multiple of 5 degrees, as a quick upper bound.
-/// \param points directions, of unit length. \param goal limits; `worthless` has no effect.
+/// \param points directions, of unit length. \param goal limits; `worthless` has no
+///         effect.
 /// \return nothing if no such rectangle fits the limits.
 std::optional<RectangleCandidate> coarse_rectangle(const PolePoints& points,
                                                    const BranchGoal& goal);
 
-/// Finds the rectangle of least area over all positions of R1, to `branch_accuracy`. Directions may
-/// lie anywhere on the sphere.
+/// Finds the rectangle of least area over all positions of R1, to `branch_accuracy`.
+/// Directions may lie anywhere on the sphere.
 ///
-/// alpha is the principal value, so that no rectangle reaches across 180 degrees. A direction
-/// within 1e-9 rad of R1 or its opposite has alpha 0. A rectangle that fits the limits only for
-/// an interval of R1 below 1e-12 rad may be missed, unless `coarse_rectangle` finds it. The result
-/// is the same for every `worthless` that is not below its area.
+/// alpha is the principal value, so that no rectangle reaches across 180 degrees. A
+/// direction within 1e-9 rad of R1 or its opposite has alpha 0. A rectangle that fits the
+/// limits only for an interval of R1 below 1e-12 rad may be missed, unless
+/// `coarse_rectangle` finds it. The result is the same for every `worthless` that is not
+/// below its area.
 ///
 /// Method: branch and bound over the azimuth of R1, with the bounds of RectangleNeeds.
 /// Source: paper/notes/rectangle-about-an-axis.md.

@@ -17,8 +17,9 @@ enum class RectangleOrigin {
     Search             ///< a search or the caller chose the position
 };
 
-/// A rectangle of a machine of family A,B: the directions between two meridians and two parallels
-/// about R1. It contains the tool axis and given directions. Source: [KangSuh, eq. (15)–(21)].
+/// A rectangle of a machine of family A,B: the directions between two meridians and two
+/// parallels about R1. It contains the tool axis and given directions. Source: [KangSuh,
+/// eq. (15)–(21)].
 struct RectangleCandidate {
     Vec3 r1_axis;       ///< unit, perpendicular to the tool axis
     RotaryRange alpha;  ///< rad, about R1; contains 0
@@ -32,17 +33,18 @@ struct RectangleCandidate {
     double sum() const { return (alpha.to - alpha.from) + (beta.to - beta.from); }
 };
 
-/// The least rectangle about a given R1: alpha = atan2(-v . R2, v . C) and beta = asin(v . R1) with
-/// R2 = C x R1. alpha is 0 for v = +-R1. The origin of the result is `Search`.
-/// Source: [KangSuh, eq. (17), (18)], in the closed form of docs/mathematics/five-axis-setup.md,
-/// section 3.
-/// \param tool_axis unit: C. \param r1_axis unit, perpendicular to it. \param directions unit.
+/// The least rectangle about a given R1: alpha = atan2(-v . R2, v . C) and beta = asin(v
+/// . R1) with R2 = C x R1. alpha is 0 for v = +-R1. The origin of the result is `Search`.
+/// Source: [KangSuh, eq. (17), (18)], in the closed form of
+/// docs/mathematics/five-axis-setup.md, section 3.
+/// \param tool_axis unit: C. \param r1_axis unit, perpendicular to it. \param directions
+///         unit.
 RectangleCandidate rectangle_about(const Vec3& tool_axis, const Vec3& r1_axis,
                                    std::span<const Vec3> directions);
 
-/// Tests whether a rectangle fits limits of alpha (phi) and beta (theta) with their signs. The part
-/// may be turned by 180 degrees about the tool axis, which negates both ranges; it may not be
-/// mirrored.
+/// Tests whether a rectangle fits limits of alpha (phi) and beta (theta) with their
+/// signs. The part may be turned by 180 degrees about the tool axis, which negates both
+/// ranges; it may not be mirrored.
 bool fits_rigidly(const RectangleCandidate& rectangle, const RotaryLimits& limits);
 
 }  // namespace endmill

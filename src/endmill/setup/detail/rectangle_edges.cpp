@@ -16,8 +16,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Least cosine of a direction with the tool axis. Closer to 90 degrees, gnomonic images are a
-// million times farther out than those of other directions, and rounding decides their hull.
+// Least cosine of a direction with the tool axis. Closer to 90 degrees, gnomonic images
+// are a million times farther out than those of other directions, and rounding decides
+// their hull.
 constexpr double lowest_cosine = 1e-6;
 
 RotaryRange with_opposite(const RotaryRange& alpha)
@@ -26,8 +27,8 @@ RotaryRange with_opposite(const RotaryRange& alpha)
                                    : RotaryRange{-pi, alpha.to};
 }
 
-// Calls `take` with the two ends of each edge of a closed polygon. A polygon of two vertices has
-// one edge.
+// Calls `take` with the two ends of each edge of a closed polygon. A polygon of two
+// vertices has one edge.
 template <class Take>
 void for_each_edge(const std::vector<Vec3>& hull, const Take& take)
 {
@@ -37,8 +38,8 @@ void for_each_edge(const std::vector<Vec3>& hull, const Take& take)
         take(hull[i], hull[(i + 1) % hull.size()]);
 }
 
-// Calls `take` with the magnitude of each end of a range that is below 90 degrees. Directions that
-// are not low never reach the other ends.
+// Calls `take` with the magnitude of each end of a range that is below 90 degrees.
+// Directions that are not low never reach the other ends.
 template <class Take>
 void for_each_limit(const RotaryRange& range, const Take& take)
 {
@@ -67,8 +68,8 @@ std::optional<RectangleCandidate> great_circle_arc(const PolePoints& points)
             farthest = i;
         }
     }
-    // R1 is perpendicular to the direction farthest from the tool axis. If all directions lie along
-    // the tool axis, every R1 fits.
+    // R1 is perpendicular to the direction farthest from the tool axis. If all directions
+    // lie along the tool axis, every R1 fits.
     const bool is_point = rho <= equal_angles;
     const double dx = is_point ? 1 : points.y[farthest] / rho;
     const double dy = is_point ? 0 : -points.x[farthest] / rho;
@@ -137,8 +138,9 @@ std::vector<RectangleCandidate> RectangleImages::at_limits(
     const RotaryLimits& limits) const
 {
     std::vector<RectangleCandidate> found;
-    // An image at the distance r has g . e = r sin(psi - azimuth), o . d = r cos(psi - azimuth).
-    // Only positive limits are solved for; a negative one gives the same rectangle with R1 reversed.
+    // An image at the distance r has g . e = r sin(psi - azimuth), o . d = r cos(psi -
+    // azimuth). Only positive limits are solved for; a negative one gives the same
+    // rectangle with R1 reversed.
     for_each_limit(limits.phi, [&](double limit) {
         for (const Image& g : gnomonic_) {
             const double ratio = std::tan(limit) / std::hypot(g.x, g.y);

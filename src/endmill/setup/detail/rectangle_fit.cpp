@@ -54,7 +54,8 @@ struct BestRectangles {
     std::optional<RectangleCandidate> feasible;
 };
 
-// Tests whether the part should be turned by 180 degrees about the tool axis, which reverses R1.
+// Tests whether the part should be turned by 180 degrees about the tool axis, which
+// reverses R1.
 bool is_turn_better(const RectangleCandidate& rectangle, const RotaryLimits& limits)
 {
     const RotaryRange& alpha = rectangle.alpha;
@@ -114,8 +115,8 @@ BestRectangles best_at_edges(const PolePoints& points, std::span<const Vec3> dir
     return best;
 }
 
-// Both rectangles are searched for separately, even if the least one fits the limits. Otherwise
-// the bound of the least one would decide whether the feasible one is found.
+// Both rectangles are searched for separately, even if the least one fits the limits.
+// Otherwise the bound of the least one would decide whether the feasible one is found.
 BestRectangles best_by_branching(const PolePoints& points,
                                  const RectangleProblem& problem,
                                  const AreaBounds& bounds)

@@ -22,7 +22,8 @@ struct PolarDirection {
     double polar;    // rad
 };
 
-// Directions about a pole, sorted by azimuth and listed twice: the second time 360 degrees on.
+// Directions about a pole, sorted by azimuth and listed twice: the second time 360
+// degrees on.
 class DirectionFan {
 public:
     explicit DirectionFan(const PolePoints& points)
@@ -78,9 +79,10 @@ private:
     double largest_ = 0;
 };
 
-// Calls `take` for each narrow sector whose counter-clockwise end is a direction. The double sector
-// leaves out the larger of two gaps: after the direction, or after its antipode. Both indices only
-// grow from one direction to the next. Source: [KangSuh, eq. (6)-(11)].
+// Calls `take` for each narrow sector whose counter-clockwise end is a direction. The
+// double sector leaves out the larger of two gaps: after the direction, or after its
+// antipode. Both indices only grow from one direction to the next. Source: [KangSuh, eq.
+// (6)-(11)].
 template <class Take>
 void for_each_narrow_sector(const DirectionFan& fan, const Take& take)
 {
@@ -106,9 +108,9 @@ void for_each_narrow_sector(const DirectionFan& fan, const Take& take)
     }
 }
 
-// Calls `take` for each sector of 180 degrees or more from one direction to another, as long as
-// `may_be_wide` allows the width. At exactly 180 degrees it differs from the narrow sector, which
-// has the two directions in different sectors.
+// Calls `take` for each sector of 180 degrees or more from one direction to another, as
+// long as `may_be_wide` allows the width. At exactly 180 degrees it differs from the
+// narrow sector, which has the two directions in different sectors.
 template <class MayBeWide, class Take>
 void for_each_wide_sector(const DirectionFan& fan, const MayBeWide& may_be_wide,
                           const Take& take)
@@ -137,8 +139,8 @@ RotaryRange tilt(const SectorCandidate& sector)
     return {0 - sector.opposite_polar, sector.polar};
 }
 
-// Tests whether the machine reaches the sectors. The zero of C is free, so that only the width of C
-// and the magnitudes of the tilts are compared.
+// Tests whether the machine reaches the sectors. The zero of C is free, so that only the
+// width of C and the magnitudes of the tilts are compared.
 bool is_feasible(const SectorCandidate& sector, const RotaryLimits& limits)
 {
     return is_within_unsigned(tilt(sector), limits.phi) &&
@@ -208,8 +210,8 @@ PoseSearchResult sector_fit(const Vec3& tool_axis, std::span<const Vec3> directi
             feasible.offer(sector, score);
     };
     for_each_narrow_sector(fan, take);
-    // One of the two tilts is that of the direction farthest from the pole, so that this is a lower
-    // bound of the area.
+    // One of the two tilts is that of the direction farthest from the pole, so that this
+    // is a lower bound of the area.
     const auto may_be_wide = [&](double width) {
         const double area = width * fan.largest_polar();
         return least.wants(area) || feasible.wants(area);

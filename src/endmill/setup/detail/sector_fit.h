@@ -11,8 +11,9 @@
 
 namespace endmill {
 
-/// Two opposite sectors about a tool axis that contain given directions: what a machine of family
-/// C,A reaches when C turns by `width`. Source: [KangSuh, eq. (6)–(11), (13)].
+/// Two opposite sectors about a tool axis that contain given directions: what a machine
+/// of family C,A reaches when C turns by `width`.
+/// Source: [KangSuh, eq. (6)–(11), (13)].
 struct SectorCandidate {
     double from;   ///< rad: azimuth at which the first sector begins
     double width;  ///< rad, within [0, 2 pi): the first sector is [from, from + width]
@@ -25,23 +26,26 @@ struct SectorCandidate {
     }  ///< rad^2, the paper's F
 };
 
-/// The double sectors that a mode tries. First those below 180 degrees, one for each direction in
-/// the order of azimuths: the direction is the counter-clockwise end of the first sector. In
-/// `SetupMode::Corrected` then wider ones, from each direction to each direction 180 degrees or
-/// more further on. Directions along the tool axis lie in every sector. O(n^2).
+/// The double sectors that a mode tries. First those below 180 degrees, one for each
+/// direction in the order of azimuths: the direction is the counter-clockwise end of the
+/// first sector. In `SetupMode::Corrected` then wider ones, from each direction to each
+/// direction 180 degrees or more further on. Directions along the tool axis lie in every
+/// sector. O(n^2).
 /// \param tool_axis unit. \param directions unit. \param mode decides on wide sectors.
 /// \return sectors with azimuths in `PoleFrame`.
 std::vector<SectorCandidate> sector_candidates(const Vec3& tool_axis,
                                                std::span<const Vec3> directions,
                                                SetupMode mode);
 
-/// Finds the double sectors of least area that contain given directions: the least of all, and the
-/// least within the limits. `SetupMode::Corrected` is exact for the given directions and tool axis,
-/// the other modes among sectors below 180 degrees.
+/// Finds the double sectors of least area that contain given directions: the least of
+/// all, and the least within the limits. `SetupMode::Corrected` is exact for the given
+/// directions and tool axis, the other modes among sectors below 180 degrees.
 ///
-/// The sector of the larger polar angle gets the positive tilt, or the other one if only that fits
-/// the limits. Zero of C divides the azimuths in the ratio in which it divides the limits of C.
-/// Source: [KangSuh, section 5, eq. (5)–(13)]; docs/mathematics/five-axis-setup.md, section 5.
+/// The sector of the larger polar angle gets the positive tilt, or the other one if only
+/// that fits the limits. Zero of C divides the azimuths in the ratio in which it divides
+/// the limits of C.
+/// Source: [KangSuh, section 5, eq. (5)–(13)]; docs/mathematics/five-axis-setup.md,
+/// section 5.
 /// \param tool_axis unit. \param directions unit. \param options mode and limits.
 /// \param bounds save work: a fit whose area exceeds its bound may be missing.
 /// \throws DomainError as `check_pose_fit_options`, or if the family is not C,A.

@@ -17,18 +17,19 @@ struct AreaBounds {
     double feasible = std::numeric_limits<double>::infinity();  ///< of fits within limits
 };
 
-/// The quantities by which setups are ordered: first the area, then the sum of both ranges.
+/// The quantities by which setups are ordered: first the area, then the sum of both
+/// ranges.
 struct SetupScore {
     double area = std::numeric_limits<double>::infinity();  ///< rad^2
     double sum = std::numeric_limits<double>::infinity();   ///< rad
 };
 
-/// The largest area that counts as equal to `area`, in rad^2: it is larger by 1e-9 of the area,
-/// or of a square degree for smaller areas.
+/// The largest area that counts as equal to `area`, in rad^2: it is larger by 1e-9 of the
+/// area, or of a square degree for smaller areas.
 double equal_area_limit(double area);
 
-/// The largest sum that counts as equal to `sum`, in rad: it is larger by 1e-9 of the sum, or of
-/// a degree for smaller sums.
+/// The largest sum that counts as equal to `sum`, in rad: it is larger by 1e-9 of the
+/// sum, or of a degree for smaller sums.
 double equal_sum_limit(double sum);
 
 /// The score of a fitted pose.
@@ -36,13 +37,13 @@ SetupScore score_of(const FittedPose& fit);
 
 /// Selects the best of the candidates that are offered to it.
 ///
-/// Candidates whose area counts as equal to the least area are compared by their sum; among
-/// equal sums the first candidate wins. Only the least area decides which areas are equal, so a
-/// chain of nearly equal areas does not count as equal. Candidates with a clearly larger area
-/// have no effect on the result, and need not be offered.
+/// Candidates whose area counts as equal to the least area are compared by their sum;
+/// among equal sums the first candidate wins. Only the least area decides which areas are
+/// equal, so a chain of nearly equal areas does not count as equal. Candidates with a
+/// clearly larger area have no effect on the result, and need not be offered.
 ///
-/// A bound saves work without a change of the result: if the least area offered does not exceed
-/// the bound, the best candidate is the same as without a bound.
+/// A bound saves work without a change of the result: if the least area offered does not
+/// exceed the bound, the best candidate is the same as without a bound.
 template <class Candidate>
 class BestCandidate {
 public:
@@ -98,15 +99,15 @@ private:
     std::vector<Kept> kept_;  // candidates whose area counts as equal to the least
 };
 
-/// The range with its ends negated: it becomes this if the part is turned by 180 degrees about
-/// the tool axis.
+/// The range with its ends negated: it becomes this if the part is turned by 180 degrees
+/// about the tool axis.
 RotaryRange turned(const RotaryRange& range);
 
 /// Tests whether `range` lies within `limits`, to `turn_tolerance`.
 bool is_within(const RotaryRange& range, const RotaryRange& limits);
 
-/// Tests whether the larger and the smaller magnitude of the ends of `range` are at most those
-/// of `limits`, to `turn_tolerance`. Source: [KangSuh, eq. (12), (20)].
+/// Tests whether the larger and the smaller magnitude of the ends of `range` are at most
+/// those of `limits`, to `turn_tolerance`. Source: [KangSuh, eq. (12), (20)].
 bool is_within_unsigned(const RotaryRange& range, const RotaryRange& limits);
 
 /// The number of axes that a pose moves: `ThreeAxis`, `FourAxis` or `Ok`.

@@ -27,8 +27,9 @@ public:
         return is_gnomonic_ ? turn_about(a, b, c) : turn_along(axis_, a, b, c);
     }
 
-    // Orders images lexicographically: by the first perpendicular, then by the second. This is the
-    // order in which a sweep line meets them that is tilted by an infinitely small angle.
+    // Orders images lexicographically: by the first perpendicular, then by the second.
+    // This is the order in which a sweep line meets them that is tilted by an infinitely
+    // small angle.
     bool is_before(const Vec3& a, const Vec3& b) const
     {
         const int across = sweep_order(perpendiculars_[0], a, b);
@@ -36,8 +37,8 @@ public:
     }
 
 private:
-    // 1 if the parallel to `line` through a comes before the one through b, -1 if it comes after.
-    // Gnomonic images satisfy z_a z_b (g_b - g_a) x line = det(line, a, b).
+    // 1 if the parallel to `line` through a comes before the one through b, -1 if it
+    // comes after. Gnomonic images satisfy z_a z_b (g_b - g_a) x line = det(line, a, b).
     int sweep_order(const Vec3& line, const Vec3& a, const Vec3& b) const
     {
         return is_gnomonic_ ? turn_about(line, a, b) : order_along(axis_, line, a, b);
@@ -55,8 +56,8 @@ std::vector<Vec3> with_axis(const Vec3& tool_axis, std::span<const Vec3> directi
     return points;
 }
 
-// Appends the convex chain from the first point to the last, such that all points lie to its left
-// or on it. The last point is left out, because the next chain begins with it.
+// Appends the convex chain from the first point to the last, such that all points lie to
+// its left or on it. The last point is left out, because the next chain begins with it.
 void append_chain(std::vector<Vec3>& hull, std::span<const Vec3> points,
                   const ImagePlane& plane)
 {
@@ -88,9 +89,9 @@ std::vector<Vec3> ends_of_line(std::span<const Vec3> points, const ImagePlane& p
     return {*first, *last};
 }
 
-// Adds a point outside the hull. It replaces the vertices between the edges that face it. Edges
-// collinear with the point count as facing it, so that only the farther of collinear vertices
-// stays.
+// Adds a point outside the hull. It replaces the vertices between the edges that face it.
+// Edges collinear with the point count as facing it, so that only the farther of
+// collinear vertices stays.
 void add_to_hull(std::vector<Vec3>& hull, const Vec3& point, const ImagePlane& plane)
 {
     const std::size_t count = hull.size();
@@ -166,8 +167,8 @@ std::vector<Vec3> incremental_hull(const Vec3& tool_axis,
                      [&tool_axis](const Vec3& a, const Vec3& b) {
                          return tool_axis.dot(a) > tool_axis.dot(b);
                      });
-    // The hull begins with a triangle: the tool axis, the nearest other image, and the nearest
-    // image that is not collinear with both.
+    // The hull begins with a triangle: the tool axis, the nearest other image, and the
+    // nearest image that is not collinear with both.
     const auto second = std::find_if(points.begin(), points.end(), [&](const Vec3& v) {
         return plane.is_before(tool_axis, v) || plane.is_before(v, tool_axis);
     });

@@ -16,12 +16,13 @@ struct TurnCoverScratch {
     std::vector<std::uint64_t> reached;  ///< a row for each power of two and each turn
 };
 
-/// Cones in tiles of up to 2048. A tile is small enough that the columns of all cells stay in a
-/// core's cache while one tool axis after the other is tried.
+/// Cones in tiles of up to 2048. A tile is small enough that the columns of all cells
+/// stay in a core's cache while one tool axis after the other is tried.
 class ConeTiles {
 public:
     /// \param all cones of a part.
-    /// \param cones numbers of the cones to take; fastest if those of most facets come first.
+    /// \param cones numbers of the cones to take; fastest if those of most facets come
+    ///         first.
     ConeTiles(const DistinctCones& all, std::span<const std::size_t> cones);
 
     std::size_t size() const { return tiles_.size(); }  ///< number of tiles
@@ -29,9 +30,9 @@ public:
     /// Counts, for each turn about a tool axis, the facets whose cone lies in `tile` and
     /// contains a cell that the machine reaches from this turn.
     ///
-    /// A run of n turns is the union of two runs whose length is the largest power of two up to
-    /// n. Runs of each length are collected first, then split into two runs of half the length.
-    /// So a run costs two columns instead of n.
+    /// A run of n turns is the union of two runs whose length is the largest power of two
+    /// up to n. Runs of each length are collected first, then split into two runs of half
+    /// the length. So a run costs two columns instead of n.
     /// \param tile below size(). \param runs from `feasible_turns`.
     /// \param counts one for each turn; the facets are added to them.
     /// \param scratch of the calling thread.

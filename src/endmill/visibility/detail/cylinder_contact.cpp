@@ -57,7 +57,8 @@ double square_from_axis(const Vec3& a, const Vec3& b)
     return (a + share * side).squaredNorm();
 }
 
-// Tests whether the axis passes through the polygon: all sides turn about it in the same sense.
+// Tests whether the axis passes through the polygon: all sides turn about it in the same
+// sense.
 bool surrounds_axis(const Polygon& polygon, const Vec3& axis)
 {
     bool turns_left = true;
@@ -71,8 +72,8 @@ bool surrounds_axis(const Polygon& polygon, const Vec3& axis)
     return polygon.size() > 2 && (turns_left || turns_right);
 }
 
-// Error bound of `may_meet` and `meets` together, relative to the largest coordinate: at most a
-// hundred roundings of 1.1e-16, with a margin.
+// Error bound of `may_meet` and `meets` together, relative to the largest coordinate: at
+// most a hundred roundings of 1.1e-16, with a margin.
 constexpr double all_roundings = 1e-13;
 
 }  // namespace

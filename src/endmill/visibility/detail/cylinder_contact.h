@@ -16,13 +16,15 @@ struct SolidCylinder {
     double to;      ///< mm: height of the upper end
 };
 
-/// Tests whether a closed triangle meets the cylinder. The triangle is cut at the heights of both
-/// ends; the rest meets the cylinder if its projection along the axis comes within the radius. The
-/// answer is right except for distances within 1e-14 of the largest coordinate.
+/// Tests whether a closed triangle meets the cylinder. The triangle is cut at the heights
+/// of both ends; the rest meets the cylinder if its projection along the axis comes
+/// within the radius. The answer is right except for distances within 1e-14 of the
+/// largest coordinate.
 /// \param cylinder closed. \param corners of the triangle, mm.
 bool meets(const SolidCylinder& cylinder, const std::array<Vec3, 3>& corners);
 
-/// Tests whether a box may meet the cylinder. The answer is never false if the box meets it.
+/// Tests whether a box may meet the cylinder. The answer is never false if the box meets
+/// it.
 /// \param cylinder closed. \param low, high corners of the box, mm.
 bool may_meet(const SolidCylinder& cylinder, const Vec3& low, const Vec3& high);
 

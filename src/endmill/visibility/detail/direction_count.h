@@ -15,8 +15,8 @@ namespace endmill {
 /// Counts finished directions over all threads and reports the count.
 class DirectionCount {
 public:
-    /// \param report receives the count, from one thread at a time; may be empty; must outlive the
-    ///        object.
+    /// \param report receives the count, from one thread at a time; may be empty; must
+    ///         outlive the object.
     explicit DirectionCount(const std::function<void(std::size_t)>& report)
         : report_{report}
     {

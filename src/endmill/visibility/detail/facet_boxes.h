@@ -12,9 +12,9 @@
 
 namespace endmill {
 
-/// A tree of boxes over the facets of a part, for tests of cylinders. Each node halves its facets at
-/// the median along the longest side of its box. It is a tree of its own, because TriangleTree
-/// answers rays and distances only.
+/// A tree of boxes over the facets of a part, for tests of cylinders. Each node halves
+/// its facets at the median along the longest side of its box. It is a tree of its own,
+/// because TriangleTree answers rays and distances only.
 class FacetBoxes {
 public:
     /// \param part facets in mm; it is not kept.

@@ -20,8 +20,8 @@ struct FacetGroup {
         corner;  ///< [corner]: point numbers
 };
 
-/// The facets of a part that have an area, in groups that are close to each other in space and in
-/// memory, whatever the order of the part's facets is.
+/// The facets of a part that have an area, in groups that are close to each other in
+/// space and in memory, whatever the order of the part's facets is.
 struct FacetGroups {
     std::vector<Vec3> points;  ///< mm, points of the part in the order of their first use
     std::vector<FacetGroup> groups;

@@ -20,8 +20,8 @@ struct PartFacets {
     bool has_area(std::size_t facet) const { return !normals[facet].isZero(0); }
 };
 
-/// Computes normals and centroids. The error of a normal is at most 1e-15 times the square of the
-/// facet's longest side divided by its area.
+/// Computes normals and centroids. The error of a normal is at most 1e-15 times the
+/// square of the facet's longest side divided by its area.
 PartFacets part_facets(const TriangleMesh& part);
 
 }  // namespace endmill

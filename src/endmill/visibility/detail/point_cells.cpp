@@ -8,15 +8,16 @@
 namespace endmill {
 namespace {
 
-// Mean number of points in a cell. More points mean fewer rows of cells for each facet, but more
-// points that are tested without need.
+// Mean number of points in a cell. More points mean fewer rows of cells for each facet,
+// but more points that are tested without need.
 constexpr double points_per_cell = 0.7;
-// Height of a cell divided by its width. With high cells a facet meets fewer rows, and the points of
-// a row are contiguous in memory.
+// Height of a cell divided by its width. With high cells a facet meets fewer rows, and
+// the points of a row are contiguous in memory.
 constexpr double aspect = 8;
 // Largest number of cells along an axis. It limits the memory for points along a line.
 constexpr double most_cells_along = 1 << 15;
-// Least side of a cell, for points that all have the same x or y. Its inverse is a finite float.
+// Least side of a cell, for points that all have the same x or y. Its inverse is a finite
+// float.
 constexpr double least_side = 1e-30;
 
 }  // namespace

@@ -30,8 +30,8 @@ struct NumberedPoint {
     std::int32_t number;
 };
 
-/// A uniform grid of cells in x and y with points sorted into it. There are about as many cells as
-/// points. Memory is reused for the next points.
+/// A uniform grid of cells in x and y with points sorted into it. There are about as many
+/// cells as points. Memory is reused for the next points.
 class PointCells {
 public:
     /// Replaces the points. \pre all coordinates are finite.
@@ -48,8 +48,8 @@ public:
     /// The row of cells that contains y, or the nearest one.
     int row_at(float y) const { return cell_at(y, 1, rows_); }
 
-    /// The places of the points in the columns `first` to `last` of a row: the first place, and one
-    /// beyond the last. \pre row and columns exist.
+    /// The places of the points in the columns `first` to `last` of a row: the first
+    /// place, and one beyond the last. \pre row and columns exist.
     std::pair<std::uint32_t, std::uint32_t> range(int row, int first, int last) const
     {
         const std::size_t cell = static_cast<std::size_t>(row) * columns_;

@@ -14,11 +14,12 @@ namespace {
 
 // How a ray is tested: a filter in doubles, and rational numbers where the filter fails.
 //
-// The ray meets the inside of the facet if the facet's corners turn about the direction in one
-// sense, and if the facet lies ahead of the centroid: four signs of determinants. The filter
-// computes each sign with a bound of its error. If a sign is uncertain, `exact_answer` computes all
-// of them by rational numbers. It also decides the special cases in which a sign is 0: the ray
-// meets an edge or a corner, lies in the facet's plane, or starts in it.
+// The ray meets the inside of the facet if the facet's corners turn about the direction
+// in one sense, and if the facet lies ahead of the centroid: four signs of determinants.
+// The filter computes each sign with a bound of its error. If a sign is uncertain,
+// `exact_answer` computes all of them by rational numbers. It also decides the special
+// cases in which a sign is 0: the ray meets an edge or a corner, lies in the facet's
+// plane, or starts in it.
 
 using Rational = CGAL::Exact_rational;
 using ExactVector = std::array<Rational, 3>;
@@ -37,10 +38,10 @@ struct RoundedVector {
 
 // The sign of the determinant of three vectors, or nothing if it is uncertain.
 //
-// The determinant has six products of three components. The errors of the factors change each
-// product by at most the term in brackets. Each product passes 2 multiplications, 1 subtraction and
-// 2 additions, which is 5 roundings of at most 6 X Y Z. The factors 6 and 30 are rounded up to 8 and
-// 40.
+// The determinant has six products of three components. The errors of the factors change
+// each product by at most the term in brackets. Each product passes 2 multiplications, 1
+// subtraction and 2 additions, which is 5 roundings of at most 6 X Y Z. The factors 6 and
+// 30 are rounded up to 8 and 40.
 std::optional<int> certain_sign(const RoundedVector& x, const RoundedVector& y,
                                 const RoundedVector& z)
 {
@@ -59,8 +60,8 @@ std::optional<int> certain_sign(const RoundedVector& x, const RoundedVector& y,
     return {};
 }
 
-// The answer, or nothing if a sign is uncertain. The vectors from the centroid to the corners are
-// multiplied by 3, which avoids the division.
+// The answer, or nothing if a sign is uncertain. The vectors from the centroid to the
+// corners are multiplied by 3, which avoids the division.
 std::optional<bool> certain_answer(const Corners& from, const Vec3& direction,
                                    const Corners& facet)
 {
@@ -118,8 +119,8 @@ int sign(const Rational& value)
     return static_cast<int>(CGAL::sign(value));
 }
 
-// Tests whether the ray along `direction` meets the side from a to b. Ray and side lie in a plane
-// with this normal, and a and b are offsets from the origin of the ray.
+// Tests whether the ray along `direction` meets the side from a to b. Ray and side lie in
+// a plane with this normal, and a and b are offsets from the origin of the ray.
 bool meets_side(const ExactVector& direction, const ExactVector& normal,
                 const ExactVector& a, const ExactVector& b)
 {

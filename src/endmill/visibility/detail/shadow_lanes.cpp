@@ -17,24 +17,25 @@ static_assert(lanes == PointBlock::size);
 
 // Error bounds of edge functions, normals and depths.
 //
-// Coordinates are at most 1 in magnitude and have errors of at most h, which is at least half a
-// rounding. So differences have errors of at most 2 h and a rounding. |v| is the sum of the
-// magnitudes of the components of v. R is the largest difference in x or y between a centroid in
-// question and a corner, at least 32 h; Z is the same in z, at least R.
+// Coordinates are at most 1 in magnitude and have errors of at most h, which is at least
+// half a rounding. So differences have errors of at most 2 h and a rounding. |v| is the
+// sum of the magnitudes of the components of v. R is the largest difference in x or y
+// between a centroid in question and a corner, at least 32 h; Z is the same in z, at
+// least R.
 //
-// 1. An edge function is d x e + c, where c is the value at the first corner. The errors of d and e
-//    contribute 2 h |e| + 4 h R, those of c the same, and 5 roundings of |e| R occur in each part.
-//    The sum is at most 4 h |e| + 8 h R + 20 h |e| R.
-// 2. A component of the normal of the sides e and f, with S = |e| + |f|, has an error of 2 h S,
-//    5 roundings of |e| |f| <= S^2 / 4, and 8 h^2. The sum is at most h S (3 + 3 S), because S
-//    exceeds 12 h if the sign of z is certain.
-// 3. The depth is n . d. The error of n contributes 2 h S (2 R + Z); that of d contributes 2 h |n|
-//    with |n| <= S^2 / 4 and S <= 2 (2 R + Z); there are 10 roundings of S^2 / 4 Z, and 12 h^2 S.
-//    The sum is at most h S (2 R + Z) (3 + 10 Z).
+// 1. An edge function is d x e + c, where c is the value at the first corner. The errors
+//    of d and e contribute 2 h |e| + 4 h R, those of c the same, and 5 roundings of |e| R
+//    occur in each part. The sum is at most 4 h |e| + 8 h R + 20 h |e| R.
+// 2. A component of the normal of the sides e and f, with S = |e| + |f|, has an error of
+//    2 h S, 5 roundings of |e| |f| <= S^2 / 4, and 8 h^2. The sum is at most h S (3 + 3
+//    S), because S exceeds 12 h if the sign of z is certain.
+// 3. The depth is n . d. The error of n contributes 2 h S (2 R + Z); that of d
+//    contributes 2 h |n| with |n| <= S^2 / 4 and S <= 2 (2 R + Z); there are 10 roundings
+//    of S^2 / 4 Z, and 12 h^2 S. The sum is at most h S (2 R + Z) (3 + 10 Z).
 //
-// dz is clamped to an interval that exceeds the z of the facet by R on both sides. This does not
-// change the sign of the depth of a point inside the outline: there the plane lies between the z
-// of the corners.
+// dz is clamped to an interval that exceeds the z of the facet by R on both sides. This
+// does not change the sign of the depth of a point inside the outline: there the plane
+// lies between the z of the corners.
 [[gnu::always_inline]] inline WideFloats size_of(const WideFloats& a)
 {
     return larger(a, -a);
@@ -92,8 +93,8 @@ struct Coverage {
     const WideBits is_other{shadows.facet.data(), points.number[lane]};
     if (!shadows.has_edge_on) [[likely]]
         return {(inside >= -1) & is_other, (inside > 1) & is_other};
-    // A facet seen on edge has uncertain signs of its edge functions. It may cover the point unless
-    // the edge functions certainly have both signs.
+    // A facet seen on edge has uncertain signs of its edge functions. It may cover the
+    // point unless the edge functions certainly have both signs.
     const WideFloats most = larger(larger(first, second), third);
     const WideFloats facing = wide(shadows.facing);
     const WideBits is_facing = facing > 0;
@@ -116,7 +117,8 @@ struct Coverage {
         .bits();
 }
 
-// For each set of lanes the lanes in it, in ascending order. The remaining entries have no meaning.
+// For each set of lanes the lanes in it, in ascending order. The remaining entries have
+// no meaning.
 constexpr auto lanes_of_sets = [] {
     std::array<std::array<std::uint32_t, lanes>, 1U << lanes> sets{};
     for (unsigned set = 0; set < sets.size(); ++set)
@@ -126,8 +128,8 @@ constexpr auto lanes_of_sets = [] {
     return sets;
 }();
 
-// Places of points that wait for a test. The lanes of a block are added without a branch for each
-// lane, because such branches could not be predicted.
+// Places of points that wait for a test. The lanes of a block are added without a branch
+// for each lane, because such branches could not be predicted.
 class PlaceQueue {
 public:
     [[gnu::always_inline]] void add(std::uint32_t block, unsigned set)
@@ -194,8 +196,8 @@ void prepare_shadows(ShadowLanes& shadows, float accuracy)
         low[axis] = smaller(at[0][axis], smaller(at[1][axis], at[2][axis]));
         high[axis] = larger(at[0][axis], larger(at[1][axis], at[2][axis]));
     }
-    // Covered centroids lie in the box of the corners, up to 2 h and a few roundings; 16 h is a safe
-    // margin.
+    // Covered centroids lie in the box of the corners, up to 2 h and a few roundings; 16
+    // h is a safe margin.
     for (int axis = 0; axis < 2; ++axis) {
         shadows.low[axis] = least_of(low[axis]) - 16 * h;
         shadows.high[axis] = -least_of(-high[axis]) + 16 * h;
@@ -246,7 +248,8 @@ void mark_covered(const ShadowLanes& shadows, const PointCells& cells,
     PlaceQueue queue;
     for (int row = cells.row_at(shadows.low[1]); row <= high; ++row) {
         const auto [begin, end] = cells.range(row, first, last);
-        // The first and the last block may contain points of other cells, which are tested as well.
+        // The first and the last block may contain points of other cells, which are
+        // tested as well.
         for (std::uint32_t block = begin / lanes; block * lanes < end; ++block) {
             queue.add(block, lanes_within(shadows, blocks[block]) &
                                  ~covered.covered_lanes[block]);

@@ -8,10 +8,10 @@
 #include "endmill/core/detail/lanes.h"
 #include "endmill/visibility/detail/point_cells.h"
 
-/// \file
-/// Eight facets, projected along a direction, against many points: which points do the facets
-/// cover? A facet covers a point that lies inside its outline and below its plane, seen along the
-/// direction. Floats with error bounds find most answers; exact arithmetic decides the rest.
+/// \file Eight facets, projected along a direction, against many points: which points do
+/// the facets cover? A facet covers a point that lies inside its outline and below its
+/// plane, seen along the direction. Floats with error bounds find most answers; exact
+/// arithmetic decides the rest.
 
 namespace endmill {
 
@@ -20,9 +20,9 @@ using LaneFloats = std::array<float, float_lanes>;
 
 /// Eight projected facets with the coefficients of their edge functions and depths.
 ///
-/// Edge functions and depth take the difference (dx, dy, dz) of a point and the first corner. They
-/// are divided by a bound of their error: a value is positive inside or below, and its sign is
-/// certain if its magnitude exceeds 1.
+/// Edge functions and depth take the difference (dx, dy, dz) of a point and the first
+/// corner. They are divided by a bound of their error: a value is positive inside or
+/// below, and its sign is certain if its magnitude exceeds 1.
 struct alignas(32) ShadowLanes {
     std::array<std::int32_t, float_lanes> facet{};  ///< numbers of the facets
     std::array<std::array<LaneFloats, 3>, 3>
@@ -62,12 +62,12 @@ struct CoveredPoints {
 };
 
 /// Computes all coefficients from the corners.
-/// \param shadows with facets and corners. \param accuracy error bound of the coordinates of
-///        corners and points, at least 2^-25.
+/// \param shadows with facets and corners. \param accuracy error bound of the coordinates
+///         of corners and points, at least 2^-25.
 void prepare_shadows(ShadowLanes& shadows, float accuracy);
 
-/// Marks the points that certainly are covered, and lists those that may be. A facet does not cover
-/// its own centroid.
+/// Marks the points that certainly are covered, and lists those that may be. A facet does
+/// not cover its own centroid.
 /// \param shadows prepared. \param cells points.
 /// \param covered has a byte for each block; results are added to it.
 void mark_covered(const ShadowLanes& shadows, const PointCells& cells,

@@ -15,8 +15,8 @@ namespace {
 // Half a unit in the last place of 1 in single precision.
 constexpr float rounding = std::numeric_limits<float>::epsilon() / 2;
 
-// Squared sine of the angle between a direction and the x axis below which the y axis is projected
-// to the first coordinate instead.
+// Squared sine of the angle between a direction and the x axis below which the y axis is
+// projected to the first coordinate instead.
 constexpr double nearly_along = 0.1;
 
 // Projects an offset in doubles and rounds it to floats.
@@ -44,22 +44,23 @@ ShadowRaster::ShadowRaster(const TriangleMesh& part, const FacetGroups& groups)
     if (part.points().empty())
         return;
     centre_ = box.min() / 2 + box.max() / 2;
-    // Slightly more than half the diagonal, so that rounded coordinates stay within [-1, 1].
+    // Slightly more than half the diagonal, so that rounded coordinates stay within [-1,
+    // 1].
     const double reach = 1.000001 * (box.max() / 2 - box.min() / 2).stableNorm();
     if (!(reach > 0))
         return;
     scale_ = 1 / reach;
     const double largest =
         std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    // Half a unit in the last place of a float below 1, and at most a dozen roundings of doubles of
-    // the size of the given coordinates.
+    // Half a unit in the last place of a float below 1, and at most a dozen roundings of
+    // doubles of the size of the given coordinates.
     accuracy_ = rounding / 2 + 0x1p-49 * (1 + largest / reach);
 }
 
 void ShadowRaster::look_along(const Vec3& direction)
 {
-    // Many parts have edges along x and y. The projection maps one of these axes to the first
-    // coordinate, so that the boxes of such facets cover fewer cells.
+    // Many parts have edges along x and y. The projection maps one of these axes to the
+    // first coordinate, so that the boxes of such facets cover fewer cells.
     const Vec3 along = direction.normalized();
     Vec3 across = Vec3::UnitX() - along.x() * along;
     if (across.squaredNorm() < nearly_along)

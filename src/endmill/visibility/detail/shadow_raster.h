@@ -17,19 +17,20 @@ namespace endmill {
 ///
 /// 1. Points and centroids are projected along the direction to single precision.
 /// 2. The centroids in question are sorted into cells (PointCells).
-/// 3. Each group of eight facets is tested against the centroids in its box (ShadowLanes). Most
-///    answers are certain within the error bounds.
+/// 3. Each group of eight facets is tested against the centroids in its box
+///    (ShadowLanes). Most answers are certain within the error bounds.
 /// 4. `blocks_ray` decides the uncertain pairs exactly.
 ///
-/// The raster keeps its memory between directions, so that each thread needs its own: 45 bytes for
-/// each facet in question and 16 for each point. Part and groups must outlive it.
+/// The raster keeps its memory between directions, so that each thread needs its own: 45
+/// bytes for each facet in question and 16 for each point. Part and groups must outlive
+/// it.
 class ShadowRaster {
 public:
     /// \param part facets in mm. \param groups of the facets of `part`.
     ShadowRaster(const TriangleMesh& part, const FacetGroups& groups);
 
-    /// Clears the bits of the facets whose ray from the centroid along `direction` meets another
-    /// facet, as defined by `blocks_ray`.
+    /// Clears the bits of the facets whose ray from the centroid along `direction` meets
+    /// another facet, as defined by `blocks_ray`.
     /// \param direction unit to 1e-9. \param column a set bit marks a facet in question.
     void clear_blocked(const Vec3& direction, std::span<std::uint64_t> column);
 
