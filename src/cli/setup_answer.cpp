@@ -128,7 +128,7 @@ std::optional<bool> SetupAnswer::is_travel_ok() const
 
 bool SetupAnswer::is_yes() const
 {
-    return best.machinability == Machinability::Machinable && is_travel_ok() != false;
+    return best.machinable == Answer::Yes && is_travel_ok() != false;
 }
 
 SetupVisibility visibility_for(const SetupInput& input,

@@ -118,18 +118,17 @@ void add_setups(Json& summary, const SetupAnswer& answer,
                           {"facets", setup.facets}});
     summary["setups"] = setups;
     summary["uncovered"] = answer.setups->uncovered;
-    const bool needs_two = is_set(options) &&
-                           answer.best.machinability == Machinability::NotMachinable &&
-                           answer.best.is_proved;
+    const bool needs_two =
+        is_set(options) && answer.best.machinable == Answer::No && answer.best.is_proved;
     if (!has_empty_cones)  // else no number of setups will do
         summary["setups_lower_bound"] = needs_two ? 2 : 1;
 }
 
 Json machinable_json(const PartSetup& best)
 {
-    if (best.machinability == Machinability::Undecided)
+    if (best.machinable == Answer::Undecided)
         return nullptr;
-    return best.machinability == Machinability::Machinable;
+    return best.machinable == Answer::Yes;
 }
 
 Json ranking(std::span<const SetupAnswer> answers, const SetupCommandOptions& options)

@@ -62,8 +62,7 @@ TEST(ManyConesSearch, ProvesFromSomeConesThatNoPoseFits)
     const VisibilityMap map = test::random_caps(120, grid.centres, random);
     WholeConeSearchOptions options;
     options.limits = {{-0.3, 0.3}, {-0.3, 0.3}};
-    EXPECT_EQ(many_cones_search(grid, map, options, 16).machinability,
-              Machinability::NotMachinable);
+    EXPECT_EQ(many_cones_search(grid, map, options, 16).machinable, Answer::No);
 }
 
 TEST(ManyConesSearch, IsTheSameForAnyNumberOfThreadsAndReportsProgress)

@@ -113,13 +113,13 @@ TEST(FiveAxisSetup, ProvesThatNothingReachesOppositeFacets)
     SetupRequest request = request_of(RotaryFamily::CA, SetupMode::WholeCones);
     request.reach.limits.phi = {-0.5, 0.5};
     const PartSetup none = five_axis_setup(grid, map, request);
-    EXPECT_EQ(none.machinability, Machinability::NotMachinable);
+    EXPECT_EQ(none.machinable, Answer::No);
     EXPECT_TRUE(none.is_proved);
     EXPECT_FALSE(none.feasible);
     EXPECT_TRUE(none.least);
     request.mode = SetupMode::Corrected;
     const PartSetup at_cells = five_axis_setup(grid, map, request);
-    EXPECT_EQ(at_cells.machinability, Machinability::NotMachinable);
+    EXPECT_EQ(at_cells.machinable, Answer::No);
     EXPECT_FALSE(at_cells.is_proved);
 }
 

@@ -41,20 +41,20 @@ TEST(FindSetup, UsesTheSearchThatSuitsTheMachine)
     const TwoCones part;
     const PartSetup three =
         find_setup(part.grid, part.visibility, request_for("W/xyBz/T"));
-    EXPECT_EQ(three.machinability, Machinability::NotMachinable);
+    EXPECT_EQ(three.machinable, Answer::No);
     EXPECT_TRUE(three.is_proved);
     EXPECT_FALSE(three.shown());
     EXPECT_EQ(three.poses_tried, part.grid.centres.size());
 
     const PartSetup four =
         find_setup(part.grid, part.visibility, request_for("W/aBxyz/T"));
-    EXPECT_EQ(four.machinability, Machinability::Machinable);
+    EXPECT_EQ(four.machinable, Answer::Yes);
     EXPECT_EQ(four.status, SetupStatus::FourAxis);
     EXPECT_EQ(four.poses_tried, 5120U);
 
     const PartSetup five =
         find_setup(part.grid, part.visibility, request_for("W/caBxyz/T"));
-    EXPECT_EQ(five.machinability, Machinability::Machinable);
+    EXPECT_EQ(five.machinable, Answer::Yes);
     EXPECT_EQ(five.feasible->area,
               five_axis_setup(part.grid, part.visibility.map, request_for("W/caBxyz/T"))
                   .feasible->area);
@@ -81,7 +81,7 @@ TEST(FindSetup, FindsOneDirectionForThreeAxes)
     const TwoCones part{Vec3::UnitX(), Vec3{1, 0.5, 0}.normalized()};
     const PartSetup found =
         find_setup(part.grid, part.visibility, request_for("W/xyBz/T"));
-    EXPECT_EQ(found.machinability, Machinability::Machinable);
+    EXPECT_EQ(found.machinable, Answer::Yes);
     EXPECT_EQ(found.status, SetupStatus::ThreeAxis);
     ASSERT_TRUE(found.feasible);
     for (const Vec3& axis : {Vec3{Vec3::UnitX()}, Vec3{1, 0.5, 0}.normalized()})
@@ -99,7 +99,7 @@ TEST(FindSetup, ProvesThatNoMachineReachesAnEmptyCone)
             SetupRequest request = request_for(word);
             request.mode = mode;
             const PartSetup found = find_setup(part.grid, part.visibility, request);
-            EXPECT_EQ(found.machinability, Machinability::NotMachinable) << word;
+            EXPECT_EQ(found.machinable, Answer::No) << word;
             EXPECT_TRUE(found.is_proved) << word;
             EXPECT_FALSE(found.feasible) << word;
             EXPECT_FALSE(found.lower_bound) << word;
@@ -114,7 +114,7 @@ TEST(FindSetup, FindsNothingOnAMachineThatIsNone)
     const TwoCones part;
     for (const char* word : {"W/cBxyz/T", "W/acBxyz/T"}) {
         const PartSetup found = find_setup(part.grid, part.visibility, request_for(word));
-        EXPECT_EQ(found.machinability, Machinability::NotMachinable);
+        EXPECT_EQ(found.machinable, Answer::No);
         EXPECT_TRUE(found.is_proved);
         EXPECT_FALSE(found.shown());
         EXPECT_EQ(found.poses_tried, 0U);
@@ -146,19 +146,19 @@ TEST(FlooredArea, IsTheProductOfBothRangesInDegreesAndTheFloor)
 
 TEST(SetupRank, OrdersByMachinabilityThenAreaThenWord)
 {
-    const auto rank = [](Machinability machinability, double range, const char* word) {
+    const auto rank = [](Answer machinable, double range, const char* word) {
         PartSetup setup;
-        setup.machinability = machinability;
+        setup.machinable = machinable;
         if (range > 0)
             setup.least = fit_of({0, range}, {0, range});
         return setup_rank(setup, configuration_from_word(word), 5.9);
     };
-    using enum Machinability;
+    using enum Answer;
     const std::vector<SetupRank> ranked{
-        rank(Machinable, 0.5, "W/abBxyz/T"),  rank(Machinable, 0.5, "W/caBxyz/T"),
-        rank(Machinable, 1, "W/abBxyz/T"),    rank(Undecided, 0.1, "W/abBxyz/T"),
-        rank(NotMachinable, 1, "W/caBxyz/T"), rank(NotMachinable, 0, "W/abBxyz/T"),
-        rank(NotMachinable, 0, "W/acBxyz/T")};
+        rank(Yes, 0.5, "W/abBxyz/T"), rank(Yes, 0.5, "W/caBxyz/T"),
+        rank(Yes, 1, "W/abBxyz/T"),   rank(Undecided, 0.1, "W/abBxyz/T"),
+        rank(No, 1, "W/caBxyz/T"),    rank(No, 0, "W/abBxyz/T"),
+        rank(No, 0, "W/acBxyz/T")};
     for (std::size_t k = 1; k < ranked.size(); ++k)
         EXPECT_LT(ranked[k - 1], ranked[k]) << k;
 }

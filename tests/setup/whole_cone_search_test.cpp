@@ -325,7 +325,7 @@ TEST_P(RandomParts, AreReachedCompletelyAndNoPoseIsBelowTheBound)
         const VisibilityMap map = random_map(grid, facets, random);
         const WholeConeSearchResult result = whole_cone_search(grid, map, options);
         ASSERT_TRUE(result.pose);
-        EXPECT_EQ(result.machinability, Machinability::Machinable);
+        EXPECT_EQ(result.machinable, Answer::Yes);
         EXPECT_LT(worst_miss(grid, map, *result.pose, options.family), 1e-9);
         EXPECT_NEAR(result.pose->area, result.ranges.width * result.ranges.height(),
                     1e-12);
@@ -357,20 +357,19 @@ TEST(WholeConeSearch, ProvesThatOppositeWallsExceedTheTilt)
     WholeConeSearchOptions options;
     options.limits.phi = {-59 * degree, 59 * degree};
     const auto short_tilt = whole_cone_search(grid, map, options);
-    EXPECT_EQ(short_tilt.machinability, Machinability::NotMachinable);
+    EXPECT_EQ(short_tilt.machinable, Answer::No);
     EXPECT_FALSE(short_tilt.pose);
 
     options.limits.phi = {-80 * degree, 80 * degree};
     const auto enough = whole_cone_search(grid, map, options);
-    ASSERT_EQ(enough.machinability, Machinability::Machinable);
+    ASSERT_EQ(enough.machinable, Answer::Yes);
     EXPECT_LT(worst_miss(grid, map, *enough.pose, options.family), 1e-9);
     EXPECT_LE(enough.pose->phi.to, 80 * degree + 1e-9);
     EXPECT_GE(enough.pose->phi.from, -80 * degree - 1e-9);
 
     options.max_nodes = 0;
     options.limits.phi = {-59 * degree, 59 * degree};
-    EXPECT_EQ(whole_cone_search(grid, map, options).machinability,
-              Machinability::Undecided);
+    EXPECT_EQ(whole_cone_search(grid, map, options).machinable, Answer::Undecided);
 }
 
 TEST(WholeConeSearch, TurnsThePartIntoOneSidedLimits)
@@ -384,7 +383,7 @@ TEST(WholeConeSearch, TurnsThePartIntoOneSidedLimits)
         options.limits.phi = {-100 * degree, 5 * degree};
         options.limits.theta = {-10 * degree, 90 * degree};
         const auto result = whole_cone_search(grid, map, options);
-        ASSERT_EQ(result.machinability, Machinability::Machinable);
+        ASSERT_EQ(result.machinable, Answer::Yes);
         const FittedPose& fitted = *result.pose;
         EXPECT_LT(worst_miss(grid, map, fitted, family), 1e-9);
         EXPECT_GE(fitted.phi.from, options.limits.phi.from - 1e-9);
@@ -474,7 +473,7 @@ TEST(WholeConeSearch, FindsAPoseWithoutCones)
     const SphereGrid grid = sphere_grid("hex:2");
     const auto result =
         whole_cone_search(grid, VisibilityMap{3, grid.centres.size()}, {});
-    EXPECT_EQ(result.machinability, Machinability::Machinable);
+    EXPECT_EQ(result.machinable, Answer::Yes);
     EXPECT_EQ(result.pose->area, 0);
 }
 

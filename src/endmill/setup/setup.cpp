@@ -44,8 +44,7 @@ PartSetup setup_of(PoseSearchResult search)
     PartSetup setup;
     // Without any pose, no direction set lay in an open hemisphere: nothing was decided.
     if (search.feasible || search.least)
-        setup.machinability =
-            search.feasible ? Machinability::Machinable : Machinability::NotMachinable;
+        setup.machinable = answer_of(search.feasible.has_value());
     setup.is_proved = search.feasible.has_value();
     setup.status = search.status;
     setup.poses_tried = search.poses_tried;
@@ -109,8 +108,8 @@ PartSetup best_over_whole_cones(const SphereGrid& grid, const VisibilityMap& map
         is_limited ? many_cones_search(grid, map, options) : any;
 
     PartSetup setup;
-    setup.machinability = found.machinability;
-    setup.is_proved = found.machinability != Machinability::Undecided;
+    setup.machinable = found.machinable;
+    setup.is_proved = found.machinable != Answer::Undecided;
     setup.feasible = found.pose;
     setup.least = any.pose;
     const WholeConeSearchResult& shown = found.pose ? found : any;
@@ -143,7 +142,7 @@ PartSetup four_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
         setup_of(arc_search(map, grid.centres, sphere_grid(axes_grid).centres,
                             request.reach.limits.phi, request.reach.arc_tolerance));
     if (!setup.feasible)
-        setup.machinability = Machinability::NotMachinable;
+        setup.machinable = Answer::No;
     setup.objective = std::nullopt;
     if (setup.least)
         setup.objective = objective_of(*setup.least, request);
@@ -159,8 +158,7 @@ PartSetup three_axis_setup(const SphereGrid& grid, const PartVisibility& visibil
     const bool reaches_all = widest.facets == map.facets() - visibility.dropped.size();
     PartSetup setup;
     setup.status = SetupStatus::ThreeAxis;
-    setup.machinability =
-        reaches_all ? Machinability::Machinable : Machinability::NotMachinable;
+    setup.machinable = answer_of(reaches_all);
     setup.is_proved = true;
     setup.poses_tried = map.cells();
     if (!reaches_all)
@@ -178,7 +176,7 @@ PartSetup three_axis_setup(const SphereGrid& grid, const PartVisibility& visibil
 PartSetup no_setup()
 {
     PartSetup setup;
-    setup.machinability = Machinability::NotMachinable;
+    setup.machinable = Answer::No;
     setup.is_proved = true;
     return setup;
 }
@@ -206,7 +204,7 @@ PartSetup find_setup(const SphereGrid& grid, const PartVisibility& visibility,
     if (empty_cones(visibility).empty())
         return setup;
     // No setup reaches every facet. The least pose describes what the other facets need.
-    setup.machinability = Machinability::NotMachinable;
+    setup.machinable = Answer::No;
     setup.is_proved = true;
     setup.feasible = std::nullopt;
     setup.lower_bound = std::nullopt;
@@ -243,8 +241,10 @@ SetupRank setup_rank(const PartSetup& setup, const MachineConfiguration& configu
                      double floor_deg)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    return {setup.machinability,
-            floored_area_deg2(setup, configuration, floor_deg).value_or(infinity),
+    const int group = setup.machinable == Answer::Yes  ? 0
+                      : setup.machinable == Answer::No ? 2
+                                                       : 1;
+    return {group, floored_area_deg2(setup, configuration, floor_deg).value_or(infinity),
             configuration.word};
 }
 

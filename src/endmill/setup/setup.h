@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "endmill/core/answer.h"
 #include "endmill/setup/setup_mode.h"
 #include "endmill/setup/setup_objective.h"
 #include "endmill/setup/setup_pose.h"
@@ -40,8 +41,9 @@ struct SetupRequest {
 
 /// The best setup that was found, and what is proved about it.
 struct PartSetup {
-    /// A search over cells answers for the poses that it tries; see `is_proved`.
-    Machinability machinability = Machinability::Undecided;
+    /// Whether one setup within the limits reaches the whole part. A search over cells
+    /// answers for the poses that it tries only; `is_proved` states that.
+    Answer machinable = Answer::Undecided;
     bool is_proved = false;  ///< the part is machinable, or every pose is excluded
     SetupStatus status = SetupStatus::Ok;  ///< of `shown()`
     std::optional<FittedPose> feasible;    ///< the best pose within the limits
@@ -104,7 +106,7 @@ std::optional<double> floored_area_deg2(const PartSetup& setup,
 
 /// The rank of a machine for a part; the least rank is the best machine.
 struct SetupRank {
-    Machinability machinability;
+    int group;         ///< 0: machinable, 1: undecided, 2: not machinable
     double area_deg2;  ///< floored area of the setup, infinite without a pose
     std::string word;  ///< of the configuration
 

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 
 #include "endmill/core/angle.h"
@@ -38,13 +37,6 @@ struct FittedPose {
 /// [S, L]: the smaller and the larger magnitude of the ends of a range, in rad.
 /// Source: [KangSuh, eq. (10), (19)].
 std::array<double, 2> magnitudes(const RotaryRange& range);
-
-/// The answer to "can the part be machined in one setup?", the best answer first.
-enum class Machinability : std::uint8_t {
-    Machinable,    ///< yes: a pose within the limits is known
-    Undecided,     ///< a pose within the limits was neither found nor excluded
-    NotMachinable  ///< no: the search found no pose within the limits
-};
 
 /// How many axes move in a setup.
 enum class SetupStatus {

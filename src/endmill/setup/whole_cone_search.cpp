@@ -253,11 +253,11 @@ private:
             std::ranges::count_if(unresolved_, [=](double b) { return b < proved; }));
         result_.lower_bound = lower_bound(proved);
         if (best_) {
-            result_.machinability = Machinability::Machinable;
+            result_.machinable = Answer::Yes;
             result_.ranges = best_->ranges;
             result_.objective = best_->objective;
         } else if (queue_.empty() && unresolved_.empty()) {
-            result_.machinability = Machinability::NotMachinable;
+            result_.machinable = Answer::No;
         }
         return result_;
     }
@@ -276,7 +276,7 @@ private:
 WholeConeSearchResult nothing_to_reach(RotaryFamily family)
 {
     WholeConeSearchResult result;
-    result.machinability = Machinability::Machinable;
+    result.machinable = Answer::Yes;
     const bool is_ca = family == RotaryFamily::CA;
     const SetupPose upright{Vec3::UnitZ(), is_ca ? Vec3::UnitZ() : Vec3::UnitX(),
                             is_ca ? Vec3::UnitX() : Vec3::UnitY()};

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "endmill/core/answer.h"
 #include "endmill/machine/axis_limits.h"
 #include "endmill/setup/setup_objective.h"
 #include "endmill/setup/setup_pose.h"
@@ -45,8 +46,8 @@ struct WholeConeSearchOptions {
 
 /// Result of a search over whole cones.
 struct WholeConeSearchResult {
-    /// `NotMachinable` is proved: no pose within the limits reaches everything.
-    Machinability machinability = Machinability::Undecided;
+    /// Whether a pose within the limits meets all cones. `No` is proved.
+    Answer machinable = Answer::Undecided;
     std::optional<FittedPose> pose;  ///< the best pose found, set if machinable
     PoseRanges ranges;               ///< w, m0 and m1 of that pose
     double objective = 0;            ///< of that pose; rad^2 for FlooredArea, else rad

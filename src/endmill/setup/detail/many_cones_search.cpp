@@ -58,8 +58,7 @@ public:
                 is_asked_[place] = 1;
             WholeConeSearchResult found = search_asked();
             if (!found.pose) {
-                result_.machinability =
-                    best_ ? Machinability::Machinable : found.machinability;
+                result_.machinable = best_ ? Answer::Yes : found.machinable;
                 break;
             }
             const Numbers missed = missed_by(*found.pose);
@@ -159,7 +158,7 @@ private:
     {
         WholeConeSearchResult result = result_;
         if (best_) {
-            result.machinability = Machinability::Machinable;
+            result.machinable = Answer::Yes;
             result.pose = fitted_pose(*best_, options_.family, options_.limits);
             result.ranges = best_->ranges;
             result.objective = best_->objective;

@@ -9,6 +9,8 @@
 
 #include <CGAL/Exact_rational.h>
 
+#include "endmill/core/answer.h"
+
 namespace endmill {
 namespace {
 
@@ -60,10 +62,9 @@ std::optional<int> certain_sign(const RoundedVector& x, const RoundedVector& y,
     return {};
 }
 
-// The answer, or nothing if a sign is uncertain. The vectors from the centroid to the
+// The answer by signs that rounding cannot have changed. The vectors from the centroid to the
 // corners are multiplied by 3, which avoids the division.
-std::optional<bool> certain_answer(const Corners& from, const Vec3& direction,
-                                   const Corners& facet)
+Answer certain_answer(const Corners& from, const Vec3& direction, const Corners& facet)
 {
     const Vec3 sum = from[0] + from[1] + from[2];
     double largest = 0;
@@ -81,16 +82,16 @@ std::optional<bool> certain_answer(const Corners& from, const Vec3& direction,
         const std::optional<int> side =
             certain_sign({direction, 0}, to[k], to[(k + 1) % 3]);
         if (!side)
-            return {};
+            return Answer::Undecided;
         around += *side;
     }
     if (around != 3 && around != -3)
-        return false;
+        return Answer::No;
     const std::optional<int> depth =
         certain_sign(to[0], {facet[1] - facet[0], error}, {facet[2] - facet[0], error});
     if (!depth)
-        return {};
-    return *depth * around > 0;
+        return Answer::Undecided;
+    return answer_of(*depth * around > 0);
 }
 
 ExactVector exact(const Vec3& vector)
@@ -167,8 +168,9 @@ bool exact_answer(const Corners& from, const Vec3& direction, const Corners& fac
 
 bool blocks_ray(const Corners& from, const Vec3& direction, const Corners& facet)
 {
-    const std::optional<bool> answer = certain_answer(from, direction, facet);
-    return answer ? *answer : exact_answer(from, direction, facet);
+    const Answer answer = certain_answer(from, direction, facet);
+    return answer == Answer::Undecided ? exact_answer(from, direction, facet)
+                                       : answer == Answer::Yes;
 }
 
 }  // namespace endmill
