@@ -9,7 +9,7 @@
 #include "endmill/core/text.h"
 #include "endmill/machine/feasible_directions.h"
 #include "endmill/setup/detail/pole_points.h"
-#include "endmill/setup/spherical_hull.h"
+#include "endmill/setup/detail/spherical_hull.h"
 
 namespace endmill {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/setup/detail/pole_points.h"
-#include "endmill/setup/spherical_hull.h"
+#include "endmill/setup/detail/spherical_hull.h"
 #include "support/setup_cells.h"
 
 namespace endmill {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "endmill/setup/arc_search.h"
+#include "endmill/setup/detail/arc_search.h"
 
 namespace endmill {
 namespace {
@@ -73,7 +73,7 @@ NamedCells four_axes_cells(const StudiedPart& part, const Vec3& axis)
 NamedCells best_four_axes_cells(const StudiedPart& part, const SphereGrid& axes,
                                 Angle tolerance)
 {
-    const SetupSearch found =
+    const PoseSearchResult found =
         arc_search(part.visibility.map, part.grid.centres, axes.centres, {}, tolerance);
     if (!found.least)
         return {};

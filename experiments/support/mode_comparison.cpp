@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "endmill/core/angle.h"
-#include "endmill/setup/best_setup.h"
 #include "endmill/setup/pose_search.h"
+#include "endmill/setup/setup.h"
 #include "support/setup_cells.h"
 
 namespace endmill {
@@ -20,8 +20,8 @@ CsvCell count(std::size_t number)
 
 CsvCell at_pose_of(const StudiedPart& part, const PoseMeasure& measure, SetupMode mode)
 {
-    const SetupSearch found =
-        setup_search(part.visibility.map, part.grid.centres, {measure.family, mode});
+    const PoseSearchResult found =
+        pose_search(part.visibility.map, part.grid.centres, {measure.family, mode});
     if (!found.least)
         return std::monostate{};
     return in_degrees(measure.objective,
@@ -56,11 +56,12 @@ NamedCells mode_cells(const StudiedPart& part, const WholeConeSearch& search)
 {
     const PoseMeasure measure{.family = family_of_word(search.family),
                               .objective = objective_of_word(search.objective)};
-    const BestSetup best = best_setup(part.grid, part.visibility.map,
-                                      {.family = measure.family,
-                                       .mode = std::nullopt,
-                                       .objective = measure.objective,
-                                       .gap = search.gap});
+    const PartSetup best = five_axis_setup(
+        part.grid, part.visibility.map,
+        {.reach = {.configuration = configuration_of_family(measure.family)},
+         .mode = SetupMode::WholeCones,
+         .objective = measure.objective,
+         .gap = search.gap});
     const double value = best.objective.value();
     const double bound = best.lower_bound.value();
     const NamedCells values{

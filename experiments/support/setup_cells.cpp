@@ -7,7 +7,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
-#include "endmill/setup/best_setup.h"
+#include "endmill/setup/setup.h"
 #include "support/studied_part.h"
 
 namespace endmill {

@@ -10,7 +10,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/mesh/triangle_tree.h"
-#include "endmill/setup/arc_search.h"
+#include "endmill/setup/detail/arc_search.h"
 #include "endmill/setup/pose_search.h"
 #include "endmill/visibility/nearest_cells.h"
 #include "support/setup_cells.h"
@@ -68,7 +68,8 @@ NamedCells cone_cells(const StudiedPart& part)
 NamedCells saving_cells(const StudiedPart& part)
 {
     const SetupSavings savings = setup_savings(part);
-    const SetupSearch search = setup_search(part.visibility.map, part.grid.centres, {});
+    const PoseSearchResult search =
+        pose_search(part.visibility.map, part.grid.centres, {});
     return {
         {"group_1_percent", savings.group_1_percent},
         {"group_2_mean", savings.group_2_mean},

@@ -25,10 +25,10 @@ NamedCells name_cells(const StudiedPart& part, const NamedSearch& search)
 
 }  // namespace
 
-SetupSearch NamedSearch::operator()(const StudiedPart& part) const
+PoseSearchResult NamedSearch::operator()(const StudiedPart& part) const
 {
-    return setup_search(part.visibility.map, part.grid.centres,
-                        {family_of_word(family), mode_of_word(mode)});
+    return pose_search(part.visibility.map, part.grid.centres,
+                       {family_of_word(family), mode_of_word(mode)});
 }
 
 std::vector<NamedSearch> named_searches(const std::vector<std::string>& families,
@@ -51,7 +51,7 @@ std::vector<std::string> search_columns()
 
 NamedCells search_cells(const StudiedPart& part, const NamedSearch& search)
 {
-    const SetupSearch found = search(part);
+    const PoseSearchResult found = search(part);
     NamedCells cells = name_cells(part, search);
     cells.emplace_back("poses_skipped", static_cast<std::int64_t>(found.poses_skipped));
     if (!found.least)

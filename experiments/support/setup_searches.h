@@ -16,7 +16,7 @@ struct NamedSearch {
     std::string mode;    ///< of setup_mode.h
 
     /// Without limits. \throws DomainError for an unknown word.
-    SetupSearch operator()(const StudiedPart& part) const;
+    PoseSearchResult operator()(const StudiedPart& part) const;
 
     std::string label() const { return family + ", " + mode; }  ///< for rows
 };

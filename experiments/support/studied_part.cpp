@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/studied_part.h"
 
+#include <optional>
 #include <utility>
 
 #include "endmill/core/error.h"
@@ -27,21 +28,21 @@ StudiedPart studied_part(const std::string& file, const std::string& grid,
     return studied_part(dataset_mesh(file), grid, incidence);
 }
 
-BestSetup unlimited_setup(const StudiedPart& part, RotaryFamily family,
+PartSetup unlimited_setup(const StudiedPart& part, RotaryFamily family,
                           const std::string& mode)
 {
-    SetupRequest request;
-    request.family = family;
-    request.mode = setup_mode(mode);
-    require(request.mode || mode == "set", "unlimited_setup: need the word of a mode");
-    return best_setup(part.grid, part.visibility.map, request);
+    const std::optional<SetupMode> known = setup_mode(mode);
+    require(known.has_value(), "unlimited_setup: need the word of a mode");
+    return five_axis_setup(
+        part.grid, part.visibility.map,
+        {.reach = {.configuration = configuration_of_family(family)}, .mode = *known});
 }
 
 ShownSetup posed(RotaryFamily family, const FittedPose& fit)
 {
-    const char* word = family == RotaryFamily::CA ? "W/caBxyz/T" : "W/abBxyz/T";
-    return {part_to_machine(fit.pose, configuration_from_word(word)),
-            {family, fit.pose.tool_axis, fit.pose.r1_axis, fit.pose.r2_axis},
+    const MachineConfiguration configuration = configuration_of_family(family);
+    return {part_to_machine(fit.pose, configuration),
+            pose_frame(configuration, fit.pose),
             {fit.phi, fit.theta},
             {}};
 }

@@ -6,7 +6,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/figures/setup_figures.h"
-#include "endmill/setup/best_setup.h"
+#include "endmill/setup/setup.h"
 #include "endmill/visibility/visibility.h"
 
 namespace endmill {
@@ -30,7 +30,7 @@ StudiedPart studied_part(const std::string& file, const std::string& grid,
 
 /// Its best setup without limits: mode "paper-literal", "paper", "corrected" or "set".
 /// \throws DomainError for another word.
-BestSetup unlimited_setup(const StudiedPart& part, RotaryFamily family,
+PartSetup unlimited_setup(const StudiedPart& part, RotaryFamily family,
                           const std::string& mode);
 
 /// The pose as pictures show it, on a machine caB or abB.

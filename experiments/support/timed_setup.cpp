@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/timed_setup.h"
 
-#include <optional>
-
 #include "endmill/core/parallel.h"
-#include "endmill/setup/best_setup.h"
 #include "endmill/setup/pose_search.h"
+#include "endmill/setup/setup.h"
 #include "support/cpu_time.h"
 
 namespace endmill {
@@ -19,14 +17,16 @@ void see(const StudiedPart& part)
 std::function<void(const StudiedPart&)> search(RotaryFamily family, SetupMode mode)
 {
     return [=](const StudiedPart& part) {
-        setup_search(part.visibility.map, part.grid.centres, {family, mode});
+        pose_search(part.visibility.map, part.grid.centres, {family, mode});
     };
 }
 
 void search_whole_cones(const StudiedPart& part)
 {
-    best_setup(part.grid, part.visibility.map,
-               {.family = RotaryFamily::AB, .mode = std::nullopt});
+    five_axis_setup(
+        part.grid, part.visibility.map,
+        {.reach = {.configuration = configuration_of_family(RotaryFamily::AB)},
+         .mode = SetupMode::WholeCones});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "endmill/machine/axis_limits.h"
 #include "endmill/machine/configuration.h"
 
 namespace endmill {

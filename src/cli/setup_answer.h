@@ -7,7 +7,7 @@
 
 #include "cli/setup_input.h"
 #include "endmill/files/visibility_file.h"
-#include "endmill/setup/best_setup.h"
+#include "endmill/setup/setup.h"
 #include "endmill/setup/setup_travel.h"
 #include "endmill/setup/several_setups.h"
 #include "endmill/visibility/visibility.h"
@@ -26,17 +26,14 @@ struct SetupVisibility {
 /// What is found for one machine.
 struct SetupAnswer {
     const SetupMachine* machine;  ///< of the input, which outlives it
-    BestSetup best;
+    PartSetup best;
     double seconds = 0;                                   ///< wall time of the search
     std::optional<Eigen::Matrix3d> part_to_machine = {};  ///< none without a pose
     std::optional<SetupCover> setups = {};                ///< with --max-setups above 1
     std::optional<SetupTravel> travel = {};  ///< none without a feasible pose or machine
 
     /// The pose that is told: the best within the limits, or the unconstrained one.
-    const std::optional<FittedPose>& told() const
-    {
-        return best.feasible ? best.feasible : best.least;
-    }
+    const std::optional<FittedPose>& told() const { return best.shown(); }
     bool is_out_of_reach = false;  ///< a facet has no cell within the limits at that pose
 
     /// Whether the linear axes go far enough; nothing where they are not limited, or there is
@@ -46,6 +43,7 @@ struct SetupAnswer {
     /// (w + floor)(h + floor) of the pose that is told, with h = 0 of four axes and w = 0 of
     /// three; nothing without a pose.
     std::optional<double> floored_area_deg2(double floor_deg) const;
+
     bool is_yes() const;  ///< machinable, and within the travel where that is limited
 };
 
@@ -60,8 +58,7 @@ SetupAnswer answer_for(const SetupMachine& machine, const SetupInput& input,
                        const SetupVisibility& visibility,
                        const SetupCommandOptions& options);
 
-/// Which of two answers comes first: machinable ones, then the less floored area, then the
-/// word, then the name.
+/// Which of two answers comes first: that of the lower `setup_rank`, then of the lower name.
 bool ranks_before(const SetupAnswer& one, const SetupAnswer& other,
                   const SetupCommandOptions& options);
 

@@ -38,8 +38,7 @@ ShownSetup shown_setup(const SetupAnswer& answer)
     const FittedPose& told = *answer.told();
     const Machine& machine = answer.machine->machine;
     ShownSetup setup{*answer.part_to_machine,
-                     {machine.configuration.family.value_or(RotaryFamily::AB),
-                      told.pose.tool_axis, told.pose.r1_axis, told.pose.r2_axis},
+                     pose_frame(machine.configuration, told.pose),
                      {told.phi, told.theta},
                      {}};
     // Of axes that are not limited at all there is nothing to be seen.
@@ -75,8 +74,9 @@ std::string sphere_picture(const SetupInput& input, const SetupVisibility& visib
     figure.title = input.name + " on " + answer.machine->name + ": tool directions";
     figure.captions = setup_captions(answer, options);
     figure.setup = shown_setup(answer);
-    // Mode set does not use the nearest cells of a pose.
-    if (options.mode != SetupChoice::Set && answer.machine->machine.configuration.family)
+    // Only these modes take the nearest cells of a pose for all that matters.
+    if (options.mode != SetupMode::WholeCones &&
+        answer.machine->machine.configuration.family)
         for (const std::size_t cell :
              nearest_cells(map, input.grid.centres, answer.told()->cell))
             figure.marked.push_back(input.grid.centres[cell]);

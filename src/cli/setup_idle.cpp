@@ -26,7 +26,7 @@ void refuse_idle_setup_options(const SetupCommandOptions& options)
     if (!options.points.empty())
         refuse_idle_options(common, part_only_options, "--points",
                             "a PART: directions have neither facets nor a mesh");
-    if (options.mode != SetupChoice::Set)
+    if (options.mode != SetupMode::WholeCones)
         refuse_idle_options(common, set_only_options,
                             "--mode " + std::string{setup_mode_word(options.mode)},
                             "--mode set, the only search with a bound");

@@ -3,7 +3,8 @@
 
 #include <span>
 
-#include "cli/setup_input.h"
+#include "cli/setup_machine.h"
+#include "cli/setup_options.h"
 
 namespace endmill {
 

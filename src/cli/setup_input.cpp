@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/setup_input.h"
 
-#include <algorithm>
-#include <filesystem>
 #include <numbers>
 #include <span>
-#include <system_error>
 #include <utility>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "cli/console.h"
-#include "cli/data_folder.h"
-#include "cli/machine_argument.h"
 #include "cli/progress.h"
-#include "cli/rotary_limits_option.h"
 #include "cli/setup_idle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -26,55 +20,6 @@
 
 namespace endmill {
 namespace {
-
-SetupMachine family_machine(const SetupCommandOptions& options)
-{
-    const bool is_ca = *options.family == RotaryFamily::CA;
-    SetupMachine found{is_ca ? "CA" : "AB", {}, true, {}};
-    found.machine.configuration =
-        configuration_from_word(is_ca ? "W/caBxyz/T" : "W/abBxyz/T");
-    if (!options.limits.empty())
-        found.machine.rotary = limits_for_family(options.limits, *options.family);
-    return found;
-}
-
-SetupMachine one_machine(const std::string& text, const SetupCommandOptions& options)
-{
-    const MachineArgument read = machine_argument(text, options.common.limits);
-    SetupMachine found{read.machine.configuration.word, read.file, false, read.machine};
-    if (!options.limits.empty())
-        found.machine.rotary = limits_for_machine(
-            options.limits, found.machine.configuration, found.machine.rotary);
-    return found;
-}
-
-// In the order of their names.
-std::vector<SetupMachine> machines_of_folder(const std::filesystem::path& folder,
-                                             const SetupCommandOptions& options)
-{
-    if (!options.limits.empty())
-        throw DomainError{"--limits: found with several machines; expected one machine"};
-    std::vector<std::string> files;
-    std::error_code failed;
-    for (std::filesystem::directory_iterator entry{folder, failed}, end;
-         !failed && entry != end; entry.increment(failed))
-        if (entry->path().extension() == ".json")
-            files.push_back(entry->path().string());
-    if (failed)
-        throw FormatError{
-            "E_OPEN",
-            {printable(folder.string()), "", "cannot open: " + failed.message(), ""}};
-    std::ranges::sort(files);
-    std::vector<SetupMachine> machines;
-    machines.reserve(files.size());
-    for (const std::string& file : files)
-        machines.push_back(one_machine(file, options));
-    if (machines.empty())
-        throw FormatError{"E_MACHINE",
-                          {printable(folder.string()), "", "no file in it ends in .json",
-                           "machine files (endmill-machine/1)"}};
-    return machines;
-}
 
 // Triangles without an area that the reader left out, back in their places, so that facets
 // have the numbers of the file. They have no cone and block nothing.
@@ -186,22 +131,6 @@ std::string body_text(const std::optional<Tool>& tool)
             fmt::format("{}{}:{}:{}", text.empty() ? "" : ",", to_text(cylinder.diameter),
                         to_text(cylinder.from), to_text(cylinder.to));
     return text;
-}
-
-std::vector<SetupMachine> setup_machines(const SetupCommandOptions& options)
-{
-    if (options.machine.empty() == !options.family)
-        throw DomainError{
-            "expected --machine (a word, a file, a folder or all), or --family CA or AB, "
-            "and not both"};
-    if (options.family)
-        return {family_machine(options)};
-    if (options.machine == "all")
-        return machines_of_folder(data_folder("--machine all", "machines"), options);
-    std::error_code ignored;
-    if (std::filesystem::is_directory(options.machine, ignored))
-        return machines_of_folder(options.machine, options);
-    return {one_machine(options.machine, options)};
 }
 
 SetupInput read_setup_input(const SetupCommandOptions& options)

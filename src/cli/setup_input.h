@@ -5,22 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "cli/setup_machine.h"
 #include "cli/setup_options.h"
 #include "endmill/cutter/tool.h"
 #include "endmill/files/visibility_file.h"
-#include "endmill/machine/kinematics.h"
 #include "endmill/mesh/triangle_mesh.h"
 #include "endmill/visibility/sphere_grid.h"
 
 namespace endmill {
-
-/// A machine that a part is to be set up on.
-struct SetupMachine {
-    std::string name;        ///< its word, or its file as given, or its family
-    std::string file;        ///< that it was read from; empty: none
-    bool is_family = false;  ///< stands for all machines of its family
-    Machine machine;         ///< its limits those of the command line, where given
-};
 
 /// What a setup is looked for with.
 struct SetupInput {
@@ -37,11 +29,6 @@ struct SetupInput {
 
 /// What tells the body of a tool from another: its cylinders, in mm; empty without one.
 std::string body_text(const std::optional<Tool>& tool);
-
-/// The machines of --machine or --family.
-/// \throws DomainError unless one of the two is given; FormatError for a file or a folder
-///         without a machine file.
-std::vector<SetupMachine> setup_machines(const SetupCommandOptions& options);
 
 /// Reads all files that the options of `endmill setup` name. A surface is sampled.
 /// \throws FormatError, LimitError, DomainError as the readers; DomainError for a grid that is

@@ -9,11 +9,12 @@
 namespace endmill {
 namespace {
 
-constexpr std::array setup_modes{
-    Choice<SetupChoice>{"paper", SetupChoice::Paper},
-    Choice<SetupChoice>{"paper-literal", SetupChoice::PaperLiteral},
-    Choice<SetupChoice>{"corrected", SetupChoice::Corrected},
-    Choice<SetupChoice>{"set", SetupChoice::Set}};
+using ModeChoice = Choice<SetupMode>;
+
+constexpr std::array setup_modes{ModeChoice{"paper", SetupMode::Paper},
+                                 ModeChoice{"paper-literal", SetupMode::PaperLiteral},
+                                 ModeChoice{"corrected", SetupMode::Corrected},
+                                 ModeChoice{"set", SetupMode::WholeCones}};
 
 constexpr std::array setup_objectives{
     Choice<SetupObjective>{"floored-area", SetupObjective::FlooredArea},
@@ -108,7 +109,7 @@ void add_setup_visibility(CLI::App& command, SetupCommandOptions& options)
 
 void add_setup_search(CLI::App& command, SetupCommandOptions& options)
 {
-    add_choice<SetupChoice>(
+    add_choice<SetupMode>(
         command, "--mode", options.mode, setup_modes,
         "paper (default): as published, misprints corrected; paper-literal: as printed; "
         "corrected: exact for the nearest cells; set: over whole cones, with a lower "
@@ -157,24 +158,9 @@ void add_setup_options(CLI::App& command, SetupCommandOptions& options)
     add_common_options(command, options.common);
 }
 
-std::optional<SetupMode> cell_mode(SetupChoice mode)
+std::string_view setup_mode_word(SetupMode mode)
 {
-    switch (mode) {
-        case SetupChoice::Paper:
-            return SetupMode::Paper;
-        case SetupChoice::PaperLiteral:
-            return SetupMode::PaperLiteral;
-        case SetupChoice::Corrected:
-            return SetupMode::Corrected;
-        case SetupChoice::Set:
-            return std::nullopt;
-    }
-    return std::nullopt;
-}
-
-std::string_view setup_mode_word(SetupChoice mode)
-{
-    return word_for<SetupChoice>(mode, setup_modes);
+    return word_for<SetupMode>(mode, setup_modes);
 }
 
 std::string_view setup_objective_word(SetupObjective objective)

@@ -8,18 +8,10 @@
 #include "cli/surface_facts.h"
 #include "endmill/core/angle.h"
 #include "endmill/core/vec.h"
-#include "endmill/setup/best_setup.h"
+#include "endmill/setup/setup.h"
 #include "endmill/visibility/visibility.h"
 
 namespace endmill {
-
-/// How a setup is searched for.
-enum class SetupChoice {
-    Paper,         ///< as published, misprints corrected
-    PaperLiteral,  ///< as printed
-    Corrected,     ///< exact for the nearest cells of a pose
-    Set,           ///< over whole cones of directions, with a lower bound
-};
 
 /// The options of `endmill setup`.
 struct SetupCommandOptions {
@@ -31,7 +23,7 @@ struct SetupCommandOptions {
     std::optional<RotaryFamily> family;     ///< instead of a machine
     std::string limits;                     ///< as `rotary_limits_help` says; empty: none
     std::string sphere = "hex:10";
-    SetupChoice mode = SetupChoice::Paper;
+    SetupMode mode = SetupMode::Paper;
     VisibilityKind visibility = VisibilityKind::Global;
     double incidence_deg = 90;
     SetupObjective objective = SetupObjective::FlooredArea;
@@ -49,11 +41,8 @@ struct SetupCommandOptions {
 /// Adds them to `command`.
 void add_setup_options(CLI::App& command, SetupCommandOptions& options);
 
-/// The mode of the search over the cells of the sphere; none for `SetupChoice::Set`.
-std::optional<SetupMode> cell_mode(SetupChoice mode);
-
 /// The word of a mode, as --mode takes it.
-std::string_view setup_mode_word(SetupChoice mode);
+std::string_view setup_mode_word(SetupMode mode);
 
 /// The word of an objective, as --objective takes it.
 std::string_view setup_objective_word(SetupObjective objective);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cli/answer.h"
-#include "cli/setup_input.h"
+#include "cli/setup_machine.h"
 #include "cli/setup_summary.h"
 #include "endmill/core/error.h"
 #include "endmill/files/input_csv.h"
@@ -15,7 +15,7 @@ namespace {
 
 SetupMachine machine_for_points(const SetupCommandOptions& options)
 {
-    if (options.mode == SetupChoice::Set)
+    if (options.mode == SetupMode::WholeCones)
         throw DomainError{
             "--mode set: found with --points; expected paper, paper-literal or "
             "corrected: "
@@ -35,7 +35,7 @@ Json azimuth_deg(const Vec3& axis)
     return Angle::radians(std::atan2(axis.y(), axis.x())).written_degrees();
 }
 
-Json points_summary(const SetupMachine& machine, const SetupSearch& search,
+Json points_summary(const SetupMachine& machine, const PoseSearchResult& search,
                     const SetupCommandOptions& options, std::size_t count)
 {
     const bool is_ca = machine.machine.configuration.family == RotaryFamily::CA;
@@ -75,12 +75,13 @@ ExitCode run_setup_points(const SetupCommandOptions& options)
     const MachineConfiguration& configuration = machine.machine.configuration;
     const std::vector<Vec3> directions =
         read_directions(options.points, options.common.limits);
-    SetupSearch search;  // nothing fits a word that is no machine
+    PoseSearchResult search;  // nothing fits a word that is no machine
     if (configuration.family)
-        search =
-            pose_fit(Vec3::UnitZ(), directions,
-                     {*configuration.family, cell_mode(options.mode).value(),
-                      machine.machine.rotary, configuration.rotary[0].letter == 'b'});
+        search = pose_fit(Vec3::UnitZ(), directions,
+                          {.family = *configuration.family,
+                           .mode = options.mode,
+                           .limits = machine.machine.rotary,
+                           .is_b_first = is_b_first(configuration)});
     const Json summary = points_summary(machine, search, options, directions.size());
     give_answer(options.common, {options.points, machine.file}, summary);
     return search.feasible ? ExitCode::Yes : ExitCode::No;

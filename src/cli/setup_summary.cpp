@@ -49,7 +49,7 @@ std::string setup_type_word(const MachineConfiguration& configuration)
 
 bool is_set(const SetupCommandOptions& options)
 {
-    return options.mode == SetupChoice::Set;
+    return options.mode == SetupMode::WholeCones;
 }
 
 // The objective that was minimised: the area in the modes that know no other.
@@ -120,14 +120,16 @@ void add_setups(Json& summary, const SetupAnswer& answer,
     summary["setups"] = setups;
     summary["uncovered"] = answer.setups->uncovered;
     const bool needs_two =
-        is_set(options) && answer.best.is_machinable == false && answer.best.is_proved;
+        is_set(options) && answer.best.machinable == Answer::No && answer.best.is_proved;
     if (!has_empty_cones)  // else no number of setups will do
         summary["setups_lower_bound"] = needs_two ? 2 : 1;
 }
 
-Json machinable_json(const BestSetup& best)
+Json machinable_json(const PartSetup& best)
 {
-    return best.is_machinable ? Json(*best.is_machinable) : Json{};
+    if (best.machinable == Answer::Undecided)
+        return nullptr;
+    return best.machinable == Answer::Yes;
 }
 
 Json ranking(std::span<const SetupAnswer> answers, const SetupCommandOptions& options)
@@ -149,7 +151,7 @@ Json ranking(std::span<const SetupAnswer> answers, const SetupCommandOptions& op
 void add_search(Json& summary, const SetupAnswer& answer,
                 const SetupCommandOptions& options)
 {
-    const BestSetup& best = answer.best;
+    const PartSetup& best = answer.best;
     summary["machinable"] = machinable_json(best);
     summary["proved"] = best.is_proved;
     // Words for what a pose is like need one.

@@ -8,5 +8,3 @@
 #include "endmill/machine/configuration.h"
 #include "endmill/machine/feasible_directions.h"
 #include "endmill/machine/kinematics.h"
-#include "endmill/machine/rotary_angles.h"
-#include "endmill/machine/rotary_limits.h"

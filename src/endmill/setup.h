@@ -4,13 +4,11 @@
 /// \file
 /// All public headers of the module `setup`.
 
-#include "endmill/setup/arc_search.h"
-#include "endmill/setup/best_setup.h"
 #include "endmill/setup/pose_search.h"
+#include "endmill/setup/setup.h"
 #include "endmill/setup/setup_mode.h"
 #include "endmill/setup/setup_objective.h"
 #include "endmill/setup/setup_pose.h"
 #include "endmill/setup/setup_travel.h"
 #include "endmill/setup/several_setups.h"
-#include "endmill/setup/spherical_hull.h"
 #include "endmill/setup/whole_cone_search.h"

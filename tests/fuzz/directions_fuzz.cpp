@@ -39,7 +39,7 @@ void fit_all(const std::vector<Vec3>& directions)
             double least = std::numeric_limits<double>::infinity();
             for (const SetupMode mode :
                  {SetupMode::PaperLiteral, SetupMode::Paper, SetupMode::Corrected}) {
-                const SetupSearch search =
+                const PoseSearchResult search =
                     pose_fit(Vec3::UnitZ(), directions, {family, mode, limits});
                 program_must(!search.feasible || search.least);
                 program_must(search.least || mode != SetupMode::Corrected);

@@ -21,7 +21,7 @@ TEST(AxisLimits, HoldTheirEnds)
     EXPECT_FALSE(is_within(limits, {0, 0, -1e-9}));
 }
 
-TEST(AxisLimits, HoldATurnButForWholeTurns)
+TEST(AxisLimits, ContainATurnUpToWholeTurns)
 {
     const RotaryRange range{-1.5 * pi, 0.25 * pi};
     EXPECT_EQ(turn_within(range, -pi), -pi);
@@ -31,7 +31,7 @@ TEST(AxisLimits, HoldATurnButForWholeTurns)
     EXPECT_FALSE(turn_within(range, 0.25 * pi + 1.1e-9).has_value());
 }
 
-// A part turned by q is to the tool as a tool turned by -q is to the part.
+// Turning the part by q has the same effect as turning the tool by -q.
 TEST(AxisLimits, AreMirroredOnThePartsSideOnly)
 {
     EXPECT_EQ(mirrored(MachineSide::Head, RotaryRange{-1, 2}), (RotaryRange{-1, 2}));
@@ -40,7 +40,7 @@ TEST(AxisLimits, AreMirroredOnThePartsSideOnly)
     EXPECT_FALSE(std::signbit(mirrored(MachineSide::Table, 0.0)));
 }
 
-TEST(AxisLimits, OfRotaryAxesHoldZeroAndAreNoWiderThanATurn)
+TEST(AxisLimits, OfRotaryAxesContainZeroAndAreNoWiderThanATurn)
 {
     EXPECT_EQ(expected_rotary_range(0, -270, 90), std::nullopt);
     EXPECT_EQ(expected_rotary_range(1, -180, 180), std::nullopt);
@@ -51,7 +51,7 @@ TEST(AxisLimits, OfRotaryAxesHoldZeroAndAreNoWiderThanATurn)
     EXPECT_THAT(expected_rotary_range(1, 30, -30).value_or(""), HasSubstr("hold 0"));
 }
 
-TEST(AxisLimits, BelongToTheAxisThatTheFamilySays)
+TEST(AxisLimits, BelongToTheAxisThatTheFamilyDetermines)
 {
     RotaryLimits limits;
     for (const char* word : {"W/caBxyz/T", "W/cxyBzb/T"}) {
@@ -68,7 +68,7 @@ TEST(AxisLimits, BelongToTheAxisThatTheFamilySays)
     EXPECT_EQ(&turns_of(limits, four, 0), &limits.phi);
 }
 
-TEST(AxisLimits, OfAxesThatThereAreNotAreZero)
+TEST(AxisLimits, OfMissingAxesAreZero)
 {
     const RotaryRange none{0, 0};
     EXPECT_EQ(widest_limits(configuration_from_word("W/caBxyz/T")), RotaryLimits{});

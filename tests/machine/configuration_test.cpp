@@ -13,7 +13,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// Figure 4 of the paper; the captions of its (b) and (c) are put right by the bed's place.
+// The machines of figure 4 of the paper. The place of the bed corrects the captions of
+// (b) and (c).
 TEST(Configuration, OfThePapersFourMachines)
 {
     struct Row {
@@ -73,7 +74,7 @@ TEST(Configuration, OfFewerAxes)
               MachineConfiguration{}.rank);
 }
 
-TEST(Configuration, SaysWhatIsWrongWithAWord)
+TEST(Configuration, ReportsTheFirstErrorOfAWord)
 {
     struct Row {
         const char* word;

@@ -23,7 +23,7 @@ Vec3 direction(const MachineConfiguration& machine, double first, double second)
     return turn(0, first) * (turn(1, second) * Vec3::UnitZ());
 }
 
-// The rank of the derivative of the direction, at turns where nothing is special.
+// The rank of the derivative of the direction by both turns, at generic turns.
 int rank_of(const MachineConfiguration& machine)
 {
     constexpr double first = 0.4;
@@ -57,7 +57,8 @@ TEST(RotaryWords, AreEighteenOfTheRankThatTheirDerivativeHas)
     EXPECT_THROW(whole_word("cca"), DomainError);
 }
 
-// The printed counts: 162 kinds, 18 words, 12 of use, 2 shapes. [KangSuh, section 3]
+// The printed counts: 162 kinds, 18 words, 12 with two degrees of freedom, 2 shapes.
+// Source: [KangSuh, section 3].
 TEST(RotaryWords, AreCountedAsThePaperDoes)
 {
     const WordCounts counts = count_words();
@@ -68,8 +69,8 @@ TEST(RotaryWords, AreCountedAsThePaperDoes)
     EXPECT_EQ(counts.families, 2U);
 }
 
-// The 162 without writing words: an ordered pair of axes, and each of x, y, z before, between
-// or behind them.
+// 162 without enumeration: an ordered pair of rotary axes, and each of x, y, z before,
+// between or after them.
 TEST(RotaryWords, RelativeMotionsAreAPairAndThreePlaces)
 {
     constexpr std::size_t ordered_pairs = 3 * 2;

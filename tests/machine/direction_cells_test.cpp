@@ -44,12 +44,12 @@ TEST(DirectionCells, OfACapHaveOneWholeCircle)
 
 TEST(DirectionCells, OfPatchesThatMeetHaveNoEdgeBetweenThem)
 {
-    // Two halves of a cap, which meet where azimuths begin anew and opposite.
+    // Two halves of a cap, which meet at azimuth 0 and opposite to it.
     const std::vector<DirectionPatch> halves{{0, pi, 0.5, pi / 2}, {pi, pi, 0.5, pi / 2}};
     EXPECT_EQ(DirectionCells{halves}.border().size(), 1U);
     EXPECT_NEAR(DirectionCells{halves}.solid_angle(), 2 * pi * (1 - std::sin(0.5)),
                 1e-14);
-    // One above the other.
+    // Two patches, one above the other.
     const std::vector<DirectionPatch> stacked{{0, 1, 0, 0.5}, {0, 1, 0.5, 1}};
     EXPECT_EQ(DirectionCells{stacked}.border().size(), 4U);
 }
@@ -59,7 +59,8 @@ double distance_round(double angle)
     return angle - 2 * pi * std::floor(angle / (2 * pi));
 }
 
-// Overlaps count once: against random directions, three patches at a time.
+// Overlaps count once. The area is compared with the share of random directions in the
+// union.
 TEST(DirectionCells, HaveTheAreaOfTheUnion)
 {
     test::Random random{7};

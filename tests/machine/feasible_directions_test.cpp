@@ -49,7 +49,7 @@ Vec3 random_direction(test::Random& random)
             std::sqrt(1 - z * z) * std::sin(azimuth), z};
 }
 
-// Spec of the machinability, 9.3.
+// Source: docs/mathematics/five-axis-setup.md, section 9 (9.3).
 TEST(FeasibleDirections, OfCBAreTwoSectors)
 {
     const FeasibleDirections set =
@@ -69,12 +69,12 @@ TEST(FeasibleDirections, OfCBAreTwoSectors)
     EXPECT_NEAR(set.solid_angle(), 0.9958449670, 1e-10);
 }
 
-TEST(FeasibleDirections, HaveTheSolidAnglesOfTheSpec)
+TEST(FeasibleDirections, HaveTheSolidAnglesOfTheTable)
 {
     EXPECT_NEAR(feasible("W/Babxyz/T", {.phi = range(-20, 50), .theta = range(-15, 30)})
                     .solid_angle(),
                 0.9270723535, 1e-10);
-    // C all the way round: a cap of the larger tilt.
+    // C turns all the way round: the set is a cap of the larger tilt.
     EXPECT_NEAR(feasible("W/Bcaxyz/T", {.phi = range(-30, 60), .theta = range(-180, 180)})
                     .solid_angle(),
                 2 * pi * (1 - std::cos(rad(60))), 1e-14);
@@ -88,7 +88,7 @@ TEST(FeasibleDirections, HaveTheSolidAnglesOfTheSpec)
             2 * (pi / 3) * (1 - std::cos(rad(30))), 1e-14);
 }
 
-// The closed forms of the spec, section 3, at random limits.
+// Closed forms at random limits. Source: docs/mathematics/five-axis-setup.md, section 3.
 TEST(FeasibleDirections, HaveTheSolidAngleInClosedForm)
 {
     test::Random random{5};
@@ -109,7 +109,7 @@ TEST(FeasibleDirections, HaveTheSolidAngleInClosedForm)
     }
 }
 
-// R2 without limits: a pair of lunes through R1, where the paper's figure 6 draws a band.
+// R2 without limits gives a pair of lunes through R1. The paper's figure 6 draws a band.
 TEST(FeasibleDirections, OfR2WithoutLimitsAreAPairOfLunes)
 {
     const FeasibleDirections set =
@@ -146,7 +146,8 @@ RotaryLimits random_limits(RotaryFamily family, test::Random& random)
                                       : RotaryLimits{first, second};
 }
 
-// The solid angle by random directions, through membership: R2 beyond a quarter turn too.
+// The solid angle is compared with the share of random directions in the set, also for R2
+// beyond a quarter turn.
 TEST(FeasibleDirections, HaveTheSolidAngleOfTheirMembers)
 {
     test::Random random{7};
@@ -164,7 +165,7 @@ TEST(FeasibleDirections, HaveTheSolidAngleOfTheirMembers)
     }
 }
 
-TEST(FeasibleDirections, HoldWhateverTheTurnsGive)
+TEST(FeasibleDirections, ContainEveryDirectionOfTurnsWithinTheLimits)
 {
     test::Random random{8};
     for (int k = 0; k < 200; ++k)
@@ -181,8 +182,8 @@ TEST(FeasibleDirections, HoldWhateverTheTurnsGive)
         }
 }
 
-// Every point of the border belongs to the set, and to either side of it lies a direction that
-// does and one that does not.
+// Every point of the border belongs to the set. Close to it lie a direction of the set
+// and a direction outside of it.
 TEST(FeasibleDirections, EndAtTheirBorder)
 {
     test::Random random{9};
@@ -204,7 +205,7 @@ TEST(FeasibleDirections, EndAtTheirBorder)
             const std::size_t middle = curve.size() / 2;
             const Vec3 along = curve[middle] - curve[middle - 1];
             if (curve.size() < 3 || along.norm() < 1e-4)
-                continue;  // too near to a corner to look aside
+                continue;  // too close to a corner
             const Vec3 across = aside * curve[middle].cross(along.normalized());
             EXPECT_NE(set.contains((curve[middle] + across).normalized()),
                       set.contains((curve[middle] - across).normalized()))
@@ -259,7 +260,7 @@ TEST(FeasibleDirections, WithOneAxisAtRestAreAnArcOrAPoint)
     EXPECT_EQ(of_r2.border(0.1).size(), 1U);
 }
 
-TEST(FeasibleDirections, NeedLimitsThatHoldZero)
+TEST(FeasibleDirections, NeedLimitsThatContainZero)
 {
     EXPECT_THROW(feasible("W/Bcbxyz/T", {.phi = range(1, 20)}), DomainError);
     EXPECT_THROW(feasible("W/Bcbxyz/T", {.phi = range(-181, 0)}), DomainError);

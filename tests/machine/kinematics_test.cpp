@@ -41,7 +41,8 @@ std::vector<Machine> valid_machines()
     return valid;
 }
 
-// Spec of the machinability, 9.2: printed positions of three machines.
+// Positions of three machines. Source: docs/mathematics/five-axis-setup.md, section 9
+// (9.2).
 struct PrintedPosition {
     const char* word;
     RotaryPositions degrees;
@@ -50,7 +51,7 @@ struct PrintedPosition {
     Vec3 xyz;
 };
 
-TEST(Kinematics, GiveThePositionsOfTheSpec)
+TEST(Kinematics, GiveThePositionsOfTheTable)
 {
     const Vec3 point{50, 20, 30};
     const Vec3 same{0.2716538, -0.3237444, 0.9063078};
@@ -80,8 +81,8 @@ TEST(Kinematics, GiveThePositionsOfTheSpec)
     }
 }
 
-// A chain of the machine's joints, part to bed and bed to tool, as a point and a direction are
-// carried along it axis by axis.
+// The joints of a machine as a chain from part to bed and from bed to tool. A point and a
+// direction are moved along the chain axis by axis.
 struct Carried {
     Vec3 point;
     Vec3 axis;
@@ -102,16 +103,17 @@ Carried carried_by_hand(const Machine& machine, const RotaryPositions& rotary, V
     const auto& axes = machine.configuration.rotary;
     point -= machine.table_offset;
     for (std::size_t k = 0; k < axes.size();
-         ++k)  // the nearest to the part moves it first
+         ++k)  // the axis nearest to the part acts first
         if (axes[k].side == MachineSide::Table)
             point = turn(axes[k].letter, rotary[k], point);
     Vec3 axis = Vec3::UnitZ();
-    for (std::size_t k = axes.size(); k-- > 0;)  // the nearest to the tool moves it first
+    for (std::size_t k = axes.size();
+         k-- > 0;)  // the axis nearest to the tool acts first
         if (axes[k].side == MachineSide::Head)
             axis = turn(axes[k].letter, rotary[k], axis);
     const Vec3 shift = (machine.pivot + length) * (axis - Vec3::UnitZ());
     for (std::size_t k = axes.size();
-         k-- > 0;)  // seen from the part, undone from the bed
+         k-- > 0;)  // back to the part: inverse turns, from the bed
         if (axes[k].side == MachineSide::Table)
             axis = turn(axes[k].letter, -rotary[k], axis);
     return {point + machine.table_offset + shift, axis};
@@ -145,7 +147,7 @@ TEST(Kinematics, AtZeroLeaveThePartWhereItIs)
             1e-14);
 }
 
-// Forward after inverse, for both solutions.
+// Forward kinematics after inverse kinematics gives the direction, for both solutions.
 TEST(RotarySolutions, GiveTheDirection)
 {
     test::Random random{2};
@@ -179,7 +181,7 @@ TEST(RotarySolutions, LieWithinTheLimitsWhereWholeTurnsBringThemThere)
     EXPECT_FALSE(solutions[1].is_within_limits);  // the tilt would be negative
 }
 
-TEST(RotarySolutions, AtThePoleDoNotTurnWithoutNeed)
+TEST(RotarySolutions, AtThePoleHaveNoNeedlessTurn)
 {
     for (const Machine& machine : valid_machines()) {
         const auto solutions = rotary_solutions(machine, {0, 0, 2});
@@ -196,7 +198,7 @@ TEST(RotarySolutions, OfFewerAxesAreOneOrNone)
     const Machine four = machine_of("W/axyBz/T");
     const auto found = rotary_solutions(four, {0, -std::sin(0.4), std::cos(0.4)});
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_NEAR(found[0].positions[0], -0.4, 1e-15);  // a table turns the other way
+    EXPECT_NEAR(found[0].positions[0], -0.4, 1e-15);  // the sign changes in a table
     EXPECT_TRUE(rotary_solutions(four, {0.1, 0, 1}).empty());
     const Machine three = machine_of("W/xyBz/T");
     EXPECT_EQ(rotary_solutions(three, {0, 0, 1}).size(), 1U);
@@ -214,7 +216,7 @@ TEST(RotarySolutions, NeedADirectionAndAMachine)
     EXPECT_EQ(rotary_solutions(machine, {0, 1e-300, 1e-300}).size(), 2U);
 }
 
-TEST(Travel, IsKeptByEveryAxis)
+TEST(Travel, LimitsEveryAxis)
 {
     Machine machine = machine_of("W/cxyBza/T");
     machine.rotary.phi = {rad(-20), rad(100)};

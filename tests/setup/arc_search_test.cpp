@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/setup/arc_search.h"
+#include "endmill/setup/detail/arc_search.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -22,7 +22,7 @@ void make_accessible(VisibilityMap& map, std::size_t facet, std::size_t cell)
     map.column(cell)[facet / 64] |= std::uint64_t{1} << (facet % 64);
 }
 
-// The least angle between a direction and an arc, by points of the arc.
+// Least angle between a direction and sample points of an arc.
 double distance_to(const DirectionArc& arc, const Vec3& v)
 {
     constexpr int steps = 2000;
@@ -36,8 +36,9 @@ double distance_to(const DirectionArc& arc, const Vec3& v)
     return nearest;
 }
 
-// On the circle x = 0 of the 1200 cells the teapot needs 77.99 degrees to either side of z.
-TEST(ArcSearch, MachinesTheTeapotAboutItsSpoutAndHandle)
+// On the circle x = 0 of the 1200 cells the teapot needs 77.99 degrees to both sides of
+// z.
+TEST(ArcSearch, MachinesTheTeapotAboutTheAxisFromSpoutToHandle)
 {
     const std::vector<Vec3> centres = sphere_grid("hex:10").centres;
     const VisibilityMap map = part_visibility(test::teapot(), centres).map;
@@ -45,7 +46,7 @@ TEST(ArcSearch, MachinesTheTeapotAboutItsSpoutAndHandle)
     ASSERT_TRUE(arc);
     EXPECT_NEAR(arc->length / degree, 155.98, 0.006);
     const std::vector<Vec3> axes{Vec3::UnitZ(), Vec3::UnitX()};
-    const SetupSearch found = arc_search(map, centres, axes, {}, Angle::degrees(0));
+    const PoseSearchResult found = arc_search(map, centres, axes, {}, Angle::degrees(0));
     ASSERT_TRUE(found.feasible);
     EXPECT_EQ(found.status, SetupStatus::FourAxis);
     EXPECT_EQ(found.feasible->area, 0);
@@ -59,8 +60,9 @@ TEST(ArcSearch, MachinesTheTeapotAboutItsSpoutAndHandle)
                     .feasible);
 }
 
-// Bottoms of two long V-grooves along y, tilted by +-40 degrees, of half angle 15: wedges of
-// directions, between which the tool turns by 2 (40 - 15) degrees.
+// The bottoms of two long V-grooves along y, tilted by +-40 degrees, with a half angle of
+// 15 degrees. Their cones are wedges of directions, so that the tool turns by 2 (40 - 15)
+// degrees.
 TEST(ArcSearch, TurnsFromGrooveToGroove)
 {
     const std::vector<Vec3> centres = sphere_grid("ico:4").centres;
@@ -78,8 +80,8 @@ TEST(ArcSearch, TurnsFromGrooveToGroove)
     EXPECT_NEAR(arc->length / degree, 50, 2 * cell_deg);
 }
 
-// Random cones: each facet has a cell near the arc, and about no shorter arc that begins at
-// any half degree has it.
+// Random cones. Each facet has a cell close to the arc, and no shorter arc that begins at
+// a multiple of half a degree has this property.
 TEST(ArcSearch, IsTheShortestArc)
 {
     const std::vector<Vec3> centres = sphere_grid("hex:4").centres;
@@ -122,14 +124,14 @@ TEST(ArcSearch, IsTheShortestArc)
     EXPECT_GT(found, 10);
 }
 
-TEST(ArcSearch, NeedsNoArcWhereOneDirectionWillDo)
+TEST(ArcSearch, NeedsNoArcIfOneDirectionSuffices)
 {
     const std::vector<Vec3> centres = sphere_grid("hex:4").centres;
     VisibilityMap map{3, centres.size()};
     for (std::size_t facet = 0; facet < 3; ++facet)
         make_accessible(map, facet, 17);
     const Vec3 axis = centres[17].cross(up).normalized();
-    const SetupSearch found =
+    const PoseSearchResult found =
         arc_search(map, centres, std::vector{axis}, {0, 0}, Angle::degrees(0));
     ASSERT_TRUE(found.feasible);
     EXPECT_EQ(found.status, SetupStatus::ThreeAxis);
@@ -138,7 +140,7 @@ TEST(ArcSearch, NeedsNoArcWhereOneDirectionWillDo)
     EXPECT_EQ(widest_direction(map).facets, 3U);
 }
 
-TEST(ArcSearch, FindsNothingWhereAFacetHasNoCellNearTheCircle)
+TEST(ArcSearch, FindsNothingIfAFacetHasNoCellCloseToTheCircle)
 {
     const std::vector<Vec3> centres{up, Vec3::UnitX()};
     VisibilityMap map{2, 2};
@@ -146,21 +148,21 @@ TEST(ArcSearch, FindsNothingWhereAFacetHasNoCellNearTheCircle)
     EXPECT_TRUE(shortest_arc(map, centres, Vec3::UnitX(), Angle::degrees(1)));
     make_accessible(map, 1, 1);
     EXPECT_FALSE(shortest_arc(map, centres, Vec3::UnitX(), Angle::degrees(1)));
-    const SetupSearch found =
+    const PoseSearchResult found =
         arc_search(map, centres, std::vector<Vec3>{Vec3::UnitX()}, {}, Angle::degrees(1));
     EXPECT_EQ(found.poses_skipped, 1U);
     EXPECT_FALSE(found.least);
 }
 
-// The best single direction of the teapot leaves 114 of 288 facets.
-TEST(ArcSearch, KnowsTheWidestDirection)
+// The best single direction of the teapot misses 114 of 288 facets.
+TEST(ArcSearch, FindsTheDirectionThatReachesMost)
 {
     const std::vector<Vec3> centres = sphere_grid("hex:10").centres;
     const VisibilityMap map = part_visibility(test::teapot(), centres).map;
     EXPECT_EQ(widest_direction(map).facets, 288U - 114U);
 }
 
-TEST(ArcSearch, NeedsASoundToleranceLimitsAndACentreForEachCell)
+TEST(ArcSearch, NeedsAValidToleranceValidLimitsAndACentreForEachCell)
 {
     const VisibilityMap map{1, 1};
     const std::vector<Vec3> centres{up};

@@ -17,7 +17,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Few cells and cones, so that all levels can be tried.
+/// A problem with few cells and cones, so that all pairs of levels can be tried.
 VisibilityMap random_map(std::size_t cells, std::mt19937& random)
 {
     VisibilityMap map{6, cells};
@@ -29,7 +29,7 @@ VisibilityMap random_map(std::size_t cells, std::mt19937& random)
     return map;
 }
 
-/// The least objective of all pairs of levels that cells have, each with its least window.
+/// The least objective over all pairs of levels of cells, each with its least window.
 double all_levels(const ConeFitting& fitting, const Vec3& axis)
 {
     const AxisView view =
@@ -117,7 +117,7 @@ TEST(FittedPose, DividesTheWindowAsZeroDividesTheLimits)
     EXPECT_LT((ab.pose.r2_axis - ab.pose.tool_axis.cross(ab.pose.r1_axis)).norm(), 1e-15);
 
     const FittedPose ca = fitted_pose(fit, RotaryFamily::CA, {{-0.3, 0.15}, {-pi, pi}});
-    EXPECT_EQ(ca.phi.to, 0.1);  // turned: m0 fits only below 0
+    EXPECT_EQ(ca.phi.to, 0.1);  // m0 fits the limits only with a negative sign
     EXPECT_EQ(ca.phi.from, -0.2);
     EXPECT_NEAR(ca.theta.to, 0.45, 1e-15);
     EXPECT_NEAR(ca.pose.tool_axis.dot(ca.pose.r2_axis), 0, 1e-15);

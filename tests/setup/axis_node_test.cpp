@@ -58,7 +58,7 @@ protected:
     std::vector<Vec3> centres_;
 };
 
-TEST_F(RandomCones, HaveRootsThatCoverAllAxes)
+TEST_F(RandomCones, HaveRootNodesThatCoverAllAxes)
 {
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
         const auto roots = root_nodes(fitting(family));
@@ -111,7 +111,7 @@ TEST_F(RandomCones, HaveBoundsBelowEveryFitInTheNode)
             const auto fit = fitter.best(axis, {infinity});
             ASSERT_TRUE(fit);
             if (fit->ranges.width <= fitting.thin_width)
-                continue;  // an arc's
+                continue;  // a node of arcs
             for (AxisNode node : roots) {
                 if (node.kind == NodeKind::Arc || !holds(node, axis))
                     continue;
@@ -134,7 +134,8 @@ TEST_F(RandomCones, HaveBoundsBelowEveryFitInTheNode)
 
 TEST_F(RandomCones, HaveArcBoundsBelowEveryThinLune)
 {
-    // A lune of full height along a circle, and its bound by the circle's normal.
+    // A lune of full height along a circle is compared with the bound of the circle's
+    // normal.
     ConeFitting fitting = this->fitting(RotaryFamily::AB);
     fitting.thin_width = 30 * degree;
     AxisFitter fitter{fitting};
@@ -163,7 +164,7 @@ TEST_F(RandomCones, HaveArcBoundsBelowEveryThinLune)
     EXPECT_GT(thin, 5);
 }
 
-TEST(ThinWidth, IsNoneForTiltAndLittleOfTheObjectiveElse)
+TEST(ThinWidth, IsZeroForTiltAndASmallShareOfOtherObjectives)
 {
     PoseMeasure measure;
     EXPECT_LE(thin_width(measure, 1), measure.floor_rad / 2);

@@ -19,7 +19,7 @@ TEST(AxisView, GivesAzimuthsAndLevelsAboutTheAxis)
 {
     const std::vector<Vec3> cells{{0, 0, 1}, {0.6, 0, 0.8}, {0, -0.8, -0.6}};
     const AxisView ca = axis_view({RotaryFamily::CA, Vec3::UnitZ(), 0, {4, 4}}, cells);
-    EXPECT_EQ(ca.free.size(), 2U);  // the pole, on both sides
+    EXPECT_EQ(ca.free.size(), 2U);  // the pole appears on both sides
     ASSERT_EQ(ca.swept.size(), 4U);
     for (const SeenCell& cell : ca.swept) {
         const Vec3 zero = azimuth_zero(Vec3::UnitZ());
@@ -39,7 +39,7 @@ TEST(AxisView, GivesAzimuthsAndLevelsAboutTheAxis)
     }
 }
 
-TEST(AxisView, HoldsWhatIsSeenFromEveryAxisWithinTheRadius)
+TEST(AxisView, IsValidForEveryAxisWithinTheRadius)
 {
     const SphereGrid grid = sphere_grid("hex:3");
     std::mt19937 random{2};
@@ -53,7 +53,7 @@ TEST(AxisView, HoldsWhatIsSeenFromEveryAxisWithinTheRadius)
             const AxisView wide = axis_view({family, axis, radius, {4, 4}}, grid.centres);
             const Vec3 hinge =
                 Eigen::AngleAxisd{2 * pi * uniform(random), axis} * azimuth_zero(axis);
-            // Seen from the true axis is seen from the given one once all is carried along.
+            // Move the true axis to the given one, and the cells with it.
             const Eigen::AngleAxisd carry{radius * 0.999 * uniform(random), hinge};
             std::vector<Vec3> carried;
             for (const Vec3& cell : grid.centres)
@@ -85,7 +85,7 @@ TEST(AxisView, HoldsWhatIsSeenFromEveryAxisWithinTheRadius)
     }
 }
 
-TEST(AxisView, LeavesOutWhatIsOutOfReach)
+TEST(AxisView, LeavesOutCellsBeyondTheReach)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     const AxisView all =

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// One cell a column, facets open at random.
+/// A map of random bits: each cell belongs to random cones.
 VisibilityMap random_map(std::size_t facets, std::size_t cells, std::mt19937& random)
 {
     VisibilityMap map{facets, cells};
@@ -24,8 +24,8 @@ VisibilityMap random_map(std::size_t facets, std::size_t cells, std::mt19937& ra
     return map;
 }
 
-/// The least window that begins at the end of some part, or infinite: every cone has a part that
-/// begins before the window's end.
+/// The least window that begins at the end of an interval and meets an interval of every
+/// cone, or infinity.
 double naive_width(const ConeSet& cones, const AxisView& view, const LevelLimits& limits)
 {
     const MissingWords<0> words{cones.words()};
@@ -33,13 +33,14 @@ double naive_width(const ConeSet& cones, const AxisView& view, const LevelLimits
     for (const SeenCell& first : view.swept) {
         if (first.level > limits.upto[first.side])
             continue;
-        std::vector<std::pair<double, std::uint32_t>> after;  // from the window's begin
+        std::vector<std::pair<double, std::uint32_t>>
+            after;  // begins of intervals, from the window's begin on
         for (const SeenCell& cell : view.swept) {
             if (cell.level > limits.upto[cell.side])
                 continue;
             double begin = std::fmod(cell.begin - first.end + 2 * turn, turn);
             if (begin + (cell.end - cell.begin) >= turn - 1e-13)
-                begin = 0;  // the window begins in this part
+                begin = 0;  // the window begins in this interval
             after.emplace_back(begin, cell.cell);
         }
         std::sort(after.begin(), after.end());
@@ -58,7 +59,7 @@ double naive_width(const ConeSet& cones, const AxisView& view, const LevelLimits
 
 class RandomWindows : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(RandomWindows, AreThoseOfTrialByTrial)
+TEST_P(RandomWindows, AgreeWithTryingAllWindows)
 {
     std::mt19937 random{11};
     std::uniform_real_distribution<double> uniform{0, 1};
@@ -89,7 +90,7 @@ TEST_P(RandomWindows, AreThoseOfTrialByTrial)
 
 INSTANTIATE_TEST_SUITE_P(Cones, RandomWindows, testing::Values(5, 60, 100, 200, 300));
 
-TEST(WindowSweep, CountsCellsOfAnyAzimuth)
+TEST(WindowSweep, CountsFreeCells)
 {
     VisibilityMap map{2, 2};
     map.column(0)[0] = 1;

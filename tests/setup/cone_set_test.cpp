@@ -24,9 +24,9 @@ TEST(ConeSet, LeavesOutEmptyEqualAndLargerCones)
 {
     VisibilityMap map{5, 6};
     open_cells(map, 0, {1, 2, 3});
-    open_cells(map, 1, {2, 3});  // within 0
-    open_cells(map, 3, {2, 3});  // equal to 1
-    open_cells(map, 4, {5});     // 2 is empty
+    open_cells(map, 1, {2, 3});  // part of cone 0
+    open_cells(map, 3, {2, 3});  // equal to cone 1
+    open_cells(map, 4, {5});     // cone 2 is empty
     const ConeSet cones{map};
     EXPECT_EQ(listed(cones.facets()), (std::vector<std::size_t>{1, 4}));
     EXPECT_EQ(listed(cones.cells()), (std::vector<std::size_t>{2, 3, 5}));
@@ -45,7 +45,7 @@ TEST(ConeSet, IsEmptyWithoutCones)
     EXPECT_TRUE(cones.smallest_cone().empty());
 }
 
-TEST(ConeSet, IsMetByTheSetsOfCellsThatMeetAllCones)
+TEST(ConeSet, IsMetExactlyByTheSetsThatMeetAllCones)
 {
     std::mt19937 random{1};
     std::bernoulli_distribution is_open{0.3};
@@ -82,7 +82,7 @@ TEST(ConeSet, IsMetByTheSetsOfCellsThatMeetAllCones)
     }
 }
 
-TEST(ConeSet, TellsUsualNumbersOfWordsAsConstants)
+TEST(ConeSet, PassesSmallNumbersOfWordsAsConstants)
 {
     for (const std::size_t words : {1, 2, 4})
         EXPECT_EQ(with_words(words, [](auto w) { return decltype(w)::value; }), words);

@@ -10,7 +10,7 @@
 namespace endmill {
 namespace {
 
-TEST(CoverageTable, NeverLosesAWindowThatTheWholeSweepFinds)
+TEST(CoverageTable, ExcludesNoWindowThatTheSweepFinds)
 {
     const SphereGrid grid = sphere_grid("hex:5");
     std::mt19937 random{4};
@@ -48,7 +48,7 @@ TEST(CoverageTable, NeverLosesAWindowThatTheWholeSweepFinds)
             dead += table.may_fit(limits, cap) ? 0 : 1;
         }
     }
-    EXPECT_GT(dead, 100U);  // it is there to exclude
+    EXPECT_GT(dead, 100U);  // the table must exclude many
 }
 
 }  // namespace

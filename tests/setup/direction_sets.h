@@ -8,16 +8,16 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/vec.h"
-#include "endmill/machine/rotary_limits.h"
+#include "endmill/machine/axis_limits.h"
 #include "random.h"
 
-// Directions about +Z in degrees, as the examples are written.
+// Directions about +Z, given in degrees.
 namespace endmill::test {
 
 inline constexpr double degree = std::numbers::pi / 180;
 inline const Vec3 up = Vec3::UnitZ();
 
-/// Azimuth and polar angle in degrees.
+/// Azimuth and polar angle of a direction, in degrees.
 struct AzimuthPolar {
     double azimuth;
     double polar;
@@ -38,7 +38,8 @@ inline std::vector<Vec3> directions(const std::vector<AzimuthPolar>& points)
     return result;
 }
 
-/// R_a(alpha) R_b(beta) z, in degrees: at alpha about +X and beta about +Y.
+/// The direction R_a(alpha) R_b(beta) z: z turned by beta about +Y, then by alpha about
+/// +X, degrees.
 inline Vec3 turned_to(double alpha, double beta)
 {
     const double a = alpha * degree;
@@ -46,7 +47,7 @@ inline Vec3 turned_to(double alpha, double beta)
     return {std::sin(b), -std::sin(a) * std::cos(b), std::cos(a) * std::cos(b)};
 }
 
-/// `count` directions evenly about +Z.
+/// `count` directions at equal azimuths about +Z.
 inline std::vector<Vec3> ring(int count, double polar)
 {
     std::vector<Vec3> result;
@@ -55,7 +56,7 @@ inline std::vector<Vec3> ring(int count, double polar)
     return result;
 }
 
-/// 3 to 32 directions within 85 degrees of +Z, as the specification draws them.
+/// 3 to 32 random directions within 85 degrees of +Z.
 inline std::vector<Vec3> random_directions(Random& random)
 {
     std::vector<Vec3> result;
@@ -72,7 +73,7 @@ inline double square_degrees(double area)
     return area / (degree * degree);
 }
 
-/// A range in degrees.
+/// A range given in degrees.
 inline RotaryRange degrees(double from, double to)
 {
     return {from * degree, to * degree};

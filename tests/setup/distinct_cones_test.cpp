@@ -59,7 +59,7 @@ TEST(DistinctCones, AreTheDifferentRowsInTheOrderOfTheirFirstFacets)
     }
 }
 
-TEST(DistinctCones, MayBeNone)
+TEST(DistinctCones, MayBeEmpty)
 {
     EXPECT_EQ(DistinctCones(VisibilityMap{}).size(), 0U);
     const DistinctCones cones{VisibilityMap{70, 5}};

@@ -16,7 +16,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Every cone is one cell: those nearest to a great circle, from one end of an arc to the other.
+/// Every cone is a single cell; the cells are those nearest to an arc of a great circle.
 struct OneArc {
     OneArc()
     {
@@ -62,7 +62,7 @@ TEST(FirstFits, FindTheGreatCircleOfTheCells)
     }
 }
 
-TEST(FirstFits, KeepWhatIsNearTheBestInItsOrder)
+TEST(FirstFits, KeepFitsCloseToTheBestInOrder)
 {
     const OneArc arc;
     const ConeFitting fitting = arc.fitting(RotaryFamily::AB);
@@ -77,7 +77,7 @@ TEST(FirstFits, KeepWhatIsNearTheBestInItsOrder)
     EXPECT_TRUE(fits_about(fitting, axes, fits[0].objective / 2).empty());
 }
 
-TEST(FirstFits, AreNoneWhereTheLimitsAllowNone)
+TEST(FirstFits, AreEmptyIfTheLimitsAllowNone)
 {
     const OneArc arc;
     ConeFitting fitting = arc.fitting(RotaryFamily::CA);

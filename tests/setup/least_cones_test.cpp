@@ -24,8 +24,8 @@ bool holds(const DistinctCones& cones, std::size_t outer, std::size_t inner)
     return true;
 }
 
-// Pair by pair; some thousand caps fill several tiles.
-TEST(LeastCones, HoldNoOtherOneAndAreAllThatDo)
+// Compares with a test of all pairs. Thousands of caps fill several tiles.
+TEST(LeastCones, AreExactlyTheConesThatContainNoOther)
 {
     test::Random random{4};
     const SphereGrid grid = sphere_grid("hex:6");
@@ -51,7 +51,7 @@ TEST(LeastCones, HoldNoOtherOneAndAreAllThatDo)
     set_thread_count(4);
 }
 
-TEST(LeastCones, OfNoneAreNone)
+TEST(LeastCones, MayBeEmpty)
 {
     EXPECT_TRUE(least_cones(DistinctCones{VisibilityMap{3, 4}}).empty());
 }

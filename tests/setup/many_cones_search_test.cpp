@@ -10,16 +10,17 @@
 namespace endmill {
 namespace {
 
-// Both have a set that meets all cones and a bound: neither's bound is above the other's set.
-void expect_consistent(const SetSearchResult& one, const SetSearchResult& other,
-                       double gap)
+// Both searches find a pose and a bound. Neither bound exceeds the objective of the other
+// pose.
+void expect_consistent(const WholeConeSearchResult& one,
+                       const WholeConeSearchResult& other, double gap)
 {
     EXPECT_LE(one.lower_bound, other.objective);
     EXPECT_LE(other.lower_bound, one.objective);
     EXPECT_LE(one.objective, (1 + gap) * one.lower_bound * (1 + 1e-12));
 }
 
-TEST(ManyConesSearch, AgreesWithTheSearchThatAsksForAllAtOnce)
+TEST(ManyConesSearch, AgreesWithTheSearchForAllCones)
 {
     test::Random random{31};
     const SphereGrid grid = sphere_grid("hex:4");
@@ -27,25 +28,26 @@ TEST(ManyConesSearch, AgreesWithTheSearchThatAsksForAllAtOnce)
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB})
         for (const SetupObjective objective :
              {SetupObjective::FlooredArea, SetupObjective::TotalRange}) {
-            SetSearchOptions options;
+            WholeConeSearchOptions options;
             options.family = family;
             options.objective = objective;
-            const SetSearchResult rounds = many_cones_search(grid, map, options, 8);
+            const WholeConeSearchResult rounds = many_cones_search(grid, map, options, 8);
             ASSERT_TRUE(rounds.pose);
-            expect_consistent(rounds, set_search(grid, map, options), options.gap);
-            const SetSearchResult once = many_cones_search(grid, map, options, 1000);
-            EXPECT_EQ(once.objective, set_search(grid, map, options).objective);
+            expect_consistent(rounds, whole_cone_search(grid, map, options), options.gap);
+            const WholeConeSearchResult once =
+                many_cones_search(grid, map, options, 1000);
+            EXPECT_EQ(once.objective, whole_cone_search(grid, map, options).objective);
         }
 }
 
-// Of a gap so wide that whatever is found would do.
-TEST(ManyConesSearch, IsNeverWorseThanWhatItStartsFrom)
+// The gap is so wide that every pose meets it.
+TEST(ManyConesSearch, IsNeverWorseThanItsStarts)
 {
     test::Random random{34};
     const SphereGrid grid = sphere_grid("hex:4");
     const VisibilityMap map = test::random_caps(120, grid.centres, random);
-    SetSearchOptions options;
-    const SetSearchResult best = set_search(grid, map, options);
+    WholeConeSearchOptions options;
+    const WholeConeSearchResult best = whole_cone_search(grid, map, options);
     options.gap = 1000;
     const std::vector<SetupPose> starts{best.pose->pose};
     options.starts = starts;
@@ -53,28 +55,27 @@ TEST(ManyConesSearch, IsNeverWorseThanWhatItStartsFrom)
               best.objective * (1 + 1e-12));
 }
 
-TEST(ManyConesSearch, ProvesThatNoPoseWillDoFromSomeCones)
+TEST(ManyConesSearch, ProvesFromSomeConesThatNoPoseFits)
 {
     test::Random random{32};
     const SphereGrid grid = sphere_grid("hex:4");
     const VisibilityMap map = test::random_caps(120, grid.centres, random);
-    SetSearchOptions options;
+    WholeConeSearchOptions options;
     options.limits = {{-0.3, 0.3}, {-0.3, 0.3}};
-    EXPECT_EQ(many_cones_search(grid, map, options, 16).machinability,
-              Machinability::Impossible);
+    EXPECT_EQ(many_cones_search(grid, map, options, 16).machinable, Answer::No);
 }
 
-TEST(ManyConesSearch, IsTheSameForAnyNumberOfThreadsAndTellsHowFarItIs)
+TEST(ManyConesSearch, IsTheSameForAnyNumberOfThreadsAndReportsProgress)
 {
     test::Random random{33};
     const SphereGrid grid = sphere_grid("hex:4");
     const VisibilityMap map = test::random_caps(100, grid.centres, random);
-    SetSearchOptions options;
+    WholeConeSearchOptions options;
     options.family = RotaryFamily::AB;
-    const SetSearchResult silent = many_cones_search(grid, map, options, 12);
+    const WholeConeSearchResult silent = many_cones_search(grid, map, options, 12);
     std::size_t nodes = 0;
     double bound = 0;
-    options.progress = [&](const SetSearchProgress& now) {
+    options.progress = [&](const WholeConeSearchProgress& now) {
         EXPECT_GT(now.nodes, nodes);
         EXPECT_GE(now.lower_bound, 0);
         nodes = now.nodes;
@@ -83,7 +84,7 @@ TEST(ManyConesSearch, IsTheSameForAnyNumberOfThreadsAndTellsHowFarItIs)
     for (const int threads : {1, 8}) {
         nodes = 0;
         set_thread_count(threads);
-        const SetSearchResult found = many_cones_search(grid, map, options, 12);
+        const WholeConeSearchResult found = many_cones_search(grid, map, options, 12);
         EXPECT_EQ(found.objective, silent.objective);
         EXPECT_EQ(found.lower_bound, silent.lower_bound);
         EXPECT_EQ(found.nodes, silent.nodes);

@@ -26,8 +26,8 @@ inline void make_accessible(VisibilityMap& map, std::size_t facet, std::size_t c
     map.column(cell)[facet / 64] |= std::uint64_t{1} << (facet % 64);
 }
 
-/// Cones that are caps of 10 to 60 degrees; of every four facets two have the same one, and
-/// every ninth facet has none.
+/// Cones that are random caps of 10 to 60 degrees. Two of every four facets have the same
+/// cone, and every ninth facet has an empty one.
 inline VisibilityMap random_caps(std::size_t facets, std::span<const Vec3> centres,
                                  Random& random)
 {

@@ -25,8 +25,8 @@ std::vector<Vec3> anywhere(test::Random& random, int count)
     return points;
 }
 
-// Where no direction lies along R1 the ranges are those of the angles one by one.
-TEST(RectangleNeeds, AreThoseOfTheDirectionsOneByOne)
+// If no direction lies along R1, the ranges follow from the angles of each direction.
+TEST(RectangleNeeds, AgreeWithTheAnglesOfEachDirection)
 {
     test::Random random{11};
     for (int i = 0; i < 200; ++i) {
@@ -58,8 +58,9 @@ TEST(RectangleNeeds, LeaveTheSideOfTheOppositeOfTheToolAxisOpen)
     EXPECT_NEAR(bound.areas[1], (180 + 30) * degree * beta, 1e-7);
 }
 
-// Pieces of all widths between neighbouring splits: nothing in them is below the bound.
-TEST(RectangleNeeds, AreNowhereInAPieceBelowItsBound)
+// Intervals of all widths between neighbouring splits. No rectangle in them is below the
+// bound.
+TEST(RectangleNeeds, AreNowhereBelowTheBoundOfTheInterval)
 {
     test::Random random{12};
     for (int i = 0; i < 300; ++i) {
@@ -97,9 +98,9 @@ TEST(RectangleNeeds, AreNowhereInAPieceBelowItsBound)
     }
 }
 
-// With a low direction's convex alpha and the sum of two betas that rise and fall, what the
-// bound lacks falls to a quarter as a piece is halved.
-TEST(RectangleNeeds, ConvergeWithTheSquareOfAPiecesWidth)
+// With the convex alpha of a low direction and a sum of two betas that rise and fall, the
+// gap of the bound falls to a quarter when the interval is halved.
+TEST(RectangleNeeds, ConvergeWithTheSquareOfTheIntervalsWidth)
 {
     const std::vector<Vec3> points =
         test::directions({{90, 120}, {200, 60}, {330, 50}, {10, 20}});

@@ -12,7 +12,7 @@ namespace {
 
 using test::up;
 
-// Where all directions are within 90 degrees the hulls' edges give the minimum exactly.
+// If all directions are within 90 degrees, the edges of the hulls give the exact minimum.
 TEST(RectangleBranch, FindsTheMinimumOfTheHulls)
 {
     test::Random random{41};
@@ -30,8 +30,8 @@ TEST(RectangleBranch, FindsTheMinimumOfTheHulls)
     }
 }
 
-// Two directions 120 degrees from the tool axis, whose alpha jumps where R1 has their
-// azimuth: no position of R1 in a search by hundredths of a degree is better.
+// Two directions lie 120 degrees from the tool axis; their alpha jumps where R1 has their
+// azimuth. No position of R1 at a multiple of 0.01 degrees is better.
 TEST(RectangleBranch, CrossesTheJumpsOfLowDirections)
 {
     const std::vector<Vec3> points =
@@ -47,9 +47,9 @@ TEST(RectangleBranch, CrossesTheJumpsOfLowDirections)
     EXPECT_NEAR(rectangle_about(up, found->r1_axis, points).area(), found->area(), 1e-9);
 }
 
-// A direction at right angles to the tool axis, or a hair off, needs no turn of R1 along it: no
-// other position of R1, however near, has so small a rectangle. That direction's alpha counts
-// as 0, as in rectangle_about, to 1e-9 rad.
+// A direction perpendicular to the tool axis, or nearly so, needs no turn about R1 if R1
+// lies along it. No other position of R1, however close, has such a small rectangle. The
+// alpha of this direction is 0, to 1e-9 rad, as in rectangle_about.
 TEST(RectangleBranch, PutsR1AlongADirectionAtRightAnglesToTheToolAxis)
 {
     for (const double polar : {90.0, 90 - 1e-8, 90 + 1e-8, 90 - 1e-5}) {
@@ -77,10 +77,10 @@ TEST(RectangleBranch, PutsR1AlongADirectionAtRightAnglesToTheToolAxis)
     }
 }
 
-// Directions on a lattice, many of them at right angles to the tool axis, opposite to it, or one
-// above the other: of all positions of R1, by quarters of a degree and along each direction,
-// none is better, and the machine reaches all directions within what was found.
-TEST(RectangleBranch, FindsWhatNoPositionOfR1Betters)
+// Directions on a lattice; many of them are perpendicular or opposite to the tool axis,
+// or have the same azimuth. No position of R1 at a multiple of a quarter degree or along
+// a direction is better, and the machine reaches all directions within the ranges found.
+TEST(RectangleBranch, IsNotWorseThanAnyPositionOfR1)
 {
     test::Random random{83};
     for (int i = 0; i < 400; ++i) {
@@ -111,8 +111,8 @@ TEST(RectangleBranch, FindsWhatNoPositionOfR1Betters)
     }
 }
 
-// The opposite of the tool axis costs less on the side that has more; but there neither this
-// rectangle nor the one turned by 180 degrees, with beta to the other side, is within limits.
+// The opposite of the tool axis costs less on the side where alpha is larger. On that
+// side neither this rectangle nor the one turned by 180 degrees fits the limits.
 TEST(RectangleBranch, PutsTheOppositeOfTheToolAxisWhereTheLimitsHaveRoom)
 {
     const std::vector<Vec3> points{test::turned_to(10, 20), test::turned_to(-5, 1), -up};
@@ -130,7 +130,7 @@ TEST(RectangleBranch, PutsTheOppositeOfTheToolAxisWhereTheLimitsHaveRoom)
         EXPECT_TRUE(reached.contains(direction));
 }
 
-TEST(RectangleBranch, StopsAtWhatIsWorthlessOrDoesNotFit)
+TEST(RectangleBranch, FindsNothingIfAllIsWorthlessOrNothingFits)
 {
     const std::vector<Vec3> points = test::directions({{90, 120}, {270, 120}, {0, 30}});
     const double area = branch_rectangle(PolePoints{up, points}, {})->area();

@@ -17,7 +17,7 @@ RotaryRange degrees(double from, double to)
     return {from * degree, to * degree};
 }
 
-// R_a(alpha) R_b(beta) z has those very angles, as long as |beta| < 90.
+// The direction R_a(alpha) R_b(beta) z has exactly these angles if |beta| < 90 degrees.
 TEST(RectangleCandidate, ReadsTheAnglesThatMadeADirection)
 {
     test::Random random{4};

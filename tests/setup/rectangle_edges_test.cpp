@@ -13,7 +13,7 @@ namespace {
 using test::degree;
 using test::up;
 
-// How many directions have this alpha or this beta about R1.
+// Number of directions with this alpha or this beta about R1.
 int at_border(const RectangleCandidate& rectangle, const std::vector<Vec3>& points,
               bool of_alpha)
 {
@@ -38,7 +38,8 @@ TEST(RectangleEdges, PassThroughTwoDirectionsOfAHull)
                                      SetupMode::Corrected};
         points.push_back(up);
         for (const RectangleCandidate& found : images.at_edges()) {
-            // One border has two of them, or the tool axis; the others one each.
+            // One border passes through two directions, or one and the tool axis; each
+            // other border through one.
             const bool of_alpha = found.origin == RectangleOrigin::GnomonicEdge;
             EXPECT_GE(at_border(found, points, of_alpha), 3);
             const auto measured = rectangle_about(up, found.r1_axis, points);
@@ -53,8 +54,8 @@ TEST(RectangleEdges, MeetALimitWithADirection)
     const RotaryLimits limits{{-29.95 * degree, 20 * degree}, {-27 * degree, 3}};
     const RectangleImages images{PolePoints{up, points}, points, SetupMode::Corrected};
     const auto found = images.at_limits(limits);
-    // Each of three directions, at each of three limits below 90 degrees, twice; and the tool
-    // axis is not among the vertices.
+    // Three directions at three limits below 90 degrees, twice each. The tool axis is not
+    // a vertex.
     EXPECT_EQ(found.size(), 18U);
     for (const RectangleCandidate& rectangle : found) {
         const auto meets = [&](double limit) {
@@ -79,7 +80,7 @@ TEST(RectangleEdges, FindAGreatCircleToRounding)
         great_circle_arc(PolePoints{up, test::directions({{30, 40}, {30.001, 70}})}));
 }
 
-TEST(RectangleEdges, PutADirectionOppositeToTheToolAxisOnTheSideThatHasMore)
+TEST(RectangleEdges, PutADirectionOppositeToTheToolAxisOnTheLargerSide)
 {
     std::vector<Vec3> points = test::directions({{0, 40}, {180, 60}});
     points.push_back(-up);
@@ -88,7 +89,7 @@ TEST(RectangleEdges, PutADirectionOppositeToTheToolAxisOnTheSideThatHasMore)
     EXPECT_NEAR(arc->alpha.to - arc->alpha.from, 220 * degree, 1e-12);
 }
 
-TEST(RectangleEdges, CallLowWhatHasNoUsableImage)
+TEST(RectangleEdges, RecogniseLowDirections)
 {
     EXPECT_FALSE(has_low_direction(PolePoints{up, test::directions({{0, 89.99}})}));
     EXPECT_TRUE(has_low_direction(PolePoints{up, test::directions({{0, 89.99999}})}));

@@ -25,7 +25,7 @@ using test::up;
 constexpr std::array all_modes{SetupMode::PaperLiteral, SetupMode::Paper,
                                SetupMode::Corrected};
 
-SetupOptions options(SetupMode mode, const RotaryLimits& limits = {})
+PoseFitOptions options(SetupMode mode, const RotaryLimits& limits = {})
 {
     return {RotaryFamily::AB, mode, limits};
 }
@@ -48,7 +48,7 @@ std::vector<Vec3> corners(const RotaryRange& alpha, const RotaryRange& beta)
 TEST(RectangleFit, IsTheRectangleOfItsCorners)
 {
     for (const SetupMode mode : all_modes) {
-        const SetupSearch found =
+        const PoseSearchResult found =
             rectangle_fit(up, corners({-20, 50}, {-15, 30}), options(mode));
         EXPECT_NEAR(square_degrees(found.least->area), 3150, 1e-6);
         EXPECT_NEAR(std::abs(found.least->pose.r1_axis.x()), 1, 1e-12);
@@ -72,7 +72,7 @@ TEST(RectangleFit, HasTheToolAxisAtACorner)
     const std::vector<Vec3> points{turned_to(10, 0), turned_to(40, 20),
                                    turned_to(40, -10)};
     for (const SetupMode mode : all_modes) {
-        const SetupSearch found = rectangle_fit(up, points, options(mode));
+        const PoseSearchResult found = rectangle_fit(up, points, options(mode));
         EXPECT_NEAR(square_degrees(found.least->area), 1200, 1e-6);
         expect_range(found.least->phi, 0, 40);
         EXPECT_NEAR(least_area(directions({{0, 30}, {90, 40}}), mode), 1200, 1e-6);
@@ -83,7 +83,7 @@ TEST(RectangleFit, IsAnArcForDirectionsOnOneGreatCircle)
 {
     const std::vector<Vec3> points{turned_to(10, 0), turned_to(30, 0), turned_to(-20, 0)};
     for (const SetupMode mode : all_modes) {
-        const SetupSearch found = rectangle_fit(up, points, options(mode));
+        const PoseSearchResult found = rectangle_fit(up, points, options(mode));
         EXPECT_EQ(found.status, SetupStatus::FourAxis);
         EXPECT_EQ(found.least->area, 0);
         expect_range(found.least->phi, -20, 30);
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(OfEachKind, RectangleOfARing,
                                          Ring{6, 40}, Ring{7, 70}, Ring{10, 25},
                                          Ring{12, 15}));
 
-TEST(RectangleFit, AgreesWithTheRingsOfTheSpecification)
+TEST(RectangleFit, AgreesWithTheRingsOfTheTable)
 {
     EXPECT_NEAR(least_area(test::ring(4, 10), SetupMode::Paper), 200.505460, 1e-5);
     EXPECT_NEAR(least_area(test::ring(12, 15), SetupMode::Corrected), 840.322218, 1e-5);
@@ -139,7 +139,7 @@ TEST(RectangleFit, AgreesWithTheRingsOfTheSpecification)
     EXPECT_NEAR(least_area(test::ring(5, 20), SetupMode::Corrected), 1377.159686, 1e-5);
 }
 
-// With R1 at every hundredth of a degree: the least area of the paper's own rectangles.
+// The least area with R1 at all multiples of 0.01 degrees.
 double searched_area(const std::vector<Vec3>& points, double step_deg)
 {
     double best = 1e9;
@@ -195,7 +195,7 @@ TEST(RectangleFit, IsTheLeastOfAllRectanglesIfCorrected)
     EXPECT_NEAR(1.0 * literal_wrong / rectangles, 0.38, 0.04);
 }
 
-// The same with directions 90 degrees and more from the tool axis, by the angles themselves.
+// The same with directions 90 degrees or more from the tool axis, from their angles.
 TEST(RectangleFit, IsTheLeastOfAllRectanglesBeyondTheHemisphere)
 {
     test::Random random{32};
@@ -211,9 +211,9 @@ TEST(RectangleFit, IsTheLeastOfAllRectanglesBeyondTheHemisphere)
             searched = std::min(
                 searched, rectangle_about(up, direction({azimuth, 90}), points).area());
         EXPECT_LE(corrected, square_degrees(searched) * (1 + 2e-7));
-        const SetupSearch found =
+        const PoseSearchResult found =
             rectangle_fit(up, points, options(SetupMode::Corrected));
-        // Where a direction's alpha is 180 rounding decides its sign: a little aside.
+        // At alpha = 180 degrees rounding decides the sign, so that R1 is moved slightly.
         const double shift = 1e-8;
         const Vec3& r1 = found.least->pose.r1_axis;
         double beside = 1e9;
@@ -230,7 +230,7 @@ TEST(RectangleFit, NeedsAnOpenHemisphereInThePapersModes)
 {
     const auto points = directions({{0, 30}, {120, 95}, {240, 20}});
     for (const SetupMode mode : {SetupMode::PaperLiteral, SetupMode::Paper}) {
-        const SetupSearch found = rectangle_fit(up, points, options(mode));
+        const PoseSearchResult found = rectangle_fit(up, points, options(mode));
         EXPECT_EQ(found.status, SetupStatus::NoOpenHemisphere);
         EXPECT_EQ(found.poses_skipped, 1U);
         EXPECT_FALSE(found.least);
@@ -248,7 +248,7 @@ TEST(RectangleFit, DoesNotMirrorARigidPart)
 {
     const std::vector<Vec3> points = corners({-10, 40}, {-30, 15});
     const RotaryLimits mirrored{degrees(-15, 45), degrees(-20, 35)};
-    const SetupSearch paper =
+    const PoseSearchResult paper =
         rectangle_fit(up, points, options(SetupMode::Paper, mirrored));
     ASSERT_TRUE(paper.feasible);
     EXPECT_NEAR(square_degrees(paper.feasible->area), 2250, 1e-6);
@@ -258,7 +258,7 @@ TEST(RectangleFit, DoesNotMirrorARigidPart)
 
     const RotaryLimits straight{degrees(-15, 45), degrees(-35, 20)};
     for (const SetupMode mode : all_modes) {
-        const SetupSearch found = rectangle_fit(up, points, options(mode, straight));
+        const PoseSearchResult found = rectangle_fit(up, points, options(mode, straight));
         ASSERT_TRUE(found.feasible);
         EXPECT_NEAR(square_degrees(found.feasible->area), 2250, 1e-6);
         EXPECT_TRUE(found.feasible->is_rigid);
@@ -267,14 +267,14 @@ TEST(RectangleFit, DoesNotMirrorARigidPart)
     }
 }
 
-// With B first R2 = R1 x C: the same limits then mirror beta.
+// If B comes first, R2 = R1 x C, so that beta is mirrored.
 TEST(RectangleFit, MirrorsBetaIfBComesFirst)
 {
     const std::vector<Vec3> points = corners({-10, 40}, {-30, 15});
-    SetupOptions b_first =
+    PoseFitOptions b_first =
         options(SetupMode::Corrected, {degrees(-15, 45), degrees(-20, 35)});
     b_first.is_b_first = true;
-    const SetupSearch found = rectangle_fit(up, points, b_first);
+    const PoseSearchResult found = rectangle_fit(up, points, b_first);
     ASSERT_TRUE(found.feasible);
     expect_range(found.feasible->phi, -10, 40);
     expect_range(found.feasible->theta, -15, 30);
@@ -284,10 +284,10 @@ TEST(RectangleFit, MirrorsBetaIfBComesFirst)
     EXPECT_FALSE(rectangle_fit(up, points, b_first).feasible);
 }
 
-TEST(RectangleFit, TurnsThePartIfOnlySoItFits)
+TEST(RectangleFit, TurnsThePartIfItDoesNotFitOtherwise)
 {
     const std::vector<Vec3> points = corners({-10, 40}, {-30, 15});
-    const SetupSearch found = rectangle_fit(
+    const PoseSearchResult found = rectangle_fit(
         up, points, options(SetupMode::Corrected, {degrees(-45, 15), degrees(-20, 35)}));
     ASSERT_TRUE(found.feasible);
     expect_range(found.feasible->phi, -40, 10);
@@ -299,7 +299,7 @@ TEST(RectangleFit, FindsTheBestWithADirectionAtALimit)
     const auto points = directions({{0, 30}, {120, 30}, {240, 30}});
     const RotaryLimits limits{degrees(-29.95, 29.95), degrees(-27, 27)};
     EXPECT_FALSE(rectangle_fit(up, points, options(SetupMode::Paper, limits)).feasible);
-    const SetupSearch found =
+    const PoseSearchResult found =
         rectangle_fit(up, points, options(SetupMode::Corrected, limits));
     ASSERT_TRUE(found.feasible);
     EXPECT_NEAR(square_degrees(found.feasible->area), 2442.207378, 1e-5);
@@ -310,8 +310,8 @@ TEST(RectangleFit, FindsTheBestWithADirectionAtALimit)
                 51.215449, 1e-6);
 }
 
-// Random limits: none of a hundredth-degree search that fits is better, and the one found
-// fits; with and without directions beyond 90 degrees.
+// Random limits, with and without directions beyond 90 degrees. The rectangle found fits,
+// and no fitting rectangle of a search in steps of 0.01 degrees is better.
 TEST(RectangleFit, IsTheLeastThatFitsIfCorrected)
 {
     test::Random random{33};
@@ -321,7 +321,8 @@ TEST(RectangleFit, IsTheLeastThatFitsIfCorrected)
         points.resize(std::min<std::size_t>(points.size(), 6));
         if (i % 4 == 0)
             points.push_back(direction({random.uniform(0, 360), 110}));
-        const SetupSearch free = rectangle_fit(up, points, options(SetupMode::Corrected));
+        const PoseSearchResult free =
+            rectangle_fit(up, points, options(SetupMode::Corrected));
         const auto near = [&](double angle) {
             return angle + random.uniform(-0.05, 0.3);
         };
@@ -329,7 +330,7 @@ TEST(RectangleFit, IsTheLeastThatFitsIfCorrected)
             {-std::max(0.0, near(-free.least->phi.from)), near(free.least->phi.to)},
             {-std::max(0.0, near(-free.least->theta.from)),
              std::max(0.0, near(free.least->theta.to))}};
-        const SetupSearch found =
+        const PoseSearchResult found =
             rectangle_fit(up, points, options(SetupMode::Corrected, limits));
         if (found.feasible) {
             decided_by_limits += found.feasible->area > free.least->area * (1 + 1e-6);
@@ -379,7 +380,7 @@ TEST(RectangleFit, IsTheSameForATurnedPart)
 TEST(RectangleFit, BoundsWhatItFindsWithLessWork)
 {
     const auto points = directions({{0, 30}, {120, 95}, {240, 20}});
-    const SetupOptions asked = options(SetupMode::Corrected);
+    const PoseFitOptions asked = options(SetupMode::Corrected);
     const AreaBounds bounds = rectangle_bounds(up, points, asked);
     const double area = rectangle_fit(up, points, asked).least->area;
     EXPECT_GE(bounds.least, area);
@@ -389,7 +390,7 @@ TEST(RectangleFit, BoundsWhatItFindsWithLessWork)
     EXPECT_TRUE(std::isinf(rectangle_bounds(up, test::ring(5, 20), asked).least));
 }
 
-TEST(RectangleFit, NeedsItsFamilyAndSoundLimits)
+TEST(RectangleFit, NeedsItsFamilyAndValidLimits)
 {
     EXPECT_THROW(rectangle_fit(up, {}, {RotaryFamily::CA, SetupMode::Paper, {}}),
                  DomainError);

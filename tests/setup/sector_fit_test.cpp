@@ -22,7 +22,7 @@ using test::expect_range;
 using test::square_degrees;
 using test::up;
 
-SetupOptions options(SetupMode mode, const RotaryLimits& limits = {})
+PoseFitOptions options(SetupMode mode, const RotaryLimits& limits = {})
 {
     return {RotaryFamily::CA, mode, limits};
 }
@@ -49,8 +49,9 @@ bool has_candidate(const std::vector<SectorCandidate>& found, double width, doub
     });
 }
 
-// Whether C,A with that pose and those ranges points the tool along v, by either solution of
-// the angles of the machine: (polar, azimuth from r2 x C) and (-polar, azimuth + 180).
+// Tests whether a C,A machine in this pose reaches the direction v within these ranges,
+// by one of the two solutions: (polar, azimuth from r2 x C) and (-polar, azimuth + 180
+// degrees).
 bool reaches(const FittedPose& fit, const Vec3& v)
 {
     constexpr double slack = 1e-8;
@@ -101,14 +102,14 @@ TEST(SectorFit, FindsTheLeastOfThem)
 
 TEST(SectorFit, IsAnArcForOneDirectionOrTwoOpposite)
 {
-    const SetupSearch one =
+    const PoseSearchResult one =
         sector_fit(up, directions({{77, 25}}), options(SetupMode::Paper));
     EXPECT_EQ(one.status, SetupStatus::FourAxis);
     EXPECT_EQ(one.least->area, 0);
     expect_range(one.least->phi, 0, 25);
     EXPECT_NEAR(one.least->pose.r2_axis.cross(up).dot(direction({77, 90})), 1, 1e-15);
 
-    const SetupSearch two =
+    const PoseSearchResult two =
         sector_fit(up, directions({{10, 20}, {190, 35}}), options(SetupMode::Corrected));
     EXPECT_EQ(two.status, SetupStatus::FourAxis);
     EXPECT_EQ(two.least->area, 0);
@@ -116,11 +117,12 @@ TEST(SectorFit, IsAnArcForOneDirectionOrTwoOpposite)
     expect_range(two.least->theta, 0, 0);
 }
 
-TEST(SectorFit, NeedsNothingForNothing)
+TEST(SectorFit, NeedsNoRangeWithoutDirections)
 {
     for (const std::vector<Vec3>& points :
          {std::vector<Vec3>{}, std::vector<Vec3>{up, up}}) {
-        const SetupSearch found = sector_fit(up, points, options(SetupMode::Corrected));
+        const PoseSearchResult found =
+            sector_fit(up, points, options(SetupMode::Corrected));
         EXPECT_EQ(found.status, SetupStatus::ThreeAxis);
         EXPECT_EQ(found.feasible->area, 0);
     }
@@ -132,12 +134,12 @@ TEST_P(SectorOfARing, HasTheWidthOfTheClosedForm)
 {
     const int count = GetParam();
     for (const double polar : {15.0, 20.0, 75.0, 120.0}) {
-        const SetupSearch found =
+        const PoseSearchResult found =
             sector_fit(up, test::ring(count, polar), options(SetupMode::Corrected));
         const double width = 180 - (count % 2 == 0 ? 360.0 : 180.0) / count;
         EXPECT_NEAR(square_degrees(found.least->area), 2 * polar * width, 1e-6);
-        // Odd rings tie with one wide sector, whose ranges have the larger sum but near the
-        // pole.
+        // Odd rings tie with one wide sector. Its ranges have the larger sum, except
+        // close to the pole.
         if (count % 2 == 0 || polar <= width) {
             EXPECT_NEAR(width_of(*found.least), width, 1e-7);
         } else {
@@ -149,7 +151,7 @@ TEST_P(SectorOfARing, HasTheWidthOfTheClosedForm)
 INSTANTIATE_TEST_SUITE_P(EvenAndOdd, SectorOfARing,
                          testing::Values(3, 4, 5, 6, 7, 12, 13));
 
-TEST(SectorFit, KeepsTheFeasibleApartFromTheLeast)
+TEST(SectorFit, FindsTheFeasibleAndTheLeastSeparately)
 {
     const auto points = directions({{0, 60}, {20, 20}, {170, 25}});
     for (const SetupMode mode : {SetupMode::Paper, SetupMode::Corrected}) {
@@ -157,7 +159,7 @@ TEST(SectorFit, KeepsTheFeasibleApartFromTheLeast)
         EXPECT_TRUE(has_candidate(tried, 30, 60, 25));
         EXPECT_TRUE(has_candidate(tried, 160, 60, 25));
         EXPECT_TRUE(has_candidate(tried, 170, 60, 0));
-        const SetupSearch found =
+        const PoseSearchResult found =
             sector_fit(up, points, options(mode, {degrees(-5, 65), {}}));
         EXPECT_NEAR(square_degrees(found.least->area), 2550, 1e-6);
         ASSERT_TRUE(found.feasible);
@@ -172,7 +174,7 @@ TEST(SectorFit, TurnsByMoreThanHalfOnlyIfCorrected)
     const RotaryLimits limits{degrees(0, 30), {}};
     const std::vector<Vec3> points = test::ring(3, 20);
     EXPECT_FALSE(sector_fit(up, points, options(SetupMode::Paper, limits)).feasible);
-    const SetupSearch found =
+    const PoseSearchResult found =
         sector_fit(up, points, options(SetupMode::Corrected, limits));
     ASSERT_TRUE(found.feasible);
     EXPECT_NEAR(square_degrees(found.feasible->area), 4800, 1e-6);
@@ -180,14 +182,14 @@ TEST(SectorFit, TurnsByMoreThanHalfOnlyIfCorrected)
     expect_range(found.feasible->phi, 0, 20);
 }
 
-TEST(SectorFit, SpreadsTheAzimuthsInTheRatioOfTheLimits)
+TEST(SectorFit, DividesTheAzimuthsInTheRatioOfTheLimits)
 {
     const auto points = directions({{0, 30}, {90, 40}});
-    const SetupSearch found = sector_fit(
+    const PoseSearchResult found = sector_fit(
         up, points, options(SetupMode::Paper, {degrees(-50, 50), degrees(-30, 150)}));
     expect_range(found.feasible->phi, 0, 40);
     expect_range(found.feasible->theta, -15, 75);
-    const SetupSearch tilted_back = sector_fit(
+    const PoseSearchResult tilted_back = sector_fit(
         up, points, options(SetupMode::Paper, {degrees(-50, 5), degrees(0, 180)}));
     expect_range(tilted_back.feasible->phi, -40, 0);
     expect_range(tilted_back.feasible->theta, 0, 90);
@@ -198,8 +200,8 @@ TEST(SectorFit, SpreadsTheAzimuthsInTheRatioOfTheLimits)
                      .feasible);
 }
 
-// The ranges hold every direction, by the kinematics of the machine, whatever the mode,
-// the tool axis and the limits.
+// By the kinematics of the machine, the ranges reach every direction, for every mode,
+// tool axis and limits.
 TEST(SectorFit, ReachesAllDirections)
 {
     test::Random random{21};
@@ -212,7 +214,8 @@ TEST(SectorFit, ReachesAllDirections)
             degrees(-random.uniform(0, 180), random.uniform(60, 180)),
             degrees(-random.uniform(0, 180), random.uniform(90, 180))};
         for (const SetupMode mode : {SetupMode::Paper, SetupMode::Corrected}) {
-            const SetupSearch found = sector_fit(axis, points, options(mode, limits));
+            const PoseSearchResult found =
+                sector_fit(axis, points, options(mode, limits));
             for (const auto& fit : {found.least, found.feasible}) {
                 if (!fit)
                     continue;
@@ -229,7 +232,7 @@ TEST(SectorFit, ReachesAllDirections)
     }
 }
 
-// A search over all windows of half-degree steps: where each begins, and how wide it is.
+// A search over all windows whose begin and width are multiples of half a degree.
 double searched_area(const std::vector<test::AzimuthPolar>& points)
 {
     double best = 1e9;
@@ -266,7 +269,7 @@ TEST(SectorFit, IsTheLeastOfAllSectorsIfCorrected)
     }
 }
 
-// Two directions on opposite sides bound one sector of half a turn.
+// Two directions on opposite sides are the ends of one sector of half a turn.
 TEST(SectorFit, IsOneSectorOfHalfATurnIfThatIsLess)
 {
     const auto points =
@@ -279,23 +282,23 @@ TEST(SectorFit, GivesADirectionOppositeToThePoleToTheLargerSector)
 {
     auto points = directions({{0, 30}, {180, 40}});
     points.push_back(-up);
-    const SetupSearch found = sector_fit(up, points, options(SetupMode::Corrected));
+    const PoseSearchResult found = sector_fit(up, points, options(SetupMode::Corrected));
     expect_range(found.least->phi, -30, 180);
     EXPECT_EQ(found.least->area, 0);
 }
 
-TEST(SectorFit, MaySkipWhatIsBeyondItsBounds)
+TEST(SectorFit, MaySkipFitsBeyondItsBounds)
 {
     const auto points = directions({{0, 30}, {100, 40}, {200, 50}});
     const double area = 8000 * degree * degree;
     const AreaBounds below{area * 0.999, area * 1.001};
-    const SetupSearch found =
+    const PoseSearchResult found =
         sector_fit(up, points, options(SetupMode::Corrected), below);
     EXPECT_FALSE(found.least);
     EXPECT_TRUE(found.feasible);
 }
 
-TEST(SectorFit, NeedsItsFamilyAndSoundLimits)
+TEST(SectorFit, NeedsItsFamilyAndValidLimits)
 {
     EXPECT_THROW(sector_fit(up, {}, {RotaryFamily::AB, SetupMode::Paper, {}}),
                  DomainError);

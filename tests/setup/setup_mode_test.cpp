@@ -12,8 +12,8 @@ namespace {
 
 TEST(SetupMode, IsFoundByTheNameOfItsRules)
 {
-    for (const SetupMode mode :
-         {SetupMode::PaperLiteral, SetupMode::Paper, SetupMode::Corrected}) {
+    for (const SetupMode mode : {SetupMode::PaperLiteral, SetupMode::Paper,
+                                 SetupMode::Corrected, SetupMode::WholeCones}) {
         EXPECT_EQ(setup_rules(mode).mode, mode);
         EXPECT_EQ(setup_mode(setup_rules(mode).name), mode);
     }
@@ -22,22 +22,27 @@ TEST(SetupMode, IsFoundByTheNameOfItsRules)
     EXPECT_EQ(setup_mode(""), std::nullopt);
 }
 
-TEST(SetupMode, RefusesLimitsThatAreReversedWithoutZeroOrBeyondATurn)
+TEST(PoseFitOptions, RefuseTheSearchOverWholeCones)
+{
+    EXPECT_THROW(check_pose_fit_options({.mode = SetupMode::WholeCones}), DomainError);
+}
+
+TEST(PoseFitOptions, RefuseLimitsThatAreReversedOrWithoutZeroOrWiderThanATurn)
 {
     constexpr double pi = std::numbers::pi;
     for (const RotaryRange& bad : {RotaryRange{1, -1}, RotaryRange{0.1, 1},
                                    RotaryRange{-1, -0.1}, RotaryRange{-4, 4}}) {
-        SetupOptions options;
+        PoseFitOptions options;
         options.limits.phi = bad;
-        EXPECT_THROW(check_setup_options(options), DomainError);
+        EXPECT_THROW(check_pose_fit_options(options), DomainError);
         options.limits = {{}, bad};
-        EXPECT_THROW(check_setup_options(options), DomainError);
+        EXPECT_THROW(check_pose_fit_options(options), DomainError);
     }
-    for (const RotaryRange& sound :
+    for (const RotaryRange& good :
          {RotaryRange{0, 0}, RotaryRange{0, 2 * pi}, RotaryRange{-2 * pi, 0}}) {
-        SetupOptions options;
-        options.limits.theta = sound;
-        EXPECT_NO_THROW(check_setup_options(options));
+        PoseFitOptions options;
+        options.limits.theta = good;
+        EXPECT_NO_THROW(check_pose_fit_options(options));
     }
 }
 

@@ -6,9 +6,7 @@
 namespace endmill {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
-TEST(PoseMeasure, IsWhatItsObjectiveSays)
+TEST(PoseMeasure, EvaluatesItsObjective)
 {
     const PoseRanges ranges{1.0, 0.5, 0.25};
     using enum SetupObjective;
@@ -45,40 +43,13 @@ TEST(PoseMeasure, ReachesATargetAtTheUsefulWidthAndHeight)
     }
 }
 
-TEST(RangeLimits, FollowTheFamily)
+TEST(PoseRanges, TakeTheWindowFromTheFirstRotaryAxis)
 {
-    const RotaryLimits limits{{-20 * degree, 130 * degree}, {-40 * degree, 100 * degree}};
-    const RangeLimits ca{RotaryFamily::CA, limits};
-    EXPECT_NEAR(ca.width, 140 * degree, 1e-15);
-    EXPECT_NEAR(ca.far, 130 * degree, 1e-15);
-    EXPECT_NEAR(ca.near, 20 * degree, 1e-15);
-    const RangeLimits ab{RotaryFamily::AB, limits};
-    EXPECT_NEAR(ab.width, 150 * degree, 1e-15);
-    EXPECT_NEAR(ab.far, 90 * degree, 1e-15);  // cut there
-    EXPECT_NEAR(ab.near, 40 * degree, 1e-15);
-}
-
-TEST(RangeLimits, HoldEitherTurnOfThePart)
-{
-    const RangeLimits limits{RotaryFamily::CA, {{-0.2, 1.0}, {-1, 1}}};
-    EXPECT_TRUE(limits.hold(1.0, 0.2));
-    EXPECT_TRUE(limits.hold(0.2, 1.0));
-    EXPECT_FALSE(limits.hold(0.3, 0.3));
-    EXPECT_FALSE(limits.hold(1.1, 0));
-    EXPECT_TRUE(limits.hold(1.0 + turn_tolerance / 2, 0));
-    EXPECT_GT(limits.widest(), limits.width);
-    EXPECT_NEAR(limits.highest(), 1.2, 1e-8);
-    EXPECT_NEAR(limits.farthest(), 1.0, 1e-8);
-}
-
-TEST(RangeLimits, LetTheLesserLevelRiseForTiltOnly)
-{
-    const RangeLimits limits{RotaryFamily::CA, {{-0.2, 1.0}, {-1, 1}}};
-    const PoseMeasure tilt{RotaryFamily::CA, SetupObjective::Tilt, 0.1};
-    EXPECT_TRUE(rises_freely(tilt, limits, 0.1, 0.5));
-    EXPECT_FALSE(rises_freely(tilt, limits, 0.3, 0.5));   // beyond the limits
-    EXPECT_FALSE(rises_freely(tilt, limits, 0.1, 0.05));  // it is the larger one
-    EXPECT_FALSE(rises_freely({}, limits, 0.1, 0.5));
+    const FittedPose fit{.pose = {}, .phi = {-0.2, 0.5}, .theta = {-0.4, 0.1}, .area = 0};
+    const PoseRanges ca = pose_ranges(RotaryFamily::CA, fit);
+    EXPECT_EQ(ca.width, 0.5);
+    EXPECT_EQ(ca.height(), 0.7);
+    EXPECT_EQ(pose_ranges(RotaryFamily::AB, fit).width, 0.7);
 }
 
 }  // namespace

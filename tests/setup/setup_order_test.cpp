@@ -28,8 +28,9 @@ TEST(SetupOrder, TakesTheLeastAreaThenTheLeastSumThenTheFirst)
     EXPECT_EQ(best.area(), 0.9);
 }
 
-// Three areas each equal to the next: which count is decided by the least one alone.
-TEST(SetupOrder, DoesNotHangOnWhatElseWasOffered)
+// Three areas, each equal to the next one. Only the least area decides which of them are
+// equal.
+TEST(SetupOrder, DoesNotDependOnOtherCandidates)
 {
     const SetupScore chain[] = {{1 + 1.6e-9, 3}, {1 + 0.8e-9, 4}, {1, 5}};
     Best all;
@@ -43,7 +44,7 @@ TEST(SetupOrder, DoesNotHangOnWhatElseWasOffered)
     EXPECT_EQ(last_two.best(), 'b');
 }
 
-TEST(SetupOrder, LeavesOutWhatIsBeyondItsBound)
+TEST(SetupOrder, LeavesOutCandidatesBeyondItsBound)
 {
     Best best{1};
     best.offer('a', {1.1, 1});
@@ -52,9 +53,9 @@ TEST(SetupOrder, LeavesOutWhatIsBeyondItsBound)
     EXPECT_EQ(best.best(), 'b');
 }
 
-// Five poses with areas that equal their neighbours' but not the least. Whatever the order of
-// the poses, each with the least area picked so far for its bound, as threads would have it:
-// the best is that of a search without bounds.
+// Five poses, with areas that equal those of their neighbours but not the least. The
+// poses are offered in every order, each with the least area so far as its bound, as
+// threads would do. The best is always that of a search without bounds.
 TEST(SetupOrder, IsTheSameForBoundsFromPosesInAnyOrder)
 {
     struct Offer {
@@ -119,7 +120,7 @@ TEST(SetupOrder, FitsRangesWithAndWithoutTheirSigns)
     EXPECT_EQ(turned(limits), (RotaryRange{-1, 0.5}));
 }
 
-TEST(SetupOrder, TellsHowManyAxesMove)
+TEST(SetupOrder, CountsTheMovingAxes)
 {
     FittedPose fit{};
     fit.phi = {0, 0};

@@ -20,14 +20,14 @@ Eigen::Matrix3d random_turn(test::Random& random)
         .toRotationMatrix();
 }
 
-// The machine's axes as a part sees them that is turned by `turn`.
+// The machine's axes in coordinates of a part that is turned by `turn`.
 SetupPose pose_of(const RotaryFrame& home, const Eigen::Matrix3d& turn)
 {
     return {turn.transpose() * home.tool_axis, turn.transpose() * home.r1_axis,
             turn.transpose() * home.r2_axis};
 }
 
-TEST(SetupTravel, APoseIsOneTurnOfThePart)
+TEST(PartToMachine, IsTheRotationThatThePoseWasMadeFrom)
 {
     test::Random random{1};
     for (const char* word : {"W/caBxyz/T", "W/xyzBcb/T", "W/aBbxyz/T", "W/baBxyz/T",
@@ -40,21 +40,19 @@ TEST(SetupTravel, APoseIsOneTurnOfThePart)
     EXPECT_THROW(part_to_machine({}, configuration_from_word("W/acxyBz/T")), DomainError);
 }
 
-TEST(SetupTravel, EachFacetHasItsCellOfLeastTurns)
+TEST(FacetReach, IsTheCellOfLeastTurnsOfEachFacet)
 {
     test::Random random{2};
     const SphereGrid grid = sphere_grid("hex:4");
     VisibilityMap map{70, grid.centres.size()};
     for (std::size_t i = 0; i < map.cells(); ++i)
-        for (std::size_t j = 1; j < map.facets(); ++j)  // facet 0 is reached from nowhere
+        for (std::size_t j = 1; j < map.facets(); ++j)  // no cell reaches facet 0
             if (random.uniform(0, 1) < 0.1)
                 map.column(i)[j / 64] |= std::uint64_t{1} << (j % 64);
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
-        const bool is_ca = family == RotaryFamily::CA;
-        const SetupPose pose = pose_of(
-            machine_frame(configuration_from_word(is_ca ? "W/caBxyz/T" : "W/abBxyz/T")),
-            random_turn(random));
-        const RotaryFrame frame{family, pose.tool_axis, pose.r1_axis, pose.r2_axis};
+        const MachineConfiguration configuration = configuration_of_family(family);
+        const RotaryFrame frame = pose_frame(
+            configuration, pose_of(machine_frame(configuration), random_turn(random)));
         const RotaryLimits limits{{-0.5, 1}, {-1, 0.7}};
         const auto reaches = facet_reach(map, grid.centres, frame, limits);
         EXPECT_FALSE(reaches[0]);
@@ -82,8 +80,28 @@ TEST(SetupTravel, EachFacetHasItsCellOfLeastTurns)
     }
 }
 
-// A head that turns about C and A moves the tip about the pivot: of a point reached straight
-// down and at 90 degrees the tip's machine position differs by the arm's length.
+// Facet 0 is reached, facet 1 has no area, and facet 2 is reached or has an empty cone.
+TEST(ReachedPoints, AreCentroidsUnlessAFacetWithAnAreaIsMissed)
+{
+    const TriangleMesh part{{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}},
+                            {{0, 1, 2}, {0, 0, 1}, {0, 1, 3}}};
+    const std::vector<Vec3> centres{Vec3::UnitZ(), Vec3::UnitX()};
+    const RotaryFrame frame = machine_frame(configuration_of_family(RotaryFamily::CA));
+    PartVisibility visibility{VisibilityMap{3, 2}, {1}};
+    visibility.map.column(0)[0] = 0b001;
+    EXPECT_FALSE(reached_points(part, visibility, centres, frame, {}));
+    visibility.map.column(1)[0] = 0b100;
+    const auto reached = reached_points(part, visibility, centres, frame, {});
+    ASSERT_TRUE(reached);
+    EXPECT_EQ(reached->points, (std::vector<Vec3>{{1, 1, 0}, {1, 0, 1}}));
+    EXPECT_EQ(reached->angles[0].phi, 0);
+    EXPECT_NEAR(std::abs(reached->angles[1].phi), std::numbers::pi / 2, 1e-15);
+    EXPECT_FALSE(reached_points(part, visibility, centres, frame, {{-1, 1}, {-1, 1}}));
+}
+
+// A head that turns about C and A moves the tip about the pivot. The positions for a
+// point that is reached straight down and at 90 degrees differ by the length of the arm,
+// pivot plus tool.
 TEST(SetupTravel, FollowsTheArmOfAHead)
 {
     Machine machine{.configuration = configuration_from_word("W/xyzBca/T"), .pivot = 150};
@@ -95,7 +113,7 @@ TEST(SetupTravel, FollowsTheArmOfAHead)
     EXPECT_LT((travel.low - Vec3{5, 2 - 200, 3 - 200}).norm(), 1e-12);
     EXPECT_LT((travel.high - Vec3{5, 2, 3}).norm(), 1e-12);
     EXPECT_TRUE(travel.is_within);
-    // The middle of X is 0; Y and Z are not limited and are centred about 0.
+    // The middle of X is 0. Y and Z have no limits and are centred about 0.
     EXPECT_LT((travel.centred_clamp - Vec3{-1, -2 + 100, -3 + 100}).norm(), 1e-12);
 }
 

@@ -7,14 +7,22 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/setup/detail/feasible_turns.h"
 #include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"
-#include "plain_reach.h"
 #include "random_maps.h"
 #include "teapot.h"
+#include "turns_by_angles.h"
 
 namespace endmill {
 namespace {
+
+const RotaryReach three_axes{.configuration = configuration_from_word("W/xyBz/T")};
+
+RotaryReach reach_of(RotaryFamily family, const RotaryLimits& limits = {})
+{
+    return {.configuration = configuration_of_family(family), .limits = limits};
+}
 
 VisibilityMap teapot_map(const SphereGrid& grid, double incidence_deg)
 {
@@ -23,7 +31,7 @@ VisibilityMap teapot_map(const SphereGrid& grid, double incidence_deg)
     return part_visibility(test::teapot(), grid.centres, options).map;
 }
 
-// What the setups list is reached, once each, and nothing that could be is missing.
+// Every facet appears once: in one of the setups, or as uncovered.
 void expect_partition(const SetupCover& cover, std::size_t facets)
 {
     std::set<std::size_t> seen;
@@ -33,26 +41,26 @@ void expect_partition(const SetupCover& cover, std::size_t facets)
     EXPECT_EQ(seen.size() + cover.uncovered.size(), facets);
 }
 
-// Source: spec of the five-axis setup, 9.18.
-TEST(Setups, TeapotByDirectionsAloneNeedsFourFiveAndSeven)
+// Source: docs/mathematics/five-axis-setup.md, section 9 (9.18).
+TEST(SeveralSetups, ReachTheTeapotFromFourFiveAndSevenDirections)
 {
     const SphereGrid grid = sphere_grid("hex:10");
     const std::vector<std::pair<double, std::size_t>> counts{{90, 4}, {80, 5}, {60, 7}};
     for (const auto& [incidence_deg, count] : counts) {
         const VisibilityMap map = teapot_map(grid, incidence_deg);
-        const SetupCover cover = greedy_setups(map, grid.centres, {.axes = 3}, 20);
+        const SetupCover cover = greedy_setups(map, grid.centres, three_axes, 20);
         EXPECT_EQ(cover.setups.size(), count) << incidence_deg;
         EXPECT_TRUE(cover.uncovered.empty());
         expect_partition(cover, 288);
     }
 }
 
-TEST(Setups, OfFiveAxesOneDoesWithoutLimitsAndMoreWithThem)
+TEST(SeveralSetups, AreOneWithFiveAxesWithoutLimitsAndMoreWithThem)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     const VisibilityMap map = teapot_map(grid, 90);
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
-        SetupReach reach{.family = family};
+        RotaryReach reach = reach_of(family);
         EXPECT_EQ(greedy_setups(map, grid.centres, reach, 20).setups.size(), 1U);
         reach.limits = {{-0.6, 0.6}, {-0.4, 0.4}};
         const SetupCover several = greedy_setups(map, grid.centres, reach, 20);
@@ -68,24 +76,25 @@ TEST(Setups, OfFiveAxesOneDoesWithoutLimitsAndMoreWithThem)
     }
 }
 
-// The bottomless teapot is machinable about the axis from spout to handle with 156 degrees.
-TEST(Setups, AMachineOfFourAxesReachesAsMuchAsItsArc)
+// The teapot has no bottom. A four-axis machine reaches all of it with 156 degrees about
+// the axis from spout to handle.
+TEST(SeveralSetups, WithFourAxesReachWhatTheArcReaches)
 {
     const SphereGrid grid = sphere_grid("hex:10");
     const VisibilityMap map = teapot_map(grid, 90);
-    SetupReach reach{.axes = 4};
-    reach.limits.phi = {-1.37, 1.37};  // 78.5 degrees either way
+    RotaryReach reach{.configuration = configuration_from_word("W/aBxyz/T")};
+    reach.limits.phi = {-1.37, 1.37};  // 78.5 degrees to either side
     const SetupCover one = greedy_setups(map, grid.centres, reach, 1);
     EXPECT_TRUE(one.uncovered.empty());
     reach.limits.phi = {-0.1, 0.1};
     EXPECT_FALSE(greedy_setups(map, grid.centres, reach, 1).uncovered.empty());
 }
 
-TEST(Setups, AreTheSameOnAnyNumberOfThreads)
+TEST(SeveralSetups, AreTheSameOnAnyNumberOfThreads)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     const VisibilityMap map = teapot_map(grid, 80);
-    const SetupReach reach{.limits = {{-0.5, 0.5}, {-0.5, 0.5}}};
+    const RotaryReach reach = reach_of(RotaryFamily::CA, {{-0.5, 0.5}, {-0.5, 0.5}});
     const SetupCover all = greedy_setups(map, grid.centres, reach, 10);
     set_thread_count(1);
     const SetupCover one = greedy_setups(map, grid.centres, reach, 10);
@@ -107,17 +116,17 @@ std::set<std::size_t> with_a_cone(const VisibilityMap& map)
     return facets;
 }
 
-// Of the rest.
+// The facets of `rest` that the machine reaches.
 std::vector<std::size_t> reached_by(const RotaryFrame& frame, const VisibilityMap& map,
                                     std::span<const Vec3> centres,
-                                    const SetupReach& reach,
+                                    const RotaryReach& reach,
                                     const std::set<std::size_t>& rest)
 {
     std::set<std::size_t> reached;
     for (std::size_t cell = 0; cell < map.cells(); ++cell) {
-        const bool is_taken =
-            centres[cell] == frame.tool_axis ||
-            (reach.axes > 3 && test::takes(reach, frame, centres[cell]));
+        const bool is_taken = centres[cell] == frame.tool_axis ||
+                              (!reach.configuration.rotary.empty() &&
+                               test::takes(reach, frame, centres[cell]));
         for (const std::size_t facet : rest)
             if (is_taken && map.is_accessible(facet, cell))
                 reached.insert(facet);
@@ -125,9 +134,9 @@ std::vector<std::size_t> reached_by(const RotaryFrame& frame, const VisibilityMa
     return {reached.begin(), reached.end()};
 }
 
-// The rule as it is written: every candidate counted anew for every setup.
+// The greedy rule without shortcuts: every candidate is counted anew for every setup.
 SetupCover plain_greedy(const VisibilityMap& map, std::span<const Vec3> centres,
-                        const SetupReach& reach, std::size_t most)
+                        const RotaryReach& reach, std::size_t most)
 {
     std::set<std::size_t> rest = with_a_cone(map);
     SetupCover cover;
@@ -159,12 +168,13 @@ void expect_equal(const SetupCover& found, const SetupCover& expected)
     }
 }
 
-TEST(Setups, AreThoseOfThePlainRule)
+TEST(SeveralSetups, AreThoseOfTheRuleWithoutShortcuts)
 {
     test::Random random{21};
     const SphereGrid grid = sphere_grid("hex:1");
-    for (const SetupReach& reach : test::reaches()) {
-        // No cell opposite to another, where the turn of C is a matter of rounding.
+    for (const RotaryReach& reach : test::reaches()) {
+        // No cell is opposite to another one, where the turn of C is a result of
+        // rounding.
         const std::vector<Vec3> centres(grid.centres.begin(), grid.centres.begin() + 6);
         const auto facets = static_cast<std::size_t>(random.uniform(1, 80));
         const VisibilityMap map = test::random_caps(facets, centres, random);
@@ -175,41 +185,42 @@ TEST(Setups, AreThoseOfThePlainRule)
     const SphereGrid finer = sphere_grid("hex:2");
     const VisibilityMap map = test::random_caps(150, finer.centres, random);
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
-        const SetupReach reach{.family = family, .limits = {{-0.3, 0.5}, {-0.4, 0.2}}};
+        const RotaryReach reach = reach_of(family, {{-0.3, 0.5}, {-0.4, 0.2}});
         expect_equal(greedy_setups(map, finer.centres, reach, 9),
                      plain_greedy(map, finer.centres, reach, 9));
     }
 }
 
-TEST(Setups, TellHowFarTheyAre)
+TEST(SeveralSetups, ReportProgress)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     const VisibilityMap map = teapot_map(grid, 80);
     std::size_t setup = 0;
     std::size_t tried = 0;
-    const auto note = [&](const SetupsProgress& now) {
+    const auto note = [&](const SetupCoverProgress& now) {
         EXPECT_TRUE(now.setup == setup ? now.tried > tried : now.setup == setup + 1);
         EXPECT_LE(now.tried, now.axes);
         setup = now.setup;
         tried = now.tried;
     };
-    const SetupCover cover = greedy_setups(map, grid.centres, {.axes = 3}, 20, note);
+    const SetupCover cover = greedy_setups(map, grid.centres, three_axes, 20, note);
     EXPECT_EQ(setup, cover.setups.size());
-    const auto stop = [](const SetupsProgress&) { throw LimitError{"enough"}; };
-    EXPECT_THROW(greedy_setups(map, grid.centres, {.axes = 3}, 20, stop), LimitError);
+    const auto stop = [](const SetupCoverProgress&) { throw LimitError{"enough"}; };
+    EXPECT_THROW(greedy_setups(map, grid.centres, three_axes, 20, stop), LimitError);
 }
 
-TEST(Setups, LeaveOutWhatNothingReaches)
+TEST(SeveralSetups, LeaveOutEmptyCones)
 {
     const SphereGrid grid = sphere_grid("hex:1");
     VisibilityMap map{3, grid.centres.size()};
     map.column(2)[0] = 0b101;
-    const SetupCover cover = greedy_setups(map, grid.centres, {.axes = 3}, 5);
+    const SetupCover cover = greedy_setups(map, grid.centres, three_axes, 5);
     ASSERT_EQ(cover.setups.size(), 1U);
     EXPECT_EQ(cover.setups[0].facets, (std::vector<std::size_t>{0, 2}));
     EXPECT_TRUE(cover.uncovered.empty());
+    const RotaryReach invalid{.configuration = configuration_from_word("W/cxyBz/T")};
     EXPECT_THROW(greedy_setups(map, {}, {}, 1), DomainError);
-    EXPECT_THROW(greedy_setups(map, grid.centres, {.axes = 2}, 1), DomainError);
+    EXPECT_THROW(greedy_setups(map, grid.centres, invalid, 1), DomainError);
     EXPECT_THROW(greedy_setups(map, grid.centres, {}, 0), DomainError);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/setup/spherical_hull.h"
+#include "endmill/setup/detail/spherical_hull.h"
 
 #include <algorithm>
 #include <tuple>
@@ -18,7 +18,7 @@ using test::directions;
 using test::Random;
 using test::up;
 
-// The same cycle, begun at its least vertex.
+// The same cycle, starting at its least vertex.
 std::vector<Vec3> from_least(std::vector<Vec3> hull)
 {
     const auto before = [](const Vec3& a, const Vec3& b) {
@@ -34,7 +34,8 @@ bool has(const std::vector<Vec3>& hull, const Vec3& v)
     return std::find(hull.begin(), hull.end(), v) != hull.end();
 }
 
-// Whether all points lie left of every edge of the hull, in the plane facing +Z.
+// Tests whether all points lie to the left of every edge of the hull, in the plane facing
+// +Z.
 void expect_inside(const std::vector<Vec3>& hull, const std::vector<Vec3>& points,
                    HullProjection projection)
 {
@@ -76,8 +77,8 @@ TEST(SphericalHull, HasAllDirectionsOnTheLeftOfEachEdge)
     }
 }
 
-// Turning everything together must not change which directions are vertices; the exact signs
-// are then those of other doubles.
+// A rotation of all directions must not change which of them are vertices, although the
+// exact signs are those of other doubles.
 TEST(SphericalHull, TurnsWithItsDirections)
 {
     Random random{9};
@@ -102,7 +103,7 @@ TEST(SphericalHull, TurnsWithItsDirections)
     }
 }
 
-TEST(SphericalHull, HasTheToolAxisForAVertexWhereAllLieOnOneSide)
+TEST(SphericalHull, HasTheToolAxisAsAVertexIfAllDirectionsLieOnOneSide)
 {
     const auto points = directions({{0, 30}, {40, 50}, {90, 20}});
     for (const auto& hull : {spherical_hull(up, points, HullProjection::Gnomonic),
@@ -115,7 +116,7 @@ TEST(SphericalHull, HasTheToolAxisForAVertexWhereAllLieOnOneSide)
 
 TEST(SphericalHull, IsALineForDirectionsOnOneGreatCircleThroughTheToolAxis)
 {
-    // Exactly in the plane y = 0, whatever the rounding.
+    // Exactly in the plane y = 0.
     const std::vector<Vec3> points{
         {0.1, 0, 0.9}, {0.5, 0, 0.3}, {-0.3, 0, 0.7}, {0.2, 0, 1.8}};
     for (const auto& hull : {spherical_hull(up, points, HullProjection::Gnomonic),
@@ -131,7 +132,7 @@ TEST(SphericalHull, IsALineForDirectionsOnOneGreatCircleThroughTheToolAxis)
 
 TEST(SphericalHull, TakesTheFartherOfCollinearDirections)
 {
-    // A triangle with directions on its edges and copies of its corners.
+    // A triangle, directions on its edges, and copies of its corners.
     const std::vector<Vec3> corners{{0.5, 0, 1}, {-0.25, 0.5, 1}, {-0.25, -0.5, 1}};
     std::vector<Vec3> points = corners;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -160,7 +161,7 @@ TEST(SphericalHull, KeepsItsShapeWithDuplicatesOneTrillionthApart)
     }
 }
 
-TEST(SphericalHull, OfNothingIsTheToolAxis)
+TEST(SphericalHull, IsTheToolAxisWithoutDirections)
 {
     for (const auto& hull :
          {spherical_hull(up, {}, HullProjection::Gnomonic),
@@ -186,7 +187,7 @@ TEST(SphericalHull, NeedsAnOpenHemisphereInTheGnomonicProjectionOnly)
                  DomainError);
 }
 
-TEST(SphericalHull, MeasuresByVectorsExactlyPerpendicular)
+TEST(SphericalHull, UsesExactlyPerpendicularVectors)
 {
     Random random{11};
     for (int i = 0; i < 100; ++i) {

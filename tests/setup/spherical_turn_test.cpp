@@ -10,8 +10,8 @@ namespace {
 
 using test::Random;
 
-// Coordinates that are multiples of 2^-18 below 1, so that determinants have at most 61 bits
-// and are exact in a long double.
+// Coordinates are multiples of 2^-18 below 1. Determinants then have at most 61 bits and
+// are exact in a long double.
 Vec3 coarse_vector(Random& random)
 {
     const auto coordinate = [&random] {
@@ -43,7 +43,7 @@ TEST(SphericalTurn, IsTheSignOfTheDeterminantWhereThatIsExact)
         const Vec3 p = coarse_vector(random);
         const Vec3 a = coarse_vector(random);
         const Vec3 b = coarse_vector(random);
-        // Nearly, or exactly, in the plane of the other two.
+        // Nearly or exactly in the plane of the other two vectors.
         Vec3 c = i % 5 == 0 ? b : Vec3{a + b};
         c[i % 3] += 0x1p-18 * (i % 2);
         EXPECT_EQ(turn_about(p, a, c), sign(determinant(p, a, c)));
@@ -56,9 +56,9 @@ TEST(SphericalTurn, IsTheSignOfTheDeterminantWhereThatIsExact)
     }
 }
 
-// 0.1 + 0.2 - 0.3 is not 0 in doubles, and neither is it for the exact sign; a multiple by a
-// power of two is.
-TEST(SphericalTurn, SeesTheLastBit)
+// 0.1 + 0.2 - 0.3 is not 0 in doubles, so that the exact sign is not 0 either. A vector
+// multiplied by a power of two is exactly collinear.
+TEST(SphericalTurn, DependsOnTheLastBit)
 {
     const Vec3 axis = Vec3::UnitZ();
     const Vec3 a{0.1, 0.7, 0.3};
@@ -72,14 +72,14 @@ TEST(SphericalTurn, SeesTheLastBit)
     EXPECT_EQ(order_along(axis, Vec3::UnitX(), a, right), -1);
 }
 
-TEST(SphericalTurn, TellsTheSideOfAGreatCircleExactly)
+TEST(SphericalTurn, DecidesTheSideOfAGreatCircleExactly)
 {
     const Vec3 axis{0.6, 0.8, 0.1};
     const Vec3 across{0.8, -0.6, 0.0};
     EXPECT_EQ(side_of(axis, {-axis.y(), axis.x(), 0}), 0);
     EXPECT_EQ(side_of(axis, {-axis.y(), axis.x(), 1e-300}), 1);
     EXPECT_EQ(side_of(axis, {-axis.y(), axis.x(), -1e-300}), -1);
-    // 0.6 * 0.8 rounds to the same twice, and so do the doubles' exact products.
+    // Both products 0.6 * 0.8 have the same factors, so that they are equal exactly too.
     EXPECT_EQ(side_of(axis, across), 0);
 }
 

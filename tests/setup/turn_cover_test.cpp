@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-// Cell by cell and cone by cone, over one tile and over several.
+// Counts are compared with a loop over cells and cones, for one tile and for several.
 TEST(TurnCover, CountsTheFacetsReachedFromEachTurn)
 {
     test::Random random{8};
@@ -47,7 +47,7 @@ TEST(TurnCover, CountsTheFacetsReachedFromEachTurn)
     }
 }
 
-TEST(TurnCover, OfNoConesHasNoTiles)
+TEST(TurnCover, HasNoTilesWithoutCones)
 {
     EXPECT_EQ(ConeTiles(DistinctCones{VisibilityMap{}}, {}).size(), 0U);
 }

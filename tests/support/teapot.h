@@ -10,7 +10,9 @@
 
 namespace endmill::test {
 
-/// The teapot of 288 triangles from the datasets.
+/// Reads the teapot of 288 triangles, datasets/meshes/teapot-288.off, in mm. It has no
+/// bottom, and its spout points to +x. The reader is independent of the module `files`,
+/// so that the tests of modules below it can use it.
 inline TriangleMesh teapot()
 {
     std::ifstream file{ENDMILL_SOURCE_DIR "/datasets/meshes/teapot-288.off"};

@@ -14,7 +14,7 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-// How far a point is from the cylinder, 0 inside.
+// Distance of a point from the cylinder, 0 inside.
 double distance(const SolidCylinder& cylinder, const Vec3& point)
 {
     const Vec3 offset = point - cylinder.start;
@@ -24,7 +24,8 @@ double distance(const SolidCylinder& cylinder, const Vec3& point)
                       std::max({0.0, cylinder.from - height, height - cylinder.to}));
 }
 
-// The least distance of points that lie all over the triangle, each within `spacing` of it.
+// Least distance of sample points of the triangle; every point of the triangle is within
+// `spacing` of a sample.
 double sampled_distance(const SolidCylinder& cylinder, const Corners& corners, int steps)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -42,7 +43,7 @@ double longest_side(const Corners& corners)
                      (corners[0] - corners[2]).norm()});
 }
 
-TEST(CylinderMeets, WhatSamplesOfTheTriangleSay)
+TEST(CylinderMeets, AgreesWithSamplesOfTheTriangle)
 {
     constexpr int steps = 60;
     test::Random random{11};
@@ -79,11 +80,11 @@ TEST(CylinderMeets, ATriangleThatTouchesIt)
     EXPECT_TRUE(meets(cylinder, {Vec3{2, 0, 3}, {3, 0, 4}, {3, 1, 4}}));  // rim, a corner
     EXPECT_FALSE(meets(cylinder, {Vec3{-9, -9, 0.99}, {9, -9, 0.99}, {0, 9, 0.99}}));
     EXPECT_FALSE(meets(cylinder, {Vec3{2.001, -9, 0}, {2.001, 9, 0}, {2.001, 0, 9}}));
-    // Near the capsule about the axis, but beside the flat end.
+    // Within the radius of the end of the axis, but outside of the flat end.
     EXPECT_FALSE(meets(cylinder, {Vec3{0, 0, 3.001}, {1, 0, 3.5}, {0, 1, 3.5}}));
 }
 
-TEST(CylinderMeets, ATriangleThroughWhichItGoes)
+TEST(CylinderMeets, ATriangleThatItPasses)
 {
     const SolidCylinder thin{{0.1, 0.2, -5}, {0, 0, 1}, 1e-3, 0, 10};
     const Corners corners{Vec3{-9, -9, 0}, {9, -9, 1}, {0, 9, 2}};
@@ -94,7 +95,7 @@ TEST(CylinderMeets, ATriangleThroughWhichItGoes)
     EXPECT_FALSE(meets(short_one, corners));
 }
 
-TEST(CylinderMayMeet, RulesNoContactOut)
+TEST(CylinderMayMeet, ExcludesNoContact)
 {
     test::Random random{12};
     const auto vector = [&] {

@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-TEST(FacetBoxes, AskEachFacetOnceIfNothingIsRuledOut)
+TEST(FacetBoxes, TestEachFacetOnceIfNoBoxIsExcluded)
 {
     const TriangleMesh part = test::torus_mesh(17, 9);
     std::vector<int> asked(part.triangles().size(), 0);
@@ -20,7 +20,8 @@ TEST(FacetBoxes, AskEachFacetOnceIfNothingIsRuledOut)
         EXPECT_EQ(times, 1);
 }
 
-// What a box rules out lies outside of it, and so no corner may be lost.
+// A box that excludes a point does not contain it, so that no facet with the point as a
+// corner is missed.
 TEST(FacetBoxes, FindTheOneFacetWithACorner)
 {
     const TriangleMesh part = test::torus_mesh(17, 9);
@@ -39,7 +40,7 @@ TEST(FacetBoxes, FindTheOneFacetWithACorner)
     }
 }
 
-TEST(FacetBoxes, MayBeOfNothing)
+TEST(FacetBoxes, MayBeEmpty)
 {
     const auto always = [](const auto&...) { return true; };
     EXPECT_FALSE(FacetBoxes{TriangleMesh{}}.any(always, always));

@@ -14,7 +14,7 @@
 namespace endmill {
 namespace {
 
-// Facets in whatever order, and some without an area.
+// Facets in random order, some of them without an area.
 TriangleMesh shuffled(const TriangleMesh& mesh, int without_area)
 {
     std::vector<Vec3> points{mesh.points().begin(), mesh.points().end()};
@@ -56,7 +56,7 @@ void expect_each_facet_once(const TriangleMesh& part)
         EXPECT_EQ(seen[facet], facets.has_area(facet) ? 1 : 0);
 }
 
-TEST(FacetGroups, HoldEachFacetThatHasAnAreaOnce)
+TEST(FacetGroups, ContainEachFacetWithAnAreaOnce)
 {
     expect_each_facet_once({});
     expect_each_facet_once(test::teapot());
@@ -65,8 +65,8 @@ TEST(FacetGroups, HoldEachFacetThatHasAnAreaOnce)
     expect_each_facet_once(TriangleMesh{{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}}});
 }
 
-// Eight facets of a square of 2 a^2 facets take the share 4 / a^2 of it, or little more.
-TEST(FacetGroups, AreOfFacetsNearEachOther)
+// A square has 2 a^2 facets. A group of eight covers 4 / a^2 of it, or slightly more.
+TEST(FacetGroups, ContainNeighbouringFacets)
 {
     constexpr int a = 40;
     const TriangleMesh part = shuffled(test::flat_mesh(a, a), 0);

@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-TEST(GridWord, TellsShapeFinenessAndCells)
+TEST(GridWord, HasShapeFinenessAndNumberOfCells)
 {
     EXPECT_EQ(grid_word("hex:10").kind, GridKind::Hex);
     EXPECT_EQ(grid_word("hex:10").cells, 1200);
@@ -23,7 +23,7 @@ TEST(GridWord, TellsShapeFinenessAndCells)
     EXPECT_EQ(bands.cells, 1200);
 }
 
-TEST(GridWord, RefusesWhatIsNone)
+TEST(GridWord, RefusesOtherNames)
 {
     for (const char* name :
          {"", "hex", "hex:", "hex:0", "hex:-1", "hex:1.5", "hex:1 ", "Hex:1", "ico:-1",

@@ -19,7 +19,7 @@ void make_accessible(VisibilityMap& map, std::size_t facet, std::size_t cell)
     map.column(cell)[facet / 64] |= std::uint64_t{1} << (facet % 64);
 }
 
-// By the definition: for each facet of Group II the accessible cell of the largest dot
+// The definition: for each facet of Group II the accessible cell of the largest dot
 // product, the lowest of those within 1e-12 of it.
 std::set<std::size_t> nearest_by_definition(const VisibilityMap& map,
                                             const std::vector<Vec3>& centres,
@@ -47,7 +47,7 @@ std::set<std::size_t> nearest_by_definition(const VisibilityMap& map,
 
 class NearestCells : public testing::TestWithParam<std::string> {};
 
-TEST_P(NearestCells, AreThoseOfTheDefinitionOnGridsFullOfTies)
+TEST_P(NearestCells, AgreeWithTheDefinitionOnGridsWithManyTies)
 {
     const SphereGrid grid = sphere_grid(GetParam());
     test::Random random{5};
@@ -75,7 +75,7 @@ TEST_P(NearestCells, AreThoseOfTheDefinitionOnGridsFullOfTies)
 INSTANTIATE_TEST_SUITE_P(OnEachKindOfGrid, NearestCells,
                          testing::Values("hex:4", "cube:3", "latlong:8x6", "ico:1"));
 
-TEST(NearestCells, AreNoneWhereThePoseReachesEverything)
+TEST(NearestCells, AreEmptyIfThePoseReachesEverything)
 {
     const SphereGrid grid = sphere_grid("hex:2");
     VisibilityMap map{65, grid.centres.size()};
@@ -85,9 +85,9 @@ TEST(NearestCells, AreNoneWhereThePoseReachesEverything)
     EXPECT_EQ(nearest_cells(map, grid.centres, 4), std::vector<std::size_t>{3});
 }
 
-// Two cells equally near to the pole but for rounding, on either side of a border between
-// classes of the dot product, 1 - 1 / 32: the lower one counts.
-TEST(NearestCells, TakeTheLowestOfEqualsAcrossAClass)
+// Two cells are equally near to the pole up to rounding, and lie in different classes of
+// the dot product, with the border 1 - 1 / 32. The lower cell counts.
+TEST(NearestCells, TakeTheLowestOfEqualCellsInDifferentClasses)
 {
     const double border = 1 - 1.0 / 32;
     const auto at = [](double dot, double azimuth) {

@@ -33,7 +33,7 @@ TEST(PartFacets, DropThoseWithoutAreaAndKeepTheirNumbers)
     EXPECT_TRUE(facets.has_area(3));
 }
 
-TEST(PartFacets, HoldForAnySize)
+TEST(PartFacets, AreAccurateForAnySize)
 {
     for (const double size : {1e-100, 1e-30, 1e30}) {
         const TriangleMesh part{{{0, 0, 0}, {3 * size, 0, 0}, {0, size, size}},

@@ -24,7 +24,7 @@ std::vector<NumberedPoint> random_points(int count, float width)
     return points;
 }
 
-TEST(PointCells, HoldEachPointOnceWhereItBelongs)
+TEST(PointCells, ContainEachPointOnceInItsCell)
 {
     for (const float width : {1.0F, 1e-3F, 0.0F}) {
         const std::vector<NumberedPoint> points = random_points(1003, width);
@@ -65,7 +65,7 @@ TEST(PointCells, AreAboutAsManyAsPoints)
     EXPECT_EQ(cells.points(), 0U);
 }
 
-TEST(PointCells, AreTheNearestBesideThem)
+TEST(PointCells, AreTheNearestForPlacesOutside)
 {
     PointCells cells;
     cells.sort(random_points(10000, 3));
@@ -76,7 +76,7 @@ TEST(PointCells, AreTheNearestBesideThem)
     EXPECT_NEAR(cells.row_at(0.0F), cells.rows() / 2.0, 1);
 }
 
-TEST(PointCells, LeaveNothingInPlacesWithoutAPoint)
+TEST(PointCells, HaveNoNumberInPlacesWithoutAPoint)
 {
     PointCells cells;
     for (const int count : {16, 11}) {

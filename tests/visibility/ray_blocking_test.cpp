@@ -42,7 +42,8 @@ Corners corners_of(const Next& next)
     return corners;
 }
 
-// Of `trials` random questions; returns how often something blocks.
+// Compares `trials` random rays with exact constructions. \return how many rays are
+// blocked.
 template <typename Next>
 int agreed_hits(int trials, const Next& next)
 {
@@ -60,22 +61,22 @@ int agreed_hits(int trials, const Next& next)
     return hits;
 }
 
-TEST(BlocksRay, SaysWhatExactConstructionsSayOfRandomNumbers)
+TEST(BlocksRay, AgreesWithExactConstructionsForRandomNumbers)
 {
     test::Random random{1};
     EXPECT_GT(agreed_hits(100000, [&] { return random.uniform(-1, 1); }), 5000);
 }
 
-TEST(BlocksRay, SaysWhatExactConstructionsSayOfTouchesAndCommonPlanes)
+TEST(BlocksRay, AgreesWithExactConstructionsForTouchesAndCommonPlanes)
 {
     test::Random random{2};
     EXPECT_GT(agreed_hits(100000, [&] { return std::round(random.uniform(-2, 2)); }),
               5000);
 }
 
-TEST(BlocksRay, SeesTheLastBitOfACorner)
+TEST(BlocksRay, DependsOnTheLastBitOfACorner)
 {
-    // The ray runs up at (1, 1), which lies on the facet's side from (0, 1) to (2, 1).
+    // The ray rises at (1, 1), a point of the facet's side from (0, 1) to (2, 1).
     const Corners from{Vec3{0, 0, 0}, {3, 0, 0}, {0, 3, 0}};
     const Vec3 up{0, 0, 1};
     EXPECT_TRUE(blocks_ray(from, up, {Vec3{0, 1, 1}, {2, 1, 1}, {1, 3, 1}}));
@@ -94,7 +95,7 @@ TEST(BlocksRay, BlocksAtTheStart)
         blocks_ray(from, {-1, 0, 1}, {Vec3{1, 1, -1e-300}, {5, 1, -1}, {5, 2, -1}}));
 }
 
-TEST(BlocksRay, HoldsForAnySize)
+TEST(BlocksRay, IsTheSameForAnySize)
 {
     const Corners from{Vec3{0, 0, 0}, {3, 0, 0}, {0, 3, 0}};
     const Corners facet{Vec3{0, 1, 1}, {2, 1, 1}, {1, 3, 1}};
@@ -110,9 +111,9 @@ TEST(BlocksRay, HoldsForAnySize)
     }
 }
 
-// Powers of two change no digit, and the largest of these no answer, though products of the
-// corners leave the range of a double.
-TEST(BlocksRay, IsNotMisledWhereProductsOverflow)
+// Scaling by a power of two changes no digit of the coordinates. The answer must stay the
+// same even if products of coordinates overflow.
+TEST(BlocksRay, IsRightIfProductsOverflow)
 {
     test::Random random{3};
     const auto next = [&] { return random.uniform(-1, 1); };

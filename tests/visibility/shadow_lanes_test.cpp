@@ -19,8 +19,8 @@ Eigen::Vector3f random_place(test::Random& random)
     return {next(), next(), next()};
 }
 
-// How far a point is inside a triangle's outline, and below it along z, in doubles; negative
-// outside or above.
+// Distance of a point inside a triangle's outline, and its depth below the triangle along
+// z, in doubles. Negative outside or above.
 double insideness(const std::array<Eigen::Vector3f, 3>& corners,
                   const Eigen::Vector3f& point)
 {
@@ -37,7 +37,7 @@ double insideness(const std::array<Eigen::Vector3f, 3>& corners,
     return least;
 }
 
-TEST(EightShadows, FallOnWhatTheyCoverAndLieAbove)
+TEST(ShadowLanes, CoverPointsInsideTheirOutlineAndBelowTheirPlane)
 {
     test::Random random{8};
     std::vector<NumberedPoint> points;
@@ -46,7 +46,7 @@ TEST(EightShadows, FallOnWhatTheyCoverAndLieAbove)
         points.push_back({random_place(random), 100 + k});
     PointCells cells;
     cells.sort(points);
-    EightShadows shadows;
+    ShadowLanes shadows;
     std::vector<std::array<Eigen::Vector3f, 3>> triangles;
     for (int lane = 0; lane < float_lanes; ++lane) {
         triangles.push_back(
@@ -57,8 +57,8 @@ TEST(EightShadows, FallOnWhatTheyCoverAndLieAbove)
                 shadows.corner[k][axis][lane] = triangles.back()[k][axis];
     }
     prepare_shadows(shadows, accuracy);
-    Darkness darkness{std::vector<std::uint8_t>(cells.blocks().size(), 0), {}};
-    darken(shadows, cells, darkness);
+    CoveredPoints covered{std::vector<std::uint8_t>(cells.blocks().size(), 0), {}};
+    mark_covered(shadows, cells, covered);
     int dark = 0;
     for (std::size_t place = 0; place < points.size(); ++place) {
         const NumberedPoint& point = points[cells.number_at(place) - 100];
@@ -66,33 +66,33 @@ TEST(EightShadows, FallOnWhatTheyCoverAndLieAbove)
         for (const auto& triangle : triangles)
             most = std::max(most, insideness(triangle, point.place));
         if (std::abs(most) > 1e-4) {
-            EXPECT_EQ(darkness.is_dark(place), most > 0);
+            EXPECT_EQ(covered.is_covered(place), most > 0);
         }
-        dark += darkness.is_dark(place) ? 1 : 0;
+        dark += covered.is_covered(place) ? 1 : 0;
     }
     EXPECT_GT(dark, 50);
-    EXPECT_LT(darkness.doubts.size(), 5U);
+    EXPECT_LT(covered.uncertain.size(), 5U);
 }
 
-// The upright facet covers no area; the flat one has its side above the point.
-TEST(EightShadows, LeaveDoubtOnSidesAndOfUprightFacets)
+// The upright facet covers no area; a side of the flat facet passes above the point.
+TEST(ShadowLanes, AreUncertainOnSidesAndForUprightFacets)
 {
     const std::vector<NumberedPoint> points{{{0, 0, -0.5F}, 7}};
     PointCells cells;
     cells.sort(points);
-    EightShadows shadows;
+    ShadowLanes shadows;
     shadows.facet = {3, 4, 7, 7, 7, 7, 7, 7};
     shadows.corner[0] = {{{-0.2F, -0.2F, -0.2F}, {}, {}}};
     shadows.corner[1] = {{{0.2F, 0.2F, 0.2F}, {}, {}}};
     shadows.corner[2] = {{{0.1F, 0.1F, 0.1F}, {0, 0.3F, 0.3F}, {0.4F, 0, 0}}};
     prepare_shadows(shadows, accuracy);
-    Darkness darkness{{0}, {}};
-    darken(shadows, cells, darkness);
-    EXPECT_FALSE(darkness.is_dark(0));
-    ASSERT_EQ(darkness.doubts.size(), 2U);  // and no facet darkens its own point
-    EXPECT_EQ(darkness.doubts[0].facet, 3);
-    EXPECT_EQ(darkness.doubts[1].facet, 4);
-    EXPECT_EQ(darkness.doubts[1].place, 0U);
+    CoveredPoints covered{{0}, {}};
+    mark_covered(shadows, cells, covered);
+    EXPECT_FALSE(covered.is_covered(0));
+    ASSERT_EQ(covered.uncertain.size(), 2U);  // a facet does not cover its own point
+    EXPECT_EQ(covered.uncertain[0].facet, 3);
+    EXPECT_EQ(covered.uncertain[1].facet, 4);
+    EXPECT_EQ(covered.uncertain[1].place, 0U);
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ bool is_blocked(const TriangleMesh& part, const PartFacets& facets, std::size_t 
     return false;
 }
 
-// Every facet in question along each direction, whichever way it faces, against one pair
-// after the other.
+// Compares the raster with exact tests of all pairs of facets, for all facets and
+// directions.
 void expect_same_shadows(const TriangleMesh& part, const std::vector<Vec3>& directions)
 {
     const PartFacets facets = part_facets(part);
@@ -114,7 +114,7 @@ TEST(ShadowRaster, FindsTheShadowsOfParts)
     expect_same_shadows({}, some_directions());
 }
 
-TEST(ShadowRaster, FindsThemWhereverThePartIsAndHoweverLarge)
+TEST(ShadowRaster, IsExactForAnyPositionAndSizeOfThePart)
 {
     const TriangleMesh torus = test::torus_mesh(6, 4);
     for (const auto& [size, shift] :

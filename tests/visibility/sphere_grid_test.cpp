@@ -19,7 +19,7 @@ constexpr double degree = std::numbers::pi / 180;
 
 using Polygon = std::vector<Eigen::Vector2d>;
 
-// The part of a polygon where line . (u, v, 1) >= 0.
+// The part of a polygon with line . (u, v, 1) >= 0.
 Polygon clipped(const Polygon& polygon, const Vec3& line)
 {
     Polygon kept;
@@ -36,8 +36,9 @@ Polygon clipped(const Polygon& polygon, const Vec3& line)
     return kept;
 }
 
-// The largest angle from any direction to the nearest centre, by the Voronoi cell of each
-// centre in the plane that touches the sphere there.
+// The cover radius: the largest angle from a direction to the nearest centre. It is
+// computed from the Voronoi cell of each centre in the plane that touches the sphere
+// there.
 double cover_radius(const std::vector<Vec3>& centres)
 {
     double tangent = 0;
@@ -109,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Section81, SphereGridOfTheTable,
                                          PrintedGrid{"ico:3", 1280, 1.29, 5.32},
                                          PrintedGrid{"ico:4", 5120, 1.30, 2.72}));
 
-TEST(SphereGrid, PutsTheCellsOfTheBipyramidInTheirOrder)
+TEST(SphereGrid, OrdersTheCellsOfTheBipyramid)
 {
     const SphereGrid grid = sphere_grid("hex:10");
     std::size_t number = 0;
@@ -137,7 +138,7 @@ TEST(SphereGrid, PutsTheCellsOfTheBipyramidInTheirOrder)
     EXPECT_EQ(number, 600U);
 }
 
-TEST(SphereGrid, GoesThroughTheCubeFaceByFace)
+TEST(SphereGrid, OrdersTheCellsOfTheCubeByFaces)
 {
     const SphereGrid grid = sphere_grid("cube:10");
     const auto corner = [](int axis, int sign, int a, int b) {
@@ -159,7 +160,7 @@ TEST(SphereGrid, GoesThroughTheCubeFaceByFace)
     }
 }
 
-TEST(SphereGrid, GoesThroughBandsFromTheNorthPole)
+TEST(SphereGrid, OrdersBandsFromTheNorthPole)
 {
     const SphereGrid grid = sphere_grid("latlong:4x3");
     ASSERT_EQ(grid.cells.size(), 16U);
@@ -168,7 +169,7 @@ TEST(SphereGrid, GoesThroughBandsFromTheNorthPole)
         EXPECT_LT(grid.centres[4 + 2 * j].z(), -0.15);
         EXPECT_GT(grid.centres[5 + 2 * j].z(), 0.15);
         EXPECT_LT(grid.centres[12 + j].z(), -0.8);
-        // Two corners at one azimuth and one at the next, or a pole and two.
+        // Two corners at one azimuth and one at the next, or a pole and two corners.
         const double turned = 45 - std::atan(0.5) / degree;
         for (const int number : {j, 4 + 2 * j, 5 + 2 * j, 12 + j}) {
             const double azimuth =
@@ -180,7 +181,7 @@ TEST(SphereGrid, GoesThroughBandsFromTheNorthPole)
     }
 }
 
-TEST(SphereGrid, RefusesOtherWords)
+TEST(SphereGrid, RefusesOtherNames)
 {
     for (const char* name : {"",
                              "hex",

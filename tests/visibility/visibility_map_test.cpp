@@ -39,7 +39,7 @@ TEST(VisibilityMap, MayBeEmpty)
     EXPECT_EQ((VisibilityMap{0, 5}.column(4).size()), 0U);
 }
 
-TEST(VisibilityMap, SaysWhereThereIsNoMemory)
+TEST(VisibilityMap, ReportsMissingMemory)
 {
     constexpr std::size_t many = std::size_t{1} << 31;
     EXPECT_THROW((VisibilityMap{many, many}), LimitError);

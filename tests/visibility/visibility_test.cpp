@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Section82, VisibilityOfTheTeapot,
                                          PrintedCount{80, 124185, 142284},
                                          PrintedCount{60, 75761, 85324}));
 
-// A facet around `centre` of the size `size` that faces `normal`.
+// A facet with the centroid `centre`, the size `size` and the normal `normal`.
 TriangleMesh small_facet(const Vec3& centre, const Vec3& normal, double size)
 {
     const Vec3 u = size * normal.unitOrthogonal();
@@ -69,7 +69,7 @@ TriangleMesh quadrangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3&
     return {{a, b, c, d}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
-// The side of a cylinder or prism around z, from z = 0 to `height`.
+// The side of a prism around z, from z = 0 to `height`.
 TriangleMesh wall(int sides, double radius, double first_azimuth, double height)
 {
     return test::grid_mesh(sides, 1, [&](int i, int j) {
@@ -80,7 +80,7 @@ TriangleMesh wall(int sides, double radius, double first_azimuth, double height)
 
 struct ClosedForm {
     const char* name;
-    TriangleMesh part;  // whose facet 0 has the cone
+    TriangleMesh part;  // the cone is that of facet 0
     double fraction;
 };
 
@@ -93,7 +93,7 @@ std::vector<ClosedForm> closed_forms()
     const auto ball = [&](double distance) {
         const SphereGrid sphere = sphere_grid("ico:3");
         std::vector<Vec3> points = sphere.corners;
-        for (Vec3& point : points)  // the triangles lie inside by 0.0016 on average
+        for (Vec3& point : points)  // inscribed triangles are 0.0016 too close on average
             point = 1.0016 * point + Vec3{distance, 0, 1};
         return test::both(floor, {std::move(points), sphere.cells});
     };
@@ -106,7 +106,7 @@ std::vector<ClosedForm> closed_forms()
                                                {side * x, 1e3, z}, {side * x, -1e3, z}));
         return part;
     };
-    // In the inner edge: next to it, between the planes z = 0 and x = 0.
+    // A facet close to the inner edge of the planes z = 0 and x = 0.
     TriangleMesh corner = small_facet({1e-4, 0, 1e-4}, {1, 0, 1}, 1e-6);
     corner = test::both(corner, quadrangle({0, -9, 0}, {9, -9, 0}, {9, 9, 0}, {0, 9, 0}));
     corner = test::both(corner, quadrangle({0, -9, 0}, {0, 9, 0}, {0, 9, 9}, {0, -9, 9}));
@@ -120,7 +120,7 @@ std::vector<ClosedForm> closed_forms()
             {"inner edge", corner, 0.25}};
 }
 
-// Turned so that no symmetry of a grid lies along the border of a cone.
+// The part is turned so that no plane of symmetry of a grid touches the border of a cone.
 TriangleMesh turned(const TriangleMesh& part)
 {
     const Eigen::AngleAxisd turn{0.4, Vec3{1, 2, 3}.normalized()};
@@ -191,7 +191,7 @@ TEST(PartVisibility, DropsFacetsWithoutArea)
     EXPECT_TRUE(empty_cones(visibility).empty());
 }
 
-TEST(PartVisibility, NamesFacetsThatNothingReaches)
+TEST(PartVisibility, ListsEmptyCones)
 {
     const TriangleMesh floor = small_facet({0, 0, 0}, {0, 0, 1}, 1);
     const TriangleMesh lid = small_facet({0, 0, 1e-9}, {0, 0, 1}, 1e3);
@@ -215,7 +215,7 @@ TEST(PartVisibility, DoesNotDependOnTheThreads)
             std::ranges::equal(answers[0].map.column(cell), answers[1].map.column(cell)));
 }
 
-TEST(PartVisibility, CountsTheDirectionsThatAreDone)
+TEST(PartVisibility, ReportsTheNumberOfFinishedDirections)
 {
     const SphereGrid grid = sphere_grid("hex:2");
     std::size_t last = 0;
@@ -228,7 +228,7 @@ TEST(PartVisibility, CountsTheDirectionsThatAreDone)
                  std::runtime_error);
 }
 
-TEST(PartVisibility, RefusesWhatIsOutsideItsDomain)
+TEST(PartVisibility, RefusesArgumentsOutsideItsDomain)
 {
     const TriangleMesh part = test::flat_mesh(1, 1);
     const std::vector<Vec3> long_one{{0, 0, 2}};

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "endmill/core/angle.h"
-#include "endmill/setup/best_setup.h"
+#include "endmill/setup/setup.h"
 #include "support/setup_cells.h"
 
 namespace endmill {
@@ -20,6 +19,12 @@ struct SearchBar {
     double at_most_s;
 };
 
+/// A machine of the family, without limits.
+inline RotaryReach family_reach(const std::string& family)
+{
+    return {.configuration = configuration_of_family(family_of_word(family))};
+}
+
 /// The search over the tool axes at cells, without limits.
 inline SearchBar at_cells(const std::string& family, const std::string& mode,
                           double incidence_deg, double at_most_s)
@@ -27,7 +32,7 @@ inline SearchBar at_cells(const std::string& family, const std::string& mode,
     const auto incidence = std::to_string(std::lround(incidence_deg));
     return {mode + ", " + family + ", " + incidence,
             Angle::degrees(incidence_deg),
-            {.family = family_of_word(family), .mode = mode_of_word(mode)},
+            {.reach = family_reach(family), .mode = mode_of_word(mode)},
             at_most_s};
 }
 
@@ -39,8 +44,8 @@ inline SearchBar over_cones(const std::string& family, const std::string& object
     const auto percent = std::to_string(std::lround(100 * gap));
     return {"set, " + objective + " to " + percent + " %, " + family + ", " + incidence,
             Angle::degrees(incidence_deg),
-            {.family = family_of_word(family),
-             .mode = std::nullopt,
+            {.reach = family_reach(family),
+             .mode = SetupMode::WholeCones,
              .objective = objective_of_word(objective),
              .gap = gap},
             at_most_s};

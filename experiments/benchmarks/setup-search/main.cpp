@@ -24,15 +24,15 @@ int main(int argc, char** argv)
         for (const SearchBar& bar : all) {
             const StudiedPart part = studied_part(teapot, grid, bar.incidence);
             add_benchmark(bar.name, [part, request = bar.request] {
-                return best_setup(part.grid, part.visibility.map, request).objective;
+                return five_axis_setup(part.grid, part.visibility.map, request).objective;
             });
         }
         const ShortestTimes times = shortest_times();
         CsvTable result{{"row", "measured", "unit", "bar_at_most", "proved_percent"}};
         for (const SearchBar& bar : all) {
             const StudiedPart part = studied_part(teapot, grid, bar.incidence);
-            const BestSetup best =
-                best_setup(part.grid, part.visibility.map, bar.request);
+            const PartSetup best =
+                five_axis_setup(part.grid, part.visibility.map, bar.request);
             CsvCell proved;
             if (best.lower_bound)
                 proved = 100 * (best.objective.value() / *best.lower_bound - 1);

@@ -25,10 +25,10 @@ double degrees(double angle)
 NamedCells search_cells(const VisibilityMap& map, const SphereGrid& grid,
                         const std::string& family, double gap)
 {
-    SetSearchOptions options;
+    WholeConeSearchOptions options;
     options.family = family_of_word(family);
     options.gap = gap;
-    const SetSearchResult found = set_search(grid, map, options);
+    const WholeConeSearchResult found = whole_cone_search(grid, map, options);
     const double arc = shortest_arc_of_two(map, grid);
     const double least = options.floor_rad * (options.floor_rad + arc);
     const double excess =

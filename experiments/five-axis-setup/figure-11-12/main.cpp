@@ -22,7 +22,7 @@ CsvTable empty_table()
 }
 
 void add_setup(CsvTable& table, const std::string& row, RotaryFamily family,
-               const BestSetup& best)
+               const PartSetup& best)
 {
     const FittedPose& fit = *best.least;
     const PoseMeasure floored{family, SetupObjective::FlooredArea};
@@ -59,7 +59,7 @@ int main(int argc, char** argv)
             CsvTable table = empty_table();
             for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB})
                 for (const std::string& mode : run.texts("modes")) {
-                    const BestSetup best = unlimited_setup(part, family, mode);
+                    const PartSetup best = unlimited_setup(part, family, mode);
                     add_setup(table, family_name(family) + " " + mode, family, best);
                     draw(run, part, family, mode, *best.least);
                 }

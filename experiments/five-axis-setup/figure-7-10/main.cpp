@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "endmill/setup/detail/rectangle_fit.h"
-#include "endmill/setup/spherical_hull.h"
+#include "endmill/setup/detail/spherical_hull.h"
 #include "support/candidate_tables.h"
 #include "support/experiment.h"
 #include "support/setup_cells.h"

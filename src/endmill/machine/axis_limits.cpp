@@ -6,7 +6,8 @@
 namespace endmill {
 namespace {
 
-// Whether the axis is the one that C,A calls theta, A,B and one axis alone phi.
+// Tests whether the turn of the axis is theta: that of the first axis of C,A and of the
+// second axis of A,B. A single axis is phi.
 bool is_theta(const MachineConfiguration& configuration, std::size_t axis)
 {
     return (configuration.family == RotaryFamily::CA) == (axis == 0);

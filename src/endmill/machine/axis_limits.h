@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -11,54 +12,95 @@
 #include "endmill/core/vec.h"
 #include "endmill/machine/configuration.h"
 
+/// \file Travel limits of linear and rotary axes.
+///
+/// A *turn* is a rotation of the tool against the part, by the right-hand rule about +X,
+/// +Y or +Z. A *position* is the rotation of whatever the axis carries, by the same rule.
+/// Turn and position are equal on the tool's side of the bed, and have opposite signs on
+/// the part's side. The library computes with turns; machine files and controllers use
+/// positions.
+/// Source: docs/mathematics/five-axis-setup.md, section 2.
+
 namespace endmill {
 
-/// How far a linear axis goes: the tool against the bed.
+/// Interval of turns of one rotary axis. The default is a whole turn.
+struct RotaryRange {
+    double from = -std::numbers::pi;  ///< rad, at most 0
+    double to = std::numbers::pi;     ///< rad, at least 0 and at most 2 pi above `from`
+
+    /// Compares both ends exactly.
+    friend bool operator==(const RotaryRange&, const RotaryRange&) = default;
+};
+
+/// Limits of the two rotary axes as turns. The default does not limit either.
+///
+/// phi is the tilt (second letter) of a C,A machine and the turn of R1 (first letter) of
+/// an A,B machine; theta belongs to the other letter. The only rotary axis of a four-axis
+/// machine is phi, and its theta is 0.
+struct RotaryLimits {
+    RotaryRange phi = {};    ///< C,A: tilt, second letter; A,B: R1, first letter
+    RotaryRange theta = {};  ///< C,A: turn of C, first letter; A,B: R2, second letter
+
+    /// Compares both ranges exactly.
+    friend bool operator==(const RotaryLimits&, const RotaryLimits&) = default;
+};
+
+/// Travel of one linear axis, of the tool against the bed. The default does not limit it.
 struct LinearRange {
     double from = -std::numeric_limits<double>::infinity();  ///< mm
     double to = std::numeric_limits<double>::infinity();     ///< mm, at least `from`
 
-    /// Whether both say the same.
+    /// Compares both ends exactly.
     friend bool operator==(const LinearRange&, const LinearRange&) = default;
 };
 
-/// Of X, Y and Z. Not given is not limited.
+/// Travel of X, Y and Z.
 using LinearLimits = std::array<LinearRange, 3>;
 
-/// Whether the axes can stand at `xyz`, in mm; the ends belong to the ranges.
+/// Tests whether the linear axes can reach a position. The ends belong to the ranges.
+/// \param limits travel of X, Y, Z.
+/// \param xyz position in mm.
 bool is_within(const LinearLimits& limits, const Vec3& xyz);
 
-/// The turn that is `turn`, in rad, but for whole turns and that `range` holds to
-/// `turn_tolerance`; none if there is none.
-/// \pre -pi <= turn <= pi, and the range is one of at most 2 pi that holds 0.
+/// Finds the turn that differs from `turn` by whole turns and lies within `range`, to
+/// `turn_tolerance`.
+/// \param range at most 2 pi wide; it contains 0.
+/// \param turn rad, within [-pi, pi].
+/// \return rad, or nothing if no such turn lies within the range.
 std::optional<double> turn_within(const RotaryRange& range, double turn);
 
-/// The turns of the tool against the part that positions of an axis give it, or the other way
-/// round: the same on the tool's side of the bed, mirrored on the part's.
-/// Exact.
+/// Converts a position of an axis to the turn that it causes, or a turn to its position.
+/// The sign changes on the part's side of the bed. Exact.
+/// \param side side of the axis.
+/// \param turn rad.
 double mirrored(MachineSide side, double turn);
 
-/// The same of a range: [lo, hi] becomes [-hi, -lo] on the part's side.
+/// Converts a range of positions to turns, or back: [lo, hi] becomes [-hi, -lo] on the
+/// part's side. Exact.
 RotaryRange mirrored(MachineSide side, const RotaryRange& range);
 
-/// What is expected of limits, in degrees, of a rotary axis that are not sound; nothing if they
-/// are: they hold 0 and are at most 360 wide, those of the axis nearer to the tool, the tilt or
-/// R2, within 180 either way.
-/// \param axis 0: the axis nearer to the part, or the only one; 1: the other.
+/// Checks the limits of a rotary axis, in degrees, as a person writes them. They must
+/// contain 0 and be at most 360 degrees wide. The axis next to the tool (the tilt of C,A,
+/// R2 of A,B) must stay within 180 degrees to either side.
+/// \param axis 0 for the axis nearer to the part, or the only one; 1 for the other axis.
+/// \param from_deg lower limit. \param to_deg upper limit.
+/// \return a description of what is expected, or nothing if the limits are valid.
 std::optional<std::string> expected_rotary_range(std::size_t axis, double from_deg,
                                                  double to_deg);
 
-/// The one of the limits that tells of the rotary axis: of theta for the first of C,A and the
-/// second of others.
-/// \param axis its number from the part to the tool. \pre the configuration has it.
+/// Selects the limits of one rotary axis: theta for the first axis of C,A and the second
+/// axis of A,B, else phi.
+/// \param limits turns. \param configuration the machine.
+/// \param axis index from the part to the tool. \pre the configuration has this axis.
 RotaryRange& turns_of(RotaryLimits& limits, const MachineConfiguration& configuration,
                       std::size_t axis);
 
-/// The same of limits that stay. \pre as above
+/// Selects the limits of one rotary axis, as the overload for limits that may change.
 const RotaryRange& turns_of(const RotaryLimits& limits,
                             const MachineConfiguration& configuration, std::size_t axis);
 
-/// No limits but those of the configuration: an axis that it lacks stays at 0.
+/// Limits that restrict nothing: a whole turn for each axis of the machine, and [0, 0]
+/// for an axis that it lacks.
 RotaryLimits widest_limits(const MachineConfiguration& configuration);
 
 }  // namespace endmill

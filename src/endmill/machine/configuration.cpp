@@ -2,7 +2,9 @@
 #include "endmill/machine/configuration.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <set>
 
 #include "endmill/core/error.h"
 
@@ -28,15 +30,16 @@ std::string shown(char letter)
     return is_printable ? "\"" + std::string{letter} + "\"" : "an unprintable character";
 }
 
+// Letters of axes in upper case are a frequent mistake, because B is one.
 std::string unknown_letter(char letter)
 {
     std::string start = shown(letter) + " is no axis";
     if (is_one_of("ACXYZ", letter))
-        return start + " (axes are in lower case, only the bed B is not)";
+        return start + " (axes are in lower case; only B, the bed, is in upper case)";
     return start;
 }
 
-// What is wrong with the letters between W/ and /T.
+// The first error of the letters between W/ and /T.
 std::optional<std::string> letters_fault(std::string_view letters)
 {
     std::size_t rotary = 0;
@@ -62,6 +65,29 @@ std::optional<std::string> letters_fault(std::string_view letters)
 std::string_view letters_of(std::string_view word)
 {
     return word.substr(opening.size(), word.size() - opening.size() - closing.size());
+}
+
+constexpr std::array<std::string_view, 6> rotary_pairs{"ab", "ba", "ca",
+                                                       "cb", "ac", "bc"};
+
+bool is_linear(char letter)
+{
+    return letter == 'x' || letter == 'y' || letter == 'z';
+}
+
+// A word without the bed and with neighbouring linear axes in alphabetical order. It is
+// the same for all words with the same relative motion.
+std::string relative_motion(std::string word)
+{
+    std::erase(word, 'B');
+    auto from = word.begin();
+    while (from != word.end()) {
+        from = std::find_if(from, word.end(), is_linear);
+        const auto to = std::find_if_not(from, word.end(), is_linear);
+        std::sort(from, to);
+        from = to;
+    }
+    return word;
 }
 
 }  // namespace
@@ -90,13 +116,20 @@ MachineConfiguration configuration_from_word(std::string_view word)
     machine.rank = static_cast<int>(machine.rotary.size());
     if (machine.rank == 0)
         return machine;
-    // C next to the tool turns it about its own axis, wherever the other axis has put that.
+    // C next to the tool turns the tool about its own axis, whatever the position of the
+    // other axis.
     if (machine.rotary.back().letter == 'c')
         --machine.rank;
     else if (machine.rank == 2)
         machine.family =
             machine.rotary.front().letter == 'c' ? RotaryFamily::CA : RotaryFamily::AB;
     return machine;
+}
+
+MachineConfiguration configuration_of_family(RotaryFamily family)
+{
+    return configuration_from_word(family == RotaryFamily::CA ? "W/caBxyz/T"
+                                                              : "W/abBxyz/T");
 }
 
 std::string why_not_valid(const MachineConfiguration& configuration)
@@ -109,6 +142,50 @@ std::string why_not_valid(const MachineConfiguration& configuration)
     return "c, the rotary axis next to the tool, turns it about itself: only " +
            std::string{configuration.rotary.front().letter} +
            " tilts it, as on a 4-axis machine";
+}
+
+std::vector<std::string> rotary_words()
+{
+    std::vector<std::string> words;
+    for (const std::string_view pair : rotary_pairs)
+        for (const std::size_t place : {2U, 1U, 0U}) {
+            words.emplace_back(pair);
+            words.back().insert(place, 1, 'B');
+        }
+    return words;
+}
+
+std::string whole_word(const std::string& rotary_word)
+{
+    const std::vector<std::string> words = rotary_words();
+    require(std::ranges::find(words, rotary_word) != words.end(),
+            "whole_word: expected two rotary axes and the bed, such as caB");
+    return "W/" + rotary_word + "xyz/T";
+}
+
+WordCounts count_words()
+{
+    WordCounts counts;
+    std::set<std::string> motions;
+    for (const std::string_view pair : {"ab", "ac", "bc"}) {
+        std::string letters = "Bxyz" + std::string{pair};
+        std::ranges::sort(letters);
+        do {
+            ++counts.words;
+            motions.insert(relative_motion(letters));
+        } while (std::next_permutation(letters.begin(), letters.end()));
+    }
+    counts.relative_motions = motions.size();
+    std::set<RotaryFamily> families;
+    for (const std::string& word : rotary_words()) {
+        ++counts.rotary_words;
+        const MachineConfiguration machine = configuration_from_word(whole_word(word));
+        counts.valid += machine.is_valid() ? 1 : 0;
+        if (machine.family)
+            families.insert(*machine.family);
+    }
+    counts.families = families.size();
+    return counts;
 }
 
 }  // namespace endmill

@@ -15,7 +15,7 @@ namespace endmill {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double least_step = 1e-5;  // rad: keeps a picture below a million points
+constexpr double least_step = 1e-5;  // rad: a border has at most a few million points
 
 double width(const RotaryRange& range)
 {
@@ -28,7 +28,9 @@ void require_range(const RotaryRange& range)
             "FeasibleDirections: need limits that hold 0, at most 2 pi wide");
 }
 
-// The parallels of C,A are about the pole, those of A,B about R1.
+// The patches whose union is the set of tool directions. Azimuth and latitude refer to
+// the pole in C,A and to R1 in A,B. C,A has the two sectors. A,B has the rectangle, and
+// one patch behind R1 for each side on which R2 turns beyond 90 degrees.
 std::vector<DirectionPatch> patches(RotaryFamily family, const RotaryLimits& limits)
 {
     const RotaryRange& phi = limits.phi;
@@ -51,6 +53,7 @@ RotaryAngles between(const RotaryAngles& from, const RotaryAngles& to, double sh
             from.theta + share * (to.theta - from.theta)};
 }
 
+// Points between two pairs of turns, at most `step` apart in each turn.
 DirectionCurve sampled(const RotaryFrame& frame, const RotaryAngles& from,
                        const RotaryAngles& to, double step)
 {

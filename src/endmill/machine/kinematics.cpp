@@ -15,7 +15,52 @@ namespace {
 
 using Matrix = Eigen::Matrix3d;
 
-// What the part and the tool are turned by, against the bed.
+constexpr double pi = std::numbers::pi;
+
+Vec3 axis_of(char letter)
+{
+    return Vec3::Unit(letter - 'a');
+}
+
+// Components of a direction from which its angles follow: along the tool axis, and along
+// the two vectors of Across.
+struct Components {
+    double along;
+    double first;
+    double second;
+};
+
+// Two unit vectors perpendicular to the tool axis: r1 x C and r2 x C in A,B, the
+// directions of the azimuths 0 and 90 degrees in C,A.
+struct Across {
+    Vec3 first;
+    Vec3 second;
+};
+
+Across across(const RotaryFrame& frame)
+{
+    const Vec3 tilted = frame.r2_axis.cross(frame.tool_axis);
+    if (frame.family == RotaryFamily::CA)
+        return {tilted, frame.tool_axis.cross(tilted)};
+    return {frame.r1_axis.cross(frame.tool_axis), tilted};
+}
+
+Components components(const RotaryFrame& frame, const Vec3& direction)
+{
+    const Across axes = across(frame);
+    return {direction.dot(frame.tool_axis), direction.dot(axes.first),
+            direction.dot(axes.second)};
+}
+
+// Shifts an angle within [-2 pi, 2 pi] by a whole turn into [-pi, pi].
+double wrapped(double angle)
+{
+    if (angle > pi)
+        return angle - 2 * pi;
+    return angle < -pi ? angle + 2 * pi : angle;
+}
+
+// Rotations of part and tool against the bed.
 struct Turns {
     Matrix part = Matrix::Identity();
     Matrix tool = Matrix::Identity();
@@ -38,12 +83,14 @@ Turns turns_at(const MachineConfiguration& configuration,
     return turns;
 }
 
-// From the tip with all axes at zero to that with the tool turned.
+// Displacement of the tip by the turns of the tool.
 Vec3 tip_shift(const Machine& machine, const Turns& turns, double tool_length)
 {
     return (machine.pivot + tool_length) * (turns.tool.col(2) - Vec3::UnitZ());
 }
 
+// The solution with these turns, shifted by whole turns into the limits where that is
+// possible.
 RotarySolution solution(const Machine& machine, const RotaryAngles& angles)
 {
     const MachineConfiguration& configuration = machine.configuration;
@@ -61,6 +108,60 @@ RotarySolution solution(const Machine& machine, const RotaryAngles& angles)
 }
 
 }  // namespace
+
+RotaryFrame machine_frame(const MachineConfiguration& configuration)
+{
+    require(configuration.is_valid(),
+            "machine_frame: need a configuration whose rotary axes all tilt the tool");
+    const auto& rotary = configuration.rotary;
+    if (rotary.size() == 2)
+        return {configuration.family.value(), Vec3::UnitZ(), axis_of(rotary[0].letter),
+                axis_of(rotary[1].letter)};
+    const char only = rotary.empty() ? 'a' : rotary[0].letter;
+    return {RotaryFamily::AB, Vec3::UnitZ(), axis_of(only),
+            axis_of(only == 'a' ? 'b' : 'a')};
+}
+
+Vec3 turned_tool_axis(const RotaryFrame& frame, const RotaryAngles& angles)
+{
+    const Across axes = across(frame);
+    const double phi = angles.phi;
+    const double theta = angles.theta;
+    if (frame.family == RotaryFamily::CA)
+        return std::cos(phi) * frame.tool_axis +
+               std::sin(phi) *
+                   (std::cos(theta) * axes.first + std::sin(theta) * axes.second);
+    return std::cos(theta) *
+               (std::cos(phi) * frame.tool_axis + std::sin(phi) * axes.first) +
+           std::sin(theta) * axes.second;
+}
+
+RotaryAngles rotary_angles(const RotaryFrame& frame, const Vec3& direction)
+{
+    const Components v = components(frame, direction);
+    if (frame.family == RotaryFamily::CA)
+        return {std::atan2(std::hypot(v.first, v.second), v.along),
+                std::atan2(v.second, v.first)};
+    // The arc tangent is accurate close to R1, where an arc sine would lose half of the
+    // digits.
+    return {std::atan2(v.first, v.along),
+            std::atan2(v.second, std::hypot(v.first, v.along))};
+}
+
+RotaryAngles other_rotary_angles(RotaryFamily family, const RotaryAngles& angles)
+{
+    if (family == RotaryFamily::CA)
+        return {-angles.phi, wrapped(angles.theta + (angles.theta > 0 ? -pi : pi))};
+    return {wrapped(angles.phi + (angles.phi > 0 ? -pi : pi)),
+            wrapped((angles.theta < 0 ? -pi : pi) - angles.theta)};
+}
+
+double distance_from_singular(const RotaryFrame& frame, const Vec3& direction)
+{
+    const Components v = components(frame, direction);
+    return frame.family == RotaryFamily::CA ? std::hypot(v.first, v.second)
+                                            : std::hypot(v.first, v.along);
+}
 
 AxisPositions axis_positions(const Machine& machine, const RotaryPositions& rotary,
                              const Vec3& point, double tool_length)

@@ -8,30 +8,41 @@
 #include "endmill/setup/setup_pose.h"
 #include "endmill/visibility/visibility.h"
 
+/// \file The paper's search for a setup: every cell centre is tried as the tool axis, and
+/// the cone of each facet is represented by its cell nearest to this axis.
+
 namespace endmill {
 
-/// How a part is to stand so that a machine's rotary axes need the least ranges for a given
-/// set of directions, when `tool_axis` is the tool axis at zero: `sector_fit` or
-/// `rectangle_fit`, by the family.
-/// \throws DomainError as those, or unless all vectors have unit length, to 1e-6.
-SetupSearch pose_fit(const Vec3& tool_axis, std::span<const Vec3> directions,
-                     const SetupOptions& options, const AreaBounds& bounds = {});
+/// Fits the least ranges of the rotary axes to given directions at a given tool axis:
+/// sectors for C,A, a rectangle for A,B.
+/// Source: [KangSuh, sections 5, 6].
+/// \param tool_axis unit. \param directions unit, from the part towards the spindle.
+/// \param options family, mode and limits; `progress` is not called.
+/// \return one tool axis tried; `least` and `feasible` as in `pose_search`.
+/// \throws DomainError as `check_pose_fit_options`, or if a vector does not have unit
+///         length to 1e-6.
+PoseSearchResult pose_fit(const Vec3& tool_axis, std::span<const Vec3> directions,
+                          const PoseFitOptions& options);
 
-/// The pose that needs the least ranges, of all whose tool axis is the centre of a cell. At
-/// each the cone of a facet is represented by its cell nearest to the tool axis, see
-/// `nearest_cells`. Best is the least area, then the least sum of the ranges, then the lowest
-/// cell, then the first candidate; areas and sums count as equal within 1e-9. Facets that no
-/// cell reaches are left out of account. In the paper's modes for A,B poses from which a
-/// direction has a cosine below 1e-6 are skipped and counted.
+/// Finds the pose of least area among all poses whose tool axis is the centre of a cell.
 ///
-/// Poses run in parallel; the result does not depend on the number of threads.
+/// 1. At each tool axis `nearest_cells` represents the cone of each facet by one cell.
+///    Facets that no cell reaches are left out.
+/// 2. `pose_fit` finds the least area for these cells.
+/// 3. The least area wins, then the least sum of both ranges, then the lowest cell, then
+///    the first candidate. Areas and sums are equal if they differ by at most 1e-9.
+///
+/// In the paper's modes for A,B a tool axis is skipped and counted if a direction has a
+/// cosine below 1e-6 with it. Tool axes run in parallel; the result does not depend on
+/// the number of threads.
 /// Source: [KangSuh, sections 4 to 6].
-/// \param centres unit, one for each cell of `map`.
-/// \return `least` and `feasible` are the unconstrained and the constrained minimum, and
-///         `status` tells of the feasible one, or if there is none of the other.
-/// \throws DomainError as `check_setup_options`, or unless there is a centre of unit length
-///         for each cell.
-SetupSearch setup_search(const VisibilityMap& map, std::span<const Vec3> centres,
-                         const SetupOptions& options);
+/// \param map cones of the facets. \param centres unit, one for each cell of `map`.
+/// \param options family, mode, limits and progress.
+/// \return `least` without and `feasible` within the limits; each is searched for on its
+///         own.
+/// \throws DomainError as `check_pose_fit_options`, or if there is not one centre of unit
+///         length for each cell.
+PoseSearchResult pose_search(const VisibilityMap& map, std::span<const Vec3> centres,
+                             const PoseFitOptions& options);
 
 }  // namespace endmill

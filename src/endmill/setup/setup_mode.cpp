@@ -11,20 +11,22 @@
 namespace endmill {
 namespace {
 
-// In the order of the enumerators.
+// In the order of the enumerators, so that a mode is an index.
 constexpr std::array all_rules{
     //                       name            wide   vertices  both   low    signed
     SetupRules{SetupMode::PaperLiteral, "paper-literal", false, true, false, false,
                false},
     SetupRules{SetupMode::Paper, "paper", false, false, false, false, false},
-    SetupRules{SetupMode::Corrected, "corrected", true, false, true, true, true}};
+    SetupRules{SetupMode::Corrected, "corrected", true, false, true, true, true},
+    SetupRules{SetupMode::WholeCones, "set", true, false, true, true, true}};
 
-bool is_sound(const RotaryRange& range)
+bool is_valid_range(const RotaryRange& range)
 {
-    // Ends of 360 degrees in all, each rounded when it was turned into rad.
-    constexpr double slack = 1e-12;  // rad
+    // rad; the two ends of a whole turn are each rounded when they are converted from
+    // degrees.
+    constexpr double conversion_error = 1e-12;
     return range.from <= 0 && 0 <= range.to &&
-           range.to - range.from <= 2 * std::numbers::pi + slack;
+           range.to - range.from <= 2 * std::numbers::pi + conversion_error;
 }
 
 }  // namespace
@@ -44,10 +46,13 @@ std::optional<SetupMode> setup_mode(std::string_view name)
     return found->mode;
 }
 
-void check_setup_options(const SetupOptions& options)
+void check_pose_fit_options(const PoseFitOptions& options)
 {
-    require(is_sound(options.limits.phi) && is_sound(options.limits.theta),
-            "setup: need limits that hold 0 and are at most 360 degrees wide");
+    require(
+        options.mode != SetupMode::WholeCones,
+        "setup: need a mode that fits given directions, not the search over whole cones");
+    require(is_valid_range(options.limits.phi) && is_valid_range(options.limits.theta),
+            "setup: need limits that contain 0 and are at most 360 degrees wide");
 }
 
 }  // namespace endmill

@@ -7,10 +7,18 @@
 namespace endmill {
 namespace {
 
-/// Relative; a few roundings of 1.1e-16 each.
+/// Relative error bound of the results: a few roundings of 1.1e-16 each.
 constexpr double rounding = 1e-14;
 
 }  // namespace
+
+PoseRanges pose_ranges(RotaryFamily family, const FittedPose& fit)
+{
+    const bool is_ca = family == RotaryFamily::CA;
+    const RotaryRange& window = is_ca ? fit.theta : fit.phi;
+    const RotaryRange& other = is_ca ? fit.phi : fit.theta;
+    return {window.to - window.from, other.to, -other.from};
+}
 
 double PoseMeasure::operator()(const PoseRanges& ranges) const
 {
@@ -29,7 +37,7 @@ double PoseMeasure::operator()(const PoseRanges& ranges) const
 double PoseMeasure::useful_width(double target, double m0, double m1) const
 {
     if (objective != SetupObjective::Tilt)
-        return useful_height(target, m0 + m1);  // both treat width and height alike
+        return useful_height(target, m0 + m1);  // symmetric in width and height
     if (std::max(m0, m1) >= target)
         return -1;
     return family == RotaryFamily::CA ? std::numeric_limits<double>::infinity()
@@ -42,17 +50,6 @@ double PoseMeasure::useful_height(double target, double width) const
                             ? target / (width + floor_rad) - floor_rad
                             : target - width;
     return rest + rounding * (1 + std::abs(rest));
-}
-
-RangeLimits::RangeLimits(RotaryFamily family, const RotaryLimits& limits)
-{
-    const bool is_ca = family == RotaryFamily::CA;
-    const RotaryRange& window = is_ca ? limits.theta : limits.phi;
-    const RotaryRange& reach = is_ca ? limits.phi : limits.theta;
-    const double most = is_ca ? std::numbers::pi : std::numbers::pi / 2;
-    width = std::min(window.to - window.from, 2 * std::numbers::pi);
-    far = std::min(std::max(reach.to, -reach.from), most);
-    near = std::min(std::min(reach.to, -reach.from), most);
 }
 
 }  // namespace endmill

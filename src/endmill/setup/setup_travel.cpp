@@ -13,13 +13,14 @@
 namespace endmill {
 namespace {
 
-// A cell within limits, and what it asks for.
+// A cell within the limits and its turns.
 struct ReachableCell {
     double turned;  // rad, |phi| + |theta|
     FacetReach reach;
 };
 
-// The turns within the limits that need less, if any are.
+// The solution for a direction that is within the limits; of two the one of less |phi| +
+// |theta|.
 std::optional<ReachableCell> reachable(const RotaryFrame& frame,
                                        const RotaryLimits& limits, const Vec3& direction,
                                        std::size_t cell)
@@ -38,6 +39,7 @@ std::optional<ReachableCell> reachable(const RotaryFrame& frame,
     return best;
 }
 
+// All cells within the limits, sorted by |phi| + |theta|, then by their numbers.
 std::vector<ReachableCell> by_turns(std::span<const Vec3> centres,
                                     const RotaryFrame& frame, const RotaryLimits& limits)
 {
@@ -51,7 +53,7 @@ std::vector<ReachableCell> by_turns(std::span<const Vec3> centres,
     return cells;
 }
 
-// Positions of the rotary axes of the machine for turns of the tool against the part.
+// Positions of the machine's rotary axes for turns of the tool against the part.
 RotaryPositions positions_for(const MachineConfiguration& configuration,
                               const RotaryAngles& angles)
 {
@@ -65,6 +67,7 @@ RotaryPositions positions_for(const MachineConfiguration& configuration,
     return positions;
 }
 
+// The middle of the travel; 0 for an axis without limits.
 Vec3 middle(const LinearLimits& limits)
 {
     Vec3 middle = Vec3::Zero();
@@ -81,8 +84,9 @@ Eigen::Matrix3d part_to_machine(const SetupPose& pose,
                                 const MachineConfiguration& configuration)
 {
     require(configuration.is_valid(), "part_to_machine: need a valid configuration");
-    // The rotary axis that lies across the tool axis is X or Y; the other follows from Z. In
-    // C,A that is the second one, in A,B either, and without one r1 is X.
+    // One rotary axis is perpendicular to the tool axis, so that it is X or Y; the
+    // remaining row follows from it and Z. In C,A this is the second axis, in A,B the
+    // first one. A machine without rotary axes has r1 as X.
     const auto& rotary = configuration.rotary;
     const bool is_ca = configuration.family == RotaryFamily::CA;
     const char letter = rotary.empty() ? 'a' : rotary[is_ca ? 1 : 0].letter;
@@ -116,13 +120,34 @@ std::vector<std::optional<FacetReach>> facet_reach(const VisibilityMap& map,
     return reaches;
 }
 
+std::optional<ReachedPoints> reached_points(const TriangleMesh& part,
+                                            const PartVisibility& visibility,
+                                            std::span<const Vec3> centres,
+                                            const RotaryFrame& frame,
+                                            const RotaryLimits& limits)
+{
+    const auto reaches = facet_reach(visibility.map, centres, frame, limits);
+    ReachedPoints reached;
+    for (std::size_t j = 0; j < reaches.size(); ++j) {
+        if (!reaches[j])
+            continue;
+        const auto [a, b, c] = part.corners(j);
+        reached.points.push_back((a + b + c) / 3);
+        reached.angles.push_back(reaches[j]->angles);
+    }
+    const std::size_t with_area = reaches.size() - visibility.dropped.size();
+    if (reached.points.empty() || reached.points.size() < with_area)
+        return std::nullopt;
+    return reached;
+}
+
 SetupTravel setup_travel(const Machine& machine, const Eigen::Matrix3d& part_to_machine,
                          const ReachedPoints& reached, const Vec3& clamp,
                          double tool_length)
 {
     require(!reached.points.empty(), "setup_travel: need a point");
     require(reached.points.size() == reached.angles.size(),
-            "setup_travel: need turns for each point");
+            "setup_travel: need one pair of turns for each point");
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Vec3 centre = middle(machine.linear);
     SetupTravel travel{Vec3::Constant(infinity), Vec3::Constant(-infinity), true,
@@ -136,7 +161,8 @@ SetupTravel setup_travel(const Machine& machine, const Eigen::Matrix3d& part_to_
         travel.low = travel.low.cwiseMin(xyz);
         travel.high = travel.high.cwiseMax(xyz);
         travel.is_within = travel.is_within && is_within(machine.linear, xyz);
-        // X = G p' + a constant: the middle is met where p' moves by G^T (middle - X).
+        // A position is X = G p' + constant with the turn G of the part. It moves to the
+        // middle of the travel if the point p' moves by G^T (middle - X).
         const Vec3 met = tool_location(machine, {rotary, centre}, tool_length).tip;
         shift += met - point;
     }

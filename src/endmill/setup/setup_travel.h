@@ -8,52 +8,80 @@
 
 #include "endmill/core/vec.h"
 #include "endmill/machine/kinematics.h"
-#include "endmill/machine/rotary_angles.h"
+#include "endmill/mesh/triangle_mesh.h"
 #include "endmill/setup/setup_pose.h"
 #include "endmill/visibility/visibility.h"
 
+/// \file Travel of the linear axes for a setup: which direction each facet is reached
+/// from, and where X, Y and Z go for it. The paper names this as future work.
+/// Source: docs/mathematics/five-axis-setup.md, section 10.
+
 namespace endmill {
 
-/// The rotation that sets a part up: rows are the machine's X, Y and Z in coordinates of the
-/// part, so that x_machine = M x_part. Source: [KangSuh, section 2], the pose written out.
-/// \throws DomainError unless the configuration is valid.
+/// The rotation that sets a part up, x_machine = M x_part. The rows of M are the
+/// machine's X, Y and Z in coordinates of the part.
+/// Source: [KangSuh, section 2]; docs/mathematics/five-axis-setup.md, section 2.
+/// \throws DomainError if the configuration is not valid.
 Eigen::Matrix3d part_to_machine(const SetupPose& pose,
                                 const MachineConfiguration& configuration);
 
-/// How a facet is reached.
+/// The direction from which a facet is reached.
 struct FacetReach {
-    std::size_t cell;     ///< along its centre
-    RotaryAngles angles;  ///< the turns that it asks for
+    std::size_t cell;     ///< its centre is the direction
+    RotaryAngles angles;  ///< turns that give this direction
 };
 
-/// For each facet the accessible cell within `limits` that needs the least |phi| + |theta|, in
-/// the turns that need less; of equal ones the lowest cell. None for a facet without one.
-/// O(cells facets / 64). \pre the frame's axes are unit, centres too, one for each cell.
+/// Chooses for each facet the accessible cell within the limits that needs the least
+/// |phi| + |theta|. Of the two solutions for a direction the smaller counts; of equal
+/// cells the lowest. O(cells * facets / 64).
+/// \param map accessible cells of each facet.
+/// \param centres unit, one for each cell of `map`.
+/// \param frame axes of the machine in coordinates of the part.
+/// \param limits turns.
+/// \return one entry for each facet, empty for a facet that no cell within the limits
+///         reaches.
+/// \throws DomainError if there is not one centre for each cell.
 std::vector<std::optional<FacetReach>> facet_reach(const VisibilityMap& map,
                                                    std::span<const Vec3> centres,
                                                    const RotaryFrame& frame,
                                                    const RotaryLimits& limits);
 
-/// Where the linear axes go for a setup.
-struct SetupTravel {
-    Vec3 low;            ///< mm, least X, Y, Z of all facets
-    Vec3 high;           ///< mm, largest
-    bool is_within;      ///< the machine's linear limits
-    Vec3 centred_clamp;  ///< mm, see `setup_travel`
-};
-
-/// What is to be moved: points of a part, each with the turns under which it is reached.
+/// Points of a part with the turns under which the tool reaches each of them.
 struct ReachedPoints {
     std::vector<Vec3> points;          ///< mm, coordinates of the part
-    std::vector<RotaryAngles> angles;  ///< one a point
+    std::vector<RotaryAngles> angles;  ///< one for each point
 };
 
-/// Travel of the linear axes while the tip is at each of the points, the part's origin
-/// clamped at `clamp`, in mm and the machine's directions. The centred clamp is where the
-/// squared distances of X, Y and Z from the middle of their travel (0 of axes that are not
-/// limited) add up to the least.
-/// \param tool_length mm, from spindle to tip.
-/// \throws DomainError without a point, or as `part_to_machine`.
+/// The centroids of the facets that a pose reaches, with the turns of `facet_reach`.
+/// \param part the mesh that `visibility` belongs to.
+/// \param visibility cones of its facets. \param centres unit, one for each cell.
+/// \param frame axes of the machine in coordinates of the part. \param limits turns.
+/// \return nothing if the pose reaches no facet, or misses a facet that has an area.
+/// \throws DomainError as `facet_reach`.
+std::optional<ReachedPoints> reached_points(const TriangleMesh& part,
+                                            const PartVisibility& visibility,
+                                            std::span<const Vec3> centres,
+                                            const RotaryFrame& frame,
+                                            const RotaryLimits& limits);
+
+/// Travel of the linear axes for a setup.
+struct SetupTravel {
+    Vec3 low;            ///< mm, least X, Y and Z over all points
+    Vec3 high;           ///< mm, largest X, Y and Z over all points
+    bool is_within;      ///< all positions lie within the machine's linear limits
+    Vec3 centred_clamp;  ///< mm, best clamping position: see `setup_travel`
+};
+
+/// Computes the travel of X, Y and Z while the tip goes to each of the points.
+///
+/// The centred clamp minimises the sum of the squared distances between the positions and
+/// the middle of the travel. The middle of an axis without limits is 0.
+/// \param machine valid.
+/// \param part_to_machine rotation of the part, from the function of this name.
+/// \param reached points and turns. \param clamp position of the part's origin, mm, in
+///         the machine's directions. \param tool_length mm, from the spindle nose to the
+///         tip.
+/// \throws DomainError if there is no point, or not one pair of turns for each point.
 SetupTravel setup_travel(const Machine& machine, const Eigen::Matrix3d& part_to_machine,
                          const ReachedPoints& reached, const Vec3& clamp,
                          double tool_length);

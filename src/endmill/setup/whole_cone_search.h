@@ -7,60 +7,69 @@
 #include <optional>
 #include <span>
 
-#include "endmill/machine/rotary_limits.h"
+#include "endmill/core/answer.h"
+#include "endmill/machine/axis_limits.h"
 #include "endmill/setup/setup_objective.h"
 #include "endmill/setup/setup_pose.h"
 #include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"
 
+/// \file The search over whole cones: it takes every cell of every cone and every pose
+/// into account, and proves a lower bound of the objective.
+
 namespace endmill {
 
-/// How far a search has come.
-struct SetSearchProgress {
-    std::size_t nodes;                ///< bounded
-    std::optional<double> objective;  ///< of the best pose so far, as in SetSearchResult
-    double lower_bound;               ///< no pose has less; the same
+/// Progress of a search over whole cones.
+struct WholeConeSearchProgress {
+    std::size_t nodes;                ///< nodes bounded so far
+    std::optional<double> objective;  ///< of the best pose so far; rad^2 or rad
+    double lower_bound;               ///< no pose has a smaller objective
 };
 
-/// What to search for, and how long.
-struct SetSearchOptions {
+/// Options of a search over whole cones.
+struct WholeConeSearchOptions {
     RotaryFamily family = RotaryFamily::CA;
     SetupObjective objective = SetupObjective::FlooredArea;
-    double floor_rad = 5.9 * std::numbers::pi / 180;  ///< of FlooredArea: a cell of 1200
-    double gap = 0.05;  ///< stop where objective <= (1 + gap) lower bound, or below 1e-9
-    std::size_t max_nodes = 200'000;    ///< triangles of axes to bound, then stop
-    RotaryLimits limits;                ///< turns of the tool, words with R2 = C x R1
+    double floor_rad =
+        5.9 * std::numbers::pi / 180;  ///< of FlooredArea, > 0: a cell of 1200
+
+    /// Relative gap at which the search stops: objective <= (1 + gap) * lower bound. It
+    /// also stops if the objective is below 1e-9.
+    double gap = 0.05;
+    std::size_t max_nodes = 200'000;    ///< the search stops after this many nodes
+    RotaryLimits limits;                ///< turns, for words with R2 = C x R1
     std::span<const SetupPose> starts;  ///< poses whose axes are tried first
-    /// Called now and then by the calling thread. What it throws ends the work.
-    std::function<void(const SetSearchProgress&)> progress = {};
+
+    /// Called from time to time by the calling thread. An exception ends the search.
+    std::function<void(const WholeConeSearchProgress&)> progress = {};
 };
 
-/// Whether one setup does.
-enum class Machinability : std::uint8_t {
-    Machinable,  ///< a pose is given
-    Impossible,  ///< proved: no pose within the limits reaches everything
-    Undecided    ///< none was found, and none is excluded
-};
-
-/// What the search knows at its end.
-struct SetSearchResult {
-    Machinability machinability = Machinability::Undecided;
-    std::optional<FittedPose> pose;  ///< the best one found, if machinable
-    PoseRanges ranges;               ///< of that pose: w, m0, m1
-    double objective = 0;            ///< of that pose, rad^2 for FlooredArea, else rad
+/// Result of a search over whole cones.
+struct WholeConeSearchResult {
+    /// Whether a pose within the limits meets all cones. `No` is proved.
+    Answer machinable = Answer::Undecided;
+    std::optional<FittedPose> pose;  ///< the best pose found, set if machinable
+    PoseRanges ranges;               ///< w, m0 and m1 of that pose
+    double objective = 0;            ///< of that pose; rad^2 for FlooredArea, else rad
     double lower_bound = 0;          ///< no pose within the limits has less; rounded down
-    std::size_t nodes = 0;           ///< bounded
-    std::size_t unresolved = 0;      ///< too small to split, and not excluded
+    std::size_t nodes = 0;           ///< nodes bounded
+    std::size_t unresolved =
+        0;  ///< nodes that are too small to split and are not excluded
 };
 
-/// The pose whose range of tool directions meets all visibility cones with the least objective:
-/// branch and bound over the axis that all directions are seen from (C in C,A, R1 in A,B), a
-/// cone being the centres of its accessible cells. The window of the first axis may lie
-/// anywhere about it. Empty cones do not count: report them. Without any other cone every pose
-/// does, and all ranges are 0. The same for any number of threads. A range may pass its limit
-/// by 1e-9 rad. The bound is derived in paper/notes/whole-cones.md.
-/// \throws DomainError unless map and grid have the same cells, floor_rad > 0 and gap > 0.
-SetSearchResult set_search(const SphereGrid& grid, const VisibilityMap& map,
-                           const SetSearchOptions& options);
+/// Finds the pose whose range of tool directions meets all visibility cones with the
+/// least objective, by branch and bound over the axis of that range (C in C,A, R1 in
+/// A,B).
+///
+/// A cone is the set of the centres of its accessible cells. Empty cones are left out;
+/// without any other cone every pose fits and all ranges are 0. Ranges may exceed their
+/// limits by 1e-9 rad. The result does not depend on the number of threads.
+/// Source: paper/notes/whole-cones.md; docs/mathematics/five-axis-setup.md, section 10.
+/// \param grid cells. \param map cones of the facets over these cells.
+/// \param options what is minimised, and when the search stops.
+/// \throws DomainError if map and grid have different numbers of cells, or unless
+///         floor_rad > 0 and gap > 0.
+WholeConeSearchResult whole_cone_search(const SphereGrid& grid, const VisibilityMap& map,
+                                        const WholeConeSearchOptions& options);
 
 }  // namespace endmill

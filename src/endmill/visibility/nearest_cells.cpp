@@ -7,6 +7,16 @@
 
 #include "endmill/core/error.h"
 
+// How the nearest cells are found.
+//
+// 1. Cells are distributed to 64 classes by the dot product of their centre and the tool
+//    axis.
+// 2. The classes are visited from the nearest one outwards. Cells that reach no facet of
+//    those still wanted are dropped, the others are sorted by their dot product.
+// 3. Cells are taken in this order. A cell that reaches a wanted facet is listed, and its
+//    facets are no longer wanted. Only a few cells are sorted, because most facets are
+//    reached by the first classes.
+
 namespace endmill {
 namespace {
 
@@ -14,8 +24,8 @@ using Columns = std::span<const std::uint64_t>;
 
 constexpr std::size_t classes = 64;  // of the dot product, from 1 down to -1
 
-// Dot products of unit vectors that are equal but for their rounding, some 1e-16, against
-// differences between cells, some 1e-6 and more.
+// Dot products that differ by less are equal. Their rounding is 1e-16, and dot products
+// of different distances differ by 1e-6 or more.
 constexpr double equal_dots = 1e-12;
 
 struct NearCell {
@@ -29,7 +39,7 @@ std::size_t class_of(double dot)
     return place <= 0 ? 0 : std::min(static_cast<std::size_t>(place), classes - 1);
 }
 
-// The cells in classes of their dot product with one of them.
+// The cells in classes of their dot product with a direction.
 class NearnessClasses {
 public:
     NearnessClasses(std::span<const Vec3> centres, const Vec3& axis)
@@ -56,11 +66,11 @@ public:
 
 private:
     std::vector<double> dots_;
-    std::vector<std::size_t> cells_;  // by classes, in each by their numbers
+    std::vector<std::size_t> cells_;  // sorted by class, then by number
     std::array<std::size_t, classes + 1> begins_{};
 };
 
-bool meets(Columns wanted, Columns column)
+bool have_common_bit(Columns wanted, Columns column)
 {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         if ((wanted[i] & column[i]) != 0)
@@ -69,7 +79,8 @@ bool meets(Columns wanted, Columns column)
     return false;
 }
 
-// The end of the cells from `begin` on that are as near as it, each as its predecessor.
+// One beyond the last of the cells from `begin` on that are equally near, each as its
+// predecessor.
 std::size_t end_of_equals(const std::vector<NearCell>& near, std::size_t begin)
 {
     std::size_t end = begin + 1;
@@ -78,10 +89,10 @@ std::size_t end_of_equals(const std::vector<NearCell>& near, std::size_t begin)
     return end;
 }
 
-// The facets that still look for their cell, and the cells found.
-class FacetsLeft {
+// The facets whose nearest cell is not known yet, and the cells found.
+class WantedFacets {
 public:
-    FacetsLeft(const VisibilityMap& map, std::size_t pose)
+    WantedFacets(const VisibilityMap& map, std::size_t pose)
         : map_{map},
           wanted_(map.words())
     {
@@ -91,7 +102,10 @@ public:
             wanted_.back() &= (std::uint64_t{1} << (map.facets() % 64)) - 1;
     }
 
-    bool want(std::size_t cell) const { return meets(wanted_, map_.column(cell)); }
+    bool want(std::size_t cell) const
+    {
+        return have_common_bit(wanted_, map_.column(cell));
+    }
 
     bool are_none() const
     {
@@ -99,7 +113,7 @@ public:
                            [](std::uint64_t word) { return word == 0; });
     }
 
-    // Cells equally near, the lowest first.
+    // Takes equally near cells, the lowest first.
     void take(std::span<NearCell> equals)
     {
         std::sort(equals.begin(), equals.end(),
@@ -129,8 +143,9 @@ std::vector<std::size_t> nearest_cells(const VisibilityMap& map,
     require(centres.size() == map.cells() && pose < map.cells(),
             "nearest_cells: need a centre for each cell, and a pose that is a cell");
     const NearnessClasses cells{centres, centres[pose]};
-    FacetsLeft facets{map, pose};
-    std::vector<NearCell> near;  // of one class, and what the last one left
+    WantedFacets facets{map, pose};
+    std::vector<NearCell>
+        near;  // the cells of a class, and those left by the class before
     for (std::size_t number = 0; number < classes && !facets.are_none(); ++number) {
         for (const std::size_t cell : cells.cells_of(number)) {
             if (facets.want(cell))
@@ -139,7 +154,8 @@ std::vector<std::size_t> nearest_cells(const VisibilityMap& map,
         std::sort(near.begin(), near.end(), [](const NearCell& a, const NearCell& b) {
             return a.dot != b.dot ? a.dot > b.dot : a.cell < b.cell;
         });
-        // Cells at the far end of the class wait: the next one may hold some equally near.
+        // Cells at the far end of the class wait, because the next class may have equally
+        // near cells.
         const double far_end = 1 - static_cast<double>(number + 1) / (classes / 2.0);
         std::size_t begin = 0;
         while (begin < near.size()) {

@@ -10,16 +10,17 @@
 
 namespace endmill {
 
-/// The distinct cells that are, each for some facet, the accessible one nearest to the centre
-/// of cell `pose`; only for facets that are not accessible along `pose` itself, the paper's
-/// Group II. From the nearest outwards; of centres equally near (dot products within 1e-12)
-/// the lowest cell counts. Facets that no cell reaches have none.
+/// The cells that represent the cones of a part at a tool axis: for each facet that is
+/// not accessible along the tool axis, the accessible cell nearest to it. Each cell is
+/// listed once, the nearest first. Facets that no cell reaches are left out.
 ///
-/// The bit columns of the cells are walked outwards, in 64 classes of the dot product, and
-/// only cells that still reach a wanted facet are sorted: O(cells * facets / 64).
-/// Source: [KangSuh, eq. (3), (4)].
-/// \param centres unit, one for each cell of `map`.
-/// \throws DomainError unless there is a centre for each cell, and `pose` is one of them.
+/// Of equally near cells (dot products within 1e-12) the lowest counts. The facets are
+/// the paper's Group II, the cells its MD_j. O(cells * facets / 64).
+/// Source: [KangSuh, eq. (3), (4)]; docs/mathematics/five-axis-setup.md, section 4.
+/// \param map cones. \param centres unit, one for each cell of `map`.
+/// \param pose the cell whose centre is the tool axis.
+/// \throws DomainError if there is not one centre for each cell, or if `pose` is not a
+///         cell.
 std::vector<std::size_t> nearest_cells(const VisibilityMap& map,
                                        std::span<const Vec3> centres, std::size_t pose);
 

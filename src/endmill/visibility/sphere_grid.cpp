@@ -18,15 +18,15 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// By differences of corners, which keeps the digits of small cells.
-// Source: A. Van Oosterom, J. Strackee, The Solid Angle of a Plane Triangle, 1983, eq. (8).
+// The solid angle of a spherical triangle, in sr. Differences of corners keep the
+// relative accuracy for small cells. Source: [VanOosteromStrackee, eq. (8)].
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const double volume = a.dot((b - a).cross(c - a));
     return 2 * std::atan2(volume, 1 + a.dot(b) + b.dot(c) + c.dot(a));
 }
 
-// Takes corners, then cells in order.
+// Builds a grid from corners and cells, in the order in which they are added.
 class GridBuilder {
 public:
     std::int32_t corner(const Vec3& direction)
@@ -37,7 +37,8 @@ public:
 
     const Vec3& at(std::int32_t corner) const { return grid_.corners[corner]; }
 
-    // Corners in whatever sense; the cell has them counter-clockwise seen from outside.
+    // Adds a cell. Its corners may be given in either sense; they are stored
+    // counter-clockwise seen from outside.
     void cell(std::int32_t a, std::int32_t b, std::int32_t c)
     {
         grid_.centres.push_back((at(a) + at(b) + at(c)).normalized());
@@ -63,7 +64,8 @@ Vec3 direction(double polar, double azimuth)
             std::cos(polar)};
 }
 
-// Numbers of the corners of a half of the bipyramid, ring by ring, 6 k on ring k.
+// The corners of one half of the bipyramid in rings about the pole, with 6 k corners on
+// ring k.
 class HexRings {
 public:
     HexRings(GridBuilder& builder, int f)
@@ -73,13 +75,13 @@ public:
             for (int i = 0; i < std::max(1, 6 * k); ++i) {
                 Vec3 point = direction(pi / 2 * k / f, k == 0 ? 0 : pi / 3 * i / k);
                 if (k == f)
-                    point.z() = 0;  // both halves share it
+                    point.z() = 0;  // exact, because both halves share the last ring
                 ring.push_back(builder.corner(point));
             }
         }
     }
 
-    // The southern half to this northern one.
+    // The southern half that matches this northern half.
     HexRings below(GridBuilder& builder) const
     {
         HexRings south{*this};
@@ -119,8 +121,8 @@ void add_hex(GridBuilder& builder, int f)
     north.below(builder).add_cells(builder);
 }
 
-// The corners of the cube's squares by their places on it, m steps of f from the middle along
-// each axis; faces share those of their sides.
+// The corners of the squares on a cube. The key is the place on the cube: a number of
+// steps from -f to f along each axis. Faces share the corners on their common sides.
 class CubeCorners {
 public:
     CubeCorners(GridBuilder& builder, int f) : builder_{builder}, f_{f} {}
@@ -170,7 +172,8 @@ void add_cube(GridBuilder& builder, int f)
             add_cube_face(builder, corners, f, axis, sign);
 }
 
-// The corners between two bands, or a pole, as often as others.
+// The corners on a parallel between two bands. A pole is repeated as often as a parallel
+// has corners.
 std::vector<std::int32_t> latitude_ring(GridBuilder& builder, int around, int ring,
                                         int bands)
 {
@@ -201,8 +204,8 @@ void add_latlong(GridBuilder& builder, int around, int bands)
         }
 }
 
-// The twelve corners and twenty triangles of an icosahedron: those threes of corners that
-// are neighbours, which have the least distance.
+// Adds the twelve corners of an icosahedron. \return its twenty triangles, which are the
+// triples of neighbouring corners.
 std::vector<Triangle> icosahedron(GridBuilder& builder)
 {
     constexpr double tau = std::numbers::phi;
@@ -215,8 +218,8 @@ std::vector<Triangle> icosahedron(GridBuilder& builder)
                 builder.corner(point.normalized());
             }
     const auto are_neighbours = [&](std::int32_t a, std::int32_t b) {
-        return builder.at(a).dot(builder.at(b)) >
-               0.4;  // 1/sqrt(5), others at most -1/sqrt(5)
+        // The dot product is 1/sqrt(5) for neighbours and at most -1/sqrt(5) for others.
+        return builder.at(a).dot(builder.at(b)) > 0.4;
     };
     std::vector<Triangle> triangles;
     for (std::int32_t a = 0; a < 12; ++a)
@@ -227,6 +230,7 @@ std::vector<Triangle> icosahedron(GridBuilder& builder)
     return triangles;
 }
 
+// Each level divides every triangle into four at the middles of its sides.
 void add_ico(GridBuilder& builder, int levels)
 {
     std::vector<Triangle> triangles = icosahedron(builder);

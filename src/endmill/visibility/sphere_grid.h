@@ -9,25 +9,34 @@
 #include "endmill/core/vec.h"
 #include "endmill/mesh/triangle_mesh.h"
 
+/// \file
+/// The sphere of directions, divided into spherical triangles.
+
 namespace endmill {
 
-/// The sphere of directions cut into spherical triangles. Source: [KangSuh, section 2], who
-/// have 1200 of them and do not say which.
+/// A division of the sphere of directions into spherical triangles, the cells.
+/// Source: [KangSuh, section 2]. The paper has 1200 cells and does not describe them; see
+/// docs/mathematics/five-axis-setup.md, section 8.
 struct SphereGrid {
-    std::string name;                     ///< as `sphere_grid` reads it
-    std::vector<Vec3> corners;            ///< unit
-    std::vector<Triangle> cells;          ///< by the numbers of their corners
-    std::vector<Vec3> centres;            ///< unit: normalised sums of a cell's corners
-    std::vector<double> solid_angles_sr;  ///< of the spherical triangles
+    std::string name;             ///< the name that `sphere_grid` read
+    std::vector<Vec3> corners;    ///< unit
+    std::vector<Triangle> cells;  ///< corner numbers, counter-clockwise seen from outside
+    std::vector<Vec3> centres;    ///< unit: normalised sum of the corners of each cell
+    std::vector<double> solid_angles_sr;  ///< of each cell
 };
 
-/// The grid named "hex:F" (12 F^2 cells of a hexagonal bipyramid), "cube:F" (12 F^2 of a cube),
-/// "latlong:NxM" (2 N (M - 1), N around, M bands) or "ico:L" (20 4^L of an icosahedron), its
-/// cells in an order that decides ties.
-/// \throws DomainError for another word, or more than 10^7 cells.
+/// Makes a grid. The order of its cells decides ties in searches.
+///
+/// - "hex:F": 12 F^2 cells of a hexagonal bipyramid.
+/// - "cube:F": 12 F^2 cells of a cube.
+/// - "latlong:NxM": 2 N (M - 1) cells, N around in M bands; N >= 3, M >= 2.
+/// - "ico:L": 20 * 4^L cells of an icosahedron.
+/// \param name one of these, with numbers for the letters.
+/// \throws DomainError for another name, or more than 10^7 cells.
 SphereGrid sphere_grid(std::string_view name);
 
-/// How many cells `sphere_grid(name)` has, without making them. Throws like it.
+/// The number of cells of `sphere_grid(name)`, without making them.
+/// \throws DomainError as `sphere_grid`.
 std::size_t sphere_grid_cells(std::string_view name);
 
 }  // namespace endmill

@@ -5,8 +5,10 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <numbers>
 #include <utility>
 
@@ -14,7 +16,9 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/visibility/detail/cylinder_contact.h"
 #include "endmill/visibility/detail/direction_count.h"
+#include "endmill/visibility/detail/facet_boxes.h"
 #include "endmill/visibility/detail/facet_groups.h"
 #include "endmill/visibility/detail/part_facets.h"
 #include "endmill/visibility/detail/shadow_raster.h"
@@ -22,8 +26,12 @@
 namespace endmill {
 namespace {
 
-// The paper's incidence of 90 degrees is open; nearer than this, in the cosine, a facet
-// counts as seen from its edge.
+// Largest number of words of a map, 2^45 bytes. A larger map is refused before memory is
+// requested.
+constexpr std::size_t most_words = std::size_t{1} << 42;
+
+// Least cosine of the incidence. A facet that is seen from its edge, closer to 90 degrees
+// than 1e-6 rad, is not accessible; the paper excludes 90 degrees.
 constexpr double least_cosine = 1e-6;
 
 double limit_of(Angle incidence)
@@ -33,6 +41,7 @@ double limit_of(Angle incidence)
     return std::max(std::cos(incidence.radians()), least_cosine);
 }
 
+// Sets the bits of the facets whose incidence is within the limit.
 void mark_facing(const PartFacets& facets, const Vec3& direction, double least,
                  std::span<std::uint64_t> column)
 {
@@ -48,7 +57,8 @@ void mark_facing(const PartFacets& facets, const Vec3& direction, double least,
     }
 }
 
-// Rasters that no thread uses at the moment.
+// The rasters that no thread uses at the moment. A raster keeps memory between
+// directions.
 class SpareRasters {
 public:
     SpareRasters(const TriangleMesh& part, const FacetGroups& groups)
@@ -80,7 +90,81 @@ private:
     std::vector<std::unique_ptr<ShadowRaster>> spare_;
 };
 
+void require_valid(std::span<const ToolCylinder> body)
+{
+    for (const ToolCylinder& cylinder : body)
+        require(
+            std::isfinite(cylinder.diameter) && cylinder.diameter > 0 &&
+                std::isfinite(cylinder.to) && 0 <= cylinder.from &&
+                cylinder.from < cylinder.to,
+            "tool visibility: a cylinder needs a diameter above 0 and 0 <= from < to");
+}
+
+// A part and the body of a tool that must not meet it.
+class BodyClearance {
+public:
+    BodyClearance(const TriangleMesh& part, std::span<const ToolCylinder> body)
+        : part_{part},
+          boxes_{part},
+          centroids_{part_facets(part).centroids},
+          body_{body.begin(), body.end()}
+    {
+        // The widest cylinder is the most likely to meet a facet, so that it is tested
+        // first.
+        std::ranges::stable_sort(body_, std::greater{}, &ToolCylinder::diameter);
+    }
+
+    bool meets_at(std::size_t facet, const Vec3& direction) const
+    {
+        return std::ranges::any_of(body_, [&](const ToolCylinder& each) {
+            return meets_any(
+                {centroids_[facet], direction, each.diameter / 2, each.from, each.to});
+        });
+    }
+
+    // Clears the bits of the facets at which the body meets the part along `direction`.
+    void clear_blocked(const Vec3& direction, std::span<std::uint64_t> column) const
+    {
+        for (std::size_t word = 0; word < column.size(); ++word)
+            for (std::uint64_t rest = column[word]; rest != 0; rest &= rest - 1) {
+                const auto bit = static_cast<unsigned>(std::countr_zero(rest));
+                if (meets_at(64 * word + bit, direction))
+                    column[word] &= ~(std::uint64_t{1} << bit);
+            }
+    }
+
+private:
+    bool meets_any(const SolidCylinder& cylinder) const
+    {
+        return boxes_.any(
+            [&](const Vec3& low, const Vec3& high) {
+                return may_meet(cylinder, low, high);
+            },
+            [&](std::size_t facet) { return meets(cylinder, part_.corners(facet)); });
+    }
+
+    const TriangleMesh& part_;
+    FacetBoxes boxes_;
+    std::vector<Vec3> centroids_;
+    std::vector<ToolCylinder> body_;
+};
+
 }  // namespace
+
+VisibilityMap::VisibilityMap(std::size_t facets, std::size_t cells)
+    : facets_{facets},
+      cells_{cells},
+      words_{facets / 64 + (facets % 64 != 0 ? 1 : 0)}
+{
+    const LimitError no_memory{"visibility map: no memory for its bits"};
+    if (words_ > 0 && cells_ > most_words / words_)
+        throw LimitError{no_memory};
+    try {
+        bits_.resize(words_ * cells_);
+    } catch (const std::bad_alloc&) {
+        throw LimitError{no_memory};
+    }
+}
 
 PartVisibility part_visibility(const TriangleMesh& part, std::span<const Vec3> directions,
                                const VisibilityOptions& options)
@@ -139,6 +223,25 @@ std::vector<double> visible_fractions(const VisibilityMap& map,
     for (double& share : seen)
         share /= all;
     return seen;
+}
+
+void keep_reachable(PartVisibility& visibility, const TriangleMesh& part,
+                    std::span<const Vec3> directions, std::span<const ToolCylinder> body,
+                    const std::function<void(std::size_t done)>& progress)
+{
+    require(visibility.map.facets() == part.triangles().size() &&
+                visibility.map.cells() == directions.size(),
+            "tool visibility: the map is not of this part and these directions");
+    require_unit_directions(directions);
+    require_valid(body);
+    const BodyClearance clearance{part, body};
+    DirectionCount done{progress};
+    parallel_for(directions.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            clearance.clear_blocked(directions[cell], visibility.map.column(cell));
+            done.one_more();
+        }
+    });
 }
 
 }  // namespace endmill

@@ -12,37 +12,50 @@
 #include "endmill/cutter/tool.h"
 #include "endmill/mesh/triangle_mesh.h"
 
+/// \file Which facets of a part a tool reaches along which directions: the visibility
+/// cones of the facets, with and without the body of the tool. A direction points from
+/// the part towards the spindle.
+/// Source: [KangSuh, section 2]; docs/mathematics/five-axis-setup.md, section 1.
+
 namespace endmill {
 
-/// Which facets of a part a tool reaches along which directions: a bit for each, a column of
-/// bits for each direction. The paper's binary spherical map, but for its sign: here a set bit
-/// is *accessible*, as in no file. Source: [KangSuh, eq. (3)].
+/// The visibility cones of all facets as bits: one column for each direction (cell), with
+/// one bit for each facet.
+///
+/// A set bit means *accessible*. The paper's binary spherical map, and the files named
+/// after it, use 0 for accessible. Source: [KangSuh, eq. (3)].
 class VisibilityMap {
 public:
+    /// A map without facets and cells.
     VisibilityMap() = default;
 
-    /// Nothing is accessible. \throws LimitError if that needs more memory than there is.
+    /// Makes a map in which nothing is accessible.
+    /// \param facets number of facets. \param cells number of directions.
+    /// \throws LimitError if there is not enough memory.
     VisibilityMap(std::size_t facets, std::size_t cells);
 
     std::size_t facets() const { return facets_; }  ///< bits of a column
-    std::size_t cells() const { return cells_; }    ///< columns
+    std::size_t cells() const { return cells_; }    ///< number of columns
 
-    /// 64-bit words of a column; the bits beyond the last facet are 0.
+    /// Words of 64 bits of a column. The bits beyond the last facet are 0.
     std::size_t words() const { return words_; }
 
-    /// Bit j % 64 of word j / 64 tells of facet j. \pre cell < cells().
+    /// The column of a cell: bit j % 64 of word j / 64 belongs to facet j. \pre cell <
+    /// cells().
     std::span<const std::uint64_t> column(std::size_t cell) const
     {
         return {bits_.data() + cell * words_, words_};
     }
 
-    /// The same, to be filled. \pre cell < cells(); the bits beyond the last facet stay 0.
+    /// The column of a cell, to be filled. \pre cell < cells(); bits beyond the last
+    /// facet stay 0.
     std::span<std::uint64_t> column(std::size_t cell)
     {
         return {bits_.data() + cell * words_, words_};
     }
 
-    /// Whether the tool reaches `facet` along the direction of `cell`. \pre both exist.
+    /// Tests whether `facet` is accessible along the direction of `cell`.
+    /// \pre facet < facets() and cell < cells().
     bool is_accessible(std::size_t facet, std::size_t cell) const
     {
         return (column(cell)[facet / 64] >> (facet % 64) & 1) != 0;
@@ -55,71 +68,82 @@ private:
     std::vector<std::uint64_t> bits_;
 };
 
-/// What keeps a tool from a facet.
+/// What can make a facet inaccessible along a direction.
 enum class VisibilityKind {
-    Local,  ///< the incidence on the facet alone, as in the cones of Woo et al.
-    Global  ///< and the other facets, the paper's
+    Local,  ///< only the incidence on the facet itself, as in the cones of Woo et al.
+    Global  ///< the incidence, and occlusion by other facets, as in the paper
 };
 
-/// What counts as visible, and who wants to know how far the work is.
+/// Options of `part_visibility`.
 struct VisibilityOptions {
-    /// Largest angle between a tool axis and the facet's normal, excluded itself; above 0,
-    /// at most 90 degrees.
+    /// Upper limit of the angle between the direction and the facet's normal, itself
+    /// excluded; above 0, at most 90 degrees.
     Angle incidence = Angle::degrees(90);
-    VisibilityKind kind = VisibilityKind::Global;  ///< what blocks
-    /// Called after each direction with the number of those done, by one thread at a time,
-    /// whichever. What it throws ends the work.
+    VisibilityKind kind = VisibilityKind::Global;  ///< with or without occlusion
+
+    /// Called after each direction with the number of directions done. Any thread may
+    /// call, one at a time. An exception ends the work.
     std::function<void(std::size_t done)> progress = {};
 };
 
 /// The visibility cones of a part's facets.
 struct PartVisibility {
-    VisibilityMap map;  ///< a column for each direction
-    std::vector<std::size_t>
-        dropped;  ///< facets without area: no cone, and nothing blocked
+    VisibilityMap map;  ///< one column for each direction
+
+    /// Facets without area, ascending. They have no cone and block nothing.
+    std::vector<std::size_t> dropped;
 };
 
-/// Which facets are visible along which directions: facet j along C if n_j . C > max(cos
-/// omega, 1e-6) and, in the global kind, the ray from its centroid along C meets no other
-/// facet. Facets are closed, touching an edge blocks, and they block from both sides.
-/// Source: [KangSuh, section 2]; the rule where the paper says no more is ours.
+/// Computes the visibility cones of a part.
 ///
-/// Occlusion is exact for the doubles of points and directions, with centroids (a + b + c)
-/// / 3 that are not rounded. The incidence is compared in doubles: n . C is off by 1e-15 at
-/// most, times the square of the facet's longest side by its area.
+/// Facet j is accessible along the direction C if n_j . C > max(cos incidence, 1e-6) and,
+/// in the kind `Global`, if the ray from its centroid along C meets no other facet.
+/// Facets are closed, so that a ray through an edge is blocked, and they block from both
+/// sides.
 ///
-/// Directions are dealt with on all threads, one column each; the answer does not depend on
-/// their number. Memory beside the map: some 100 bytes a facet, and on each thread 100 more.
-/// \param directions unit to 1e-9: from the part towards the spindle.
-/// \throws DomainError if a direction is not, or the incidence outside its range.
-/// \throws LimitError if the map does not fit into the memory.
+/// Occlusion is exact for the doubles of points and directions; the centroid (a + b + c)
+/// / 3 is not rounded. The incidence is compared in doubles: the error of n . C is at
+/// most 1e-15 times the square of the facet's longest side divided by its area.
+///
+/// Directions are processed in parallel, one column each. The result does not depend on
+/// the number of threads. Memory besides the map: about 100 bytes for each facet, and 100
+/// more on each thread.
+/// Source: [KangSuh, section 2]. The rule of occlusion is ours: docs/mathematics/
+/// five-axis-setup.md, section 1; the method is described in section 11.
+/// \param part facets in mm. \param directions unit to 1e-9. \param options what counts.
+/// \throws DomainError if a direction does not have unit length, or if the incidence is
+///         outside its range.
+/// \throws LimitError if the map does not fit into memory.
 PartVisibility part_visibility(const TriangleMesh& part, std::span<const Vec3> directions,
                                const VisibilityOptions& options = {});
 
-/// The facets that no direction reaches, but for the dropped ones: while there is one, no
-/// machine can make the part in one setup.
+/// Facets with an area that no direction reaches, ascending. If there is one, no machine
+/// can make the part in one setup.
 std::vector<std::size_t> empty_cones(const PartVisibility& visibility);
 
-/// The share of the sphere that each facet's cone has, 0 … 1: the solid angles of its cells
-/// by those of all.
-/// \param solid_angles_sr of the cells. \throws DomainError unless there is one a cell.
+/// The share of the sphere that the cone of each facet covers, from 0 to 1.
+/// \param map cones. \param solid_angles_sr solid angle of each cell.
+/// \throws DomainError if there is not one solid angle for each cell.
 std::vector<double> visible_fractions(const VisibilityMap& map,
                                       std::span<const double> solid_angles_sr);
 
-/// Leaves of a map only what a tool reaches that has a body: the tip at a facet's centroid,
-/// the axis along the direction, none of the cylinders may meet a facet, touching included.
-/// That of the centroid itself counts too: a cylinder that begins at the tip reaches nothing.
-/// The future work of the paper. Source: [KangSuh, section 6].
+/// Removes from a map the directions along which the body of a tool would meet the part.
+/// The tip is at the centroid of the facet and the tool axis is the direction. No
+/// cylinder of the body may meet a facet, touching included.
 ///
-/// Decided for the cylinders as they are, flat ends included, not by a cone about the
-/// direction; right but for touches within 1e-14 of the largest coordinate. The cutter is not
-/// looked at. On all threads; the answer does not depend on their number. up to 90 bytes a facet.
-/// \param visibility of `part` along `directions`.
-/// \param body such as `tool_body` gives.
-/// \param progress as in VisibilityOptions.
-/// \throws DomainError unless the map has a bit for each facet and direction, directions are
-///         unit to 1e-9, and each cylinder has a positive finite diameter and finite 0 <= from
-///         < to.
+/// The facet of the tip counts too, so that a cylinder that begins at the tip removes
+/// every direction. The cutter itself is not tested. The decision is made for the
+/// cylinders with their flat ends, and is right except for distances within 1e-14 of the
+/// largest coordinate. Directions are processed in parallel; the result does not depend
+/// on the number of threads. Memory: up to 90 bytes for each facet.
+/// Source: [KangSuh, section 6] names this as future work.
+/// \param visibility of `part` along `directions`; it is changed.
+/// \param part facets in mm. \param directions unit to 1e-9.
+/// \param body cylinders from `tool_body`.
+/// \param progress as VisibilityOptions::progress.
+/// \throws DomainError if the map does not belong to this part and these directions, if a
+///         direction does not have unit length, or unless each cylinder has a finite
+///         diameter above 0 and finite 0 <= from < to.
 void keep_reachable(PartVisibility& visibility, const TriangleMesh& part,
                     std::span<const Vec3> directions, std::span<const ToolCylinder> body,
                     const std::function<void(std::size_t done)>& progress = {});

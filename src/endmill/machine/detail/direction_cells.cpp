@@ -13,13 +13,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// `angle` but for whole turns, in [0, 2 pi).
+// Shifts an angle by whole turns into [0, 2 pi).
 double first_turn(double angle)
 {
     const double within = angle - 2 * pi * std::floor(angle / (2 * pi));
     return within < 2 * pi ? within : 0;
 }
 
+// Sorts cuts and merges those that are equal up to rounding.
 void keep_distinct(std::vector<double>& cuts)
 {
     std::ranges::sort(cuts);
@@ -48,9 +49,8 @@ DirectionCells::DirectionCells(std::span<const DirectionPatch> patches)
     }
     keep_distinct(azimuths_);
     keep_distinct(latitudes_);
-    // The last cut and the first may be one across the turn.
-    if (azimuths_.size() > 1 &&
-        azimuths_.front() + 2 * pi - azimuths_.back() <= thinnest_angle)
+    // The last cut may equal the first one, a whole turn on.
+    if (azimuths_.size() > 1 && azimuths_.front() + 2 * pi - azimuths_.back() <= thinnest_angle)
         azimuths_.pop_back();
     if (azimuths_.empty())
         azimuths_.push_back(0);
@@ -104,7 +104,7 @@ void DirectionCells::add_parallels(std::vector<DirectionEdge>& edges) const
         const auto is_edge = [&](std::size_t i) {
             return is_in(i, j - 1) != is_in(i, j);
         };
-        // Begin behind a gap, so that no piece is broken where azimuths begin anew.
+        // Start after a gap, so that no edge is split at azimuth 0.
         std::size_t first = 0;
         while (first < columns() && is_edge(first))
             ++first;

@@ -4,9 +4,12 @@
 #include <span>
 #include <vector>
 
+/// \file Unions of patches on the sphere, for their solid angle and border. Azimuths and
+/// latitudes refer to one axis.
+
 namespace endmill {
 
-/// All directions between two meridians and two parallels of one axis.
+/// The directions between two meridians and two parallels.
 struct DirectionPatch {
     double from;   ///< rad, azimuth
     double width;  ///< rad, from 0 to 2 pi, counter-clockwise
@@ -22,16 +25,21 @@ struct DirectionEdge {
     double to_latitude;
 };
 
-/// The union of patches, cut into cells by all their meridians and parallels. Cuts closer than
-/// 1e-12 are one: what is thinner is not there.
+/// A union of patches.
+///
+/// All meridians and parallels of the patches divide the sphere into cells. A cell lies
+/// completely inside or outside of each patch, so that overlaps count once, and the
+/// border consists of the cell sides between inside and outside. Meridians or parallels
+/// closer than 1e-12 rad are merged; thinner patches vanish.
 class DirectionCells {
 public:
+    /// \param patches any number, in any position.
     explicit DirectionCells(std::span<const DirectionPatch> patches);
 
-    /// Of the union, in sr. Absolute error below 1e-13.
+    /// Solid angle of the union in sr. Absolute error below 1e-13.
     double solid_angle() const;
 
-    /// The border of the union in pieces as long as they go straight.
+    /// The border of the union. Collinear neighbouring sides are joined to one edge.
     std::vector<DirectionEdge> border() const;
 
 private:
@@ -45,9 +53,9 @@ private:
     void add_meridians(std::vector<DirectionEdge>& edges) const;
     void add_parallels(std::vector<DirectionEdge>& edges) const;
 
-    std::vector<double> azimuths_;   // where columns begin, rising, at least one
-    std::vector<double> latitudes_;  // where rows begin and end, rising
-    std::vector<char> is_in_;
+    std::vector<double> azimuths_;   // begins of the columns, ascending, at least one
+    std::vector<double> latitudes_;  // begins of the rows and the end, ascending
+    std::vector<char> is_in_;        // 1 for cells of the union, column by column
 };
 
 }  // namespace endmill

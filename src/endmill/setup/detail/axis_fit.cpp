@@ -8,42 +8,50 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/setup/detail/setup_order.h"
+
+// How the best range about an axis is found: branch and bound over pairs of levels (m0,
+// m1).
+//
+// 1. Only levels of cells can be optimal, so that m0 and m1 are chosen from sorted lists.
+//    A box is a pair of intervals of these lists.
+// 2. The cells up to the upper levels of a box are swept once about the axis. This gives
+//    the least window w that meets all cones with these cells.
+// 3. (w, upper levels) is a range that meets all cones, and a candidate. (w, lower
+//    levels) is a lower bound for all ranges of the box.
+// 4. The box of least bound is split in the middle of its longer side, until no bound is
+//    below the best candidate.
+
 namespace endmill {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Relative; a step that gains less is not worth one more at this length.
+/// Relative decrease of the objective that a step of a descent must reach.
 constexpr double least_gain = 1e-7;
 
-/// The unit vector at this azimuth about an axis, at right angles to it.
+/// The unit vector perpendicular to an axis, at an azimuth about it.
 Vec3 at_azimuth(const Vec3& axis, double azimuth)
 {
     const Vec3 zero = azimuth_zero(axis);
     return std::cos(azimuth) * zero + std::sin(azimuth) * axis.cross(zero);
 }
 
-/// `width` cut as 0 cuts `limits`.
-RotaryRange shared_out(double width, const RotaryRange& limits)
+/// A range of this width that 0 divides in the ratio in which it divides `limits`.
+RotaryRange divided_as(double width, const RotaryRange& limits)
 {
     const double whole = limits.to - limits.from;
     const double below = whole > 0 ? width * (-limits.from / whole) : 0;
     return {-below, width - below};
 }
 
-bool within(const RotaryRange& range, const RotaryRange& limits)
-{
-    return limits.from - turn_tolerance <= range.from &&
-           range.to <= limits.to + turn_tolerance;
-}
-
-/// Whether a range is to be turned over: it does not fit as it is, or both fit and its larger
-/// end is negative.
+/// Tests whether the part must be turned by 180 degrees: only the negated range fits the
+/// limits, or the limits do not decide and the larger end is negative.
 bool is_turned(const RotaryRange& range, const RotaryRange& limits)
 {
     const RotaryRange other{-range.to, -range.from};
-    if (within(range, limits) != within(other, limits))
-        return within(other, limits);
+    if (is_within(range, limits) != is_within(other, limits))
+        return is_within(other, limits);
     return -range.from > range.to;
 }
 
@@ -87,8 +95,9 @@ double AxisFitter::high(const RankBox& box, std::size_t side) const
     return levels_[side][box.last[side]];
 }
 
-/// Whether the sets of a box are not worth a look: beyond the limits, with sectors that may as
-/// well be exchanged, or with a level that may as well be the next one.
+/// Tests whether the ranges of a box need no look: they exceed the limits, they are the
+/// ranges of another box with both sectors exchanged, or a higher level has the same
+/// objective.
 bool AxisFitter::is_needless(const RankBox& box) const
 {
     const bool is_ca = fitting_.measure.family == RotaryFamily::CA;
@@ -105,7 +114,8 @@ bool AxisFitter::is_needless(const RankBox& box) const
     return false;
 }
 
-/// Takes a set for the best one. In C,A its sectors are named so that m0 >= m1.
+/// Stores a range as the best one. In C,A its sectors are exchanged if that makes m0 >=
+/// m1.
 void AxisFitter::take(const AzimuthWindow& window, const PoseRanges& ranges,
                       double objective)
 {
@@ -117,8 +127,8 @@ void AxisFitter::take(const AzimuthWindow& window, const PoseRanges& ranges,
     }
 }
 
-/// Puts a box on the heap unless it has nothing better; takes its largest levels as a fit if
-/// they are one.
+/// Bounds a box. Takes the range of its upper levels if it is better than the best one,
+/// and puts the box on the heap if its bound is.
 void AxisFitter::look_at(RankBox box)
 {
     const double low0 = low(box, 0);
@@ -187,7 +197,8 @@ std::optional<AxisFit> AxisFitter::best(const Vec3& axis, const FitRequest& requ
 AxisFit descend(AxisFitter& fitter, AxisFit fit, const Descent& descent)
 {
     constexpr double steps_of_levels = 3;
-    double phase = 0;  // the directions turn: a valley need not lie along one of them
+    double phase =
+        0;  // the directions are rotated, since a valley may lie between two of them
     double step = descent.from;
     while (step > descent.to) {
         const Vec3 from = fit.axis;
@@ -223,7 +234,7 @@ FittedPose fitted_pose(const AxisFit& fit, RotaryFamily family,
     FittedPose fitted{.pose = {}, .phi = {}, .theta = {}, .area = area};
     if (family == RotaryFamily::CA) {
         fitted.phi = {-ranges.m1, ranges.m0};
-        fitted.theta = shared_out(ranges.width, limits.theta);
+        fitted.theta = divided_as(ranges.width, limits.theta);
         const bool turned = is_turned(fitted.phi, limits.phi);
         if (turned)
             fitted.phi = {-ranges.m0, ranges.m1};
@@ -236,8 +247,8 @@ FittedPose fitted_pose(const AxisFit& fit, RotaryFamily family,
     const bool turned = is_turned(fitted.theta, limits.theta);
     if (turned)
         fitted.theta = {-ranges.m0, ranges.m1};
-    fitted.phi = shared_out(ranges.width, limits.phi);
-    // About -axis azimuths run backwards: the window then begins at its other end.
+    fitted.phi = divided_as(ranges.width, limits.phi);
+    // About -axis azimuths decrease, so that the window begins at its other end.
     const double offset = turned ? ranges.width + fitted.phi.from : -fitted.phi.from;
     const Vec3 tool_axis = at_azimuth(fit.axis, fit.window.begin + offset);
     const Vec3 r1_axis = turned ? Vec3{-fit.axis} : fit.axis;

@@ -10,53 +10,65 @@
 #include "endmill/setup/detail/azimuth_window.h"
 #include "endmill/setup/detail/cone_set.h"
 #include "endmill/setup/detail/coverage_table.h"
+#include "endmill/setup/detail/range_limits.h"
 #include "endmill/setup/setup_objective.h"
 #include "endmill/setup/setup_pose.h"
 
+/// \file The best range of tool directions about a given axis, over whole cones.
+///
+/// A range of tool directions about an axis (C in C,A, R1 in A,B) is a window of azimuths
+/// of width w together with two levels m0 and m1. C,A: the directions in the window up to
+/// the polar angle m0, and those opposite to the window up to m1. A,B: the directions in
+/// the window with latitudes from -m1 to m0.
+
 namespace endmill {
 
-/// What a search over axes is about. The cones and centres outlive it.
+/// The problem of a search over axes. Cones and centres must outlive the search.
 struct ConeFitting {
-    const ConeSet* cones;
-    std::span<const Vec3> centres;  ///< of cones->cells()
-    PoseMeasure measure;
-    RangeLimits limits;
+    const ConeSet* cones;           ///< to be met
+    std::span<const Vec3> centres;  ///< unit, one for each of cones->cells()
+    PoseMeasure measure;            ///< what is minimised
+    RangeLimits limits;             ///< of w, m0 and m1
 
-    /// Sets narrower than this, rad, are sought along great circles: see axis_node.h.
+    /// rad; sets with a narrower window are searched for along great circles, see
+    /// axis_node.h.
     double thin_width = 0;
 };
 
-/// A set of tool directions that meets all cones. C,A: cells in the window up to polar angle
-/// m0, and opposite to it up to m1 <= m0; A,B: in the window, at latitudes -m1 to m0.
+/// A range of tool directions that meets all cones. In C,A m1 <= m0.
 struct AxisFit {
-    Vec3 axis;  ///< unit: C in C,A, R1 in A,B
-    AzimuthWindow window;
-    PoseRanges ranges;
-    double objective = 0;
+    Vec3 axis;             ///< unit: C in C,A, R1 in A,B
+    AzimuthWindow window;  ///< azimuths about the axis, from `azimuth_zero` on
+    PoseRanges ranges;     ///< w, m0 and m1
+    double objective = 0;  ///< rad^2 or rad
 };
 
-/// Which sets about an axis matter.
+/// Which ranges about an axis are asked for.
 struct FitRequest {
-    double below;      ///< those of a smaller objective
-    double slack = 0;  ///< a set may be missed that is better by this share only
-    std::array<double, 2> low = {0, 0};   ///< with m0, m1 from here, rad
-    std::array<double, 2> high = {4, 4};  ///< to here, rad
+    double below;  ///< only those with a smaller objective
+    double slack =
+        0;  ///< relative: a range that is better by less than this may be missed
+    std::array<double, 2> low = {0, 0};   ///< lower bounds of m0 and m1, rad
+    std::array<double, 2> high = {4, 4};  ///< upper bounds of m0 and m1, rad
 };
 
-/// Finds the best set about a given axis. Keeps its memory between calls; one a thread.
+/// Finds the best range about a given axis. Keeps its memory between calls; one for each
+/// thread.
 class AxisFitter {
 public:
+    /// \param fitting the problem; its cones and centres must outlive the fitter.
     explicit AxisFitter(const ConeFitting& fitting);
 
-    /// The set of least objective about `axis` of those asked for and within the limits, if
-    /// there is one. Exact but for rounding (1e-14 relative), but where a cell is so near to
-    /// the axis that its azimuth is not known better.
+    /// The range of least objective about `axis` among those asked for and within the
+    /// limits. The objective is exact up to rounding (1e-14 relative), except for cells
+    /// so close to the axis that their azimuth is known less accurately.
+    /// \return nothing if there is no such range.
     std::optional<AxisFit> best(const Vec3& axis, const FitRequest& request);
 
-    const ConeFitting& fitting() const { return fitting_; }  ///< as given
+    const ConeFitting& fitting() const { return fitting_; }  ///< the problem, as given
 
 private:
-    /// Ranks of levels, first and last of each side.
+    /// A box of pairs of levels: indices of the first and the last level of each side.
     struct RankBox {
         std::array<std::size_t, 2> first;
         std::array<std::size_t, 2> last;
@@ -77,29 +89,32 @@ private:
     WindowSweep sweep_;
     CoverageTable table_;
     AxisView view_;
-    std::array<std::vector<double>, 2> levels_;  ///< that cells have, and 0; ascending
-    std::vector<RankBox> heap_;
-    double below_ = 0;  ///< the objective to fall short of
-    double slack_ = 0;  ///< of the request
+    std::array<std::vector<double>, 2>
+        levels_;                 ///< levels of cells, and the lowest; ascending
+    std::vector<RankBox> heap_;  ///< least bound first
+    double below_ = 0;           ///< only a smaller objective counts
+    double slack_ = 0;           ///< of the request
     std::optional<AxisFit> found_;
 };
 
-/// Steps of a descent.
+/// Step lengths of a descent.
 struct Descent {
-    double from;  ///< first length, rad
-    double to =
-        1e-7;  ///< last length, rad; less changes no angle that a machine could tell
+    double from;       ///< first length, rad
+    double to = 1e-7;  ///< last length, rad; machines do not resolve smaller angles
     int directions =
         12;  ///< tried at each length before it is halved: valleys are narrow
 };
 
-/// Improves a fit by trying axes around it at ever smaller steps: a local minimum, or nearly.
-/// Levels may move by a few steps at a time.
+/// Improves a fit by moving its axis, with step lengths that are halved when no step
+/// helps. The result is close to a local minimum. Levels may change by three steps at a
+/// time.
 AxisFit descend(AxisFitter& fitter, AxisFit fit, const Descent& descent);
 
-/// The fit as a pose on a machine with these limits, in words with R2 = C x R1 (A,B: a then b).
-/// The part is turned so that the limits hold, else so that the larger phi (C,A) or theta
-/// (A,B) is positive; C divides the window of R1 as 0 divides the limits.
+/// Converts a fit to a pose on a machine, in words with R2 = C x R1 (A,B: a, then b).
+///
+/// The part is turned so that the limits hold; if that does not decide, so that the
+/// larger end of phi (C,A) or theta (A,B) is positive. Zero divides the window in the
+/// ratio in which it divides the limits.
 FittedPose fitted_pose(const AxisFit& fit, RotaryFamily family,
                        const RotaryLimits& limits);
 

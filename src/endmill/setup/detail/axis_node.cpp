@@ -8,42 +8,62 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/setup/detail/range_limits.h"
 #include "endmill/visibility/sphere_grid.h"
+
+// How a node of radius rho is bounded.
+//
+// 1. Moving the axis by at most rho changes the level of a cell by at most rho, and its
+//    azimuth by at most asin(sin rho / sin p) at an angle p from the axis. `axis_view`
+//    lists the intervals of azimuth that each cell may have.
+// 2. A box of levels is split until its sides are about rho. Before each split the
+//    coverage table tests whether any window can meet all cones with the cells of the
+//    box; most boxes end here.
+// 3. For a small box WindowSweep finds the least window that meets an interval of every
+//    cone. The objective of this window and of the lower levels is the bound of the box.
+// 4. A box whose bound reaches the target is dropped.
+//
+// A node of arcs uses the same steps with the normal of a great circle as its axis and a
+// band about the circle as its box. Its window is the length of the arc.
 
 namespace endmill {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// rad, added to a node's radius: levels, azimuths near the axis, and the radius itself are
-/// known to 1e-15, and everything that counts within the radius less this still does.
+/// rad, added to a node's radius. It covers the rounding of levels, azimuths near the
+/// axis, and of the radius itself, which are 1e-15 each.
 constexpr double angle_rounding = 1e-12;
 
-/// Relative, off a bound: a few roundings of 1.1e-16.
+/// Relative, subtracted from a bound: it covers a few roundings of 1.1e-16.
 constexpr double bound_rounding = 1e-14;
 
+/// Grid of the triangles with which the search begins: 320 cells.
 constexpr const char* root_grid = "ico:2";
 
-/// How far apart along its mid circle two directions of a lune of half width t can be, less
-/// the difference of their latitudes, halved: max of atan2(tan b, cos t) - b. rad.
-/// paper/notes/whole-cones.md, (a).
+/// Bound, in rad, by which the distance of two directions of a lune along its middle
+/// circle can exceed the difference of their latitudes, divided by 2: the maximum over b
+/// of atan2(tan b, cos t) - b for the half width t of the lune.
+/// Source: paper/notes/whole-cones.md, (a).
 double lune_slack(double t)
 {
     const double tangent = std::tan(t / 2);
     return std::asin(std::min(tangent * tangent, 1.0));
 }
 
-/// How small boxes get, in radii of their node: what else moves levels as much.
+/// The side at which boxes are no longer split, in radii of their node. Smaller boxes
+/// would not improve the bound, because the radius moves levels as much.
 double least_box(NodeKind kind, RotaryFamily family)
 {
     return kind == NodeKind::Axis && family == RotaryFamily::CA ? 3 : 1;
 }
 
-/// Of unit vectors: centres of cells are opposite if their sum is shorter. Those of a pair sum
-/// up to a few roundings of 1e-16, those of neighbours to a cell's width, above 1e-2.
+/// Two cell centres, unit vectors, are opposite if their sum is shorter than this. The
+/// sum of opposite centres is a few roundings of 1e-16, that of any other pair is above
+/// 1e-2.
 constexpr double opposite_sum = 1e-6;
 
-/// The numbers of one cell of each pair of opposite ones.
+/// One cell of each pair of opposite cells.
 std::vector<std::size_t> half_of(const SphereGrid& grid)
 {
     std::vector<std::size_t> half;
@@ -149,7 +169,8 @@ NodeBounder::Useful NodeBounder::useful(NodeKind kind, const LevelBox& box,
     if (!limits.hold(box.low[0], box.low[1]) ||
         rises_freely(measure, limits, box.high[0], box.low[1]) ||
         rises_freely(measure, limits, box.high[1], box.low[0]) ||
-        (is_ca && box.low[1] > 0 && box.low[1] >= box.high[0]))  // m0 >= m1 without loss
+        (is_ca && box.low[1] > 0 &&
+         box.low[1] >= box.high[0]))  // here m0 < m1: exchange them
         return {0, -1};
     const double m0 = is_ca ? std::max(box.low[0], box.low[1]) : box.low[0];
     const double width =
@@ -175,7 +196,7 @@ void NodeBounder::split(NodeKind kind, const LevelBox& box)
     for (int quarter = 0; quarter < 4; ++quarter) {
         const std::array<int, 2> upper{quarter % 2, quarter / 2};
         if (kind == NodeKind::Arc && upper[0] != upper[1])
-            continue;  // both sides are one number
+            continue;  // both sides are the same half width
         LevelBox piece = box;
         for (std::size_t side = 0; side < 2; ++side)
             (upper[side] != 0 ? piece.low : piece.high)[side] = middle[side];

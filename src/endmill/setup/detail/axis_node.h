@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// hold: paper/notes/whole-cones.md.
 
 #include <array>
 #include <cstddef>
@@ -11,63 +10,76 @@
 #include "endmill/setup/detail/axis_fit.h"
 #include "endmill/setup/detail/coverage_table.h"
 
+/// \file Nodes of the search over whole cones: spherical triangles of axes with lower
+/// bounds of the objective. Why the bounds hold: paper/notes/whole-cones.md.
+
 namespace endmill {
 
-/// What a node's triangle holds.
+/// The meaning of the points of a node's triangle.
 enum class NodeKind : std::uint8_t {
-    Axis,  ///< axes of sets wider than the thin width: C in C,A, R1 in A,B
-    Arc    ///< normals of the great circles along which narrower sets lie
+    Axis,  ///< axes (C in C,A, R1 in A,B) of ranges wider than the thin width
+    Arc    ///< normals of the great circles along which thinner ranges lie
 };
 
-/// Levels of sets, rad: low < m <= high, but m = 0 lies in the lowest box. In a node of arcs both
-/// sides are the half width of the band about the circle.
+/// A box of levels (m0, m1) in rad: low < m <= high; m = 0 belongs to the lowest box. In
+/// a node of arcs both sides are the half width of the band about the circle.
 struct LevelBox {
-    std::array<double, 2> low;
-    std::array<double, 2> high;
-    double bound;  ///< no set in node and box has a smaller objective
+    std::array<double, 2> low;   ///< lower limits of m0 and m1
+    std::array<double, 2> high;  ///< upper limits of m0 and m1
+    double
+        bound;  ///< no range of the node with levels in the box has a smaller objective
 };
 
-/// A triangle of axes and what its sets may be.
+/// A spherical triangle of axes, with the boxes of levels that are not excluded.
 struct AxisNode {
     std::array<Vec3, 3> corners;  ///< unit, less than 90 degrees apart
-    NodeKind kind;
-    std::vector<LevelBox> boxes;
-    double bound;  ///< the least of the boxes'
+    NodeKind kind;                ///< what the points of the triangle are
+    std::vector<LevelBox> boxes;  ///< those that are not excluded
+    double bound;                 ///< the least bound of the boxes
 };
 
-/// Middle of the node's triangle, a unit vector.
+/// Centre of the node's triangle, a unit vector.
 Vec3 centre(const AxisNode& node);
 
-/// rad: no point of the triangle is farther from its centre.
+/// Largest angle between the centre and a point of the triangle, rad.
 double radius(const AxisNode& node);
 
-/// A part of the node, 0 to 3: cut through the middles of its sides; with the node's boxes.
+/// One of the four parts of a node, cut through the middles of its sides, with the same
+/// boxes.
+/// \param node to be split. \param number 0 to 3.
 AxisNode part(const AxisNode& node, int number);
 
-/// The whole search: triangles of 7 to 10 degrees that cover the sphere of axes (C,A), or one
-/// of each pair of opposite ones (A,B, and arcs).
+/// The nodes with which the search begins: triangles of 7 to 10 degrees. They cover the
+/// sphere of axes in C,A, and one of each pair of opposite axes in A,B and for arcs.
 std::vector<AxisNode> root_nodes(const ConeFitting& fitting);
 
-/// A good ConeFitting::thin_width to begin with, rad. Sets narrower than it slide along their
-/// great circle, so that nodes of axes would have to be small all along it; nodes of arcs need
-/// not, but take a lune for the band that holds it, and so may be too low by the whole width.
-/// Where that is too much the search is to begin again with less. 0 for Tilt, which has no such
-/// sets. `best`: the least objective known, or infinite.
+/// A value of ConeFitting::thin_width, rad, with which the search begins.
+///
+/// The axis of a range with a thin window can slide along the arc of the range, so that
+/// nodes of axes would have to be small all along it. Nodes of arcs describe such a range
+/// by the normal of its great circle instead. Their bound may be too low by the whole
+/// width, because they replace the lune of the window by a band. If nodes of arcs become
+/// too small, the search starts again with a smaller thin width.
+/// \param measure what is minimised; the result is 0 for Tilt, which has no such ranges.
+/// \param best the least objective known, or infinity.
 double thin_width(const PoseMeasure& measure, double best);
 
-/// Bounds nodes. Keeps its memory between calls; one a thread.
+/// Computes lower bounds of nodes. Keeps its memory between calls; one for each thread.
 class NodeBounder {
 public:
+    /// \param fitting the problem; its cones and centres must outlive the bounder.
     explicit NodeBounder(const ConeFitting& fitting);
 
-    /// Splits the node's boxes and drops those that have nothing below `target`: what stays
-    /// is in node.boxes, its least bound in node.bound. Bounds are rounded down.
+    /// Splits the boxes of a node and drops those without a range below `target`. The
+    /// remaining boxes are in node.boxes, their least bound in node.bound. Bounds are
+    /// rounded down.
     void bound(AxisNode& node, double target);
 
 private:
+    /// Windows that can lead to an objective below the target, rad.
     struct Useful {
-        double from;  ///< windows that are narrower count as this
-        double to;    ///< windows from here on do not matter
+        double from;  ///< narrower windows count as this width
+        double to;    ///< wider windows do not matter; negative: no window does
     };
 
     Useful useful(NodeKind kind, const LevelBox& box, double target) const;

@@ -12,12 +12,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// sin of an angle from the axis below which a cell counts as on it: rounding of unit vectors
-/// is 1e-16, and nothing on a machine turns so finely.
+/// Sine of an angle from the axis below which a cell counts as lying on it. The rounding
+/// of unit vectors is 1e-16, and no machine resolves 1e-12 rad.
 constexpr double on_axis = 1e-12;
 
-/// The longest part of an interval of azimuths, in radii: short ones let the sweep forget a
-/// cell in time, and most cells, whose interval is little over 2 radii, stay whole.
+/// Longest part of an interval of azimuths, in radii. Short parts improve the bound of
+/// the sweep, which depends on the differences of their lengths; most intervals are a
+/// little longer than 2 radii and are not cut.
 constexpr double longest_part = 3;
 
 double in_one_turn(double azimuth)
@@ -26,7 +27,7 @@ double in_one_turn(double azimuth)
     return positive < 2 * pi ? positive : positive - 2 * pi;
 }
 
-/// Adds cells to a view.
+/// Adds one cell after the other to a view.
 class Viewer {
 public:
     explicit Viewer(const AxisPlace& place)
@@ -82,7 +83,7 @@ private:
         }
     }
 
-    /// A sine that no cell of A,B in reach passes.
+    /// An upper bound of the sines of the latitudes of cells within reach, for A,B.
     static double highest(const AxisPlace& place)
     {
         const double reach = std::max(place.reach[0], place.reach[1]) + place.radius;

@@ -4,6 +4,21 @@
 #include <algorithm>
 #include <numbers>
 
+// How the sweep finds the least window.
+//
+// The cells that count are sorted by the begins of their intervals, over two rounds. A
+// window can be moved back until it ends at the begin of an interval; it then has to
+// begin before the end of one interval of each cone.
+// 1. `last` runs over all begins. The cells head ... last are a queue.
+// 2. While the cells of the queue meet all cones, the window from the end of the first
+//    cell to the begin of the last one is a candidate, and the first cell leaves the
+//    queue.
+// 3. The AND of the columns of a queue is kept by two stacks: the front stack stores the
+//    AND from each cell to the split, the back is a single AND. When the front is empty,
+//    the back is turned into it. So each cell costs a constant number of ANDs. The ends
+//    are replaced by their running maximum, so that a long interval hides short ones.
+//    This can make a window too narrow, never too wide.
+
 namespace endmill {
 namespace {
 
@@ -11,7 +26,7 @@ constexpr double turn = 2 * std::numbers::pi;
 
 }  // namespace
 
-/// Lists the cells that count. \return whether they meet all cones together.
+/// Lists the cells that count. \return false if they miss a cone together.
 template <std::size_t W>
 bool WindowSweep::gather(const AxisView& view, std::span<const SweptRange> places,
                          const LevelLimits& limits)
@@ -40,7 +55,8 @@ bool WindowSweep::gather(const AxisView& view, std::span<const SweptRange> place
     return words.complete(back_.data(), back_.data());
 }
 
-/// Makes the ends of the parts those of two rounds, each at least the one before.
+/// Extends the ends of the intervals to two rounds and replaces them by their running
+/// maximum.
 void WindowSweep::raise_ends()
 {
     const std::size_t count = begin_.size();
@@ -51,7 +67,8 @@ void WindowSweep::raise_ends()
         end_[k] = std::max(end_[k], end_[k - 1]);
 }
 
-/// Notes what the cells from each of `head` .. `last` on to `last` miss.
+/// Fills the front stack: for each of `head` ... `last` the AND of the columns from it to
+/// `last`.
 template <std::size_t W>
 void WindowSweep::fill_front(std::size_t head, std::size_t last)
 {
@@ -66,8 +83,8 @@ void WindowSweep::fill_front(std::size_t head, std::size_t last)
     words.copy(back_.data(), always_.data());
 }
 
-/// A queue of two stacks: what the cells head .. split - 1 miss is known from each of them on,
-/// what split .. last miss only together.
+/// Sweeps twice around. The front stack holds the cells head ... split - 1, the back
+/// those from split to last.
 template <std::size_t W>
 std::optional<AzimuthWindow> WindowSweep::sweep(double cap)
 {

@@ -15,31 +15,36 @@ namespace endmill {
 
 /// Azimuths from `begin` to `begin + width`, rad.
 struct AzimuthWindow {
-    double begin = 0;
+    double begin = 0;  ///< about the axis
     double width = 0;  ///< in [0, 2 pi]
 };
 
-/// The cells of a view that count: levels up to `upto[side]`, rad.
+/// Upper limits of the levels on both sides. Cells of a view beyond them do not count.
 struct LevelLimits {
-    std::array<double, 2> upto;
+    std::array<double, 2> upto;  ///< rad
 };
 
-/// Neighbours in AxisView::swept.
+/// A range of indices of AxisView::swept.
 struct SweptRange {
-    std::size_t first = 0;
-    std::size_t end = 0;  ///< one beyond the last
+    std::size_t first = 0;  ///< index of the first cell
+    std::size_t end = 0;    ///< one beyond the last
 };
 
-/// Finds least windows by one circular sweep over the cells of a view. Keeps its memory between
-/// calls; one a thread. Derived in paper/notes/whole-cones.md.
+/// Finds least windows by one circular sweep over the cells of a view. Keeps its memory
+/// between calls; one for each thread. Source: paper/notes/whole-cones.md.
 class WindowSweep {
 public:
+    /// \param cones must outlive the sweep.
     explicit WindowSweep(const ConeSet& cones) : cones_{&cones} {}
 
-    /// A window of least width that touches a part of some counting cell of each cone, of those
-    /// in `places`, ascending and apart, or of any azimuth. Nothing if that takes `cap` (rad)
-    /// or more. Where parts differ in length the width may be too small by the difference,
-    /// never too large (rounding apart: 1e-15).
+    /// Finds a window of least width that meets an interval of some cell of each cone.
+    ///
+    /// If intervals differ in length, the width may be too small by the difference. It is
+    /// never too large, up to a rounding of 1e-15, so that it is a lower bound.
+    /// \param view cells. \param places ranges of its swept cells that count, ascending
+    ///         and disjoint; free cells always count. \param limits of the levels.
+    /// \param cap rad: windows of this width or more are of no interest.
+    /// \return nothing if there is no window narrower than `cap`.
     std::optional<AzimuthWindow> least(const AxisView& view,
                                        std::span<const SweptRange> places,
                                        const LevelLimits& limits, double cap);
@@ -55,12 +60,13 @@ private:
     std::optional<AzimuthWindow> sweep(double cap);
 
     const ConeSet* cones_;
-    std::vector<const std::uint64_t*> missing_;  ///< of the swept cells that count
-    std::vector<double> begin_;                  ///< of their parts
-    std::vector<double> end_;  ///< never falls: the farthest end so far, two rounds
-    std::vector<std::uint64_t> always_;  ///< what the cells of any azimuth miss
-    std::vector<std::uint64_t> front_;   ///< what cells from here to the split miss
-    std::vector<std::uint64_t> back_;    ///< what those beyond it miss
+    std::vector<const std::uint64_t*>
+        missing_;                ///< columns of the swept cells that count
+    std::vector<double> begin_;  ///< begins of their intervals
+    std::vector<double> end_;    ///< running maximum of their ends, over two rounds
+    std::vector<std::uint64_t> always_;  ///< AND of the columns of the free cells
+    std::vector<std::uint64_t> front_;   ///< by cell: AND of the columns up to the split
+    std::vector<std::uint64_t> back_;    ///< AND of the columns after the split
 };
 
 }  // namespace endmill

@@ -9,13 +9,15 @@
 namespace endmill {
 namespace {
 
+/// Words of a column, rounded up to a multiple of 4 from 3 words on, so that loops
+/// vectorise.
 std::size_t padded_words(std::size_t cones)
 {
     const std::size_t words = std::max<std::size_t>((cones + 63) / 64, 1);
     return words <= 2 ? words : (words + 3) / 4 * 4;
 }
 
-/// Of the cones `order`, the first that shares no cell with its first.
+/// The first cone in `order` that shares no cell with order.front().
 std::optional<std::size_t> apart_from_first(const DistinctCones& cones,
                                             std::span<const std::size_t> order)
 {
@@ -31,6 +33,7 @@ std::optional<std::size_t> apart_from_first(const DistinctCones& cones,
     return std::nullopt;
 }
 
+/// For each cone the lowest facet that has it.
 std::vector<std::size_t> first_facets(const DistinctCones& cones)
 {
     std::vector<std::size_t> facets(cones.size(), cones.none);

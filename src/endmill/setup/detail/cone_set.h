@@ -11,40 +11,41 @@
 
 namespace endmill {
 
-/// The visibility cones that decide whether a set of tool directions meets all cones: empty
-/// ones are left out, and so are those that hold another one whole, since what meets the
-/// other meets them. Kept as columns of *missing* bits: bit k of a cell's column is 0 where
-/// the cell lies in cone k, so that cells together meet all cones where the AND of their
-/// columns is 0.
+/// The cones that decide whether a set of tool directions meets all visibility cones of a
+/// part. Empty cones are left out, and so are cones that contain another cone.
+///
+/// The cones are stored as columns of *missing* bits: bit k of a cell's column is 0 if
+/// the cell lies in cone k. Some cells meet all cones if the AND of their columns is 0.
 class ConeSet {
 public:
-    /// Of equal cones the first stays. See `least_cones` for the time it takes.
+    /// Of equal cones the first is kept. For the time see `least_cones`.
     explicit ConeSet(const VisibilityMap& map);
 
     /// Facets whose cones are kept, ascending.
     std::span<const std::size_t> facets() const { return facets_; }
 
-    /// Cells that lie in some cone, ascending.
+    /// Cells that lie in at least one kept cone, ascending.
     std::span<const std::size_t> cells() const { return cells_; }
 
-    /// Words of a column: 1, 2, 4 or a multiple of 4; the bits beyond the last cone are 0.
+    /// Words of a column: 1, 2 or a multiple of 4. Bits beyond the last cone are 0.
     std::size_t words() const { return words_; }
 
-    /// What cells()[index] misses. \pre index < cells().size().
+    /// The column of cells()[index]. \pre index < cells().size().
     const std::uint64_t* missing(std::size_t index) const
     {
         return missing_.data() + index * words_;
     }
 
-    /// What no cell misses: a 1 for each cone.
+    /// The column of an empty set of cells, which misses every cone: a 1 for each cone.
     const std::uint64_t* everything() const { return everything_.data(); }
 
-    /// Numbers of the cells, in cells(), of the cone of fewest cells: every set that meets all
-    /// cones holds one of them. Empty if there is no cone.
+    /// The cone of fewest cells, as indices into cells(). Every set that meets all cones
+    /// contains one of these cells. Empty if there is no cone.
     std::span<const std::size_t> smallest_cone() const { return smallest_; }
 
-    /// The same of the smallest cone that shares no cell with that one, so that every set that
-    /// meets all cones holds two different cells, one of each; all cells if there is none.
+    /// The smallest cone that shares no cell with smallest_cone(), as indices into
+    /// cells(). Every set that meets all cones contains a cell of each of the two. All
+    /// cells if no such cone exists.
     std::span<const std::size_t> other_cone() const { return other_; }
 
 private:
@@ -57,8 +58,8 @@ private:
     std::vector<std::size_t> other_;
 };
 
-/// Calls `body` with the number of words of a column: as a constant where it is a usual one,
-/// so that loops over words unroll, else 0.
+/// Calls `body` with the number of words of a column as a compile-time constant, so that
+/// loops over words unroll. The constant is 0 if the number is not 1, 2 or 4.
 template <typename Body>
 auto with_words(std::size_t words, Body&& body)
 {
@@ -74,12 +75,12 @@ auto with_words(std::size_t words, Body&& body)
     }
 }
 
-/// Columns of missing bits of `W` words, or of as many as told if `W` is 0.
+/// Operations on columns of missing bits of `W` words, or of `words` words if `W` is 0.
 template <std::size_t W>
 struct MissingWords {
-    std::size_t words;  ///< of a column
+    std::size_t words;  ///< length of a column, used if W is 0
 
-    std::size_t count() const { return W != 0 ? W : words; }  ///< words of a column
+    std::size_t count() const { return W != 0 ? W : words; }  ///< length of a column
 
     /// target = source.
     void copy(std::uint64_t* target, const std::uint64_t* source) const
@@ -95,7 +96,7 @@ struct MissingWords {
             target[k] &= source[k];
     }
 
-    /// Whether nothing is missing where both are there.
+    /// Returns true if the cells of both columns together miss no cone.
     bool complete(const std::uint64_t* a, const std::uint64_t* b) const
     {
         std::uint64_t left = 0;

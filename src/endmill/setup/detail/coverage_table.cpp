@@ -8,9 +8,8 @@
 namespace endmill {
 namespace {
 
-constexpr std::size_t azimuth_bins =
-    96;  // 3.75 degrees: coarse enough for a table in cache
-constexpr std::size_t level_bins = 16;  // a side
+constexpr std::size_t azimuth_bins = 96;  // 3.75 degrees: the table stays in the cache
+constexpr std::size_t level_bins = 16;    // on each side
 constexpr double bins_per_turn = azimuth_bins / (2 * std::numbers::pi);
 
 }  // namespace
@@ -63,8 +62,12 @@ void CoverageTable::fill(const AxisView& view, const std::array<double, 2>& reac
     with_words(cones_->words(), [&](auto w) { fill_bins<decltype(w)::value>(view); });
 }
 
-/// Finds where `run` neighbouring bins together meet all cones, or whether they do anywhere. A
-/// run is the end of one block of `run` bins and the beginning of the next (van Herk).
+/// Finds the runs of `run` neighbouring bins that together meet all cones: all of them,
+/// or only whether there is one.
+///
+/// A run is the end of one block of `run` bins and the beginning of the next block. The
+/// ANDs of all ends (tail_) and of the growing beginning (sum_) give each run by one AND,
+/// as in the algorithm of van Herk for running minima.
 template <std::size_t W>
 bool CoverageTable::find_runs(const LevelLimits& limits, std::size_t run, bool all)
 {
@@ -110,8 +113,8 @@ bool CoverageTable::find_runs(const LevelLimits& limits, std::size_t run, bool a
     return is_found;
 }
 
-/// How many bins the cells of a window of this width begin in, at most: a part that touches the
-/// window begins in it or at most its own length before it.
+/// Largest number of bins in which the cells that a window meets begin. An interval that
+/// meets the window begins within it, or before it by at most its own length.
 std::size_t CoverageTable::bins_of(double width) const
 {
     const double bins = (width + longest_) * bins_per_turn + 2;
@@ -131,8 +134,7 @@ std::span<const SweptRange> CoverageTable::places(const LevelLimits& limits, dou
     with_words(cones_->words(),
                [&](auto w) { find_runs<decltype(w)::value>(limits, run, true); });
     places_.clear();
-    std::size_t open =
-        0;  // bins that the last run still goes on for, from the turn before
+    std::size_t open = 0;  // number of bins that the last run still covers
     for (std::size_t k = 0; k < azimuth_bins; ++k)
         if (is_start_[k] != 0 && k + run > azimuth_bins)
             open = k + run - azimuth_bins;

@@ -13,23 +13,29 @@
 
 namespace endmill {
 
-/// The cells of a view in bins of azimuth and level, with what all cells of a bin miss
-/// together: tells in under a microsecond that no window will do. Keeps its memory between
-/// views; one a thread.
+/// A filter before WindowSweep: the cells of a view in bins of azimuth and level, with
+/// the AND of the columns of each bin. It excludes windows in less than a microsecond.
+/// Keeps its memory between views; one for each thread.
 class CoverageTable {
 public:
+    /// \param cones must outlive the table.
     explicit CoverageTable(const ConeSet& cones) : cones_{&cones} {}
 
-    /// Fills the table from `view`, whose levels matter up to `reach` (rad, to either side) only.
+    /// Fills the table.
+    /// \param view cells. \param reach largest level to either side that later calls use,
+    ///         rad.
     void fill(const AxisView& view, const std::array<double, 2>& reach);
 
-    /// False only if WindowSweep::least would find no window narrower than `width` rad.
-    /// \pre limits.upto is not above the `reach` of fill.
+    /// Tests whether a window narrower than `width`, rad, may meet all cones.
+    /// \return false only if WindowSweep::least would find no such window.
+    /// \pre limits.upto does not exceed the `reach` of fill.
     bool may_fit(const LevelLimits& limits, double width);
 
-    /// Where in the view such windows may be: WindowSweep::least finds the same ones here as in
-    /// the whole view. Empty if it would find none, and all of it where cells of any azimuth
-    /// do; until the next call.
+    /// Selects the parts of the view in which windows narrower than `width`, rad, may
+    /// lie. WindowSweep::least gives the same result for these parts as for the whole
+    /// view.
+    /// \return ascending ranges, valid until the next call; empty if there is no such
+    ///         window.
     std::span<const SweptRange> places(const LevelLimits& limits, double width);
 
 private:
@@ -42,16 +48,16 @@ private:
 
     const ConeSet* cones_;
     std::array<double, 2> bins_per_rad_{};
-    double longest_ = 0;  ///< part of a cell, rad
+    double longest_ = 0;  ///< longest interval of a cell, rad
     std::vector<SeenCell> free_;
     std::vector<std::size_t>
-        first_;  ///< by azimuth: its first cell in the view; and the end
+        first_;  ///< by azimuth bin: first cell in the view; and the end
+    std::vector<std::uint64_t> bins_;  ///< by side, level, azimuth: AND up to this level
+    std::vector<std::uint64_t> both_;  ///< by azimuth bin: AND of both sides
     std::vector<std::uint64_t>
-        bins_;  ///< by side, level, azimuth; a bin holds lower levels too
-    std::vector<std::uint64_t> both_;  ///< by azimuth: what both sides miss
-    std::vector<std::uint64_t> tail_;  ///< what is missed from here to the end of a block
-    std::vector<std::uint64_t> sum_;   ///< what is missed since the block began
-    std::vector<char> is_start_;       ///< by azimuth: whether a run begins here
+        tail_;                        ///< AND of the bins from here to the end of a block
+    std::vector<std::uint64_t> sum_;  ///< AND of the bins since the block began
+    std::vector<char> is_start_;      ///< by azimuth bin: 1 if a run begins here
     std::vector<SweptRange> places_;
 };
 

@@ -13,6 +13,7 @@ namespace {
 
 using Row = std::span<const std::uint64_t>;
 
+// The map transposed: a row of bits for each facet, in blocks of 64 x 64 bits.
 std::vector<std::uint64_t> rows_of(const VisibilityMap& map, std::size_t row_words)
 {
     std::vector<std::uint64_t> rows(64 * map.words() * row_words);
@@ -34,8 +35,9 @@ std::vector<std::uint64_t> rows_of(const VisibilityMap& map, std::size_t row_wor
     return rows;
 }
 
-// Multiplication by an odd number close to 2^64 over the golden ratio spreads neighbours; the
-// shift brings the high bits, which depend on all, down to those that choose the slot.
+// A multiplicative hash: the factor is an odd number close to 2^64 / golden ratio. The
+// shift brings the high bits, which depend on all bits of the word, down to those that
+// select a slot.
 std::uint64_t hash_of(Row row)
 {
     std::uint64_t hash = 0;
@@ -46,7 +48,8 @@ std::uint64_t hash_of(Row row)
     return hash;
 }
 
-// Numbers of rows by what they hold; rows themselves are elsewhere.
+// A hash table with open addressing from the content of a row to the number of its cone.
+// The rows themselves are stored elsewhere.
 class RowTable {
 public:
     explicit RowTable(std::size_t most)
@@ -54,7 +57,7 @@ public:
     {
     }
 
-    // The slot of a row equal to this one, or the free one where it belongs.
+    // The slot that holds the number of an equal row, or else a free slot for this row.
     template <class RowOf>
     std::size_t& slot(Row row, const RowOf& row_of)
     {
@@ -83,6 +86,8 @@ DistinctCones::DistinctCones(const VisibilityMap& map)
         if (std::ranges::all_of(found, [](std::uint64_t word) { return word == 0; }))
             continue;
         std::size_t& cone = table.slot(found, [this](std::size_t i) { return row(i); });
+        // The row of a new cone is copied to the front, over a row that is no longer
+        // needed.
         if (cone == none) {
             cone = facets_.size();
             facets_.push_back(0);

@@ -11,26 +11,29 @@
 
 namespace endmill {
 
-/// The different visibility cones of a part that are not empty, in the order of their first
-/// facets, each as a row of bits.
+/// The different visibility cones of a part, without the empty one, in the order of their
+/// first facets. Each cone is a row of bits over the cells. Large parts have many facets
+/// with equal cones, and the searches look at each cone once.
 class DistinctCones {
 public:
-    /// Stands for the cone of a facet that no cell reaches.
+    /// Number in `cone_of` of a facet that no cell reaches.
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-    /// O(facets * cells / 64), and while it works as much memory as the map.
+    /// Takes O(facets * cells / 64) operations, and as much memory as the map while it
+    /// works.
     explicit DistinctCones(const VisibilityMap& map);
 
     std::size_t size() const { return facets_.size(); }  ///< number of cones
-    std::size_t cells() const { return cells_; }         ///< that the map has
+    std::size_t cells() const { return cells_; }         ///< number of cells of the map
 
-    /// The number of each facet's cone, or `none`.
+    /// For each facet the number of its cone, or `none`.
     std::span<const std::size_t> cone_of() const { return cone_of_; }
 
-    /// How many facets have it. \pre cone < size().
+    /// Number of facets that have this cone. \pre cone < size().
     std::size_t facets(std::size_t cone) const { return facets_[cone]; }
 
-    /// The cells of a cone: bit i % 64 of word i / 64 tells of cell i. \pre cone < size().
+    /// The cells of a cone: bit i % 64 of word i / 64 is set if cell i belongs to it.
+    /// \pre cone < size().
     std::span<const std::uint64_t> row(std::size_t cone) const
     {
         return {rows_.data() + cone * row_words_, row_words_};
@@ -38,10 +41,11 @@ public:
 
     std::size_t row_words() const { return row_words_; }  ///< words of a row
 
-    /// The map of a part with one facet for each cone.
+    /// A visibility map with one facet for each cone.
     VisibilityMap map() const;
 
-    /// The same of some cones. \pre all of `cones` are below size().
+    /// A visibility map with one facet for each of `cones`. \pre all of them are below
+    /// size().
     VisibilityMap map(std::span<const std::size_t> cones) const;
 
 private:

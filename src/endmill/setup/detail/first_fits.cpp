@@ -13,6 +13,7 @@
 
 #include "endmill/core/parallel.h"
 #include "endmill/setup/detail/axis_node.h"
+#include "endmill/setup/detail/range_limits.h"
 
 namespace endmill {
 namespace {
@@ -21,23 +22,28 @@ constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr double arc_band = 0.2 * degree;    ///< cells so near to a circle lie on its arc
-constexpr double arc_reach = 0.5 * degree;   ///< the same while it is improved
-constexpr std::size_t cells_scanned = 512;   ///< of a cone, for circles through two
-constexpr std::size_t arcs_improved = 60;    ///< of the shortest
-constexpr std::size_t arcs_used = 12;        ///< as places for other axes
-constexpr std::size_t poles_on_circle = 24;  ///< besides the cells on it
-constexpr std::size_t fits_improved = 6;  ///< of those about axes spread over the sphere
-constexpr std::size_t round_size = 32;    ///< fits between two looks at the best one
+// The following numbers trade time for the quality of the first fit. They do not affect
+// bounds.
+constexpr double arc_band =
+    0.2 * degree;  ///< cells this close to a circle lie on its arc
+constexpr double arc_reach = 0.5 * degree;  ///< the same while a circle is improved
+constexpr std::size_t cells_scanned = 512;  ///< most cells of a cone that span circles
+constexpr std::size_t arcs_improved = 60;   ///< number of short arcs that are improved
+constexpr std::size_t arcs_used = 12;       ///< number of arcs along which axes are tried
+constexpr std::size_t poles_on_circle = 24;  ///< axes on a circle besides the cells on it
+constexpr std::size_t fits_improved = 6;     ///< number of best fits that are improved
+constexpr std::size_t round_size =
+    32;  ///< fits before the best is updated; fixed, so that the
+         ///< result does not depend on threads
 
-constexpr double worth_keeping = 1.2;  ///< times the best: descent may still win so much
-constexpr double rough = 0.02;         ///< slack of fits that are to be improved
-constexpr double coarse_step = 0.1 * degree;  ///< where the first descent ends
+constexpr double worth_keeping = 1.2;  ///< a descent may improve a fit by this factor
+constexpr double rough = 0.02;         ///< slack of fits that are improved later
+constexpr double coarse_step = 0.1 * degree;  ///< last step of a first descent
 
-/// Two circles are one if their normals are as near as this, rad.
+/// rad: two circles are equal if their normals differ by less.
 constexpr double same_circle = 1e-6;
 
-/// Relative: two fits are taken for the same set, or for its mirror image.
+/// Relative: two fits with objectives this close are the same range, or mirror images.
 constexpr double same_objective = 1e-9;
 
 bool is_better(const AxisFit& a, const AxisFit& b)
@@ -45,7 +51,8 @@ bool is_better(const AxisFit& a, const AxisFit& b)
     return a.objective < b.objective;
 }
 
-/// For arcs: R1 along the normal, the arc the window, a narrow band about the circle.
+/// The problem of short arcs as one of ranges in A,B: R1 is the normal of the circle, the
+/// arc is the window, and latitudes are limited to a narrow band.
 ConeFitting along_arcs(const ConeFitting& fitting)
 {
     ConeFitting arcs = fitting;
@@ -55,12 +62,14 @@ ConeFitting along_arcs(const ConeFitting& fitting)
     return arcs;
 }
 
-/// Circles through one cell and others, by the azimuth of the circle there.
+/// Finds the circles through a cell whose bands meet all cones. Circles through the cell
+/// are binned by their azimuth there; a bin holds the AND of the columns of the cells
+/// that its band may meet.
 class CircleScan {
 public:
     explicit CircleScan(const ConeFitting& fitting) : fitting_{fitting} {}
 
-    /// Normals of the circles through cell `from` and one of `others` whose band meets all
+    /// Normals of the circles through cell `from` and one of `others` whose bins meet all
     /// cones.
     std::vector<Vec3> normals(std::size_t from, std::span<const std::size_t> others)
     {
@@ -85,9 +94,10 @@ public:
 
 private:
     static constexpr std::size_t bins =
-        1440;  // of 0.125 degrees: a part of a band's width
+        1440;  // of 0.125 degrees, less than a band's width
 
-    /// A circle leaves the cell on both sides: azimuths are the same half a turn apart.
+    /// Azimuths half a turn apart have the same bin, because a circle leaves the cell in
+    /// both directions.
     static std::size_t bin(double azimuth)
     {
         return std::size_t(azimuth / pi * double(bins)) % bins;
@@ -122,11 +132,13 @@ private:
     }
 
     ConeFitting fitting_;
-    std::vector<std::uint64_t> missing_;  ///< by bin
-    std::vector<char> complete_;
+    std::vector<std::uint64_t> missing_;  ///< by bin: AND of the columns
+    std::vector<char> complete_;          ///< by bin: 1 if its cells meet all cones
 };
 
-/// The same for normals within `same_circle`, but for those astride a rounding: they stay two.
+/// A key of a circle that is equal for normals within `same_circle` and for opposite
+/// normals. Normals on two sides of a rounding limit get different keys and are kept
+/// twice.
 std::array<std::int64_t, 3> circle_key(const Vec3& normal)
 {
     std::array<std::int64_t, 3> key{};
@@ -144,8 +156,8 @@ std::array<std::int64_t, 3> circle_key(const Vec3& normal)
     return key;
 }
 
-/// At most `cells_scanned` of the cells, evenly: all of them on grids of a thousand cells. Descent
-/// then has to find the circle from its neighbours.
+/// At most about `cells_scanned` of the cells, evenly spaced. On grids of a thousand
+/// cells these are all; on finer grids the descent starts from a neighbouring circle.
 std::vector<std::size_t> thinned(std::span<const std::size_t> cells)
 {
     const std::size_t step = (cells.size() + cells_scanned - 1) / cells_scanned;
@@ -155,7 +167,7 @@ std::vector<std::size_t> thinned(std::span<const std::size_t> cells)
     return kept;
 }
 
-/// All circles of the scan, each once.
+/// Normals of all circles of the scan, each once.
 std::vector<Vec3> scanned_circles(const ConeFitting& fitting)
 {
     const auto cells = thinned(fitting.cones->smallest_cone());
@@ -175,7 +187,8 @@ std::vector<Vec3> scanned_circles(const ConeFitting& fitting)
     return circles;
 }
 
-/// The first `count` fits of different objectives, each improved by descent; best first.
+/// Improves the first `count` fits with different objectives by descent. \return best
+/// first.
 std::vector<AxisFit> improved(std::vector<AxisFit> fits, std::size_t count,
                               const ConeFitting& fitting, const Descent& descent)
 {
@@ -193,7 +206,7 @@ std::vector<AxisFit> improved(std::vector<AxisFit> fits, std::size_t count,
     return fits;
 }
 
-/// Axes from which the sets along the circle with this normal are thin windows.
+/// Axes on the circle with this normal: from them an arc of the circle is a thin window.
 std::vector<Vec3> axes_on_circle(const ConeFitting& fitting, const Vec3& normal)
 {
     std::vector<Vec3> axes;
@@ -208,7 +221,7 @@ std::vector<Vec3> axes_on_circle(const ConeFitting& fitting, const Vec3& normal)
     return axes;
 }
 
-/// An axis about which a single direction that meets all cones is the set, if there is one.
+/// If a single cell meets all cones: an axis about which this direction alone is a range.
 std::optional<Vec3> three_axis(const ConeFitting& fitting)
 {
     const MissingWords<0> words{fitting.cones->words()};
@@ -263,8 +276,8 @@ std::vector<Vec3> short_arcs(const ConeFitting& fitting)
 
 namespace {
 
-// The best about these axes as they are: what is improved from rough fits may end a hair above
-// where it began.
+// The exact best fit about these axes. Fits that were improved from rough ones may be
+// slightly worse than the range about their first axis.
 std::optional<AxisFit> exact_fit(const ConeFitting& fitting, std::span<const Vec3> axes)
 {
     AxisFitter fitter{fitting};

@@ -11,17 +11,29 @@
 
 #include "endmill/core/parallel.h"
 
+// How minimal cones are found.
+//
+// 1. Cones are taken in the order of their sizes, so that a cone can contain only cones
+//    that were taken before it. Cones of equal size do not contain each other and are
+//    tested in parallel.
+// 2. To test whether a cone contains a kept cone, 64 cells outside it are chosen. A kept
+//    cone with one of these cells is not contained. Kept cones are stored in tiles of 512
+//    with a line of 512 bits for each cell, so that a cell excludes the cones of a tile
+//    by one OR of a line.
+// 3. The few kept cones that remain are compared cell by cell.
+// 4. A cone that contains no kept cone is kept.
+
 namespace endmill {
 namespace {
 
 using Row = std::span<const std::uint64_t>;
 
-constexpr std::size_t tile_words = 8;  // a column of a tile is a line of the cache
+constexpr std::size_t tile_words = 8;  // a line of a tile fills a cache line of 64 bytes
 constexpr std::size_t tile_cones = 64 * tile_words;
 
-// Cells outside a cone that are asked: after so many, cones of a tenth of all cells are left
-// with a chance of 0.001, and what is left is compared whole.
-constexpr std::size_t cells_asked = 64;
+// Number of cells outside a cone that are used as a filter. A kept cone of a tenth of all
+// cells that is not contained passes the filter with a probability of 0.001.
+constexpr std::size_t filter_cells = 64;
 
 using Line = std::array<std::uint64_t, tile_words>;
 
@@ -33,7 +45,7 @@ bool holds(Row outer, Row inner)
     return true;
 }
 
-// Cones by tiles, in each a line of bits for each cell.
+// The cones kept so far, in tiles. A tile has a line of bits for each cell.
 class KeptCones {
 public:
     explicit KeptCones(const DistinctCones& cones) : cones_{cones} {}
@@ -58,17 +70,18 @@ public:
         kept_.push_back(cone);
     }
 
-    // Whether a cone of the tile has no cell outside of `row`, some of which are `outside`.
+    // Tests whether `row` contains a cone of the tile. `outside` are some cells not in
+    // `row`.
     bool has_inside(std::size_t tile, Row row, std::span<const std::size_t> outside) const
     {
-        Line struck{};
+        Line excluded{};
         for (const std::size_t cell : outside) {
             const Line& line = lines_[tile * width() + cell];
             for (std::size_t w = 0; w < tile_words; ++w)
-                struck[w] |= line[w];
+                excluded[w] |= line[w];
         }
         for (std::size_t k = 0; k < tile_words; ++k)
-            for (std::uint64_t rest = ~struck[k]; rest != 0; rest &= rest - 1) {
+            for (std::uint64_t rest = ~excluded[k]; rest != 0; rest &= rest - 1) {
                 const std::size_t at = tile * tile_cones + 64 * k +
                                        static_cast<std::size_t>(std::countr_zero(rest));
                 if (at < kept_.size() && holds(row, cones_.row(kept_[at])))
@@ -94,7 +107,8 @@ std::vector<std::size_t> sizes_of(const DistinctCones& cones)
     return sizes;
 }
 
-// Cells in an order that has neighbours far apart: cells near each other strike out the same.
+// The cells in a fixed random order. Neighbouring cells belong to nearly the same cones,
+// so that cells far apart make a better filter.
 std::vector<std::size_t> shuffled_cells(std::size_t count)
 {
     std::vector<std::size_t> cells(count);
@@ -114,7 +128,8 @@ public:
     {
     }
 
-    // \pre cones of one size, each time a larger one.
+    // Keeps the minimal cones among some of equal size. \pre the size grows from call to
+    // call.
     void take(std::span<const std::size_t> equals)
     {
         std::vector<char> has_smaller(equals.size(), 0);
@@ -133,7 +148,8 @@ public:
     }
 
 private:
-    // Tile by tile, which stays in the cache.
+    // Tests the cones against one tile after the other, so that a tile stays in the
+    // cache.
     void sift(std::span<const std::size_t> equals, std::span<char> has_smaller) const
     {
         std::vector<std::vector<std::size_t>> outside;
@@ -152,7 +168,7 @@ private:
         for (const std::size_t cell : shuffled_)
             if ((cones_.row(cone)[cell / 64] >> (cell % 64) & 1) == 0) {
                 outside.push_back(cell);
-                if (outside.size() == cells_asked)
+                if (outside.size() == filter_cells)
                     break;
             }
         return outside;

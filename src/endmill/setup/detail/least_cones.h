@@ -8,14 +8,11 @@
 
 namespace endmill {
 
-/// The cones that hold no other one, by their sizes and then their numbers: what meets these
-/// meets all.
+/// Selects the minimal cones: those that contain no other cone. A set of directions that
+/// meets all minimal cones meets all cones. The result is sorted by size, then by number,
+/// and does not depend on the number of threads.
 ///
-/// A cone holds another if that has no cell outside. Of all cones kept so far those with a cell
-/// among some of the cells outside are struck out, 512 at a time, which leaves few to be
-/// compared; so that the work, quadratic in cones, costs less than a nanosecond a pair. Cones of one
-/// size do not hold each other and are dealt with on all threads; the answer does not depend on
-/// their number.
+/// The work is quadratic in the number of cones, at less than a nanosecond for each pair.
 std::vector<std::size_t> least_cones(const DistinctCones& cones);
 
 }  // namespace endmill

@@ -11,6 +11,7 @@
 #include "endmill/setup/detail/axis_fit.h"
 #include "endmill/setup/detail/cone_set.h"
 #include "endmill/setup/detail/least_cones.h"
+#include "endmill/setup/detail/range_limits.h"
 #include "endmill/setup/setup_travel.h"
 
 namespace endmill {
@@ -18,6 +19,7 @@ namespace {
 
 using Numbers = std::vector<std::size_t>;
 
+// At most `most` of the numbers, evenly spaced.
 Numbers spread(const Numbers& numbers, std::size_t most)
 {
     Numbers some;
@@ -27,10 +29,11 @@ Numbers spread(const Numbers& numbers, std::size_t most)
     return some;
 }
 
+// The rounds of the search. Cones are numbered by their places among the minimal cones.
 class ConeRounds {
 public:
     ConeRounds(const SphereGrid& grid, const DistinctCones& cones, const Numbers& least,
-               const SetSearchOptions& options)
+               const WholeConeSearchOptions& options)
         : grid_{grid},
           cones_{cones},
           least_{least},
@@ -41,22 +44,21 @@ public:
     {
     }
 
-    SetSearchResult run(std::size_t cones_a_round)
+    WholeConeSearchResult run(std::size_t cones_a_round)
     {
         Numbers places(least_.size());
         for (std::size_t k = 0; k < places.size(); ++k)
             places[k] = k;
-        // What is found is never worse than the starts.
+        // The result must not be worse than the starting poses.
         for (const SetupPose& start : options_.starts)
             extend(axis_of(start));
         Numbers added = spread(places, cones_a_round);
         while (!added.empty()) {
             for (const std::size_t place : added)
                 is_asked_[place] = 1;
-            SetSearchResult found = search_asked();
+            WholeConeSearchResult found = search_asked();
             if (!found.pose) {
-                result_.machinability =
-                    best_ ? Machinability::Machinable : found.machinability;
+                result_.machinable = best_ ? Answer::Yes : found.machinable;
                 break;
             }
             const Numbers missed = missed_by(*found.pose);
@@ -79,19 +81,22 @@ private:
         return options_.family == RotaryFamily::CA ? pose.tool_axis : pose.r1_axis;
     }
 
-    SetSearchResult search_asked()
+    WholeConeSearchResult search_asked()
     {
         Numbers asked;
         for (std::size_t place = 0; place < least_.size(); ++place)
             if (is_asked_[place] != 0)
                 asked.push_back(least_[place]);
-        SetSearchOptions options = options_;
+        WholeConeSearchOptions options = options_;
         options.starts = starts_;
         options.max_nodes =
             options_.max_nodes - std::min(options_.max_nodes, result_.nodes);
         if (options_.progress)
-            options.progress = [this](const SetSearchProgress& now) { report(now); };
-        SetSearchResult found = set_search(grid_, cones_.map(asked), options);
+            options.progress = [this](const WholeConeSearchProgress& now) {
+                report(now);
+            };
+        WholeConeSearchResult found =
+            whole_cone_search(grid_, cones_.map(asked), options);
         result_.nodes += found.nodes;
         result_.unresolved = found.unresolved;
         result_.lower_bound = std::max(result_.lower_bound, found.lower_bound);
@@ -100,17 +105,18 @@ private:
         return found;
     }
 
-    // A pose that meets some cones is none: only one that meets all is told.
-    void report(const SetSearchProgress& now) const
+    // Reports the best pose that meets all cones, not a pose that meets only some of
+    // them.
+    void report(const WholeConeSearchProgress& now) const
     {
-        SetSearchProgress all{result_.nodes + now.nodes, std::nullopt,
-                              std::max(result_.lower_bound, now.lower_bound)};
+        WholeConeSearchProgress all{result_.nodes + now.nodes, std::nullopt,
+                                    std::max(result_.lower_bound, now.lower_bound)};
         if (best_)
             all.objective = best_->objective;
         options_.progress(all);
     }
 
-    // Places of the cones that have no cell within the pose's ranges.
+    // Places of the cones without a cell within the pose's ranges.
     Numbers missed_by(const FittedPose& fit) const
     {
         const RotaryFrame frame{options_.family, fit.pose.tool_axis, fit.pose.r1_axis,
@@ -124,7 +130,8 @@ private:
         return missed;
     }
 
-    // The best set about this axis that meets all cones.
+    // Finds the best range about this axis that meets all cones, and keeps it if it is
+    // the best so far.
     void extend(const Vec3& axis)
     {
         if (!everything_) {
@@ -147,11 +154,11 @@ private:
         return best_ && best_->objective <= (1 + options_.gap) * result_.lower_bound;
     }
 
-    SetSearchResult best_result() const
+    WholeConeSearchResult best_result() const
     {
-        SetSearchResult result = result_;
+        WholeConeSearchResult result = result_;
         if (best_) {
-            result.machinability = Machinability::Machinable;
+            result.machinable = Answer::Yes;
             result.pose = fitted_pose(*best_, options_.family, options_.limits);
             result.ranges = best_->ranges;
             result.objective = best_->objective;
@@ -162,20 +169,21 @@ private:
     const SphereGrid& grid_;
     const DistinctCones& cones_;
     const Numbers& least_;
-    const SetSearchOptions& options_;
-    VisibilityMap all_;  // of the least cones
-    std::vector<SetupPose> starts_;
-    std::vector<char> is_asked_;  // by places among the least cones
-    std::optional<ConeSet> everything_;
-    std::vector<Vec3> centres_;
-    std::optional<AxisFit> best_;
-    SetSearchResult result_;
+    const WholeConeSearchOptions& options_;
+    VisibilityMap all_;                  // of the minimal cones
+    std::vector<SetupPose> starts_;      // those given, and the poses found so far
+    std::vector<char> is_asked_;         // by place: 1 if the cone belongs to the search
+    std::optional<ConeSet> everything_;  // all minimal cones, made when first needed
+    std::vector<Vec3> centres_;          // of everything_->cells()
+    std::optional<AxisFit> best_;        // meets all cones
+    WholeConeSearchResult result_;
 };
 
 }  // namespace
 
-SetSearchResult many_cones_search(const SphereGrid& grid, const VisibilityMap& map,
-                                  const SetSearchOptions& options, std::size_t few)
+WholeConeSearchResult many_cones_search(const SphereGrid& grid, const VisibilityMap& map,
+                                        const WholeConeSearchOptions& options,
+                                        std::size_t few)
 {
     require(map.cells() == grid.centres.size(),
             "many_cones_search: map and grid differ in cells");
@@ -183,7 +191,7 @@ SetSearchResult many_cones_search(const SphereGrid& grid, const VisibilityMap& m
     const DistinctCones cones{map};
     const Numbers least = least_cones(cones);
     if (least.size() <= few)
-        return set_search(grid, map, options);
+        return whole_cone_search(grid, map, options);
     return ConeRounds{grid, cones, least, options}.run(few / 4);
 }
 

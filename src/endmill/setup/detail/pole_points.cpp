@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "endmill/setup/spherical_hull.h"
+#include "endmill/setup/detail/spherical_hull.h"
 
 namespace endmill {
 

@@ -11,38 +11,39 @@
 
 namespace endmill {
 
-/// Axes about a tool axis, which is z. Along +Z they are those of the part.
+/// A right-handed frame whose z axis, the pole, is a tool axis. For the tool axis +Z it
+/// is the frame of the part.
 struct PoleFrame {
-    Vec3 pole;  ///< unit
+    Vec3 pole;  ///< unit: z
     Vec3 x;     ///< unit: azimuth 0
-    Vec3 y;     ///< unit: azimuth 90
+    Vec3 y;     ///< unit: azimuth 90 degrees
 
     /// \pre `tool_axis` has unit length.
     explicit PoleFrame(const Vec3& tool_axis);
 
-    /// The unit vector at `azimuth`, rad, 90 degrees from the pole.
+    /// The unit vector 90 degrees from the pole at `azimuth`, rad.
     Vec3 equator(double azimuth) const;
 };
 
-/// Directions in a frame, by coordinates.
+/// Coordinates of directions in the frame of a tool axis, in arrays for fast loops.
 struct PolePoints {
-    PoleFrame frame;
-    std::vector<double> x;
-    std::vector<double> y;
-    std::vector<double> z;
+    PoleFrame frame;        ///< of the tool axis
+    std::vector<double> x;  ///< one for each direction
+    std::vector<double> y;  ///< one for each direction
+    std::vector<double> z;  ///< one for each direction
 
     /// \pre `tool_axis` and `directions` have unit length.
     PolePoints(const Vec3& tool_axis, std::span<const Vec3> directions);
 
     std::size_t size() const { return x.size(); }  ///< number of directions
-    double polar(std::size_t i) const;             ///< rad, from the pole, within [0, pi]
+    double polar(std::size_t i) const;             ///< polar angle, rad, within [0, pi]
     double azimuth(std::size_t i) const;  ///< rad, about the pole, within (-pi, pi]
 };
 
-/// `angle` + 2 pi k within [0, 2 pi), rad; 2 pi itself where rounding gives it.
+/// Shifts an angle by whole turns into [0, 2 pi), rad. Rounding may give 2 pi itself.
 double full_turn(double angle);
 
-/// rad^2 in a square degree.
+/// Square radians in a square degree.
 inline constexpr double square_degree =
     (std::numbers::pi / 180) * (std::numbers::pi / 180);
 

@@ -12,11 +12,12 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Keeps s / z finite at z = 0, where it stands for alpha = +-90 degrees.
+// Lower limit of z. It keeps s / z finite at z = 0, where alpha is +-90 degrees.
 constexpr double least_height = 1e-200;
 
-// Of z: the alpha of lower directions passes so quickly through 0, where R1 has their azimuth,
-// that pieces of R1 as narrow as can be leave more than what is certified.
+// Directions with a smaller z are split points. Their alpha passes so quickly through 0
+// where R1 has their azimuth that even the narrowest interval would miss the certified
+// accuracy.
 constexpr double steep_height = 1e-3;
 
 void add_sides(double& plus, double& minus, double value)
@@ -43,8 +44,8 @@ bool RectangleNeeds::LowPoint::is_along_r1(double across) const
     return depth <= equal_angles && std::hypot(across, depth) <= equal_angles;
 }
 
-// Largest extents on either side, as what they are found from. The larger |alpha| of the low
-// points are those of small |s| / depth.
+// The largest extents to either side, as tangents and sines. Low points have |alpha| > 90
+// degrees; the smaller |s| / depth, the larger |alpha|.
 struct RectangleNeeds::Extents {
     double tangent_plus = 0;
     double tangent_minus = 0;
@@ -54,14 +55,14 @@ struct RectangleNeeds::Extents {
     double sine_minus = 0;
 };
 
-// What a function is at the ends of a piece.
+// Values of a function at both ends of an interval.
 struct RectangleNeeds::Ends {
     double left;
     double right;
 };
 
-// Of the tangents or sines to one side the one that is largest where it is least: 0 if none
-// stays on that side.
+// The tangent or sine, of all directions to one side, whose smaller end value is the
+// largest. All values are 0 if no direction stays on that side over the interval.
 struct RectangleNeeds::Support {
     double least = 0;
     double left = 0;
@@ -75,13 +76,14 @@ struct RectangleNeeds::Support {
     }
 };
 
-// Of the low points on one side the one of least |s| / depth where that is largest.
+// The low point, of those to one side, whose largest |s| / depth over the interval is the
+// least.
 struct RectangleNeeds::LowSupport {
     double ratio = infinity;
     const LowPoint* point = nullptr;
 };
 
-// What the extents over a piece are at least, and of which directions.
+// Lower bounds of the extents over an interval, with the directions that give them.
 struct RectangleNeeds::Supports {
     Support tangent_plus{};
     Support tangent_minus{};
@@ -167,7 +169,7 @@ RectangleNeeds::Supports RectangleNeeds::supports(const R1Azimuth& left,
         const double right_sine = right.along(p.x, p.y);
         found.sine_plus.offer(left_sine, right_sine);
         found.sine_minus.offer(-left_sine, -right_sine);
-        // |s| = rho where sin beta = 0.
+        // |s| has its maximum rho where sin beta changes its sign.
         const bool has_peak = (left_sine > 0) != (right_sine > 0);
         const double most = has_peak ? p.rho
                                      : std::max(std::abs(left.across(p.x, p.y)),
@@ -179,9 +181,10 @@ RectangleNeeds::Supports RectangleNeeds::supports(const R1Azimuth& left,
     return found;
 }
 
-// rad^2: of the rectangles of which each extent is that of one direction alone. Both sums are at
-// least straight between the ends: alpha and beta of a high direction are concave, and for
-// |alpha| of a low one, which is convex, stands its tangent in the middle.
+// Lower bounds of the area, rad^2, from one direction for each extent. The sums of both
+// alphas and of both betas are at least linear between the ends of the interval: alpha
+// and beta of a high direction are concave; |alpha| of a low direction is convex and is
+// replaced by its tangent in the middle. The product of two such sums is least at an end.
 std::array<double, 2> RectangleNeeds::areas_between(const Supports& supports,
                                                     const R1Azimuth& middle,
                                                     double half_width) const

@@ -10,26 +10,37 @@
 #include "endmill/setup/detail/rectangle_bound.h"
 #include "endmill/setup/detail/setup_order.h"
 
+// Branch and bound over the azimuth psi of R1.
+//
+// A direction (x, y, z) has s = x sin psi - y cos psi, tan alpha = s / z and sin beta = x
+// cos psi + y sin psi.
+// 1. The half turn of psi is cut at the azimuths at which an alpha jumps. These intervals
+//    are the first pieces. R1 at both of their ends is evaluated.
+// 2. RectangleNeeds bounds the area over a piece from below.
+// 3. The piece of least bound is split in the middle, where R1 is evaluated, until the
+//    bound is within `branch_accuracy` of the best rectangle.
+
 namespace endmill {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// rad: narrower pieces are not split. 1e4 roundings of an angle; and what a rectangle of any
-// length can gain by so little is below `branch_accuracy` of a square degree.
+// rad; narrower pieces are not split. This is 1e4 roundings of an angle, and such a
+// change of R1 changes an area by less than `branch_accuracy` of a square degree.
 constexpr double narrowest = 1e-12;
 
-// Positions of R1 between which no direction changes its side.
+// An interval of azimuths of R1 in which no direction changes its side.
 struct Piece {
     R1Azimuth left;
     R1Azimuth right;
-    double bound;        // rad^2
-    std::size_t number;  // in the order of creation
+    double bound;        // rad^2, lower bound of the area
+    std::size_t number;  // order of creation
 
     double middle() const { return (left.angle + right.angle) / 2; }
 
-    // The one to be split first is the largest of a std::priority_queue.
+    // Orders a std::priority_queue so that its top has the least bound, then the least
+    // number.
     friend bool operator<(const Piece& a, const Piece& b)
     {
         return a.bound != b.bound ? a.bound > b.bound : a.number > b.number;
@@ -45,7 +56,8 @@ public:
     {
     }
 
-    // R1 at `azimuth`, directions on the sides on which they are with R1 at `beside`.
+    // Evaluates R1 at `azimuth`. Low directions have the sign of alpha that they have
+    // with R1 at `beside`.
     void evaluate(const R1Azimuth& azimuth, const R1Azimuth& beside)
     {
         const Vec3 r1_axis = azimuth.cosine * frame_.x + azimuth.sine * frame_.y;
@@ -57,7 +69,7 @@ public:
         }
     }
 
-    // R1 at every fifth degree.
+    // Evaluates R1 at every multiple of 5 degrees.
     void evaluate_coarsely()
     {
         constexpr int steps = 36;
@@ -87,8 +99,9 @@ public:
 
     std::optional<RectangleCandidate> best() const { return best_.best(); }
 
-    // Whether nothing above this bound is asked for: nor a hair below, since bounds have
-    // roundings, and what equals the worth is asked for.
+    // Tests whether all areas above this bound are of no interest. The tolerance is
+    // applied twice: once because an area equal to the limit is of interest, once for the
+    // rounding of bounds.
     bool is_worthless(double bound) const
     {
         return bound > equal_area_limit(equal_area_limit(goal_.worthless));
@@ -103,7 +116,8 @@ private:
         return {r1_axis, extents.alpha, extents.beta, RectangleOrigin::Search};
     }
 
-    // The same, or if a direction is opposite to the tool axis with it on either side.
+    // The extents; or, if a direction is opposite to the tool axis, two extents that
+    // reach it on either side.
     std::vector<RectangleExtents> with_opposite(const RectangleExtents& extents) const
     {
         if (!needs_.has_opposite())
@@ -180,7 +194,8 @@ std::optional<RectangleCandidate> branch_rectangle(const PolePoints& points,
                                                    const BranchGoal& goal)
 {
     Branching branching{points, goal};
-    if (goal.limits)  // what fits for so little of R1 that no piece would show it
+    // A rectangle may fit the limits for a single azimuth, which no piece would show.
+    if (goal.limits)
         branching.evaluate_coarsely();
     branching.search();
     if (branching.has_dropped())

@@ -4,41 +4,46 @@
 #include <limits>
 #include <optional>
 
-#include "endmill/machine/rotary_limits.h"
+#include "endmill/machine/axis_limits.h"
 #include "endmill/setup/detail/pole_points.h"
 #include "endmill/setup/detail/rectangle_candidate.h"
 
 namespace endmill {
 
-/// How far above the certain bound a search over R1 may end, relative, or below a square degree
-/// in parts of that: far below a cell's width, 0.1 rad.
+/// Accuracy of a search over R1: the area exceeds the least area by at most this share of
+/// it, or of a square degree for smaller areas. It is far below the effect of a cell's
+/// width of 0.1 rad.
 inline constexpr double branch_accuracy = 1e-7;
 
-/// What a search over R1 is for.
+/// The goal of a search over R1.
 struct BranchGoal {
-    std::optional<RotaryLimits> limits{};  ///< of alpha and beta, signed, or none
-    double worthless = std::numeric_limits<double>::infinity();  ///< rad^2: larger areas
+    std::optional<RotaryLimits>
+        limits{};  ///< signed limits of alpha (phi) and beta (theta)
+    double worthless =
+        std::numeric_limits<double>::infinity();  ///< rad^2: larger areas are
+                                                  ///< of no interest
 };
 
-/// The best of R1 at every fifth degree: a quick upper bound.
+/// The best rectangle with R1 at a multiple of 5 degrees, as a quick upper bound.
+/// \param points directions, of unit length. \param goal limits; `worthless` has no
+///         effect.
+/// \return nothing if no such rectangle fits the limits.
 std::optional<RectangleCandidate> coarse_rectangle(const PolePoints& points,
                                                    const BranchGoal& goal);
 
-/// The rectangle of least area, to 1e-7 of it (or, below a square degree, of that), of all
-/// positions of R1, wherever the directions lie; alpha is the principal value, so that no
-/// rectangle reaches across +-180 degrees. Nothing if none fits, or if all are certainly
-/// worthless. A direction within 1e-9 rad of R1, or of its opposite, has alpha 0. A fit within
-/// limits that holds for less than 1e-12 rad of R1 may be missed, but not one that
-/// `coarse_rectangle` finds. The same for any worth that its area equals or is below.
+/// Finds the rectangle of least area over all positions of R1, to `branch_accuracy`.
+/// Directions may lie anywhere on the sphere.
 ///
-/// Branch and bound over the azimuth of R1. With R1 at azimuth psi a direction (x, y, z) has
-/// s = x sin psi - y cos psi, tan alpha = s / z and sin beta = x cos psi + y sin psi. Within
-/// half a turn an extent of beta, and for z >= 0 one of alpha, is least at an end; for z < 0,
-/// where s keeps its sign between the direction's azimuths, |alpha| is least where |s| is
-/// largest. The product of the sums of such least extents bounds a piece from below, and so does
-/// one of a few directions that lacks the square of the piece's width only. Derived in
-/// paper/notes/rectangle-about-an-axis.md.
-/// \pre the directions have unit length; `points` is not empty.
+/// alpha is the principal value, so that no rectangle reaches across 180 degrees. A
+/// direction within 1e-9 rad of R1 or its opposite has alpha 0. A rectangle that fits the
+/// limits only for an interval of R1 below 1e-12 rad may be missed, unless
+/// `coarse_rectangle` finds it. The result is the same for every `worthless` that is not
+/// below its area.
+///
+/// Method: branch and bound over the azimuth of R1, with the bounds of RectangleNeeds.
+/// Source: paper/notes/rectangle-about-an-axis.md.
+/// \param points directions, of unit length, at least one. \param goal limits and worth.
+/// \return nothing if no rectangle fits the limits, or if all areas exceed `worthless`.
 std::optional<RectangleCandidate> branch_rectangle(const PolePoints& points,
                                                    const BranchGoal& goal);
 

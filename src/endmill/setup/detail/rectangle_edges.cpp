@@ -9,15 +9,16 @@
 
 #include <Eigen/Geometry>
 
-#include "endmill/setup/spherical_hull.h"
+#include "endmill/setup/detail/spherical_hull.h"
 
 namespace endmill {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Of a direction with the tool axis: gnomonic images nearer to 90 degrees would be a million
-// times as far out as those of other directions, and their hull all roundings.
+// Least cosine of a direction with the tool axis. Closer to 90 degrees, gnomonic images
+// are a million times farther out than those of other directions, and rounding decides
+// their hull.
 constexpr double lowest_cosine = 1e-6;
 
 RotaryRange with_opposite(const RotaryRange& alpha)
@@ -26,7 +27,8 @@ RotaryRange with_opposite(const RotaryRange& alpha)
                                    : RotaryRange{-pi, alpha.to};
 }
 
-// Calls `take` with the two ends of each edge of a closed polygon, of a line once.
+// Calls `take` with the two ends of each edge of a closed polygon. A polygon of two
+// vertices has one edge.
 template <class Take>
 void for_each_edge(const std::vector<Vec3>& hull, const Take& take)
 {
@@ -36,7 +38,8 @@ void for_each_edge(const std::vector<Vec3>& hull, const Take& take)
         take(hull[i], hull[(i + 1) % hull.size()]);
 }
 
-// Of R1's range and R2's the ends that can decide: those short of 90 degrees.
+// Calls `take` with the magnitude of each end of a range that is below 90 degrees.
+// Directions that are not low never reach the other ends.
 template <class Take>
 void for_each_limit(const RotaryRange& range, const Take& take)
 {
@@ -65,7 +68,8 @@ std::optional<RectangleCandidate> great_circle_arc(const PolePoints& points)
             farthest = i;
         }
     }
-    // R1 is perpendicular to the farthest direction; along the tool axis any R1 will do.
+    // R1 is perpendicular to the direction farthest from the tool axis. If all directions
+    // lie along the tool axis, every R1 fits.
     const bool is_point = rho <= equal_angles;
     const double dx = is_point ? 1 : points.y[farthest] / rho;
     const double dy = is_point ? 0 : -points.x[farthest] / rho;
@@ -120,7 +124,7 @@ std::vector<RectangleCandidate> RectangleImages::at_edges() const
         if (length > 0)
             found.push_back(rectangle(axis / length, origin));
     };
-    // V x (V' - V) keeps the direction of V x V' where the two are close.
+    // V x (V' - V) equals V x V', and is accurate for vertices close to each other.
     for_each_edge(gnomonic_hull_, [&](const Vec3& a, const Vec3& b) {
         add(frame_.pole.cross(a.cross(b - a)), RectangleOrigin::GnomonicEdge);
     });
@@ -134,8 +138,9 @@ std::vector<RectangleCandidate> RectangleImages::at_limits(
     const RotaryLimits& limits) const
 {
     std::vector<RectangleCandidate> found;
-    // g . e = r sin(psi - azimuth) and o . d = r cos(psi - azimuth). The other side of zero is
-    // the same rectangle with R1 reversed.
+    // An image at the distance r has g . e = r sin(psi - azimuth), o . d = r cos(psi -
+    // azimuth). Only positive limits are solved for; a negative one gives the same
+    // rectangle with R1 reversed.
     for_each_limit(limits.phi, [&](double limit) {
         for (const Image& g : gnomonic_) {
             const double ratio = std::tan(limit) / std::hypot(g.x, g.y);

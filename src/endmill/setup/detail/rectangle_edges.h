@@ -12,29 +12,37 @@
 
 namespace endmill {
 
-/// Whether a direction has a cosine below 1e-6 with the tool axis: its gnomonic image is so
-/// far off that a hull of cells 0.1 rad wide would rest on rounding.
+/// Tests whether a direction is low: its cosine with the tool axis is below 1e-6. The
+/// gnomonic image of such a direction is so far away that rounding would decide the hull.
 bool has_low_direction(const PolePoints& points);
 
-/// The arc of a great circle through the tool axis that holds all directions, to 1e-9 rad, if
-/// there is one. Opposite to the tool axis alpha is 180 degrees, on the side that has more.
+/// The arc of a great circle through the tool axis that contains all directions, to 1e-9
+/// rad. A direction opposite to the tool axis gets alpha = 180 degrees on the side where
+/// alpha is larger.
+/// \return nothing if there is no such arc.
 std::optional<RectangleCandidate> great_circle_arc(const PolePoints& points);
 
-/// The planar images by which the rectangles about a tool axis are measured: with R1 at
-/// azimuth psi, d = (cos psi, sin psi) and e = (sin psi, -cos psi), a direction of gnomonic
-/// image g and orthographic image o has tan alpha = g . e and sin beta = o . d.
-/// Source: [KangSuh, eq. (17), (18)], in closed form; why edges and limits are enough:
+/// Planar images of directions, from which the rectangles about a tool axis are measured.
+///
+/// Let R1 have the azimuth psi, d = (cos psi, sin psi) and e = (sin psi, -cos psi). A
+/// direction with the gnomonic image g and the orthographic image o has tan alpha = g . e
+/// and sin beta = o . d. So the extents of alpha are decided by the hull of the gnomonic
+/// images, those of beta by the hull of the orthographic images.
+/// Source: [KangSuh, eq. (17), (18)], in closed form. Why edges and limits suffice:
 /// paper/notes/rectangle-about-an-axis.md.
 class RectangleImages {
 public:
-    /// \pre no direction is low.
+    /// \param points directions in the frame of the tool axis. \param directions the
+    ///         same, unit.
+    /// \param mode decides which hulls are used. \pre no direction is low.
     RectangleImages(const PolePoints& points, std::span<const Vec3> directions,
                     SetupMode mode);
 
-    /// Those of `rectangle_candidates`, if the directions lie on no one great circle.
+    /// Rectangles with a meridian through an edge of the gnomonic hull, then, if the mode
+    /// uses both hulls, with a parallel through an edge of the orthographic hull.
     std::vector<RectangleCandidate> at_edges() const;
 
-    /// Rectangles with a vertex of a hull at an end of `limits`.
+    /// Rectangles such that a vertex of a hull lies at an end of `limits`.
     std::vector<RectangleCandidate> at_limits(const RotaryLimits& limits) const;
 
 private:

@@ -11,7 +11,6 @@
 
 #include "endmill/core/error.h"
 #include "endmill/setup/detail/pole_points.h"
-#include "endmill/setup/detail/setup_order.h"
 
 namespace endmill {
 namespace {
@@ -23,7 +22,7 @@ struct PolarDirection {
     double polar;    // rad
 };
 
-// Directions about a pole in the order of their azimuths, twice round: the second time 360
+// Directions about a pole, sorted by azimuth and listed twice: the second time 360
 // degrees on.
 class DirectionFan {
 public:
@@ -33,7 +32,7 @@ public:
         for (std::size_t i = 0; i < points.size(); ++i) {
             const double polar = points.polar(i);
             if (polar > pi - equal_angles)
-                opposite_ = std::max(opposite_, polar);  // it has any azimuth
+                opposite_ = std::max(opposite_, polar);  // has every azimuth
             else if (polar > equal_angles)
                 fan.push_back({full_turn(points.azimuth(i)), polar});
             largest_ = std::max(largest_, polar);
@@ -56,7 +55,7 @@ public:
     double azimuth(std::size_t i) const { return azimuths_[i]; }
     double polar(std::size_t i) const { return polars_[i]; }
 
-    // Of begin ... end, 0 if there is none.
+    // Largest polar angle of the directions begin ... end - 1; 0 if there is none.
     double largest_of(std::size_t begin, std::size_t end) const
     {
         double largest = 0;
@@ -65,7 +64,7 @@ public:
         return largest;
     }
 
-    // A direction opposite to the pole goes where the larger angle is.
+    // A direction opposite to the pole counts in the sector with the larger polar angle.
     SectorCandidate candidate(double from, double width, double polar, double other) const
     {
         double& larger = polar >= other ? polar : other;
@@ -80,9 +79,10 @@ private:
     double largest_ = 0;
 };
 
-// Calls `take` for the narrow sector with its counter-clockwise end at each direction. It
-// begins at the next direction, or opposite to the one that comes first after the antipode,
-// whichever leaves it narrower: the index of either only grows. [KangSuh, eq. (6)-(11)].
+// Calls `take` for each narrow sector whose counter-clockwise end is a direction. The
+// double sector leaves out the larger of two gaps: after the direction, or after its
+// antipode. Both indices only grow from one direction to the next. Source: [KangSuh, eq.
+// (6)-(11)].
 template <class Take>
 void for_each_narrow_sector(const DirectionFan& fan, const Take& take)
 {
@@ -90,7 +90,7 @@ void for_each_narrow_sector(const DirectionFan& fan, const Take& take)
     if (count == 0)
         take(fan.candidate(0, 0, 0, 0));
     std::size_t beyond = 0;  // the first direction after the antipode of the end
-    std::size_t first = 0;   // the first one in the sector that ends at j + count
+    std::size_t first = 0;   // the first direction in the sector that ends at j + count
     for (std::size_t j = 0; j < count; ++j) {
         const double end = fan.azimuth(j);
         beyond = std::max(beyond, j + 1);
@@ -108,15 +108,15 @@ void for_each_narrow_sector(const DirectionFan& fan, const Take& take)
     }
 }
 
-// Calls `take` for the sectors from a direction to another of 180 degrees or more, but of no
-// more than `may_be_wide` allows. At 180 degrees itself the narrow ones put the two directions
-// into different sectors.
+// Calls `take` for each sector of 180 degrees or more from one direction to another, as
+// long as `may_be_wide` allows the width. At exactly 180 degrees it differs from the
+// narrow sector, which has the two directions in different sectors.
 template <class MayBeWide, class Take>
 void for_each_wide_sector(const DirectionFan& fan, const MayBeWide& may_be_wide,
                           const Take& take)
 {
     const std::size_t count = fan.size();
-    // [k]: largest angle of those after the kth from j; there is none after the last.
+    // outside[k]: largest polar angle of the directions after the k-th from j.
     std::vector<double> outside(count, 0.0);
     for (std::size_t j = 0; j < count; ++j) {
         for (std::size_t k = count - 1; k > 0; --k)
@@ -139,14 +139,15 @@ RotaryRange tilt(const SectorCandidate& sector)
     return {0 - sector.opposite_polar, sector.polar};
 }
 
-// Whether the machine reaches it; the zero of C is free, and with it which sector is first.
+// Tests whether the machine reaches the sectors. The zero of C is free, so that only the
+// width of C and the magnitudes of the tilts are compared.
 bool is_feasible(const SectorCandidate& sector, const RotaryLimits& limits)
 {
     return is_within_unsigned(tilt(sector), limits.phi) &&
            sector.width <= limits.theta.to - limits.theta.from + equal_angles;
 }
 
-// Whether the first sector is the one of positive tilt.
+// Tests whether the first sector gets the positive tilt.
 bool is_first_positive(const SectorCandidate& sector, const RotaryRange& limits)
 {
     const bool fits = is_within(tilt(sector), limits);
@@ -160,7 +161,7 @@ FittedPose fitted_pose(const PoleFrame& frame, const SectorCandidate& sector,
 {
     const bool is_first = is_first_positive(sector, limits.phi);
     const double room = limits.theta.to - limits.theta.from;
-    // [KangSuh, eq. (9)]
+    // Source: [KangSuh, eq. (9)].
     const double before = room > 0 ? sector.width * limits.theta.from / room : 0;
     const double begin = is_first ? sector.from : sector.from + pi;
     const Vec3 zero = frame.equator(begin - before);
@@ -190,10 +191,10 @@ std::vector<SectorCandidate> sector_candidates(const Vec3& tool_axis,
     return result;
 }
 
-SetupSearch sector_fit(const Vec3& tool_axis, std::span<const Vec3> directions,
-                       const SetupOptions& options, const AreaBounds& bounds)
+PoseSearchResult sector_fit(const Vec3& tool_axis, std::span<const Vec3> directions,
+                            const PoseFitOptions& options, const AreaBounds& bounds)
 {
-    check_setup_options(options);
+    check_pose_fit_options(options);
     require(options.family == RotaryFamily::CA, "sector_fit: need the family C,A");
     const PolePoints points{tool_axis, directions};
     const DirectionFan fan{points};
@@ -209,7 +210,8 @@ SetupSearch sector_fit(const Vec3& tool_axis, std::span<const Vec3> directions,
             feasible.offer(sector, score);
     };
     for_each_narrow_sector(fan, take);
-    // The larger of the two tilts is that of the farthest direction.
+    // One of the two tilts is that of the direction farthest from the pole, so that this
+    // is a lower bound of the area.
     const auto may_be_wide = [&](double width) {
         const double area = width * fan.largest_polar();
         return least.wants(area) || feasible.wants(area);
@@ -217,7 +219,7 @@ SetupSearch sector_fit(const Vec3& tool_axis, std::span<const Vec3> directions,
     if (setup_rules(options.mode).has_wide_sectors && may_be_wide(pi))
         for_each_wide_sector(fan, may_be_wide, take);
 
-    SetupSearch result;
+    PoseSearchResult result;
     result.poses_tried = 1;
     if (const std::optional<SectorCandidate> best = least.best())
         result.least = fitted_pose(points.frame, *best, options.limits);

@@ -2,7 +2,6 @@
 #include "endmill/setup/detail/setup_order.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "endmill/setup/detail/pole_points.h"
@@ -10,7 +9,8 @@
 namespace endmill {
 namespace {
 
-// The rounding of an area, some 1e-15 of it, with room for how a limit is met.
+// Relative tolerance of equal areas and sums. Their rounding is 1e-15; limits are met to
+// `equal_angles`, which moves an area by as much.
 constexpr double equal_scores = 1e-9;
 
 constexpr double degree = std::numbers::pi / 180;  // rad
@@ -18,18 +18,6 @@ constexpr double degree = std::numbers::pi / 180;  // rad
 double width(const RotaryRange& range)
 {
     return range.to - range.from;
-}
-
-struct Magnitudes {
-    double larger;
-    double smaller;
-};
-
-Magnitudes magnitudes(const RotaryRange& range)
-{
-    const double from = std::abs(range.from);
-    const double to = std::abs(range.to);
-    return {std::max(from, to), std::min(from, to)};
 }
 
 }  // namespace
@@ -51,7 +39,7 @@ SetupScore score_of(const FittedPose& fit)
 
 RotaryRange turned(const RotaryRange& range)
 {
-    return {0 - range.to, 0 - range.from};  // not -0
+    return {0 - range.to, 0 - range.from};  // a difference, so that 0 does not become -0
 }
 
 bool is_within(const RotaryRange& range, const RotaryRange& limits)
@@ -62,10 +50,10 @@ bool is_within(const RotaryRange& range, const RotaryRange& limits)
 
 bool is_within_unsigned(const RotaryRange& range, const RotaryRange& limits)
 {
-    const Magnitudes asked = magnitudes(range);
-    const Magnitudes given = magnitudes(limits);
-    return asked.larger <= given.larger + equal_angles &&
-           asked.smaller <= given.smaller + equal_angles;
+    const auto [smaller, larger] = magnitudes(range);
+    const auto [smaller_limit, larger_limit] = magnitudes(limits);
+    return larger <= larger_limit + equal_angles &&
+           smaller <= smaller_limit + equal_angles;
 }
 
 SetupStatus status_of(const FittedPose& fit)

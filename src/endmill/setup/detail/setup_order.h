@@ -6,51 +6,60 @@
 #include <optional>
 #include <vector>
 
-#include "endmill/machine/rotary_limits.h"
+#include "endmill/machine/axis_limits.h"
 #include "endmill/setup/setup_pose.h"
 
 namespace endmill {
 
-/// What setups are compared by: the area, then the sum of the ranges.
+/// Areas, in rad^2, above which a fit is of no interest. They let a fit stop early.
+struct AreaBounds {
+    double least = std::numeric_limits<double>::infinity();  ///< of fits without limits
+    double feasible = std::numeric_limits<double>::infinity();  ///< of fits within limits
+};
+
+/// The quantities by which setups are ordered: first the area, then the sum of both
+/// ranges.
 struct SetupScore {
     double area = std::numeric_limits<double>::infinity();  ///< rad^2
     double sum = std::numeric_limits<double>::infinity();   ///< rad
 };
 
-/// The largest area that counts as equal to `area`: 1e-9 more, relative, or absolute below a
-/// square degree. rad^2.
+/// The largest area that counts as equal to `area`, in rad^2: it is larger by 1e-9 of the
+/// area, or of a square degree for smaller areas.
 double equal_area_limit(double area);
 
-/// The largest sum that counts as equal to `sum`: 1e-9 more, relative, or absolute below a
-/// degree. rad.
+/// The largest sum that counts as equal to `sum`, in rad: it is larger by 1e-9 of the
+/// sum, or of a degree for smaller sums.
 double equal_sum_limit(double sum);
 
-/// The area and the sum of the ranges.
+/// The score of a fitted pose.
 SetupScore score_of(const FittedPose& fit);
 
-/// The best of the candidates offered: of those whose area equals the least of all those of
-/// least sum, and of these the first. Only the least area decides which are equal, so that
-/// equalities do not chain. It is the same if candidates of areas certainly larger are not
-/// offered.
+/// Selects the best of the candidates that are offered to it.
 ///
-/// A bound spares work and changes nothing that matters: wherever the least area offered equals
-/// the bound or is below, the best is the one without a bound.
+/// Candidates whose area counts as equal to the least area are compared by their sum;
+/// among equal sums the first candidate wins. Only the least area decides which areas are
+/// equal, so a chain of nearly equal areas does not count as equal. Candidates with a
+/// clearly larger area have no effect on the result, and need not be offered.
+///
+/// A bound saves work without a change of the result: if the least area offered does not
+/// exceed the bound, the best candidate is the same as without a bound.
 template <class Candidate>
 class BestCandidate {
 public:
-    /// \param bound rad^2: unless the least area equals it or is below, none is of interest.
+    /// \param bound rad^2: there is no best candidate if all areas exceed it.
     explicit BestCandidate(double bound = std::numeric_limits<double>::infinity())
         : bound_{equal_area_limit(bound)}
     {
     }
 
-    /// Whether a candidate of this area may be the best.
+    /// Returns true if a candidate of this area, rad^2, may be the best.
     bool wants(double area) const
     {
         return area <= equal_area_limit(std::min(bound_, area_));
     }
 
-    /// Takes note of it.
+    /// Considers a candidate.
     void offer(const Candidate& candidate, const SetupScore& score)
     {
         if (!wants(score.area))
@@ -63,10 +72,10 @@ public:
         kept_.push_back({candidate, score});
     }
 
-    /// The least area offered, rad^2; infinite if none is of interest.
+    /// The least area offered, rad^2; infinite if all areas exceed the bound.
     double area() const { return area_; }
 
-    /// The best one, if any is of interest.
+    /// The best candidate, or nothing if all areas exceed the bound.
     std::optional<Candidate> best() const
     {
         double sum = std::numeric_limits<double>::infinity();
@@ -85,22 +94,23 @@ private:
         SetupScore score;
     };
 
-    double bound_;  // the largest least area of interest
+    double bound_;  // rad^2, the largest area of interest
     double area_ = std::numeric_limits<double>::infinity();
-    std::vector<Kept> kept_;  // of areas that count as equal to the least
+    std::vector<Kept> kept_;  // candidates whose area counts as equal to the least
 };
 
-/// -range: what it becomes if the part is turned by 180 degrees about the tool axis.
+/// The range with its ends negated: it becomes this if the part is turned by 180 degrees
+/// about the tool axis.
 RotaryRange turned(const RotaryRange& range);
 
-/// Whether `range` lies within `limits`, to 1e-9 rad.
+/// Tests whether `range` lies within `limits`, to `turn_tolerance`.
 bool is_within(const RotaryRange& range, const RotaryRange& limits);
 
-/// Whether the larger and smaller magnitude of the ends of `range` are at most those of
-/// `limits`, to 1e-9 rad. Source: [KangSuh, eq. (12), (20)].
+/// Tests whether the larger and the smaller magnitude of the ends of `range` are at most
+/// those of `limits`, to `turn_tolerance`. Source: [KangSuh, eq. (12), (20)].
 bool is_within_unsigned(const RotaryRange& range, const RotaryRange& limits);
 
-/// How well a pose is reached: `ThreeAxis`, `FourAxis` or `Ok`.
+/// The number of axes that a pose moves: `ThreeAxis`, `FourAxis` or `Ok`.
 SetupStatus status_of(const FittedPose& fit);
 
 }  // namespace endmill

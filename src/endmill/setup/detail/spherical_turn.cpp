@@ -59,7 +59,8 @@ struct SideOf {
     }
 };
 
-// Intervals first, rational numbers where they hold 0.
+// Evaluates a predicate with intervals, and with rational numbers if the interval
+// contains 0.
 template <template <class> class Predicate>
 using Exactly = CGAL::Filtered_predicate<Predicate<Kernel::Exact_kernel>,
                                          Predicate<Kernel::Approximate_kernel>,

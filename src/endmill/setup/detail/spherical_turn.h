@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// doubles whose products neither overflow nor underflow, and take some 3 ns where rounding
-// leaves no doubt, else some 0.2 us by intervals or 2 us by rational numbers.
 
 #include <cmath>
 
 #include "endmill/core/vec.h"
 
+/// \file Exact sign predicates on the sphere. The signs are exact for doubles whose
+/// products neither overflow nor underflow. A predicate takes about 3 ns if rounding
+/// errors cannot change the sign, else 0.2 us by interval arithmetic or 2 us by rational
+/// numbers.
+
 namespace endmill {
 
-/// A rounded determinant, and the sum of the absolute values of its six products.
+/// A determinant in doubles with a bound of its rounding error.
 struct RoundedDeterminant {
     double value;
-    double size;
+    double size;  ///< sum of the absolute values of its six products
 
-    /// det(p, a, b).
+    /// Computes det(p, a, b).
     RoundedDeterminant(const Vec3& p, const Vec3& a, const Vec3& b) : value{0}, size{0}
     {
         for (int i = 0; i < 3; ++i) {
@@ -27,8 +30,9 @@ struct RoundedDeterminant {
         }
     }
 
-    /// Its sign; 0 if it is in doubt. With u = 2^-53 the value is off by less than 6 u of the
-    /// true size, 2 u more for each rounded difference among a and b, and so is the size.
+    /// The sign, or 0 if rounding may have changed it. With u = 2^-53 the relative error
+    /// of the value is below 6 u of the size, and 2 u more for each of a and b that is a
+    /// rounded difference; the size has the same relative error.
     int certain_sign() const
     {
         const double doubt = 0x1p-49 * size;
@@ -36,44 +40,46 @@ struct RoundedDeterminant {
     }
 };
 
-/// The same as `turn_about`, by exact arithmetic throughout.
+/// `turn_about` in exact arithmetic only.
 int exact_turn_about(const Vec3& axis, const Vec3& a, const Vec3& b);
 
-/// The same as `turn_along`, by exact arithmetic throughout.
+/// `turn_along` in exact arithmetic only.
 int exact_turn_along(const Vec3& axis, const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// The same as `order_along`, by exact arithmetic throughout.
+/// `order_along` in exact arithmetic only.
 int exact_order_along(const Vec3& axis, const Vec3& line, const Vec3& a, const Vec3& b);
 
-/// Sign of det(axis, a, b): 1 if the great circle from `a` to `b` has `axis` on its left, seen
-/// from outside the sphere; -1 on its right; 0 if the three lie in one plane.
+/// Sign of det(axis, a, b): 1 if `axis` lies to the left of the great circle from `a` to
+/// `b`, seen from outside the sphere; -1 if it lies to the right; 0 if the three vectors
+/// lie in a plane.
 inline int turn_about(const Vec3& axis, const Vec3& a, const Vec3& b)
 {
     const int sign = RoundedDeterminant{axis, a, b}.certain_sign();
     return sign != 0 ? sign : exact_turn_about(axis, a, b);
 }
 
-/// Sign of det(axis, b - a, c - a): 1 if a, b, c turn counter-clockwise, seen from far along
-/// `axis`.
+/// Sign of det(axis, b - a, c - a): 1 if a, b, c turn counter-clockwise in the
+/// orthographic projection along `axis`.
 inline int turn_along(const Vec3& axis, const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const int sign = RoundedDeterminant{axis, b - a, c - a}.certain_sign();
     return sign != 0 ? sign : exact_turn_along(axis, a, b, c);
 }
 
-/// Sign of det(axis, line, b - a): 1 if, seen from far along `axis`, b lies to the left of the
-/// parallel to `line` through a.
+/// Sign of det(axis, line, b - a): 1 if b lies to the left of the parallel to `line`
+/// through a, in the orthographic projection along `axis`.
 inline int order_along(const Vec3& axis, const Vec3& line, const Vec3& a, const Vec3& b)
 {
     const int sign = RoundedDeterminant{axis, line, b - a}.certain_sign();
     return sign != 0 ? sign : exact_order_along(axis, line, a, b);
 }
 
-/// The same as `side_of`, by exact arithmetic throughout.
+/// `side_of` in exact arithmetic only.
 int exact_side_of(const Vec3& a, const Vec3& b);
 
-/// Sign of a . b: on which side of the great circle about `a` the direction `b` lies. The
-/// rounded product is off by less than 3 u of the sum of the absolute values of its terms.
+/// Sign of a . b: 1 if `b` is less than 90 degrees from `a`, -1 if more, 0 if it is
+/// perpendicular. The error of the rounded product is below 3 u times the sum of the
+/// absolute values of its terms.
 inline int side_of(const Vec3& a, const Vec3& b)
 {
     const double value = a.dot(b);

@@ -13,10 +13,12 @@ namespace {
 
 constexpr std::size_t turns = turns_about_tool_axis;
 
-// 2048 cones: columns of 256 bytes, 300 kB of a thousand cells, beside 130 kB of runs.
+// Words of a column, for 2048 cones. A column has 256 bytes, so that the columns of a
+// thousand cells take 300 kB, and the rows of all runs 130 kB: together they fit a
+// second-level cache.
 constexpr std::size_t most_words = 32;
 
-// Powers of two of turns: 1 to 64.
+// Number of run lengths that are powers of two: 1, 2, 4, ..., 64.
 constexpr std::size_t powers = std::bit_width(turns);
 
 void add(std::uint64_t* target, const std::uint64_t* source, std::size_t words)
@@ -25,8 +27,8 @@ void add(std::uint64_t* target, const std::uint64_t* source, std::size_t words)
         target[w] |= source[w];
 }
 
-// Row t of power p holds what is reached from turns t ... t + 2^p - 1; a last row what is from
-// all of them.
+// Row t of power p has a bit for each cone that is reached from all turns t ... t + 2^p -
+// 1. One more row has the cones that are reached from every turn.
 class Rows {
 public:
     Rows(std::uint64_t* first, std::size_t words) : first_{first}, words_{words} {}
@@ -71,7 +73,8 @@ void reach_from_turns(const std::uint64_t* columns, std::span<const FeasibleTurn
         add(rows.row(0, turn), rows.from_all(), words);
 }
 
-// The sum of the sizes, given bit by bit, of the cones whose bit is set.
+// The sum of the facet counts of the cones whose bit is set. The counts are stored by
+// binary digits, so that the sum is made of popcounts.
 ENDMILL_WIDEST_REGISTERS
 std::size_t total_size(const std::uint64_t* reached, std::span<const std::uint64_t> sizes,
                        std::size_t words)

@@ -10,13 +10,13 @@
 namespace endmill {
 namespace {
 
-// A corner by its height along the axis and its place across it.
+// A corner in cylinder coordinates.
 struct Corner {
-    double height;
-    Vec3 across;  // from the axis, at right angles to it
+    double height;  // along the axis
+    Vec3 across;    // offset from the axis, perpendicular to it
 };
 
-// A triangle cut off at two heights has five corners at most.
+// A convex polygon. A triangle that is cut at two heights has at most five corners.
 class Polygon {
 public:
     void add(const Corner& corner) { corners_[count_++] = corner; }
@@ -29,7 +29,7 @@ private:
     std::size_t count_ = 0;
 };
 
-// What lies at sign * height >= sign * limit.
+// The part of a polygon with sign * height >= sign * limit.
 Polygon cut_off(const Polygon& polygon, double limit, double sign)
 {
     Polygon rest;
@@ -48,6 +48,7 @@ Polygon cut_off(const Polygon& polygon, double limit, double sign)
     return rest;
 }
 
+// Squared distance of a side from the axis.
 double square_from_axis(const Vec3& a, const Vec3& b)
 {
     const Vec3 side = b - a;
@@ -56,7 +57,8 @@ double square_from_axis(const Vec3& a, const Vec3& b)
     return (a + share * side).squaredNorm();
 }
 
-// Whether the axis passes between all sides, which all turn alike.
+// Tests whether the axis passes through the polygon: all sides turn about it in the same
+// sense.
 bool surrounds_axis(const Polygon& polygon, const Vec3& axis)
 {
     bool turns_left = true;
@@ -70,8 +72,8 @@ bool surrounds_axis(const Polygon& polygon, const Vec3& axis)
     return polygon.size() > 2 && (turns_left || turns_right);
 }
 
-// Relative to the largest coordinate: more than all roundings of 1.1e-16 in `may_meet` and in
-// `meets`, some hundred at most, together.
+// Error bound of `may_meet` and `meets` together, relative to the largest coordinate: at
+// most a hundred roundings of 1.1e-16, with a margin.
 constexpr double all_roundings = 1e-13;
 
 }  // namespace

@@ -7,21 +7,25 @@
 
 namespace endmill {
 
-/// A solid cylinder about a line, its ends flat and part of it.
+/// A closed solid cylinder with flat ends.
 struct SolidCylinder {
-    Vec3 start;     ///< mm: the line's point from which heights count
+    Vec3 start;     ///< mm: point of the axis at which heights are 0
     Vec3 axis;      ///< unit
     double radius;  ///< mm
-    double from;    ///< mm along the axis
-    double to;      ///< mm along the axis
+    double from;    ///< mm: height of the lower end
+    double to;      ///< mm: height of the upper end
 };
 
-/// Whether a triangle, its edges and corners included, meets the cylinder: what of it lies
-/// between the ends, seen along the axis, comes as near to it as the radius. Right but where
-/// they touch within 1e-14 of the largest coordinate in play.
+/// Tests whether a closed triangle meets the cylinder. The triangle is cut at the heights
+/// of both ends; the rest meets the cylinder if its projection along the axis comes
+/// within the radius. The answer is right except for distances within 1e-14 of the
+/// largest coordinate.
+/// \param cylinder closed. \param corners of the triangle, mm.
 bool meets(const SolidCylinder& cylinder, const std::array<Vec3, 3>& corners);
 
-/// Whether the box between two corners might meet the cylinder; never false if it does.
+/// Tests whether a box may meet the cylinder. The answer is never false if the box meets
+/// it.
+/// \param cylinder closed. \param low, high corners of the box, mm.
 bool may_meet(const SolidCylinder& cylinder, const Vec3& low, const Vec3& high);
 
 }  // namespace endmill

@@ -12,16 +12,17 @@
 
 namespace endmill {
 
-/// Counts the directions that are done on all threads, for who wants to know.
+/// Counts finished directions over all threads and reports the count.
 class DirectionCount {
 public:
-    /// `report`, which may be empty, must outlive it.
+    /// \param report receives the count, from one thread at a time; may be empty; must
+    ///         outlive the object.
     explicit DirectionCount(const std::function<void(std::size_t)>& report)
         : report_{report}
     {
     }
 
-    /// Reports one more; throws what the report throws.
+    /// Adds one direction and reports the count. An exception of the report is passed on.
     void one_more()
     {
         if (!report_)
@@ -36,13 +37,13 @@ private:
     std::size_t done_ = 0;
 };
 
-/// \throws DomainError unless all are unit to 1e-9.
+/// Checks that directions have unit length. \throws DomainError if one does not, to 1e-9.
 inline void require_unit_directions(std::span<const Vec3> directions)
 {
-    constexpr double off = 1e-9;  // what a reader of ten digits makes of a unit vector
+    constexpr double tolerance = 1e-9;  // of the length: vectors read from ten digits
     for (const Vec3& direction : directions)
-        require(std::abs(direction.norm() - 1) <= off,
-                "visibility: directions need the length 1");
+        require(std::abs(direction.norm() - 1) <= tolerance,
+                "visibility: need directions of unit length");
 }
 
 }  // namespace endmill

@@ -6,7 +6,7 @@
 namespace endmill {
 namespace {
 
-// A few facets are sooner asked than boxes around them.
+// Facets of a leaf. Testing a few facets is cheaper than testing boxes around them.
 constexpr std::int32_t leaf_facets = 4;
 
 }  // namespace

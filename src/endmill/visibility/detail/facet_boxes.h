@@ -12,18 +12,20 @@
 
 namespace endmill {
 
-/// A tree of boxes over the facets of a part: each node halves its facets at the middle one
-/// along the longest side of the box around them.
+/// A tree of boxes over the facets of a part, for tests of cylinders. Each node halves
+/// its facets at the median along the longest side of its box. It is a tree of its own,
+/// because TriangleTree answers rays and distances only.
 class FacetBoxes {
 public:
-    /// `part` must outlive it.
+    /// \param part facets in mm; it is not kept.
     explicit FacetBoxes(const TriangleMesh& part);
 
-    /// Whether `meets(facet)` holds for a facet all of whose boxes pass `may_meet(low, high)`.
+    /// Tests whether `meets(facet)` is true for a facet. Facets in a box for which
+    /// `may_meet(low, high)` is false are skipped.
     template <typename MayMeet, typename Meets>
     bool any(const MayMeet& may_meet, const Meets& meets) const
     {
-        // The tree halves: it is no deeper than a count of facets has bits.
+        // Each level halves the facets, so that the depth is below 64.
         std::array<std::int32_t, 64> waiting;
         std::size_t count = 0;
         if (!nodes_.empty())
@@ -48,9 +50,9 @@ private:
     struct Node {
         Vec3 low;
         Vec3 high;
-        std::int32_t begin;     // of its facets in the order
-        std::int32_t end;       // of its facets in the order
-        std::int32_t children;  // the first of two, 0 if there are none
+        std::int32_t begin;     // first of its facets in order_
+        std::int32_t end;       // one beyond the last
+        std::int32_t children;  // index of the first of two children; 0: a leaf
     };
 
     Node node_of(const TriangleMesh& part, std::int32_t begin, std::int32_t end) const;

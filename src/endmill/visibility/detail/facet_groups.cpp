@@ -11,11 +11,12 @@
 namespace endmill {
 namespace {
 
-// Fewer are not worth a thread.
+// Smaller sets of facets are ordered by a single thread.
 constexpr std::size_t facets_of_a_thread = 1 << 14;
 
-// Orders facets so that those of a group follow each other: halved, at a whole number of groups, along the longest
-// side of the box around their centroids.
+// Orders facets so that those of a group are neighbours. A set of facets is halved along
+// the longest side of the box around its centroids, at a whole number of groups, and each
+// half is ordered in the same way.
 void order_by_place(std::span<std::int32_t> facets, const std::vector<Vec3>& centroids)
 {
     if (facets.size() <= float_lanes)

@@ -12,25 +12,24 @@
 
 namespace endmill {
 
-/// A few facets near each other.
+/// Up to eight facets close to each other, one for each lane of a SIMD register.
 struct FacetGroup {
-    int count;  ///< how many they are; what follows repeats the last
-    std::array<std::int32_t, float_lanes> facet;  ///< their numbers
+    int count;  ///< number of facets; further lanes repeat the last facet
+    std::array<std::int32_t, float_lanes> facet;  ///< numbers of the facets
     std::array<std::array<std::int32_t, float_lanes>, 3>
-        corner;  ///< [corner]: numbers of points
+        corner;  ///< [corner]: point numbers
 };
 
-/// The facets of a part that have an area, in groups. What belongs together lies together in the memory, whatever
-/// the order in the part.
+/// The facets of a part that have an area, in groups that are close to each other in
+/// space and in memory, whatever the order of the part's facets is.
 struct FacetGroups {
-    std::vector<Vec3>
-        points;  ///< mm, those of the part in the order in which they are used
-    std::vector<FacetGroup> groups;  ///< neighbours are near each other, too
-    std::vector<Vec3>
-        centroids;  ///< mm, of the facets of all groups, one after the other
+    std::vector<Vec3> points;  ///< mm, points of the part in the order of their first use
+    std::vector<FacetGroup> groups;
+    std::vector<Vec3> centroids;  ///< mm, of all facets in the order of the groups
 };
 
-/// \pre `facets` are those of `part`.
+/// Groups the facets of a part.
+/// \param part facets in mm. \param facets properties of the facets of `part`.
 FacetGroups facet_groups(const TriangleMesh& part, const PartFacets& facets);
 
 }  // namespace endmill

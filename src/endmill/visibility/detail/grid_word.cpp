@@ -23,7 +23,7 @@ constexpr double most_cells = 1e7;
         "at most 10000000 cells"};
 }
 
-// A whole number from `least` on, in decimal digits.
+// Parses a decimal integer of at least `least`.
 std::optional<int> whole_number(std::string_view text, int least)
 {
     int value = 0;

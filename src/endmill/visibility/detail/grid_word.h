@@ -5,19 +5,24 @@
 
 namespace endmill {
 
-/// The shapes that the sphere is cut from.
-enum class GridKind { Hex, Cube, LatLong, Ico };
-
-/// A name of a sphere grid, read.
-struct GridWord {
-    GridKind kind;
-    int fineness;   ///< hex, cube: F from 1; latlong: cells around, from 3; ico: L from 0
-    int bands = 0;  ///< latlong: from 2
-    double cells = 0;  ///< how many the grid has, a whole number from 1 to 10^7
+/// The shapes from which a grid of the sphere is made.
+enum class GridKind {
+    Hex,      ///< hexagonal bipyramid
+    Cube,     ///< cube
+    LatLong,  ///< parallels and meridians
+    Ico       ///< icosahedron
 };
 
-/// Reads "hex:F", "cube:F", "latlong:NxM" or "ico:L".
-/// \throws DomainError for another word, or more than 10^7 cells.
+/// The name of a sphere grid, parsed.
+struct GridWord {
+    GridKind kind;
+    int fineness;      ///< hex, cube: F >= 1; latlong: N >= 3; ico: L >= 0
+    int bands = 0;     ///< latlong: M >= 2; else 0
+    double cells = 0;  ///< number of cells, an integer from 1 to 10^7
+};
+
+/// Parses "hex:F", "cube:F", "latlong:NxM" or "ico:L".
+/// \throws DomainError for another name, or more than 10^7 cells.
 GridWord grid_word(std::string_view name);
 
 }  // namespace endmill

@@ -11,7 +11,8 @@
 namespace endmill {
 namespace {
 
-// Scaled first, so that neither tiny nor huge facets leave the range of a double.
+// The sides are normalised first, so that the cross product of tiny or huge facets stays
+// in the range of a double.
 Vec3 normal_of(const std::array<Vec3, 3>& corners)
 {
     const auto& [a, b, c] = corners;

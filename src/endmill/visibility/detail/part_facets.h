@@ -9,18 +9,19 @@
 
 namespace endmill {
 
-/// What the facets of a part are like, each by itself.
+/// Normals and centroids of a part's facets.
 struct PartFacets {
-    std::vector<Vec3> normals;    ///< unit, outward; 0 without area
+    std::vector<Vec3> normals;    ///< unit, outward; 0 for a facet without area
     std::vector<Vec3> centroids;  ///< mm, (a + b + c) / 3 rounded
     std::vector<std::size_t>
-        dropped;  ///< without area, decided exactly (are_collinear); in order
+        dropped;  ///< facets with exactly collinear corners (are_collinear), ascending
 
-    /// Whether its corners lie on no line. \pre the facet exists.
+    /// Tests whether a facet has an area. \pre the facet exists.
     bool has_area(std::size_t facet) const { return !normals[facet].isZero(0); }
 };
 
-/// Normals are off by 1e-15 at most, times the square of the longest side by the area.
+/// Computes normals and centroids. The error of a normal is at most 1e-15 times the
+/// square of the facet's longest side divided by its area.
 PartFacets part_facets(const TriangleMesh& part);
 
 }  // namespace endmill

@@ -8,14 +8,16 @@
 namespace endmill {
 namespace {
 
-// More points a cell mean fewer rows to look at for a triangle, and more points in vain.
+// Mean number of points in a cell. More points mean fewer rows of cells for each facet,
+// but more points that are tested without need.
 constexpr double points_per_cell = 0.7;
-// Height of a cell by its width: what a triangle may cover lies in fewer rows, which hold
-// more of it one after the other.
+// Height of a cell divided by its width. With high cells a facet meets fewer rows, and
+// the points of a row are contiguous in memory.
 constexpr double aspect = 8;
-// A long row of points would ask for cells without end.
+// Largest number of cells along an axis. It limits the memory for points along a line.
 constexpr double most_cells_along = 1 << 15;
-// Of a cell whose points all have one x or y; its inverse is a float.
+// Least side of a cell, for points that all have the same x or y. Its inverse is a finite
+// float.
 constexpr double least_side = 1e-30;
 
 }  // namespace
@@ -61,7 +63,8 @@ void PointCells::sort(std::span<const NumberedPoint> points)
     }
     std::uint32_t sum = 0;
     for (std::uint32_t& begin : begin_)
-        begin = sum += begin;  // the end of the cell, and the beginning once it is filled
+        begin = sum +=
+            begin;  // the end of the cell; it becomes the first place by filling
     blocks_.resize((points.size() + PointBlock::size - 1) / PointBlock::size);
     blocks_.back().number.fill(-1);
     blocks_.back().x.fill(std::numeric_limits<float>::infinity());

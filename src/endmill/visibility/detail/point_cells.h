@@ -13,7 +13,7 @@
 
 namespace endmill {
 
-/// Points that are dealt with at once, in a layout for registers.
+/// Eight points that are processed together, in a layout for SIMD registers.
 struct alignas(32) PointBlock {
     static constexpr int size = 8;
 
@@ -21,42 +21,45 @@ struct alignas(32) PointBlock {
     std::array<float, size> y;
     std::array<float, size> z;
     std::array<std::int32_t, size>
-        number;  ///< as given; -1 where there is no point, x infinite
+        number;  ///< -1, with infinite x, where there is no point
 };
 
-/// A point to be sorted in.
+/// A point with the number of its facet.
 struct NumberedPoint {
-    Eigen::Vector3f place;
+    Eigen::Vector3f place;  ///< projected coordinates
     std::int32_t number;
 };
 
-/// Points sorted into about as many cells of x and y as there are points. What it
-/// keeps is used again for the next points.
+/// A uniform grid of cells in x and y with points sorted into it. There are about as many
+/// cells as points. Memory is reused for the next points.
 class PointCells {
 public:
-    /// \pre places are finite.
+    /// Replaces the points. \pre all coordinates are finite.
     void sort(std::span<const NumberedPoint> points);
 
-    std::size_t points() const { return begin_.empty() ? 0 : begin_.back(); }  ///< count
-    int rows() const { return rows_; }        ///< along y
-    int columns() const { return columns_; }  ///< along x
+    /// Number of points.
+    std::size_t points() const { return begin_.empty() ? 0 : begin_.back(); }
+    int rows() const { return rows_; }        ///< number of cells along y
+    int columns() const { return columns_; }  ///< number of cells along x
 
-    /// The column (row) of cells at x (y), the nearest where there is none.
+    /// The column of cells that contains x, or the nearest one.
     int column_at(float x) const { return cell_at(x, 0, columns_); }
-    int row_at(float y) const { return cell_at(y, 1, rows_); }  ///< see column_at
 
-    /// The places of the points in some cells of a row, columns `first` to `last`: the first one,
-    /// and that behind the last. \pre row and columns exist.
+    /// The row of cells that contains y, or the nearest one.
+    int row_at(float y) const { return cell_at(y, 1, rows_); }
+
+    /// The places of the points in the columns `first` to `last` of a row: the first
+    /// place, and one beyond the last. \pre row and columns exist.
     std::pair<std::uint32_t, std::uint32_t> range(int row, int first, int last) const
     {
         const std::size_t cell = static_cast<std::size_t>(row) * columns_;
         return {begin_[cell + first], begin_[cell + last + 1]};
     }
 
-    /// Points 8 b to 8 b + 7 in block b.
+    /// The points: block b has the places 8 b to 8 b + 7.
     std::span<const PointBlock> blocks() const { return blocks_; }
 
-    /// The number of the point in a place. \pre place < points().
+    /// The number of the point at a place. \pre place < points().
     std::int32_t number_at(std::size_t place) const
     {
         return blocks_[place / PointBlock::size].number[place % PointBlock::size];
@@ -75,8 +78,8 @@ private:
     Eigen::Array2f cells_per_length_ = Eigen::Array2f::Ones();
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<std::uint32_t> begin_;  // of each cell, and the end
-    std::vector<std::uint32_t> cell_of_;
+    std::vector<std::uint32_t> begin_;    // first place of each cell, and the end
+    std::vector<std::uint32_t> cell_of_;  // for each point of `sort`
     std::vector<PointBlock> blocks_;
 };
 

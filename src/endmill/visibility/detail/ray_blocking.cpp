@@ -9,8 +9,19 @@
 
 #include <CGAL/Exact_rational.h>
 
+#include "endmill/core/answer.h"
+
 namespace endmill {
 namespace {
+
+// How a ray is tested: a filter in doubles, and rational numbers where the filter fails.
+//
+// The ray meets the inside of the facet if the facet's corners turn about the direction
+// in one sense, and if the facet lies ahead of the centroid: four signs of determinants.
+// The filter computes each sign with a bound of its error. If a sign is uncertain,
+// `exact_answer` computes all of them by rational numbers. It also decides the special
+// cases in which a sign is 0: the ray meets an edge or a corner, lies in the facet's
+// plane, or starts in it.
 
 using Rational = CGAL::Exact_rational;
 using ExactVector = std::array<Rational, 3>;
@@ -19,7 +30,7 @@ using Corners = std::array<Vec3, 3>;
 // Half a unit in the last place of 1.
 constexpr double rounding = std::numeric_limits<double>::epsilon() / 2;
 
-// A vector of which no component is off by more than `error`.
+// A vector with a bound of the error of each component.
 struct RoundedVector {
     Vec3 value;
     double error;
@@ -27,13 +38,14 @@ struct RoundedVector {
     double size() const { return value.cwiseAbs().maxCoeff() + error; }
 };
 
-// The sign of the determinant of three vectors; nothing if it is in doubt.
+// The sign of the determinant of three vectors, or nothing if it is uncertain.
 //
-// Six products of three components, each changed by the errors of its factors by at most
-// what stands in brackets, and rounded in 2 multiplications, 1 subtraction and 2 additions:
-// 5 roundings of a sum of sizes 6 X Y Z; 6 and 30 are taken as 8 and 40.
-std::optional<int> sure_sign(const RoundedVector& x, const RoundedVector& y,
-                             const RoundedVector& z)
+// The determinant has six products of three components. The errors of the factors change
+// each product by at most the term in brackets. Each product passes 2 multiplications, 1
+// subtraction and 2 additions, which is 5 roundings of at most 6 X Y Z. The factors 6 and
+// 30 are rounded up to 8 and 40.
+std::optional<int> certain_sign(const RoundedVector& x, const RoundedVector& y,
+                                const RoundedVector& z)
 {
     const double X = x.size();
     const double Y = y.size();
@@ -41,7 +53,7 @@ std::optional<int> sure_sign(const RoundedVector& x, const RoundedVector& y,
     const double determinant = x.value.dot(y.value.cross(z.value));
     const double doubt = 8 * (x.error * Y * Z + X * y.error * Z + X * Y * z.error) +
                          40 * rounding * X * Y * Z + std::numeric_limits<double>::min();
-    if (!std::isfinite(determinant))  // beyond doubles, even a sum's sign is lost
+    if (!std::isfinite(determinant))  // overflow: the sign means nothing
         return {};
     if (determinant > doubt)
         return 1;
@@ -50,17 +62,16 @@ std::optional<int> sure_sign(const RoundedVector& x, const RoundedVector& y,
     return {};
 }
 
-// Whether the ray meets the facet, where no sign is in doubt; the vectors lead from the
-// centroid to the corners, three times as long.
-std::optional<bool> sure_answer(const Corners& from, const Vec3& direction,
-                                const Corners& facet)
+// The answer by signs that rounding cannot have changed. The vectors from the centroid to the
+// corners are multiplied by 3, which avoids the division.
+Answer certain_answer(const Corners& from, const Vec3& direction, const Corners& facet)
 {
     const Vec3 sum = from[0] + from[1] + from[2];
     double largest = 0;
     for (int k = 0; k < 3; ++k)
         largest = std::max(
             {largest, from[k].cwiseAbs().maxCoeff(), facet[k].cwiseAbs().maxCoeff()});
-    // 3 a is off by 3 roundings of `largest`, the sum by 2 + 3, their difference by 6.
+    // In roundings of `largest`: 3 for 3 a, 2 + 3 for the sum, 6 for their difference.
     const double error = 16 * rounding * largest;
     std::array<RoundedVector, 3> to;
     for (int k = 0; k < 3; ++k)
@@ -68,18 +79,19 @@ std::optional<bool> sure_answer(const Corners& from, const Vec3& direction,
 
     int around = 0;
     for (int k = 0; k < 3; ++k) {
-        const std::optional<int> side = sure_sign({direction, 0}, to[k], to[(k + 1) % 3]);
+        const std::optional<int> side =
+            certain_sign({direction, 0}, to[k], to[(k + 1) % 3]);
         if (!side)
-            return {};
+            return Answer::Undecided;
         around += *side;
     }
     if (around != 3 && around != -3)
-        return false;
+        return Answer::No;
     const std::optional<int> depth =
-        sure_sign(to[0], {facet[1] - facet[0], error}, {facet[2] - facet[0], error});
+        certain_sign(to[0], {facet[1] - facet[0], error}, {facet[2] - facet[0], error});
     if (!depth)
-        return {};
-    return *depth * around > 0;
+        return Answer::Undecided;
+    return answer_of(*depth * around > 0);
 }
 
 ExactVector exact(const Vec3& vector)
@@ -108,8 +120,8 @@ int sign(const Rational& value)
     return static_cast<int>(CGAL::sign(value));
 }
 
-// Whether the ray along `direction` meets the side from a to b, all in one plane with
-// the normal `normal`, seen from the ray's origin.
+// Tests whether the ray along `direction` meets the side from a to b. Ray and side lie in
+// a plane with this normal, and a and b are offsets from the origin of the ray.
 bool meets_side(const ExactVector& direction, const ExactVector& normal,
                 const ExactVector& a, const ExactVector& b)
 {
@@ -144,7 +156,8 @@ bool exact_answer(const Corners& from, const Vec3& direction, const Corners& fac
     if (is_left && is_right)
         return false;
     const ExactVector normal = cross(difference(to[1], to[0]), difference(to[2], to[0]));
-    if (!is_left && !is_right)  // the ray lies in the facet's plane
+    // All three sides are 0: the ray lies in the facet's plane.
+    if (!is_left && !is_right)
         return meets_side(along, normal, to[0], to[1]) ||
                meets_side(along, normal, to[1], to[2]) ||
                meets_side(along, normal, to[2], to[0]);
@@ -155,8 +168,9 @@ bool exact_answer(const Corners& from, const Vec3& direction, const Corners& fac
 
 bool blocks_ray(const Corners& from, const Vec3& direction, const Corners& facet)
 {
-    const std::optional<bool> answer = sure_answer(from, direction, facet);
-    return answer ? *answer : exact_answer(from, direction, facet);
+    const Answer answer = certain_answer(from, direction, facet);
+    return answer == Answer::Undecided ? exact_answer(from, direction, facet)
+                                       : answer == Answer::Yes;
 }
 
 }  // namespace endmill

@@ -7,11 +7,16 @@
 
 namespace endmill {
 
-/// Whether the ray from the centroid of `from` along `direction` meets the triangle `facet`:
-/// its edges and corners belong to it, both its sides block, and so does one through the
-/// centroid itself. Exact for the doubles given, the centroid (a + b + c) / 3 not rounded;
-/// some 20 ns where rounding leaves no doubt, else 50 us.
-/// \pre all coordinates are finite, `direction` is not zero, `facet` has an area.
+/// Tests whether the ray from the centroid of `from` along `direction` meets the closed
+/// triangle `facet`, from either side. A facet through the centroid itself blocks the
+/// ray.
+///
+/// The answer is exact for the given doubles; the centroid (a + b + c) / 3 is not
+/// rounded. The test takes about 20 ns if rounding errors cannot change a sign, else 50
+/// us.
+/// \param from corners, mm. \param direction not zero. \param facet corners, mm; it has
+///         an area.
+/// \pre all coordinates are finite.
 bool blocks_ray(const std::array<Vec3, 3>& from, const Vec3& direction,
                 const std::array<Vec3, 3>& facet);
 

@@ -15,21 +15,27 @@ namespace {
 constexpr std::uint32_t lanes = float_lanes;
 static_assert(lanes == PointBlock::size);
 
-// What follows bounds the errors where coordinates, at most 1 in size, are off by h, at least
-// half a rounding. Differences are off by 2 h and a rounding. |.| sums the sizes of components;
-// R is the largest difference of x or y of a centroid in question from a corner, at least 32 h;
-// Z that of z, at least R.
+// Error bounds of edge functions, normals and depths.
 //
-// An edge function, d x e + c with the offset c of the corner: 2 h |e| + 4 h R from the
-// factors, as much from c, and 5 roundings of |e| R in each: in all 4 h |e| + 8 h R + 20 h |e| R.
-// The normal's components: 2 h S, where S = |e| + |f| of the sides e and f that it is made of,
-// 5 roundings of |e| |f|, at most S^2 / 4, and 8 h^2: at most h S (3 + 3 S), since S exceeds 12 h
-// where this leaves no doubt of the sign of z.
-// The depth n . d: 2 h S (2 R + Z) from n; 2 h |n| from d, where |n| <= S^2 / 4 and S <= 2 (2 R
-// + Z); 10 roundings of S^2 / 4 Z in all, and 12 h^2 S: at most h S (2 R + Z) (3 + 10 Z).
+// Coordinates are at most 1 in magnitude and have errors of at most h, which is at least
+// half a rounding. So differences have errors of at most 2 h and a rounding. |v| is the
+// sum of the magnitudes of the components of v. R is the largest difference in x or y
+// between a centroid in question and a corner, at least 32 h; Z is the same in z, at
+// least R.
 //
-// dz may be taken within bounds R beyond the facet's z: where a point is inside the outline, the
-// plane lies between its corners, and dz at a bound is on the same side of it.
+// 1. An edge function is d x e + c, where c is the value at the first corner. The errors
+//    of d and e contribute 2 h |e| + 4 h R, those of c the same, and 5 roundings of |e| R
+//    occur in each part. The sum is at most 4 h |e| + 8 h R + 20 h |e| R.
+// 2. A component of the normal of the sides e and f, with S = |e| + |f|, has an error of
+//    2 h S, 5 roundings of |e| |f| <= S^2 / 4, and 8 h^2. The sum is at most h S (3 + 3
+//    S), because S exceeds 12 h if the sign of z is certain.
+// 3. The depth is n . d. The error of n contributes 2 h S (2 R + Z); that of d
+//    contributes 2 h |n| with |n| <= S^2 / 4 and S <= 2 (2 R + Z); there are 10 roundings
+//    of S^2 / 4 Z, and 12 h^2 S. The sum is at most h S (2 R + Z) (3 + 10 Z).
+//
+// dz is clamped to an interval that exceeds the z of the facet by R on both sides. This
+// does not change the sign of the depth of a point inside the outline: there the plane
+// lies between the z of the corners.
 [[gnu::always_inline]] inline WideFloats size_of(const WideFloats& a)
 {
     return larger(a, -a);
@@ -53,20 +59,20 @@ static_assert(lanes == PointBlock::size);
     return WideFloats{h} * sides * (2 * reach + depth_reach) * (4 + 12 * depth_reach);
 }
 
-[[gnu::always_inline]] inline WideFloats wide(const EightFloats& values)
+[[gnu::always_inline]] inline WideFloats wide(const LaneFloats& values)
 {
     return WideFloats{values.data()};
 }
 
-// In which of eight shadows a point may be, and in which it certainly is.
-struct FoundShadows {
-    WideBits may_be;
-    WideBits surely;
+// The facets that may cover a point, and those that certainly do.
+struct Coverage {
+    WideBits possible;
+    WideBits certain;
 };
 
-[[gnu::always_inline]] inline FoundShadows shadows_on(const EightShadows& shadows,
-                                                      const PointBlock& points,
-                                                      std::uint32_t lane)
+[[gnu::always_inline]] inline Coverage coverage_of(const ShadowLanes& shadows,
+                                                   const PointBlock& points,
+                                                   std::uint32_t lane)
 {
     const WideFloats dx = WideFloats{points.x[lane]} - wide(shadows.corner[0][0]);
     const WideFloats dy = WideFloats{points.y[lane]} - wide(shadows.corner[0][1]);
@@ -87,7 +93,8 @@ struct FoundShadows {
     const WideBits is_other{shadows.facet.data(), points.number[lane]};
     if (!shadows.has_edge_on) [[likely]]
         return {(inside >= -1) & is_other, (inside > 1) & is_other};
-    // Of a facet on edge, the signs of the edge functions are in doubt.
+    // A facet seen on edge has uncertain signs of its edge functions. It may cover the
+    // point unless the edge functions certainly have both signs.
     const WideFloats most = larger(larger(first, second), third);
     const WideFloats facing = wide(shadows.facing);
     const WideBits is_facing = facing > 0;
@@ -97,8 +104,8 @@ struct FoundShadows {
             (inside > 1) & is_facing & is_other};
 }
 
-// Of which points of a block the shadows may fall on one.
-[[gnu::always_inline]] inline unsigned lanes_within(const EightShadows& shadows,
+// The points of a block inside the common box of the facets, as a set of lanes.
+[[gnu::always_inline]] inline unsigned lanes_within(const ShadowLanes& shadows,
                                                     const PointBlock& points)
 {
     const WideFloats x{points.x.data()};
@@ -110,7 +117,8 @@ struct FoundShadows {
         .bits();
 }
 
-// Of each set of lanes those that are in it, in order, and then whichever.
+// For each set of lanes the lanes in it, in ascending order. The remaining entries have
+// no meaning.
 constexpr auto lanes_of_sets = [] {
     std::array<std::array<std::uint32_t, lanes>, 1U << lanes> sets{};
     for (unsigned set = 0; set < sets.size(); ++set)
@@ -120,8 +128,8 @@ constexpr auto lanes_of_sets = [] {
     return sets;
 }();
 
-// Places of points that are to be looked at. What is found in a block is written without a
-// branch for each lane: which are in it cannot be foretold.
+// Places of points that wait for a test. The lanes of a block are added without a branch
+// for each lane, because such branches could not be predicted.
 class PlaceQueue {
 public:
     [[gnu::always_inline]] void add(std::uint32_t block, unsigned set)
@@ -133,37 +141,41 @@ public:
         count_ += static_cast<std::size_t>(std::popcount(set));
     }
 
-    bool has_room() const { return count_ + lanes <= places_.size(); }  // for a block
+    bool has_room() const
+    {
+        return count_ + lanes <= places_.size();
+    }  // for one more block
     std::span<const std::uint32_t> places() const { return {places_.data(), count_}; }
     void clear() { count_ = 0; }
 
 private:
     using Places = std::uint32_t __attribute__((vector_size(lanes * sizeof(float))));
 
-    std::array<std::uint32_t, 64> places_;  // more than most groups of facets meet
+    std::array<std::uint32_t, 64> places_;  // enough for most groups of facets
     std::size_t count_ = 0;
 };
 
-[[gnu::always_inline]] inline void look_at(std::span<const std::uint32_t> places,
-                                           const EightShadows& shadows,
-                                           const PointBlock* blocks, Darkness& darkness)
+// Tests each waiting point against all eight facets.
+[[gnu::always_inline]] inline void test_places(std::span<const std::uint32_t> places,
+                                               const ShadowLanes& shadows,
+                                               const PointBlock* blocks,
+                                               CoveredPoints& covered)
 {
     for (const std::uint32_t place : places) {
-        const FoundShadows found =
-            shadows_on(shadows, blocks[place / lanes], place % lanes);
-        const bool is_dark = found.surely.any();
-        darkness.dark_lanes[place / lanes] |=
-            static_cast<std::uint8_t>(unsigned{is_dark} << place % lanes);
-        if (is_dark || !found.may_be.any())
+        const Coverage found = coverage_of(shadows, blocks[place / lanes], place % lanes);
+        const bool is_covered = found.certain.any();
+        covered.covered_lanes[place / lanes] |=
+            static_cast<std::uint8_t>(unsigned{is_covered} << place % lanes);
+        if (is_covered || !found.possible.any())
             continue;
-        for (unsigned rest = found.may_be.bits(); rest != 0; rest &= rest - 1)
-            darkness.doubts.push_back({place, shadows.facet[std::countr_zero(rest)]});
+        for (unsigned rest = found.possible.bits(); rest != 0; rest &= rest - 1)
+            covered.uncertain.push_back({place, shadows.facet[std::countr_zero(rest)]});
     }
 }
 
 [[gnu::always_inline]] inline float least_of(const WideFloats& values)
 {
-    EightFloats each;
+    LaneFloats each;
     values.store(each);
     return *std::ranges::min_element(each);
 }
@@ -171,7 +183,7 @@ private:
 }  // namespace
 
 ENDMILL_WIDEST_REGISTERS
-void prepare_shadows(EightShadows& shadows, float accuracy)
+void prepare_shadows(ShadowLanes& shadows, float accuracy)
 {
     const float h = accuracy;
     std::array<std::array<WideFloats, 3>, 3> at;
@@ -184,7 +196,8 @@ void prepare_shadows(EightShadows& shadows, float accuracy)
         low[axis] = smaller(at[0][axis], smaller(at[1][axis], at[2][axis]));
         high[axis] = larger(at[0][axis], larger(at[1][axis], at[2][axis]));
     }
-    // Centroids that are covered lie in the box but for 2 h and roundings; 16 h leaves room.
+    // Covered centroids lie in the box of the corners, up to 2 h and a few roundings; 16
+    // h is a safe margin.
     for (int axis = 0; axis < 2; ++axis) {
         shadows.low[axis] = least_of(low[axis]) - 16 * h;
         shadows.high[axis] = -least_of(-high[axis]) + 16 * h;
@@ -225,7 +238,8 @@ void prepare_shadows(EightShadows& shadows, float accuracy)
 }
 
 ENDMILL_WIDEST_REGISTERS
-void darken(const EightShadows& shadows, const PointCells& cells, Darkness& darkness)
+void mark_covered(const ShadowLanes& shadows, const PointCells& cells,
+                  CoveredPoints& covered)
 {
     const PointBlock* blocks = cells.blocks().data();
     const int first = cells.column_at(shadows.low[0]);
@@ -234,17 +248,18 @@ void darken(const EightShadows& shadows, const PointCells& cells, Darkness& dark
     PlaceQueue queue;
     for (int row = cells.row_at(shadows.low[1]); row <= high; ++row) {
         const auto [begin, end] = cells.range(row, first, last);
-        // Other cells' points in the first block and the last are asked the same.
+        // The first and the last block may contain points of other cells, which are
+        // tested as well.
         for (std::uint32_t block = begin / lanes; block * lanes < end; ++block) {
-            queue.add(block,
-                      lanes_within(shadows, blocks[block]) & ~darkness.dark_lanes[block]);
+            queue.add(block, lanes_within(shadows, blocks[block]) &
+                                 ~covered.covered_lanes[block]);
             if (!queue.has_room()) [[unlikely]] {
-                look_at(queue.places(), shadows, blocks, darkness);
+                test_places(queue.places(), shadows, blocks, covered);
                 queue.clear();
             }
         }
     }
-    look_at(queue.places(), shadows, blocks, darkness);
+    test_places(queue.places(), shadows, blocks, covered);
 }
 
 }  // namespace endmill

@@ -15,10 +15,11 @@ namespace {
 // Half a unit in the last place of 1 in single precision.
 constexpr float rounding = std::numeric_limits<float>::epsilon() / 2;
 
-// Squared sine between a direction and the x axis: below it, y is taken across.
+// Squared sine of the angle between a direction and the x axis below which the y axis is
+// projected to the first coordinate instead.
 constexpr double nearly_along = 0.1;
 
-// A shift and the scaled rows of a rotation, in doubles.
+// Projects an offset in doubles and rounds it to floats.
 [[gnu::always_inline]] inline Eigen::Vector3f seen(const Eigen::Matrix3d& rows,
                                                    const Vec3& offset)
 {
@@ -43,22 +44,23 @@ ShadowRaster::ShadowRaster(const TriangleMesh& part, const FacetGroups& groups)
     if (part.points().empty())
         return;
     centre_ = box.min() / 2 + box.max() / 2;
-    // A little more than half the diagonal, so that rounded coordinates stay within 1.
+    // Slightly more than half the diagonal, so that rounded coordinates stay within [-1,
+    // 1].
     const double reach = 1.000001 * (box.max() / 2 - box.min() / 2).stableNorm();
     if (!(reach > 0))
         return;
     scale_ = 1 / reach;
     const double largest =
         std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    // Half a rounding to a float, since they are below 1, and those of the doubles before: a
-    // dozen at most, of the coordinates as given.
+    // Half a unit in the last place of a float below 1, and at most a dozen roundings of
+    // doubles of the size of the given coordinates.
     accuracy_ = rounding / 2 + 0x1p-49 * (1 + largest / reach);
 }
 
 void ShadowRaster::look_along(const Vec3& direction)
 {
-    // Parts have sides along x and y: seen along rows and columns of cells, there are fewer
-    // cells between them.
+    // Many parts have edges along x and y. The projection maps one of these axes to the
+    // first coordinate, so that the boxes of such facets cover fewer cells.
     const Vec3 along = direction.normalized();
     Vec3 across = Vec3::UnitX() - along.x() * along;
     if (across.squaredNorm() < nearly_along)
@@ -83,7 +85,7 @@ void ShadowRaster::gather(std::span<const std::uint64_t> column)
                 points_.push_back({seen(rows_, groups_->centroids[k] - centre_), facet});
         }
     cells_.sort(points_);
-    darkness_.dark_lanes.assign(cells_.blocks().size(), 0);
+    covered_.covered_lanes.assign(cells_.blocks().size(), 0);
 }
 
 void ShadowRaster::clear_blocked(const Vec3& direction, std::span<std::uint64_t> column)
@@ -92,7 +94,7 @@ void ShadowRaster::clear_blocked(const Vec3& direction, std::span<std::uint64_t>
     gather(column);
     if (cells_.points() == 0)
         return;
-    EightShadows shadows;
+    ShadowLanes shadows;
     for (const FacetGroup& group : groups_->groups) {
         shadows.facet = group.facet;
         for (int k = 0; k < 3; ++k)
@@ -102,29 +104,30 @@ void ShadowRaster::clear_blocked(const Vec3& direction, std::span<std::uint64_t>
                     shadows.corner[k][axis][lane] = corner[axis];
             }
         prepare_shadows(shadows, static_cast<float>(accuracy_));
-        darken(shadows, cells_, darkness_);
+        mark_covered(shadows, cells_, covered_);
         decide(direction);
     }
-    clear_dark(column);
+    clear_covered(column);
 }
 
 void ShadowRaster::decide(const Vec3& direction)
 {
-    for (const ShadowDoubt& doubt : darkness_.doubts) {
-        std::uint8_t& dark_lanes = darkness_.dark_lanes[doubt.place / float_lanes];
-        if (!darkness_.is_dark(doubt.place) &&
+    for (const UncertainCover& doubt : covered_.uncertain) {
+        std::uint8_t& covered_lanes = covered_.covered_lanes[doubt.place / float_lanes];
+        if (!covered_.is_covered(doubt.place) &&
             blocks_ray(part_->corners(cells_.number_at(doubt.place)), direction,
                        part_->corners(doubt.facet)))
-            dark_lanes |= static_cast<std::uint8_t>(1U << doubt.place % float_lanes);
+            covered_lanes |= static_cast<std::uint8_t>(1U << doubt.place % float_lanes);
     }
-    darkness_.doubts.clear();
+    covered_.uncertain.clear();
 }
 
-void ShadowRaster::clear_dark(std::span<std::uint64_t> column) const
+void ShadowRaster::clear_covered(std::span<std::uint64_t> column) const
 {
     for (std::size_t place = 0; place < cells_.points(); ++place) {
         const auto facet = static_cast<std::size_t>(cells_.number_at(place));
-        column[facet / 64] &= ~(std::uint64_t{darkness_.is_dark(place)} << (facet % 64));
+        column[facet / 64] &=
+            ~(std::uint64_t{covered_.is_covered(place)} << (facet % 64));
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/setup/spherical_hull.h"
+#include "endmill/setup/detail/spherical_hull.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace endmill {
 namespace {
 
-// Exact tests of the images of directions in the plane that faces the tool axis.
+// Exact tests of the images of directions in a plane perpendicular to the tool axis.
 class ImagePlane {
 public:
     ImagePlane(const Vec3& tool_axis, HullProjection projection)
@@ -21,13 +21,15 @@ public:
     {
     }
 
-    // 1 if a, b, c turn counter-clockwise.
+    // 1 if a, b, c turn counter-clockwise, -1 if clockwise, 0 if they are collinear.
     int turn(const Vec3& a, const Vec3& b, const Vec3& c) const
     {
         return is_gnomonic_ ? turn_about(a, b, c) : turn_along(axis_, a, b, c);
     }
 
-    // Whether a line that sweeps the plane, slightly tilted, meets a before b.
+    // Orders images lexicographically: by the first perpendicular, then by the second.
+    // This is the order in which a sweep line meets them that is tilted by an infinitely
+    // small angle.
     bool is_before(const Vec3& a, const Vec3& b) const
     {
         const int across = sweep_order(perpendiculars_[0], a, b);
@@ -35,8 +37,8 @@ public:
     }
 
 private:
-    // 1 if the line parallel to `line` through a comes before the one through b.
-    // Gnomonic images have z_a z_b (g_b - g_a) x line = det(line, a, b).
+    // 1 if the parallel to `line` through a comes before the one through b, -1 if it
+    // comes after. Gnomonic images satisfy z_a z_b (g_b - g_a) x line = det(line, a, b).
     int sweep_order(const Vec3& line, const Vec3& a, const Vec3& b) const
     {
         return is_gnomonic_ ? turn_about(line, a, b) : order_along(axis_, line, a, b);
@@ -54,7 +56,8 @@ std::vector<Vec3> with_axis(const Vec3& tool_axis, std::span<const Vec3> directi
     return points;
 }
 
-// The chain from the first point to the last, which all others lie left of or on.
+// Appends the convex chain from the first point to the last, such that all points lie to
+// its left or on it. The last point is left out, because the next chain begins with it.
 void append_chain(std::vector<Vec3>& hull, std::span<const Vec3> points,
                   const ImagePlane& plane)
 {
@@ -65,7 +68,7 @@ void append_chain(std::vector<Vec3>& hull, std::span<const Vec3> points,
             hull.pop_back();
         hull.push_back(point);
     }
-    hull.pop_back();  // begins the next chain
+    hull.pop_back();
 }
 
 void require_open_hemisphere(const Vec3& tool_axis, std::span<const Vec3> directions)
@@ -74,7 +77,7 @@ void require_open_hemisphere(const Vec3& tool_axis, std::span<const Vec3> direct
             "spherical hull: need directions less than 90 degrees from the tool axis");
 }
 
-// The ends of a set of images on one line.
+// The two ends of collinear images, or one image if all are equal.
 std::vector<Vec3> ends_of_line(std::span<const Vec3> points, const ImagePlane& plane)
 {
     const auto before = [&plane](const Vec3& a, const Vec3& b) {
@@ -86,8 +89,9 @@ std::vector<Vec3> ends_of_line(std::span<const Vec3> points, const ImagePlane& p
     return {*first, *last};
 }
 
-// Replaces by `point` the vertices between the edges that face it; those on its line too, so
-// that of collinear vertices the farther stays.
+// Adds a point outside the hull. It replaces the vertices between the edges that face it.
+// Edges collinear with the point count as facing it, so that only the farther of
+// collinear vertices stays.
 void add_to_hull(std::vector<Vec3>& hull, const Vec3& point, const ImagePlane& plane)
 {
     const std::size_t count = hull.size();
@@ -96,7 +100,7 @@ void add_to_hull(std::vector<Vec3>& hull, const Vec3& point, const ImagePlane& p
         sides[i] = plane.turn(hull[i], hull[(i + 1) % count], point);
     if (*std::min_element(sides.begin(), sides.end()) >= 0)
         return;
-    std::size_t first = 0;  // edge that faces the point after one that does not
+    std::size_t first = 0;  // the first edge that faces the point
     while (sides[first] > 0 || sides[(first + count - 1) % count] <= 0)
         ++first;
     std::vector<Vec3> result{point};
@@ -163,8 +167,8 @@ std::vector<Vec3> incremental_hull(const Vec3& tool_axis,
                      [&tool_axis](const Vec3& a, const Vec3& b) {
                          return tool_axis.dot(a) > tool_axis.dot(b);
                      });
-    // The first triangle: the tool axis, the nearest direction off it, and the nearest one off
-    // their great circle.
+    // The hull begins with a triangle: the tool axis, the nearest other image, and the
+    // nearest image that is not collinear with both.
     const auto second = std::find_if(points.begin(), points.end(), [&](const Vec3& v) {
         return plane.is_before(tool_axis, v) || plane.is_before(v, tool_axis);
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/machine/rotary_limits.h"
+#include "endmill/machine/axis_limits.h"
 
 #include <numbers>
 
@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-TEST(RotaryLimits, WithoutBeingGivenAreAWholeTurn)
+TEST(RotaryLimits, AreAWholeTurnByDefault)
 {
     const RotaryLimits limits;
     EXPECT_EQ(limits.phi, limits.theta);

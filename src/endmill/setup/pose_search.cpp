@@ -17,28 +17,39 @@
 #include "endmill/visibility/detail/direction_count.h"
 #include "endmill/visibility/nearest_cells.h"
 
+// The search looks at each tool axis twice.
+//
+// 1. The first pass finds the nearest cells of each tool axis and, where that is cheap,
+//    an upper bound of the least area. The smallest of these bounds is known before the
+//    second pass.
+// 2. The second pass fits each tool axis. The fit stops early if its area exceeds the
+//    least area that any thread knows. Such a fit cannot be the best, so that the result
+//    does not depend on the order in which threads work.
+
 namespace endmill {
 namespace {
 
 void require_unit(std::span<const Vec3> vectors)
 {
-    constexpr double slack = 1e-6;  // of what a person writes with seven digits
-    require(std::all_of(vectors.begin(), vectors.end(),
-                        [](const Vec3& v) { return std::abs(v.norm() - 1) <= slack; }),
-            "setup: need unit vectors");
+    constexpr double tolerance =
+        1e-6;  // of the length: vectors written with seven digits
+    require(
+        std::all_of(vectors.begin(), vectors.end(),
+                    [](const Vec3& v) { return std::abs(v.norm() - 1) <= tolerance; }),
+        "setup: need unit vectors");
 }
 
-SetupSearch fit(const Vec3& tool_axis, std::span<const Vec3> directions,
-                const SetupOptions& options, const AreaBounds& bounds)
+PoseSearchResult fit(const Vec3& tool_axis, std::span<const Vec3> directions,
+                     const PoseFitOptions& options, const AreaBounds& bounds)
 {
     return options.family == RotaryFamily::CA
                ? sector_fit(tool_axis, directions, options, bounds)
                : rectangle_fit(tool_axis, directions, options, bounds);
 }
 
-// A minimum that threads lower together, never below the area of the pose that is best in the
-// end. Fits are the same for any bound that their area equals or is below, so that all poses
-// that can be best are fitted as without bounds, whatever the threads' order.
+// A minimum area that all threads lower. It is never below the area of the best pose. A
+// fit is the same for every bound that is not below its area, so that all poses that can
+// be the best are fitted as without a bound.
 class SharedMinimum {
 public:
     double value() const { return value_.load(std::memory_order_relaxed); }
@@ -64,10 +75,10 @@ std::optional<FittedPose> best_of(const std::vector<std::optional<FittedPose>>& 
     return best.best();
 }
 
-class PoseSearch {
+class CellSearch {
 public:
-    PoseSearch(const VisibilityMap& map, std::span<const Vec3> centres,
-               const SetupOptions& options)
+    CellSearch(const VisibilityMap& map, std::span<const Vec3> centres,
+               const PoseFitOptions& options)
         : map_{map},
           centres_{centres},
           options_{options},
@@ -79,18 +90,18 @@ public:
     {
     }
 
-    SetupSearch run()
+    PoseSearchResult run()
     {
-        // Quick bounds of all poses first: with them few poses need more.
         for_each_pose([this](std::size_t pose) { bound(pose); });
         for_each_pose([this](std::size_t pose) { fit_pose(pose); });
-        SetupSearch result;
+        PoseSearchResult result;
         result.poses_tried = centres_.size();
         result.poses_skipped = static_cast<std::size_t>(
             std::count(is_skipped_.begin(), is_skipped_.end(), true));
         result.least = best_of(least_);
         result.feasible = best_of(feasible_);
-        // A pose's two fits may be searched for apart, each to its accuracy.
+        // `least` and `feasible` of a pose may come from two searches of limited
+        // accuracy. If the least pose fits the limits, it is the feasible one too.
         if (result.least && setup_rules(options_.mode).has_signed_limits &&
             is_within(result.least->phi, options_.limits.phi) &&
             is_within(result.least->theta, options_.limits.theta))
@@ -129,8 +140,8 @@ private:
 
     void fit_pose(std::size_t pose)
     {
-        const SetupSearch found = fit(centres_[pose], directions_[pose], options_,
-                                      {area_.value(), feasible_area_.value()});
+        const PoseSearchResult found = fit(centres_[pose], directions_[pose], options_,
+                                           {area_.value(), feasible_area_.value()});
         is_skipped_[pose] = found.poses_skipped > 0 ? 1 : 0;
         keep(found.least, pose, least_, area_);
         keep(found.feasible, pose, feasible_, feasible_area_);
@@ -149,7 +160,7 @@ private:
 
     const VisibilityMap& map_;
     std::span<const Vec3> centres_;
-    const SetupOptions& options_;
+    const PoseFitOptions& options_;
     DirectionCount looks_;
     std::vector<std::vector<Vec3>> directions_;
     std::vector<std::optional<FittedPose>> least_;
@@ -161,21 +172,21 @@ private:
 
 }  // namespace
 
-SetupSearch pose_fit(const Vec3& tool_axis, std::span<const Vec3> directions,
-                     const SetupOptions& options, const AreaBounds& bounds)
+PoseSearchResult pose_fit(const Vec3& tool_axis, std::span<const Vec3> directions,
+                          const PoseFitOptions& options)
 {
     require_unit({&tool_axis, 1});
     require_unit(directions);
-    return fit(tool_axis, directions, options, bounds);
+    return fit(tool_axis, directions, options, {});
 }
 
-SetupSearch setup_search(const VisibilityMap& map, std::span<const Vec3> centres,
-                         const SetupOptions& options)
+PoseSearchResult pose_search(const VisibilityMap& map, std::span<const Vec3> centres,
+                             const PoseFitOptions& options)
 {
-    check_setup_options(options);
-    require(centres.size() == map.cells(), "setup_search: need a centre for each cell");
+    check_pose_fit_options(options);
+    require(centres.size() == map.cells(), "pose_search: need a centre for each cell");
     require_unit(centres);
-    return PoseSearch{map, centres, options}.run();
+    return CellSearch{map, centres, options}.run();
 }
 
 }  // namespace endmill

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/setup/arc_search.h"
+#include "endmill/setup/detail/arc_search.h"
 
 #include <algorithm>
 #include <bit>
@@ -24,15 +24,16 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The azimuths from which a cell is near enough.
+// The interval of azimuths of directions on the circle within the tolerance of a cell.
 struct NearCell {
     double from;  // rad, from 0 to 2 pi
-    double to;
+    double to;    // rad, at least `from`
     std::size_t cell;
 };
 
-// Of a cell at latitude b the azimuths within delta are nearer than the tolerance t, where
-// cos t = cos b cos delta.
+// Lists the cells close to the circle, sorted by the begins of their intervals. A cell at
+// the latitude b is within the tolerance t of the azimuths that differ from its own by at
+// most delta, where cos t = cos b cos delta.
 std::vector<NearCell> cells_near(const PolePoints& points, double tolerance)
 {
     std::vector<NearCell> near;
@@ -60,14 +61,14 @@ void for_each_bit(std::span<const std::uint64_t> words, const Take& take)
     }
 }
 
-// A map of the cones that decide: what meets these meets all that are not empty.
-VisibilityMap deciding_cones(const VisibilityMap& map)
+// A map of the minimal cones: an arc that meets these meets all cones.
+VisibilityMap minimal_cones(const VisibilityMap& map)
 {
     const DistinctCones cones{map};
     return cones.map(least_cones(cones));
 }
 
-// Whether each facet has a cell among these: else no window will do, however wide.
+// Tests whether each facet has a cell among these. If not, no window is wide enough.
 bool reach_all(const VisibilityMap& map, const std::vector<NearCell>& near)
 {
     std::vector<std::uint64_t> reached(map.words(), 0);
@@ -83,13 +84,16 @@ bool reach_all(const VisibilityMap& map, const std::vector<NearCell>& near)
 }
 
 struct Window {
-    double begin;
-    double width;
+    double begin;  // rad
+    double width;  // rad
 };
 
-// The least window that meets, for each facet, an interval of one of its cells.
-// A window that ends at the begin of an interval must begin, for each facet, before the end
-// of one of those begun so far: the one that ends last. Two rounds see all.
+// Finds the least window that meets an interval of a cell of each facet.
+//
+// A least window ends at the begin of an interval. For each facet it must begin before
+// the end of an interval that has begun so far; the interval with the last end is the
+// best. So the window begins at the least of these ends over all facets. Two rounds about
+// the axis consider all windows.
 std::optional<Window> least_window(const VisibilityMap& map,
                                    const std::vector<NearCell>& near)
 {
@@ -156,22 +160,22 @@ std::optional<DirectionArc> shortest_arc(const VisibilityMap& map,
                                          Angle tolerance)
 {
     check_arc(map, centres, tolerance);
-    return arc_about(deciding_cones(map), centres, axis, tolerance.radians());
+    return arc_about(minimal_cones(map), centres, axis, tolerance.radians());
 }
 
-SetupSearch arc_search(const VisibilityMap& map, std::span<const Vec3> centres,
-                       std::span<const Vec3> axes, const RotaryRange& limits,
-                       Angle tolerance)
+PoseSearchResult arc_search(const VisibilityMap& map, std::span<const Vec3> centres,
+                            std::span<const Vec3> axes, const RotaryRange& limits,
+                            Angle tolerance)
 {
     check_arc(map, centres, tolerance);
-    check_setup_options({.limits = {limits, {}}});
-    const VisibilityMap cones = deciding_cones(map);
+    check_pose_fit_options({.limits = {limits, {}}});
+    const VisibilityMap cones = minimal_cones(map);
     std::vector<std::optional<DirectionArc>> arcs(axes.size());
     parallel_for(axes.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             arcs[i] = arc_about(cones, centres, axes[i], tolerance.radians());
     });
-    SetupSearch result;
+    PoseSearchResult result;
     result.poses_tried = axes.size();
     BestCandidate<DirectionArc> best;
     for (const std::optional<DirectionArc>& arc : arcs) {

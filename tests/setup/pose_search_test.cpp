@@ -46,13 +46,14 @@ const Part& teapot(const std::string& grid, double incidence_deg = 90)
     return parts[key];
 }
 
-SetupSearch search(const Part& part, RotaryFamily family, SetupMode mode,
-                   const RotaryLimits& limits = {})
+PoseSearchResult search(const Part& part, RotaryFamily family, SetupMode mode,
+                        const RotaryLimits& limits = {})
 {
-    return setup_search(part.map, part.centres, {family, mode, limits});
+    return pose_search(part.map, part.centres, {family, mode, limits});
 }
 
-// Cones of convex facets: caps of half angle `open_deg` about their normals.
+// Cones of the facets of a convex part: caps of half angle `open_deg` about their
+// normals.
 Part part_of_caps(const std::string& grid, const std::vector<Vec3>& normals,
                   double open_deg)
 {
@@ -72,21 +73,21 @@ struct TeapotRow {
     double sector;        // C,A
     double wide_sector;   // C,A, corrected
     double literal;       // A,B
-    double literal_true;  // its pose with all directions
+    double literal_true;  // area of the same pose with all directions
     double paper;         // A,B
     double corrected;     // A,B
 };
 
 class TeapotOnAGrid : public testing::TestWithParam<TeapotRow> {};
 
-TEST_P(TeapotOnAGrid, HasTheAreasOfTheSpecification)
+TEST_P(TeapotOnAGrid, HasTheAreasOfTheTable)
 {
     const TeapotRow& row = GetParam();
     const Part& part = teapot(row.grid);
     const auto least = [&](RotaryFamily family, SetupMode mode) {
         return search(part, family, mode).least;
     };
-    // The specification prints two decimals.
+    // The table has two decimals.
     for (const SetupMode mode : {SetupMode::PaperLiteral, SetupMode::Paper}) {
         const auto found = least(RotaryFamily::CA, mode);
         EXPECT_NEAR(square_degrees(found->area), row.sector, 0.006);
@@ -121,8 +122,8 @@ INSTANTIATE_TEST_SUITE_P(OfTheTable, TeapotOnAGrid,
                                          TeapotRow{"ico:3", 19770.26, 19770.26, 9526.26,
                                                    25157.47, 9952.07, 8533.93}));
 
-// Each pose by itself, one after the other and without bounds.
-SetupSearch pose_by_pose(const Part& part, const SetupOptions& options)
+// Fits each pose on its own, without bounds.
+PoseSearchResult pose_by_pose(const Part& part, const PoseFitOptions& options)
 {
     BestCandidate<FittedPose> least;
     BestCandidate<FittedPose> feasible;
@@ -130,7 +131,7 @@ SetupSearch pose_by_pose(const Part& part, const SetupOptions& options)
         std::vector<Vec3> nearest;
         for (const std::size_t cell : nearest_cells(part.map, part.centres, pose))
             nearest.push_back(part.centres[cell]);
-        SetupSearch found = pose_fit(part.centres[pose], nearest, options);
+        PoseSearchResult found = pose_fit(part.centres[pose], nearest, options);
         for (auto* fit : {&found.least, &found.feasible})
             if (*fit)
                 (*fit)->cell = pose;
@@ -139,7 +140,7 @@ SetupSearch pose_by_pose(const Part& part, const SetupOptions& options)
         if (found.feasible)
             feasible.offer(*found.feasible, score_of(*found.feasible));
     }
-    SetupSearch result;
+    PoseSearchResult result;
     result.least = least.best();
     result.feasible = feasible.best();
     return result;
@@ -157,20 +158,20 @@ void expect_same_pose(const std::optional<FittedPose>& found,
     }
 }
 
-void expect_that_of_single_poses(const Part& part, const SetupOptions& options)
+void expect_that_of_single_poses(const Part& part, const PoseFitOptions& options)
 {
-    const SetupSearch expected = pose_by_pose(part, options);
+    const PoseSearchResult expected = pose_by_pose(part, options);
     for (const int threads : {1, 3, 8, 8, 8}) {
         set_thread_count(threads);
-        const SetupSearch found = setup_search(part.map, part.centres, options);
+        const PoseSearchResult found = pose_search(part.map, part.centres, options);
         expect_same_pose(found.least, expected.least);
         if (!found.feasible || found.feasible->cell != found.least->cell)
             expect_same_pose(found.feasible, expected.feasible);
     }
 }
 
-// Parts as symmetric as the grid, whose best poses are equal but for rounding.
-TEST(SetupSearch, IsThatOfPosesFittedOneByOneOnAnyNumberOfThreads)
+// Parts as symmetric as the grid. Their best poses are equal up to rounding.
+TEST(PoseSearch, AgreesWithPosesFittedOneByOneOnAnyNumberOfThreads)
 {
     std::vector<Vec3> normals = test::ring(6, 70);
     normals.push_back(up);
@@ -188,14 +189,14 @@ TEST(SetupSearch, IsThatOfPosesFittedOneByOneOnAnyNumberOfThreads)
     set_thread_count(4);
 }
 
-TEST(SetupSearch, HasTheRangesOfTheSpecificationOnTheTeapot)
+TEST(PoseSearch, HasTheRangesOfTheTableOnTheTeapot)
 {
     const Part& part = teapot("hex:10");
     const auto sector = search(part, RotaryFamily::CA, SetupMode::Paper).least;
     EXPECT_NEAR(sector->phi.to / degree, 67.48, 0.006);
     EXPECT_NEAR(-sector->phi.from / degree, 57.08, 0.006);
     EXPECT_NEAR((sector->theta.to - sector->theta.from) / degree, 152.44, 0.006);
-    const SetupSearch found = search(part, RotaryFamily::AB, SetupMode::Paper);
+    const PoseSearchResult found = search(part, RotaryFamily::AB, SetupMode::Paper);
     EXPECT_EQ(found.poses_tried, 1200U);
     EXPECT_EQ(found.poses_skipped, 380U);
     EXPECT_EQ(found.status, SetupStatus::Ok);
@@ -205,13 +206,13 @@ TEST(SetupSearch, HasTheRangesOfTheSpecificationOnTheTeapot)
     EXPECT_NEAR(found.least->theta.to / degree, 27.46, 0.006);
 }
 
-TEST(SetupSearch, HasTheAreasOfTheSpecificationAtSmallerIncidence)
+TEST(PoseSearch, HasTheAreasOfTheTableAtSmallerIncidence)
 {
     const Part& steep = teapot("hex:10", 80);
     EXPECT_NEAR(
         square_degrees(search(steep, RotaryFamily::CA, SetupMode::Paper).least->area),
         24023.46, 0.006);
-    const SetupSearch paper = search(steep, RotaryFamily::AB, SetupMode::Paper);
+    const PoseSearchResult paper = search(steep, RotaryFamily::AB, SetupMode::Paper);
     EXPECT_NEAR(square_degrees(paper.least->area), 12816.08, 0.006);
     EXPECT_EQ(paper.poses_skipped, 935U);
     EXPECT_NEAR(
@@ -222,7 +223,7 @@ TEST(SetupSearch, HasTheAreasOfTheSpecificationAtSmallerIncidence)
     EXPECT_NEAR(
         square_degrees(search(steeper, RotaryFamily::CA, SetupMode::Paper).least->area),
         31452.16, 0.006);
-    const SetupSearch none = search(steeper, RotaryFamily::AB, SetupMode::Paper);
+    const PoseSearchResult none = search(steeper, RotaryFamily::AB, SetupMode::Paper);
     EXPECT_EQ(none.poses_skipped, 1200U);
     EXPECT_EQ(none.status, SetupStatus::NoOpenHemisphere);
     EXPECT_FALSE(none.least);
@@ -232,7 +233,7 @@ TEST(SetupSearch, HasTheAreasOfTheSpecificationAtSmallerIncidence)
     EXPECT_NEAR((corrected->theta.to - corrected->theta.from) / degree, 99.99, 0.006);
 }
 
-TEST(SetupSearch, GroupsTheFacetsOfTheTeapotAsTheSpecificationCounts)
+TEST(PoseSearch, HasTheGroupsOfTheTableOnTheTeapot)
 {
     for (const auto& [incidence, first_group, cells] :
          {std::tuple{90, 0.429, 79.6}, std::tuple{80, 0.359, 91.8},
@@ -251,9 +252,9 @@ TEST(SetupSearch, GroupsTheFacetsOfTheTeapotAsTheSpecificationCounts)
     }
 }
 
-// The grid has both symmetries. With every facet's bits moved to the mirrored, or turned, cell
-// all areas are the same.
-TEST(SetupSearch, IsTheSameForATeapotMirroredOrTurned)
+// The grid has both symmetries. If the bits of every facet move to the mirrored or turned
+// cell, all areas stay the same.
+TEST(PoseSearch, IsTheSameForATeapotMirroredOrTurned)
 {
     const Part& part = teapot("hex:10");
     const Eigen::Matrix3d mirror = Vec3{1, -1, 1}.asDiagonal();
@@ -281,16 +282,16 @@ TEST(SetupSearch, IsTheSameForATeapotMirroredOrTurned)
     }
 }
 
-TEST(SetupSearch, DoesNotDependOnTheNumberOfThreads)
+TEST(PoseSearch, DoesNotDependOnTheNumberOfThreads)
 {
     const Part& part = teapot("hex:10", 80);
     const RotaryLimits limits{{-90 * degree, 100 * degree}, {-60 * degree, 60 * degree}};
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
         for (const SetupMode mode : {SetupMode::Paper, SetupMode::Corrected}) {
             set_thread_count(1);
-            const SetupSearch one = search(part, family, mode, limits);
+            const PoseSearchResult one = search(part, family, mode, limits);
             set_thread_count(8);
-            const SetupSearch eight = search(part, family, mode, limits);
+            const PoseSearchResult eight = search(part, family, mode, limits);
             const auto expect_same = [](const auto& a, const auto& b) {
                 ASSERT_EQ(a.has_value(), b.has_value());
                 if (!a)
@@ -308,7 +309,7 @@ TEST(SetupSearch, DoesNotDependOnTheNumberOfThreads)
     }
 }
 
-TEST(SetupSearch, FindsTheMachinesOfTheSpecificationMachinable)
+TEST(PoseSearch, FindsTheTeapotMachinableOnTheMachinesOfTheTable)
 {
     const Part& part = teapot("hex:10");
     const auto is_machinable = [&](RotaryFamily family, double phi, double small_phi,
@@ -324,8 +325,8 @@ TEST(SetupSearch, FindsTheMachinesOfTheSpecificationMachinable)
     EXPECT_FALSE(is_machinable(RotaryFamily::CA, 40, 40, 60, 60));
 }
 
-// The five upper faces of a cube: from +Z the sides are reached 10 degrees off.
-TEST(SetupSearch, HasTheRingOfACubeAtItsPole)
+// The five upper faces of a cube. From +Z the sides are reached by a tilt of 10 degrees.
+TEST(PoseSearch, HasTheRingOfACubeAtItsPole)
 {
     const std::vector<Vec3> normals{Vec3::UnitX(), Vec3::UnitY(), -Vec3::UnitX(),
                                     -Vec3::UnitY(), up};
@@ -338,7 +339,7 @@ TEST(SetupSearch, HasTheRingOfACubeAtItsPole)
         square_degrees(
             pose_fit(up, ring, {RotaryFamily::AB, SetupMode::Paper, {}}).least->area),
         200.505460, 1e-5);
-    // On a grid each nearest cell is farther than the cap by at most its cover radius.
+    // On a grid each nearest cell is farther than the cap by at most the cover radius.
     const Part cube = part_of_caps("hex:10", normals, 80);
     const auto found = search(cube, RotaryFamily::AB, SetupMode::Corrected).least;
     EXPECT_LT(square_degrees(found->area),
@@ -347,8 +348,8 @@ TEST(SetupSearch, HasTheRingOfACubeAtItsPole)
                                  .least->area));
 }
 
-// Bottoms of two long V-grooves along `along`, tilted by +-tilt degrees about it from `above`,
-// of half angle `half` degrees: wedges of directions.
+// The bottoms of two long V-grooves along `along`, tilted about it from `above` by +-tilt
+// degrees, with a half angle of `half` degrees. Their cones are wedges of directions.
 Part two_grooves(const std::vector<Vec3>& centres, const Vec3& along, const Vec3& above,
                  double tilt, double half)
 {
@@ -365,13 +366,14 @@ Part two_grooves(const std::vector<Vec3>& centres, const Vec3& along, const Vec3
     return part;
 }
 
-// Whatever the mode and the family, the tool turns about one axis, along `axis`, by `turn`.
+// In every mode and family, the tool turns about `axis` by `turn` and about no other
+// axis.
 void expect_one_turn(const Part& part, double turn, const Vec3& axis)
 {
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
         for (const SetupMode mode :
              {SetupMode::PaperLiteral, SetupMode::Paper, SetupMode::Corrected}) {
-            const SetupSearch found = search(part, family, mode);
+            const PoseSearchResult found = search(part, family, mode);
             ASSERT_TRUE(found.feasible);
             const FittedPose& fitted = *found.feasible;
             EXPECT_EQ(found.status, SetupStatus::FourAxis);
@@ -384,9 +386,9 @@ void expect_one_turn(const Part& part, double turn, const Vec3& axis)
     }
 }
 
-// With a direction at every degree, and half of one, across the grooves, and no other: the
-// tool turns by 2 (tilt - half), and by the half degrees at both ends.
-TEST(SetupSearch, TurnsFromGrooveToGrooveAboutTheirDirection)
+// The only directions lie across the grooves, at odd multiples of half a degree. The tool
+// turns by 2 (tilt - half), and by half a degree more at both ends.
+TEST(PoseSearch, TurnsFromGrooveToGrooveAboutTheirDirection)
 {
     const Vec3 along = Vec3{1, 9, 3}.normalized();
     const Vec3 above = along.unitOrthogonal();
@@ -398,9 +400,9 @@ TEST(SetupSearch, TurnsFromGrooveToGrooveAboutTheirDirection)
                         (2 * (tilt - half) + 1) * degree, along);
 }
 
-// On a grid the nearest two directions, one of each groove, lie off that plane: with the
-// tool along the one, the other is the only direction to turn to.
-TEST(SetupSearch, TurnsFromGrooveToGrooveByTheLeastAngleOfTwoCells)
+// On a grid the nearest two directions of both grooves lie off that plane. With the tool
+// along one of them, the other is the only direction to reach.
+TEST(PoseSearch, TurnsFromGrooveToGrooveByTheLeastAngleOfTwoCells)
 {
     const Vec3 along = Vec3{1, 9, 3}.normalized();
     const std::vector<Vec3> centres = sphere_grid("hex:10").centres;
@@ -420,13 +422,13 @@ TEST(SetupSearch, TurnsFromGrooveToGrooveByTheLeastAngleOfTwoCells)
     expect_one_turn(part, least, axis);
 }
 
-TEST(SetupSearch, NeedsNoTurnForAPlanarPatch)
+TEST(PoseSearch, NeedsNoTurnForAPlanarPatch)
 {
     const Part plate = part_of_caps("hex:4", {up, up}, 60);
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
         for (const SetupMode mode :
              {SetupMode::PaperLiteral, SetupMode::Paper, SetupMode::Corrected}) {
-            const SetupSearch found = search(plate, family, mode);
+            const PoseSearchResult found = search(plate, family, mode);
             EXPECT_EQ(found.status, SetupStatus::ThreeAxis);
             EXPECT_EQ(found.feasible->area, 0);
             EXPECT_GT(found.feasible->pose.tool_axis.z(), 0.5);
@@ -437,8 +439,8 @@ TEST(SetupSearch, NeedsNoTurnForAPlanarPatch)
     }
 }
 
-// Facets that no cell reaches are the caller's to report; a part of such alone needs nothing.
-TEST(SetupSearch, LeavesOutFacetsThatNothingReaches)
+// Facets with empty cones are left out. A part of such facets only needs no range.
+TEST(PoseSearch, LeavesOutEmptyCones)
 {
     const std::vector<Vec3> centres = sphere_grid("hex:2").centres;
     const Part part{centres, VisibilityMap{3, centres.size()}};
@@ -446,8 +448,9 @@ TEST(SetupSearch, LeavesOutFacetsThatNothingReaches)
               SetupStatus::ThreeAxis);
 }
 
-// Random parts of convex facets: corrected never above paper, in either family.
-TEST(SetupSearch, IsNeverWorseCorrected)
+// Random convex parts: the area of `Corrected` is never above that of `Paper`, in both
+// families.
+TEST(PoseSearch, IsNeverWorseCorrected)
 {
     test::Random random{61};
     for (int i = 0; i < 60; ++i) {
@@ -468,24 +471,24 @@ TEST(SetupSearch, IsNeverWorseCorrected)
     }
 }
 
-TEST(SetupSearch, NeedsACentreOfUnitLengthForEachCell)
+TEST(PoseSearch, NeedsACentreOfUnitLengthForEachCell)
 {
     const VisibilityMap map{1, 2};
-    EXPECT_THROW(setup_search(map, std::vector{up}, {}), DomainError);
-    EXPECT_THROW(setup_search(map, std::vector<Vec3>{up, 2 * up}, {}), DomainError);
+    EXPECT_THROW(pose_search(map, std::vector{up}, {}), DomainError);
+    EXPECT_THROW(pose_search(map, std::vector<Vec3>{up, 2 * up}, {}), DomainError);
     EXPECT_THROW(pose_fit(2 * up, {}, {}), DomainError);
 }
 
-TEST(SetupSearch, TellsOfTwoLooksAtEachPose)
+TEST(PoseSearch, ReportsTwoStepsForEachPose)
 {
     const Part& part = teapot("hex:4");
-    SetupOptions options{RotaryFamily::AB, SetupMode::Corrected};
+    PoseFitOptions options{RotaryFamily::AB, SetupMode::Corrected};
     std::size_t told = 0;
     options.progress = [&](std::size_t done) { EXPECT_EQ(done, ++told); };
-    const SetupSearch found = setup_search(part.map, part.centres, options);
+    const PoseSearchResult found = pose_search(part.map, part.centres, options);
     EXPECT_EQ(told, 2 * part.centres.size());
     options.progress = {};
-    EXPECT_EQ(setup_search(part.map, part.centres, options).least->area,
+    EXPECT_EQ(pose_search(part.map, part.centres, options).least->area,
               found.least->area);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/machine/rotary_angles.h"
+#include "endmill/machine/kinematics.h"
 
 #include <cmath>
 #include <numbers>
@@ -38,7 +38,7 @@ std::vector<MachineConfiguration> valid_machines()
     return valid;
 }
 
-// Eigen's rotations instead of the closed form.
+// The direction by Eigen's rotations instead of the closed form.
 Vec3 turned(const RotaryFrame& frame, const RotaryAngles& angles)
 {
     const bool is_ca = frame.family == RotaryFamily::CA;
@@ -47,8 +47,8 @@ Vec3 turned(const RotaryFrame& frame, const RotaryAngles& angles)
     return first * (second * frame.tool_axis);
 }
 
-// Spec of the machinability, 9.2.
-TEST(RotaryAngles, GiveTheDirectionsOfTheSpec)
+// Source: docs/mathematics/five-axis-setup.md, section 9 (9.2).
+TEST(RotaryAngles, GiveTheDirectionsOfTheTable)
 {
     const double s = std::sin(rad(30));
     const double c = std::cos(rad(30));
@@ -114,7 +114,7 @@ TEST(RotaryAngles, HaveASecondSolution)
         }
 }
 
-TEST(RotaryAngles, AreFiniteWhereOneDoesNotMatter)
+TEST(RotaryAngles, AreFiniteAtSingularDirections)
 {
     for (const MachineConfiguration& machine : valid_machines()) {
         const RotaryFrame frame = machine_frame(machine);
@@ -130,7 +130,8 @@ TEST(RotaryAngles, AreFiniteWhereOneDoesNotMatter)
     EXPECT_NEAR(rotary_angles(frame_of("abB"), Vec3{1, 0, 0}).theta, pi / 2, 1e-15);
 }
 
-// Turning the part half a turn about the tool axis reverses both axes, and in A,B both angles.
+// Half a turn of the part about the tool axis reverses both rotary axes, and in A,B both
+// angles.
 TEST(RotaryAngles, ChangeSignWithThePartHalfATurnAboutTheToolAxis)
 {
     test::Random random{4};

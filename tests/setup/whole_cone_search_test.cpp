@@ -19,7 +19,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
 
-/// Cones of a convex part: caps about the normals.
+/// Cones of a convex part: caps about the normals of its faces.
 VisibilityMap caps(const SphereGrid& grid, std::span<const Vec3> normals, double angle)
 {
     VisibilityMap map{normals.size(), grid.centres.size()};
@@ -49,7 +49,7 @@ Vec3 random_direction(std::mt19937& random)
     return Vec3{normal(random), normal(random), normal(random)}.normalized();
 }
 
-/// The cone of a facet is a random part of its hemisphere: no caps, nor in one piece.
+/// Cones that are random sets of cells of a hemisphere: neither caps nor connected.
 VisibilityMap random_map(const SphereGrid& grid, std::size_t facets, std::mt19937& random)
 {
     VisibilityMap map{facets, grid.centres.size()};
@@ -68,7 +68,7 @@ VisibilityMap random_map(const SphereGrid& grid, std::size_t facets, std::mt1993
     return map;
 }
 
-/// phi and theta of a direction by the formulas of the pose, in both solutions of C,A.
+/// phi and theta of a direction from the formulas of the pose; in C,A both solutions.
 std::vector<std::array<double, 2>> turns(const FittedPose& fitted, RotaryFamily family,
                                          const Vec3& v)
 {
@@ -83,7 +83,7 @@ std::vector<std::array<double, 2>> turns(const FittedPose& fitted, RotaryFamily 
     return {{polar, azimuth}, {-polar, azimuth - pi}, {-polar, azimuth + pi}};
 }
 
-/// How far outside of a range an angle is, in whole turns or not; rad.
+/// Distance of an angle from a range, up to whole turns, rad.
 double beyond(const RotaryRange& range, double angle)
 {
     double least = 100;
@@ -94,7 +94,8 @@ double beyond(const RotaryRange& range, double angle)
     return least;
 }
 
-/// The facet that can be reached least: how far its best cell is out of the pose's ranges.
+/// The largest distance, over all facets, of the best cell of a facet from the pose's
+/// ranges, rad.
 double worst_miss(const SphereGrid& grid, const VisibilityMap& map,
                   const FittedPose& fitted, RotaryFamily family)
 {
@@ -116,13 +117,13 @@ double worst_miss(const SphereGrid& grid, const VisibilityMap& map,
                 best = std::min(best, is_pole ? free : std::max(free, turn));
             }
         }
-        worst = std::max(worst, best == 100 ? 0 : best);  // an empty cone does not count
+        worst = std::max(worst, best == 100 ? 0 : best);  // empty cones do not count
     }
     return worst;
 }
 
-/// The objective of the least window about a random axis up to random levels, with all
-/// windows tried that begin at a cell; infinite if none meets all cones.
+/// The objective of the least window about a random axis up to random levels. All windows
+/// that begin at a cell are tried. Infinite if none meets all cones.
 double random_objective(const SphereGrid& grid, const VisibilityMap& map,
                         const PoseMeasure& measure, std::mt19937& random)
 {
@@ -167,7 +168,7 @@ double random_objective(const SphereGrid& grid, const VisibilityMap& map,
                        : std::numeric_limits<double>::infinity();
 }
 
-/// From the table of arcs between two cells that together see every face.
+/// A row of the table of arcs between two cells that together reach every face.
 struct Arc {
     const char* grid;
     RotaryFamily family;
@@ -181,19 +182,20 @@ class ConvexParts : public testing::TestWithParam<Arc> {};
 TEST_P(ConvexParts, NeedTheShortestArcBetweenTwoDirections)
 {
     const SphereGrid grid = sphere_grid(GetParam().grid);
-    SetSearchOptions options;
+    WholeConeSearchOptions options;
     options.gap = GetParam().gap;
     options.family = GetParam().family;
     const VisibilityMap map = GetParam().is_cube
                                   ? caps(grid, cube_without_bottom(), 75 * degree)
                                   : caps(grid, prism_with_top(), 78 * degree);
-    const SetSearchResult result = set_search(grid, map, options);
+    const WholeConeSearchResult result = whole_cone_search(grid, map, options);
     EXPECT_NEAR(result.objective / (degree * degree), GetParam().least_deg2, 1e-3);
     EXPECT_GE(result.lower_bound * (1 + options.gap), result.objective * (1 - 1e-12));
     EXPECT_EQ(result.unresolved, 0U);
 }
 
-// On ico:4 one of four, for the time that they take: the experiment `convex-parts` has all.
+// On ico:4 only one of four parts, because they take long; the experiment `convex-parts`
+// has all.
 INSTANTIATE_TEST_SUITE_P(
     Grids, ConvexParts,
     testing::Values(Arc{"hex:10", RotaryFamily::AB, true, 385.806, 0.005},
@@ -202,8 +204,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Arc{"cube:10", RotaryFamily::CA, false, 359.636, 0.01},
                     Arc{"ico:4", RotaryFamily::AB, true, 306.732, 0.01}));
 
-/// Bottoms of two long V-grooves along `along`, tilted by +-40 degrees about it, of half angle
-/// 15: wedges of directions, within 60 degrees of the bottom's normal.
+/// The bottoms of two long V-grooves along `along`, tilted about it by +-40 degrees, with
+/// a half angle of 15 degrees. Their cones are wedges of directions within 60 degrees of
+/// the bottom's normal.
 VisibilityMap two_grooves(const SphereGrid& grid, const Vec3& along, const Vec3& above)
 {
     VisibilityMap map{2, grid.centres.size()};
@@ -222,7 +225,7 @@ VisibilityMap two_grooves(const SphereGrid& grid, const Vec3& along, const Vec3&
     return map;
 }
 
-/// The least angle between a direction of facet 0 and one of facet 1.
+/// Least angle between a direction of facet 0 and a direction of facet 1.
 double least_angle(const SphereGrid& grid, const VisibilityMap& map)
 {
     double least = pi;
@@ -234,24 +237,26 @@ double least_angle(const SphereGrid& grid, const VisibilityMap& map)
     return least;
 }
 
-// Any set that holds two directions has w + h >= their angle d, for one comes to the other by a
-// turn of h at most about one axis and of w at most about the other. So the floored area is at
-// least floor (floor + d), and the great arc between the nearest two has no more. On the sphere
-// itself d would be 2 asin(sin 25 cos 60 / cos 15), at the ends of the wedges, where they are
-// nearest: less than the 2 (40 - 15) about the axis of the grooves.
-TEST(SetSearch, TurnsFromGrooveToGrooveAlongTheShortestArc)
+// A range that contains two directions at the angle d has w + h >= d, because a turn of
+// at most h about one axis and a turn of at most w about the other axis lead from one to
+// the other. So the floored area is at least floor (floor + d), and the great arc between
+// the nearest two directions reaches this value. For whole wedges d is 2 asin(sin 25 cos
+// 60 / cos 15), between the ends of the wedges; this is less than the angle 2 (40 - 15)
+// about the axis of the grooves.
+TEST(WholeConeSearch, TurnsFromGrooveToGrooveAlongTheShortestArc)
 {
     const SphereGrid grid = sphere_grid("hex:10");
-    const Vec3 along = Vec3{1, 9, 3}.normalized();  // in no plane of symmetry of the grid
+    const Vec3 along =
+        Vec3{1, 9, 3}.normalized();  // not in a plane of symmetry of the grid
     const VisibilityMap map = two_grooves(grid, along, along.unitOrthogonal());
     const double angle = least_angle(grid, map);
     EXPECT_GT(angle, 2 * std::asin(std::sin(25 * degree) * 0.5 / std::cos(15 * degree)));
     EXPECT_LT(angle, 50 * degree);
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
-        SetSearchOptions options;
+        WholeConeSearchOptions options;
         options.family = family;
         options.gap = 0.01;
-        const SetSearchResult result = set_search(grid, map, options);
+        const WholeConeSearchResult result = whole_cone_search(grid, map, options);
         const double least = options.floor_rad * (options.floor_rad + angle);
         EXPECT_LE(result.lower_bound, least * (1 + 1e-12));
         EXPECT_GE(result.lower_bound * (1 + options.gap), least * (1 - 1e-12));
@@ -264,14 +269,14 @@ TEST(SetSearch, TurnsFromGrooveToGrooveAlongTheShortestArc)
 struct TeapotRow {
     RotaryFamily family;
     double incidence_deg;
-    double best_deg2;   ///< the best pose that the specification knows
-    double bound_deg2;  ///< certified there
+    double best_deg2;   ///< the best pose of the table
+    double bound_deg2;  ///< its certified lower bound
 };
 
 class TeapotOfTheTable : public testing::TestWithParam<TeapotRow> {};
 
-// What is found and what is proved elsewhere hold each other: no pose is below a bound.
-TEST_P(TeapotOfTheTable, AgreesWithPosesAndBoundsFoundElsewhere)
+// Poses and bounds of this search and of the table must agree: no pose is below a bound.
+TEST_P(TeapotOfTheTable, AgreesWithThePosesAndBoundsOfTheTable)
 {
     const TeapotRow& row = GetParam();
     const SphereGrid grid = sphere_grid("hex:10");
@@ -279,10 +284,10 @@ TEST_P(TeapotOfTheTable, AgreesWithPosesAndBoundsFoundElsewhere)
     visibility.incidence = Angle::degrees(row.incidence_deg);
     const VisibilityMap map =
         part_visibility(test::teapot(), grid.centres, visibility).map;
-    SetSearchOptions options;
+    WholeConeSearchOptions options;
     options.family = row.family;
-    const SetSearchResult result = set_search(grid, map, options);
-    const double printed = 1e-5;  // of what the table prints with two decimals
+    const WholeConeSearchResult result = whole_cone_search(grid, map, options);
+    const double printed = 1e-5;  // relative rounding of the table's two decimals
     const double objective = result.objective / (degree * degree);
     const double bound = result.lower_bound / (degree * degree);
     EXPECT_LE(bound, row.best_deg2 * (1 + printed));
@@ -308,19 +313,19 @@ struct Aim {
 
 class RandomParts : public testing::TestWithParam<Aim> {};
 
-TEST_P(RandomParts, AreReachedWhollyAndNoPoseFallsBelowTheBound)
+TEST_P(RandomParts, AreReachedCompletelyAndNoPoseIsBelowTheBound)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     std::mt19937 random{7};
-    SetSearchOptions options;
+    WholeConeSearchOptions options;
     options.family = GetParam().family;
     options.objective = GetParam().objective;
     const PoseMeasure measure{options.family, options.objective, options.floor_rad};
     for (std::size_t facets = 2; facets <= 20; facets += 6) {
         const VisibilityMap map = random_map(grid, facets, random);
-        const SetSearchResult result = set_search(grid, map, options);
+        const WholeConeSearchResult result = whole_cone_search(grid, map, options);
         ASSERT_TRUE(result.pose);
-        EXPECT_EQ(result.machinability, Machinability::Machinable);
+        EXPECT_EQ(result.machinable, Answer::Yes);
         EXPECT_LT(worst_miss(grid, map, *result.pose, options.family), 1e-9);
         EXPECT_NEAR(result.pose->area, result.ranges.width * result.ranges.height(),
                     1e-12);
@@ -342,43 +347,43 @@ INSTANTIATE_TEST_SUITE_P(
                     Aim{RotaryFamily::AB, SetupObjective::TotalRange},
                     Aim{RotaryFamily::AB, SetupObjective::Tilt}));
 
-TEST(SetSearch, ProvesThatOppositeWallsNeedMoreTiltThanThereIs)
+TEST(WholeConeSearch, ProvesThatOppositeWallsExceedTheTilt)
 {
     const SphereGrid grid = sphere_grid("hex:4");
-    // Caps of 30 degrees about x and -x: their nearest cells are 120 degrees apart and more,
-    // so that one of them is at 60 degrees or more from any tool axis.
+    // Caps of 30 degrees about x and -x. Their nearest cells are at least 120 degrees
+    // apart, so that one of the caps is 60 degrees or more from any tool axis.
     const std::vector<Vec3> walls{{1, 0, 0}, {-1, 0, 0}};
     const VisibilityMap map = caps(grid, walls, 30 * degree);
-    SetSearchOptions options;
+    WholeConeSearchOptions options;
     options.limits.phi = {-59 * degree, 59 * degree};
-    const auto short_tilt = set_search(grid, map, options);
-    EXPECT_EQ(short_tilt.machinability, Machinability::Impossible);
+    const auto short_tilt = whole_cone_search(grid, map, options);
+    EXPECT_EQ(short_tilt.machinable, Answer::No);
     EXPECT_FALSE(short_tilt.pose);
 
     options.limits.phi = {-80 * degree, 80 * degree};
-    const auto enough = set_search(grid, map, options);
-    ASSERT_EQ(enough.machinability, Machinability::Machinable);
+    const auto enough = whole_cone_search(grid, map, options);
+    ASSERT_EQ(enough.machinable, Answer::Yes);
     EXPECT_LT(worst_miss(grid, map, *enough.pose, options.family), 1e-9);
     EXPECT_LE(enough.pose->phi.to, 80 * degree + 1e-9);
     EXPECT_GE(enough.pose->phi.from, -80 * degree - 1e-9);
 
     options.max_nodes = 0;
     options.limits.phi = {-59 * degree, 59 * degree};
-    EXPECT_EQ(set_search(grid, map, options).machinability, Machinability::Undecided);
+    EXPECT_EQ(whole_cone_search(grid, map, options).machinable, Answer::Undecided);
 }
 
-TEST(SetSearch, TurnsThePartIntoOneSidedLimits)
+TEST(WholeConeSearch, TurnsThePartIntoOneSidedLimits)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     const std::vector<Vec3> walls{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
     const VisibilityMap map = caps(grid, walls, 40 * degree);
-    SetSearchOptions options;
+    WholeConeSearchOptions options;
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
         options.family = family;
         options.limits.phi = {-100 * degree, 5 * degree};
         options.limits.theta = {-10 * degree, 90 * degree};
-        const auto result = set_search(grid, map, options);
-        ASSERT_EQ(result.machinability, Machinability::Machinable);
+        const auto result = whole_cone_search(grid, map, options);
+        ASSERT_EQ(result.machinable, Answer::Yes);
         const FittedPose& fitted = *result.pose;
         EXPECT_LT(worst_miss(grid, map, fitted, family), 1e-9);
         EXPECT_GE(fitted.phi.from, options.limits.phi.from - 1e-9);
@@ -389,31 +394,32 @@ TEST(SetSearch, TurnsThePartIntoOneSidedLimits)
     }
 }
 
-TEST(SetSearch, IsNeverWorseThanAGivenPose)
+TEST(WholeConeSearch, IsNeverWorseThanAGivenPose)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     std::mt19937 random{3};
     const VisibilityMap map = random_map(grid, 12, random);
-    SetSearchOptions options;
-    const auto best = set_search(grid, map, options);
+    WholeConeSearchOptions options;
+    const auto best = whole_cone_search(grid, map, options);
     options.max_nodes = 0;
     const std::vector<SetupPose> starts{best.pose->pose};
     options.starts = starts;
-    EXPECT_LE(set_search(grid, map, options).objective, best.objective * (1 + 1e-12));
+    EXPECT_LE(whole_cone_search(grid, map, options).objective,
+              best.objective * (1 + 1e-12));
 }
 
-TEST(SetSearch, GivesTheSameForAnyNumberOfThreads)
+TEST(WholeConeSearch, IsTheSameForAnyNumberOfThreads)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     std::mt19937 random{5};
     const VisibilityMap map = random_map(grid, 15, random);
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
-        SetSearchOptions options;
+        WholeConeSearchOptions options;
         options.family = family;
         set_thread_count(1);
-        const auto alone = set_search(grid, map, options);
+        const auto alone = whole_cone_search(grid, map, options);
         set_thread_count(8);
-        const auto together = set_search(grid, map, options);
+        const auto together = whole_cone_search(grid, map, options);
         EXPECT_EQ(alone.objective, together.objective);
         EXPECT_EQ(alone.lower_bound, together.lower_bound);
         EXPECT_EQ(alone.nodes, together.nodes);
@@ -423,16 +429,16 @@ TEST(SetSearch, GivesTheSameForAnyNumberOfThreads)
     set_thread_count(int(std::max(std::thread::hardware_concurrency(), 1U)));
 }
 
-TEST(SetSearch, TellsOfABestThatFallsAndOfNodesAndOfTheBoundAtTheEnd)
+TEST(WholeConeSearch, ReportsProgressAndTheBoundAtTheEnd)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     std::mt19937 random{5};
     const VisibilityMap map = random_map(grid, 15, random);
-    std::vector<SetSearchProgress> told;
-    SetSearchOptions options;
-    const auto silent = set_search(grid, map, options);
-    options.progress = [&](const SetSearchProgress& now) { told.push_back(now); };
-    const auto result = set_search(grid, map, options);
+    std::vector<WholeConeSearchProgress> told;
+    WholeConeSearchOptions options;
+    const auto silent = whole_cone_search(grid, map, options);
+    options.progress = [&](const WholeConeSearchProgress& now) { told.push_back(now); };
+    const auto result = whole_cone_search(grid, map, options);
     EXPECT_EQ(result.objective, silent.objective);
     EXPECT_EQ(result.lower_bound, silent.lower_bound);
     ASSERT_FALSE(told.empty());
@@ -440,46 +446,48 @@ TEST(SetSearch, TellsOfABestThatFallsAndOfNodesAndOfTheBoundAtTheEnd)
         EXPECT_GT(told[k].nodes, told[k - 1].nodes);
         EXPECT_LE(*told[k].objective, *told[k - 1].objective);
     }
-    for (const SetSearchProgress& now : told)
+    for (const WholeConeSearchProgress& now : told)
         EXPECT_LE(now.lower_bound, *now.objective);
     EXPECT_EQ(told.back().nodes, result.nodes);
     EXPECT_EQ(told.back().lower_bound, result.lower_bound);
-    options.progress = [](const SetSearchProgress&) { throw LimitError{"enough"}; };
-    EXPECT_THROW(set_search(grid, map, options), LimitError);
+    options.progress = [](const WholeConeSearchProgress&) { throw LimitError{"enough"}; };
+    EXPECT_THROW(whole_cone_search(grid, map, options), LimitError);
 }
 
-TEST(SetSearch, NeedsNoRangeWhereOneDirectionReachesAll)
+TEST(WholeConeSearch, NeedsNoRangeIfOneDirectionReachesAll)
 {
     const SphereGrid grid = sphere_grid("hex:4");
     const std::vector<Vec3> tops{{0, 0, 1}, {0.1, 0, 1}, {0, -0.1, 1}};
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
-        SetSearchOptions options;
+        WholeConeSearchOptions options;
         options.family = family;
-        const auto result = set_search(grid, caps(grid, tops, 60 * degree), options);
+        const auto result =
+            whole_cone_search(grid, caps(grid, tops, 60 * degree), options);
         EXPECT_NEAR(result.objective, options.floor_rad * options.floor_rad, 1e-9);
         EXPECT_LT(result.ranges.width + result.ranges.height(), 1e-6);
     }
 }
 
-TEST(SetSearch, TakesAnyPoseForNoCones)
+TEST(WholeConeSearch, FindsAPoseWithoutCones)
 {
     const SphereGrid grid = sphere_grid("hex:2");
-    const auto result = set_search(grid, VisibilityMap{3, grid.centres.size()}, {});
-    EXPECT_EQ(result.machinability, Machinability::Machinable);
+    const auto result =
+        whole_cone_search(grid, VisibilityMap{3, grid.centres.size()}, {});
+    EXPECT_EQ(result.machinable, Answer::Yes);
     EXPECT_EQ(result.pose->area, 0);
 }
 
-TEST(SetSearch, RefusesWhatItCannotSearch)
+TEST(WholeConeSearch, RefusesArgumentsOutsideItsDomain)
 {
     const SphereGrid grid = sphere_grid("hex:2");
-    EXPECT_THROW(set_search(grid, VisibilityMap{3, 7}, {}), DomainError);
+    EXPECT_THROW(whole_cone_search(grid, VisibilityMap{3, 7}, {}), DomainError);
     const VisibilityMap map{3, grid.centres.size()};
-    SetSearchOptions options;
+    WholeConeSearchOptions options;
     options.gap = 0;
-    EXPECT_THROW(set_search(grid, map, options), DomainError);
+    EXPECT_THROW(whole_cone_search(grid, map, options), DomainError);
     options.gap = 0.05;
     options.floor_rad = 0;
-    EXPECT_THROW(set_search(grid, map, options), DomainError);
+    EXPECT_THROW(whole_cone_search(grid, map, options), DomainError);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/setup/several_setups.h"
+#include "endmill/setup/detail/feasible_turns.h"
 
 #include <array>
 #include <cmath>
@@ -9,6 +9,18 @@
 
 #include "endmill/machine/axis_limits.h"
 #include "endmill/setup/detail/pole_points.h"
+
+// How the feasible turns of a cell are found.
+//
+// The angles of a cell depend on the turn about the tool axis only through sin and cos of
+// its azimuth against R1 or R2. For each of the 72 turns:
+// 1. The products `along` and `across` give sine and cosine of the angle, up to a common
+//    factor.
+// 2. TurnRange tests whether that angle lies within the limits. It compares the signs of
+//    sin(end - angle) and sin(angle - begin), so that no arc tangent is needed.
+// 3. In C,A both solutions count, (phi, theta) and (-phi, theta + 180 degrees); phi does
+//    not depend on the turn. In A,B the first solution counts. Neighbouring feasible
+//    turns are joined to runs.
 
 namespace endmill {
 namespace {
@@ -21,8 +33,8 @@ double azimuth_of(std::size_t turn)
     return 2 * pi * static_cast<double>(turn) / static_cast<double>(turns);
 }
 
-// Among the angles from 0 to pi those up to `end`, and those that are a turn on from what is
-// not below `begin`.
+// The angles within [0, pi] that equal an angle of [begin, end] up to whole turns: those
+// up to `end`, and if the range begins below -pi also those from begin + 2 pi on.
 class HalfRange {
 public:
     // \pre begin <= 0 <= end, rad
@@ -36,7 +48,7 @@ public:
     {
     }
 
-    // The angle whose sine and cosine are in this ratio. \pre sine >= 0.
+    // Tests the angle atan2(sine, cosine). \pre sine >= 0.
     bool holds(double sine, double cosine) const
     {
         return holds_all_ || cosine * sine_ - sine * cosine_ >= 0 ||
@@ -52,7 +64,7 @@ private:
     double far_cosine_;
 };
 
-// `turn_within` for atan2(sine, cosine), without that.
+// Tests atan2(sine, cosine) as `turn_within` does, without computing it.
 class TurnRange {
 public:
     explicit TurnRange(const RotaryRange& range)
@@ -71,7 +83,8 @@ private:
     HalfRange right_;
 };
 
-// A cell about the tool axis; R1 or R2 at azimuth a has it `along` itself and `across`.
+// A cell in the frame of the tool axis. `along` and `across` are its components along a
+// rotary axis that is perpendicular to the tool axis, and across both.
 struct SeenFrom {
     double x;
     double y;
@@ -85,13 +98,11 @@ using IsFeasible = std::array<bool, turns>;
 
 class Reach {
 public:
-    explicit Reach(const SetupReach& reach)
-        : is_ca_{reach.axes == 5 && reach.family == RotaryFamily::CA},
-          second_sign_{reach.is_b_first ? -1.0 : 1.0},
+    explicit Reach(const RotaryReach& reach)
+        : is_ca_{reach.configuration.family == RotaryFamily::CA},
+          second_sign_{is_b_first(reach.configuration) ? -1.0 : 1.0},
           phi_{reach.limits.phi},
-          theta_{reach.axes == 4 ? RotaryRange{-reach.arc_tolerance.radians(),
-                                               reach.arc_tolerance.radians()}
-                                 : reach.limits.theta}
+          theta_{cell_limits(reach).theta}
     {
         for (std::size_t turn = 0; turn < turns; ++turn)
             axes_[turn] = {std::cos(azimuth_of(turn)), std::sin(azimuth_of(turn)), 0};
@@ -145,7 +156,7 @@ void add_runs(const IsFeasible& feasible, std::size_t cell,
               std::vector<FeasibleTurns>& runs)
 {
     const auto number = static_cast<std::uint32_t>(cell);
-    std::size_t begin = 0;  // after a turn that is not feasible
+    std::size_t begin = 0;  // becomes a turn that is not feasible, if there is one
     while (begin < turns && feasible[begin])
         ++begin;
     if (begin == turns) {
@@ -166,19 +177,20 @@ void add_runs(const IsFeasible& feasible, std::size_t cell,
 
 }  // namespace
 
-RotaryFrame frame_at(const SetupReach& reach, const Vec3& tool_axis, std::size_t turn)
+RotaryFrame frame_at(const RotaryReach& reach, const Vec3& tool_axis, std::size_t turn)
 {
     const Vec3 across = PoleFrame{tool_axis}.equator(azimuth_of(turn));
-    if (reach.axes == 5 && reach.family == RotaryFamily::CA)
+    if (reach.configuration.family == RotaryFamily::CA)
         return {RotaryFamily::CA, tool_axis, tool_axis, across};
     const Vec3 r2 = tool_axis.cross(across);
-    return {RotaryFamily::AB, tool_axis, across, reach.is_b_first ? Vec3{-r2} : r2};
+    return {RotaryFamily::AB, tool_axis, across,
+            is_b_first(reach.configuration) ? Vec3{-r2} : r2};
 }
 
-std::vector<FeasibleTurns> feasible_turns(const SetupReach& reach,
+std::vector<FeasibleTurns> feasible_turns(const RotaryReach& reach,
                                           std::span<const Vec3> centres, std::size_t pole)
 {
-    if (reach.axes == 3)
+    if (reach.configuration.rotary.empty())
         return {{static_cast<std::uint32_t>(pole), 0, std::uint8_t{turns}}};
     const PolePoints points{centres[pole], centres};
     const Reach within{reach};

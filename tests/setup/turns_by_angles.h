@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "endmill/machine/axis_limits.h"
-#include "endmill/setup/several_setups.h"
+#include "endmill/setup/detail/feasible_turns.h"
 
 namespace endmill::test {
 
-/// Whether the machine takes the direction, from the angles themselves.
-inline bool takes(const SetupReach& reach, const RotaryFrame& frame,
+/// Tests whether the machine takes a direction, from the angles themselves.
+inline bool takes(const RotaryReach& reach, const RotaryFrame& frame,
                   const Vec3& direction)
 {
     const RotaryAngles angles = rotary_angles(frame, direction);
-    if (reach.axes == 4) {
+    if (!reach.configuration.family) {
         const double off =
             std::asin(std::min(std::abs(direction.dot(frame.r1_axis)), 1.0));
         return off <= reach.arc_tolerance.radians() + turn_tolerance &&
@@ -29,21 +29,19 @@ inline bool takes(const SetupReach& reach, const RotaryFrame& frame,
                              holds(other_rotary_angles(frame.family, angles)));
 }
 
-/// Machines of each kind, with narrow, wide, one-sided limits, and some beyond half a turn.
-inline std::vector<SetupReach> reaches()
+/// Machines of each kind with narrow, wide and one-sided limits, some of them beyond half
+/// a turn.
+inline std::vector<RotaryReach> reaches()
 {
-    std::vector<SetupReach> all{{.axes = 3}};
+    std::vector<RotaryReach> all{{.configuration = configuration_from_word("W/xyBz/T")}};
     const std::vector<RotaryRange> ranges{{-0.4, 0.9}, {0, 1.1}, {-3.5, 0.2},
                                           {-0.3, 5},   {0, 0},   {}};
     for (const RotaryRange& phi : ranges)
         for (const RotaryRange& theta : ranges)
-            for (const bool is_b_first : {false, true}) {
-                all.push_back({.axes = 4, .limits = {phi, theta}});
-                all.push_back({.family = RotaryFamily::AB,
-                               .is_b_first = is_b_first,
+            for (const char* word :
+                 {"W/aBxyz/T", "W/abBxyz/T", "W/baBxyz/T", "W/caBxyz/T"})
+                all.push_back({.configuration = configuration_from_word(word),
                                .limits = {phi, theta}});
-                all.push_back({.family = RotaryFamily::CA, .limits = {phi, theta}});
-            }
     return all;
 }
 

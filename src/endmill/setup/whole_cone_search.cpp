@@ -12,6 +12,21 @@
 #include "endmill/setup/detail/axis_node.h"
 #include "endmill/setup/detail/cone_set.h"
 #include "endmill/setup/detail/first_fits.h"
+#include "endmill/setup/detail/range_limits.h"
+
+// Branch and bound over the axis of the range of tool directions.
+//
+// 1. `first_fit` finds a good pose. Its objective gives the target T = best / (1 + gap).
+// 2. The sphere of axes is covered by triangles, the nodes. NodeBounder gives each node a
+//    lower bound of the objective of all poses with their axis in the triangle. A node
+//    whose bound reaches the target is dropped.
+// 3. The centre of each remaining node is fitted exactly and improved by descent, which
+//    may lower the best objective and the target.
+// 4. The 64 nodes of least bound are split in four and bounded, until no node is left
+//    below the target. The least bound of all nodes, dropped or not, is the lower bound
+//    of the result.
+// 5. Poses with a thin window are described by nodes of arcs. If one of these becomes too
+//    small to split, the search starts again with a quarter of the thin width.
 
 namespace endmill {
 namespace {
@@ -19,33 +34,35 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// rad: nodes below are not split. Their angles stand for less than any machine resolves.
+/// rad; smaller nodes are not split. No machine resolves smaller changes of a pose.
 constexpr double least_radius = 0.004 * degree;
 
-/// How often the search begins again with a quarter of the thin width: 64 times less of it is
-/// less than 0.04 degrees with the usual floor.
+/// Largest number of restarts with a quarter of the thin width. After three of them the
+/// thin width is below 0.04 degrees with the default floor.
 constexpr int most_retries = 3;
 
-/// Nodes that are bounded between two looks at the best pose; fixed, so that the result does
-/// not depend on the number of threads.
+/// Nodes that are bounded before the best pose is updated. The number is fixed, so that
+/// the result does not depend on the number of threads.
 constexpr std::size_t nodes_per_round = 64;
 
-/// rad (rad^2): an objective as good as 0. Every direction can be off by more than its root.
+/// rad or rad^2: a smaller objective counts as 0, so that no gap needs to be proved.
 constexpr double negligible = 1e-9;
 
-/// A fit of a node's centre is improved by steps of its radius, where it is the best so far.
+/// First step of the descent from a node's centre, in radii of the node.
 constexpr double first_step = 0.5;
 
-/// The best fit is improved once more at the end, with more care than pays for many.
+/// The final descent of the best fit, with more directions than pays off for the earlier
+/// ones.
 constexpr Descent last_descent{.from = 2 * degree, .directions = 36};
 
-/// Cells are tried as axes by nodes of this radius, rad, and below: about half of a cell.
+/// rad: nodes of this radius or less also try the cells in them as axes. About half a
+/// cell.
 constexpr double cell_sized = 3 * degree;
 
 /// A node in the queue.
 struct Waiting {
     AxisNode node;
-    std::size_t created;
+    std::size_t created;  ///< its age: the number of nodes queued before it
 };
 
 bool comes_later(const Waiting& a, const Waiting& b)
@@ -54,29 +71,30 @@ bool comes_later(const Waiting& a, const Waiting& b)
                                         : a.created > b.created;
 }
 
-/// What bounding one node gave.
+/// A node after it was bounded.
 struct Bounded {
     AxisNode node;
-    std::optional<AxisFit> fit;      ///< better than the best so far
+    std::optional<AxisFit> fit;      ///< a fit that is better than the best so far
     std::vector<std::size_t> tried;  ///< cells whose centres were tried as axes
 };
 
-class PoseSearch {
+class AxisSearch {
 public:
-    PoseSearch(const ConeFitting& fitting, const SetSearchOptions& options)
+    AxisSearch(const ConeFitting& fitting, const WholeConeSearchOptions& options)
         : fitting_{fitting},
           options_{options},
           is_tried_(fitting.centres.size(), 0)
     {
     }
 
-    SetSearchResult run(std::span<const Vec3> starts)
+    WholeConeSearchResult run(std::span<const Vec3> starts)
     {
         improve(first_fit(fitting_, starts));
         fitting_.thin_width = thin_width(fitting_.measure, below());
         for (int retries = 0; !resolves_arcs(retries < most_retries); ++retries)
             fitting_.thin_width /= 4;
-        const double proved = target();  // no pose that was dropped is below
+        const double proved =
+            target();  // no pose of a dropped node has a smaller objective
         if (best_) {
             AxisFitter fitter{fitting_};
             best_ = descend(fitter, *best_, last_descent);
@@ -98,8 +116,9 @@ private:
         return below() > negligible ? below() / (1 + options_.gap) : 0;
     }
 
-    /// Bounds nodes until the gap is met or there are enough. \return false as soon as a node of
-    /// arcs has become too small to split, if `may_retry` and half of the nodes are left.
+    /// Bounds nodes until the gap or the limit of nodes is reached. \return false if a
+    /// node of arcs became too small to split and the search should start again:
+    /// `may_retry` is set, and less than half of the nodes are used.
     bool resolves_arcs(bool may_retry)
     {
         queue_.clear();
@@ -120,13 +139,13 @@ private:
     {
         if (!options_.progress)
             return;
-        SetSearchProgress now{result_.nodes, std::nullopt, lower_bound(target())};
+        WholeConeSearchProgress now{result_.nodes, std::nullopt, lower_bound(target())};
         if (best_)
             now.objective = best_->objective;
         options_.progress(now);
     }
 
-    // Of all poses, if of those that were dropped it is `dropped`.
+    /// Lower bound of all poses, if `dropped` is one of the poses of dropped nodes.
     double lower_bound(double dropped) const
     {
         double bound = dropped;
@@ -143,7 +162,8 @@ private:
             best_ = fit;
     }
 
-    /// Bounds nodes and queues what is left. \return whether an arc became too small to split.
+    /// Bounds nodes and queues those that are not dropped. \return true if a node of arcs
+    /// became too small to split.
     bool bound(std::vector<AxisNode> fresh)
     {
         std::vector<Bounded> bounded(fresh.size());
@@ -169,8 +189,10 @@ private:
         return has_small_arc;
     }
 
-    /// Fits about the node's centre and the cells in it, which have no azimuth there: without
-    /// these the bounds of their nodes would never be met.
+    /// Fits ranges about the node's centre, and about the cells in a small node. A cell
+    /// has no azimuth about itself, so that the range about it may be better than those
+    /// about all axes nearby. Without these fits the bounds of such nodes would never be
+    /// reached.
     void try_axes(AxisFitter& fitter, Bounded& one) const
     {
         if (one.node.boxes.empty() || one.node.kind == NodeKind::Arc)
@@ -197,7 +219,8 @@ private:
         }
     }
 
-    /// \return false if the node is too small to split: then it is unresolved.
+    /// Queues a node. \return false if it is too small to split; its bound is then
+    /// unresolved.
     bool enqueue(AxisNode&& node)
     {
         if (radius(node) < least_radius) {
@@ -209,6 +232,7 @@ private:
         return true;
     }
 
+    /// Takes the nodes of least bound from the queue. \return their parts.
     std::vector<AxisNode> next_round()
     {
         std::vector<AxisNode> parts;
@@ -223,36 +247,36 @@ private:
         return parts;
     }
 
-    SetSearchResult result(double proved)
+    WholeConeSearchResult result(double proved)
     {
         result_.unresolved = static_cast<std::size_t>(
             std::ranges::count_if(unresolved_, [=](double b) { return b < proved; }));
         result_.lower_bound = lower_bound(proved);
         if (best_) {
-            result_.machinability = Machinability::Machinable;
+            result_.machinable = Answer::Yes;
             result_.ranges = best_->ranges;
             result_.objective = best_->objective;
         } else if (queue_.empty() && unresolved_.empty()) {
-            result_.machinability = Machinability::Impossible;
+            result_.machinable = Answer::No;
         }
         return result_;
     }
 
     ConeFitting fitting_;
-    SetSearchOptions options_;
+    WholeConeSearchOptions options_;
     std::optional<AxisFit> best_;
-    std::vector<Waiting> queue_;  ///< a heap
-    std::vector<double> unresolved_;
-    std::vector<char> is_tried_;  ///< by cell
+    std::vector<Waiting> queue_;      ///< a heap, least bound first
+    std::vector<double> unresolved_;  ///< bounds of nodes too small to split
+    std::vector<char> is_tried_;      ///< by cell: 1 if its centre was tried as an axis
     std::size_t created_ = 0;
-    SetSearchResult result_;
+    WholeConeSearchResult result_;
 };
 
-/// Nothing to reach: any pose will do.
-SetSearchResult nothing_to_reach(RotaryFamily family)
+/// The result without any cone: every pose fits, here the part stands upright.
+WholeConeSearchResult nothing_to_reach(RotaryFamily family)
 {
-    SetSearchResult result;
-    result.machinability = Machinability::Machinable;
+    WholeConeSearchResult result;
+    result.machinable = Answer::Yes;
     const bool is_ca = family == RotaryFamily::CA;
     const SetupPose upright{Vec3::UnitZ(), is_ca ? Vec3::UnitZ() : Vec3::UnitX(),
                             is_ca ? Vec3::UnitX() : Vec3::UnitY()};
@@ -262,13 +286,13 @@ SetSearchResult nothing_to_reach(RotaryFamily family)
 
 }  // namespace
 
-SetSearchResult set_search(const SphereGrid& grid, const VisibilityMap& map,
-                           const SetSearchOptions& options)
+WholeConeSearchResult whole_cone_search(const SphereGrid& grid, const VisibilityMap& map,
+                                        const WholeConeSearchOptions& options)
 {
     require(map.cells() == grid.centres.size(),
-            "set_search: map and grid differ in cells");
-    require(options.floor_rad > 0, "set_search: need floor_rad > 0");
-    require(options.gap > 0, "set_search: need gap > 0");
+            "whole_cone_search: map and grid differ in cells");
+    require(options.floor_rad > 0, "whole_cone_search: need floor_rad > 0");
+    require(options.gap > 0, "whole_cone_search: need gap > 0");
     const ConeSet cones{map};
     if (cones.facets().empty())
         return nothing_to_reach(options.family);
@@ -283,8 +307,8 @@ SetSearchResult set_search(const SphereGrid& grid, const VisibilityMap& map,
     for (const SetupPose& pose : options.starts)
         starts.push_back(options.family == RotaryFamily::CA ? pose.tool_axis
                                                             : pose.r1_axis);
-    PoseSearch search{fitting, options};
-    SetSearchResult result = search.run(starts);
+    AxisSearch search{fitting, options};
+    WholeConeSearchResult result = search.run(starts);
     if (search.best())
         result.pose = fitted_pose(*search.best(), options.family, options.limits);
     return result;

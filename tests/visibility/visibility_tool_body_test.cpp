@@ -21,7 +21,7 @@ namespace {
 
 const std::vector<ToolCylinder> slender{{0.1, 0.3, 2}, {0.4, 2, 3}};
 
-TEST(KeepReachable, KeepsWhatNoFacetHinders)
+TEST(KeepReachable, KeepsDirectionsWithoutAContact)
 {
     const TriangleMesh part = test::torus_mesh(16, 10);
     const std::vector<Vec3> directions = sphere_grid("hex:3").centres;
@@ -48,8 +48,9 @@ TEST(KeepReachable, KeepsWhatNoFacetHinders)
     EXPECT_GT(lost, 100);
 }
 
-// Above the floor of a pocket with walls of height h at the distance w, a cylinder of radius r
-// fits upright if r < w, and one that begins at h above the floor always does.
+// The tool stands upright on the floor of a pocket with walls of height h at the distance
+// w. A cylinder of radius r fits if r < w; a cylinder that begins at the height h always
+// fits.
 TEST(KeepReachable, FitsAnUprightToolIntoAPocket)
 {
     TriangleMesh part{{{-0.1, -0.1, 0}, {0.2, -0.1, 0}, {-0.1, 0.2, 0}}, {{0, 1, 2}}};
@@ -78,11 +79,11 @@ TEST(KeepReachable, FitsAnUprightToolIntoAPocket)
     EXPECT_TRUE(fits({{6.01, 5.01, 9}}));
     EXPECT_TRUE(fits({{2, 1, 9}, {60, 5.01, 9}}));
     EXPECT_FALSE(fits({{2, 1, 9}, {60, 4.99, 9}}));
-    EXPECT_FALSE(fits({{2, 0, 9}}));  // which stands on the facet itself
+    EXPECT_FALSE(fits({{2, 0, 9}}));  // this cylinder touches the facet of the tip
 }
 
-// The quick rule for an obstacle farther than L, the start of a cylinder of radius r: it may
-// be as near to the axis as asin(r / L) and no nearer.
+// An obstacle at the distance L from the tip, where a cylinder of radius r has begun,
+// meets it if the angle from the axis is below asin(r / L).
 TEST(KeepReachable, KeepsAwayFromAFarPointByItsRadius)
 {
     const double far = 100;
@@ -103,7 +104,7 @@ TEST(KeepReachable, KeepsAwayFromAFarPointByItsRadius)
     }
 }
 
-TEST(KeepReachable, TakesNothingButAwayAndDependsOnNoThreads)
+TEST(KeepReachable, OnlyRemovesAndDoesNotDependOnThreads)
 {
     const TriangleMesh part = test::teapot();
     const std::vector<Vec3> directions = sphere_grid("hex:4").centres;
@@ -125,7 +126,7 @@ TEST(KeepReachable, TakesNothingButAwayAndDependsOnNoThreads)
     }
 }
 
-TEST(KeepReachable, RefusesWhatIsOutsideItsDomain)
+TEST(KeepReachable, RefusesArgumentsOutsideItsDomain)
 {
     const TriangleMesh part = test::flat_mesh(1, 1);
     const std::vector<Vec3> up{{0, 0, 1}};

@@ -12,14 +12,26 @@
 #include "endmill/setup/detail/distinct_cones.h"
 #include "endmill/setup/detail/turn_cover.h"
 
+// How the next setup is chosen.
+//
+// 1. Facets with equal cones are merged; a cone counts as many times as it has facets.
+// 2. Every tool axis has an upper bound: the facets that it reached of an earlier, larger
+//    rest. Axes are sorted by it, so that the search stops at the first axis whose bound
+//    is below the best candidate.
+// 3. Axes are tried in rounds of 32. For each axis `feasible_turns` lists the cells that
+//    the machine reaches from each of the 72 turns, and ConeTiles counts the facets of
+//    the cones that contain one of these cells, for all turns at once.
+// 4. The best candidate becomes a setup, and the cones that it reaches leave the rest.
+
 namespace endmill {
 namespace {
 
-// Tool axes that are tried between two looks at the best: fixed, so that which are tried does
-// not depend on the number of threads; so many that a tile of cones serves some of them.
+// Number of tool axes that are tried before the best candidate is updated. It is fixed,
+// so that the result does not depend on the number of threads, and large enough that a
+// tile of cones is used for several axes while it is in the cache.
 constexpr std::size_t axes_per_round = 32;
 
-// A candidate and how many facets of the rest it reaches.
+// A candidate and the number of facets of the rest that it reaches.
 struct Reached {
     std::size_t facets = 0;
     std::size_t cell = 0;
@@ -31,8 +43,8 @@ bool is_better(const Reached& one, const Reached& other)
     return one.facets != other.facets ? one.facets > other.facets : one.cell < other.cell;
 }
 
-// A tool axis and what it could reach at most.
-struct Hope {
+// A tool axis and an upper bound of the facets that it reaches.
+struct AxisBound {
     std::size_t cell;
     std::size_t facets;
 };
@@ -40,22 +52,22 @@ struct Hope {
 class GreedyChoice {
 public:
     GreedyChoice(const VisibilityMap& map, std::span<const Vec3> centres,
-                 const SetupReach& reach,
-                 const std::function<void(const SetupsProgress&)>& progress)
+                 const RotaryReach& reach,
+                 const std::function<void(const SetupCoverProgress&)>& progress)
         : cones_{map},
           centres_{centres},
           reach_{reach},
           progress_{progress},
           rest_(cones_.size()),
-          hopes_(map.cells())
+          bounds_(map.cells())
     {
         std::iota(rest_.begin(), rest_.end(), std::size_t{0});
-        // Those of most facets first: the others have sizes of few bits.
+        // Cones with many facets come first, so that later tiles store sizes of few bits.
         std::ranges::stable_sort(rest_, [this](std::size_t a, std::size_t b) {
             return cones_.facets(a) > cones_.facets(b);
         });
-        for (std::size_t cell = 0; cell < hopes_.size(); ++cell)
-            hopes_[cell] = {cell, facets_left()};
+        for (std::size_t cell = 0; cell < bounds_.size(); ++cell)
+            bounds_[cell] = {cell, facets_left()};
     }
 
     bool is_done() const { return rest_.empty(); }
@@ -79,7 +91,7 @@ public:
     }
 
 private:
-    using Turns = std::vector<std::vector<FeasibleTurns>>;  // of some tool axes
+    using Turns = std::vector<std::vector<FeasibleTurns>>;  // for each of some tool axes
 
     std::size_t facets_left() const
     {
@@ -100,32 +112,33 @@ private:
         return facets;
     }
 
-    // The axes of most hope first. What one reached of an earlier rest it cannot exceed: axes
-    // are tried while they may still be better than the best.
+    // Tries axes in the order of their upper bounds, until no other axis can be better.
     Reached best_candidate()
     {
-        std::ranges::sort(hopes_, [](const Hope& a, const Hope& b) {
+        std::ranges::sort(bounds_, [](const AxisBound& a, const AxisBound& b) {
             return a.facets != b.facets ? a.facets > b.facets : a.cell < b.cell;
         });
         const ConeTiles tiles{cones_, rest_};
         Reached best{0, centres_.size(), 0};
         std::size_t tried = 0;
-        while (tried < hopes_.size() &&
-               is_better({hopes_[tried].facets, hopes_[tried].cell}, best)) {
-            const auto some = std::span{hopes_}.subspan(
-                tried, std::min(axes_per_round, hopes_.size() - tried));
+        while (tried < bounds_.size() &&
+               is_better({bounds_[tried].facets, bounds_[tried].cell}, best)) {
+            const auto some = std::span{bounds_}.subspan(
+                tried, std::min(axes_per_round, bounds_.size() - tried));
             for (const Reached& reached : best_turns(tiles, some))
                 if (is_better(reached, best))
                     best = reached;
             tried += some.size();
             if (progress_)
-                progress_({chosen_ + 1, tried, hopes_.size()});
+                progress_({chosen_ + 1, tried, bounds_.size()});
         }
         return best;
     }
 
-    // The best turn about each of these axes, which is what to hope for from then on.
-    std::vector<Reached> best_turns(const ConeTiles& tiles, std::span<Hope> axes) const
+    // Finds the best turn about each of these axes, and stores its count as the axis's
+    // new upper bound.
+    std::vector<Reached> best_turns(const ConeTiles& tiles,
+                                    std::span<AxisBound> axes) const
     {
         const Turns turns = feasible(axes);
         std::vector<std::atomic<std::size_t>> counts(axes.size() * turns_about_tool_axis);
@@ -152,7 +165,7 @@ private:
         return best;
     }
 
-    Turns feasible(std::span<const Hope> axes) const
+    Turns feasible(std::span<const AxisBound> axes) const
     {
         Turns turns(axes.size());
         parallel_for(axes.size(), [&](std::size_t begin, std::size_t end) {
@@ -162,7 +175,8 @@ private:
         return turns;
     }
 
-    // Takes from the rest what the candidate reaches. \return for each cone whether it does.
+    // Removes the cones that the candidate reaches from the rest.
+    // \return for each cone 1 if the candidate reaches it, else 0.
     std::vector<char> take_reached(const Reached& candidate)
     {
         std::vector<std::uint64_t> cells(cones_.row_words(), 0);
@@ -182,22 +196,22 @@ private:
 
     DistinctCones cones_;
     std::span<const Vec3> centres_;
-    const SetupReach& reach_;
-    const std::function<void(const SetupsProgress&)>& progress_;
-    std::vector<std::size_t> rest_;  // cones not reached so far
-    std::vector<Hope> hopes_;        // of all cells
+    const RotaryReach& reach_;
+    const std::function<void(const SetupCoverProgress&)>& progress_;
+    std::vector<std::size_t> rest_;  // cones that no setup reaches so far
+    std::vector<AxisBound> bounds_;  // of all cells
     std::size_t chosen_ = 0;
 };
 
 }  // namespace
 
 SetupCover greedy_setups(const VisibilityMap& map, std::span<const Vec3> centres,
-                         const SetupReach& reach, std::size_t most,
-                         const std::function<void(const SetupsProgress&)>& progress)
+                         const RotaryReach& reach, std::size_t most,
+                         const std::function<void(const SetupCoverProgress&)>& progress)
 {
     require(centres.size() == map.cells(), "greedy_setups: need a centre for each cell");
-    require(3 <= reach.axes && reach.axes <= 5, "greedy_setups: need 3, 4 or 5 axes");
-    require(most >= 1, "greedy_setups: need 1 <= most");
+    require(reach.configuration.is_valid(), "greedy_setups: need a valid configuration");
+    require(most >= 1, "greedy_setups: need at least one setup");
     SetupCover cover;
     GreedyChoice choice{map, centres, reach, progress};
     while (!choice.is_done() && cover.setups.size() < most)

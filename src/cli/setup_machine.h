@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/setup_options.h"
+#include "endmill/machine/kinematics.h"
+
+namespace endmill {
+
+/// A machine for which a setup is searched.
+struct SetupMachine {
+    std::string name;        ///< word, file as given, or family
+    std::string file;        ///< the file that it was read from, or empty
+    bool is_family = false;  ///< the machine stands for all machines of its family
+    Machine machine;         ///< with the limits of the command line, if given
+};
+
+/// The machines of --machine or --family.
+/// \throws DomainError unless one of the two is given; FormatError for a file or a folder
+///         without a machine file.
+std::vector<SetupMachine> setup_machines(const SetupCommandOptions& options);
+
+}  // namespace endmill

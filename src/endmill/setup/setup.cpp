@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/setup/setup.h"
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "endmill/core/angle.h"
+#include "endmill/core/error.h"
+#include "endmill/setup/detail/arc_search.h"
+#include "endmill/setup/detail/distinct_cones.h"
+#include "endmill/setup/detail/many_cones_search.h"
+#include "endmill/setup/detail/setup_order.h"
+#include "endmill/setup/pose_search.h"
+
+namespace endmill {
+namespace {
+
+// The rotary axes of a four-axis machine that are tried: cell centres 2.7 degrees apart,
+// half a cell of a sphere of 1200 cells.
+constexpr const char* axes_grid = "ico:4";
+
+// Words without two rotary axes count as A,B: the only rotary axis of four is phi, as R1.
+RotaryFamily family_of(const MachineConfiguration& configuration)
+{
+    return configuration.family.value_or(RotaryFamily::AB);
+}
+
+PoseSearchResult best_at_cells(const SphereGrid& grid, const VisibilityMap& map,
+                               const SetupRequest& request, SetupMode mode)
+{
+    return pose_search(map, grid.centres,
+                       {.family = request.reach.configuration.family.value(),
+                        .mode = mode,
+                        .limits = request.reach.limits,
+                        .is_b_first = is_b_first(request.reach.configuration),
+                        .progress = request.cell_progress});
+}
+
+PartSetup setup_of(PoseSearchResult search)
+{
+    PartSetup setup;
+    // Without any pose, no direction set lay in an open hemisphere: nothing was decided.
+    if (search.feasible || search.least)
+        setup.machinable = answer_of(search.feasible.has_value());
+    setup.is_proved = search.feasible.has_value();
+    setup.status = search.status;
+    setup.poses_tried = search.poses_tried;
+    setup.poses_skipped = search.poses_skipped;
+    setup.feasible = std::move(search.feasible);
+    setup.least = std::move(search.least);
+    if (setup.shown())
+        setup.objective = setup.shown()->area;
+    return setup;
+}
+
+// Words that begin with B have R2 = R1 x C, the search over whole cones has R2 = C x R1.
+// Both limits and ranges of theta change from one convention to the other by their mirror
+// image.
+RotaryLimits with_r2_reversed(RotaryLimits limits)
+{
+    limits.theta = turned(limits.theta);
+    return limits;
+}
+
+FittedPose with_r2_reversed(FittedPose fit)
+{
+    fit.pose.r2_axis = -fit.pose.r2_axis;
+    fit.theta = turned(fit.theta);
+    return fit;
+}
+
+std::vector<SetupPose> starting_poses(const SphereGrid& grid, const VisibilityMap& map,
+                                      const SetupRequest& request)
+{
+    const PoseSearchResult corrected =
+        best_at_cells(grid, map, request, SetupMode::Corrected);
+    std::vector<SetupPose> poses;
+    for (const std::optional<FittedPose>& fit : {corrected.least, corrected.feasible})
+        if (fit)
+            poses.push_back(fit->pose);
+    return poses;
+}
+
+// Two searches: without limits for the least pose, within the limits for the feasible
+// one.
+PartSetup best_over_whole_cones(const SphereGrid& grid, const VisibilityMap& map,
+                                const SetupRequest& request)
+{
+    const bool is_reversed = is_b_first(request.reach.configuration);
+    const std::vector<SetupPose> starts = starting_poses(grid, map, request);
+    WholeConeSearchOptions options{.family = request.reach.configuration.family.value(),
+                                   .objective = request.objective,
+                                   .floor_rad = request.floor,
+                                   .gap = request.gap,
+                                   .max_nodes = request.max_nodes,
+                                   .limits = {},
+                                   .starts = starts,
+                                   .progress = request.cone_progress};
+    const WholeConeSearchResult any = many_cones_search(grid, map, options);
+    const RotaryLimits& limits = request.reach.limits;
+    const bool is_limited = limits != RotaryLimits{};
+    if (is_limited)
+        options.limits = is_reversed ? with_r2_reversed(limits) : limits;
+    const WholeConeSearchResult found =
+        is_limited ? many_cones_search(grid, map, options) : any;
+
+    PartSetup setup;
+    setup.machinable = found.machinable;
+    setup.is_proved = found.machinable != Answer::Undecided;
+    setup.feasible = found.pose;
+    setup.least = any.pose;
+    const WholeConeSearchResult& shown = found.pose ? found : any;
+    setup.objective = shown.objective;
+    setup.lower_bound = shown.lower_bound;
+    setup.unresolved = found.unresolved;
+    setup.poses_tried = found.nodes + (is_limited ? any.nodes : 0);
+    for (std::optional<FittedPose>* fit : {&setup.feasible, &setup.least})
+        if (*fit && is_reversed)
+            *fit = with_r2_reversed(**fit);
+    if (shown.pose)
+        setup.status = status_of(*shown.pose);
+    return setup;
+}
+
+// The objective of the request, of a pose: rad^2, or rad.
+double objective_of(const FittedPose& pose, const SetupRequest& request)
+{
+    if (request.mode != SetupMode::WholeCones)
+        return pose.area;
+    const RotaryFamily family = family_of(request.reach.configuration);
+    return PoseMeasure{family, request.objective,
+                       request.floor}(pose_ranges(family, pose));
+}
+
+PartSetup four_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
+                          const SetupRequest& request)
+{
+    PartSetup setup =
+        setup_of(arc_search(map, grid.centres, sphere_grid(axes_grid).centres,
+                            request.reach.limits.phi, request.reach.arc_tolerance));
+    if (!setup.feasible)
+        setup.machinable = Answer::No;
+    setup.objective = std::nullopt;
+    if (setup.least)
+        setup.objective = objective_of(*setup.least, request);
+    return setup;
+}
+
+// Trying every cell decides what a machine of three axes can do.
+PartSetup three_axis_setup(const SphereGrid& grid, const PartVisibility& visibility,
+                           const SetupRequest& request)
+{
+    const VisibilityMap& map = visibility.map;
+    const DirectionReach widest = widest_direction(map);
+    const bool reaches_all = widest.facets == map.facets() - visibility.dropped.size();
+    PartSetup setup;
+    setup.status = SetupStatus::ThreeAxis;
+    setup.machinable = answer_of(reaches_all);
+    setup.is_proved = true;
+    setup.poses_tried = map.cells();
+    if (!reaches_all)
+        return setup;
+    const Vec3 axis = grid.centres[widest.cell];
+    const Vec3 across = axis.unitOrthogonal();
+    setup.feasible =
+        FittedPose{{axis, across, axis.cross(across)}, {0, 0}, {0, 0}, 0, widest.cell};
+    setup.least = setup.feasible;
+    setup.objective = objective_of(*setup.least, request);
+    return setup;
+}
+
+// A configuration that is not valid machines nothing.
+PartSetup no_setup()
+{
+    PartSetup setup;
+    setup.machinable = Answer::No;
+    setup.is_proved = true;
+    return setup;
+}
+
+PartSetup setup_for_reachable_facets(const SphereGrid& grid,
+                                     const PartVisibility& visibility,
+                                     const SetupRequest& request)
+{
+    const MachineConfiguration& configuration = request.reach.configuration;
+    if (!configuration.is_valid())
+        return no_setup();
+    if (configuration.family)
+        return five_axis_setup(grid, visibility.map, request);
+    if (configuration.rotary.empty())
+        return three_axis_setup(grid, visibility, request);
+    return four_axis_setup(grid, visibility.map, request);
+}
+
+}  // namespace
+
+PartSetup find_setup(const SphereGrid& grid, const PartVisibility& visibility,
+                     const SetupRequest& request)
+{
+    PartSetup setup = setup_for_reachable_facets(grid, visibility, request);
+    if (empty_cones(visibility).empty())
+        return setup;
+    // No setup reaches every facet. The least pose describes what the other facets need.
+    setup.machinable = Answer::No;
+    setup.is_proved = true;
+    setup.feasible = std::nullopt;
+    setup.lower_bound = std::nullopt;
+    setup.objective = std::nullopt;
+    if (setup.least)
+        setup.objective = objective_of(*setup.least, request);
+    return setup;
+}
+
+PartSetup five_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
+                          const SetupRequest& request)
+{
+    require(request.reach.configuration.family.has_value(),
+            "five_axis_setup: need a machine with two rotary axes that tilt the tool");
+    // Facets with equal cones need the same directions: one of them is searched for.
+    const VisibilityMap cones = DistinctCones{map}.map();
+    if (request.mode == SetupMode::WholeCones)
+        return best_over_whole_cones(grid, cones, request);
+    return setup_of(best_at_cells(grid, cones, request, request.mode));
+}
+
+std::optional<double> floored_area_deg2(const PartSetup& setup,
+                                        const MachineConfiguration& configuration,
+                                        double floor_deg)
+{
+    if (!setup.shown())
+        return std::nullopt;
+    const PoseRanges ranges = pose_ranges(family_of(configuration), *setup.shown());
+    return (Angle::radians(ranges.width).degrees() + floor_deg) *
+           (Angle::radians(ranges.height()).degrees() + floor_deg);
+}
+
+SetupRank setup_rank(const PartSetup& setup, const MachineConfiguration& configuration,
+                     double floor_deg)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const int group = setup.machinable == Answer::Yes  ? 0
+                      : setup.machinable == Answer::No ? 2
+                                                       : 1;
+    return {group, floored_area_deg2(setup, configuration, floor_deg).value_or(infinity),
+            configuration.word};
+}
+
+}  // namespace endmill

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "endmill/core/answer.h"
+#include "endmill/setup/setup_mode.h"
+#include "endmill/setup/setup_objective.h"
+#include "endmill/setup/setup_pose.h"
+#include "endmill/setup/whole_cone_search.h"
+#include "endmill/visibility/sphere_grid.h"
+#include "endmill/visibility/visibility.h"
+
+/// \file The best setup of a part on a machine of three, four or five axes. Start here:
+/// `find_setup` chooses the search that suits the machine and the mode.
+
+namespace endmill {
+
+/// What a setup is searched for, and how.
+struct SetupRequest {
+    RotaryReach reach = {};             ///< the machine
+    SetupMode mode = SetupMode::Paper;  ///< used with five axes
+
+    /// Objective of the mode `WholeCones`; the other modes minimise the area.
+    SetupObjective objective = SetupObjective::FlooredArea;
+    double floor = 5.9 * std::numbers::pi / 180;  ///< rad, of FlooredArea, above 0
+    double gap = 0.05;  ///< relative gap at which `WholeCones` stops, above 0
+    std::size_t max_nodes = 200'000;  ///< number of nodes at which `WholeCones` stops
+
+    /// Called by the search over cells as PoseFitOptions::progress, twice for each cell.
+    std::function<void(std::size_t done)> cell_progress = {};
+
+    /// Called by the search over whole cones as WholeConeSearchOptions::progress.
+    std::function<void(const WholeConeSearchProgress&)> cone_progress = {};
+};
+
+/// The best setup that was found, and what is proved about it.
+struct PartSetup {
+    /// Whether one setup within the limits reaches the whole part. A search over cells
+    /// answers for the poses that it tries only; `is_proved` states that.
+    Answer machinable = Answer::Undecided;
+    bool is_proved = false;  ///< the part is machinable, or every pose is excluded
+    SetupStatus status = SetupStatus::Ok;  ///< of `shown()`
+    std::optional<FittedPose> feasible;    ///< the best pose within the limits
+    std::optional<FittedPose> least;       ///< the best pose without limits: MAR
+    std::size_t poses_tried = 0;    ///< poses or axes tried; `WholeCones`: nodes bounded
+    std::size_t poses_skipped = 0;  ///< tool axes or rotary axes without a fit
+    std::size_t unresolved =
+        0;  ///< `WholeCones`: nodes neither split further nor excluded
+
+    /// What the search minimised, for `shown()`: rad^2, or rad for objectives in rad.
+    std::optional<double> objective;
+
+    /// Certified lower bound of `objective`, of `WholeCones` only.
+    std::optional<double> lower_bound;
+
+    /// The pose to report: the best within the limits, or else the best without limits.
+    const std::optional<FittedPose>& shown() const { return feasible ? feasible : least; }
+};
+
+/// Finds the best setup of a part on a machine.
+///
+/// - Five axes: `five_axis_setup`.
+/// - Four axes: the shortest arc of tool directions about each of 5120 rotary axes. The
+///   arc about a given axis is exact, the choice of axes is not certified.
+/// - Three axes: the cell that reaches the most facets. All cells are tried, which
+///   decides.
+/// - A configuration that is not valid: not machinable, without a pose.
+///
+/// A facet that has an area and that no cell reaches makes the part not machinable on
+/// every machine. The result then describes the ranges that the other facets need.
+/// Source: [KangSuh, sections 4 to 6]; docs/mathematics/five-axis-setup.md, sections 8
+/// and 10.
+/// \param grid cells of the sphere of directions.
+/// \param visibility cones of the part's facets over these cells.
+/// \param request machine, mode and objective.
+/// \throws DomainError as `pose_search` and `whole_cone_search`; or if the arc tolerance
+///         is not within 0 and 45 degrees.
+PartSetup find_setup(const SphereGrid& grid, const PartVisibility& visibility,
+                     const SetupRequest& request);
+
+/// Finds the best setup on a machine of five axes for the cones of a map. Empty cones are
+/// left out. The search over whole cones starts from the poses of `SetupMode::Corrected`,
+/// so that its result is never worse than theirs.
+/// \param grid cells of the sphere of directions. \param map cones over these cells.
+/// \param request machine, mode and objective.
+/// \throws DomainError as `pose_search` and `whole_cone_search`, or if the machine does
+///         not have two rotary axes that tilt the tool.
+PartSetup five_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
+                          const SetupRequest& request);
+
+/// The floored area (w + floor)(h + floor) of the pose that a setup shows, in square
+/// degrees. It compares setups on different machines: h is 0 with four axes, w and h are
+/// 0 with three.
+/// \param setup found on a machine of this configuration.
+/// \param configuration the machine. \param floor_deg degrees.
+/// \return nothing if the setup shows no pose.
+std::optional<double> floored_area_deg2(const PartSetup& setup,
+                                        const MachineConfiguration& configuration,
+                                        double floor_deg);
+
+/// The rank of a machine for a part; the least rank is the best machine.
+struct SetupRank {
+    int group;         ///< 0: machinable, 1: undecided, 2: not machinable
+    double area_deg2;  ///< floored area of the setup, infinite without a pose
+    std::string word;  ///< of the configuration
+
+    /// Compares lexicographically.
+    friend auto operator<=>(const SetupRank&, const SetupRank&) = default;
+};
+
+/// Ranks a setup: machinable machines first, then undecided, then not machinable ones;
+/// then by floored area; then by the machine's word. The travel of linear axes does not
+/// count, because it changes with the clamping position.
+/// \param setup found on a machine of this configuration.
+/// \param configuration the machine. \param floor_deg floor of the area, degrees.
+SetupRank setup_rank(const PartSetup& setup, const MachineConfiguration& configuration,
+                     double floor_deg);
+
+}  // namespace endmill
