@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/milling_jobs.h"
 
-#include "endmill/files/machine_file.h"
-#include "endmill/files/tool_file.h"
+#include "endmill/files/machining_data.h"
 
 namespace endmill {
 

@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include "endmill/setup/setup_mode.h"
-#include "endmill/setup/setup_objective.h"
 #include "endmill/setup/setup_pose.h"
 #include "support/named_cells.h"
 

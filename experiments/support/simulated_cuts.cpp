@@ -9,7 +9,7 @@
 #include "endmill/process/detail/force_pattern.h"
 #include "endmill/process/detail/front_load.h"
 #include "endmill/process/detail/segment_load.h"
-#include "endmill/stock/stock_fronts.h"
+#include "endmill/stock/stock_engagement.h"
 
 namespace endmill {
 namespace {

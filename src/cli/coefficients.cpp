@@ -14,9 +14,9 @@
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/files/machining_data.h"
 #include "endmill/files/output_folder.h"
 #include "endmill/files/result_csv.h"
-#include "endmill/files/tool_file.h"
 #include "endmill/process/cutting_force.h"
 
 namespace endmill {

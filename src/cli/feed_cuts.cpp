@@ -11,7 +11,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/process/cutting_coefficients.h"
-#include "endmill/stock/stock_fronts.h"
+#include "endmill/stock/stock_engagement.h"
 
 namespace endmill {
 namespace {

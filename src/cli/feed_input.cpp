@@ -10,10 +10,9 @@
 #include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
-#include "endmill/files/machine_file.h"
+#include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
-#include "endmill/files/tool_file.h"
 #include "endmill/verification/verification.h"
 
 namespace endmill {

@@ -6,7 +6,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
-#include "endmill/files/machine_file.h"
+#include "endmill/files/machining_data.h"
 
 namespace endmill {
 namespace {

@@ -13,7 +13,7 @@
 #include "cli/setup_idle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
-#include "endmill/files/tool_file.h"
+#include "endmill/files/machining_data.h"
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/surface/sampling.h"
 #include "endmill/surface/tool_side.h"

@@ -8,9 +8,9 @@
 #include "cli/console.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
-#include "endmill/files/tool_file.h"
 #include "endmill/stock/mesh_stock.h"
 
 namespace endmill {

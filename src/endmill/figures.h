@@ -9,8 +9,6 @@
 #include "endmill/figures/direction_figures.h"
 #include "endmill/figures/feed_svg.h"
 #include "endmill/figures/force_figures.h"
-#include "endmill/figures/machine_figure.h"
 #include "endmill/figures/section_svg.h"
 #include "endmill/figures/setup_figures.h"
-#include "endmill/figures/surface_svg.h"
 #include "endmill/figures/tool_path_svg.h"

@@ -6,7 +6,7 @@
 
 #include "endmill/files/csv.h"
 #include "endmill/files/input_csv.h"
-#include "endmill/files/machine_file.h"
+#include "endmill/files/machining_data.h"
 #include "endmill/files/mesh_file.h"
 #include "endmill/files/output_folder.h"
 #include "endmill/files/part_file.h"
@@ -14,6 +14,5 @@
 #include "endmill/files/read_file.h"
 #include "endmill/files/result_csv.h"
 #include "endmill/files/surface_file.h"
-#include "endmill/files/tool_file.h"
 #include "endmill/files/visibility_file.h"
 #include "endmill/files/vtk.h"

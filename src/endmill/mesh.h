@@ -9,4 +9,3 @@
 #include "endmill/mesh/mesh_repair.h"
 #include "endmill/mesh/triangle_mesh.h"
 #include "endmill/mesh/triangle_tree.h"
-#include "endmill/mesh/weld.h"

@@ -6,8 +6,6 @@
 
 #include "endmill/setup/pose_search.h"
 #include "endmill/setup/setup.h"
-#include "endmill/setup/setup_mode.h"
-#include "endmill/setup/setup_objective.h"
 #include "endmill/setup/setup_pose.h"
 #include "endmill/setup/setup_travel.h"
 #include "endmill/setup/several_setups.h"

@@ -8,5 +8,4 @@
 #include "endmill/stock/mesh_stock.h"
 #include "endmill/stock/removal.h"
 #include "endmill/stock/stock_engagement.h"
-#include "endmill/stock/stock_fronts.h"
 #include "endmill/stock/stock_history.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/mesh/weld.h"
+#include "endmill/mesh/detail/weld.h"
 
 #include <algorithm>
 #include <limits>

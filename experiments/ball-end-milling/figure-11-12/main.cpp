@@ -6,7 +6,6 @@
 //
 // Deterministic, under 2 s. Columns and verdicts: README.md beside this.
 
-#include "endmill/figures/surface_svg.h"
 #include "endmill/figures/tool_path_svg.h"
 #include "support/along_path.h"
 #include "support/milling_jobs.h"

@@ -10,7 +10,6 @@
 #include <tuple>
 
 #include "endmill/core/text.h"
-#include "endmill/figures/surface_svg.h"
 #include "endmill/figures/tool_path_svg.h"
 #include "support/experiment.h"
 #include "support/milling_jobs.h"

@@ -18,7 +18,7 @@
 #include "endmill/process/fed_path.h"
 #include "endmill/process/feed_plan.h"
 #include "endmill/process/segment_cuts.h"
-#include "endmill/stock/stock_fronts.h"
+#include "endmill/stock/stock_engagement.h"
 #include "support/experiment.h"
 #include "support/shortest_times.h"
 

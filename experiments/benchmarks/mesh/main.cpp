@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "benchmarks/mesh/bumps.h"
+#include "endmill/mesh/detail/weld.h"
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/mesh/triangle_tree.h"
-#include "endmill/mesh/weld.h"
 #include "support/experiment.h"
 #include "support/peak_memory.h"
 #include "support/shortest_times.h"

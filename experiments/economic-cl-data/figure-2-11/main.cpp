@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "endmill/figures/surface_svg.h"
+#include "endmill/figures/tool_path_svg.h"
 #include "endmill/surface/extent.h"
 #include "support/experiment.h"
 #include "support/tangent_condition.h"

@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "endmill/core/angle.h"
-#include "endmill/figures/machine_figure.h"
+#include "endmill/figures/setup_figures.h"
 #include "endmill/machine/kinematics.h"
 #include "support/experiment.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/figures/machine_figure.h"
+#include "endmill/figures/setup_figures.h"
 
 #include <algorithm>
 #include <cctype>

@@ -10,6 +10,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/core/vec.h"
+#include "endmill/machine/configuration.h"
 #include "endmill/machine/feasible_directions.h"
 #include "endmill/mesh/triangle_mesh.h"
 #include "endmill/visibility/sphere_grid.h"
@@ -18,6 +19,9 @@
 /// \file
 /// Figures of a five-axis setup: the part in its pose (`setup_svg`), the sphere of
 /// directions (`sphere_svg`), and both in one VTK file (`setup_vtp`).
+///
+/// Sketches of milling machines: which axes they have, in which order, and what each
+/// carries.
 
 namespace endmill {
 
@@ -150,5 +154,18 @@ std::string sphere_svg(const SphereGrid& grid, const VisibilityMap& map,
 ///         `motion_borders`.
 std::string setup_vtp(const TriangleMesh& mesh, const FacetAccess& access,
                       const ShownSetup& setup);
+
+/// The linear axes X, Y, Z and the rotary axes A, B, C with their positive directions, as
+/// an SVG file.
+/// Source: after [KangSuh, figure 3].
+std::string machine_axes_svg(const std::string& title);
+
+/// A sketch of a machine with up to two rotary axes, all axes at zero, as an SVG file.
+/// The axes that carry the part are stacked below it and those that carry the tool above
+/// it, in the order of the configuration word; a bed joins both. The shape is schematic.
+/// Source: after [KangSuh, figure 4].
+/// \param captions lines below the title.
+std::string machine_svg(const MachineConfiguration& machine, const std::string& title,
+                        const std::vector<std::string>& captions);
 
 }  // namespace endmill

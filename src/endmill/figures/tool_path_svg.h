@@ -5,6 +5,7 @@
 
 #include "endmill/figures/axonometric_figure.h"
 #include "endmill/path/tool_path.h"
+#include "endmill/surface/surface.h"
 
 namespace endmill {
 
@@ -14,5 +15,19 @@ namespace endmill {
 /// Source: after [KimChoi, figs. 12 and 13].
 /// \throws DomainError if the path has no points or one that is not finite.
 std::string tool_path_svg(const ToolPath& path, const FigureOptions& options = {});
+
+/// Title, view and content of the figure of a surface.
+struct SurfaceDrawing {
+    FigureOptions figure{};    ///< title, captions, size and view
+    int spaces_per_patch = 8;  ///< intervals between iso-parametric lines; at least 1
+    bool control_net = false;  ///< whether the control net of every patch is drawn
+};
+
+/// A surface in parallel projection, as an SVG file: shaded, with iso-parametric lines at
+/// equal steps in each patch and thicker patch borders. Nearer cells cover farther ones;
+/// the control net covers everything.
+/// Source: after [KimChoi, figs. 2 and 11].
+/// \throws DomainError if `spaces_per_patch` is below 1, and as `AxonometricFigure`.
+std::string surface_svg(const Surface& surface, const SurfaceDrawing& drawing = {});
 
 }  // namespace endmill

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/files/tool_file.h"
+#include "endmill/files/machining_data.h"
 
 #include <array>
 #include <string>

@@ -17,7 +17,7 @@
 #include "endmill/files/detail/raw_mesh.h"
 #include "endmill/files/detail/stl.h"
 #include "endmill/files/read_file.h"
-#include "endmill/mesh/weld.h"
+#include "endmill/mesh/detail/weld.h"
 
 namespace endmill {
 namespace {

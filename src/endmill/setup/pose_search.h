@@ -4,7 +4,6 @@
 #include <span>
 
 #include "endmill/core/vec.h"
-#include "endmill/setup/setup_mode.h"
 #include "endmill/setup/setup_pose.h"
 #include "endmill/visibility/visibility.h"
 

@@ -9,8 +9,6 @@
 #include <string>
 
 #include "endmill/core/answer.h"
-#include "endmill/setup/setup_mode.h"
-#include "endmill/setup/setup_objective.h"
 #include "endmill/setup/setup_pose.h"
 #include "endmill/setup/whole_cone_search.h"
 #include "endmill/visibility/sphere_grid.h"

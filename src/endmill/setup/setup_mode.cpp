@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/setup/setup_mode.h"
+#include "endmill/setup/setup_pose.h"
 
 #include <algorithm>
 #include <array>

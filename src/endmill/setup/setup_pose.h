@@ -3,7 +3,11 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <numbers>
 #include <optional>
+#include <string_view>
 
 #include "endmill/core/angle.h"
 #include "endmill/core/vec.h"
@@ -12,7 +16,12 @@
 #include "endmill/machine/kinematics.h"
 
 /// \file
-/// How a part stands on a machine, and what a search over poses reports.
+/// Poses of a part on a machine, the objectives that compare them, and the modes of the search.
+///
+/// All objectives depend on two ranges, in rad: the width w of the window of the first rotary
+/// axis (C in C,A, R1 in A,B), and the height h = m0 + m1 of the other axis. The paper's area
+/// w h is not an objective, because it is 0 for every arc of a great circle, however long.
+/// Source: docs/mathematics/five-axis-setup.md, section 10.
 
 namespace endmill {
 
@@ -79,5 +88,97 @@ RotaryFrame pose_frame(const MachineConfiguration& configuration, const SetupPos
 /// The limits within which a cell counts as reached in the frame of `pose_frame`. With
 /// four axes theta is the arc tolerance to either side, with three axes it is 0.
 RotaryLimits cell_limits(const RotaryReach& reach);
+
+/// The quantity that a setup minimises.
+enum class SetupObjective : std::uint8_t {
+    FlooredArea,  ///< (w + floor)(h + floor), rad^2
+    TotalRange,   ///< w + h, rad
+    Tilt          ///< largest turn, rad; C,A: max(m0, m1); A,B: max(w / 2, m0, m1)
+};
+
+/// The ranges of a pose in rad, none negative.
+struct PoseRanges {
+    double width = 0;  ///< w, range of C (C,A) or R1 (A,B)
+    double m0 = 0;     ///< C,A: largest polar angle in the window; A,B: largest latitude
+    double m1 =
+        0;  ///< C,A: the same opposite to the window; A,B: minus the least latitude
+
+    double height() const { return m0 + m1; }  ///< h, rad
+};
+
+/// The ranges of a fitted pose as objectives take them.
+/// \param family decides which of phi and theta is the window. \param fit any pose.
+PoseRanges pose_ranges(RotaryFamily family, const FittedPose& fit);
+
+/// Evaluates an objective. The value does not decrease when a range grows.
+struct PoseMeasure {
+    RotaryFamily family = RotaryFamily::CA;
+    SetupObjective objective = SetupObjective::FlooredArea;
+    double floor_rad = 5.9 * std::numbers::pi / 180;  ///< floor of FlooredArea, above 0
+
+    /// The objective of these ranges: rad^2 for FlooredArea, else rad. Relative error
+    /// below 1e-15.
+    double operator()(const PoseRanges& ranges) const;
+
+    /// A width such that the objective is less than `target` only for windows narrower
+    /// than it. The result is rounded up; it is not positive if no width reaches the
+    /// target.
+    /// \param target rad^2 or rad, in the unit of the objective.
+    /// \param m0, m1 the other ranges, rad.
+    double useful_width(double target, double m0, double m1) const;
+
+    /// A height such that the objective is less than `target` only for heights below it.
+    /// \param target rad^2 or rad. \param width of the window, rad.
+    /// \pre the objective is not Tilt, which is not a function of the height.
+    double useful_height(double target, double width) const;
+};
+
+/// The algorithm that finds a setup, from the weakest to the strongest.
+enum class SetupMode {
+    PaperLiteral,  ///< nearest cells, as printed
+    Paper,         ///< nearest cells, as printed without the misprints
+    Corrected,     ///< nearest cells, exact for these cells and a given tool axis
+    WholeCones     ///< all cells of each cone and all poses, with a certified lower bound
+};
+
+/// What a mode tries at a given tool axis and how it compares limits. Each mode is one
+/// enumerator and one row of a table of these rules.
+struct SetupRules {
+    SetupMode mode;
+    std::string_view name;          ///< the word of the command line: "paper", "set", ...
+    bool has_wide_sectors;          ///< C,A: C may turn by 180 degrees or more
+    bool takes_hull_vertices_only;  ///< A,B: beta is taken over the hull's vertices only
+    bool has_both_hulls;            ///< A,B: edges of the orthographic hull are tried too
+    bool takes_low_directions;  ///< A,B: directions may be 90 degrees off the tool axis
+    bool has_signed_limits;     ///< A,B: limits are compared with their signs
+};
+
+/// The rules of a mode. Those of `WholeCones` are the ones of `Corrected`.
+const SetupRules& setup_rules(SetupMode mode);
+
+/// Finds a mode by its name: "paper-literal", "paper", "corrected" or "set".
+/// \return nothing if no mode has this name.
+std::optional<SetupMode> setup_mode(std::string_view name);
+
+/// Options of the fits and searches whose tool axes are given: `pose_fit` and
+/// `pose_search`.
+struct PoseFitOptions {
+    RotaryFamily family = RotaryFamily::CA;
+    SetupMode mode = SetupMode::Paper;  ///< any but `WholeCones`
+    RotaryLimits limits{};              ///< turns of the tool against the part
+
+    /// A,B: the first rotary axis is B, so that r2 = r1 x C; otherwise r2 = C x r1.
+    bool is_b_first = false;
+
+    /// Called twice for each tool axis, after its quick bound and after its fit, with the
+    /// number of calls so far. Any thread may call, one at a time. An exception ends the
+    /// search.
+    std::function<void(std::size_t done)> progress = {};
+};
+
+/// Checks the options of a fit or search.
+/// \throws DomainError if the mode is `WholeCones`, or if a range of `limits` does not
+///         contain 0 or is wider than 2 pi.
+void check_pose_fit_options(const PoseFitOptions& options);
 
 }  // namespace endmill

@@ -9,7 +9,6 @@
 
 #include "endmill/core/answer.h"
 #include "endmill/machine/axis_limits.h"
-#include "endmill/setup/setup_objective.h"
 #include "endmill/setup/setup_pose.h"
 #include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"

@@ -3,11 +3,15 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 
 #include "endmill/cutter/cutter.h"
 #include "endmill/cutter/engagement.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/stock/height_stock.h"
+
+/// \file
+/// The engaged front of a ball-end mill, move by move, and its distance from a block.
 
 namespace endmill {
 
@@ -39,5 +43,55 @@ void for_each_engagement(
     HeightStock& stock, const ToolPath& path, const Cutter& cutter,
     const std::function<void(std::size_t number, const Engagement& engagement)>& visit,
     const EngagementOptions& options = {});
+
+/// The moves whose engaged fronts `for_each_ball_front` determines, and the resolution.
+struct BallFrontTask {
+    const ToolPath* path;  ///< tips along +z; not null; outlives the task
+    Cutter cutter;         ///< a ball
+    /// Ends of the moves, rising; not the first point.
+    std::span<const std::size_t> points;
+    int rows = 96;  ///< cells across the feed; even
+    /// Cells about the axis across the feed, and azimuths of the shank.
+    int columns = 128;
+    /// If set, it is called now and then with the finished share, 0 to 1.
+    std::function<void(double share)> progress = {};
+};
+
+/// Removes the material along the path as `remove_along` does. Before the move to each of
+/// the task's points it calls `visit(number, front)` with the point's number among these
+/// and the engaged part of the front in the middle of the move.
+///
+/// A place is engaged if it lies below the surface of the stock before the move,
+/// interpolated linearly between the centres of the cells; an upright wall is known to
+/// half a cell. On the shank, each azimuth stores the height of the stock above the
+/// ball's centre. The rim is sampled at 256 azimuths a little below the highest engaged
+/// place. A move straight up or down engages nothing.
+/// Source: docs/mathematics/ball-end-milling.md, section 12.
+///
+/// One thread cuts the moves in order, because each move needs the stock that the move
+/// before left. It copies the stock around the middle of each move, and the other threads
+/// evaluate the copies. The copies take up to 64 MB, or the size of two copies if that is
+/// more. Fronts and stock are the same with any number of threads.
+///
+/// \param visit may be called from several threads at a time, each time with another
+///        number.
+/// \throws DomainError unless there is a path, the cutter is a ball, rows are even and
+///         positive, columns are positive, and the points rise within the path after its
+///         first point; or if a tip is not within 1e9 mm.
+/// \throws GeometryError if the axis of a point is not +z.
+void for_each_ball_front(
+    HeightStock& stock, const BallFrontTask& task,
+    const std::function<void(std::size_t number, const BallFront& front)>& visit);
+
+/// Returns the distance in mm between a ball-end mill with its shank and a block, on the
+/// moves to `points`. It is 0 if the cutter meets the block on one of them, and infinite
+/// without points.
+/// \param path tips along +z; the axis is not checked.
+/// \param points of the path after its first.
+/// \throws DomainError unless the cutter is a ball and the points lie in the path after
+///         its first. The error is below 1e-6 of the longest move. A cutter that meets
+///         the block by more than that gets exactly 0.
+double stock_gap(const ToolPath& path, std::span<const std::size_t> points,
+                 const Cutter& cutter, const Block& block);
 
 }  // namespace endmill

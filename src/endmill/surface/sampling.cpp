@@ -11,7 +11,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
-#include "endmill/mesh/weld.h"
+#include "endmill/mesh/detail/weld.h"
 #include "endmill/surface/detail/collapsed_edge.h"
 #include "endmill/surface/detail/patch_sides.h"
 #include "endmill/surface/detail/sampling_levels.h"

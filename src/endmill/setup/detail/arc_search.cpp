@@ -16,7 +16,7 @@
 #include "endmill/setup/detail/least_cones.h"
 #include "endmill/setup/detail/pole_points.h"
 #include "endmill/setup/detail/setup_order.h"
-#include "endmill/setup/setup_mode.h"
+#include "endmill/setup/setup_pose.h"
 
 namespace endmill {
 namespace {

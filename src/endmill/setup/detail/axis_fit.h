@@ -11,7 +11,6 @@
 #include "endmill/setup/detail/cone_set.h"
 #include "endmill/setup/detail/coverage_table.h"
 #include "endmill/setup/detail/range_limits.h"
-#include "endmill/setup/setup_objective.h"
 #include "endmill/setup/setup_pose.h"
 
 /// \file The best range of tool directions about a given axis, over whole cones.

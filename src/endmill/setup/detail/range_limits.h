@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "endmill/machine/axis_limits.h"
-#include "endmill/setup/setup_objective.h"
+#include "endmill/setup/setup_pose.h"
 
 namespace endmill {
 

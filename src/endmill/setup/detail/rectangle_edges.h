@@ -8,7 +8,7 @@
 #include "endmill/core/vec.h"
 #include "endmill/setup/detail/pole_points.h"
 #include "endmill/setup/detail/rectangle_candidate.h"
-#include "endmill/setup/setup_mode.h"
+#include "endmill/setup/setup_pose.h"
 
 namespace endmill {
 

@@ -7,7 +7,6 @@
 #include "endmill/core/vec.h"
 #include "endmill/setup/detail/rectangle_candidate.h"
 #include "endmill/setup/detail/setup_order.h"
-#include "endmill/setup/setup_mode.h"
 #include "endmill/setup/setup_pose.h"
 
 namespace endmill {

@@ -6,7 +6,6 @@
 
 #include "endmill/core/vec.h"
 #include "endmill/setup/detail/setup_order.h"
-#include "endmill/setup/setup_mode.h"
 #include "endmill/setup/setup_pose.h"
 
 namespace endmill {

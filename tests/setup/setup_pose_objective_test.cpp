@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/setup/setup_objective.h"
+#include "endmill/setup/setup_pose.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/stock/stock_fronts.h"
+#include "endmill/stock/stock_engagement.h"
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/figures/surface_svg.h"
+#include "endmill/figures/tool_path_svg.h"
 
 #include <vector>
 
