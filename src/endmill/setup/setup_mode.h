@@ -8,8 +8,9 @@
 
 #include "endmill/machine/axis_limits.h"
 
-/// \file The four modes of a setup search and the rules that three of them follow at a
-/// given tool axis. Source: docs/mathematics/five-axis-setup.md, table of modes.
+/// \file
+/// The four modes of a setup search and the rules that three of them follow at a given
+/// tool axis. Source: docs/mathematics/five-axis-setup.md, table of modes.
 
 namespace endmill {
 

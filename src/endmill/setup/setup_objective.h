@@ -7,7 +7,8 @@
 #include "endmill/machine/configuration.h"
 #include "endmill/setup/setup_pose.h"
 
-/// \file Objectives by which setups are compared.
+/// \file
+/// Objectives by which setups are compared.
 ///
 /// All of them depend on two ranges, in rad: the width w of the window of the first
 /// rotary axis (C in C,A, R1 in A,B), and the height h = m0 + m1 of the other axis. The
