@@ -12,7 +12,8 @@
 #include "endmill/core/vec.h"
 #include "endmill/machine/configuration.h"
 
-/// \file Travel limits of linear and rotary axes.
+/// \file
+/// Travel limits of linear and rotary axes.
 ///
 /// A *turn* is a rotation of the tool against the part, by the right-hand rule about +X,
 /// +Y or +Z. A *position* is the rotation of whatever the axis carries, by the same rule.

@@ -7,8 +7,9 @@
 #include <string_view>
 #include <vector>
 
-/// \file Machine words such as W/caxyBz/T: how they are read, what their axes can do with
-/// the tool axis, and how many different words there are.
+/// \file
+/// Machine words such as W/caxyBz/T: how they are read, what their axes can do with the
+/// tool axis, and how many different words there are.
 ///
 /// A word lists the axes of a machine from the workpiece W to the tool T. The letters x,
 /// y, z are linear axes, a, b, c are rotary axes about +X, +Y, +Z, and B is the bed. Axes

@@ -6,8 +6,9 @@
 #include "endmill/core/vec.h"
 #include "endmill/machine/kinematics.h"
 
-/// \file The feasible tool motion: all directions that the tool of a machine can take
-/// within its rotary limits.
+/// \file
+/// The feasible tool motion: all directions that the tool of a machine can take within
+/// its rotary limits.
 
 namespace endmill {
 

@@ -9,7 +9,8 @@
 #include "endmill/machine/axis_limits.h"
 #include "endmill/machine/configuration.h"
 
-/// \file Forward and inverse kinematics of machines with three to five axes.
+/// \file
+/// Forward and inverse kinematics of machines with three to five axes.
 ///
 /// Two layers: `RotaryFrame` and `RotaryAngles` relate tool directions to the two turns
 /// phi and theta, in any coordinate frame. `Machine` and `AxisPositions` add offsets,

@@ -7,8 +7,9 @@
 #include "endmill/setup/setup_pose.h"
 #include "endmill/visibility/visibility.h"
 
-/// \file The paper's search for a setup: every cell centre is tried as the tool axis, and
-/// the cone of each facet is represented by its cell nearest to this axis.
+/// \file
+/// The paper's search for a setup: every cell centre is tried as the tool axis, and the
+/// cone of each facet is represented by its cell nearest to this axis.
 
 namespace endmill {
 

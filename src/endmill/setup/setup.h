@@ -14,7 +14,8 @@
 #include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"
 
-/// \file The best setup of a part on a machine of three, four or five axes. Start here:
+/// \file
+/// The best setup of a part on a machine of three, four or five axes. Start here:
 /// `find_setup` chooses the search that suits the machine and the mode.
 
 namespace endmill {
@@ -48,8 +49,7 @@ struct PartSetup {
     std::optional<FittedPose> least;       ///< the best pose without limits: MAR
     std::size_t poses_tried = 0;    ///< poses or axes tried; `WholeCones`: nodes bounded
     std::size_t poses_skipped = 0;  ///< tool axes or rotary axes without a fit
-    std::size_t unresolved =
-        0;  ///< `WholeCones`: nodes neither split further nor excluded
+    std::size_t unresolved = 0;     ///< `WholeCones`: small nodes that are not excluded
 
     /// What the search minimised, for `shown()`: rad^2, or rad for objectives in rad.
     std::optional<double> objective;

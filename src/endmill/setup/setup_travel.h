@@ -12,8 +12,9 @@
 #include "endmill/setup/setup_pose.h"
 #include "endmill/visibility/visibility.h"
 
-/// \file Travel of the linear axes for a setup: which direction each facet is reached
-/// from, and where X, Y and Z go for it. The paper names this as future work.
+/// \file
+/// Travel of the linear axes for a setup: which direction each facet is reached from, and
+/// where X, Y and Z go for it. The paper names this as future work.
 /// Source: docs/mathematics/five-axis-setup.md, section 10.
 
 namespace endmill {

@@ -45,8 +45,8 @@ struct SetupCoverProgress {
 /// The first setup costs about cells^2 (72 + facets / 16) operations. Later setups try
 /// few tool axes, because a candidate never reaches more of the rest than it did before.
 /// Memory: twice that of the map.
-/// Source: [KangSuh, section 1] names the fewest setups as a goal; docs/mathematics/
-/// five-axis-setup.md, section 10.
+/// Source: [KangSuh, section 1], which names the fewest setups as a goal;
+/// docs/mathematics/five-axis-setup.md, section 10.
 /// \param map cones of the facets. \param centres unit, one for each cell.
 /// \param reach the machine. \param most largest number of setups, at least 1.
 /// \param progress called from time to time by the calling thread. An exception ends the

@@ -13,8 +13,9 @@
 #include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"
 
-/// \file The search over whole cones: it takes every cell of every cone and every pose
-/// into account, and proves a lower bound of the objective.
+/// \file
+/// The search over whole cones: it takes every cell of every cone and every pose into
+/// account, and proves a lower bound of the objective.
 
 namespace endmill {
 
@@ -63,7 +64,8 @@ struct WholeConeSearchResult {
 /// A cone is the set of the centres of its accessible cells. Empty cones are left out;
 /// without any other cone every pose fits and all ranges are 0. Ranges may exceed their
 /// limits by 1e-9 rad. The result does not depend on the number of threads.
-/// Source: paper/notes/whole-cones.md; docs/mathematics/five-axis-setup.md, section 10.
+/// Source: paper/notes/whole-cones.md, section 8; docs/mathematics/five-axis-setup.md,
+/// section 10.
 /// \param grid cells. \param map cones of the facets over these cells.
 /// \param options what is minimised, and when the search stops.
 /// \throws DomainError if map and grid have different numbers of cells, or unless

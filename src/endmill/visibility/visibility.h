@@ -12,9 +12,10 @@
 #include "endmill/cutter/tool.h"
 #include "endmill/mesh/triangle_mesh.h"
 
-/// \file Which facets of a part a tool reaches along which directions: the visibility
-/// cones of the facets, with and without the body of the tool. A direction points from
-/// the part towards the spindle.
+/// \file
+/// Which facets of a part a tool reaches along which directions: the visibility cones of
+/// the facets, with and without the body of the tool. A direction points from the part
+/// towards the spindle.
 /// Source: [KangSuh, section 2]; docs/mathematics/five-axis-setup.md, section 1.
 
 namespace endmill {
@@ -108,8 +109,8 @@ struct PartVisibility {
 /// Directions are processed in parallel, one column each. The result does not depend on
 /// the number of threads. Memory besides the map: about 100 bytes for each facet, and 100
 /// more on each thread.
-/// Source: [KangSuh, section 2]. The rule of occlusion is ours: docs/mathematics/
-/// five-axis-setup.md, section 1; the method is described in section 11.
+/// Source: [KangSuh, section 2]; docs/mathematics/five-axis-setup.md, section 1 (the rule of
+/// occlusion, which is ours) and section 11 (the method).
 /// \param part facets in mm. \param directions unit to 1e-9. \param options what counts.
 /// \throws DomainError if a direction does not have unit length, or if the incidence is
 ///         outside its range.

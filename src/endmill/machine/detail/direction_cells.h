@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-/// \file Unions of patches on the sphere, for their solid angle and border. Azimuths and
+/// \file
+/// Unions of patches on the sphere, for their solid angle and border. Azimuths and
 /// latitudes refer to one axis.
 
 namespace endmill {

@@ -13,7 +13,8 @@
 #include "endmill/setup/detail/range_limits.h"
 #include "endmill/setup/setup_pose.h"
 
-/// \file The best range of tool directions about a given axis, over whole cones.
+/// \file
+/// The best range of tool directions about a given axis, over whole cones.
 ///
 /// A range of tool directions about an axis (C in C,A, R1 in A,B) is a window of azimuths
 /// of width w together with two levels m0 and m1. C,A: the directions in the window up to

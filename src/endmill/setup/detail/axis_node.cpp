@@ -44,7 +44,7 @@ constexpr const char* root_grid = "ico:2";
 /// Bound, in rad, by which the distance of two directions of a lune along its middle
 /// circle can exceed the difference of their latitudes, divided by 2: the maximum over b
 /// of atan2(tan b, cos t) - b for the half width t of the lune.
-/// Source: paper/notes/whole-cones.md, (a).
+/// Source: paper/notes/whole-cones.md, section 7, (a).
 double lune_slack(double t)
 {
     const double tangent = std::tan(t / 2);

@@ -10,8 +10,9 @@
 #include "endmill/setup/detail/axis_fit.h"
 #include "endmill/setup/detail/coverage_table.h"
 
-/// \file Nodes of the search over whole cones: spherical triangles of axes with lower
-/// bounds of the objective. Why the bounds hold: paper/notes/whole-cones.md.
+/// \file
+/// Nodes of the search over whole cones: spherical triangles of axes with lower bounds of
+/// the objective. Source: paper/notes/whole-cones.md, sections 3, 4, 7.
 
 namespace endmill {
 

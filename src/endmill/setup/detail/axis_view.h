@@ -48,7 +48,7 @@ struct AxisView {
 /// Intervals longer than 3 radii are cut into parts. Azimuths are accurate to 1e-15 / sin
 /// p.
 /// \param place disc of axes. \param centres unit.
-/// Source: paper/notes/whole-cones.md.
+/// Source: paper/notes/whole-cones.md, section 4.
 AxisView axis_view(const AxisPlace& place, std::span<const Vec3> centres);
 
 /// The direction of azimuth 0 in `axis_view`: a unit vector perpendicular to `axis`.

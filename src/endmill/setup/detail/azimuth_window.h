@@ -31,7 +31,7 @@ struct SweptRange {
 };
 
 /// Finds least windows by one circular sweep over the cells of a view. Keeps its memory
-/// between calls; one for each thread. Source: paper/notes/whole-cones.md.
+/// between calls; one for each thread. Source: paper/notes/whole-cones.md, section 5.
 class WindowSweep {
 public:
     /// \param cones must outlive the sweep.

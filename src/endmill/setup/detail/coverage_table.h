@@ -16,6 +16,7 @@ namespace endmill {
 /// A filter before WindowSweep: the cells of a view in bins of azimuth and level, with
 /// the AND of the columns of each bin. It excludes windows in less than a microsecond.
 /// Keeps its memory between views; one for each thread.
+/// Source: paper/notes/whole-cones.md, section 6.
 class CoverageTable {
 public:
     /// \param cones must outlive the table.

@@ -8,9 +8,10 @@
 #include "endmill/machine/axis_limits.h"
 #include "endmill/setup/detail/pole_points.h"
 
-/// \file Lower bounds of the rectangles of A,B about a tool axis while R1 turns within an
+/// \file
+/// Lower bounds of the rectangles of A,B about a tool axis while R1 turns within an
 /// interval of azimuths. Directions may be 90 degrees or more from the tool axis.
-/// Source: paper/notes/rectangle-about-an-axis.md.
+/// Source: paper/notes/rectangle-about-an-axis.md, section 4.
 
 namespace endmill {
 

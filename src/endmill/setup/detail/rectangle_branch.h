@@ -41,7 +41,7 @@ std::optional<RectangleCandidate> coarse_rectangle(const PolePoints& points,
 /// below its area.
 ///
 /// Method: branch and bound over the azimuth of R1, with the bounds of RectangleNeeds.
-/// Source: paper/notes/rectangle-about-an-axis.md.
+/// Source: paper/notes/rectangle-about-an-axis.md, section 4.
 /// \param points directions, of unit length, at least one. \param goal limits and worth.
 /// \return nothing if no rectangle fits the limits, or if all areas exceed `worthless`.
 std::optional<RectangleCandidate> branch_rectangle(const PolePoints& points,

@@ -29,7 +29,7 @@ std::optional<RectangleCandidate> great_circle_arc(const PolePoints& points);
 /// and sin beta = o . d. So the extents of alpha are decided by the hull of the gnomonic
 /// images, those of beta by the hull of the orthographic images.
 /// Source: [KangSuh, eq. (17), (18)], in closed form. Why edges and limits suffice:
-/// paper/notes/rectangle-about-an-axis.md.
+/// paper/notes/rectangle-about-an-axis.md, sections 1 to 3.
 class RectangleImages {
 public:
     /// \param points directions in the frame of the tool axis. \param directions the

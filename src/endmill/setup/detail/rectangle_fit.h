@@ -35,7 +35,8 @@ std::vector<RectangleCandidate> rectangle_candidates(const Vec3& tool_axis,
 /// The pose is turned so that the larger end of R1's range is positive, or the other end
 /// if only that fits the limits; if both ends are equal, so that the larger end of R2's
 /// range is positive.
-/// Source: [KangSuh, section 6, eq. (15)–(21)]; paper/notes/rectangle-about-an-axis.md.
+/// Source: [KangSuh, section 6, eq. (15)–(21)]; paper/notes/rectangle-about-an-axis.md,
+/// sections 2 to 5.
 /// \param tool_axis unit. \param directions unit. \param options mode and limits.
 /// \param bounds save work: a fit is missing only if its area exceeds its bound, and the
 ///         result is otherwise the same as without bounds.

@@ -103,11 +103,11 @@ private:
 /// about the tool axis.
 RotaryRange turned(const RotaryRange& range);
 
-/// Tests whether `range` lies within `limits`, to `turn_tolerance`.
+/// Tests whether `range` lies within `limits`, to 1e-9 rad.
 bool is_within(const RotaryRange& range, const RotaryRange& limits);
 
 /// Tests whether the larger and the smaller magnitude of the ends of `range` are at most
-/// those of `limits`, to `turn_tolerance`. Source: [KangSuh, eq. (12), (20)].
+/// those of `limits`, to 1e-9 rad. Source: [KangSuh, eq. (12), (20)].
 bool is_within_unsigned(const RotaryRange& range, const RotaryRange& limits);
 
 /// The number of axes that a pose moves: `ThreeAxis`, `FourAxis` or `Ok`.

@@ -5,10 +5,10 @@
 
 #include "endmill/core/vec.h"
 
-/// \file Exact sign predicates on the sphere. The signs are exact for doubles whose
-/// products neither overflow nor underflow. A predicate takes about 3 ns if rounding
-/// errors cannot change the sign, else 0.2 us by interval arithmetic or 2 us by rational
-/// numbers.
+/// \file
+/// Exact sign predicates on the sphere. The signs are exact for doubles whose products
+/// neither overflow nor underflow. A predicate takes about 3 ns if rounding errors cannot
+/// change the sign, else 0.2 us by interval arithmetic or 2 us by rational numbers.
 
 namespace endmill {
 

@@ -8,10 +8,11 @@
 #include "endmill/core/detail/lanes.h"
 #include "endmill/visibility/detail/point_cells.h"
 
-/// \file Eight facets, projected along a direction, against many points: which points do
-/// the facets cover? A facet covers a point that lies inside its outline and below its
-/// plane, seen along the direction. Floats with error bounds find most answers; exact
-/// arithmetic decides the rest.
+/// \file
+/// Eight facets, projected along a direction, against many points: which points do the
+/// facets cover? A facet covers a point that lies inside its outline and below its plane,
+/// seen along the direction. Floats with error bounds find most answers; exact arithmetic
+/// decides the rest.
 
 namespace endmill {
 
