@@ -7,6 +7,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/figures/detail/ball_lines.h"
+#include "endmill/process/detail/engaged_region.h"
 
 namespace endmill {
 namespace {

@@ -49,7 +49,7 @@ TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
     EXPECT_EQ(modes.mm_per_unit(), 25.4);
     EXPECT_EQ(modes.distance, DistanceMode::Incremental);
     EXPECT_EQ(modes.centres, DistanceMode::Absolute);
-    EXPECT_EQ(modes.feed, FeedMode::InverseTime);
+    EXPECT_EQ(modes.feed, FeedRateMode::InverseTime);
     EXPECT_EQ(modes.coordinate_system, 550);
     EXPECT_TRUE(modes.used_tool_length);
     EXPECT_TRUE(modes.used_blending);
@@ -62,7 +62,7 @@ TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
     EXPECT_EQ(later.unit, GcodeUnit::Millimetre);
     EXPECT_EQ(later.distance, DistanceMode::Absolute);
     EXPECT_EQ(later.centres, DistanceMode::Incremental);
-    EXPECT_EQ(later.feed, FeedMode::PerMinute);
+    EXPECT_EQ(later.feed, FeedRateMode::PerMinute);
     EXPECT_EQ(later.coordinate_system, 593);
 }
 

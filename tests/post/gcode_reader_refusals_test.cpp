@@ -48,14 +48,14 @@ INSTANTIATE_TEST_SUITE_P(
                 "E_GCODE f.ngc:4: axis word without a motion mode; expected G0, "
                 "G1, G2 or G3 in this block or before"},
         Refused{"G1 X5 I5 F9",
-                "E_GCODE f.ngc:3: word I without an arc; expected it in a "
-                "block of G2 or G3"},
+                "E_GCODE f.ngc:3: word I without an arc; expected the word in a block "
+                "with G2 or G3"},
         Refused{"R5",
-                "E_GCODE f.ngc:3: word R without an arc; expected it in a block of "
-                "G2 or G3"},
+                "E_GCODE f.ngc:3: word R without an arc; expected the word in a block "
+                "with G2 or G3"},
         Refused{"G0 X1 P5",
-                "E_GCODE f.ngc:3: word P without an arc; expected it in a "
-                "block of G2 or G3"},
+                "E_GCODE f.ngc:3: word P without an arc; expected the word in a block "
+                "with G2 or G3"},
         Refused{"G2 F9\nG64 X10 I5 P2",
                 "E_GCODE f.ngc:4: word P for both an arc and G4 or "
                 "G64; expected two separate blocks"},

@@ -158,10 +158,9 @@ TEST(ParseGcode, EndsWithItsProgram)
 
 TEST(ParseGcode, TakesPercentSignsAroundAProgramOnly)
 {
-    EXPECT_EQ(
-        gcode_refusal("G0 X0\n%\n"),
-        "E_GCODE f.ngc:2: a first % after blocks; expected it before all blocks, and "
-        "another at the end");
+    EXPECT_EQ(gcode_refusal("G0 X0\n%\n"),
+              "E_GCODE f.ngc:2: a first % after blocks; expected the first % before all "
+              "blocks and the second at the end");
     EXPECT_EQ(gcode_refusal("%O100\n"),
               "E_GCODE f.ngc:1: \"%O100\"; expected a line with the % alone");
     EXPECT_EQ(gcode_refusal("(head)\n\n % \nG21 M2\n"), "accepted");

@@ -91,8 +91,8 @@ TEST_F(ProgramBuilderTest, TurnsInverseTimeIntoAFeed)
 {
     ProgramBuilder builder{lines, options};
     builder.go_to({0, 0, 0}, std::nullopt);
-    builder.go_to({3, 4, 0}, MoveFeed{2, FeedMode::InverseTime});
-    builder.go_to({3, 4, 0}, MoveFeed{2, FeedMode::InverseTime});
+    builder.go_to({3, 4, 0}, MoveFeed{2, FeedRateMode::InverseTime});
+    builder.go_to({3, 4, 0}, MoveFeed{2, FeedRateMode::InverseTime});
     EXPECT_THAT(feeds(builder.take()), ElementsAre(std::nullopt, 10, std::nullopt));
 }
 
@@ -102,7 +102,7 @@ TEST_F(ProgramBuilderTest, SharesTheTimeOfAnArcAmongItsChords)
     ProgramBuilder builder{lines, options};
     builder.go_to({5, 0, 0}, std::nullopt);
     builder.go_along({{5, 0, 0}, {0, 5, -1}, Vec3::Zero()},
-                     MoveFeed{0.25, FeedMode::InverseTime});
+                     MoveFeed{0.25, FeedRateMode::InverseTime});
     const Program program = builder.take();
     const auto& points = program.path.points;
     double minutes = 0;
@@ -190,7 +190,7 @@ TEST_F(ProgramBuilderTest, RefusesNumbersOutOfRange)
         "E_RANGE f:1: coordinate -1001 mm; expected at most 1000 mm (--max-extent)");
     builder.go_to({0, 0, 0}, std::nullopt);
     EXPECT_EQ(refusal_of([&] {
-                  builder.go_to({10, 0, 0}, MoveFeed{1e308, FeedMode::InverseTime});
+                  builder.go_to({10, 0, 0}, MoveFeed{1e308, FeedRateMode::InverseTime});
               }),
               "E_RANGE f:1: a feed of infinite mm/min; expected a feed that a double can "
               "store");

@@ -34,7 +34,7 @@ TEST(ContactSearch, FindsThePointThatTheCentreWasMadeFrom)
         EXPECT_NEAR(foot.distance, 5, 1e-12);
         // The search also starts from another place, to which the centre does not belong.
         const BallFoot found =
-            search.foot(at.point + 5 * normal, PartPlace{0, 0, 0}, 5, 1e-3);
+            search.foot(at.point + 5 * normal, FootPlace{0, 0, 0}, 5, 1e-3);
         EXPECT_LT((found.point - at.point).norm(), 1e-9);
     }
 }
@@ -75,7 +75,7 @@ TEST(ContactSearch, TakesTheNearestOfSeveralSurfaces)
                             {-20, 0, 0})};  // beside it, with the opposite orientation
     const ContactSearch search{part};
     EXPECT_EQ(search.surfaces(), 2u);
-    EXPECT_EQ(search.foot({-8, 4, 5}, PartPlace{0, 0.5, 0.5}, 5, 1e-3).at.surface, 1u);
+    EXPECT_EQ(search.foot({-8, 4, 5}, FootPlace{0, 0.5, 0.5}, 5, 1e-3).at.surface, 1u);
     EXPECT_EQ(search.foot({8, 4, 5}, {}, 5, 1e-3).at.surface, 0u);
 }
 

@@ -15,9 +15,9 @@ namespace {
 
 using std::numbers::pi;
 
-bool has(const std::vector<HeightRange>& ranges, double height)
+bool has(const std::vector<EdgeRange>& ranges, double height)
 {
-    return std::any_of(ranges.begin(), ranges.end(), [&](const HeightRange& range) {
+    return std::any_of(ranges.begin(), ranges.end(), [&](const EdgeRange& range) {
         return height > range.from && height < range.to;
     });
 }

@@ -269,7 +269,7 @@ std::vector<EngagementBorder> engagement_borders(const BallEngagement& engagemen
     require(!is_air(engagement), "engagement_borders: nothing is cut");
     const EngagedRegion region{engagement};
     std::vector<EngagementBorder> borders;
-    for (const BorderArc& arc : region.borders(false)) {
+    for (const BorderArc& arc : region.borders(BorderSplit::Whole)) {
         EngagementBorder border{border_name(arc.kind, region.previous), {}};
         for (int k = 0; k <= steps; ++k) {
             const double p = arc.from + (arc.to - arc.from) * k / steps;

@@ -62,7 +62,7 @@ struct EdgeElement {
 };
 
 /// Unit directions of the force components at an element, in the axes of the figure. They
-/// are computed by `ForceProfile` with material constants that leave one component at a
+/// are computed by `force_profile` with material constants that leave one component at a
 /// time; without helix all elements of the edge then contribute in the same direction.
 struct ForceDirections {
     Vec3 tangential;  ///< F_T, on the work

@@ -197,7 +197,7 @@ private:
         if (!(feed_mm_per_min_ > 0))
             throw lines_.complaint("a move at feed before any feed rate",
                                    "SET_FEED_RATE above 0");
-        return {feed_mm_per_min_, FeedMode::PerMinute};
+        return {feed_mm_per_min_, FeedRateMode::PerMinute};
     }
 
     void note_precision()

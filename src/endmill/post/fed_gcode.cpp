@@ -264,8 +264,9 @@ private:
             speed_ = speed;
         }
         // A move of length 0 has a time under G93, but no feed.
-        const bool has_feed = least.feed_mm_per_min &&
-                              !(modes.feed == FeedMode::InverseTime && length(run) == 0);
+        const bool has_feed =
+            least.feed_mm_per_min &&
+            !(modes.feed == FeedRateMode::InverseTime && length(run) == 0);
         if (has_feed)
             set_feed(line, modes, *least.feed_mm_per_min, run);
         else if (line.has('F'))
@@ -274,7 +275,7 @@ private:
 
     void set_feed(GcodeLine& line, const GcodeModes& modes, double feed, const Run& run)
     {
-        const bool is_inverse = modes.feed == FeedMode::InverseTime;
+        const bool is_inverse = modes.feed == FeedRateMode::InverseTime;
         const bool is_fine = is_inverse || modes.unit == GcodeUnit::Inch;
         const std::string text =
             number_text(feed / (is_inverse ? length(run) : modes.mm_per_unit()),
@@ -292,7 +293,7 @@ private:
     std::string feed_;   // F in force, as written; empty if unknown
     std::string speed_;  // S in force, as written; empty if unknown
     GcodeUnit unit_ = GcodeUnit::Unsaid;
-    FeedMode feed_mode_ = FeedMode::PerMinute;
+    FeedRateMode feed_mode_ = FeedRateMode::PerMinute;
 };
 
 }  // namespace

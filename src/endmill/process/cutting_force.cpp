@@ -91,7 +91,7 @@ public:
                 cut_.runout.offset_mm *
                 (std::cos(behind - cut_.runout.angle) -
                  std::cos(behind - 2 * pi / flutes - cut_.runout.angle));
-            for (const HeightRange& range : edge_.engaged(turn - behind))
+            for (const EdgeRange& range : edge_.engaged(turn - behind))
                 add_range(range, turn - behind, runout_chip, sums);
         }
         const double scale =
@@ -125,7 +125,7 @@ private:
     }
 
     // Adds a part of an edge on which the chip thickness is smooth.
-    void add_part(const HeightRange& part, double azimuth, double runout_chip,
+    void add_part(const EdgeRange& part, double azimuth, double runout_chip,
                   ForceSums& sums) const
     {
         const bool is_on_ball = part.to <= 1;
@@ -153,7 +153,7 @@ private:
     }
 
     // Splits an engaged range at the corners of the chip thickness and adds the parts.
-    void add_range(const HeightRange& range, double azimuth, double runout_chip,
+    void add_range(const EdgeRange& range, double azimuth, double runout_chip,
                    ForceSums& sums) const
     {
         constexpr int samples = 32;

@@ -152,14 +152,14 @@ private:
     // 0 where a move needs it.
     void set_feed(const GcodeBlock& block)
     {
-        if (modes_.feed == FeedMode::InverseTime)
+        if (modes_.feed == FeedRateMode::InverseTime)
             feed_.reset();  // an inverse-time feed is valid for its block only
         if (!block.has('F'))
             return;
         const double value = block.value('F');
         if (value < 0)
             throw lines_.complaint("a feed F" + brief(value), "F > 0");
-        const bool is_rate = modes_.feed == FeedMode::PerMinute;
+        const bool is_rate = modes_.feed == FeedRateMode::PerMinute;
         feed_ = MoveFeed{is_rate ? value * modes_.mm_per_unit() : value, modes_.feed};
     }
 
@@ -226,7 +226,7 @@ private:
     void require_feed() const
     {
         if (!feed_)
-            throw lines_.complaint(modes_.feed == FeedMode::InverseTime
+            throw lines_.complaint(modes_.feed == FeedRateMode::InverseTime
                                        ? "no F in a block under G93"
                                        : "a move at feed before any F",
                                    "F > 0");

@@ -206,7 +206,8 @@ void set_mode(GcodeModes& modes, int code)
             break;
         case 930:
         case 940:
-            modes.feed = code == 930 ? FeedMode::InverseTime : FeedMode::PerMinute;
+            modes.feed =
+                code == 930 ? FeedRateMode::InverseTime : FeedRateMode::PerMinute;
             break;
         default:  // G4, G40, G49, G61 and G61.1 do not change the path
             break;

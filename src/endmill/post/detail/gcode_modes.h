@@ -34,7 +34,7 @@ enum class DistanceMode {
 };
 
 /// Meaning of F.
-enum class FeedMode {
+enum class FeedRateMode {
     PerMinute,    ///< G94: units of length per minute
     InverseTime,  ///< G93: 1 over the minutes that the move takes
 };
@@ -46,7 +46,7 @@ struct GcodeModes {
     ArcPlane plane = ArcPlane::Xy;                     ///< group 2
     DistanceMode distance = DistanceMode::Absolute;    ///< group 3, ends of moves
     DistanceMode centres = DistanceMode::Incremental;  ///< group 4, words I, J, K
-    FeedMode feed = FeedMode::PerMinute;               ///< group 5
+    FeedRateMode feed = FeedRateMode::PerMinute;       ///< group 5
     GcodeUnit unit = GcodeUnit::Unsaid;                ///< group 6
     int coordinate_system =
         0;  ///< group 12: 540 to 593, in tenths; 0 before the first code

@@ -77,7 +77,7 @@ void ProgramBuilder::set_feed(const MoveFeed& feed, std::size_t first_point)
 {
     const auto& points = path_.points;
     double feed_mm_per_min = feed.value;
-    if (feed.mode == FeedMode::InverseTime) {
+    if (feed.mode == FeedRateMode::InverseTime) {
         double length = 0;
         for (std::size_t i = first_point; i < points.size(); ++i)
             length += (points[i].location.tip - points[i - 1].location.tip).norm();

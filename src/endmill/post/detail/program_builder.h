@@ -14,8 +14,8 @@ namespace endmill {
 
 /// Feed of a move.
 struct MoveFeed {
-    double value = 0;                     ///< above 0; mm/min, or 1/min for inverse time
-    FeedMode mode = FeedMode::PerMinute;  ///< meaning of the value
+    double value = 0;  ///< above 0; mm/min, or 1/min for inverse time
+    FeedRateMode mode = FeedRateMode::PerMinute;  ///< meaning of the value
 };
 
 /// Builds the path of a program move by move, from positions of the programmed point in

@@ -132,12 +132,12 @@ ContactSearch::ContactSearch(std::span<const Surface> surfaces)
     tree_.emplace(samples_);
 }
 
-BallFoot ContactSearch::foot_from(const Vec3& centre, const PartPlace& start) const
+BallFoot ContactSearch::foot_from(const Vec3& centre, const FootPlace& start) const
 {
     const Surface& surface = surfaces_[start.surface];
     const Interval range_u = surface.range(Parameter::U);
     const Interval range_v = surface.range(Parameter::V);
-    PartPlace at{start.surface, std::clamp(start.u, range_u.low, range_u.high),
+    FootPlace at{start.surface, std::clamp(start.u, range_u.low, range_u.high),
                  std::clamp(start.v, range_v.low, range_v.high)};
     SurfaceJet jet = surface.jet(at.u, at.v);
     const double enough = step_tolerance * surface.diagonal();
@@ -150,7 +150,7 @@ BallFoot ContactSearch::foot_from(const Vec3& centre, const PartPlace& start) co
         const double before = offset.squaredNorm();
         double share = 1;
         bool is_better = false;
-        PartPlace next = at;
+        FootPlace next = at;
         SurfaceJet there = jet;
         for (int halving = 0; halving < most_halvings && !is_better; ++halving) {
             next.u = std::clamp(at.u + share * way.u, range_u.low, range_u.high);
@@ -181,7 +181,7 @@ BallFoot ContactSearch::foot_from(const Vec3& centre, const PartPlace& start) co
     return {at, jet.point, normal, is_behind ? -distance : distance};
 }
 
-BallFoot ContactSearch::foot(const Vec3& centre, const std::optional<PartPlace>& near,
+BallFoot ContactSearch::foot(const Vec3& centre, const std::optional<FootPlace>& near,
                              double distance, double tolerance) const
 {
     std::optional<BallFoot> close;
@@ -198,7 +198,7 @@ BallFoot ContactSearch::foot(const Vec3& centre, const std::optional<PartPlace>&
     return far;
 }
 
-std::optional<double> ContactSearch::curvature(const PartPlace& place,
+std::optional<double> ContactSearch::curvature(const FootPlace& place,
                                                const Vec3& direction) const
 {
     const SurfaceJet jet = surfaces_[place.surface].jet(place.u, place.v);

@@ -12,7 +12,7 @@
 namespace endmill {
 
 /// A place on one of several surfaces.
-struct PartPlace {
+struct FootPlace {
     std::size_t surface;  ///< index of the surface
     double u;             ///< parameter
     double v;             ///< parameter
@@ -20,7 +20,7 @@ struct PartPlace {
 
 /// Foot point of a ball centre: the point of a part that is nearest to the centre.
 struct BallFoot {
-    PartPlace at;  ///< place of the foot
+    FootPlace at;  ///< place of the foot
     Vec3 point;    ///< mm
     /// Unit vector from the foot to the centre. Where both coincide it is the normal of
     /// the surface on the tool's side.
@@ -47,7 +47,7 @@ public:
     /// \param distance mm, expected distance of the foot.
     /// \param tolerance mm.
     /// Accurate to 1e-9 of the size of the part where the projection is regular.
-    BallFoot foot(const Vec3& centre, const std::optional<PartPlace>& near,
+    BallFoot foot(const Vec3& centre, const std::optional<FootPlace>& near,
                   double distance, double tolerance) const;
 
     std::size_t surfaces() const { return surfaces_.size(); }  ///< number of surfaces
@@ -55,14 +55,14 @@ public:
     /// Normal curvature in 1/mm of the part at `place`, along the tangent vector nearest
     /// to `direction`; positive where the part is convex. std::nullopt where the surface
     /// is singular.
-    std::optional<double> curvature(const PartPlace& place, const Vec3& direction) const;
+    std::optional<double> curvature(const FootPlace& place, const Vec3& direction) const;
 
 private:
-    BallFoot foot_from(const Vec3& centre, const PartPlace& start) const;
+    BallFoot foot_from(const Vec3& centre, const FootPlace& start) const;
 
     std::span<const Surface> surfaces_;
     std::vector<double> sides_;      // sign of the normal on the tool's side, per surface
-    std::vector<PartPlace> places_;  // places of the samples
+    std::vector<FootPlace> places_;  // places of the samples
     std::vector<Vec3> samples_;      // points of the samples, mm
     std::optional<PointTree> tree_;  // over the samples
 };

@@ -31,7 +31,7 @@ constexpr double moment_cell = pi / 2 / moment_cells;
 
 // Integral of sin(t - z tangent) over a range of z, written as a product to avoid
 // cancellation.
-double sine_integral(const HeightRange& range, double turn, double tangent)
+double sine_integral(const EdgeRange& range, double turn, double tangent)
 {
     const double length = range.to - range.from;
     const double middle = turn - (range.from + range.to) / 2 * tangent;
@@ -54,7 +54,7 @@ double radius_integral(double height)
 
 // Calls `visit` with the parts of a range in which sin(t - z tangent) has one sign.
 template <typename Visit>
-void for_each_half_turn(const HeightRange& range, double turn, double tangent,
+void for_each_half_turn(const EdgeRange& range, double turn, double tangent,
                         const Visit& visit)
 {
     const double bottom = turn - range.from * tangent;
@@ -66,11 +66,11 @@ void for_each_half_turn(const HeightRange& range, double turn, double tangent,
     for (; step * half_turns * pi < step * top; half_turns += step) {
         const double to = (turn - half_turns * pi) / tangent;
         if (to > from && to < range.to) {
-            visit(HeightRange{from, to});
+            visit(EdgeRange{from, to});
             from = to;
         }
     }
-    visit(HeightRange{from, range.to});
+    visit(EdgeRange{from, range.to});
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ std::array<double, 2> ForcePattern::moments_from(int below, double latitude) con
     return sums;
 }
 
-void ForcePattern::add_range(const HeightRange& range, double turn, EdgeSums& sums) const
+void ForcePattern::add_range(const EdgeRange& range, double turn, EdgeSums& sums) const
 {
     const bool is_on_ball = range.to <= 1;
     const double length = range.to - range.from;
@@ -160,13 +160,13 @@ EdgeSums ForcePattern::at(double turn) const
     EdgeSums sums;
     for (int flute = 0; flute < flutes_; ++flute) {
         const double azimuth = turn + 2 * pi * flute / flutes_;
-        for (const HeightRange& range : edge_.engaged(azimuth)) {
+        for (const EdgeRange& range : edge_.engaged(azimuth)) {
             if (chip_ == ChipModel::Exact && range.to <= 1)
                 add_range(range, azimuth, sums);
             else
                 for_each_half_turn(
                     range, azimuth, edge_.tangent(),
-                    [&](const HeightRange& part) { add_range(part, azimuth, sums); });
+                    [&](const EdgeRange& part) { add_range(part, azimuth, sums); });
         }
     }
     // The sums of a thin chip are differences of larger terms and may round to below 0. A

@@ -64,7 +64,7 @@ private:
     };
     using Measure = std::function<double(const EdgeSums&)>;
 
-    void add_range(const HeightRange& range, double turn, EdgeSums& sums) const;
+    void add_range(const EdgeRange& range, double turn, EdgeSums& sums) const;
     std::array<double, 2> torque_moments(double latitude) const;
     std::array<double, 2> moments_from(int below, double latitude) const;
     void tabulate_moments();

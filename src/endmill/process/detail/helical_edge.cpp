@@ -161,7 +161,7 @@ void HelicalEdge::add_event(double turn)
 }
 
 // Adds the engaged ranges on the ball: between neighbouring crossings the middle decides.
-void HelicalEdge::add_ball(double turn, std::vector<HeightRange>& ranges) const
+void HelicalEdge::add_ball(double turn, std::vector<EdgeRange>& ranges) const
 {
     std::vector<double> heights{0, region_.depth};
     for (const Run& run : runs_) {
@@ -176,7 +176,7 @@ void HelicalEdge::add_ball(double turn, std::vector<HeightRange>& ranges) const
     }
     std::sort(heights.begin(), heights.end());
     for (std::size_t k = 1; k < heights.size(); ++k) {
-        const HeightRange range{heights[k - 1], heights[k]};
+        const EdgeRange range{heights[k - 1], heights[k]};
         const double middle = (range.from + range.to) / 2;
         const double here = turn - middle * tangent_;
         const double sine = std::sqrt(middle * (2 - middle));
@@ -191,7 +191,7 @@ void HelicalEdge::add_ball(double turn, std::vector<HeightRange>& ranges) const
 }
 
 // Adds the engaged ranges on the shank, one per winding of the edge.
-void HelicalEdge::add_shank(double turn, std::vector<HeightRange>& ranges) const
+void HelicalEdge::add_shank(double turn, std::vector<EdgeRange>& ranges) const
 {
     const double bottom = turn - tangent_;
     const double top = turn - shank_top_ * tangent_;
@@ -214,16 +214,16 @@ void HelicalEdge::add_shank(double turn, std::vector<HeightRange>& ranges) const
     }
 }
 
-std::vector<HeightRange> HelicalEdge::engaged(double turn) const
+std::vector<EdgeRange> HelicalEdge::engaged(double turn) const
 {
-    std::vector<HeightRange> ranges;
+    std::vector<EdgeRange> ranges;
     if (is_air_)
         return ranges;
     add_ball(turn, ranges);
     if (shank_top_ > 1)
         add_shank(turn, ranges);
     std::sort(ranges.begin(), ranges.end(),
-              [](const HeightRange& a, const HeightRange& b) { return a.from < b.from; });
+              [](const EdgeRange& a, const EdgeRange& b) { return a.from < b.from; });
     return ranges;
 }
 

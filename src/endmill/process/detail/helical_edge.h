@@ -7,8 +7,8 @@
 
 namespace endmill {
 
-/// A range of heights above the tip, in radii of the ball.
-struct HeightRange {
+/// A range of heights of an edge above the tip, in radii of the ball.
+struct EdgeRange {
     double from;  ///< lower end
     double to;    ///< upper end, above `from`
 };
@@ -43,7 +43,7 @@ public:
     /// `turn` (rad, any value). Ascending and disjoint; two ranges may share the end of
     /// the ball at 1. Accurate to 1e-12 where the edge crosses a border, and to 1e-6
     /// where it nearly touches one.
-    std::vector<HeightRange> engaged(double turn) const;
+    std::vector<EdgeRange> engaged(double turn) const;
 
     /// The azimuths of the tip, 0 <= turn < 2 pi, ascending, at which the number of
     /// engaged ranges may change: the edge touches a border or passes a corner of the
@@ -70,8 +70,8 @@ private:
     void add_runs(const BorderArc& arc);
     void add_monotonic(Run run);
     void add_event(double turn);
-    void add_ball(double turn, std::vector<HeightRange>& ranges) const;
-    void add_shank(double turn, std::vector<HeightRange>& ranges) const;
+    void add_ball(double turn, std::vector<EdgeRange>& ranges) const;
+    void add_shank(double turn, std::vector<EdgeRange>& ranges) const;
 
     bool is_air_;
     EngagedRegion region_;

@@ -32,18 +32,18 @@ Vec3 centre_at(const Vec3& tip, double radius)
     return tip + radius * Vec3::UnitZ();
 }
 
-std::optional<PartPlace> stated_place(const PathPoint& point, const ContactSearch& part)
+std::optional<FootPlace> stated_place(const PathPoint& point, const ContactSearch& part)
 {
     if (!point.contact || point.patch < 0 ||
         static_cast<std::size_t>(point.patch) >= part.surfaces())
         return std::nullopt;
-    return PartPlace{static_cast<std::size_t>(point.patch), point.contact->u,
+    return FootPlace{static_cast<std::size_t>(point.patch), point.contact->u,
                      point.contact->v};
 }
 
 // The middle between the feet at both ends, or the foot at the end if they are on
 // different surfaces.
-PartPlace between(const PartPlace& from, const PartPlace& to)
+FootPlace between(const FootPlace& from, const FootPlace& to)
 {
     if (from.surface != to.surface)
         return to;
@@ -62,10 +62,10 @@ public:
 
     MoveContact contact(const CutMove& move)
     {
-        const PartPlace from = last_ && last_point_ == move.point - 1
+        const FootPlace from = last_ && last_point_ == move.point - 1
                                    ? *last_
                                    : end_place(move.point - 1, move.from);
-        const PartPlace to = end_place(move.point, move.to);
+        const FootPlace to = end_place(move.point, move.to);
         last_ = to;
         last_point_ = move.point;
         // The tolerance is the radius: the ball at the middle of a chord is off the part
@@ -78,7 +78,7 @@ public:
     const Miss& worst() const { return worst_; }
 
 private:
-    PartPlace end_place(std::size_t point, const Vec3& tip)
+    FootPlace end_place(std::size_t point, const Vec3& tip)
     {
         const auto stated = stated_place(path_.points[point], part_);
         const BallFoot foot =
@@ -93,7 +93,7 @@ private:
     const ToolPath& path_;
     const ContactSearch& part_;
     const BallOnPart& ball_;
-    std::optional<PartPlace> last_;
+    std::optional<FootPlace> last_;
     std::size_t last_point_ = 0;  // point of the path to which `last_` belongs
     Miss worst_;
 };
