@@ -40,7 +40,7 @@ std::vector<CsvCell> measured_cells(const JudgedPath& judged)
             count(judged.uncovered),
             judged.chord.greatest_mm,
             judged.motion.gouge.greatest_mm,
-            judged.motion.left.greatest_mm,
+            judged.motion.remaining.greatest_mm,
             left.max_gouge_mm,
             left.gouge_bound_mm,
             left.gouge_area_mm2,

@@ -17,7 +17,7 @@ void add_motion(Json& summary, const PlannedDirection& planned)
     const MotionError& error = planned.motion_error;
     summary["max_motion_error_mm"] = error.greatest_mm();
     summary["max_motion_gouge_mm"] = error.gouge.greatest_mm;
-    summary["max_motion_left_mm"] = error.left.greatest_mm;
+    summary["max_motion_left_mm"] = error.remaining.greatest_mm;
     summary["motion_error_bound_mm"] = error.bound_mm;
     summary["lifted_links"] = planned.lifted_links;
     summary["uncovered_places"] = planned.uncovered.size();

@@ -17,7 +17,7 @@
 #include "endmill/figures/section_svg.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/result_csv.h"
-#include "endmill/planning/section_linking.h"
+#include "endmill/planning/linking.h"
 #include "endmill/trimming/trimmed_planes.h"
 #include "endmill/trimming/trimming_quality.h"
 

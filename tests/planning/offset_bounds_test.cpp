@@ -43,7 +43,7 @@ double greatest_share(const Surface& surface, double height)
                 t * ((1 - s) * offset(u0, v1) + s * offset(u1, v1));
             const Vec3 point = offset(std::lerp(u0, u1, s), std::lerp(v0, v1, t));
             greatest = std::max(greatest, ((point - bilinear).norm() - 1e-12) /
-                                              bends.stray(u1 - u0, v1 - v0, height));
+                                              bends.deviation(u1 - u0, v1 - v0, height));
         }
     }
     return greatest;

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
-#include "endmill/planning/economy.h"
+#include "endmill/planning/iso_parametric.h"
 #include "endmill/surface/tool_side.h"
 #include "planned_path.h"
 #include "test_surfaces.h"
@@ -25,19 +25,21 @@ IsoParametricOptions six_mm(Parameter direction = Parameter::U)
     return options;
 }
 
-MarchedSurface marched_surface(const Surface& surface)
+// The surface as it is marched on along u with the axis +z.
+MarchedSurface upright(const Surface& surface)
 {
     return {surface, tool_side_sign(surface, Vec3::UnitZ())};
 }
 
-MarchedPass march(const Surface& surface, double v, bool is_last)
+MarchedPass march(const Surface& surface, double v, PassRole role)
 {
-    return march_pass(marched_surface(surface), v, is_last, BallCutter{5}, six_mm());
+    return march_pass(upright(surface), v, role, BallCutter{5}, six_mm());
 }
 
 TEST(MarchPass, OnAPlaneGoesFromEndToEndAndAllowsOneInterval)
 {
-    const MarchedPass pass = march(test::plane(200, 120, {3, 2}), 0.5, false);
+    const MarchedPass pass =
+        march(test::plane(200, 120, {3, 2}), 0.5, PassRole::Followed);
     ASSERT_EQ(pass.contacts.size(), 2U);
     EXPECT_EQ(pass.contacts[0].u, 0);
     EXPECT_EQ(pass.contacts[1].u, 3);
@@ -46,20 +48,22 @@ TEST(MarchPass, OnAPlaneGoesFromEndToEndAndAllowsOneInterval)
     EXPECT_EQ(pass.contacts[0].contact.normal, Vec3::UnitZ());
     ASSERT_TRUE(pass.next);
     EXPECT_NEAR(pass.next->v, 0.5 + 6 * 2 / 120.0, 1e-12);
-    EXPECT_EQ(pass.next->at.v, 0.5);
-    EXPECT_EQ(pass.next->partner.v, pass.next->v);
+    ASSERT_TRUE(pass.next->governing);
+    EXPECT_EQ(pass.next->governing->v, pass.next->v);
+    EXPECT_EQ(pass.next->governing->at.v, 0.5);
+    EXPECT_EQ(pass.next->governing->partner.v, pass.next->v);
 }
 
 TEST(MarchPass, ThatIsTheLastAllowsNothing)
 {
-    EXPECT_FALSE(march(test::plane(200, 120), 1, true).next);
+    EXPECT_FALSE(march(test::plane(200, 120), 1, PassRole::Last).next);
 }
 
 TEST(MarchPass, RisesAlongTheLineWithNormalsOnTheToolsSide)
 {
     for (const Surface& surface :
          {test::saddle(40, 50, {2, 2}), transposed(test::saddle(40, 50, {2, 2}))}) {
-        const MarchedPass pass = march(surface, 0.7, false);
+        const MarchedPass pass = march(surface, 0.7, PassRole::Followed);
         ASSERT_GT(pass.contacts.size(), 3U);
         for (std::size_t k = 0; k < pass.contacts.size(); ++k) {
             EXPECT_GT(pass.contacts[k].contact.normal.z(), 0);
@@ -78,19 +82,10 @@ TEST(MarchPass, OfWhichNoPlaceLimitsTheNextSaysSo)
     IsoParametricOptions options;
     options.scallop_height = 0.5;
     const MarchedPass pass =
-        march_pass(marched_surface(trough), 0.5, false, BallCutter{5}, options);
+        march_pass(upright(trough), 0.5, PassRole::Followed, BallCutter{5}, options);
     ASSERT_TRUE(pass.next);
     EXPECT_TRUE(std::isinf(pass.next->v));
-}
-
-TEST(InSurfaceOrder, ExchangesTheParametersOfPassesAlongV)
-{
-    const SurfacePoint along_u = in_surface_order({1, 2}, Parameter::U);
-    const SurfacePoint along_v = in_surface_order({1, 2}, Parameter::V);
-    EXPECT_EQ(along_u.u, 1);
-    EXPECT_EQ(along_u.v, 2);
-    EXPECT_EQ(along_v.u, 2);
-    EXPECT_EQ(along_v.v, 1);
+    EXPECT_FALSE(pass.next->governing);
 }
 
 // (120 x, 60 x y, 0) + pole: rays along u from the point `pole`.

@@ -11,7 +11,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/planning/economy.h"
-#include "endmill/planning/motion_error.h"
+#include "endmill/planning/path_error.h"
 #include "normal_depth.h"
 #include "planned_path.h"
 #include "revolved_surfaces.h"
@@ -65,7 +65,7 @@ void expect_kept(const std::vector<Surface>& part, const Demand& demand, int cou
         EXPECT_LE(deviation.beyond_height, 1e-9);
         const MotionError error = motion_error(part, plan.path, ball, direction);
         EXPECT_LE(error.gouge.greatest_mm, demand.tolerances.inner + error.bound_mm);
-        EXPECT_LE(error.left.greatest_mm, demand.tolerances.outer + error.bound_mm);
+        EXPECT_LE(error.remaining.greatest_mm, demand.tolerances.outer + error.bound_mm);
     }
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "endmill/offset/offset_mesh.h"
-#include "endmill/planning/section_linking.h"
+#include "endmill/planning/linking.h"
 #include "endmill/surface/extent.h"
 #include "endmill/surface/tool_side.h"
 #include "endmill/trimming/cut_out.h"

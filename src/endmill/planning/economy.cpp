@@ -9,12 +9,14 @@
 namespace endmill {
 namespace {
 
+// Adds the lengths of the straight move between two points with contacts.
 void add_move(Travel& travel, const PathPoint& from, const PathPoint& to)
 {
     travel.contact_mm += (to.contact->contact.point - from.contact->contact.point).norm();
     travel.tip_mm += (to.location.tip - from.location.tip).norm();
 }
 
+// The relative difference of two positive numbers.
 double reduction(double one, double other)
 {
     return (std::max(one, other) - std::min(one, other)) / std::max(one, other);

@@ -6,48 +6,54 @@
 #include "endmill/path/tool_path.h"
 #include "endmill/surface/surface_jet.h"
 
+/// \file
+/// The cost of a path, and the comparison of the two feed directions.
+
 namespace endmill {
 
-/// A length by the two points of the cutter that one may follow.
+/// A path length, measured at two points of the cutter.
 struct Travel {
-    double contact_mm;  ///< of the chords between contacts, as the paper's tables count
-    double tip_mm;      ///< of the cutter's tip, as the machine moves
+    double contact_mm;  ///< sum of the chords between contacts, as in the paper's tables
+    double tip_mm;      ///< length of the way of the tip, which the machine travels
 };
 
-/// What a path costs.
+/// The cost of a path.
 struct PathEconomy {
-    std::size_t passes;  ///< runs of points that share their `pass`
-    std::size_t ncl;     ///< CL points: those at which the cutter touches the part
+    std::size_t passes;  ///< number of runs of points with the same `pass`
+    std::size_t ncl;     ///< number of CL points, at which the cutter touches the part
     Travel cut;          ///< along the passes
-    Travel link;         ///< between them, at feed; lifted moves are in neither
+    Travel link;         ///< straight links between passes; lifted moves count in neither
 };
 
 /// Counts the points of `path` and sums the straight moves between them.
 /// Source: [KimChoi, section 4.3], NCL and TCD.
 ///
-/// \param path any; nothing costs nothing.
+/// \param path any path; an empty path has cost zero.
 /// \throws DomainError if a cut or link does not lead from one contact to another.
 /// The counts are exact; the relative error of a length is below 1.2e-16 (n + 4) for n
 /// moves.
 PathEconomy path_economy(const ToolPath& path);
 
-/// How plans along u and along v compare.
+/// Comparison of plans along u and along v.
 struct DirectionComparison {
-    Parameter
-        recommended;  ///< the shorter one; of equals the one with fewer points, then u
-    double reduction_ncl;  ///< (max - min) / max of the points, from 0 to below 1
-    double reduction_tcd;  ///< (max - min) / max of the travel, likewise
+    /// The direction with the shorter travel. If both are equal, the one with fewer points;
+    /// if these are equal too, u.
+    Parameter recommended;
+    double reduction_ncl;  ///< (max - min) / max of the number of points, in [0, 1)
+    double reduction_tcd;  ///< (max - min) / max of the travel, in [0, 1)
 };
 
-/// Points and travel of one direction.
+/// Number of points and travel of the plan along one direction.
 struct DirectionCost {
     std::size_t ncl;  ///< number of CL points
-    double tcd_mm;    ///< travel, by contacts or by tips as the caller counts it
+    double tcd_mm;    ///< travel, by contacts or by tips as the caller chooses
 };
 
 /// Compares planning along u with planning along v.
-/// Source: [KimChoi, section 4.3 and the head of table 1].
+/// Source: [KimChoi, section 4.3, table 1].
 ///
+/// \param u cost of the plan along u.
+/// \param v cost of the plan along v.
 /// \throws DomainError unless all four numbers are positive and finite.
 /// The choice is exact; relative error of a reduction below 4e-16 for counts below 2^53.
 DirectionComparison compare_directions(const DirectionCost& u, const DirectionCost& v);

@@ -9,19 +9,31 @@
 #include "endmill/core/error.h"
 #include "endmill/core/tolerance.h"
 #include "endmill/planning/detail/cross_section.h"
+#include "endmill/planning/detail/marched_surface.h"
 #include "endmill/planning/detail/pass_march.h"
 #include "endmill/planning/path_interval.h"
 #include "endmill/planning/step_length.h"
 #include "endmill/surface/detail/iso_line.h"
 #include "endmill/surface/tool_side.h"
 
+// The planner works pass by pass:
+// 1. The surface is transposed if the passes run along v, so that every pass runs along u.
+// 2. march_pass computes the contacts of the pass at v. Each contact has a candidate for the
+//    parameter of the next pass; the rule `governing` selects one.
+// 3. The next pass lies there, on the border, or nowhere, as `last_path` demands.
+// 4. After the last pass, link_passes joins the contacts to a path.
+// With March::Alternate every other pass is marched on the surface reversed in u, and its result
+// is reversed back.
+
 namespace endmill {
 namespace {
 
-// In widths of a patch: a pass that advances less makes no progress.
+// Widths of a patch. A pass that advances less than this makes no progress: the planner would
+// need more than 10 000 passes for one patch.
 constexpr double least_advance = 1e-4;
 
-// Where the pass after the one at v lies; nothing if that was the last.
+// The parameter of the pass after the one at v, or nothing if that was the last.
+// `candidate` is the parameter that the governing contact allows.
 std::optional<double> next_pass(const Surface& surface, double v, double candidate,
                                 LastPath last_path)
 {
@@ -37,15 +49,17 @@ std::optional<double> next_pass(const Surface& surface, double v, double candida
     return std::nullopt;
 }
 
+// Turns a pass that was marched on the surface reversed in u into one on the original surface.
 void turn_round(MarchedPass& pass, Interval range)
 {
     const auto turned = [&](double u) { return range.low + range.high - u; };
     std::ranges::reverse(pass.contacts);
     for (SurfaceContact& contact : pass.contacts)
         contact.u = turned(contact.u);
-    if (pass.next) {
-        pass.next->at.u = turned(pass.next->at.u);
-        pass.next->partner.u = turned(pass.next->partner.u);
+    if (pass.next && pass.next->governing) {
+        PassCandidate& governing = *pass.next->governing;
+        governing.at.u = turned(governing.at.u);
+        governing.partner.u = turned(governing.partner.u);
     }
 }
 
@@ -63,11 +77,13 @@ void require_sound(const BallCutter& cutter, const IsoParametricOptions& options
             "plan_iso_parametric: the axis must be a unit vector");
 }
 
+// All passes of a surface, with parameters of the marched surface.
 struct MarchedPasses {
     std::vector<Pass> passes;
     std::vector<std::optional<GoverningPoint>> governing;
 };
 
+// Plans the passes of one surface, along u.
 class SurfacePlanner {
 public:
     SurfacePlanner(MarchedSurface forward, const BallCutter& cutter,
@@ -87,14 +103,15 @@ public:
         std::size_t points = 0;
         std::optional<double> v = low;
         while (v) {
-            MarchedPass pass = march(*v, *v == end, result.passes.size() % 2 == 1);
+            const PassRole role = *v == end ? PassRole::Last : PassRole::Followed;
+            MarchedPass pass = march(*v, role, result.passes.size());
             points += pass.contacts.size();
             if (points > options_.most_points)
                 throw LimitError{"the path has more than " +
                                  std::to_string(options_.most_points) +
-                                 " points, the most that fit"};
-            result.governing.push_back(governing_point(pass.next));
-            const std::optional<PassCandidate> next = pass.next;
+                                 " points, the limit"};
+            const std::optional<NextPass> next = pass.next;
+            result.governing.push_back(governing_point(next));
             result.passes.push_back(std::move(pass.contacts));
             if (options_.progress)
                 options_.progress((*v - low) / (end - low));
@@ -104,15 +121,16 @@ public:
     }
 
 private:
-    MarchedPass march(double v, bool is_last, bool is_odd) const
+    MarchedPass march(double v, PassRole role, std::size_t number) const
     {
-        if (!backward_ || !is_odd)
-            return march_pass(forward_, v, is_last, cutter_, options_);
-        MarchedPass pass = march_pass(*backward_, v, is_last, cutter_, options_);
+        if (!backward_ || number % 2 == 0)
+            return march_pass(forward_, v, role, cutter_, options_);
+        MarchedPass pass = march_pass(*backward_, v, role, cutter_, options_);
         turn_round(pass, backward_->surface.range(Parameter::U));
         return pass;
     }
 
+    // The parameter of the pass after the one at v. The error names the start of that pass.
     std::optional<double> following(double v, double candidate) const
     {
         const double width = forward_.surface.patch_width(Parameter::V, v);
@@ -125,20 +143,21 @@ private:
         return next_pass(forward_.surface, v, candidate, options_.last_path);
     }
 
-    std::optional<GoverningPoint> governing_point(
-        const std::optional<PassCandidate>& next) const
+    static std::optional<GoverningPoint> governing_point(
+        const std::optional<NextPass>& next)
     {
-        if (!next || !std::isfinite(next->v) || options_.governing == Governing::Mean)
+        if (!next || !next->governing)
             return std::nullopt;
-        return GoverningPoint{next->at, next->partner};
+        return GoverningPoint{next->governing->at, next->governing->partner};
     }
 
     MarchedSurface forward_;
-    std::optional<MarchedSurface> backward_;
+    std::optional<MarchedSurface> backward_;  // reversed in u; for March::Alternate only
     const BallCutter& cutter_;
     const IsoParametricOptions& options_;
 };
 
+// Exchanges u and v of all contacts and governing points.
 void exchange_parameters(MarchedPasses& marched)
 {
     for (Pass& pass : marched.passes)
@@ -151,15 +170,7 @@ void exchange_parameters(MarchedPasses& marched)
         }
 }
 
-// Exchanging the parameters turns du x dv round.
-MarchedSurface surface_to_march(const Surface& surface, double side, Parameter direction)
-{
-    if (direction == Parameter::U)
-        return {surface, side};
-    return {transposed(surface), -side};
-}
-
-// A piece of a parameter's range: an eighth of a patch.
+// An eighth of a patch in one parameter.
 struct ParameterCell {
     double middle;
     double width;
@@ -186,7 +197,7 @@ IsoParametricPlan plan_iso_parametric(const Surface& surface, const BallCutter& 
     require_sound(cutter, options);
     const double side = tool_side_sign(surface, options.link.axis);
     require_reachable(surface, options.link.axis, side);
-    MarchedSurface marched = surface_to_march(surface, side, options.direction);
+    MarchedSurface marched = marched_surface(surface, side, options.direction);
     MarchedPasses result = SurfacePlanner{std::move(marched), cutter, options}.plan();
     if (options.direction == Parameter::V)
         exchange_parameters(result);
@@ -221,15 +232,15 @@ double estimated_points(const Surface& surface, const BallCutter& cutter,
                         const IsoParametricOptions& options)
 {
     require_sound(cutter, options);
-    const MarchedSurface marched = surface_to_march(
+    const MarchedSurface marched = marched_surface(
         surface, tool_side_sign(surface, options.link.axis), options.direction);
     const std::vector<ParameterCell> cells =
         parameter_cells(marched.surface, Parameter::U);
     double total = 0;
     for (const ParameterCell& row : parameter_cells(marched.surface, Parameter::V)) {
         const IsoLine line{marched.surface, row.middle};
-        double steps = 1;   // of a pass here
-        double passes = 0;  // in this row, by its narrowest interval
+        double steps = 1;   // number of points of a pass in this row
+        double passes = 0;  // number of passes in this row, by its narrowest interval
         for (const ParameterCell& cell : cells) {
             const SurfaceJet jet = line.jet(cell.middle);
             if (is_singular({jet.point, jet.du, jet.dv}))

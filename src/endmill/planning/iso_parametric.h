@@ -1,140 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "endmill/cutter/cutter.h"
 #include "endmill/path/tool_path.h"
-#include "endmill/planning/linking.h"
-#include "endmill/surface/largest_cutter.h"
+#include "endmill/planning/planner_options.h"
 #include "endmill/surface/surface.h"
+
+/// \file
+/// The planner of the paper: passes along iso-parametric lines, with step lengths and path
+/// intervals from circles of curvature.
 
 namespace endmill {
 
-/// Which point of a pass decides how far the next one lies.
-enum class Governing {
-    Min,       ///< the one that allows least: the scallop holds at every CL point
-    DenseMin,  ///< the same over 16 more samples a patch
-    Mean,      ///< the mean of what the CL points allow
-    First,     ///< the first one marched
-    Max,       ///< the one that allows most
-};
-
-/// What happens where the next pass would lie beyond the border.
-enum class LastPath {
-    Border,  ///< a pass on the border
-    None,    ///< no more pass
-    Half,    ///< a pass on the border if at least half an interval is left
-};
-
-/// What happens where no further step fits on a pass.
-enum class EndPoint {
-    Force,  ///< the end of the line becomes a CL point
-    Free,   ///< the pass stops at its last point
-};
-
-/// Which curvature the step length follows.
-enum class StepCurvature {
-    Curve,   ///< of the line as a space curve
-    Normal,  ///< of the surface along the line
-};
-
-/// In which sense passes are computed, which decides where their points fall.
-enum class March {
-    Forward,    ///< always with the rising parameter
-    Alternate,  ///< every other one from its far end
-};
-
-/// How the curvature across the feed is found.
-enum class CrossCurvature {
-    Exact,  ///< by the second fundamental form
-    Chord,  ///< by the paper's eq. (8)
-};
-
-/// What the paper asks for and what it leaves open, with this project's defaults.
-struct IsoParametricOptions {
-    Parameter direction = Parameter::U;  ///< along which the passes run
-    double chord_tolerance = 0.5;        ///< delta, mm
-    double scallop_height = 0.5;         ///< h, mm
-    Governing governing = Governing::Min;
-    LastPath last_path = LastPath::Border;
-    EndPoint end_point = EndPoint::Force;
-    bool stop_at_borders = false;  ///< a CL point on every patch border
-    StepCurvature step_curvature = StepCurvature::Curve;
-    March march = March::Forward;
-    CrossCurvature cross_curvature = CrossCurvature::Exact;
-    double cross_step = 0.5;  ///< epsilon of eq. (7), mm; for CrossCurvature::Chord
-    LinkOptions link = {};    ///< order, tool axis, safe height
-    std::size_t most_points = 40'000'000;             ///< beyond it LimitError is thrown
-    std::function<void(double share)> progress = {};  ///< called after each pass, if set
-};
-
-/// The place that decided the distance to the next pass.
+/// The contact that determined the distance to the next pass.
 struct GoverningPoint {
-    SurfacePoint at;
-    SurfacePoint partner;  ///< where the scallop height is reached: its (u*, v*)
+    SurfacePoint at;       ///< parameters of the contact
+    SurfacePoint partner;  ///< parameters (u*, v*) of its neighbour on the next pass
 };
 
-/// A path and how its passes came about.
+/// A planned path.
 struct IsoParametricPlan {
-    ToolPath path;
-    /// One a pass, in order; none for the last pass, for Governing::Mean, and where
-    /// nothing limited the next pass.
+    ToolPath path;  ///< all passes and the links between them
+    /// One entry for each pass, in order. It is empty for the last pass, for
+    /// Governing::Mean, and if nothing limited the interval.
     std::vector<std::optional<GoverningPoint>> governing;
 };
 
-/// Plans passes along iso-parametric lines from one border of the surface to the other:
-/// on each line the longest steps that keep the chord tolerance, between lines the widest
-/// interval that keeps the scallop height.
-/// Source: [KimChoi, section 4 and 5]: eq. (1)-(3) along a pass, eq. (4)-(10) across.
-/// It holds its tolerances only as far as the paper's circles stand for the surface.
+/// Plans passes along iso-parametric lines from one border of the surface to the other.
+/// Along a pass it takes the longest steps that keep the chord tolerance; between passes it
+/// takes the widest interval that keeps the scallop height.
 ///
+/// The tolerances hold only as far as circles of curvature approximate the surface; the
+/// planner does not check the result. Use `path_error.h` to measure it, or plan_verified.
+/// Source: [KimChoi, section 4, section 5]: eq. (1) to (3) along a pass, eq. (4) to (10)
+/// across; docs/mathematics/economic-cl-data.md, section 10.
+///
+/// \param surface to machine. On a collapsed edge a pass is a single point if the normal has
+///        a limit there.
+/// \param cutter the ball.
+/// \param options see there.
 /// \throws DomainError if a tolerance, the scallop height or the axis is out of range.
-/// \throws GeometryError, with the place, where N . axis <= 0, the surface has no normal,
-/// the ball does not fit, or a pass makes no progress. A pass on a collapsed edge is one
-/// point, if the normal has a limit there.
+/// \throws GeometryError with the place if N . axis <= 0, the surface has no normal, the ball
+///         does not fit, or a pass makes no progress.
 /// \throws LimitError if the path has more than `most_points` points.
 IsoParametricPlan plan_iso_parametric(const Surface& surface, const BallCutter& cutter,
                                       const IsoParametricOptions& options);
 
-/// A path over each of `surfaces` by itself, in their order, joined by `join_paths`; the
-/// governing points follow each other, numbers of passes count on.
-/// \throws as the above; `most_points` is that of all.
+/// Plans each surface separately, in the given order, and joins the paths by `join_paths`.
+/// Pass numbers and governing points continue from one surface to the next.
+/// \param surfaces the part; at least one.
+/// \param cutter the ball.
+/// \param options see there; `most_points` limits the whole path.
+/// \throws DomainError, GeometryError and LimitError as for one surface.
 IsoParametricPlan plan_iso_parametric(std::span<const Surface> surfaces,
                                       const BallCutter& cutter,
                                       const IsoParametricOptions& options);
 
-/// Rough number of points that plan_iso_parametric would return, within a factor of two
-/// or so: from the intervals at 8 by 8 places a patch. Takes well under a millisecond a
-/// patch.
+/// Estimates the number of points that plan_iso_parametric returns. The estimate sums step
+/// lengths and path intervals at 8 by 8 places a patch, and is right to a factor of about
+/// two. It takes well under a millisecond a patch.
+/// \param surface to machine.
+/// \param cutter the ball.
+/// \param options see there.
+/// \throws DomainError as plan_iso_parametric.
 double estimated_points(const Surface& surface, const BallCutter& cutter,
                         const IsoParametricOptions& options);
-
-/// Diameters in mm of the balls to choose from, the largest first.
-inline constexpr std::array<double, 8> stock_diameters{20, 15, 10, 6, 4, 3, 2, 1};
-
-/// Whether `ball` is smaller than the largest that fits, of which there may be none.
-bool fits(const BallCutter& ball, const std::optional<CutterLimit>& limit);
-
-/// Diameter in mm of the largest ball of `stock_diameters` that fits.
-/// \return nothing if none does.
-std::optional<double> default_diameter(const std::optional<CutterLimit>& limit);
-
-/// Default of the tolerances and of the scallop height of a verified plan, in mm: a common
-/// requirement for a finished surface.
-inline constexpr double verified_tolerance = 0.01;
-
-/// Chord tolerance and scallop height in mm for `ball` as the paper chooses them: a
-/// thirtieth of its diameter, as 0.5 mm with a ball of 15 mm in [KimChoi, fig. 12].
-double default_tolerance(const BallCutter& ball);
-
-/// Height in mm along `axis`, a unit vector, at which the cutter moves freely: 5 mm above
-/// the highest point of the surfaces, to within 1e-9 of their diagonals.
-double default_safe_height(std::span<const Surface> surfaces, const Vec3& axis);
 
 }  // namespace endmill

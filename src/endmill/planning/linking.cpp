@@ -2,6 +2,8 @@
 #include "endmill/planning/linking.h"
 
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -9,7 +11,7 @@
 namespace endmill {
 namespace {
 
-// The same location at the safe height.
+// The location at the safe height above `location`.
 CutterLocation lifted(const CutterLocation& location, const LinkOptions& options)
 {
     const double height = location.tip.dot(options.axis);
@@ -20,6 +22,7 @@ CutterLocation lifted(const CutterLocation& location, const LinkOptions& options
     return {location.tip + (options.safe_height - height) * options.axis, location.axis};
 }
 
+// Appends moves between contacts to a path, and numbers its passes and points.
 class PathBuilder {
 public:
     PathBuilder(const BallCutter& cutter, const LinkOptions& options, std::size_t points)
@@ -36,7 +39,7 @@ public:
         add(move, locate(cutter_, contact.contact, options_.axis), contact);
     }
 
-    // From the end of the path so far to above `contact`, where a plunge may follow.
+    // Appends a retract and a rapid to the place above `contact`. A plunge may follow.
     void lift_over(const SurfaceContact& contact)
     {
         const CutterLocation next = locate(cutter_, contact.contact, options_.axis);
@@ -57,6 +60,67 @@ private:
     const LinkOptions& options_;
     ToolPath path_;
     int pass_ = -1;
+    int point_ = 0;
+};
+
+// Appends trimmed curves to a path as passes of cutter tips.
+class SectionPath {
+public:
+    SectionPath(const DriveFrame& frame, const Cutter& cutter, const LinkOptions& options)
+        : frame_{frame},
+          corner_radius_{cutter.corner_radius()},
+          safe_height_{options.safe_height}
+    {
+    }
+
+    void reserve(std::size_t points) { path_.points.reserve(points); }
+
+    void add_pass(const TrimmedCurve& curve, double across, bool backwards)
+    {
+        const std::size_t count = curve.points.size();
+        point_ = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const SectionPoint& at = curve.points[backwards ? count - 1 - k : k].at;
+            const Vec3 tip = tip_of(at, across);
+            if (k == 0 && pass_ > 0)
+                lift_over(tip);
+            add(k == 0 ? Move::Plunge : Move::Cut, tip);
+        }
+        ++pass_;
+    }
+
+    ToolPath take() { return std::move(path_); }
+
+private:
+    // The tip for a reference point, which lies one corner radius above it.
+    Vec3 tip_of(const SectionPoint& at, double across) const
+    {
+        const Vec3 tip = frame_.point(at.x(), across, at.y() - corner_radius_);
+        if (tip.z() > safe_height_)
+            throw GeometryError{"the safe height " + to_text(safe_height_) +
+                                " mm lies below the path, which reaches " +
+                                to_text(tip.z()) + " mm"};
+        return tip;
+    }
+
+    void lift_over(const Vec3& next)
+    {
+        const Vec3& last = path_.points.back().location.tip;
+        const Vec3 up{last.x(), last.y(), safe_height_};
+        add(Move::Retract, up);
+        add(Move::Rapid, {next.x(), next.y(), safe_height_});
+    }
+
+    void add(Move move, const Vec3& tip)
+    {
+        path_.points.push_back({pass_, point_++, move, {tip, Vec3::UnitZ()}, {}});
+    }
+
+    const DriveFrame& frame_;
+    double corner_radius_;
+    double safe_height_;
+    ToolPath path_;
+    int pass_ = 0;
     int point_ = 0;
 };
 
@@ -131,7 +195,7 @@ ToolPath join_paths(std::span<const ToolPath> paths, const LinkOptions& options)
         if (points.empty())
             continue;
         const int patch = static_cast<int>(number);
-        int lifts = 0;  // rows before the first pass of this path, which they count to
+        int lifts = 0;  // points of the lift, which belong to the first pass of this path
         if (!joined.points.empty()) {
             const CutterLocation from = lifted(joined.points.back().location, options);
             const CutterLocation to = lifted(points.front().location, options);
@@ -149,6 +213,26 @@ ToolPath join_paths(std::span<const ToolPath> paths, const LinkOptions& options)
         passes = joined.points.back().pass + 1;
     }
     return joined;
+}
+
+ToolPath link_sections(std::span<const PlaneCurves> planes, const DriveFrame& frame,
+                       const Cutter& cutter, const LinkOptions& options)
+{
+    require(options.axis == Vec3::UnitZ(), "link_sections: the axis must be +z");
+    std::size_t points = 0;
+    for (const PlaneCurves& plane : planes)
+        for (const TrimmedCurve& curve : plane.curves)
+            points += curve.points.size() + 2;
+    SectionPath path{frame, cutter, options};
+    path.reserve(points);
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+        const auto& [across, curves] = planes[k];
+        const bool backwards = options.order == PassOrder::ZigZag && k % 2 == 1;
+        for (std::size_t c = 0; c < curves.size(); ++c)
+            path.add_pass(curves[backwards ? curves.size() - 1 - c : c], across,
+                          backwards);
+    }
+    return path.take();
 }
 
 }  // namespace endmill

@@ -6,58 +6,96 @@
 #include <span>
 #include <vector>
 
+#include "endmill/cutter/cutter.h"
+#include "endmill/offset/drive_planes.h"
 #include "endmill/path/tool_path.h"
+#include "endmill/trimming/trimming.h"
+
+/// \file
+/// Joins passes on surfaces, and trimmed curves in drive planes, to one tool path. A link is
+/// either a straight move at cutting feed, or a retract, a rapid at the safe height and a
+/// plunge.
 
 namespace endmill {
 
-/// Contacts along one line of the surface, in the direction of the rising parameter.
+/// Contacts along one line of the surface, with rising parameter.
 using Pass = std::vector<SurfaceContact>;
 
-/// In which sense neighbouring passes are cut.
+/// The direction in which neighbouring passes are cut.
 enum class PassOrder {
-    ZigZag,  ///< every other one backwards, linked along the part
-    OneWay,  ///< all forwards; between them the cutter is lifted, moved and lowered
+    ZigZag,  ///< every other pass backwards, linked along the part
+    OneWay,  ///< all passes forwards; the cutter is lifted between them
 };
 
-/// How passes become a path.
+/// How passes are joined.
 struct LinkOptions {
-    PassOrder order = PassOrder::ZigZag;
-    Vec3 axis = Vec3::UnitZ();  ///< unit, from the tip to the spindle
-    double safe_height = 0;     ///< mm along the axis, of the tip when it is lifted
+    PassOrder order = PassOrder::ZigZag;  ///< direction of neighbouring passes
+    Vec3 axis = Vec3::UnitZ();            ///< unit, from the tip to the spindle
+    double safe_height = 0;               ///< mm along the axis, of the lifted tip
 };
 
-/// Joins `passes` to one path. Its first point is reached by a plunge.
-/// Source: [KimChoi, fig. 12, 13] show the zigzag.
-/// \throws GeometryError if the ball cannot touch a contact (N . axis <= 0), or if the
-/// cutter is to be lifted to a height below its path.
+/// Joins `passes` to one path. A plunge reaches the first point.
+/// Source: [KimChoi, fig. 12, fig. 13] show the zigzag.
+/// \param passes  in the order in which they are cut, each with rising parameter.
+/// \param cutter  the ball.
+/// \param options order, axis and safe height.
+/// \throws GeometryError if the ball cannot touch a contact (N . axis <= 0), or if the path
+///         rises above the safe height of a lift.
 ToolPath link_passes(std::span<const Pass> passes, const BallCutter& cutter,
                      const LinkOptions& options);
 
-/// Contacts of a pass that are cut without a break, in the order in which they are.
+/// Contacts of a pass that are cut without interruption, in the order of cutting.
 struct PassPiece {
-    int pass;  ///< its number, from 0, rising
-    Pass contacts;
+    int pass;       ///< number of the pass, from 0, rising from piece to piece
+    Pass contacts;  ///< at least one
 };
 
-/// A path and how many of the links between its pieces are lifted.
+/// A path, and the number of its lifted links.
 struct LinkedPath {
-    ToolPath path;
-    std::size_t lifted_links;
+    ToolPath path;             ///< all pieces and the links between them
+    std::size_t lifted_links;  ///< links that are lifted because they are not clear
 };
 
-/// Joins `pieces`, in their order, to one path: by a link at cutting feed where
-/// `is_clear` allows it from one contact to the next, else lifted. One-way passes are
-/// lifted from one to the next in any case, which does not count.
-/// 	hrows GeometryError as link_passes.
+/// Joins `pieces` in their order to one path. A link is a straight move at cutting feed if
+/// `is_clear` allows it, otherwise it is lifted. One-way passes are always lifted from one
+/// pass to the next; these lifts are not counted.
+/// \param pieces   in the order in which they are cut.
+/// \param cutter   the ball.
+/// \param options  order, axis and safe height.
+/// \param is_clear whether the straight move between two contacts is free of gouges.
+/// \throws GeometryError as link_passes.
 LinkedPath link_pieces(std::span<const PassPiece> pieces, const BallCutter& cutter,
                        const LinkOptions& options,
                        const std::function<bool(const SurfaceContact& from,
                                                 const SurfaceContact& to)>& is_clear);
 
-/// Joins the paths over the surfaces of a part to one, in their order: from each the
-/// cutter is lifted, moved over the start of the next and lowered. Passes count on, and
-/// each point's `patch` is the number of its path; a path without points is passed over.
-/// \throws GeometryError if the safe height lies below a path.
+/// Joins the paths over the surfaces of a part in their order by lifted links. Pass numbers
+/// continue from path to path, and the `patch` of each point becomes the number of its path.
+/// A path without points is skipped.
+/// \param paths   one for each surface.
+/// \param options axis and safe height.
+/// \throws GeometryError if a path that is lifted rises above the safe height.
 ToolPath join_paths(std::span<const ToolPath> paths, const LinkOptions& options);
+
+/// The trimmed curves in one drive plane.
+struct PlaneCurves {
+    double across;                         ///< t of the plane, mm
+    std::span<const TrimmedCurve> curves;  ///< of reference points
+};
+
+/// Joins trimmed curves to one path of cutter tips. Each curve is a pass: a plunge reaches
+/// it, a retract leaves it, and a rapid at the safe height leads to the next one. Zigzag
+/// cuts the curves of every other plane backwards, the last curve first. Passes are numbered
+/// from 0; the lift that leads to a pass has the number of that pass. A curve of one point is
+/// a plunge alone.
+/// Source: docs/mathematics/interference.md, section 1.
+/// \param planes  in the order in which they are cut.
+/// \param frame   position of the drive planes in space.
+/// \param cutter  its corner radius leads from reference points to tips.
+/// \param options order and safe height; the axis must be +z.
+/// \throws DomainError if the axis is not +z.
+/// \throws GeometryError if a tip lies above the safe height.
+ToolPath link_sections(std::span<const PlaneCurves> planes, const DriveFrame& frame,
+                       const Cutter& cutter, const LinkOptions& options);
 
 }  // namespace endmill

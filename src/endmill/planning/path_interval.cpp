@@ -13,6 +13,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// R is the radius of the ball in mm, k the curvature in 1/mm.
 void require_fit(double R, double k)
 {
     if (1 + k * R <= 0)
@@ -21,6 +22,8 @@ void require_fit(double R, double k)
                             " mm, its limit"};
 }
 
+// The interval whose contacts lie 90 degrees apart, alpha = 45 degrees.
+// Source: paper/notes/path-interval.md, section 6.
 PathInterval at_right_angle(double k)
 {
     const double rho = 1 / std::abs(k);
@@ -39,6 +42,7 @@ PathInterval path_interval(const BallCutter& cutter, double curvature,
     require(0 < scallop_height && scallop_height < 2 * R,
             "path_interval: need 0 < scallop height < 2 cutter radii");
     require_fit(R, k);
+    // The whole concavity lies within h of one ball: h >= 2 (|rho| - R), written without division.
     if (1 + 2 * k * R < 0 && 2 + k * (2 * R + scallop_height) <= 0)
         return {infinity, infinity, infinity, Angle::radians(0), LengthStatus::Unlimited};
 
@@ -51,6 +55,7 @@ PathInterval path_interval(const BallCutter& cutter, double curvature,
         return at_right_angle(k);
     const double g = std::sqrt(g2);
     const double chord = 2 * g * std::sqrt(1 - kg2 / 4);
+    // arc = 4 asin(|k| g / 2) / |k|, written as a factor that tends to 1 with k.
     const double sine = std::abs(k) * g / 2;
     const double quarter_angle = std::asin(sine);
     const double arc = 2 * g * (sine > 0 ? quarter_angle / sine : 1);
@@ -74,6 +79,7 @@ double scallop_height(const BallCutter& cutter, double curvature, double interva
     require(std::isfinite(k), "scallop_height: the curvature must be finite");
     require(std::isfinite(l) && l > 0, "scallop_height: need 0 < interval");
     require_fit(R, k);
+    // m: distance of a ball centre from the bisector of the two contacts.
     const double m = (1 + k * R) * l / 2;
     if (std::abs(k) * l > 2)
         throw GeometryError{"scallop_height: the interval is longer than the diameter " +

@@ -12,7 +12,7 @@ namespace endmill {
 namespace {
 
 constexpr double bytes_per_gib = 0x1p30;
-// estimated_points is within about this factor.
+// Factor within which estimated_points is right.
 constexpr double estimate_margin = 2;
 
 }  // namespace
@@ -33,8 +33,8 @@ void require_path_memory(double points, double memory_gib)
     message << std::setprecision(2) << "about " << points
             << " CL points would need about "
             << points * bytes_per_path_point / bytes_per_gib << " GiB; expected at most "
-            << to_text(memory_gib) << " GiB (--max-memory), which " << most
-            << " points fit: larger tolerances make fewer";
+            << to_text(memory_gib) << " GiB (--max-memory), enough for " << most
+            << " points; larger tolerances need fewer points";
     throw LimitError{message.str()};
 }
 

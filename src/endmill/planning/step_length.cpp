@@ -30,14 +30,16 @@ StepLength step_length(double curvature, double chord_tolerance)
     require(std::isfinite(delta) && delta > 0, "step_length: need 0 < chord tolerance");
 
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    constexpr double most_sagitta = 1 - std::numbers::sqrt2 / 2;  // at 45 degrees
+    // k delta at a half angle of 45 degrees.
+    constexpr double most_sagitta = 1 - std::numbers::sqrt2 / 2;
     if (k * delta > most_sagitta)
         return {std::numbers::sqrt2 / k, 1 / k, Angle::degrees(45),
                 LengthStatus::Clamped};
     const double chord = 2 * std::sqrt(delta * (2 / k - delta));
-    if (!(chord < infinity))  // k is zero, or so small that 1/k overflows
+    // k is zero, or so small that 1/k overflows.
+    if (!(chord < infinity))
         return {infinity, infinity, Angle::radians(0), LengthStatus::Unlimited};
-    // acos(1 - k delta), without its cancellation
+    // Equal to acos(1 - k delta), which would cancel for small angles.
     const Angle half_angle = Angle::radians(2 * std::asin(std::sqrt(k * delta / 2)));
     return {chord, chord * (1 - k * delta), half_angle, LengthStatus::Ok};
 }

@@ -5,31 +5,35 @@
 
 #include "endmill/core/angle.h"
 
+/// \file
+/// The longest straight step along a curve that keeps a chord tolerance.
+
 namespace endmill {
 
-/// Whether a length is what the formula gives.
+/// Whether a length is the value of its formula.
 enum class LengthStatus {
-    Ok,         ///< the formula's value
-    Clamped,    ///< the value at the limit of the formula's meaning
-    Unlimited,  ///< no length is too long; the lengths are infinite
+    Ok,         ///< the value of the formula
+    Clamped,    ///< the value at the limit of the formula's range of validity
+    Unlimited,  ///< every length is allowed; the stored lengths are infinite
 };
 
-/// "ok", "clamped" or "unlimited".
+/// The name of `status` in files: "ok", "clamped" or "unlimited".
 std::string_view length_status_name(LengthStatus status);
 
-/// How far the cutter may go straight along a curve.
+/// A straight step along a curve.
 struct StepLength {
-    double chord;      ///< L in mm, straight to the next point
-    double projected;  ///< D in mm, of the chord onto the tangent at its start
-    Angle half_angle;  ///< that the chord spans at the centre of curvature
-    LengthStatus status;
+    double chord;      ///< L in mm, distance to the next point
+    double projected;  ///< D in mm, projection of the chord on the tangent at its start
+    Angle half_angle;  ///< theta: half the chord's angle at the centre of curvature
+    LengthStatus status;  ///< whether the formula or a limit determined the values
 };
 
-/// Longest step whose chord stays within `chord_tolerance` of a curve, taken as a circle
-/// of its curvature k at the start: L = 2 sqrt(2 delta/k - delta^2), D = L (1 - k delta).
-/// Beyond 45 degrees D would fall again as delta grows; the step is clamped there to
-/// L = sqrt(2)/k, D = 1/k.
-/// Source: [KimChoi, eq. (1), (2)], written in curvature; the clamp is ours.
+/// Longest step whose chord stays within `chord_tolerance` of a curve. The curve is taken as
+/// the circle of its curvature k at the start: L = 2 sqrt(2 delta/k - delta^2),
+/// D = L (1 - k delta). If its half angle exceeds 45 degrees, D would decrease as delta grows;
+/// the step is then clamped to L = sqrt(2)/k, D = 1/k.
+/// Source: [KimChoi, eq. (1), (2)], written in curvature; the clamp is an addition, see
+/// docs/mathematics/economic-cl-data.md, section 4.
 ///
 /// \param curvature       k in 1/mm; its sign does not matter; 0 gives Unlimited.
 /// \param chord_tolerance delta in mm.

@@ -3,17 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "endmill/core/error.h"
-#include "endmill/core/parallel.h"
 #include "endmill/core/tolerance.h"
-#include "endmill/planning/detail/segment_distance.h"
 #include "endmill/planning/detail/verified_strips.h"
-#include "endmill/planning/path_interval.h"
 #include "endmill/surface/tool_side.h"
+
+// The steps of plan_verified:
+// 1. ClearMoves prepares the gouge tests against all surfaces of the part.
+// 2. For each surface, verified_strips plans the passes and the places it could not cover.
+// 3. The pieces of the passes are put into the order of cutting. A zigzag starts at the end of
+//    its first pass that makes the links shorter.
+// 4. link_pieces joins the pieces. A link that would gouge is lifted.
+// 5. join_paths joins the surfaces.
 
 namespace endmill {
 namespace {
@@ -35,16 +38,8 @@ void require_sound(const BallCutter& cutter, const VerifiedOptions& options)
             "plan_verified: the axis must be a unit vector");
 }
 
-// A surface as it is marched on along u.
-MarchedSurface marched_surface(const Surface& surface, double side, Parameter direction)
-{
-    if (direction == Parameter::U)
-        return {surface, side};
-    return {transposed(surface), -side};
-}
-
-// The way in mm between the ends of neighbouring passes at which a zigzag links them, if
-// the passes with the parity `backwards` are cut backwards.
+// Total length in mm of the links of a zigzag whose passes with number % 2 == `backwards` are
+// cut backwards.
 double link_travel(const std::vector<VerifiedPass>& passes, std::size_t backwards)
 {
     double travel = 0;
@@ -58,7 +53,7 @@ double link_travel(const std::vector<VerifiedPass>& passes, std::size_t backward
     return travel;
 }
 
-// The pieces of all passes in the order in which they are cut.
+// The pieces of all passes in the order of cutting, with the parameters of the part's surface.
 std::vector<PassPiece> pieces_in_order(std::vector<VerifiedPass> passes,
                                        const VerifiedOptions& options)
 {
@@ -81,12 +76,13 @@ std::vector<PassPiece> pieces_in_order(std::vector<VerifiedPass> passes,
     return ordered;
 }
 
+// Joins the pieces; a link is straight if the move between its contacts is clear.
 LinkedPath linked(const std::vector<PassPiece>& pieces, const ClearMoves& clear,
                   const VerifiedOptions& options)
 {
     const auto is_clear = [&](const SurfaceContact& from, const SurfaceContact& to) {
         FinerPieces finer;
-        return clear.hold(
+        return clear.is_clear(
             {ball_centre(from, clear.cutter()), ball_centre(to, clear.cutter())}, finer);
     };
     return link_pieces(pieces, clear.cutter(), options.link, is_clear);

@@ -2,64 +2,62 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
-#include "endmill/planning/detail/verified_pass.h"
-#include "endmill/planning/linking.h"
+#include "endmill/cutter/cutter.h"
+#include "endmill/path/tool_path.h"
+#include "endmill/planning/planner_options.h"
+#include "endmill/surface/surface.h"
+
+/// \file
+/// The planner whose path keeps its tolerances everywhere on the surface, proved by bounds.
 
 namespace endmill {
 
-/// What a verified plan must keep.
-struct VerifiedOptions {
-    Parameter direction = Parameter::U;  ///< along which the passes run
-    MotionTolerances tolerances{0.5, 0.5};
-    double scallop_height = 0.5;           ///< h between passes, mm
-    bool stop_at_borders = false;          ///< a CL point on every patch border
-    LinkOptions link = {};                 ///< order, tool axis, safe height
-    std::size_t most_points = 40'000'000;  ///< beyond it LimitError is thrown
-    std::function<void(double share)> progress = {};  ///< called now and then, if set
-};
-
-/// A place under more material than the tolerances allow, or that could not be shown to
-/// be under less: in a crease that no ball reaches, say. One for each pair of neighbouring
-/// passes at most.
+/// A place where more material remains than the options allow, or may remain because the
+/// bounds could not exclude it. An example is a crease that no ball reaches. The planner
+/// reports at most one place for each pair of neighbouring passes.
 struct UncoveredPlace {
-    int patch;  ///< number of its surface
-    SurfacePoint at;
-    Vec3 point;  ///< mm
+    int patch;        ///< number of the surface, from 0
+    SurfacePoint at;  ///< parameters on it
+    Vec3 point;       ///< mm
 };
 
-/// A path and what it could not keep.
+/// A planned path, and the places at which it does not keep the options.
 struct VerifiedPlan {
-    ToolPath path;
-    std::size_t lifted_links = 0;  ///< links of the zigzag that would have gouged
-    std::vector<UncoveredPlace> uncovered = {};
+    ToolPath path;  ///< all passes and the links between them
+    /// Number of links that are lifted because a straight link would gouge.
+    std::size_t lifted_links = 0;
+    std::vector<UncoveredPlace> uncovered = {};  ///< empty if the whole part is finished
 };
 
-/// Plans passes along iso-parametric lines from one border of each surface to the other,
-/// by the ball's true motion along straight moves:
+/// Plans passes along iso-parametric lines from one border of each surface to the other. It
+/// judges the straight moves of the ball, not only their contacts:
 ///
-/// * no move, links and plunges included, enters any of the surfaces deeper than the inner
-///   tolerance, nor does the shank; nor takes more along the normals at the border, where
-///   the ball reaches under the part;
-/// * beside each move its line is under no more material than the outer tolerance, and
-///   between passes the surface under no more than scallop height and outer tolerance
-///   together, but for the places in `uncovered`.
+/// * No move, including links and plunges, and no part of the shank enters a surface deeper
+///   than the inner tolerance. At the border of the part, where the ball reaches below it,
+///   the depth along the border's normals is limited as well.
+/// * Beside each move, at most the outer tolerance of material remains on the line of the
+///   pass. Between passes at most the scallop height plus the outer tolerance remains, except
+///   at the places in `uncovered`.
 ///
-/// Both are bounded, not sampled. Steps are the longest that do, to a thousandth; passes
-/// lie as far apart as balls that roll along them would leave the scallop height, to a
-/// thousandth, first and last on a border. Where that does not hold once the steps are
-/// straight, a step is halved, or a pass laid between, down to an eighth of the interval.
-/// A zigzag starts at that end of its first pass from which its links are shorter.
-/// Surfaces follow each other in their order, joined by lifted links.
+/// Both statements are proved by bounds over whole surface cells, not by samples. Each step is
+/// the longest that satisfies them, to a thousandth of its length. The intervals are the
+/// widest at which balls that roll along the passes keep the scallop height, to a thousandth;
+/// the first and the last pass lie on borders. If straight steps then break a limit between
+/// two passes, the planner halves a step or inserts a pass, down to an eighth of the interval.
+/// A zigzag starts at the end of its first pass that makes the links shorter. Surfaces are
+/// planned in their order and joined by lifted links.
 ///
+/// The result is the same to the bit for any number of threads.
+/// \param surfaces the part; at least one.
+/// \param cutter the ball.
+/// \param options see there.
 /// \throws DomainError if a tolerance, the scallop height or the axis is out of range.
-/// \throws GeometryError, with the place, where N . axis <= 0, the surface has no normal,
-/// or the ball fits nowhere.
+/// \throws GeometryError with the place if N . axis <= 0 or the surface has no normal; and
+///         if the ball fits nowhere.
 /// \throws LimitError if the path has more than `most_points` points.
-/// The same path, to the bit, with any number of threads.
 VerifiedPlan plan_verified(std::span<const Surface> surfaces, const BallCutter& cutter,
                            const VerifiedOptions& options);
 

@@ -11,23 +11,36 @@
 #include "endmill/core/tolerance.h"
 #include "endmill/planning/detail/patch_offset.h"
 
+// Preparation:
+// 1. The border consists of the sides of patches that do not meet another side.
+// 2. Each side is halved until the border and the curve at the depth t below it, r - t N, deviate
+//    from their chords by little. The deviations are bounded by second derivatives.
+// 3. A binary tree of boxes contains the pieces.
+// Test of a move:
+// 1. Boxes outside the swept region are skipped.
+// 2. A piece is kept if its border chord or its lower chord lies outside the swept region by more
+//    than its deviation. One plane bounds the distance of a chord only to the square of the
+//    chord's length, so the chord is halved until that error is small.
+// Source: paper/notes/border-depth.md, section 3.
+
 namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Of the depth: how well a piece tells where the curve under it is.
-constexpr double stray_share = 2e-3;
-// Halvings of a patch's side: beyond them its normals are not bounded at all.
+// Greatest deviation of the lower curve from its chord, as a share of the depth. It is the accuracy
+// of the test.
+constexpr double deviation_share = 2e-3;
+// Most halvings of the side of a patch. Where more would be needed, its normals are not bounded.
 constexpr int most_halvings = 12;
 
-// A stretch of a patch's side, by shares of it.
+// A stretch of the side of a patch, from `low` to `high` in shares of the side.
 struct Stretch {
     double low;
     double high;
     int halvings;
 };
 
-// The sides at which the part ends.
+// The sides of patches that belong to the border of the part.
 std::vector<PatchSide> border_sides(std::span<const Surface> surfaces)
 {
     std::vector<PatchSide> sides = patch_sides(surfaces);
@@ -41,7 +54,7 @@ std::vector<PatchSide> border_sides(std::span<const Surface> surfaces)
     return borders;
 }
 
-// A place inside the patch of `side`, at which of its parameters does not matter.
+// The parameters of a place inside the patch of `side`.
 SurfacePoint inside_patch(const Surface& surface, const PatchSide& side)
 {
     const auto middle = [&](Parameter parameter, int patch) {
@@ -55,21 +68,21 @@ SurfacePoint inside_patch(const Surface& surface, const PatchSide& side)
                                       : SurfacePoint{beside, along};
 }
 
-// How far the offset by `height` may stray from its chord over a stretch of the side; not
-// known where it crosses from one rectangle of the bounds to another.
-double stray_on(const OffsetBounds& bounds, const PatchSide& side, const Interval& shares,
-                double height)
+// Bound in mm on the deviation of the offset by `height` from its chord over a stretch of the
+// side. Infinite if the stretch crosses from one rectangle of the bounds to another.
+double deviation_on(const OffsetBounds& bounds, const PatchSide& side,
+                    const Interval& shares, double height)
 {
     const SurfacePoint low = side.at(shares.low);
     const SurfacePoint high = side.at(shares.high);
     const OffsetBends& bends = bounds.at((low.u + high.u) / 2, (low.v + high.v) / 2);
     const bool is_inside = bends.low.u <= low.u && high.u <= bends.high.u &&
                            bends.low.v <= low.v && high.v <= bends.high.v;
-    return is_inside ? bends.stray(high.u - low.u, high.v - low.v, height) : infinite;
+    return is_inside ? bends.deviation(high.u - low.u, high.v - low.v, height) : infinite;
 }
 
-// A bound on the distance of the strip from a chord, by the plane at the strip's point
-// nearest to the chord's middle.
+// Lower bound in mm of the distance between a chord and the swept axis. It is the distance from
+// the plane through the axis point nearest to the chord's middle.
 double chord_bound(const Vec3& from, const Vec3& to, const SweptAxis& swept_axis)
 {
     const Vec3 middle = (from + to) / 2;
@@ -78,6 +91,7 @@ double chord_bound(const Vec3& from, const Vec3& to, const SweptAxis& swept_axis
     return std::min(away.dot(from - nearest), away.dot(to - nearest));
 }
 
+// Lower bound in mm of the distance between a box and the swept axis.
 double box_bound(const Eigen::AlignedBox3d& box, const SweptAxis& swept_axis)
 {
     const Vec3 middle = box.center();
@@ -110,7 +124,8 @@ BorderDepth::BorderDepth(std::span<const Surface> surfaces, std::span<const doub
         add_nodes(0, pieces_.size());
 }
 
-// Halves the side until its curves are known.
+// Halves the side until both curves are known well enough. A piece whose lower curve is not known
+// has an infinite deviation; then only its border can prove it outside.
 void BorderDepth::add_pieces(const MarchedSurface& marched, const OffsetBounds& bounds,
                              const PatchSide& side)
 {
@@ -125,22 +140,23 @@ void BorderDepth::add_pieces(const MarchedSurface& marched, const OffsetBounds& 
         const auto [low, high, halvings] = open.back();
         open.pop_back();
         const double middle = (low + high) / 2;
-        const double border_stray = stray_on(bounds, side, {low, high}, 0);
-        const double stray = stray_on(bounds, side, {low, high}, depth_);
-        if (!(stray <= stray_share * depth_) && halvings < most_halvings) {
+        const double border_deviation = deviation_on(bounds, side, {low, high}, 0);
+        const double deviation = deviation_on(bounds, side, {low, high}, depth_);
+        if (!(deviation <= deviation_share * depth_) && halvings < most_halvings) {
             open.push_back({middle, high, halvings + 1});
             open.push_back({low, middle, halvings + 1});
             continue;
         }
         const Chord border{side.tangents(low).point, side.tangents(high).point,
-                           border_stray};
+                           border_deviation};
         const auto from = point_under(low);
         const auto to = point_under(high);
-        pieces_.push_back({border, from && to ? Chord{*from, *to, stray}
+        pieces_.push_back({border, from && to ? Chord{*from, *to, deviation}
                                               : Chord{border.from, border.to, infinite}});
     }
 }
 
+// Adds the subtree of the pieces first to end - 1.
 void BorderDepth::add_nodes(std::size_t first, std::size_t end)
 {
     const std::size_t self = nodes_.size();
@@ -149,8 +165,8 @@ void BorderDepth::add_nodes(std::size_t first, std::size_t end)
         const Chord& border = pieces_[first].border;
         Eigen::AlignedBox3d box{border.from};
         box.extend(border.to);
-        nodes_[self] = {{(box.min().array() - border.stray).matrix(),
-                         (box.max().array() + border.stray).matrix()},
+        nodes_[self] = {{(box.min().array() - border.deviation).matrix(),
+                         (box.max().array() + border.deviation).matrix()},
                         ~static_cast<std::int32_t>(first)};
         return;
     }
@@ -184,12 +200,12 @@ bool BorderDepth::is_kept(const BallMove& move) const
     return true;
 }
 
-// Whether the move clears none of it, or nothing so deep under it. Halved, for one plane
-// tells of a chord to the square of its length only.
+// Whether the move is proved to leave the border of the piece, or the curve below it, outside the
+// swept region.
 bool BorderDepth::is_kept(const Piece& piece, const SweptAxis& swept_axis) const
 {
     const auto is_outside = [&](const Chord& chord) {
-        return chord_bound(chord.from, chord.to, swept_axis) - chord.stray >=
+        return chord_bound(chord.from, chord.to, swept_axis) - chord.deviation >=
                radius_ * (1 - radius_rounding_share);
     };
     if (is_outside(piece.border) || is_outside(piece.under))
@@ -198,12 +214,12 @@ bool BorderDepth::is_kept(const Piece& piece, const SweptAxis& swept_axis) const
         return (chord.to - chord.from).squaredNorm();
     };
     if (std::max(square(piece.border), square(piece.under)) <=
-        8 * radius_ * stray_share * depth_)
+        8 * radius_ * deviation_share * depth_)
         return false;
     const auto part = [](const Chord& chord, int half) -> Chord {
         const Vec3 middle = (chord.from + chord.to) / 2;
-        return half == 0 ? Chord{chord.from, middle, chord.stray}
-                         : Chord{middle, chord.to, chord.stray};
+        return half == 0 ? Chord{chord.from, middle, chord.deviation}
+                         : Chord{middle, chord.to, chord.deviation};
     };
     return std::ranges::all_of(std::array{0, 1}, [&](int half) {
         return is_kept({part(piece.border, half), part(piece.under, half)}, swept_axis);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "endmill/cutter/cutter.h"
 #include "endmill/path/tool_path.h"
-#include "endmill/planning/detail/pass_march.h"
+#include "endmill/planning/detail/marched_surface.h"
 #include "endmill/surface/detail/iso_line.h"
 
 namespace endmill {
@@ -10,17 +11,19 @@ namespace endmill {
 /// The contacts of a ball along the line v = constant of a surface.
 class ContactLine {
 public:
-    /// \param marched outlives this. \param direction tells an error's place.
+    /// \param marched   the surface; must outlive the line.
+    /// \param v         the constant parameter.
+    /// \param direction for the parameters in an error message, see in_surface_order.
     ContactLine(const MarchedSurface& marched, double v, Parameter direction);
 
     double v() const { return line_.v(); }              ///< the constant parameter
     Interval range() const { return line_.range(); }    ///< of u
-    bool is_point() const { return line_.is_point(); }  ///< a pole
+    bool is_point() const { return line_.is_point(); }  ///< whether the line is a pole
 
     Vec3 point(double u) const { return line_.point(u); }  ///< of the surface, mm
 
-    /// The contact at u; on a collapsed edge with the limit of the normal.
-    /// \throws GeometryError, with the place, where there is no normal.
+    /// The contact at u. On a collapsed edge its normal is the limit from inside the surface.
+    /// \throws GeometryError with the place where there is no normal.
     SurfaceContact at(double u) const;
 
 private:
@@ -29,15 +32,19 @@ private:
     IsoLine line_;
 };
 
-/// Whether neither partial vanishes beside the other, by 1e-8, nor are they parallel: else
-/// a normal can only be had as `limit_normal`.
+/// Whether the partials determine a normal: neither is shorter than 1e-8 of the other, and
+/// they are not parallel. Otherwise the normal has to be computed by `limit_normal`.
 bool has_plain_normal(const SurfaceTangents& tangents);
 
-/// The contact at any place of the surface, as ContactLine::at.
+/// The contact at any place of the surface, see ContactLine::at.
+/// \param marched   the surface.
+/// \param at        parameters.
+/// \param direction for the parameters in an error message.
+/// \throws GeometryError with the place where there is no normal.
 SurfaceContact contact_at(const MarchedSurface& marched, const SurfacePoint& at,
                           Parameter direction);
 
-/// The ball's centre when it touches `contact`, in mm.
+/// Centre of the ball in mm when the ball touches `contact`.
 inline Vec3 ball_centre(const SurfaceContact& contact, const BallCutter& cutter)
 {
     return contact.contact.point + cutter.radius() * contact.contact.normal;

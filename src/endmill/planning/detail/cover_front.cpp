@@ -8,19 +8,36 @@
 
 #include "endmill/core/parallel.h"
 
+// How the distance between passes is found:
+// 1. The pass at v is sampled: ball centres at places R / 8 apart or closer.
+// 2. For each sample, a bracketed search in v along u = constant finds the front point, where
+//    the point raised by the scallop height lies just R from the nearest ball centre of the pass.
+// 3. A second search moves a trial pass away from the first one. Its excess is the greatest
+//    distance, less R, of a raised front point from the centres of the trial pass. The next pass
+//    lies where the excess is zero.
+// The nearest centre of a pass is found by descent from a sample and refined by a parabola
+// through three squared distances.
+
 namespace endmill {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+// Sample spacing is at most one over this many radii.
 constexpr double samples_per_radius = 8;
-constexpr double least_samples = 32;  // a patch
+// Least and greatest number of samples of a patch.
+constexpr double least_samples = 32;
 constexpr double most_samples = 1024;
-constexpr int measured_lines = 5;       // of a patch, for its length
-constexpr double same_interval = 2e-4;  // of the interval between passes
-constexpr double same_front = 1e-6;     // of the width that a pass covers
+// Lines of a patch that are measured to find the length of the longest pass.
+constexpr int measured_lines = 5;
+// Accuracy of the next pass, as a share of the interval between the passes.
+constexpr double same_interval = 2e-4;
+// Accuracy of the front, as a share of the width that a pass covers.
+constexpr double same_front = 1e-6;
+// Most iterations of a bracketed search.
 constexpr int most_iterations = 60;
 
-// A bracketed root: `low` is negative or zero, `high` positive.
+// An interval that contains a root: the function is negative or zero at `low`, positive at
+// `high`.
 struct Bracket {
     double low;
     double at_low;
@@ -28,8 +45,8 @@ struct Bracket {
     double at_high;
 };
 
-// Its lower end once it is no wider than `width`, by regula falsi that halves the weight
-// of an end that stays (the Illinois method).
+// Narrows the bracket to `width` and returns its lower end. The method is regula falsi that halves
+// the function value at an end that stays twice (Illinois method).
 template <class Function>
 double last_not_above(Bracket b, double width, const Function& function)
 {
@@ -38,7 +55,8 @@ double last_not_above(Bracket b, double width, const Function& function)
         double share = b.at_low / (b.at_low - b.at_high);
         if (!(share > 0 && share < 1))
             share = 0.5;
-        // Not nearer to an end than half the width asked for, so that both ends move.
+        // The trial point keeps half of `width` from both ends. Otherwise one end might stay
+        // and the bracket would not become narrow.
         const double margin = std::min(0.5, width / 2 / (b.high - b.low));
         const double middle =
             std::lerp(b.low, b.high, std::clamp(share, margin, 1 - margin));
@@ -72,7 +90,8 @@ CoverFront::CoverFront(const MarchedSurface& marched, const BallCutter& cutter,
 {
 }
 
-// By the longest of some lines of each column of patches.
+// The parameters of the samples. The longest of some lines of each column of patches determines
+// their number.
 std::vector<double> CoverFront::sample_parameters() const
 {
     const Surface& surface = marched_->surface;
@@ -127,7 +146,7 @@ CoverFront::Foot CoverFront::foot(const PassSamples& pass, const Vec3& point,
     double least = square(best);
     for (const int step : {1, -1})
         while (true) {
-            const std::size_t next = best + step;  // beyond all if below 0
+            const std::size_t next = best + step;  // wraps to a huge number below 0
             if (next >= pass.centres.size())
                 break;
             const double at_next = square(next);
@@ -138,7 +157,8 @@ CoverFront::Foot CoverFront::foot(const PassSamples& pass, const Vec3& point,
         }
     if (best == 0 || best + 1 == pass.centres.size())
         return {std::sqrt(least), pass.u[best]};
-    // The parabola through the squares at three neighbours, taken as evenly spaced.
+    // The minimum of the parabola through the squared distances of three neighbouring samples,
+    // which are taken as equidistant.
     const double before = square(best - 1);
     const double after = square(best + 1);
     const double bend = before + after - 2 * least;
@@ -194,8 +214,9 @@ std::vector<FrontPoint> CoverFront::front(const PassSamples& pass, double guess)
     return front;
 }
 
-// By how much, in mm, the pass at v fails to reach back to the front where the front lies
-// before it.
+// Greatest distance in mm, less R, of the raised points of `front` from the ball centres of the
+// pass at v. Only front points before v count. Where the front lies beyond v, the first pass
+// covers everything up to the trial pass.
 double CoverFront::excess(double v, std::span<const FrontPoint> front) const
 {
     const PassSamples pass = samples(v);
@@ -207,6 +228,7 @@ double CoverFront::excess(double v, std::span<const FrontPoint> front) const
     return most;
 }
 
+// The search starts at the nearest front point, because no front point lies before a pass there.
 double CoverFront::next_pass(double v, std::span<const FrontPoint> front) const
 {
     const double end = marched_->surface.range(Parameter::V).high;
@@ -217,7 +239,9 @@ double CoverFront::next_pass(double v, std::span<const FrontPoint> front) const
         return end;
     const auto function = [&](double next) { return excess(next, front); };
     Bracket bracket{nearest, -scallop_height_, nearest, -scallop_height_};
-    double step = nearest - v;  // then smaller ones: about as far again is expected
+    // The next pass usually lies about as far beyond the front as the front beyond the pass.
+    // Further steps are shorter.
+    double step = nearest - v;
     while (bracket.at_high <= 0 && bracket.high < end) {
         bracket.low = bracket.high;
         bracket.at_low = bracket.at_high;

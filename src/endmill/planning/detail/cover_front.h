@@ -9,47 +9,62 @@
 
 namespace endmill {
 
-/// Centres of a ball that rolls along a pass, u rising.
+/// Sampled centres of a ball that rolls along a pass.
 struct PassSamples {
-    double v;
-    std::vector<double> u;
-    std::vector<Vec3> centres;  ///< mm
+    double v;                   ///< parameter of the pass
+    std::vector<double> u;      ///< parameters of the samples, rising
+    std::vector<Vec3> centres;  ///< of the ball at the samples, mm
 };
 
-/// A place up to which a pass brings the surface down to the scallop height.
+/// The farthest point beside a pass that the pass alone cuts down to the scallop height.
 struct FrontPoint {
-    SurfaceContact contact;  ///< on the surface; v is the range's end if all is covered
-    double foot_u;           ///< where on the pass the ball is that reaches it
+    SurfaceContact
+        contact;    ///< the point; v is the end of the range if the pass cuts all
+    double foot_u;  ///< u of the place on the pass from which the ball reaches it
 };
 
-/// Where passes must lie so that balls rolling along them, without straight moves between
-/// points, leave no more than the scallop height: found at samples of each pass that
-/// lie R / 8 apart or less, 32 a patch at least and 1024 at most. Not bounds: `StripCover`
-/// tells afterwards.
+/// Computes the distance between passes such that balls which roll along them leave no more
+/// than the scallop height.
+///
+/// A surface point r is cut down to the height h if r + h N lies within R of a ball centre.
+/// The points that a pass cuts in this sense end at its *front*. The next pass lies as far
+/// away as possible with its ball still reaching every point of that front.
+///
+/// Passes are sampled at most R / 8 apart, with 32 to 1024 samples a patch. The results are
+/// therefore not bounds; `StripCover` checks them afterwards.
 class CoverFront {
 public:
-    /// \param marched outlives this. \param scallop_height in mm, below R.
+    /// \param marched        the surface; must outlive this.
+    /// \param cutter         the ball, radius R.
+    /// \param scallop_height h in mm, below R.
+    /// \param direction      for the parameters in an error message.
     CoverFront(const MarchedSurface& marched, const BallCutter& cutter,
                double scallop_height, Parameter direction);
 
-    /// Distance in mm of a point from the centres of a pass, and where on it.
+    /// The point on the centre line of a pass that is nearest to a given point.
     struct Foot {
-        double distance;
-        double u;
+        double distance;  ///< from the given point, mm
+        double u;         ///< its parameter
     };
 
-    /// The foot of `point` that lies downhill from the sample number `start`.
+    /// The foot of `point`: the local minimum of the distance next to a sample.
+    /// \param pass  samples of the pass.
+    /// \param point in mm.
+    /// \param start number of the sample from which the search descends.
     static Foot foot(const PassSamples& pass, const Vec3& point, std::size_t start);
 
-    /// The pass at `v`.
+    /// Samples of the pass at `v`.
     PassSamples samples(double v) const;
 
-    /// How far beyond its own v the pass alone covers, at each of its samples.
-    /// \param guess width in v, to start from.
+    /// The front of a pass, at each of its samples.
+    /// \param pass  samples of the pass.
+    /// \param guess first step of the search in v.
     std::vector<FrontPoint> front(const PassSamples& pass, double guess) const;
 
-    /// The farthest pass after the one at `v` that reaches back to its front; to a
-    /// 5000th of the distance.
+    /// Parameter of the farthest pass that reaches back to `front`, to a 5000th of the
+    /// distance between the passes.
+    /// \param v     parameter of the pass of the front.
+    /// \param front from `front`.
     double next_pass(double v, std::span<const FrontPoint> front) const;
 
 private:

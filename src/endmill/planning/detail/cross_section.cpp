@@ -8,18 +8,32 @@
 
 #include "endmill/core/tolerance.h"
 
+// check_plane_point solves eq. (9), (10) by Newton's method:
+// 1. It starts at the linear estimate, corrected by the second derivatives of the surface.
+// 2. A step is limited to a share of a patch, because a long step may leave the region in which
+//    the method converges.
+// 3. It ends when the residual is below its tolerance. Newton's steps square the residual, so the
+//    residual of the next step can be predicted; if the prediction is far below the tolerance,
+//    the last evaluation of the surface is saved.
+// 4. It ends early when v is certain to stay beyond a limit, see `most_v`.
+
 namespace endmill {
 namespace {
 
+// Most Newton steps. Source: docs/mathematics/economic-cl-data.md, section 6.
 constexpr int most_iterations = 8;
+// Longest step, in widths of a patch.
 constexpr double most_patches_a_step = 0.3;
+// A first step of at most so many widths of a patch is trusted to be in the region of
+// convergence.
 constexpr double small_step_patches = 0.1;
-constexpr double residual_share = 1e-12;  // of the surface's diagonal
-// Share of the residual allowed below which an expected one need not be seen.
+// Tolerance of the residual, as a share of the surface's diagonal.
+constexpr double residual_share = 1e-12;
+// A predicted residual below this share of the tolerance is not checked.
 constexpr double sure_share = 1e-3;
 
-// The linear `estimate` of a place `distance` away, corrected for the surface's bend;
-// as it was where the partials are parallel.
+// The linear `estimate` of the point at `distance`, corrected by the second derivatives of the
+// surface. It is not corrected where the partials are parallel.
 SurfacePoint bent_estimate(const SurfacePoint& estimate, const FeedFrame& frame,
                            double distance)
 {
@@ -67,7 +81,7 @@ CheckPlanePoint check_plane_point(const Surface& surface, const FeedFrame& frame
     const double width_u = surface.patch_width(Parameter::U, frame.at.u);
     const double width_v = surface.patch_width(Parameter::V, frame.at.v);
     SurfacePoint at = bent_estimate(estimate, frame, distance);
-    double residual_before = 0;  // none that counts
+    double residual_before = 0;  // 0 after a shortened step: no prediction is possible
     int iteration = 0;
     for (; iteration <= most_iterations; ++iteration) {
         const SurfaceTangents tangents = surface.tangents(at.u, at.v);
@@ -93,13 +107,13 @@ CheckPlanePoint check_plane_point(const Surface& surface, const FeedFrame& frame
         const double share = is_whole ? 1 : most_patches_a_step / patches;
         at.u += share * step_u;
         at.v += share * step_v;
-        // Steps that at least halve from here on, as small or converging ones do, sum to
-        // no more than this one.
+        // A converging sequence at least halves its steps. The later steps then add up to at most
+        // the present one.
         const bool halves = iteration == 0 ? patches <= small_step_patches
                                            : residual <= residual_before / 2;
         if (is_whole && halves && at.v - patches * width_v > most_v)
             return {at, false, iteration + 1};
-        // Newton's steps square the residual: the next one is known without a look.
+        // Predicts the next residual from the last two.
         const double ratio = residual / residual_before;
         if (is_whole && residual * ratio * ratio <= sure_share * tolerance)
             return {at, true, iteration + 1};

@@ -10,6 +10,7 @@ namespace endmill {
 void for_each_iso_cut(std::span<const Surface> surfaces, const ToolPath& path,
                       Parameter along, const std::function<void(const IsoCut&)>& visit)
 {
+    // All passes run along u on these.
     std::vector<Surface> turned;
     for (const Surface& surface : surfaces)
         turned.push_back(along == Parameter::U ? surface : transposed(surface));
@@ -17,7 +18,8 @@ void for_each_iso_cut(std::span<const Surface> surfaces, const ToolPath& path,
         const auto& [u, v, contact] = *point.contact;
         return along == Parameter::U ? SurfacePoint{u, v} : SurfacePoint{v, u};
     };
-    // A line costs more to make than a move to measure: it serves a whole pass.
+    // The line of a pass is kept for all its moves, because it costs more to construct than a move
+    // to measure. A new one is needed if the constant parameter or the patch changes.
     std::optional<IsoLine> line;
     int patch_of_line = 0;
     for (std::size_t k = 1; k < path.points.size(); ++k) {

@@ -10,20 +10,24 @@
 
 namespace endmill {
 
-/// A cutting move of an iso-parametric path, on the surface turned so that its pass runs
-/// along u. All references last as long as the visit.
+/// A cutting move of an iso-parametric path. The surface is transposed if the passes run along
+/// v, so that every pass here runs along u. The references are valid during the visit only.
 struct IsoCut {
-    const Surface& surface;  ///< turned
-    const IsoLine& line;     ///< of the surface, at the v of the pass
-    double from;             ///< u of the start
-    double to;               ///< u of the end
-    const PathPoint& start;
-    const PathPoint& end;
+    const Surface& surface;  ///< the surface, transposed for passes along v
+    const IsoLine& line;     ///< the line of the pass
+    double from;             ///< u at the start of the move
+    double to;               ///< u at the end of the move
+    const PathPoint& start;  ///< first point of the move
+    const PathPoint& end;    ///< last point of the move
 };
 
-/// Calls `visit` with each move of `path` that cuts, in order.
-/// \param surfaces the patches that the points name, all with passes along `along`.
-/// \pre every point has a contact, and its patch is one of `surfaces`.
+/// Calls `visit` for each cutting move of `path`, in order. Links, lifts and plunges are
+/// skipped. The line of a pass is computed once for all its moves.
+/// \param surfaces the part.
+/// \param path     a path whose patch numbers are indices of `surfaces`.
+/// \param along    the parameter that varies along a pass.
+/// \param visit    called with each move.
+/// \pre every point of a cut has a contact, and its patch is one of `surfaces`.
 void for_each_iso_cut(std::span<const Surface> surfaces, const ToolPath& path,
                       Parameter along, const std::function<void(const IsoCut&)>& visit);
 

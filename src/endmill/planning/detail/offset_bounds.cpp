@@ -15,18 +15,32 @@
 #include "endmill/surface/detail/bernstein_net.h"
 #include "endmill/surface/detail/collapsed_edge.h"
 
+// The bounds of the normal N = n / |n|, n = du x dv:
+// 1. n is a polynomial of a patch. Its Bernstein coefficients bound it by their convex hull. On a
+//    collapsed edge n has a linear factor, which is divided out; this does not change N.
+// 2. The patch is divided into count by count pieces. On a piece the least length of n is bounded
+//    by its components along the mean direction, and the lengths of its derivatives by their
+//    greatest coefficients.
+// 3. These three give a bound on |N_uu| and |N_vv|.
+// 4. Where the least length is small beside the greatest one, the bounds are wide, and the pieces
+//    are halved, down to 1/32 of the patch.
+// For patches with weights, n is w^3 du x dv, which has the same direction.
+
 namespace endmill {
 namespace {
 
-constexpr int least_count = 4;  // rectangles of a patch each way, as bend_bounds has
+// Least and greatest number of rectangles of a patch in each parameter. The least is that of
+// bend_bounds.
+constexpr int least_count = 4;
 constexpr int most_count = 32;
-// Of the longest vector du x dv in a rectangle: a shorter least one makes bounds so wide
-// that halving the rectangle is worth while.
+// Least length of du x dv, as a share of the greatest, above which a rectangle is not halved: the
+// bounds would gain little.
 constexpr double even_normals = 0.3;
 
-// A vector polynomial, here du x dv.
+// The Bernstein coefficients of a vector polynomial, here du x dv.
 using VectorNet = std::array<BernsteinNet, 3>;
 
+// du x dv without the linear factors that vanish on collapsed edges.
 VectorNet reduced_normal_nets(const BezierPatch& patch)
 {
     VectorNet nets;
@@ -40,6 +54,7 @@ VectorNet reduced_normal_nets(const BezierPatch& patch)
     return nets;
 }
 
+// Coefficients of the derivative along u.
 BernsteinNet derivative(const BernsteinNet& net)
 {
     const auto degree = net.rows() - 1;
@@ -48,6 +63,7 @@ BernsteinNet derivative(const BernsteinNet& net)
     return double(degree) * (net.bottomRows(degree) - net.topRows(degree));
 }
 
+// Upper bound of the length of the vector.
 double longest(const VectorNet& nets)
 {
     return std::sqrt(
@@ -61,7 +77,7 @@ VectorNet changed(const VectorNet& nets, const Change& change)
     return {change(nets[0]), change(nets[1]), change(nets[2])};
 }
 
-// A bound on the length of n along its mean direction: no vector is shorter.
+// Lower bound of the length of the vector: the least component along the mean direction.
 double shortest(const VectorNet& nets)
 {
     Vec3 mean{nets[0].mean(), nets[1].mean(), nets[2].mean()};
@@ -71,8 +87,9 @@ double shortest(const VectorNet& nets)
     return (mean[0] * nets[0] + mean[1] * nets[1] + mean[2] * nets[2]).minCoeff();
 }
 
-// A bound on |N_uu|, N = n / |n|: across N its derivative is that of n less twice the
-// change of length by the turn, along N minus the square of the turn.
+// Upper bound of |N_uu| for N = n / |n|, where `least` bounds |n| from below. With
+// t = |n_u| / |n|, the component of N_uu along N is -|N_u|^2, at most t^2 in size. The component
+// across N is that of n_uu / |n| - 2 (|n|_u / |n|) N_u, at most |n_uu| / |n| + t^2.
 double normal_bend(const VectorNet& nets, double least)
 {
     if (!(least > 0))
@@ -89,7 +106,7 @@ VectorNet transposed_nets(const VectorNet& nets)
         nets, [](const BernsteinNet& net) -> BernsteinNet { return net.transpose(); });
 }
 
-// The nets on `count` equal pieces along `along`, a power of two.
+// The coefficients on `count` equal pieces along `along`; `count` is a power of two.
 std::vector<VectorNet> pieces_along(VectorNet nets, Parameter along, int count)
 {
     if (count == 1)
@@ -104,15 +121,16 @@ std::vector<VectorNet> pieces_along(VectorNet nets, Parameter along, int count)
     return pieces;
 }
 
+// Bounds on the second derivatives of N.
 struct NormalBends {
     double uu;
     double vv;
 };
 
-// Bounds on `count` by `count` pieces in the units of the patch, u running fastest.
+// Bounds on count by count pieces, per squared unit of the patch's parameters, u running fastest.
 struct GridBends {
     int count;
-    bool is_even;  // no piece would gain much by halving
+    bool is_even;  // halving would not improve any piece much
     std::vector<NormalBends> pieces;
 };
 
@@ -203,7 +221,7 @@ const OffsetBends& OffsetBounds::at(double u, double v) const
         return rectangles_[grid.first + static_cast<std::size_t>(row) * grid.count +
                            column];
     };
-    // A border that rounding has put into the rectangle below it.
+    // Rounding may have put a point on a border into the rectangle below it.
     if (column + 1 < grid.count && u >= rectangle().high.u)
         ++column;
     if (row + 1 < grid.count && v >= rectangle().high.v)

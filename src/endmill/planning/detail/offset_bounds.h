@@ -7,20 +7,24 @@
 
 namespace endmill {
 
-/// Bounds on the second derivatives of r and of its unit normal N over a rectangle of the
-/// parameters, in mm per unit of a parameter squared, and in units of it squared.
+/// Bounds on the second derivatives of the surface r and of its unit normal N over a rectangle
+/// of parameters. Those of r are in mm per squared unit of the parameter, those of N in 1 per
+/// squared unit.
 struct OffsetBends {
-    SurfacePoint low;   ///< corners of the rectangle
-    SurfacePoint high;  ///< in one patch with `low`
-    double r_uu;
-    double r_vv;
-    double n_uu;
-    double n_vv;
+    SurfacePoint low;   ///< lower corner of the rectangle
+    SurfacePoint high;  ///< upper corner, in the same patch as `low`
+    double r_uu;        ///< of |r_uu|
+    double r_vv;        ///< of |r_vv|
+    double n_uu;        ///< of |N_uu|
+    double n_vv;        ///< of |N_vv|
 
-    /// A bound in mm on the distance of the offset r + h N, over a cell of these widths
-    /// in the rectangle, from the bilinear patch through the offset's corners:
-    /// (a^2 |uu| + b^2 |vv|) / 8.
-    double stray(double width_u, double width_v, double h) const
+    /// Upper bound in mm of the distance between the offset r + h N over a cell and the bilinear
+    /// patch through the offset's corners: (a^2 |uu| + b^2 |vv|) / 8.
+    /// \param width_u a, width in u of a cell inside the rectangle.
+    /// \param width_v b, width in v.
+    /// \param h       height of the offset in mm, not negative; for offsets to the other side
+    ///                pass the absolute value.
+    double deviation(double width_u, double width_v, double h) const
     {
         return (width_u * width_u * (r_uu + h * n_uu) +
                 width_v * width_v * (r_vv + h * n_vv)) /
@@ -28,29 +32,30 @@ struct OffsetBends {
     }
 };
 
-/// Bounds on the bends of a surface's offsets, everywhere. From hulls of control points,
-/// those of du x dv among them, so never too small but for rounding; infinite where a
-/// patch has no normal that its pieces' hulls could bound away from zero. A collapsed
-/// edge, where du x dv vanishes with one factor, is no such place. An immutable value.
+/// Bounds on the second derivatives of a surface and of its normal, over all of the surface.
+/// They come from convex hulls of control points, those of du x dv included, and are never too
+/// small except for rounding. They are infinite in a patch whose normal the hulls cannot
+/// separate from zero. On a collapsed edge they are finite, because the factor by which
+/// du x dv vanishes there is divided out. An immutable value.
 class OffsetBounds {
 public:
-    /// Of all patches of `surface`, which is not needed any more then.
+    /// \param surface must outlive this.
     explicit OffsetBounds(const Surface& surface);
 
-    /// The rectangle that holds (u, v), at a border the upper one.
+    /// The rectangle that contains (u, v); on a border between two, the upper one.
     const OffsetBends& at(double u, double v) const;
 
-    /// The rectangles that the strip of that width in v crosses, patch by patch.
+    /// The rectangles that meet the inside of the strip `v`, patch by patch.
     std::vector<OffsetBends> across(Interval v) const;
 
 private:
-    // The equal rectangles of a patch, `count` each way, from `first` on.
+    // The equal rectangles of a patch: count by count of them from number `first` on.
     struct PatchGrid {
         std::size_t first;
         int count;
     };
 
-    const Surface* surface_;  // outlives this
+    const Surface* surface_;
     std::vector<PatchGrid> patches_;
     std::vector<OffsetBends> rectangles_;
 };

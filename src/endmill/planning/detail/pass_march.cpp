@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "endmill/core/error.h"
@@ -15,15 +15,29 @@
 #include "endmill/surface/detail/iso_line.h"
 #include "endmill/surface/tool_side.h"
 
+// A pass is marched as in the paper, section 4:
+// 1. The first contact is the start of the line v = constant.
+// 2. The curvature at a contact gives the projected length of the step, eq. (1) and (2). The
+//    next contact is the first point of the line at that distance along the tangent, eq. (3).
+//    An end of the line, or a border of patches, may replace it.
+// 3. At each contact, the curvature across the feed gives the projected path interval, eq. (4)
+//    and (5). The point of the surface at that distance in the check plane, eq. (9) and (10), is
+//    the neighbour of the contact on the next pass. Its v is the candidate of the contact.
+// 4. The rule `governing` selects one of the candidates.
+// Where the smallest candidate is wanted, a contact whose neighbour is certain to lie further
+// away than the best so far is abandoned early.
+
 namespace endmill {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int dense_samples = 16;  // a patch
-// Distance of unit normals at a pole beyond which they have no common limit.
+// Intervals of a patch between the places of Governing::DenseMin.
+constexpr int dense_samples = 16;
+// Greatest distance of the unit normals at a pole that have one limit. It is far
+// above the rounding error of a normal, about 1e-16.
 constexpr double same_normal = 1e-9;
 
-// The work on one pass.
+// Computes one pass.
 class PassMarch {
 public:
     PassMarch(const MarchedSurface& marched, double v, const BallCutter& cutter,
@@ -35,39 +49,44 @@ public:
     {
     }
 
-    MarchedPass march(bool is_last) const
+    MarchedPass march(PassRole role) const
     {
+        const bool is_followed = role == PassRole::Followed;
         if (line_.is_point())
-            return march_pole(is_last);
+            return march_pole(role);
         const double end = line_.range().high;
         MarchedPass pass;
         std::vector<PassCandidate> candidates;
-        double most_v = infinity;  // of a candidate that can govern
+        double most_v = infinity;  // candidates beyond it cannot govern
         const auto add_candidate = [&](const FeedFrame& frame) {
-            candidates.push_back(candidate(frame, most_v));
+            const auto found = candidate(frame, most_v);
+            if (!found)
+                return;
+            candidates.push_back(*found);
             if (least_governs())
-                most_v = std::min(most_v, candidates.back().v);
+                most_v = std::min(most_v, found->v);
         };
         std::optional<double> u = line_.range().low;
         while (u) {
             const FeedFrame frame = frame_at(*u);
             pass.contacts.push_back(contact(frame));
             require_room(pass.contacts.size());
-            if (!is_last)
+            if (is_followed)
                 add_candidate(frame);
             u = *u == end ? std::nullopt : next_parameter(frame);
         }
-        if (!is_last) {
+        if (is_followed) {
             if (options_.governing == Governing::DenseMin)
                 for (const double sample : dense_parameters())
                     add_candidate(frame_at(sample));
-            pass.next = governing(std::move(candidates));
+            pass.next = governing(candidates);
         }
         return pass;
     }
 
 private:
-    MarchedPass march_pole(bool is_last) const
+    // A pass on a collapsed edge: one contact, and candidates from all directions.
+    MarchedPass march_pole(PassRole role) const
     {
         const FeedFrame first = frame_at(line_.range().low);
         std::vector<PassCandidate> candidates;
@@ -76,11 +95,12 @@ private:
             if ((frame.forms.normal - first.forms.normal).norm() > same_normal)
                 throw GeometryError{"the surface has no normal at its pole " +
                                     place(frame.at, frame.jet)};
-            candidates.push_back(candidate(frame, infinity));
+            if (const auto found = candidate(frame, infinity))
+                candidates.push_back(*found);
         }
         MarchedPass pass{{contact(first)}, std::nullopt};
-        if (!is_last)
-            pass.next = governing(std::move(candidates));
+        if (role == PassRole::Followed)
+            pass.next = governing(candidates);
         return pass;
     }
 
@@ -88,8 +108,7 @@ private:
     {
         if (points > options_.most_points)
             throw LimitError{"a pass has more than " +
-                             std::to_string(options_.most_points) +
-                             " points, the most that fit"};
+                             std::to_string(options_.most_points) + " points, the limit"};
     }
 
     FeedFrame frame_at(double u) const
@@ -111,8 +130,7 @@ private:
         return {frame.at.u, frame.at.v, {frame.jet.point, frame.forms.normal}};
     }
 
-    // Where the next CL point of the pass stands; nothing where the pass ends before its
-    // border.
+    // The parameter of the next CL point; nothing if the pass ends before the border.
     std::optional<double> next_parameter(const FeedFrame& frame) const
     {
         const double u = frame.at.u;
@@ -147,6 +165,7 @@ private:
         return curvature;
     }
 
+    // The next border of patches after u. A point within end_width of a border is on it.
     double next_border(double u) const
     {
         const auto breaks = marched_.surface.breaks(Parameter::U);
@@ -163,11 +182,12 @@ private:
                options_.governing == Governing::DenseMin;
     }
 
-    // The next pass as this place allows it; no limit if that lies beyond most_v.
-    PassCandidate candidate(const FeedFrame& frame, double most_v) const
+    // The candidate of a contact; nothing if the contact does not limit the next pass, or
+    // limits it only beyond most_v.
+    std::optional<PassCandidate> candidate(const FeedFrame& frame, double most_v) const
     {
         if (frame.passes_meet)
-            return {};
+            return std::nullopt;
         const double k =
             options_.cross_curvature == CrossCurvature::Exact
                 ? cross_curvature(frame)
@@ -178,14 +198,15 @@ private:
                                 to_text(-1 / k) + " mm at " + place(frame.at, frame.jet)};
         const PathInterval interval = path_interval(cutter_, k, options_.scallop_height);
         if (interval.status == LengthStatus::Unlimited)
-            return {};
+            return std::nullopt;
         const SurfacePoint partner =
             check_plane_point(marched_.surface, frame, interval.projected, most_v).at;
-        if (partner.v > most_v)
-            return {};
-        return {partner.v, frame.at, partner};
+        if (partner.v > most_v || !std::isfinite(partner.v))
+            return std::nullopt;
+        return PassCandidate{partner.v, frame.at, partner};
     }
 
+    // Equidistant parameters on each patch, both ends included.
     std::vector<double> dense_parameters() const
     {
         const auto breaks = marched_.surface.breaks(Parameter::U);
@@ -197,28 +218,29 @@ private:
         return parameters;
     }
 
-    // By the rule asked for, among the places that limit the next pass.
-    PassCandidate governing(std::vector<PassCandidate> candidates) const
+    // Selects a candidate by the rule of the options.
+    NextPass governing(std::span<const PassCandidate> candidates) const
     {
-        std::erase_if(candidates,
-                      [](const PassCandidate& c) { return !std::isfinite(c.v); });
         if (candidates.empty())
             return {};
+        const auto by = [](const PassCandidate& candidate) -> NextPass {
+            return {candidate.v, candidate};
+        };
         switch (options_.governing) {
             case Governing::Min:
             case Governing::DenseMin:
-                return *std::ranges::min_element(candidates, {}, &PassCandidate::v);
+                return by(*std::ranges::min_element(candidates, {}, &PassCandidate::v));
             case Governing::Max:
-                return *std::ranges::max_element(candidates, {}, &PassCandidate::v);
+                return by(*std::ranges::max_element(candidates, {}, &PassCandidate::v));
             case Governing::First:
-                return candidates.front();
+                return by(candidates.front());
             case Governing::Mean:
                 break;
         }
         double sum = 0;
         for (const PassCandidate& candidate : candidates)
             sum += candidate.v;
-        return {sum / static_cast<double>(candidates.size()), {}, {}};
+        return {sum / static_cast<double>(candidates.size()), std::nullopt};
     }
 
     std::string place(const SurfacePoint& at, const SurfaceJet& jet) const
@@ -234,15 +256,10 @@ private:
 
 }  // namespace
 
-MarchedPass march_pass(const MarchedSurface& marched, double v, bool is_last,
+MarchedPass march_pass(const MarchedSurface& marched, double v, PassRole role,
                        const BallCutter& cutter, const IsoParametricOptions& options)
 {
-    return PassMarch{marched, v, cutter, options}.march(is_last);
-}
-
-SurfacePoint in_surface_order(const SurfacePoint& at, Parameter direction)
-{
-    return direction == Parameter::U ? at : SurfacePoint{at.v, at.u};
+    return PassMarch{marched, v, cutter, options}.march(role);
 }
 
 }  // namespace endmill

@@ -4,46 +4,51 @@
 #include <limits>
 #include <optional>
 
-#include "endmill/planning/iso_parametric.h"
+#include "endmill/planning/detail/marched_surface.h"
+#include "endmill/planning/planner_options.h"
 
 namespace endmill {
 
-/// A surface to march along u on, and the sign of its normals. Marching along v, or
-/// backwards, is marching along u on the surface transposed or reversed.
-struct MarchedSurface {
-    Surface surface;
-    double side;  ///< from tool_side_sign
-};
-
-/// The next pass as one place of this pass allows it.
+/// The parameter of the next pass according to one contact of a pass.
 struct PassCandidate {
-    /// Its parameter; infinite where the place does not limit it.
+    double v;              ///< parameter of the next pass
+    SurfacePoint at;       ///< parameters of the contact
+    SurfacePoint partner;  ///< its neighbour (u*, v*) on the next pass; v* is `v`
+};
+
+/// Where the pass after a pass lies.
+struct NextPass {
+    /// Its parameter; infinite if no contact limits it.
     double v = std::numeric_limits<double>::infinity();
-    SurfacePoint at{};       ///< the place
-    SurfacePoint partner{};  ///< its (u*, v*)
+    /// The candidate that determined `v`; none for Governing::Mean and without a limit.
+    std::optional<PassCandidate> governing;
 };
 
-/// A pass, its contacts with rising u, and what it allows.
+/// A pass and its successor.
 struct MarchedPass {
-    Pass contacts;
-    std::optional<PassCandidate> next;  ///< none on the last pass
+    Pass contacts;                 ///< with rising u
+    std::optional<NextPass> next;  ///< none if the pass is the last
 };
 
-/// Computes the pass along u at `v`: the longest steps that keep the chord tolerance,
-/// and from its points, by the rule `options.governing`, where the next pass lies. A
-/// pass on a collapsed edge is one contact, if its normals have one limit.
-/// Source: [KimChoi, eq. (1)-(10)].
-/// \throws GeometryError, with the place, where the ball does not fit, the surface has
-/// no normal, or a step makes no progress.
-MarchedPass march_pass(const MarchedSurface& marched, double v, bool is_last,
+/// Whether a pass has a successor.
+enum class PassRole {
+    Followed,  ///< the next pass is computed
+    Last,      ///< only the contacts are computed
+};
+
+/// Computes the pass along u at `v` with the longest steps that keep the chord tolerance, and
+/// by the rule `options.governing` the parameter of the next pass.
+/// Source: [KimChoi, eq. (1), (2), (3), (4), (5), (6), (7), (8), (9), (10)].
+/// \param marched the surface. On a collapsed edge the pass is one contact if its normals have
+///                one limit.
+/// \param v       parameter of the pass.
+/// \param role    whether to compute the next pass.
+/// \param cutter  the ball.
+/// \param options see there.
+/// \throws GeometryError with the place where the ball does not fit, the surface has no
+///         normal, or a step makes no progress.
+/// \throws LimitError if the pass has more than `options.most_points` points.
+MarchedPass march_pass(const MarchedSurface& marched, double v, PassRole role,
                        const BallCutter& cutter, const IsoParametricOptions& options);
-
-/// `at` with its parameters in the order of the surface that is planned on.
-SurfacePoint in_surface_order(const SurfacePoint& at, Parameter direction);
-
-/// In widths of a patch: a point so near the end of a pass, and a pass so near the
-/// border, stand there.
-/// Source: the project's reading of [KimChoi, section 4].
-inline constexpr double end_width = 1e-6;
 
 }  // namespace endmill

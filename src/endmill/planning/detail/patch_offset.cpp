@@ -20,6 +20,7 @@ PatchOffset::PatchOffset(const MarchedSurface& marched, const SurfacePoint& insi
 
 std::optional<Vec3> PatchOffset::at(double u, double v) const
 {
+    // The patch has its own parameters in [0, 1].
     const SurfaceTangents tangents = marched_.surface.patch(i_, j_).tangents(
         (u - u_[0]) / (u_[1] - u_[0]), (v - v_[0]) / (v_[1] - v_[0]));
     if (has_plain_normal(tangents))

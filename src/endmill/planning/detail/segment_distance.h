@@ -5,10 +5,13 @@
 
 #include "endmill/core/vec.h"
 
+/// \file
+/// Distance of a point from a straight move.
+
 namespace endmill {
 
-/// Point of the segment from `start` to `end` that is nearest to `point`; `start` if they
-/// are one.
+/// The point of the segment from `start` to `end` that is nearest to `point`. It is `start` if
+/// the segment has no length.
 inline Vec3 nearest_on_segment(const Vec3& point, const Vec3& start, const Vec3& end)
 {
     const Vec3 chord = end - start;
@@ -18,7 +21,7 @@ inline Vec3 nearest_on_segment(const Vec3& point, const Vec3& start, const Vec3&
     return start + share * chord;
 }
 
-/// Distance in mm of `point` from that segment.
+/// Distance in mm between `point` and the segment from `start` to `end`.
 inline double segment_distance(const Vec3& point, const Vec3& start, const Vec3& end)
 {
     return (point - nearest_on_segment(point, start, end)).norm();

@@ -8,33 +8,50 @@
 #include <limits>
 #include <vector>
 
+#include "endmill/core/answer.h"
 #include "endmill/core/tolerance.h"
 #include "endmill/planning/detail/patch_offset.h"
 #include "endmill/planning/detail/segment_distance.h"
 
+// A cell is a rectangle of parameters within one rectangle of the bounds. It is covered if all of
+// its raised points r + h N lie within R of the centres of one move.
+// 1. The distance from a straight move is a convex function. On the bilinear patch through the
+//    raised corners of a cell it is therefore greatest at a corner.
+// 2. The raised surface deviates from that patch by at most the deviation d of OffsetBends. If all
+//    corners of the cell lie within R - d of one move, the cell is covered.
+// 3. If the raised middle of the cell lies further than R from all moves nearby, the cell is not
+//    covered, and its middle is the answer.
+// 4. Otherwise the cell is halved across its wider side. Cells wider than R are halved at once. A
+//    cell that becomes smaller than 1e-5 R counts as not covered.
+
 namespace endmill {
 namespace {
 
-// Of the radius: smaller cells are not halved.
+// Width, as a share of the radius, below which cells are not halved.
 constexpr double least_cell = 1e-5;
-// Of the radius: wider cells are halved at once, since no move would cover them.
+// Width, as a share of the radius, from which cells are halved without a test, because hardly any
+// move covers them.
 constexpr double widest_cell = 1;
-// In a rectangle: where it takes more, hardly anything is left between what is covered and
-// what has to be.
+// Most cells in one rectangle of the bounds. More are needed only if the distance is so close to R
+// over a large region that the bounds cannot decide.
 constexpr int most_cells = 200'000;
 
+// A rectangle of parameters.
 struct Cell {
     SurfacePoint low;
     SurfacePoint high;
-    std::array<Vec3, 4> corners;  // of the offset: low u first, low v first
+    // Of the offset, in the order (low u, low v), (high u, low v), (low u, high v), (high u,
+    // high v).
+    std::array<Vec3, 4> corners;
 };
 
-// The moves of a pass, searched from the one beside a place.
+// Finds the nearest move of a pass by descent from the move at a parameter.
 class NearMoves {
 public:
     explicit NearMoves(const SweptPass& pass) : pass_{pass} {}
 
-    // The move nearest to `point` of those downhill from the one at `u`.
+    // Number of the move to which the descent from the move at `u` leads: a local minimum of
+    // the distance from `point`.
     std::size_t nearest(double u, const Vec3& point) const
     {
         const auto after = std::ranges::upper_bound(pass_, u, {}, &SweptSegment::from_u);
@@ -42,7 +59,7 @@ public:
         double least = distance(best, point);
         for (const int step : {1, -1})
             while (true) {
-                const std::size_t next = best + step;  // beyond all if below 0
+                const std::size_t next = best + step;  // wraps to a huge number below 0
                 if (next >= pass_.size() || distance(next, point) >= least)
                     break;
                 best = next;
@@ -63,6 +80,7 @@ private:
     const SweptPass& pass_;
 };
 
+// The search in one rectangle of the bounds.
 class StripSearch {
 public:
     StripSearch(const MarchedSurface& marched, const OffsetBends& bends, double height,
@@ -76,7 +94,7 @@ public:
     {
     }
 
-    // A place of `low` … `high`, within the rectangle, that is not known to be covered.
+    // Searches the cell from `low` to `high` for a place that is not proved to be covered.
     std::optional<SurfacePoint> find(const SurfacePoint& low, const SurfacePoint& high,
                                      std::span<const NearMoves> passes)
     {
@@ -88,10 +106,10 @@ public:
             open_.pop_back();
             const SurfacePoint middle{(cell.low.u + cell.high.u) / 2,
                                       (cell.low.v + cell.high.v) / 2};
-            const std::optional<bool> covered = judged(cell, middle, passes);
-            if (covered && *covered)
+            const Answer covered = judged(cell, middle, passes);
+            if (covered == Answer::Yes)
                 continue;
-            if (covered || cells == most_cells)
+            if (covered == Answer::No || cells == most_cells)
                 return middle;
             if (const auto bad = open_halves(cell, middle))
                 return bad;
@@ -100,21 +118,21 @@ public:
     }
 
 private:
-    // Nothing where the halves are to be judged.
-    std::optional<bool> judged(const Cell& cell, const SurfacePoint& middle,
-                               std::span<const NearMoves> passes) const
+    // Whether the cell is covered. Undecided means that its halves are to be judged.
+    Answer judged(const Cell& cell, const SurfacePoint& middle,
+                  std::span<const NearMoves> passes) const
     {
         const double widest =
             std::max(width(cell, Parameter::U), width(cell, Parameter::V));
         if (widest >= widest_cell * radius_)
-            return std::nullopt;
-        const std::optional<bool> covered = is_covered(cell, middle, passes);
-        if (!covered && widest < least_cell * radius_)
-            return false;
+            return Answer::Undecided;
+        const Answer covered = is_covered(cell, middle, passes);
+        if (covered == Answer::Undecided && widest < least_cell * radius_)
+            return Answer::No;
         return covered;
     }
 
-    // Adds the halves of a cell; a place comes back that ends the search.
+    // Adds the halves of a cell. Returns a place that ends the search, if there is one.
     std::optional<SurfacePoint> open_halves(const Cell& cell, const SurfacePoint& middle)
     {
         const bool across_u = width(cell, Parameter::U) >= width(cell, Parameter::V);
@@ -123,13 +141,13 @@ private:
         const SurfacePoint second_low{across_u ? middle.u : cell.low.u,
                                       across_u ? cell.low.v : middle.v};
         if (!(first_high.u > cell.low.u) || !(first_high.v > cell.low.v))
-            return middle;  // no wider than rounding
+            return middle;  // the cell is as narrow as rounding
         if (const auto bad = open_cell(second_low, cell.high))
             return bad;
         return open_cell(cell.low, first_high);
     }
 
-    // Adds a cell; a corner without a normal comes back instead.
+    // Adds a cell, or returns a corner of it that has no normal.
     std::optional<SurfacePoint> open_cell(const SurfacePoint& low,
                                           const SurfacePoint& high)
     {
@@ -145,24 +163,25 @@ private:
         return std::nullopt;
     }
 
-    // What halving across a parameter would lessen, in mm: the mean of two sides and, where
-    // they are short beside their bound as at a pole, what that makes of the stray.
+    // The width in mm that halving across a parameter would reduce: the mean length of two
+    // opposite sides, plus the deviation along them. The latter dominates at a pole, where the
+    // sides are short.
     double width(const Cell& cell, Parameter across) const
     {
         const auto& c = cell.corners;
         if (across == Parameter::U)
             return ((c[1] - c[0]).norm() + (c[3] - c[2]).norm()) / 2 +
-                   bends_.stray(cell.high.u - cell.low.u, 0, height_);
+                   bends_.deviation(cell.high.u - cell.low.u, 0, height_);
         return ((c[2] - c[0]).norm() + (c[3] - c[1]).norm()) / 2 +
-               bends_.stray(0, cell.high.v - cell.low.v, height_);
+               bends_.deviation(0, cell.high.v - cell.low.v, height_);
     }
 
-    // Nothing where one has to look closer.
-    std::optional<bool> is_covered(const Cell& cell, const SurfacePoint& middle,
-                                   std::span<const NearMoves> passes) const
+    // The test of a cell by its corners, then by its middle; see the steps 2 and 3 above.
+    Answer is_covered(const Cell& cell, const SurfacePoint& middle,
+                      std::span<const NearMoves> passes) const
     {
-        const double stray =
-            bends_.stray(cell.high.u - cell.low.u, cell.high.v - cell.low.v, height_);
+        const double deviation =
+            bends_.deviation(cell.high.u - cell.low.u, cell.high.v - cell.low.v, height_);
         const double reach = radius_ * (1 + radius_rounding_share);
         const Vec3 mean =
             (cell.corners[0] + cell.corners[1] + cell.corners[2] + cell.corners[3]) / 4;
@@ -172,15 +191,15 @@ private:
                 continue;
             const std::size_t best = pass.nearest(middle.u, mean);
             nearest = std::min(nearest, pass.distance(best, mean));
-            if (nearest > reach + stray)
+            if (nearest > reach + deviation)
                 continue;
-            // Distance from a move is convex: greatest at a corner of the hull.
+            // The nearest move and its neighbours; each has to cover the cell alone.
             const std::size_t first = best == 0 ? 0 : best - 1;
             for (std::size_t k = first; k < std::min(best + 2, pass.size()); ++k)
                 if (std::ranges::all_of(cell.corners, [&](const Vec3& corner) {
-                        return pass.distance(k, corner) + stray <= reach;
+                        return pass.distance(k, corner) + deviation <= reach;
                     }))
-                    return true;
+                    return Answer::Yes;
         }
         if (nearest > reach) {
             const auto at_middle = offset_.at(middle.u, middle.v);
@@ -189,9 +208,9 @@ private:
                            pass.distance(pass.nearest(middle.u, *at_middle), *at_middle) >
                                reach;
                 }))
-                return false;
+                return Answer::No;
         }
-        return std::nullopt;
+        return Answer::Undecided;
     }
 
     PatchOffset offset_;
@@ -226,6 +245,8 @@ std::optional<SurfacePoint> StripCover::find_uncovered(Interval v, const SweptPa
     return std::nullopt;
 }
 
+// Halves the line beside the move, as find_uncovered halves cells, until the bounds prove that it
+// is covered. The line is first divided at the borders of the rectangles of the bounds.
 bool StripCover::covers_line(const SweptSegment& move, double v) const
 {
     struct Part {
@@ -251,7 +272,7 @@ bool StripCover::covers_line(const SweptSegment& move, double v) const
             const double greatest = std::max(distance(low), distance(high));
             if (greatest > reach)
                 return false;
-            if (greatest + bends.stray(high - low, 0, height_) <= reach)
+            if (greatest + bends.deviation(high - low, 0, height_) <= reach)
                 continue;
             if (high - low < least_width)
                 return false;

@@ -5,41 +5,50 @@
 #include <span>
 #include <vector>
 
+#include "endmill/cutter/cutter.h"
+#include "endmill/planning/detail/marched_surface.h"
 #include "endmill/planning/detail/offset_bounds.h"
-#include "endmill/planning/detail/pass_march.h"
 
 namespace endmill {
 
-/// A straight move of the ball along a pass: by the parameters and its centres in mm.
+/// A straight move of the ball along a pass.
 struct SweptSegment {
-    double from_u;
-    double to_u;
-    Vec3 start;
-    Vec3 end;
+    double from_u;  ///< parameter of the first contact
+    double to_u;    ///< parameter of the last contact
+    Vec3 start;     ///< first centre of the ball, mm
+    Vec3 end;       ///< last centre of the ball, mm
 };
 
-/// The straight moves of a pass, u rising; a pass of one contact is one of no length.
+/// The straight moves of a pass, u rising. A pass of one contact is one move without length.
 using SweptPass = std::vector<SweptSegment>;
 
-/// Whether balls on straight moves leave no more material on a surface than a height h
-/// along its normal: r + h N lies within R of a move's centres; a height above R counts as
-/// R, at which the normal meets what the ball takes if it does at all. From bounds on the bends
-/// of that offset: certain but for rounding.
+/// Tests whether balls on straight moves leave at most a height h of material on a surface,
+/// measured along its normal.
+///
+/// A surface point r is covered if r + h N lies within R of the centres of some move. A height
+/// above R counts as R, because a normal that meets the swept volume at all meets it at R or
+/// below. The test uses bounds on the second derivatives of the offset and is certain except
+/// for rounding.
 class StripCover {
 public:
-    /// \param marched, bounds outlive this; the bounds are those of its surface.
-    /// \param height h in mm.
+    /// \param marched the surface; must outlive this.
+    /// \param bounds  of that surface; must outlive this.
+    /// \param cutter  the ball, radius R.
+    /// \param height  h in mm.
     StripCover(const MarchedSurface& marched, const OffsetBounds& bounds,
                const BallCutter& cutter, double height);
 
-    /// A place of the strip low <= v <= high, of all u, that no move of the passes along
-    /// its borders is known to bring down to h. Not known is also what remains open below
-    /// 1e-5 R, or beyond 200 000 cells in a rectangle of the bounds.
-    /// \return nothing if there is none.
+    /// Searches the strip low <= v <= high for a place that is not proved to be covered by a
+    /// move of the passes on its borders. The proof is given up for cells below 1e-5 R, and
+    /// after 200 000 cells in one rectangle of the bounds.
+    /// \param v     the strip.
+    /// \param below moves of the pass at v.low; may be empty.
+    /// \param above moves of the pass at v.high; may be empty.
+    /// \return nothing if the whole strip is covered.
     std::optional<SurfacePoint> find_uncovered(Interval v, const SweptPass& below,
                                                const SweptPass& above) const;
 
-    /// Whether the move alone brings the line v = constant beside it down to h.
+    /// Whether `move` alone is proved to cover the line at constant v beside it.
     bool covers_line(const SweptSegment& move, double v) const;
 
 private:

@@ -10,21 +10,39 @@
 #include "endmill/core/tolerance.h"
 #include "endmill/planning/detail/segment_distance.h"
 
+// A pass is built step by step:
+// 1. The first contact of a piece is the first place at which the ball fits.
+// 2. The longest step from a contact is searched in two stages. The first considers only the line
+//    of the pass: a quick sampled gouge test, the demands, and the outer tolerance. If the complete
+//    gouge test also accepts this step, it is taken.
+// 3. Otherwise the part beside the pass limits the step, and a second search includes the complete
+//    test. It starts at the same share of the first result as in the step before.
+// 4. A search first multiplies or divides the step by a growing factor until it has one sound and
+//    one unsound step, then halves the difference.
+// 5. Where no step is possible the piece ends, and the scan for a place where the ball fits
+//    continues.
+
 namespace endmill {
 namespace {
 
-constexpr double least_step = 1e-4;      // of a patch
-constexpr double step_precision = 1e-3;  // of the step
-// In the search for a step that is too long: the first factor, squared each time, and the
-// last.
+// Shortest step, in widths of a patch.
+constexpr double least_step = 1e-4;
+// Accuracy of the longest step, as a share of it.
+constexpr double step_precision = 1e-3;
+// First factor of the search for a step that is too long, and the greatest. The factor is squared
+// each time, because neighbouring steps are usually almost equal.
 constexpr double least_growth = 1.04;
 constexpr double most_growth = 2;
-constexpr int line_samples = 8;          // of a step, for a quick look
-constexpr double first_step = 1.0 / 16;  // of a patch, in the same search
-constexpr double gap_scan = 1.0 / 256;   // of a patch, in the search for where to go on
-constexpr double gap_precision = 1.0 / 64;  // of a scan
+// Intervals of a step in the quick gouge test.
+constexpr int line_samples = 8;
+// First trial step of a piece, in widths of a patch.
+constexpr double first_step = 1.0 / 16;
+// Spacing of the scan for a place where the ball fits, in widths of a patch.
+constexpr double gap_scan = 1.0 / 256;
+// Accuracy of that place, as a share of the spacing.
+constexpr double gap_precision = 1.0 / 64;
 
-// The work on one pass.
+// Builds one pass.
 class PassBuilder {
 public:
     PassBuilder(const VerifiedSurface& surface, double v,
@@ -65,13 +83,13 @@ private:
 
     bool is_clear(const SurfaceContact& from, const SurfaceContact& to)
     {
-        return surface_.clear.hold(
+        return surface_.clear.is_clear(
             {ball_centre(from, surface_.cutter()), ball_centre(to, surface_.cutter())},
             finer_);
     }
 
-    // The first place from `u` on at which the ball fits, but for places narrower than
-    // the scan.
+    // The first parameter from `u` on at which the ball fits. Places narrower than the scan may
+    // be missed.
     std::optional<double> fitting_from(double u)
     {
         const double end = line_.range().high;
@@ -95,6 +113,7 @@ private:
         return std::nullopt;
     }
 
+    // The longest piece that starts at `u`, where the ball fits.
     Pass piece_from(double u)
     {
         Pass piece{line_.at(u)};
@@ -105,12 +124,12 @@ private:
             if (++points_ > surface_.most_points)
                 throw LimitError{"a pass has more than " +
                                  std::to_string(surface_.most_points) +
-                                 " points, the most that fit"};
+                                 " points, the limit"};
         }
         return piece;
     }
 
-    // How far a step from `u` may go at all.
+    // The greatest parameter to which a step from `u` may lead.
     double farthest(double u) const
     {
         const double end = line_.range().high;
@@ -131,7 +150,7 @@ private:
                     [&](const SurfaceContact& to) { return keeps_line(from, to); });
         if (!beside_line || is_clear(from, *beside_line))
             return beside_line;
-        // The part beside the pass stops the ball before: as much as in the last step.
+        // The part beside the pass limits the step. The guess is its share in the step before.
         const double limit = beside_line->u - from.u;
         auto clear =
             longest(from, {least, std::max(share_ * limit, least), beside_line->u},
@@ -143,14 +162,15 @@ private:
         return clear;
     }
 
-    // Steps in u to search.
+    // The steps in u among which to search.
     struct StepRange {
         double least;
         double guess;
-        double most_u;  // where the longest ends
+        double most_u;  // parameter at which the longest step ends
     };
 
-    // The longest step that is sound, if those shorter than a sound one are.
+    // The longest sound step. It is assumed that a step shorter than a sound one is sound; the
+    // returned step is tested in any case.
     template <class IsSound>
     std::optional<SurfaceContact> longest(const SurfaceContact& from,
                                           const StepRange& range,
@@ -186,8 +206,8 @@ private:
         return best;
     }
 
-    // What a step must keep along the pass; the first is a cheap part of what the gouge
-    // test asks.
+    // Whether a step is sound as far as the line of the pass is concerned. The gouge test here is
+    // sampled; it rejects many unsound steps before the complete test, at low cost.
     bool keeps_line(const SurfaceContact& from, const SurfaceContact& to) const
     {
         const SweptSegment move{from.u, to.u, ball_centre(from, surface_.cutter()),
@@ -222,7 +242,8 @@ private:
     ContactLine line_;
     std::span<const CoverDemand> demands_;
     FinerPieces finer_;
-    double share_ = 1;  // of the last step, in what its line alone would allow
+    // Length of the last limited step, as a share of the step that its line alone would allow.
+    double share_ = 1;
     std::size_t points_ = 1;
 };
 
@@ -276,7 +297,7 @@ bool halve_step(VerifiedPass& pass, std::size_t step, const VerifiedSurface& sur
                                   ball_centre(to, surface.cutter())};
         FinerPieces finer;
         for (const SweptSegment& half : {first, second})
-            if (!surface.clear.hold({half.start, half.end}, finer) ||
+            if (!surface.clear.is_clear({half.start, half.end}, finer) ||
                 !surface.line_cover.covers_line(half, pass.v))
                 return false;
         piece.insert(piece.begin() + static_cast<std::ptrdiff_t>(step) + 1, contact);

@@ -2,62 +2,109 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "endmill/planning/detail/clear_moves.h"
+#include "endmill/gouge/detail/piece_tree.h"
+#include "endmill/gouge/gouge_test.h"
+#include "endmill/planning/detail/border_depth.h"
 #include "endmill/planning/detail/contact_line.h"
 #include "endmill/planning/detail/strip_cover.h"
-#include "endmill/planning/linking.h"
+#include "endmill/planning/planner_options.h"
 
 namespace endmill {
 
-/// How far the ball's straight motions may stray, in mm.
-struct MotionTolerances {
-    double inner;  ///< into the part, anywhere
-    double outer;  ///< material left along the pass, along the part's normal
+/// Share of the inner tolerance to which moves may cut along the normals of the border. The
+/// bounds of the verification are of first order there: a path planned to the full tolerance
+/// would remain undecided.
+/// Source: paper/notes/border-depth.md, section 4.
+inline constexpr double border_share = 0.99;
+
+/// Tests whether straight moves of a ball keep an inner tolerance on a part: no point of the
+/// part lies deeper than the tolerance in the volume that the ball and its shank clear, and
+/// along the normals of the part's border they cut at most `border_share` of it. The verdict
+/// of the module `verification` judges a cut in the same way. An immutable value that all
+/// threads may use.
+class ClearMoves {
+public:
+    /// \param surfaces  the part.
+    /// \param sides     from tool_side_signs, one for each surface.
+    /// \param cutter    the ball, radius R.
+    /// \param axis      unit, from the tip to the spindle.
+    /// \param tolerance in mm, 0 < tolerance < R.
+    /// \throws DomainError unless there is a surface and the tolerance is in its range.
+    ClearMoves(std::span<const Surface> surfaces, std::span<const double> sides,
+               const BallCutter& cutter, const Vec3& axis, double tolerance)
+        : gouge_{surfaces, cutter, axis},
+          border_{surfaces, sides, cutter, axis, border_share * tolerance},
+          tolerance_{tolerance}
+    {
+    }
+
+    /// Whether `move` is proved to keep the tolerance. It is not proved where the answer
+    /// depends on the depth to less than 2e-3 of the tolerance.
+    /// \param move  the move.
+    /// \param finer keeps pieces for the next call; see gouge/detail/piece_tree.h.
+    bool is_clear(const BallMove& move, FinerPieces& finer) const
+    {
+        return gouge_.test(move, tolerance_, finer).verdict == GougeVerdict::Clear &&
+               border_.is_kept(move);
+    }
+
+    const BallCutter& cutter() const { return gouge_.cutter(); }  ///< the ball
+    double tolerance() const { return tolerance_; }               ///< mm
+
+private:
+    GougeTest gouge_;
+    BorderDepth border_;
+    double tolerance_;
 };
 
-/// A surface to plan on, and what its moves are judged by. All outlive it.
+/// A surface to plan on, and the tests of its moves. The references must outlive it.
 struct VerifiedSurface {
-    const MarchedSurface& marched;
-    const ClearMoves& clear;       ///< of the whole part, at `tolerances.inner`
-    const StripCover& line_cover;  ///< at the height `tolerances.outer`
-    MotionTolerances tolerances;
-    Parameter direction;
-    bool stop_at_borders;  ///< a CL point on every patch border
-    std::size_t most_points;
+    const MarchedSurface& marched;  ///< the surface
+    const ClearMoves& clear;        ///< of the whole part, at `tolerances.inner`
+    const StripCover& line_cover;   ///< at the height `tolerances.outer`
+    MotionTolerances tolerances;    ///< limits of each move
+    Parameter direction;            ///< for the parameters in an error message
+    bool stop_at_borders;           ///< put a CL point on every patch border
+    std::size_t most_points;        ///< a longer pass throws LimitError
 
-    const BallCutter& cutter() const { return clear.cutter(); }
+    const BallCutter& cutter() const { return clear.cutter(); }  ///< the ball
 };
 
-/// A place beside a pass that its ball must reach.
+/// A point beside a pass that the ball must reach from one of the moves of the pass.
 struct CoverDemand {
-    double foot_u;  ///< where on the pass
-    Vec3 point;     ///< mm; to be within R of the centre's move there
+    double foot_u;  ///< parameter on the pass of the move that must reach it
+    Vec3 point;     ///< mm; must lie within R of the centres of that move
 };
 
-/// A pass in the pieces that the ball can cut, u rising. None if it fits nowhere.
+/// A pass, divided into the pieces that the ball can cut.
 struct VerifiedPass {
-    double v;
-    std::vector<Pass> pieces;
+    double v;                  ///< parameter of the pass
+    std::vector<Pass> pieces;  ///< u rising; empty if the ball fits nowhere
 };
 
-/// The pass along u at `v` in the longest steps, to a thousandth of each, whose straight
-/// motions keep the tolerances and reach all `demands` (u rising). Where not even a step
-/// of 1e-4 of a patch does, or the ball does not fit, the pass breaks off, and goes on
-/// where it can.
-/// \throws GeometryError where the surface has no normal; LimitError beyond `most_points`.
+/// Computes the pass along u at `v` with the longest steps, to a thousandth of each, whose
+/// straight motions keep the tolerances and reach all demands. The pass is interrupted where
+/// the ball does not fit or a step would be shorter than 1e-4 of a patch, and continues where
+/// the ball fits again.
+/// \param surface the surface and its tests.
+/// \param v       parameter of the pass.
+/// \param demands in order of rising `foot_u`.
+/// \throws GeometryError where the surface has no normal.
+/// \throws LimitError if a pass has more than `most_points` points.
 VerifiedPass verified_pass(const VerifiedSurface& surface, double v,
                            std::span<const CoverDemand> demands);
 
-/// The straight moves of a pass's pieces.
+/// The straight moves of all pieces of a pass.
 SweptPass swept(const VerifiedPass& pass, const BallCutter& cutter);
 
-/// Puts a contact into the middle, by its parameter, of the step that is number `step` of
-/// `swept(pass)`.
-/// \return whether the halves still keep the tolerances; if not, `pass` is as before.
+/// Divides a step of a pass by a contact in the middle of its parameters.
+/// \param pass    is changed only if the step is divided.
+/// \param step    number of the step in `swept(pass)`.
+/// \param surface the surface and its tests.
+/// \return whether both halves keep the tolerances and the step is divided.
 bool halve_step(VerifiedPass& pass, std::size_t step, const VerifiedSurface& surface);
 
 }  // namespace endmill

@@ -12,25 +12,42 @@
 #include "endmill/planning/detail/cover_front.h"
 #include "endmill/planning/detail/segment_distance.h"
 
+// How the passes over one surface come about:
+// 1. Passes are laid one after the other, as far apart as CoverFront computes for rolling balls.
+//    The points of the front between two passes become demands on both.
+// 2. The passes are divided into straight steps in batches, in parallel (verified_pass).
+// 3. Where the ball fits nowhere on a pass, passes near the limit of where it fits replace it.
+// 4. StripCover tests the strips between neighbouring passes. In an uncovered strip, the step beside
+//    the uncovered place is halved if a rolling ball would reach the place, and the strip is tested
+//    again.
+// 5. Strips that remain uncovered get further passes, if a ball fits in them.
+// 6. What is still uncovered is reported.
+
 namespace endmill {
 namespace {
 
-// Of the scallop height, at which passes are laid: what is left of it is for the samples'
-// error, and costs a two thousandth of the interval.
+// Share of the scallop height at which passes are laid. The rest is a margin for the error of
+// sampling; it makes intervals a two thousandth narrower.
 constexpr double planned_share = 0.999;
-// Of the radius: a scallop so high is as good as one of R for the interval, and at R nothing
-// would be left for the samples' error.
+// Greatest scallop height at which passes are laid, as a share of the radius. The interval is
+// almost that of a scallop of R, and a margin for the error of sampling remains.
 constexpr double widest_share = 0.98;
-// Of a patch: passes follow each other at this distance at least, and leave more material
-// where that is too much.
+// Least interval between passes, in widths of a patch. Where it is too wide, more material
+// remains.
 constexpr double least_interval = 1e-3;
-constexpr int batch = 32;            // passes that are cut into steps at the same time
-constexpr int most_rounds = 64;      // of halving steps beside a strip
-constexpr int most_splits = 3;       // of an interval by passes between
-constexpr int limit_bisections = 6;  // towards where a ball that does not fit would
-constexpr int rolling_samples = 33;  // of a step, to see what halving it would gain
+// Number of passes that are divided into steps at the same time. It does not depend on the number
+// of threads, and so neither does the result.
+constexpr int batch = 32;
+// Most rounds of halving steps beside uncovered strips.
+constexpr int most_rounds = 64;
+// Most halvings of an interval by further passes: down to an eighth.
+constexpr int most_splits = 3;
+// Bisections of the interval in which the ball ceases to fit.
+constexpr int limit_bisections = 6;
+// Places on a step at which a rolling ball is tested, to see whether halving the step may help.
+constexpr int rolling_samples = 33;
 
-// The passes over one surface while they come about.
+// Plans the passes over one surface.
 class StripPlanner {
 public:
     StripPlanner(const MarchedSurface& marched, const ClearMoves& clear,
@@ -73,6 +90,7 @@ public:
     }
 
 private:
+    // A pass that is not yet divided into steps, with the points that it must reach.
     struct LaidPass {
         double v;
         std::vector<CoverDemand> demands;
@@ -80,7 +98,8 @@ private:
 
     double end() const { return marched_.surface.range(Parameter::V).high; }
 
-    // Lays a batch of passes from `v` on. Where the one after them lies, if there is one.
+    // Lays a batch of passes from `v` on. Returns the parameter of the pass after them, if there
+    // is one.
     std::optional<double> lay_passes(double v)
     {
         while (true) {
@@ -106,7 +125,7 @@ private:
         }
     }
 
-    // What pass `samples` must reach of the front of the one before.
+    // Adds the points of `front`, that of the pass before, to the demands on `pass`.
     void demand(std::span<const FrontPoint> front, const PassSamples& samples,
                 LaidPass& pass) const
     {
@@ -121,24 +140,27 @@ private:
         }
     }
 
+    // The pass with its demands in the order of their feet.
     static LaidPass sorted(LaidPass pass)
     {
         std::ranges::stable_sort(pass.demands, {}, &CoverDemand::foot_u);
         return pass;
     }
 
+    // The point at the greatest allowed height above a contact.
     Vec3 raised(const SurfaceContact& contact) const
     {
         return contact.contact.point + total_height_ * contact.contact.normal;
     }
 
+    // First step of the search for the front, in v.
     double interval_guess(double v) const
     {
         return interval_ > 0 ? interval_ / 2
                              : marched_.surface.patch_width(Parameter::V, v) / 32;
     }
 
-    // `next`, but no nearer than the least interval, and on the border if next to it.
+    // `next`, at least one least interval after `v`, and moved to the border if close to it.
     double snapped(double v, double next) const
     {
         const double width = marched_.surface.patch_width(Parameter::V, v);
@@ -146,6 +168,7 @@ private:
         return next > end() - end_width * width ? end() : next;
     }
 
+    // Divides the laid passes into steps.
     void cut_passes()
     {
         const std::size_t first = passes_.size();
@@ -165,12 +188,11 @@ private:
             points_ += piece.size();
         if (points_ > options_.most_points)
             throw LimitError{"the path has more than " +
-                             std::to_string(options_.most_points) +
-                             " points, the most that fit"};
+                             std::to_string(options_.most_points) + " points, the limit"};
     }
 
-    // In the place of passes on which the ball fits nowhere come those next to where it
-    // still does.
+    // Removes the passes on which the ball fits nowhere. In their place come passes as close to
+    // them as the ball fits, one on each side.
     void drop_empty_passes()
     {
         std::vector<VerifiedPass> kept;
@@ -194,7 +216,8 @@ private:
             kept.push_back(std::move(pass));
     }
 
-    // The pass nearest to `bad` that is not empty, between it and `good`, which is not.
+    // The pass nearest to `bad` on which the ball fits, between `bad` where it does not and
+    // `good` where it does. Empty if bisection finds none.
     VerifiedPass last_fitting(double good, double bad) const
     {
         VerifiedPass best;
@@ -217,6 +240,7 @@ private:
                                            swept(above, surface_.cutter()));
     }
 
+    // Makes the strips covered as far as possible, and notes the places that are not.
     void cover_strips()
     {
         if (passes_.empty())
@@ -236,12 +260,13 @@ private:
             note(uncovered_between({passes.back().v, high}, passes.back(), {}));
     }
 
-    // Halves steps where that covers strips, until no more is gained; finds those that
-    // stay open.
+    // Halves steps beside uncovered strips until no step is worth halving. Leaves in open_ the
+    // strips that are still uncovered.
     void mend_steps()
     {
         open_.assign(passes_.size(), std::nullopt);
-        std::vector<char> is_due(passes_.size(), 1);  // the strip above the pass
+        std::vector<char> is_due(passes_.size(),
+                                 1);  // whether to test the strip above a pass
         for (int round = 0; round < most_rounds; ++round) {
             parallel_for(passes_.size() - 1, [&](std::size_t begin, std::size_t stop) {
                 for (std::size_t k = begin; k < stop; ++k)
@@ -255,7 +280,7 @@ private:
         }
     }
 
-    // Which strips lie beside a pass that has changed.
+    // Tries to mend both passes beside each open strip. Returns the strips beside a changed pass.
     std::vector<char> mend_beside_open()
     {
         std::vector<char> is_due(passes_.size(), 0);
@@ -266,7 +291,8 @@ private:
         return is_due;
     }
 
-    // Halves the step beside `place` if a ball that rolled along it would cover the place.
+    // Halves the step beside `place` if a ball that rolls along the step would cover the place.
+    // Returns whether the step was halved.
     bool mend(VerifiedPass& pass, const SurfacePoint& place) const
     {
         const SweptPass moves = swept(pass, surface_.cutter());
@@ -286,7 +312,8 @@ private:
         return false;
     }
 
-    // Passes between two that leave a strip open, where a ball fits in it.
+    // Inserts passes between two that leave their strip uncovered, if a ball fits at the uncovered
+    // place. Otherwise the place is noted.
     void lay_between(const VerifiedPass& below, const VerifiedPass& above, int splits)
     {
         const auto place = uncovered_between({below.v, above.v}, below, above);
@@ -295,7 +322,7 @@ private:
         const Vec3 centre = ball_centre(contact_at(marched_, *place, options_.direction),
                                         surface_.cutter());
         FinerPieces finer;
-        if (!surface_.clear.hold({centre, centre}, finer) || splits == 0)
+        if (!surface_.clear.is_clear({centre, centre}, finer) || splits == 0)
             return note(place);
         const VerifiedPass middle = verified_pass(surface_, (below.v + above.v) / 2, {});
         if (middle.pieces.empty())
@@ -320,11 +347,12 @@ private:
     StripCover strip_cover_;
     CoverFront front_;
     VerifiedSurface surface_;
-    std::vector<FrontPoint> previous_front_;  // of the pass laid last
-    double interval_ = 0;                     // to the pass laid last
+    std::vector<FrontPoint> previous_front_;  // front of the pass laid last
+    double interval_ = 0;  // between the passes laid last, in v; 0 at first
     std::vector<LaidPass> laid_;
     std::vector<VerifiedPass> passes_;
-    std::vector<std::optional<SurfacePoint>> open_;  // a place above each pass
+    // An uncovered place in the strip above each pass, if there is one.
+    std::vector<std::optional<SurfacePoint>> open_;
     std::vector<SurfacePoint> uncovered_;
     std::size_t points_ = 0;
 };

@@ -3,21 +3,23 @@
 
 #include <vector>
 
-#include "endmill/planning/verified_plan.h"
+#include "endmill/planning/detail/verified_pass.h"
+#include "endmill/planning/planner_options.h"
 
 namespace endmill {
 
-/// The passes over one surface, v rising, and the places between them that are not known
-/// to be covered.
+/// The passes over one surface, and the places between them that are not proved to be covered.
 struct VerifiedStrips {
-    std::vector<VerifiedPass> passes;  ///< none of them empty
-    std::vector<SurfacePoint> uncovered;
+    std::vector<VerifiedPass> passes;     ///< v rising; each has at least one piece
+    std::vector<SurfacePoint> uncovered;  ///< at most one between two neighbouring passes
 };
 
-/// Lays passes along u over all of a surface and cuts them into steps, as plan_verified
-/// says.
-/// \param clear of the whole part, at the inner tolerance.
-/// \throws as plan_verified.
+/// Plans the passes along u over one surface; see plan_verified.
+/// \param marched the surface.
+/// \param clear   of the whole part, at the inner tolerance.
+/// \param options those of plan_verified.
+/// \throws GeometryError where the surface has no normal.
+/// \throws LimitError if there are more than `most_points` points.
 VerifiedStrips verified_strips(const MarchedSurface& marched, const ClearMoves& clear,
                                const VerifiedOptions& options);
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/iso_parametric.h"
+#include "endmill/planning/planner_options.h"
 
 #include "endmill/surface/extent.h"
 
 namespace endmill {
 namespace {
 
+// Diameter of the ball per tolerance: 15 mm per 0.5 mm in the paper's figure 12.
 constexpr double tolerances_per_diameter = 30;
-// Between the cutter and the highest point of the part, in mm.
+// Distance in mm between the tip at the safe height and the highest point of the part.
 constexpr double clearance = 5;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/detail/clear_moves.h"
+#include "endmill/planning/detail/verified_pass.h"
 
 #include <cmath>
 
@@ -26,7 +26,7 @@ TEST(ClearMoves, HoldAboveThePart)
     const ClearMoves clear = over(part);
     FinerPieces finer;
     const auto holds_at = [&](double height) {
-        return clear.hold({{10, 15, height}, {30, 15, height}}, finer);
+        return clear.is_clear({{10, 15, height}, {30, 15, height}}, finer);
     };
     EXPECT_TRUE(holds_at(radius));
     EXPECT_TRUE(holds_at(radius - 0.99 * tolerance));
@@ -45,7 +45,7 @@ TEST(ClearMoves, HoldBesideTheEdgeOnlyAsDeepAsTheNormalSays)
     const double touching = std::sqrt(radius * radius - beyond * beyond);
     const auto holds_at = [&](double taken) {
         const Vec3 centre{-beyond, 15, touching - taken};
-        return clear.hold({centre, centre}, finer);
+        return clear.is_clear({centre, centre}, finer);
     };
     EXPECT_TRUE(holds_at(0.98 * border_share * tolerance));
     EXPECT_FALSE(holds_at(1.02 * border_share * tolerance));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/iso_parametric.h"
+#include "endmill/planning/planner_options.h"
 
 #include <cmath>
-
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "endmill/planning/iso_parametric.h"
 #include "test_surfaces.h"
 
 namespace endmill {

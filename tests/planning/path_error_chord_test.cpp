@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/chord_error.h"
+#include "endmill/planning/path_error.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/motion_error.h"
+#include "endmill/planning/path_error.h"
 
 #include <cmath>
 #include <numbers>
@@ -39,11 +39,12 @@ TEST(MotionError, OnACylinderIsTheSagittaOfTheCentres)
         const MotionError outside = error_on_cylinder(pi / 6, 5 * pi / 6, delta);
         EXPECT_NEAR(outside.gouge.greatest_mm, delta * (1 + radius / rho),
                     outside.bound_mm);
-        EXPECT_LT(outside.left.greatest_mm, 1e-12);
+        EXPECT_LT(outside.remaining.greatest_mm, 1e-12);
         const MotionError inside = error_on_cylinder(7 * pi / 6, 11 * pi / 6, delta);
-        EXPECT_NEAR(inside.left.greatest_mm, delta * (1 - radius / rho), inside.bound_mm);
+        EXPECT_NEAR(inside.remaining.greatest_mm, delta * (1 - radius / rho),
+                    inside.bound_mm);
         EXPECT_LT(inside.gouge.greatest_mm, 1e-12);
-        EXPECT_EQ(inside.greatest_mm(), inside.left.greatest_mm);
+        EXPECT_EQ(inside.greatest_mm(), inside.remaining.greatest_mm);
     }
 }
 
@@ -87,10 +88,10 @@ TEST(MotionError, IsTheGreatestOfDenseSamples)
         }
         const MotionError error = motion_error(part, path, ball, along);
         EXPECT_NEAR(error.gouge.greatest_mm, gouge, 4e-3 * gouge);
-        EXPECT_NEAR(error.left.greatest_mm, left, 4e-3 * left);
+        EXPECT_NEAR(error.remaining.greatest_mm, left, 4e-3 * left);
         EXPECT_GE(error.gouge.greatest_mm + error.bound_mm, gouge);
-        EXPECT_GE(error.left.greatest_mm + error.bound_mm, left);
-        const auto& [greatest, at, patch] = error.left;
+        EXPECT_GE(error.remaining.greatest_mm + error.bound_mm, left);
+        const auto& [greatest, at, patch] = error.remaining;
         EXPECT_GT(greatest, 0);
         EXPECT_TRUE(patch == 0 || patch == 1);
     }

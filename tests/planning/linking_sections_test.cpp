@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/planning/section_linking.h"
+#include "endmill/planning/linking.h"
 
 #include <string>
 #include <vector>

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "endmill/cutter/cutter.h"
+#include "endmill/planning/linking.h"
+#include "endmill/surface/largest_cutter.h"
+#include "endmill/surface/surface.h"
+
+/// \file
+/// The options of the two planners, and functions that choose default values.
+
+namespace endmill {
+
+/// Which contacts of a pass decide where the next pass lies. Each contact gives a
+/// candidate for the parameter of the next pass.
+enum class Governing {
+    Min,       ///< the smallest candidate: the scallop height holds at every CL point
+    DenseMin,  ///< the smallest candidate of the CL points and of 17 more places a patch
+    Mean,      ///< the mean of the candidates of the CL points
+    First,     ///< the candidate of the first CL point that has one
+    Max,       ///< the largest candidate of the CL points
+};
+
+/// What the planner does if the next pass would lie beyond the border.
+enum class LastPath {
+    Border,  ///< adds a pass on the border
+    None,    ///< adds no further pass
+    Half,    ///< adds a pass on the border if at least half an interval is left
+};
+
+/// What the planner does if no further step fits on a pass.
+enum class EndPoint {
+    Force,  ///< makes the end of the pass a CL point
+    Free,   ///< ends the pass at its last CL point
+};
+
+/// The curvature that determines the step length.
+enum class StepCurvature {
+    Curve,   ///< curvature of the pass as a space curve
+    Normal,  ///< normal curvature of the surface along the pass
+};
+
+/// The direction in which the CL points of a pass are computed. It changes their places.
+enum class March {
+    Forward,    ///< every pass with rising parameter
+    Alternate,  ///< every other pass from its far end
+};
+
+/// How the planner computes the curvature across the feed.
+enum class CrossCurvature {
+    Exact,  ///< from the second fundamental form
+    Chord,  ///< from a chord, eq. (8) of the paper
+};
+
+/// Options of plan_iso_parametric. The paper leaves the choices open that are enums here;
+/// docs/mathematics/economic-cl-data.md, section 7, gives reasons for the defaults.
+struct IsoParametricOptions {
+    Parameter direction = Parameter::U;  ///< the parameter that varies along a pass
+    double chord_tolerance = 0.5;        ///< delta, mm
+    double scallop_height = 0.5;         ///< h, mm
+    Governing governing = Governing::Min;
+    LastPath last_path = LastPath::Border;
+    EndPoint end_point = EndPoint::Force;
+    bool stop_at_borders = false;  ///< put a CL point on every patch border
+    StepCurvature step_curvature = StepCurvature::Curve;
+    March march = March::Forward;
+    CrossCurvature cross_curvature = CrossCurvature::Exact;
+    double cross_step = 0.5;  ///< epsilon of eq. (7), mm; for CrossCurvature::Chord
+    LinkOptions link = {};    ///< order of the passes, tool axis, safe height
+    std::size_t most_points = 40'000'000;  ///< a longer path throws LimitError
+    /// If set, called after each pass with the share of the work that is done.
+    std::function<void(double share)> progress = {};
+};
+
+/// Limits of the error of a ball's straight moves.
+struct MotionTolerances {
+    double inner;  ///< mm; greatest gouge depth, anywhere on the part
+    double outer;  ///< mm along the normal; greatest remaining material along a pass
+};
+
+/// Options of plan_verified.
+struct VerifiedOptions {
+    Parameter direction = Parameter::U;     ///< the parameter that varies along a pass
+    MotionTolerances tolerances{0.5, 0.5};  ///< limits of the moves along a pass
+    double scallop_height = 0.5;            ///< h between passes, mm
+    bool stop_at_borders = false;           ///< put a CL point on every patch border
+    LinkOptions link = {};  ///< order of the passes, tool axis, safe height
+    std::size_t most_points = 40'000'000;  ///< a longer path throws LimitError
+    /// If set, called from time to time with the share of the work that is done.
+    std::function<void(double share)> progress = {};
+};
+
+/// Diameters in mm of the balls from which default_diameter chooses, in falling order.
+inline constexpr std::array<double, 8> stock_diameters{20, 15, 10, 6, 4, 3, 2, 1};
+
+/// Whether the radius of `ball` is below `limit`. Every ball fits if there is no limit.
+bool fits(const BallCutter& ball, const std::optional<CutterLimit>& limit);
+
+/// Diameter in mm of the largest ball of `stock_diameters` that fits.
+/// \return nothing if none fits.
+std::optional<double> default_diameter(const std::optional<CutterLimit>& limit);
+
+/// Default tolerance and scallop height in mm of a verified plan: a usual requirement on
+/// a finished surface.
+inline constexpr double verified_tolerance = 0.01;
+
+/// Default chord tolerance and scallop height in mm of an iso-parametric plan for `ball`: a
+/// thirtieth of the diameter. The paper uses 0.5 mm with a ball of 15 mm.
+/// Source: [KimChoi, fig. 12].
+double default_tolerance(const BallCutter& ball);
+
+/// Default height of the tip in mm along `axis` for rapid moves: 5 mm above the highest
+/// point of the surfaces.
+/// \param surfaces the part; at least one.
+/// \param axis unit, from the tip to the spindle.
+/// The error is below 1e-9 of the surfaces' diagonals.
+double default_safe_height(std::span<const Surface> surfaces, const Vec3& axis);
+
+}  // namespace endmill
