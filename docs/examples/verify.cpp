@@ -15,16 +15,17 @@ try {
     using namespace endmill;
     const Part part =
         read_part(argc > 1 ? argv[1] : "datasets/surfaces/saddle.json").part;
-    const BallCutter ball{/*radius=*/10};
-    const ToolPath path =
-        argc > 2
-            ? read_program(argv[2]).path
-            : plan_iso_parametric(std::get<0>(part), ball, {.chord_tolerance = 1}).path;
+    const Cutter cutter = Cutter::ball(/*radius=*/10);
+    const ToolPath path = argc > 2
+                              ? read_program(argv[2]).path
+                              : plan_iso_parametric(std::get<0>(part), BallCutter{10},
+                                                    {.chord_tolerance = 1})
+                                    .path;
 
     VerificationTask task{.path = &path,
-                          .cutter = ball,
+                          .cutter = cutter,
                           .part = &part,
-                          .stock = default_block(&part, path, ball)};
+                          .stock = default_block(&part, path, cutter)};
     task.resolution = 0.5;                         // mm
     task.limits = {.tolerance = 1, .scallop = 2};  // mm
     const Verification found = verify_path(task);

@@ -17,7 +17,7 @@ namespace {
 Verification verified(VerificationTask& task, const VerifyOptions& options)
 {
     ProgressLine progress{"removing material", options.common};
-    task.deviation.progress = [&](double share) {
+    task.progress = [&](double share) {
         progress.begin("measuring the part");
         progress.show(share);
     };

@@ -131,14 +131,14 @@ FittedPose fit_of(const RotaryRange& phi, const RotaryRange& theta)
 
 TEST(FlooredArea, IsTheProductOfBothRangesInDegreesAndTheFloor)
 {
-    const double degree = std::numbers::pi / 180;
+    const double one_degree = std::numbers::pi / 180;
     PartSetup setup;
-    setup.least = fit_of({-10 * degree, 20 * degree}, {0, 40 * degree});
+    setup.least = fit_of({-10 * one_degree, 20 * one_degree}, {0, 40 * one_degree});
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB})
         EXPECT_NEAR(*floored_area_deg2(setup, configuration_of_family(family), 5),
                     35 * 45, 1e-10);
     // With one rotary axis only phi moves.
-    setup.least = fit_of({-10 * degree, 20 * degree}, {0, 0});
+    setup.least = fit_of({-10 * one_degree, 20 * one_degree}, {0, 0});
     EXPECT_NEAR(*floored_area_deg2(setup, configuration_from_word("W/aBxyz/T"), 5),
                 35 * 5, 1e-10);
     EXPECT_FALSE(floored_area_deg2(PartSetup{}, configuration_from_word("W/aBxyz/T"), 5));
