@@ -242,7 +242,7 @@ void PartCharts::mark_borders_of_surfaces()
 void PartCharts::mark_borders_of_mesh()
 {
     std::vector<Sides> borders(mesh_->triangles().size());
-    EdgeUses{*mesh_}.for_each([&](const Edge& edge, std::span<const EdgeUse> uses) {
+    EdgeUses{*mesh_}.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
         if (uses.size() > 1)
             return;
         const auto number = static_cast<std::size_t>(uses.front().triangle());
