@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/process/detail/engaged_region.h"
 #include "small_xml.h"
 
 namespace endmill {
