@@ -30,8 +30,8 @@ double depth_in_ball(const Surface& part, const BallMove& move)
     return deepest ? deepest->depth_mm : 0;
 }
 
-// A ball beside the edge x = 0 of a plane, its centre a beyond the edge and h above the
-// plane: along the normal at the edge it takes sqrt(R^2 - a^2) - h.
+// A ball beside the edge x = 0 of a plane, with its centre a beyond the edge and h above
+// the plane. Along the normal at the edge it cuts to the depth sqrt(R^2 - a^2) - h.
 TEST(BorderDepth, IsTheClosedFormBesideAnEdge)
 {
     const Surface part = test::plane(40, 30);
@@ -50,18 +50,18 @@ TEST(BorderDepth, IsTheClosedFormBesideAnEdge)
         }
 }
 
-// Inside the plane the ball takes what it likes: that is for others to judge.
-TEST(BorderDepth, LooksAtTheBorderOnly)
+// BorderDepth does not judge cuts inside the plane; GougeTest does.
+TEST(BorderDepth, JudgesTheBorderOnly)
 {
     const Surface part = test::plane(40, 30);
     EXPECT_TRUE(is_kept(part, {{20, 15, 1}, {20, 14, 1}}, 0.1));
     EXPECT_TRUE(is_kept(part, {{-9, 15, 1}, {-9, 14, -7}}, 0.1));
-    // Touches the edge from the side, with the rest of the ball below.
+    // The ball touches the edge from the side; the rest of it is below.
     EXPECT_TRUE(is_kept(part, {{-radius, 15, 0}, {-radius, 15, 0}}, 0.1));
 }
 
-// Where two surfaces meet there is no border; where they do not there is.
-TEST(BorderDepth, KnowsWhereSurfacesMeet)
+// Two surfaces have a border between them unless they meet.
+TEST(BorderDepth, IgnoresSidesWhereSurfacesMeet)
 {
     const std::vector<Surface> apart{test::plane(40, 30)};
     const std::vector<Surface> joined{test::plane(40, 30),
@@ -78,9 +78,9 @@ TEST(BorderDepth, KnowsWhereSurfacesMeet)
     EXPECT_TRUE(kept(joined));
 }
 
-// Random moves over a bent patch against rays along its normals, on the border and beside
-// it, and balls at many positions.
-TEST(BorderDepth, AgreesWithRaysOverABentPatch)
+// Random moves over a curved patch, compared with rays along its normals, on the border
+// and beside it, and with balls at many positions of each move.
+TEST(BorderDepth, AgreesWithRaysOverACurvedPatch)
 {
     const Surface part = test::saddle(30, 15, {2, 2});
     const Vec3 axis = Vec3::UnitZ();

@@ -30,7 +30,7 @@ TEST(ContactLine, OfASphereHasTheCentresOfALargerSphere)
     }
 }
 
-TEST(ContactLine, TellsWhereThereIsNoNormal)
+TEST(ContactLine, ReportsThePlaceWithoutANormal)
 {
     std::vector<Vec3> net(16, Vec3::Zero());
     for (int k = 0; k < 16; ++k)

@@ -44,7 +44,7 @@ TEST(CoverFront, OnASkewedPlaneIsMeasuredAcrossThePass)
     EXPECT_NEAR(400 * (middle.foot_u - middle.contact.u), interval / 4, 0.1);
 }
 
-// Eq. (4) is exact on cylinders, outside and inside, for passes along them.
+// [KimChoi, eq. (4)] is exact for passes along a cylinder, outside and inside.
 TEST(CoverFront, OnACylinderIsTheIntervalOfTheClosedForm)
 {
     constexpr double rho = 20;

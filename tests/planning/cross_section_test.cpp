@@ -18,13 +18,13 @@ FeedFrame frame_at(const Surface& surface, double u, double v, double side = 1)
     return feed_frame({u, v}, surface.jet(u, v), side);
 }
 
-// z = height(y) over -20 ... 20 both ways; passes run along x, u = v = 1/2 is the origin.
+// z = height(y) over [-20, 20] in x and y. Passes run along x; u = v = 1/2 is the origin.
 Surface ruled_along_x(const test::Polynomial& height)
 {
     return test::graph(height, {{-20, 20}, {-20, 20}});
 }
 
-TEST(FeedFrame, IsRightAngledAndLooksTowardsTheNextPass)
+TEST(FeedFrame, IsOrthogonalAndPointsTowardsTheNextPass)
 {
     for (unsigned seed = 0; seed < 20; ++seed)
         for (const double side : {1.0, -1.0}) {
@@ -58,8 +58,9 @@ TEST(CrossCurvature, OfTheSaddleIsConvexAcrossXAndConcaveAcrossY)
     EXPECT_NEAR(cross_curvature(frame_at(saddle, 0.5, 0.5, -1)), -1.0 / 32, 1e-16);
 }
 
-// A cylinder z = bend x^2 / 2 whose passes cross its axis at an angle: Euler's theorem.
-TEST(CrossCurvature, OfACylinderCrossedAskewIsEulers)
+// A cylinder z = bend x^2 / 2 whose passes cross its axis at an angle. Euler's theorem
+// gives the curvature across the feed.
+TEST(CrossCurvature, OfACylinderCrossedAtAnAngleIsEulers)
 {
     constexpr double bend = 0.04;
     for (const double angle : {0.0, 0.3, 1.0, 1.5}) {
@@ -145,7 +146,7 @@ TEST(CheckPlanePoint, LiesInThePlaneAtTheDistance)
     EXPECT_GT(converged, 190);
 }
 
-TEST(CheckPlanePoint, OnAPlaneIsThereAtOnceEvenBeyondTheBorder)
+TEST(CheckPlanePoint, OnAPlaneConvergesAtOnceEvenBeyondTheBorder)
 {
     const Surface plane = test::parallelogram({200, 0, 0}, {60, 120, 0}, {3, 2});
     const FeedFrame frame = frame_at(plane, 0.1, 1.9);
@@ -175,7 +176,7 @@ TEST(CheckPlanePoint, OnAParabolaIsTheRootOfAQuadratic)
         }
 }
 
-TEST(CheckPlanePoint, BeyondTheMostVIsLeftAlone)
+TEST(CheckPlanePoint, BeyondTheGreatestVEndsTheSearch)
 {
     test::Random random{2};
     int left_alone = 0;
@@ -211,7 +212,8 @@ TEST(CheckPlanePoint, AtNoDistanceIsTheContactItself)
 
 TEST(CheckPlanePoint, ThatDoesNotExistIsTheLinearEstimate)
 {
-    // z = -y^2: from the steep flank at y = 15 no point lies 1000 mm further back uphill.
+    // z = -y^2: no point of the surface lies 1000 mm uphill from the steep flank at y =
+    // 15.
     const Surface ridge = ruled_along_x(test::monomial(0, 2, -1));
     const FeedFrame frame = frame_at(ridge, 0.5, 0.875);
     const CheckPlanePoint found = check_plane_point(ridge, frame, -1000);
@@ -220,7 +222,7 @@ TEST(CheckPlanePoint, ThatDoesNotExistIsTheLinearEstimate)
     EXPECT_EQ(found.at.v, 0.875 - 1000 * frame.cross.b);
 }
 
-// (120 x, 60 x y, 0): rays along u from the pole x = 0.
+// (120 x, 60 x y, 0): the lines along u are rays from the pole x = 0.
 Surface fan()
 {
     return test::polynomial_surface(
@@ -228,7 +230,7 @@ Surface fan()
         {{0, 1}, {0, 1}});
 }
 
-TEST(FeedFrame, AtThePoleOfRaysLooksAlongTheRayAndKnowsThatAllPassesMeet)
+TEST(FeedFrame, AtThePoleOfRaysPointsAlongTheRayAndAllPassesMeet)
 {
     const FeedFrame frame = feed_frame({0, 0.5}, fan().jet(0, 0.5), Vec3::UnitZ());
     EXPECT_TRUE(frame.passes_meet);
@@ -237,7 +239,7 @@ TEST(FeedFrame, AtThePoleOfRaysLooksAlongTheRayAndKnowsThatAllPassesMeet)
     EXPECT_FALSE(frame_at(fan(), 0.1, 0.5).passes_meet);
 }
 
-TEST(FeedFrame, OnAPassThatIsAPoleLooksWhereThePassesBesideItRun)
+TEST(FeedFrame, OnAPassThatIsAPolePointsAlongThePassesBesideIt)
 {
     const Surface turned = transposed(fan());  // passes run across the rays
     const FeedFrame frame = feed_frame({0.5, 0}, turned.jet(0.5, 0), Vec3::UnitZ());

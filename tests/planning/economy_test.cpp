@@ -43,7 +43,7 @@ TEST(PathEconomy, CountsAndSumsAZigZag)
     EXPECT_EQ(economy.link.tip_mm, 1);
 }
 
-TEST(PathEconomy, LeavesLiftedMovesOut)
+TEST(PathEconomy, OmitsLiftedMoves)
 {
     ToolPath path;
     path.points = {touching(0, Move::Plunge, {0, 0, 0}, {0, 0, 0}),
@@ -61,7 +61,7 @@ TEST(PathEconomy, LeavesLiftedMovesOut)
     EXPECT_EQ(economy.link.tip_mm, 0);
 }
 
-TEST(PathEconomy, OfNoPathIsNothing)
+TEST(PathEconomy, OfAnEmptyPathIsZero)
 {
     const PathEconomy economy = path_economy({});
     EXPECT_EQ(economy.passes, 0U);
@@ -89,7 +89,7 @@ TEST(PathEconomy, RefusesACutThatDoesNotLeadFromContactToContact)
     EXPECT_THROW(path_economy({{plunge, lifted(0, Move::Link, {1, 0, 0})}}), DomainError);
 }
 
-// Against the sum in long double, whose own error is 2000 times smaller.
+// The reference is the sum in long double, whose error is 2000 times smaller.
 TEST(PathEconomy, SumsToTheAccuracyStated)
 {
     test::Random random{1};
@@ -127,8 +127,8 @@ struct PrintedCell {
     int reduction_tcd_percent;
 };
 
-// [KimChoi, table 1 and 2] at D = 10, 15 and 20 and a tolerance of 0.5 mm, where the
-// reductions are 23.15, 22.71 and 22.36 % of the points, 8.52, 7.90 and 7.39 % of the
+// [KimChoi, table 1, table 2] at D = 10, 15 and 20 mm and a tolerance of 0.5 mm. The
+// reductions are 23.15, 22.71 and 22.36 % of the points, and 8.52, 7.90 and 7.39 % of the
 // travel.
 TEST(CompareDirections, GivesTheReductionsThatThePaperPrints)
 {

@@ -35,7 +35,7 @@ std::vector<Seen> cuts_of(const std::vector<Pass>& passes, Parameter along)
     std::vector<Seen> seen;
     const ToolPath path = link_passes(passes, BallCutter{1}, {});
     for_each_iso_cut(std::span{&hump(), 1}, path, along, [&](const IsoCut& cut) {
-        // The line is the one of the pass: the contacts of the move lie on it.
+        // The contacts of the move lie on the line, so it is the line of the pass.
         const auto off = [&](double u, const PathPoint& point) {
             return (cut.line.point(u) - point.contact->contact.point).norm();
         };

@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// The nets fitted to the paper's tables: their 108 cells, which three independent
-// programs agree on, and what else is known of them from outside this library.
+// SPDX-License-Identifier: GPL-3.0-or-later The nets fitted to the paper's tables. Three
+// independent programs agree on their 108 cells and on further results of them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -143,8 +142,8 @@ TEST(FittedNets, LargestCutterOfTheDefaultExampleStandsAtItsPlaceOrTheMirroredOn
     EXPECT_NEAR(is_mirrored ? 2 - limit->at.v : limit->at.v, 1.6198, 1e-4);
 }
 
-// Mean change in percent, over the nine cells, of the points and the travel along u and
-// v.
+// Mean change in percent of the points and of the travel, along u and along v, over the
+// nine cells.
 struct Change {
     double ncl_u, ncl_v, tcd_u, tcd_v;
 };
@@ -168,7 +167,7 @@ Change mean_change(const std::function<void(IsoParametricOptions&)>& policy)
     return change;
 }
 
-// The table of an independent program, known to `digit` percent.
+// The table of an independent program, rounded to `digit` percent.
 TEST(FittedNets, PoliciesChangeThePathsAsAnIndependentProgramFound)
 {
     using Options = IsoParametricOptions;
@@ -235,8 +234,8 @@ Ball ball_at(const Surface& surface, const SurfacePoint& at, double radius)
     return {tangents.point, tangents.point + radius * unit_normal(tangents)};
 }
 
-// Height above the surface of the lowest point that both balls leave, in the plane of
-// their centres and contacts.
+// Height above the surface of the point where the two balls meet, in the plane of their
+// centres and contacts.
 double cusp_height(const Surface& surface, const GoverningPoint& pair, double radius)
 {
     const Ball one = ball_at(surface, pair.at, radius);

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// What must not change the plan of plan_iso_parametric, or only as it changes the part.
+// SPDX-License-Identifier: GPL-3.0-or-later Changes of the input that must leave the plan
+// unchanged, or change it as they change the part.
 #include <cmath>
 
 #include <gtest/gtest.h>

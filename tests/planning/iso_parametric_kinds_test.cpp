@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The planner on surfaces of every kind: closed forms, and one surface written in many.
+// The planner on every kind of surface: closed forms, and one surface in several
+// representations.
 #include "endmill/planning/iso_parametric.h"
 
 #include <cmath>
@@ -24,8 +25,8 @@ struct CrossSection {
     double h;     // scallop, mm
 };
 
-// Angle in rad at the section's centre between neighbouring contacts, by the law of
-// cosines in the triangle of the centre, a ball's centre and the scallop's peak.
+// Angle in rad between neighbouring contacts at the centre of the section, from the law
+// of cosines in the triangle of that centre, a ball's centre and the scallop's peak.
 double angle_between_passes(const CrossSection& s)
 {
     const double a = s.rho + s.ball;
@@ -33,8 +34,8 @@ double angle_between_passes(const CrossSection& s)
     return 2 * std::acos((a * a + b * b - s.ball * s.ball) / (2 * a * b));
 }
 
-// Height above the circle of radius rho about the origin at which two balls meet that
-// touch it at the angles +-half: the crossing of their circles on the bisector.
+// Two balls touch the circle of radius rho about the origin at the angles +-half. Returns
+// the height above the circle at which they meet, on the bisector.
 double cusp_left(const CrossSection& s, double half)
 {
     const double x = (s.rho + s.ball) * std::sin(half);
@@ -43,7 +44,7 @@ double cusp_left(const CrossSection& s, double half)
     return s.rho > 0 ? y - down - s.rho : -s.rho - (std::abs(y) + down);
 }
 
-// Angles about (y, z) = (0, 0), one a pass, at which `angle_of` a contact sees it.
+// The angle about (y, z) = (0, 0) of each pass; `angle_of` returns that of a contact.
 template <class AngleOf>
 std::vector<double> pass_angles(const ToolPath& path, const AngleOf& angle_of)
 {
@@ -148,7 +149,7 @@ TEST(PlannedKinds, PassesOnASphereEndInItsPoleAsAPoint)
                    section);
 }
 
-// Steps around a cylinder of radius r: each turns by 2 acos(1 - delta / r).
+// Each step around a cylinder of radius r turns by 2 acos(1 - delta / r).
 TEST(PlannedKinds, StepsAroundACylinderKeepTheChordTolerance)
 {
     const double r = 20;
@@ -172,7 +173,7 @@ TEST(PlannedKinds, StepsAroundACylinderKeepTheChordTolerance)
     }
 }
 
-// z = a bicubic polynomial over 0 … 60 by 0 … 40.
+// z is a bicubic polynomial over [0, 60] by [0, 40].
 Surface bicubic_graph(test::PatchCounts patches)
 {
     test::Polynomial height = test::Polynomial::Zero();

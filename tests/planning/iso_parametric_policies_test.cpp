@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every policy of plan_iso_parametric means.
+// The meaning of each option of plan_iso_parametric.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -22,7 +22,8 @@ using test::passes_of;
 
 constexpr double R = 5;
 
-// Bent differently across the feed at every place of a pass, three by two patches.
+// A surface of three by two patches whose curvature across the feed varies along each
+// pass.
 Surface uneven_surface()
 {
     return test::graph(test::monomial(0, 2, 0.01) + test::monomial(1, 2, 2e-4) +
@@ -36,7 +37,7 @@ std::vector<std::vector<PathPoint>> planned(const Surface& surface,
     return passes_of(plan_iso_parametric(surface, BallCutter{R}, options).path);
 }
 
-// Where the next pass could lie as the place (u, v) allows it. [KimChoi, eq. (8)-(10)]
+// The candidate of the contact at (u, v) for the next pass. [KimChoi, eq. (8), (9), (10)]
 double candidate(const Surface& surface, double u, double v,
                  const IsoParametricOptions& options)
 {
@@ -58,7 +59,7 @@ std::vector<double> candidates(const Surface& surface, const std::vector<PathPoi
     return found;
 }
 
-TEST(Policies, GoverningMinTakesTheNearestNextPassThatAnyPointAllows)
+TEST(Policies, GoverningMinTakesTheSmallestCandidate)
 {
     const IsoParametricOptions options;
     const auto passes = planned(uneven_surface(), options);
@@ -68,7 +69,7 @@ TEST(Policies, GoverningMinTakesTheNearestNextPassThatAnyPointAllows)
                     1e-9);
 }
 
-TEST(Policies, GoverningMaxTakesTheFarthest)
+TEST(Policies, GoverningMaxTakesTheLargestCandidate)
 {
     IsoParametricOptions options;
     options.governing = Governing::Max;
@@ -95,7 +96,7 @@ TEST(Policies, GoverningMeanTakesTheMean)
     }
 }
 
-TEST(Policies, GoverningFirstAsksTheFirstPointMarched)
+TEST(Policies, GoverningFirstUsesTheFirstContact)
 {
     for (const March march : {March::Forward, March::Alternate}) {
         IsoParametricOptions options;
@@ -112,7 +113,7 @@ TEST(Policies, GoverningFirstAsksTheFirstPointMarched)
     }
 }
 
-TEST(Policies, GoverningDenseMinAlsoAsksBetweenThePoints)
+TEST(Policies, GoverningDenseMinAlsoUsesPlacesBetweenThePoints)
 {
     IsoParametricOptions options;
     options.chord_tolerance = 5;  // long steps
@@ -156,7 +157,7 @@ TEST(Policies, LastPathDecidesWhatHappensAtTheBorder)
     }
 }
 
-TEST(Policies, EndPointFreeLeavesTheForcedLastPointOut)
+TEST(Policies, EndPointFreeOmitsTheForcedLastPoint)
 {
     const Surface cylinder = test::parabolic_cylinder(0.03, 40, 30, {3, 2});
     IsoParametricOptions options;
@@ -204,7 +205,7 @@ TEST(Policies, StopAtBordersPutsAPointOnEveryBorder)
             })) << border;
 }
 
-TEST(Policies, StepCurvatureTellsALineThatBendsInTheSurfaceFromOneThatBendsWithIt)
+TEST(Policies, StepCurvatureDistinguishesGeodesicFromNormalCurvature)
 {
     // (x, y + x^2 / 50, 0): curved lines on a plane.
     const Surface plane = test::polynomial_surface(
@@ -225,9 +226,10 @@ TEST(Policies, StepCurvatureTellsALineThatBendsInTheSurfaceFromOneThatBendsWithI
         EXPECT_NEAR(by_normal[0][k].contact->u, by_curve[0][k].contact->u, 1e-10);
 }
 
-// Every step of a forward pass but the last covers D along the tangent at its start, D by
-// the curvature that the policy names. [KimChoi, eq. (1)-(3)]
-TEST(Policies, StepCurvatureDecidesHowFarEveryStepGoes)
+// Every step of a forward pass but the last has the projected length D on the tangent at
+// its start; the option selects the curvature from which D follows. [KimChoi, eq. (1),
+// (2), (3)]
+TEST(Policies, StepCurvatureDeterminesEveryStep)
 {
     const Surface surface = uneven_surface();
     IsoParametricOptions options;
@@ -253,7 +255,7 @@ TEST(Policies, StepCurvatureDecidesHowFarEveryStepGoes)
 
 TEST(Policies, MarchAlternateComputesOddPassesFromTheirFarEnd)
 {
-    // z = x^3 / 6000 is bent unlike at its two ends; v changes nothing.
+    // z = x^3 / 6000 has different curvatures at its two ends, and is constant in v.
     const test::Polynomial height = test::monomial(3, 0, 1 / 6000.0);
     const Surface surface = test::graph(height, {{20, 90}, {0, 30}}, {3, 1});
     const Surface turned = test::graph(height, {{90, 20}, {0, 30}}, {3, 1});
@@ -288,7 +290,7 @@ TEST(Policies, MarchForwardComputesEveryPassAlike)
     }
 }
 
-TEST(Policies, CrossCurvatureByChordAsksTheChord)
+TEST(Policies, CrossCurvatureByChordUsesTheChord)
 {
     IsoParametricOptions options;
     options.cross_curvature = CrossCurvature::Chord;

@@ -31,13 +31,14 @@ IsoParametricOptions tolerances(double delta, double h,
     return options;
 }
 
-// A ball of radius 5 leaves scallops of 1 mm on a plane at 6 mm: 2 sqrt(2 5 1 - 1).
+// On a plane a ball of radius 5 leaves scallops of 1 mm at the interval 2 sqrt(2 5 1 - 1)
+// = 6 mm.
 IsoParametricPlan plan_six_mm(const Surface& surface, Parameter direction = Parameter::U)
 {
     return plan_iso_parametric(surface, BallCutter{5}, tolerances(0.5, 1, direction));
 }
 
-TEST(IsoParametric, OnAPlaneHasThePathThatArithmeticSays)
+TEST(IsoParametric, OnAPlaneHasThePathOfTheClosedForm)
 {
     const ToolPath path = plan_six_mm(test::plane(200, 120, {3, 2})).path;
     ASSERT_EQ(path.points.size(), 42U) << "21 passes, not 22: 120 / 6 divides exactly";
@@ -126,7 +127,7 @@ TEST(IsoParametric, OnStraightLinesHasTwoPointsAPassThoughTheSurfaceIsCurved)
             EXPECT_EQ(pass.size(), 2U);
 }
 
-// The x that lies `distance` beyond `x` along the tangent of z = bend x^2 / 2 there:
+// The X on z = bend x^2 / 2 that lies `distance` beyond `x` along the tangent at `x`:
 // (X - x) + s bend (X^2 - x^2) / 2 = distance sqrt(1 + s^2), s = bend x.
 double beyond_on_parabola(double bend, double x, double distance)
 {
@@ -141,7 +142,8 @@ double parabola_curvature(double bend, double x)
     return bend / std::pow(1 + bend * bend * x * x, 1.5);
 }
 
-TEST(IsoParametric, StepsOnAParabolaAreThoseOfTheClosedForm)  // [KimChoi, eq. (1)-(3)]
+TEST(IsoParametric,
+     StepsOnAParabolaAreThoseOfTheClosedForm)  // [KimChoi, eq. (1), (2), (3)]
 {
     for (const double bend : {0.03, -0.03})
         for (const double delta : {0.5, 0.01}) {
@@ -181,7 +183,7 @@ TEST(IsoParametric,
             ASSERT_LT(n, passes.size());
             ASSERT_EQ(passes[n].size(), 2U);
             EXPECT_NEAR(contact_point(passes[n][0]).x(), x, 1e-8) << n;
-            // The triangle of centre, ball and peak by the law of cosines.
+            // Law of cosines in the triangle of circle centre, ball centre and peak.
             const double rho =
                 -sign / parabola_curvature(bend, x);  // convex where bent down
             const double a = rho + R;
@@ -257,7 +259,7 @@ TEST(IsoParametric, RefusesArgumentsOutsideItsDomain)
     }
 }
 
-// The message of the GeometryError that planning throws; empty if it throws none.
+// The message of the GeometryError that the planner throws; empty if it throws none.
 std::string refusal(const Surface& surface, double R, const IsoParametricOptions& options)
 {
     try {
@@ -273,7 +275,7 @@ void expect_text(const std::string& message, const std::string& part)
     EXPECT_NE(message.find(part), std::string::npos) << '"' << message << '"';
 }
 
-TEST(IsoParametric, RefusesABallThatDoesNotFitAndSaysWhere)
+TEST(IsoParametric, RefusesABallThatDoesNotFitAndNamesThePlace)
 {
     // The tightest place of z = x^2 / 40 is x = 0, in the middle of u, with radius 20.
     const Surface trough = test::parabolic_cylinder(0.05, 30, 10, {2, 1});
@@ -291,7 +293,7 @@ TEST(IsoParametric, RefusesASurfaceThatTurnsAwayFromTheAxis)
     expect_text(refusal(wall, 5, tolerances(0.5, 1)), "normal . axis");
     IsoParametricOptions sideways = tolerances(0.5, 1);
     sideways.link.axis = -Vec3::UnitY();
-    EXPECT_EQ(refusal(wall, 5, sideways), "") << "from the side it is a plane";
+    EXPECT_EQ(refusal(wall, 5, sideways), "") << "seen from the side it is a plane";
 
     const Surface seen_from_below =
         composite_bezier(1, 1, test::random_net(1, {1, 1}, 0), ToolSide::DvCrossDu);
@@ -312,7 +314,7 @@ TEST(IsoParametric, RefusesPassesThatMakeNoProgress)
     expect_text(refusal(test::plane(10, 1e5), 5, tolerances(0.5, 1)), "no progress");
 }
 
-TEST(EstimatedPoints, AreWithinAFactorOfTwoOrSo)
+TEST(EstimatedPoints, AreRightToAFactorOfAboutTwo)
 {
     for (const Surface& surface :
          {test::plane(200, 120, {3, 2}), test::saddle(40, 60, {2, 2}),

@@ -68,7 +68,7 @@ TEST(SectionLinking, TurnsByTheAngleOfTheFeed)
     EXPECT_TRUE(path.points[1].location.tip.isApprox(Vec3(-3, 2, -1), 1e-15));
 }
 
-TEST(SectionLinking, OfNothingIsNothing)
+TEST(SectionLinking, OfNoCurvesIsAnEmptyPath)
 {
     const std::vector<PlaneCurves> planes{{0, {}}, {1, {}}};
     EXPECT_TRUE(link_sections(planes, DriveFrame{Angle::degrees(0)}, Cutter::ball(1), {})

@@ -124,7 +124,7 @@ TEST(Linking, OfNoPassIsAnEmptyPath)
 
 TEST(Linking, RefusesASafeHeightBelowThePath)
 {
-    // The highest tip is 12 + R (0.8 - 1) = 11 mm up.
+    // The highest tip is at 12 + R (0.8 - 1) = 11 mm.
     const auto lifted_to = [](double height) {
         return link_passes(slope_passes(), BallCutter{radius},
                            {PassOrder::OneWay, Vec3::UnitZ(), height});

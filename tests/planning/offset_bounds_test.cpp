@@ -13,8 +13,8 @@
 namespace endmill {
 namespace {
 
-// Farthest that the offset strays from the bilinear patch through its corners, as a share
-// of the bound; over random cells of every rectangle.
+// Greatest distance of the offset from the bilinear patch through its corners, as a share
+// of the bound, over random cells of every rectangle.
 double greatest_share(const Surface& surface, double height)
 {
     const MarchedSurface marched{surface, 1};
@@ -72,7 +72,8 @@ TEST(OffsetBounds, HoldNextToAPole)
 
 TEST(OffsetBounds, AreTightOnACylinder)
 {
-    // Of r, dv = rho dt: bends of the offset are (rho + h) times the square of dt / dv.
+    // With the angle t, the second derivative of the offset is about (rho + h) (dt /
+    // dv)^2.
     const Surface part = nurbs_surface(test::cylinder(20, 30, 1.4, 1.7));
     EXPECT_GT(greatest_share(part, 5), 0.3);
 }

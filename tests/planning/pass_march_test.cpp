@@ -16,7 +16,7 @@
 namespace endmill {
 namespace {
 
-// A ball of radius 5 leaves scallops of 1 mm on a plane at 6 mm.
+// On a plane a ball of radius 5 leaves scallops of 1 mm at an interval of 6 mm.
 IsoParametricOptions six_mm(Parameter direction = Parameter::U)
 {
     IsoParametricOptions options;
@@ -25,7 +25,7 @@ IsoParametricOptions six_mm(Parameter direction = Parameter::U)
     return options;
 }
 
-// The surface as it is marched on along u with the axis +z.
+// The surface for passes along u with the axis +z.
 MarchedSurface upright(const Surface& surface)
 {
     return {surface, tool_side_sign(surface, Vec3::UnitZ())};
@@ -54,7 +54,7 @@ TEST(MarchPass, OnAPlaneGoesFromEndToEndAndAllowsOneInterval)
     EXPECT_EQ(pass.next->governing->partner.v, pass.next->v);
 }
 
-TEST(MarchPass, ThatIsTheLastAllowsNothing)
+TEST(MarchPass, ThatIsTheLastHasNoNextPass)
 {
     EXPECT_FALSE(march(test::plane(200, 120), 1, PassRole::Last).next);
 }
@@ -74,10 +74,10 @@ TEST(MarchPass, RisesAlongTheLineWithNormalsOnTheToolsSide)
     }
 }
 
-TEST(MarchPass, OfWhichNoPlaceLimitsTheNextSaysSo)
+TEST(MarchPass, WithoutALimitingContactHasAnInfiniteNextPass)
 {
-    // A trough hardly wider than the ball: its radius at x = 0 is 5.2 mm, and the whole
-    // arc lies within 0.5 mm of the ball.
+    // A trough of radius 5.2 mm at x = 0, little wider than the ball. All of its arc lies
+    // within 0.5 mm of the ball.
     const Surface trough = transposed(test::parabolic_cylinder(1 / 5.2, 1e-3, 20));
     IsoParametricOptions options;
     options.scallop_height = 0.5;
@@ -88,7 +88,7 @@ TEST(MarchPass, OfWhichNoPlaceLimitsTheNextSaysSo)
     EXPECT_FALSE(pass.next->governing);
 }
 
-// (120 x, 60 x y, 0) + pole: rays along u from the point `pole`.
+// (120 x, 60 x y, 0) + pole: the lines along u are rays from the point `pole`.
 Surface fan(const Vec3& pole)
 {
     return test::polynomial_surface(
@@ -125,7 +125,7 @@ TEST(MarchPass, AlongRaysFromAPoleIsLimitedAtTheirFarEnd)
             ASSERT_EQ(passes[n].size(), 2U);
             const Vec3 end = test::contact_point(passes[n][n % 2 == 0 ? 1 : 0]) - pole;
             EXPECT_NEAR(end.y() / end.x(), slope, 1e-9) << n;
-            // 6 mm across the ray at its end lies a point of the next one.
+            // The next ray passes through the point 6 mm across this ray at its end.
             const double length = std::hypot(1, slope);
             slope = (120 * slope + 6 / length) / (120 - 6 * slope / length);
         }
@@ -138,7 +138,7 @@ TEST(MarchPass, AlongRaysFromAPoleIsLimitedAtTheirFarEnd)
 
 TEST(MarchPass, IsRefusedAtAPoleWithoutOneNormal)
 {
-    // (x, x y, x y^2 / 2): a cone, whose normals do not agree at its apex.
+    // (x, x y, x y^2 / 2): a cone, which has many normals at its apex.
     const Surface cone = test::polynomial_surface(
         {test::monomial(1, 0, 30), test::monomial(1, 1, 30), test::monomial(1, 2, 15)},
         {{0, 1}, {0, 1}});

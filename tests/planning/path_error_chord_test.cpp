@@ -20,7 +20,7 @@ Surface trough()
     return test::graph(test::monomial(2, 0, bend / 2), {{-20, 20}, {0, 30}}, {2, 1});
 }
 
-// A path of one pass through the given u at v, linked as planned passes are.
+// A path of one pass at v with contacts at the given u, made by link_passes.
 ToolPath pass_through(const Surface& surface, const std::vector<double>& us, double v)
 {
     Pass pass;
@@ -29,7 +29,7 @@ ToolPath pass_through(const Surface& surface, const std::vector<double>& us, dou
     return link_passes(std::vector<Pass>{pass}, BallCutter{1}, {});
 }
 
-// Greatest distance of the parabola from its chord from x = a to x = b: in the middle.
+// Greatest distance of the parabola from its chord over [a, b], which is in the middle.
 double sagitta(double a, double b)
 {
     const double slope = bend * (a + b) / 2;
@@ -79,7 +79,7 @@ TEST(ChordError, PitchIsTheLongestDistanceOfTwoSamples)
     EXPECT_NEAR(error.greatest_mm, 0, 1e-13);
 }
 
-TEST(ChordError, OfNoCutIsNothing)
+TEST(ChordError, OfNoCutIsZero)
 {
     const Surface surface = trough();
     EXPECT_EQ(chord_error(surface, {}, Parameter::U).greatest_mm, 0);
@@ -92,7 +92,7 @@ TEST(ChordError, OfNoCutIsNothing)
     EXPECT_EQ(still.pitch_mm, 0);
 }
 
-TEST(ChordError, LeavesLinksOut)
+TEST(ChordError, OmitsLinks)
 {
     const Surface surface = trough();
     std::vector<Pass> passes;
@@ -113,7 +113,7 @@ double distance_to_segment(const Vec3& point, const Vec3& start, const Vec3& end
     return (start + share * chord - point).norm();
 }
 
-// The same by 400 samples of every cut, straight from the surface.
+// The chord error by 400 samples of the surface for every cut.
 double scanned_error(const Surface& surface, const ToolPath& path)
 {
     double greatest = 0;
@@ -154,7 +154,8 @@ TEST(ChordError, OfPlannedPathsIsWhatADenseScanFinds)
 
 TEST(ChordError, OfACutOverARidgeIsItsHeight)
 {
-    // a roof of planes, 15 mm high and 40 mm wide: its lines bend at the ridge alone
+    // A roof of two planes, 15 mm high and 40 mm wide. Its lines have a corner at the
+    // ridge.
     const Surface roof = test::valley(20, 30, -0.75);
     const ChordError error =
         chord_error(roof, pass_through(roof, {0, 2}, 0.5), Parameter::U);

@@ -19,7 +19,7 @@ constexpr double rho = 20;
 constexpr double radius = 5;
 constexpr double pi = std::numbers::pi;
 
-// Passes across a cylinder, outside or inside, with the tolerance delta.
+// Passes across a cylinder, outside or inside, whose chords keep the tolerance delta.
 MotionError error_on_cylinder(double from, double to, double delta)
 {
     const std::vector<Surface> part{nurbs_surface(test::cylinder(rho, 30, from, to))};
@@ -31,8 +31,8 @@ MotionError error_on_cylinder(double from, double to, double delta)
     return motion_error(part, path, ball, Parameter::V);
 }
 
-// The sagitta of the contacts' chord is delta for half an angle acos(1 - delta / rho); the
-// centres' circle is larger outside, smaller inside.
+// The chord between contacts has the sagitta delta if its half angle is acos(1 - delta /
+// rho). The centres lie on a circle that is larger outside and smaller inside.
 TEST(MotionError, OnACylinderIsTheSagittaOfTheCentres)
 {
     for (const double delta : {0.02, 0.2}) {
@@ -48,7 +48,7 @@ TEST(MotionError, OnACylinderIsTheSagittaOfTheCentres)
     }
 }
 
-TEST(MotionError, OnAPlaneIsNone)
+TEST(MotionError, OnAPlaneIsZero)
 {
     const std::vector<Surface> part{test::parallelogram({40, 10, 20}, {0, 30, 5})};
     const BallCutter ball{radius};
@@ -56,7 +56,7 @@ TEST(MotionError, OnAPlaneIsNone)
     EXPECT_LT(motion_error(part, path, ball, Parameter::U).greatest_mm(), 1e-12);
 }
 
-// Dense samples of every line, by distances that know nothing of bounds.
+// Deviations at dense samples of every line, computed without bounds.
 TEST(MotionError, IsTheGreatestOfDenseSamples)
 {
     const std::vector<Surface> part{test::random_surface(8, {2, 2}, 2),
@@ -97,7 +97,7 @@ TEST(MotionError, IsTheGreatestOfDenseSamples)
     }
 }
 
-TEST(MotionError, OfNoCutIsNone)
+TEST(MotionError, OfNoCutIsZero)
 {
     const std::vector<Surface> part{test::plane(10, 10)};
     EXPECT_EQ(motion_error(part, {}, BallCutter{1}, Parameter::U).greatest_mm(), 0);

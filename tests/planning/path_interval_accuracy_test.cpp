@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The accuracies that path_interval.h states, against 50 digits.
+// The accuracies that path_interval.h states, compared with 50 digits.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ double error_of(double found, const Real& expected)
     return static_cast<double>(abs((Real{found} - expected) / expected));
 }
 
-// The triangle of the circle's centre, a ball's centre and the peak, solved as it stands.
+// The triangle of the circle's centre, a ball's centre and the peak, solved directly.
 // [KimChoi, eq. (14)]
 Real half_angle(const Real& R, const Real& rho, const Real& h)
 {
@@ -27,7 +27,7 @@ Real half_angle(const Real& R, const Real& rho, const Real& h)
     return acos((a * a + b * b - R * R) / (2 * a * b));
 }
 
-// Worst error of `interval` where the half angle is `alpha`.
+// Greatest relative error of `interval`; `alpha` is its half angle.
 double worst_error(const PathInterval& interval, const Real& rho, const Real& alpha)
 {
     return std::max({error_of(interval.chord, 2 * abs(rho) * sin(alpha)),
@@ -36,7 +36,8 @@ double worst_error(const PathInterval& interval, const Real& rho, const Real& al
                      error_of(interval.half_angle.radians(), alpha)});
 }
 
-// k R between -0.99 and 1000, as often concave as convex, small ones as often as large.
+// Random k R between -0.99 and 1000. Half of them are concave, and a quarter approach -1,
+// where the ball barely fits.
 double random_relative_curvature(test::Random& random)
 {
     if (random.uniform(0, 1) < 0.5)
@@ -87,7 +88,7 @@ TEST(PathIntervalAccuracy, IsWhatItStatesWhereTheScallopIsClamped)
     EXPECT_LT(worst, 1e-14);
 }
 
-// From the middle of the chord up the bisector to the point at distance R from a centre.
+// The point of the bisector at distance R from a ball centre.
 Real scallop(const Real& R, const Real& rho, const Real& l)
 {
     const Real sine = l / (2 * rho);
@@ -95,8 +96,8 @@ Real scallop(const Real& R, const Real& rho, const Real& l)
     return (rho + R) * sqrt(1 - sine * sine) - sqrt(R * R - across * across) - rho;
 }
 
-// Where the balls only just meet, the scallop turns so steeply with the interval that a
-// rounding of the interval moves it by more than the rest of the error.
+// Where the balls barely meet, the scallop depends so steeply on the interval that the
+// rounding of the interval dominates its error.
 TEST(ScallopHeightAccuracy, IsWhatItStatesShortOfTheHighestScallop)
 {
     test::Random random{3};

@@ -95,7 +95,7 @@ TEST(PathInterval, IsUnlimitedWhereOneBallReachesTheWholeConcavity)
     EXPECT_EQ(interval.chord, infinity);
     EXPECT_EQ(interval.projected, infinity);
     EXPECT_EQ(interval.arc, infinity);
-    // The far side of the arc lies 2 (|rho| - R) off the ball.
+    // The far side of the arc has the distance 2 (|rho| - R) from the ball.
     EXPECT_EQ(path_interval(BallCutter{5}, -1 / 5.2, 0.3999).status,
               LengthStatus::Clamped);
     EXPECT_EQ(path_interval(BallCutter{5}, -1 / 5.2, 0.4001).status,
@@ -153,7 +153,7 @@ TEST(PathInterval, TendsToThePlaneFromEitherSide)
     }
 }
 
-// [KimChoi, eq. (4)] as it is printed, in double.
+// [KimChoi, eq. (4)] as printed, in double precision.
 double printed_interval(double R, double rho, double h)
 {
     const double a = R + rho;
@@ -165,7 +165,7 @@ double printed_interval(double R, double rho, double h)
 TEST(PathInterval, AtLargeRadiiKeepsTheDigitsThatThePrintedFormLoses)
 {
     for (const double rho : {1e7, 1e8}) {
-        // 2 sqrt(2Rh - h^2) but for a share of about (R + h) / (2 rho).
+        // 2 sqrt(2Rh - h^2), except for a share of about (R + h) / (2 rho).
         const double expected =
             0.632139225171164 * (1 - 5.01 / (2 * rho));  // second terms are below 1e-13
         EXPECT_LT(test::relative_error(path_interval(BallCutter{5}, 1 / rho, 0.01).chord,
@@ -204,8 +204,8 @@ TEST(PathInterval, ScalesExactlyWithPowersOfTwo)
 
 TEST(HighestScallop, IsWhereTheBallsTouchSideBySide)
 {
-    // There the centres, on the circle of radius rho + R, are 2R apart and the peak lies
-    // on the straight line between them: (rho + h)^2 = (rho + R)^2 - R^2.
+    // There the centres lie 2R apart on the circle of radius rho + R, and the peak is the
+    // middle between them: (rho + h)^2 = (rho + R)^2 - R^2.
     for (const double rho : {1.0, 10.0, 1e4, -10.5, -30.0, -1e4}) {
         const double h = highest_scallop(BallCutter{5}, 1 / rho);
         EXPECT_LT(test::relative_error((rho + h) * (rho + h), (rho + 5) * (rho + 5) - 25),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// That a path takes no more than this, and a plan with it, is measured by
-// tests/cli/plan_test.py.
+// tests/cli/plan_test.py measures that a path needs no more than this.
 #include "endmill/planning/path_memory.h"
 
 #include <limits>
@@ -40,7 +39,7 @@ TEST(PathMemory, RefusesOnlyWhatWouldNotFitWithHalfThePoints)
 }
 
 // 900 million points of 900 bytes are 810 * 10^9 / 2^30 = 754 GiB; 8 GiB hold 9.54
-// million of them.
+// million points.
 TEST(PathMemory, ARefusalNamesPointsNeedAndLimit)
 {
     EXPECT_THAT(

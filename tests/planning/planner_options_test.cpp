@@ -13,14 +13,14 @@
 namespace endmill {
 namespace {
 
-// A trough along y whose bottom, by its closed form, admits balls of radius below
-// `radius`.
+// A trough along y with the radius of curvature `radius` at its bottom: smaller balls
+// fit.
 Surface trough(double radius)
 {
     return test::parabolic_cylinder(1 / radius, 2 * radius, 3 * radius);
 }
 
-// Passes along the trough.
+// Plans passes along the trough with the default tolerance.
 void plan_along(const Surface& surface, double diameter)
 {
     const BallCutter ball{diameter / 2};

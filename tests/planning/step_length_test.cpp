@@ -65,8 +65,8 @@ TEST(StepLength, IsTheTabulatedOneAtAndBeyondItsLimit)
     }
 }
 
-// The circle itself: theta = acos(1 - delta / rho), L = 2 rho sin theta, D = rho sin 2
-// theta. [KimChoi, eq. (1), (2)]
+// The step on a circle: theta = acos(1 - delta / rho), L = 2 rho sin(theta), D = rho
+// sin(2 theta). [KimChoi, eq. (1), (2)]
 TEST(StepLength, KeepsTheAccuracyItStates)
 {
     test::Random random{1};
@@ -153,7 +153,7 @@ TEST(StepLength, RefusesArgumentsOutsideItsDomain)
         EXPECT_THROW(step_length(k, 0.1), DomainError) << k;
 }
 
-TEST(LengthStatus, HasItsWords)
+TEST(LengthStatus, HasNames)
 {
     EXPECT_EQ(length_status_name(LengthStatus::Ok), "ok");
     EXPECT_EQ(length_status_name(LengthStatus::Clamped), "clamped");

@@ -17,7 +17,7 @@ constexpr double radius = 5;
 constexpr double height = 0.4;
 constexpr double pi = std::numbers::pi;
 
-// A pass over the contacts at `us`.
+// The moves of a pass with contacts at `us`.
 SweptPass pass_through(const MarchedSurface& marched, double v,
                        const std::vector<double>& us)
 {
@@ -30,7 +30,7 @@ SweptPass pass_through(const MarchedSurface& marched, double v,
     return pass;
 }
 
-TEST(StripCover, KnowsTheScallopOfAPlane)
+TEST(StripCover, DecidesAtTheScallopOfAPlane)
 {
     const double interval = 2 * std::sqrt(2 * radius * height - height * height);
     for (const double share : {0.9, 0.9999, 1.0001, 1.1}) {
@@ -60,8 +60,9 @@ TEST(StripCover, FindsTheHoleThatAMissingMoveLeaves)
     EXPECT_TRUE(cover.find_uncovered({0, 1}, {}, {}));
 }
 
-// On the line the chord of the centres' circle leaves its sagitta, in the middle.
-TEST(StripCover, KnowsWhatAChordInsideACylinderLeaves)
+// On the line the remaining material is the sagitta of the chord between centres, in its
+// middle.
+TEST(StripCover, DecidesAtTheRemainingMaterialOfAChordInsideACylinder)
 {
     constexpr double rho = 20;
     for (const double angle : {0.3, 0.9}) {
@@ -79,7 +80,7 @@ TEST(StripCover, KnowsWhatAChordInsideACylinderLeaves)
     }
 }
 
-TEST(StripCover, TakesAHeightAboveTheRadiusForTheRadius)
+TEST(StripCover, TreatsAHeightAboveTheRadiusAsTheRadius)
 {
     const MarchedSurface plane{test::plane(40, 2), 1};
     const OffsetBounds bounds{plane.surface};

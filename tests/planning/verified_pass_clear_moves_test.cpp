@@ -20,7 +20,7 @@ ClearMoves over(const Surface& part)
     return {{&part, 1}, {&side, 1}, BallCutter{radius}, Vec3::UnitZ(), tolerance};
 }
 
-TEST(ClearMoves, HoldAboveThePart)
+TEST(ClearMoves, AreClearAboveThePart)
 {
     const Surface part = test::plane(40, 30);
     const ClearMoves clear = over(part);
@@ -35,8 +35,9 @@ TEST(ClearMoves, HoldAboveThePart)
     EXPECT_EQ(clear.cutter().radius(), radius);
 }
 
-// Beyond the edge no point of the plane is as deep in the ball as the ball takes.
-TEST(ClearMoves, HoldBesideTheEdgeOnlyAsDeepAsTheNormalSays)
+// Beside the edge the ball cuts deeper along the normal than any point of the plane lies
+// in it.
+TEST(ClearMoves, AreLimitedBesideTheEdgeByTheDepthAlongTheNormal)
 {
     const Surface part = test::plane(40, 30);
     const ClearMoves clear = over(part);

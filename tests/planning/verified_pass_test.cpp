@@ -17,7 +17,7 @@ constexpr double radius = 5;
 constexpr double rho = 20;
 constexpr double pi = std::numbers::pi;
 
-// A surface marched along u, with all that a pass is judged by.
+// A surface for passes along u, with the tests of its moves.
 struct Planned {
     Planned(const Surface& part, double side, MotionTolerances motion)
         : marched{part, side},
@@ -52,13 +52,13 @@ struct Planned {
     MotionTolerances tolerances;
 };
 
-// The cylinder across its axis, from angle to angle.
+// The cylinder between two angles, for passes across its axis.
 Surface across_cylinder(double from, double to)
 {
     return transposed(nurbs_surface(test::cylinder(rho, 30, from, to, 2)));
 }
 
-// All steps but the last are the longest that the closed form allows.
+// Expects that all steps but the last turn by `angle`, which the closed form allows.
 void expect_steps(const VerifiedPass& pass, double angle)
 {
     ASSERT_EQ(pass.pieces.size(), 1U);
@@ -73,7 +73,7 @@ void expect_steps(const VerifiedPass& pass, double angle)
     }
 }
 
-// Outside, the chord of the centres' circle dips into the part by its sagitta.
+// Outside, a straight move of the centre gouges by the sagitta of its chord.
 TEST(VerifiedPass, OutsideACylinderStepsAsFarAsTheInnerToleranceAllows)
 {
     const Surface part = across_cylinder(pi / 6, 5 * pi / 6);
@@ -85,7 +85,7 @@ TEST(VerifiedPass, OutsideACylinderStepsAsFarAsTheInnerToleranceAllows)
     }
 }
 
-// Inside, it leaves its sagitta.
+// Inside, a straight move leaves its sagitta as remaining material.
 TEST(VerifiedPass, InsideACylinderStepsAsFarAsTheOuterToleranceAllows)
 {
     const Surface part = across_cylinder(7 * pi / 6, 11 * pi / 6);
@@ -106,8 +106,8 @@ TEST(VerifiedPass, CrossesAPlaneInOneStep)
     EXPECT_EQ(planned.pass(0.3, 100, true).pieces.front().size(), 4U);  // borders
 }
 
-// In a valley of slopes -s and s the ball touches both sides; it enters the other one by
-// 0.02 mm where its centre is 0.02 mm nearer to it.
+// In a valley of slopes -s and s the ball touches both sides at its lowest place. It may
+// move further by the inner tolerance of 0.02 mm, measured towards the other side.
 TEST(VerifiedPass, BreaksOffWhereTheBallNoLongerFits)
 {
     constexpr double slope = 0.5;

@@ -50,7 +50,8 @@ VerifiedOptions options_of(const Demand& demand, Parameter direction)
     return options;
 }
 
-// Plans both ways and looks at samples of the surfaces, which know nothing of bounds.
+// Plans in both directions and checks the tolerances at samples of the surfaces, without
+// bounds.
 void expect_kept(const std::vector<Surface>& part, const Demand& demand, int count)
 {
     const BallCutter ball{demand.radius};
@@ -75,8 +76,8 @@ TEST(VerifiedPlan, KeepsItsTolerancesOnTheFittedNets)
         expect_kept({net(name)}, {7.5, {0.5, 0.5}, 0.5}, 25);
 }
 
-// Beyond the border the ball reaches under the part, deeper along the normals there than
-// any point of the part is in it.
+// Beside the border the ball reaches below the part. Along the normals there it cuts
+// deeper than any point of the part lies in it.
 TEST(VerifiedPlan, KeepsItsToleranceAlongTheNormalsAtTheBorder)
 {
     for (const char* name : {"net_full48_41D", "net_rot24_7D"}) {
@@ -114,8 +115,9 @@ TEST(VerifiedPlan, KeepsItsTolerancesWherePatchesHaveWeights)
                 {2, {0.05, 0.05}, 0.1}, 30);
 }
 
-// A wall beside a floor, two surfaces: the ball on the floor's border would enter it.
-TEST(VerifiedPlan, LooksAtAllSurfacesOfThePart)
+// A wall beside a floor, as two surfaces: a ball on the border of the floor would enter
+// the wall.
+TEST(VerifiedPlan, RespectsAllSurfacesOfThePart)
 {
     constexpr double radius = 4;
     const std::vector<Surface> part{
@@ -130,8 +132,8 @@ TEST(VerifiedPlan, LooksAtAllSurfacesOfThePart)
     EXPECT_FALSE(plan.uncovered.empty());  // in the corner
 }
 
-// Between passes along a cylinder a link is a chord that dips in by the sagitta of the
-// centres' circle: more than a small inner tolerance, less than a large one.
+// A link between passes along a cylinder is a chord, and gouges by its sagitta. The
+// sagitta exceeds the small inner tolerance, but not the large one.
 TEST(VerifiedPlan, LiftsLinksThatWouldGouge)
 {
     const std::vector<Surface> part{nurbs_surface(test::cylinder(20, 30, 0.8, 2.3))};
@@ -205,7 +207,7 @@ TEST(VerifiedPlan, RefusesWhatIsOutOfRange)
     EXPECT_THROW(plan_verified(overhang, BallCutter{2},
                                options_of({2, {0.1, 0.1}, 0.1}, Parameter::U)),
                  GeometryError);
-    // A V so narrow that the ball fits nowhere in it.
+    // A valley so narrow that the ball fits nowhere in it.
     const std::vector<Surface> narrow{test::valley(1, 10, 3)};
     EXPECT_THROW(plan_verified(narrow, BallCutter{4},
                                options_of({4, {0.01, 0.1}, 0.1}, Parameter::U)),

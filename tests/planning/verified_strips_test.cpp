@@ -61,9 +61,10 @@ TEST(VerifiedStrips, ConvergeOnAPole)
     EXPECT_EQ(swept(strips.passes.back(), BallCutter{radius}).size(), 1U);
 }
 
-// A crease that no ball reaches: beside it stays R (1 / cos tilt - 1) less what the ball
-// may enter, all of it more than scallop and outer tolerance.
-TEST(VerifiedStrips, TellOfACreaseAndGoOn)
+// No ball reaches the crease of a valley. The remaining material there is R (1 / cos tilt
+// - 1), less a little for the inner tolerance. It exceeds the scallop height plus the
+// outer tolerance.
+TEST(VerifiedStrips, ReportACreaseAndContinue)
 {
     const Surface valley = test::valley(30, 20, 1);
     for (const Surface& part : {valley, transposed(valley)}) {

@@ -7,7 +7,7 @@
 
 namespace endmill::test {
 
-/// The points of `path` pass by pass, but for those at which the cutter is lifted.
+/// The points of `path` with a contact, grouped by pass. Points of lifts have none.
 inline std::vector<std::vector<PathPoint>> passes_of(const ToolPath& path)
 {
     std::vector<std::vector<PathPoint>> passes;
@@ -21,13 +21,13 @@ inline std::vector<std::vector<PathPoint>> passes_of(const ToolPath& path)
     return passes;
 }
 
-/// The point of the part that the cutter touches at `point`.
+/// The contact point on the part; `point` must have a contact.
 inline const Vec3& contact_point(const PathPoint& point)
 {
     return point.contact->contact.point;
 }
 
-/// Whether two paths are the same to the bit.
+/// Whether two paths are equal to the bit.
 inline bool are_equal(const ToolPath& one, const ToolPath& other)
 {
     const auto same_contact = [](const SurfaceContact& a, const SurfaceContact& b) {

@@ -30,14 +30,15 @@ struct PathEconomy {
 ///
 /// \param path any path; an empty path has cost zero.
 /// \throws DomainError if a cut or link does not lead from one contact to another.
+///
 /// The counts are exact; the relative error of a length is below 1.2e-16 (n + 4) for n
 /// moves.
 PathEconomy path_economy(const ToolPath& path);
 
 /// Comparison of plans along u and along v.
 struct DirectionComparison {
-    /// The direction with the shorter travel. If both are equal, the one with fewer points;
-    /// if these are equal too, u.
+    /// The direction with the shorter travel. If both are equal, the one with fewer
+    /// points; if these are equal too, u.
     Parameter recommended;
     double reduction_ncl;  ///< (max - min) / max of the number of points, in [0, 1)
     double reduction_tcd;  ///< (max - min) / max of the travel, in [0, 1)
@@ -55,6 +56,7 @@ struct DirectionCost {
 /// \param u cost of the plan along u.
 /// \param v cost of the plan along v.
 /// \throws DomainError unless all four numbers are positive and finite.
+///
 /// The choice is exact; relative error of a reduction below 4e-16 for counts below 2^53.
 DirectionComparison compare_directions(const DirectionCost& u, const DirectionCost& v);
 

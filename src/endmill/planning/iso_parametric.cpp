@@ -17,19 +17,20 @@
 #include "endmill/surface/tool_side.h"
 
 // The planner works pass by pass:
-// 1. The surface is transposed if the passes run along v, so that every pass runs along u.
-// 2. march_pass computes the contacts of the pass at v. Each contact has a candidate for the
-//    parameter of the next pass; the rule `governing` selects one.
+// 1. The surface is transposed if the passes run along v, so that every pass runs along
+//    u.
+// 2. march_pass computes the contacts of the pass at v. Each contact has a candidate for
+//    the parameter of the next pass; the rule `governing` selects one.
 // 3. The next pass lies there, on the border, or nowhere, as `last_path` demands.
-// 4. After the last pass, link_passes joins the contacts to a path.
-// With March::Alternate every other pass is marched on the surface reversed in u, and its result
-// is reversed back.
+// 4. After the last pass, link_passes joins the contacts to a path. With March::Alternate
+// every other pass is marched on the surface reversed in u, and its result is reversed
+// back.
 
 namespace endmill {
 namespace {
 
-// Widths of a patch. A pass that advances less than this makes no progress: the planner would
-// need more than 10 000 passes for one patch.
+// Widths of a patch. A pass that advances less than this makes no progress: the planner
+// would need more than 10 000 passes for one patch.
 constexpr double least_advance = 1e-4;
 
 // The parameter of the pass after the one at v, or nothing if that was the last.
@@ -49,7 +50,8 @@ std::optional<double> next_pass(const Surface& surface, double v, double candida
     return std::nullopt;
 }
 
-// Turns a pass that was marched on the surface reversed in u into one on the original surface.
+// Turns a pass that was marched on the surface reversed in u into one on the original
+// surface.
 void turn_round(MarchedPass& pass, Interval range)
 {
     const auto turned = [&](double u) { return range.low + range.high - u; };
@@ -130,7 +132,8 @@ private:
         return pass;
     }
 
-    // The parameter of the pass after the one at v. The error names the start of that pass.
+    // The parameter of the pass after the one at v. The error names the start of that
+    // pass.
     std::optional<double> following(double v, double candidate) const
     {
         const double width = forward_.surface.patch_width(Parameter::V, v);

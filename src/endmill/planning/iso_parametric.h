@@ -10,9 +10,8 @@
 #include "endmill/planning/planner_options.h"
 #include "endmill/surface/surface.h"
 
-/// \file
-/// The planner of the paper: passes along iso-parametric lines, with step lengths and path
-/// intervals from circles of curvature.
+/// \file The planner of the paper: passes along iso-parametric lines, with step lengths
+/// and path intervals from circles of curvature.
 
 namespace endmill {
 
@@ -31,27 +30,27 @@ struct IsoParametricPlan {
 };
 
 /// Plans passes along iso-parametric lines from one border of the surface to the other.
-/// Along a pass it takes the longest steps that keep the chord tolerance; between passes it
-/// takes the widest interval that keeps the scallop height.
+/// Along a pass it takes the longest steps that keep the chord tolerance; between passes
+/// it takes the widest interval that keeps the scallop height.
 ///
 /// The tolerances hold only as far as circles of curvature approximate the surface; the
 /// planner does not check the result. Use `path_error.h` to measure it, or plan_verified.
 /// Source: [KimChoi, section 4, section 5]: eq. (1) to (3) along a pass, eq. (4) to (10)
 /// across; docs/mathematics/economic-cl-data.md, section 10.
 ///
-/// \param surface to machine. On a collapsed edge a pass is a single point if the normal has
-///        a limit there.
+/// \param surface to machine. On a collapsed edge a pass is a single point if the normal
+///        has a limit there.
 /// \param cutter the ball.
 /// \param options see there.
 /// \throws DomainError if a tolerance, the scallop height or the axis is out of range.
-/// \throws GeometryError with the place if N . axis <= 0, the surface has no normal, the ball
-///         does not fit, or a pass makes no progress.
+/// \throws GeometryError with the place if N . axis <= 0, the surface has no normal, the
+///         ball does not fit, or a pass makes no progress.
 /// \throws LimitError if the path has more than `most_points` points.
 IsoParametricPlan plan_iso_parametric(const Surface& surface, const BallCutter& cutter,
                                       const IsoParametricOptions& options);
 
-/// Plans each surface separately, in the given order, and joins the paths by `join_paths`.
-/// Pass numbers and governing points continue from one surface to the next.
+/// Plans each surface separately, in the given order, and joins the paths by
+/// `join_paths`. Pass numbers and governing points continue from one surface to the next.
 /// \param surfaces the part; at least one.
 /// \param cutter the ball.
 /// \param options see there; `most_points` limits the whole path.
@@ -60,9 +59,9 @@ IsoParametricPlan plan_iso_parametric(std::span<const Surface> surfaces,
                                       const BallCutter& cutter,
                                       const IsoParametricOptions& options);
 
-/// Estimates the number of points that plan_iso_parametric returns. The estimate sums step
-/// lengths and path intervals at 8 by 8 places a patch, and is right to a factor of about
-/// two. It takes well under a millisecond a patch.
+/// Estimates the number of points that plan_iso_parametric returns. The estimate sums
+/// step lengths and path intervals at 8 by 8 places a patch, and is right to a factor of
+/// about two. It takes well under a millisecond a patch.
 /// \param surface to machine.
 /// \param cutter the ball.
 /// \param options see there.

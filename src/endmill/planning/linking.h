@@ -11,10 +11,9 @@
 #include "endmill/path/tool_path.h"
 #include "endmill/trimming/trimming.h"
 
-/// \file
-/// Joins passes on surfaces, and trimmed curves in drive planes, to one tool path. A link is
-/// either a straight move at cutting feed, or a retract, a rapid at the safe height and a
-/// plunge.
+/// \file Joins passes on surfaces, and trimmed curves in drive planes, to one tool path.
+/// A link is either a straight move at cutting feed, or a retract, a rapid at the safe
+/// height and a plunge.
 
 namespace endmill {
 
@@ -39,8 +38,8 @@ struct LinkOptions {
 /// \param passes  in the order in which they are cut, each with rising parameter.
 /// \param cutter  the ball.
 /// \param options order, axis and safe height.
-/// \throws GeometryError if the ball cannot touch a contact (N . axis <= 0), or if the path
-///         rises above the safe height of a lift.
+/// \throws GeometryError if the ball cannot touch a contact (N . axis <= 0), or if the
+///         path rises above the safe height of a lift.
 ToolPath link_passes(std::span<const Pass> passes, const BallCutter& cutter,
                      const LinkOptions& options);
 
@@ -56,9 +55,9 @@ struct LinkedPath {
     std::size_t lifted_links;  ///< links that are lifted because they are not clear
 };
 
-/// Joins `pieces` in their order to one path. A link is a straight move at cutting feed if
-/// `is_clear` allows it, otherwise it is lifted. One-way passes are always lifted from one
-/// pass to the next; these lifts are not counted.
+/// Joins `pieces` in their order to one path. A link is a straight move at cutting feed
+/// if `is_clear` allows it, otherwise it is lifted. One-way passes are always lifted from
+/// one pass to the next; these lifts are not counted.
 /// \param pieces   in the order in which they are cut.
 /// \param cutter   the ball.
 /// \param options  order, axis and safe height.
@@ -69,9 +68,9 @@ LinkedPath link_pieces(std::span<const PassPiece> pieces, const BallCutter& cutt
                        const std::function<bool(const SurfaceContact& from,
                                                 const SurfaceContact& to)>& is_clear);
 
-/// Joins the paths over the surfaces of a part in their order by lifted links. Pass numbers
-/// continue from path to path, and the `patch` of each point becomes the number of its path.
-/// A path without points is skipped.
+/// Joins the paths over the surfaces of a part in their order by lifted links. Pass
+/// numbers continue from path to path, and the `patch` of each point becomes the number
+/// of its path. A path without points is skipped.
 /// \param paths   one for each surface.
 /// \param options axis and safe height.
 /// \throws GeometryError if a path that is lifted rises above the safe height.
@@ -83,11 +82,11 @@ struct PlaneCurves {
     std::span<const TrimmedCurve> curves;  ///< of reference points
 };
 
-/// Joins trimmed curves to one path of cutter tips. Each curve is a pass: a plunge reaches
-/// it, a retract leaves it, and a rapid at the safe height leads to the next one. Zigzag
-/// cuts the curves of every other plane backwards, the last curve first. Passes are numbered
-/// from 0; the lift that leads to a pass has the number of that pass. A curve of one point is
-/// a plunge alone.
+/// Joins trimmed curves to one path of cutter tips. Each curve is a pass: a plunge
+/// reaches it, a retract leaves it, and a rapid at the safe height leads to the next one.
+/// Zigzag cuts the curves of every other plane backwards, the last curve first. Passes
+/// are numbered from 0; the lift that leads to a pass has the number of that pass. A
+/// curve of one point is a plunge alone.
 /// Source: docs/mathematics/interference.md, section 1.
 /// \param planes  in the order in which they are cut.
 /// \param frame   position of the drive planes in space.

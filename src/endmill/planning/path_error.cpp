@@ -11,17 +11,17 @@
 
 // The chord error is sampled, as a user of the paper would measure it.
 //
-// The motion error is a bound over all points of the line. It relies on the convexity of the
-// distance from the straight way of the ball centre:
-// 1. An interval of the line deviates from its chord by at most w^2 / 8 times the bound on its
-//    second derivative, where w is its width.
-// 2. The distance of the chord from the way is greatest at an end of the chord. This bounds the
-//    remaining material on the interval.
-// 3. The distance is nowhere below that from the plane through the point of the way nearest to
-//    the chord's middle, perpendicular to the direction from there to the middle. This bounds
-//    the gouge on the interval.
-// 4. If neither bound exceeds what was already measured, the interval is done. Otherwise it is
-//    halved, and its middle is measured.
+// The motion error is a bound over all points of the line. It relies on the convexity of
+// the distance from the straight way of the ball centre:
+// 1. An interval of the line deviates from its chord by at most w^2 / 8 times the bound
+//    on its second derivative, where w is its width.
+// 2. The distance of the chord from the way is greatest at an end of the chord. This
+//    bounds the remaining material on the interval.
+// 3. The distance is nowhere below that from the plane through the point of the way
+//    nearest to the chord's middle, perpendicular to the direction from there to the
+//    middle. This bounds the gouge on the interval.
+// 4. If neither bound exceeds what was already measured, the interval is done. Otherwise
+//    it is halved, and its middle is measured.
 
 namespace endmill {
 namespace {
@@ -29,14 +29,14 @@ namespace {
 // Least and greatest number of sample intervals of a cut.
 constexpr int least_samples = 64;
 constexpr int most_samples = 4096;
-// Greatest mean distance in mm between the samples of a cut. Halved sampling is cheap beside the
-// planner, and the worst sample is refined.
+// Greatest mean distance in mm between the samples of a cut. Halved sampling is cheap
+// beside the planner, and the worst sample is refined.
 constexpr double mean_pitch_mm = 0.25;
 // Steps of the golden section: they narrow two sample intervals by 4e-9.
 constexpr int refinements = 40;
 
-// The same as segment_distance but for the order of its roundings. Stored chord errors depend on
-// the last digit.
+// The same as segment_distance but for the order of its roundings. Stored chord errors
+// depend on the last digit.
 double distance_to_segment(const Vec3& point, const Vec3& start, const Vec3& end)
 {
     const Vec3 chord = end - start;
@@ -54,7 +54,8 @@ struct Cut {
     Vec3 end;
 };
 
-// The parameter in [low, high] at which the line is farthest from the chord, by golden section.
+// The parameter in [low, high] at which the line is farthest from the chord, by golden
+// section.
 double refined_parameter(const IsoLine& line, const Cut& cut, double low, double high)
 {
     constexpr double golden = 0.61803398874989485;
@@ -129,7 +130,8 @@ void measure_cut(const IsoLine& line, const Cut& cut, ChordError& error)
                  {u, line.v()});
 }
 
-// Whether the bound on the second derivative allows a greater error than the one found so far.
+// Whether the bound on the second derivative allows a greater error than the one found so
+// far.
 bool may_be_worst(const IsoLine& line, const Cut& cut, const ChordError& error)
 {
     const auto [low, high] = std::minmax(cut.from, cut.to);
@@ -170,8 +172,8 @@ public:
     {
     }
 
-    // Measures one move. The line is first divided at the borders of patches, where its second
-    // derivative may jump.
+    // Measures one move. The line is first divided at the borders of patches, where its
+    // second derivative may jump.
     void measure(const IsoLine& line, const CentreMove& move, int patch,
                  std::span<const double> breaks)
     {
@@ -221,8 +223,8 @@ private:
             deviation = {std::abs(outside), {u, line.v()}, patch};
     }
 
-    // Whether no point of the interval deviates by more than was already measured, see the
-    // steps 2 and 3 above.
+    // Whether no point of the interval deviates by more than was already measured, see
+    // the steps 2 and 3 above.
     bool is_settled(const LineInterval& interval, const CentreMove& move) const
     {
         if (interval.halvings == most_halvings)

@@ -7,10 +7,9 @@
 #include "endmill/path/tool_path.h"
 #include "endmill/surface/surface.h"
 
-/// \file
-/// Measures how far the straight moves of an iso-parametric path deviate from the lines of
-/// the surface that they replace. The chord error compares contacts with the line, as the
-/// paper does; the motion error compares the swept ball with the line.
+/// \file Measures how far the straight moves of an iso-parametric path deviate from the
+/// lines of the surface that they replace. The chord error compares contacts with the
+/// line, as the paper does; the motion error compares the swept ball with the line.
 
 namespace endmill {
 
@@ -24,11 +23,11 @@ struct ChordError {
 
 /// Measures the chord error of the cuts of `path`.
 ///
-/// Each cut is sampled at 64 to 4096 places, on average at most 0.25 mm apart, and the worst
-/// sample is refined by golden section. A cut is skipped if the bound on the line's second
-/// derivative proves that its error is below one that was already found. The true maximum can
-/// exceed the result only by the curvature of the line between two samples, except next to
-/// the worst sample.
+/// Each cut is sampled at 64 to 4096 places, on average at most 0.25 mm apart, and the
+/// worst sample is refined by golden section. A cut is skipped if the bound on the line's
+/// second derivative proves that its error is below one that was already found. The true
+/// maximum can exceed the result only by the curvature of the line between two samples,
+/// except next to the worst sample.
 /// \param surface the surface of the path.
 /// \param path    from plan_iso_parametric; the contacts of a pass share one parameter.
 /// \param along   the parameter that varies along a pass.
@@ -42,7 +41,8 @@ ChordError chord_error(const Surface& surface, const ToolPath& path, Parameter a
 ChordError chord_error(std::span<const Surface> surfaces, const ToolPath& path,
                        Parameter along);
 
-/// Greatest deviation of the line of a pass to one side of the surface that the ball sweeps.
+/// Greatest deviation of the line of a pass to one side of the surface that the ball
+/// sweeps.
 struct LineDeviation {
     double greatest_mm = 0;  ///< 0 if the line nowhere lies on this side
     SurfacePoint at{};       ///< parameters of the place of `greatest_mm`
@@ -59,21 +59,21 @@ struct MotionError {
     double greatest_mm() const;
 };
 
-/// Measures the motion error of the cuts of `path`. The deviation at a point of the line is
-/// its distance from the boundary of the capsule that the ball sweeps on the straight move
-/// beside it.
+/// Measures the motion error of the cuts of `path`. The deviation at a point of the line
+/// is its distance from the boundary of the capsule that the ball sweeps on the straight
+/// move beside it.
 ///
-/// The result is a bound over all points of the line, not a sample: intervals of the line are
-/// halved until the bound on the second derivative excludes a greater deviation, to 1e-6 of
-/// the radius.
+/// The result is a bound over all points of the line, not a sample: intervals of the line
+/// are halved until the bound on the second derivative excludes a greater deviation, to
+/// 1e-6 of the radius.
 /// \param surfaces the part.
-/// \param path     the contacts of a pass share one parameter; the patch numbers are indices
-///                 of `surfaces`.
+/// \param path     the contacts of a pass share one parameter; the patch numbers are
+///                 indices of `surfaces`.
 /// \param cutter   the ball.
 /// \param along    the parameter that varies along a pass.
 /// \pre every point of a cut has a contact.
-/// Source: [KimChoi, section 4.1] bounds the chord between contacts only. On a convex line of
-/// radius rho the gouge is deeper than the chord error by the factor 1 + R / rho.
+/// Source: [KimChoi, section 4.1] bounds the chord between contacts only. On a convex
+/// line of radius rho the gouge is deeper than the chord error by the factor 1 + R / rho.
 MotionError motion_error(std::span<const Surface> surfaces, const ToolPath& path,
                          const BallCutter& cutter, Parameter along);
 

@@ -42,7 +42,8 @@ PathInterval path_interval(const BallCutter& cutter, double curvature,
     require(0 < scallop_height && scallop_height < 2 * R,
             "path_interval: need 0 < scallop height < 2 cutter radii");
     require_fit(R, k);
-    // The whole concavity lies within h of one ball: h >= 2 (|rho| - R), written without division.
+    // The whole concavity lies within h of one ball: h >= 2 (|rho| - R), written without
+    // division.
     if (1 + 2 * k * R < 0 && 2 + k * (2 * R + scallop_height) <= 0)
         return {infinity, infinity, infinity, Angle::radians(0), LengthStatus::Unlimited};
 

@@ -110,8 +110,8 @@ std::optional<double> default_diameter(const std::optional<CutterLimit>& limit);
 /// a finished surface.
 inline constexpr double verified_tolerance = 0.01;
 
-/// Default chord tolerance and scallop height in mm of an iso-parametric plan for `ball`: a
-/// thirtieth of the diameter. The paper uses 0.5 mm with a ball of 15 mm.
+/// Default chord tolerance and scallop height in mm of an iso-parametric plan for `ball`:
+/// a thirtieth of the diameter. The paper uses 0.5 mm with a ball of 15 mm.
 /// Source: [KimChoi, fig. 12].
 double default_tolerance(const BallCutter& ball);
 
@@ -119,6 +119,7 @@ double default_tolerance(const BallCutter& ball);
 /// point of the surfaces.
 /// \param surfaces the part; at least one.
 /// \param axis unit, from the tip to the spindle.
+///
 /// The error is below 1e-9 of the surfaces' diagonals.
 double default_safe_height(std::span<const Surface> surfaces, const Vec3& axis);
 

@@ -28,9 +28,9 @@ struct StepLength {
     LengthStatus status;  ///< whether the formula or a limit determined the values
 };
 
-/// Longest step whose chord stays within `chord_tolerance` of a curve. The curve is taken as
-/// the circle of its curvature k at the start: L = 2 sqrt(2 delta/k - delta^2),
-/// D = L (1 - k delta). If its half angle exceeds 45 degrees, D would decrease as delta grows;
+/// Longest step whose chord stays within `chord_tolerance` of a curve. The curve is taken
+/// as the circle of its curvature k at the start: L = 2 sqrt(2 delta/k - delta^2), D = L
+/// (1 - k delta). If its half angle exceeds 45 degrees, D would decrease as delta grows;
 /// the step is then clamped to L = sqrt(2)/k, D = 1/k.
 /// Source: [KimChoi, eq. (1), (2)], written in curvature; the clamp is an addition, see
 /// docs/mathematics/economic-cl-data.md, section 4.
@@ -38,6 +38,7 @@ struct StepLength {
 /// \param curvature       k in 1/mm; its sign does not matter; 0 gives Unlimited.
 /// \param chord_tolerance delta in mm.
 /// \throws DomainError unless both are finite and 0 < delta.
+///
 /// Relative error below 1e-14.
 StepLength step_length(double curvature, double chord_tolerance);
 

@@ -12,9 +12,10 @@
 
 // The steps of plan_verified:
 // 1. ClearMoves prepares the gouge tests against all surfaces of the part.
-// 2. For each surface, verified_strips plans the passes and the places it could not cover.
-// 3. The pieces of the passes are put into the order of cutting. A zigzag starts at the end of
-//    its first pass that makes the links shorter.
+// 2. For each surface, verified_strips plans the passes and the places it could not
+//    cover.
+// 3. The pieces of the passes are put into the order of cutting. A zigzag starts at the
+//    end of its first pass that makes the links shorter.
 // 4. link_pieces joins the pieces. A link that would gouge is lifted.
 // 5. join_paths joins the surfaces.
 
@@ -38,8 +39,8 @@ void require_sound(const BallCutter& cutter, const VerifiedOptions& options)
             "plan_verified: the axis must be a unit vector");
 }
 
-// Total length in mm of the links of a zigzag whose passes with number % 2 == `backwards` are
-// cut backwards.
+// Total length in mm of the links of a zigzag whose passes with number % 2 == `backwards`
+// are cut backwards.
 double link_travel(const std::vector<VerifiedPass>& passes, std::size_t backwards)
 {
     double travel = 0;
@@ -53,7 +54,8 @@ double link_travel(const std::vector<VerifiedPass>& passes, std::size_t backward
     return travel;
 }
 
-// The pieces of all passes in the order of cutting, with the parameters of the part's surface.
+// The pieces of all passes in the order of cutting, with the parameters of the part's
+// surface.
 std::vector<PassPiece> pieces_in_order(std::vector<VerifiedPass> passes,
                                        const VerifiedOptions& options)
 {

@@ -13,24 +13,26 @@
 
 // Preparation:
 // 1. The border consists of the sides of patches that do not meet another side.
-// 2. Each side is halved until the border and the curve at the depth t below it, r - t N, deviate
-//    from their chords by little. The deviations are bounded by second derivatives.
+// 2. Each side is halved until the border and the curve at the depth t below it, r - t N,
+//    deviate from their chords by little. The deviations are bounded by second
+//    derivatives.
 // 3. A binary tree of boxes contains the pieces.
 // Test of a move:
 // 1. Boxes outside the swept region are skipped.
-// 2. A piece is kept if its border chord or its lower chord lies outside the swept region by more
-//    than its deviation. One plane bounds the distance of a chord only to the square of the
-//    chord's length, so the chord is halved until that error is small.
+// 2. A piece is kept if its border chord or its lower chord lies outside the swept region
+//    by more than its deviation. One plane bounds the distance of a chord only to the
+//    square of the chord's length, so the chord is halved until that error is small.
 // Source: paper/notes/border-depth.md, section 3.
 
 namespace endmill {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Greatest deviation of the lower curve from its chord, as a share of the depth. It is the accuracy
-// of the test.
+// Greatest deviation of the lower curve from its chord, as a share of the depth. It is
+// the accuracy of the test.
 constexpr double deviation_share = 2e-3;
-// Most halvings of the side of a patch. Where more would be needed, its normals are not bounded.
+// Most halvings of the side of a patch. Where more would be needed, its normals are not
+// bounded.
 constexpr int most_halvings = 12;
 
 // A stretch of the side of a patch, from `low` to `high` in shares of the side.
@@ -68,8 +70,8 @@ SurfacePoint inside_patch(const Surface& surface, const PatchSide& side)
                                       : SurfacePoint{beside, along};
 }
 
-// Bound in mm on the deviation of the offset by `height` from its chord over a stretch of the
-// side. Infinite if the stretch crosses from one rectangle of the bounds to another.
+// Bound in mm on the deviation of the offset by `height` from its chord over a stretch of
+// the side. Infinite if the stretch crosses from one rectangle of the bounds to another.
 double deviation_on(const OffsetBounds& bounds, const PatchSide& side,
                     const Interval& shares, double height)
 {
@@ -81,8 +83,8 @@ double deviation_on(const OffsetBounds& bounds, const PatchSide& side,
     return is_inside ? bends.deviation(high.u - low.u, high.v - low.v, height) : infinite;
 }
 
-// Lower bound in mm of the distance between a chord and the swept axis. It is the distance from
-// the plane through the axis point nearest to the chord's middle.
+// Lower bound in mm of the distance between a chord and the swept axis. It is the
+// distance from the plane through the axis point nearest to the chord's middle.
 double chord_bound(const Vec3& from, const Vec3& to, const SweptAxis& swept_axis)
 {
     const Vec3 middle = (from + to) / 2;
@@ -124,8 +126,8 @@ BorderDepth::BorderDepth(std::span<const Surface> surfaces, std::span<const doub
         add_nodes(0, pieces_.size());
 }
 
-// Halves the side until both curves are known well enough. A piece whose lower curve is not known
-// has an infinite deviation; then only its border can prove it outside.
+// Halves the side until both curves are known well enough. A piece whose lower curve is
+// not known has an infinite deviation; then only its border can prove it outside.
 void BorderDepth::add_pieces(const MarchedSurface& marched, const OffsetBounds& bounds,
                              const PatchSide& side)
 {
@@ -200,8 +202,8 @@ bool BorderDepth::is_kept(const BallMove& move) const
     return true;
 }
 
-// Whether the move is proved to leave the border of the piece, or the curve below it, outside the
-// swept region.
+// Whether the move is proved to leave the border of the piece, or the curve below it,
+// outside the swept region.
 bool BorderDepth::is_kept(const Piece& piece, const SweptAxis& swept_axis) const
 {
     const auto is_outside = [&](const Chord& chord) {

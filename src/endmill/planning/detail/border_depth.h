@@ -17,20 +17,21 @@
 namespace endmill {
 
 /// Tests whether straight moves of a ball remove material along the normals of a part's
-/// border deeper than a limit. The border consists of the sides of patches that meet no other
-/// side.
+/// border deeper than a limit. The border consists of the sides of patches that meet no
+/// other side.
 ///
-/// Beside a border the ball reaches below the part. There the depth along the normal exceeds
-/// the depth that GougeTest bounds, which is R less the distance d to the centre. If the
-/// direction to the centre has the angle a to the normal, the depth along the normal is
-/// sqrt(R^2 - d^2 sin^2 a) - d cos a. It is greatest on the border itself: where it is greatest
-/// inside the part, the centre stands upright on the part, and both depths are equal. A border
-/// point r is therefore cut to less than the depth t if r lies outside the region that the
-/// move clears, or if r - t N does.
-/// Source: paper/notes/border-depth.md, section 1 and paper/notes/border-depth.md, section 3.
+/// Beside a border the ball reaches below the part. There the depth along the normal
+/// exceeds the depth that GougeTest bounds, which is R less the distance d to the centre.
+/// If the direction to the centre has the angle a to the normal, the depth along the
+/// normal is sqrt(R^2 - d^2 sin^2 a) - d cos a. It is greatest on the border itself:
+/// where it is greatest inside the part, the centre stands upright on the part, and both
+/// depths are equal. A border point r is therefore cut to less than the depth t if r lies
+/// outside the region that the move clears, or if r - t N does.
+/// Source: paper/notes/border-depth.md, section 1 and paper/notes/border-depth.md,
+/// section 3.
 ///
-/// The answer is certain except for rounding, because the border is divided into pieces with
-/// bounded second derivatives. An immutable value that all threads may use.
+/// The answer is certain except for rounding, because the border is divided into pieces
+/// with bounded second derivatives. An immutable value that all threads may use.
 class BorderDepth {
 public:
     /// \param surfaces the part.
@@ -38,13 +39,14 @@ public:
     /// \param cutter the ball, radius R.
     /// \param axis   unit, from the tip to the spindle.
     /// \param depth  t in mm, 0 < t < R.
-    /// \throws DomainError if there is not one side for each surface, or t is out of range.
+    /// \throws DomainError if there is not one side for each surface, or t is out of
+    ///         range.
     BorderDepth(std::span<const Surface> surfaces, std::span<const double> sides,
                 const BallCutter& cutter, const Vec3& axis, double depth);
 
-    /// Whether `move`, with the shank above the ball, is proved to stay within the depth along
-    /// the normals of all border points. False also where the proof would need the depth to
-    /// less than 2e-3 of the limit.
+    /// Whether `move`, with the shank above the ball, is proved to stay within the depth
+    /// along the normals of all border points. False also where the proof would need the
+    /// depth to less than 2e-3 of the limit.
     bool is_kept(const BallMove& move) const;
 
 private:
@@ -62,8 +64,8 @@ private:
     // A node of a binary tree of boxes around pieces of the border.
     struct Node {
         Eigen::AlignedBox3d box;
-        // For an inner node the number of its second child; the first child follows the node.
-        // For a leaf ~number of its piece.
+        // For an inner node the number of its second child; the first child follows the
+        // node. For a leaf ~number of its piece.
         std::int32_t link;
     };
 

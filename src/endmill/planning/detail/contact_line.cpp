@@ -10,12 +10,13 @@
 namespace endmill {
 namespace {
 
-// Length of a partial, as a share of the other one, below which its rounding errors dominate its
-// direction. The limit of the normal is used then.
+// Length of a partial, as a share of the other one, below which its rounding errors
+// dominate its direction. The limit of the normal is used then.
 constexpr double vanishing_share = 1e-8;
 
-// The contact at `at`, with the normal from the partials where they determine it, otherwise with
-// the limit from the second derivatives. `jet` returns them; it is called only then.
+// The contact at `at`, with the normal from the partials where they determine it,
+// otherwise with the limit from the second derivatives. `jet` returns them; it is called
+// only then.
 template <class WholeJet>
 SurfaceContact contact_of(const MarchedSurface& marched, const SurfacePoint& at,
                           const SurfaceTangents& tangents, Parameter direction,

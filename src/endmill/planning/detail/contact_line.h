@@ -22,7 +22,8 @@ public:
 
     Vec3 point(double u) const { return line_.point(u); }  ///< of the surface, mm
 
-    /// The contact at u. On a collapsed edge its normal is the limit from inside the surface.
+    /// The contact at u. On a collapsed edge its normal is the limit from inside the
+    /// surface.
     /// \throws GeometryError with the place where there is no normal.
     SurfaceContact at(double u) const;
 
@@ -32,8 +33,8 @@ private:
     IsoLine line_;
 };
 
-/// Whether the partials determine a normal: neither is shorter than 1e-8 of the other, and
-/// they are not parallel. Otherwise the normal has to be computed by `limit_normal`.
+/// Whether the partials determine a normal: neither is shorter than 1e-8 of the other,
+/// and they are not parallel. Otherwise the normal has to be computed by `limit_normal`.
 bool has_plain_normal(const SurfaceTangents& tangents);
 
 /// The contact at any place of the surface, see ContactLine::at.

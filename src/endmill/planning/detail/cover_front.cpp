@@ -10,13 +10,14 @@
 
 // How the distance between passes is found:
 // 1. The pass at v is sampled: ball centres at places R / 8 apart or closer.
-// 2. For each sample, a bracketed search in v along u = constant finds the front point, where
-//    the point raised by the scallop height lies just R from the nearest ball centre of the pass.
-// 3. A second search moves a trial pass away from the first one. Its excess is the greatest
-//    distance, less R, of a raised front point from the centres of the trial pass. The next pass
-//    lies where the excess is zero.
-// The nearest centre of a pass is found by descent from a sample and refined by a parabola
-// through three squared distances.
+// 2. For each sample, a bracketed search in v along u = constant finds the front point,
+//    where the point raised by the scallop height lies just R from the nearest ball
+//    centre of the pass.
+// 3. A second search moves a trial pass away from the first one. Its excess is the
+//    greatest distance, less R, of a raised front point from the centres of the trial
+//    pass. The next pass lies where the excess is zero. The nearest centre of a pass is
+//    found by descent from a sample and refined by a parabola through three squared
+//    distances.
 
 namespace endmill {
 namespace {
@@ -36,8 +37,8 @@ constexpr double same_front = 1e-6;
 // Most iterations of a bracketed search.
 constexpr int most_iterations = 60;
 
-// An interval that contains a root: the function is negative or zero at `low`, positive at
-// `high`.
+// An interval that contains a root: the function is negative or zero at `low`, positive
+// at `high`.
 struct Bracket {
     double low;
     double at_low;
@@ -45,8 +46,8 @@ struct Bracket {
     double at_high;
 };
 
-// Narrows the bracket to `width` and returns its lower end. The method is regula falsi that halves
-// the function value at an end that stays twice (Illinois method).
+// Narrows the bracket to `width` and returns its lower end. The method is regula falsi
+// that halves the function value at an end that stays twice (Illinois method).
 template <class Function>
 double last_not_above(Bracket b, double width, const Function& function)
 {
@@ -55,8 +56,8 @@ double last_not_above(Bracket b, double width, const Function& function)
         double share = b.at_low / (b.at_low - b.at_high);
         if (!(share > 0 && share < 1))
             share = 0.5;
-        // The trial point keeps half of `width` from both ends. Otherwise one end might stay
-        // and the bracket would not become narrow.
+        // The trial point keeps half of `width` from both ends. Otherwise one end might
+        // stay and the bracket would not become narrow.
         const double margin = std::min(0.5, width / 2 / (b.high - b.low));
         const double middle =
             std::lerp(b.low, b.high, std::clamp(share, margin, 1 - margin));
@@ -90,8 +91,8 @@ CoverFront::CoverFront(const MarchedSurface& marched, const BallCutter& cutter,
 {
 }
 
-// The parameters of the samples. The longest of some lines of each column of patches determines
-// their number.
+// The parameters of the samples. The longest of some lines of each column of patches
+// determines their number.
 std::vector<double> CoverFront::sample_parameters() const
 {
     const Surface& surface = marched_->surface;
@@ -157,8 +158,8 @@ CoverFront::Foot CoverFront::foot(const PassSamples& pass, const Vec3& point,
         }
     if (best == 0 || best + 1 == pass.centres.size())
         return {std::sqrt(least), pass.u[best]};
-    // The minimum of the parabola through the squared distances of three neighbouring samples,
-    // which are taken as equidistant.
+    // The minimum of the parabola through the squared distances of three neighbouring
+    // samples, which are taken as equidistant.
     const double before = square(best - 1);
     const double after = square(best + 1);
     const double bend = before + after - 2 * least;
@@ -214,9 +215,9 @@ std::vector<FrontPoint> CoverFront::front(const PassSamples& pass, double guess)
     return front;
 }
 
-// Greatest distance in mm, less R, of the raised points of `front` from the ball centres of the
-// pass at v. Only front points before v count. Where the front lies beyond v, the first pass
-// covers everything up to the trial pass.
+// Greatest distance in mm, less R, of the raised points of `front` from the ball centres
+// of the pass at v. Only front points before v count. Where the front lies beyond v, the
+// first pass covers everything up to the trial pass.
 double CoverFront::excess(double v, std::span<const FrontPoint> front) const
 {
     const PassSamples pass = samples(v);
@@ -228,7 +229,8 @@ double CoverFront::excess(double v, std::span<const FrontPoint> front) const
     return most;
 }
 
-// The search starts at the nearest front point, because no front point lies before a pass there.
+// The search starts at the nearest front point, because no front point lies before a pass
+// there.
 double CoverFront::next_pass(double v, std::span<const FrontPoint> front) const
 {
     const double end = marched_->surface.range(Parameter::V).high;
@@ -239,8 +241,8 @@ double CoverFront::next_pass(double v, std::span<const FrontPoint> front) const
         return end;
     const auto function = [&](double next) { return excess(next, front); };
     Bracket bracket{nearest, -scallop_height_, nearest, -scallop_height_};
-    // The next pass usually lies about as far beyond the front as the front beyond the pass.
-    // Further steps are shorter.
+    // The next pass usually lies about as far beyond the front as the front beyond the
+    // pass. Further steps are shorter.
     double step = nearest - v;
     while (bracket.at_high <= 0 && bracket.high < end) {
         bracket.low = bracket.high;

@@ -23,15 +23,15 @@ struct FrontPoint {
     double foot_u;  ///< u of the place on the pass from which the ball reaches it
 };
 
-/// Computes the distance between passes such that balls which roll along them leave no more
-/// than the scallop height.
+/// Computes the distance between passes such that balls which roll along them leave no
+/// more than the scallop height.
 ///
-/// A surface point r is cut down to the height h if r + h N lies within R of a ball centre.
-/// The points that a pass cuts in this sense end at its *front*. The next pass lies as far
-/// away as possible with its ball still reaching every point of that front.
+/// A surface point r is cut down to the height h if r + h N lies within R of a ball
+/// centre. The points that a pass cuts in this sense end at its *front*. The next pass
+/// lies as far away as possible with its ball still reaching every point of that front.
 ///
-/// Passes are sampled at most R / 8 apart, with 32 to 1024 samples a patch. The results are
-/// therefore not bounds; `StripCover` checks them afterwards.
+/// Passes are sampled at most R / 8 apart, with 32 to 1024 samples a patch. The results
+/// are therefore not bounds; `StripCover` checks them afterwards.
 class CoverFront {
 public:
     /// \param marched        the surface; must outlive this.

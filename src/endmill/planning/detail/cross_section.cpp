@@ -9,12 +9,13 @@
 #include "endmill/core/tolerance.h"
 
 // check_plane_point solves eq. (9), (10) by Newton's method:
-// 1. It starts at the linear estimate, corrected by the second derivatives of the surface.
-// 2. A step is limited to a share of a patch, because a long step may leave the region in which
-//    the method converges.
-// 3. It ends when the residual is below its tolerance. Newton's steps square the residual, so the
-//    residual of the next step can be predicted; if the prediction is far below the tolerance,
-//    the last evaluation of the surface is saved.
+// 1. It starts at the linear estimate, corrected by the second derivatives of the
+//    surface.
+// 2. A step is limited to a share of a patch, because a long step may leave the region in
+//    which the method converges.
+// 3. It ends when the residual is below its tolerance. Newton's steps square the
+//    residual, so the residual of the next step can be predicted; if the prediction is
+//    far below the tolerance, the last evaluation of the surface is saved.
 // 4. It ends early when v is certain to stay beyond a limit, see `most_v`.
 
 namespace endmill {
@@ -32,8 +33,8 @@ constexpr double residual_share = 1e-12;
 // A predicted residual below this share of the tolerance is not checked.
 constexpr double sure_share = 1e-3;
 
-// The linear `estimate` of the point at `distance`, corrected by the second derivatives of the
-// surface. It is not corrected where the partials are parallel.
+// The linear `estimate` of the point at `distance`, corrected by the second derivatives
+// of the surface. It is not corrected where the partials are parallel.
 SurfacePoint bent_estimate(const SurfacePoint& estimate, const FeedFrame& frame,
                            double distance)
 {
@@ -107,8 +108,8 @@ CheckPlanePoint check_plane_point(const Surface& surface, const FeedFrame& frame
         const double share = is_whole ? 1 : most_patches_a_step / patches;
         at.u += share * step_u;
         at.v += share * step_v;
-        // A converging sequence at least halves its steps. The later steps then add up to at most
-        // the present one.
+        // A converging sequence at least halves its steps. The later steps then add up to
+        // at most the present one.
         const bool halves = iteration == 0 ? patches <= small_step_patches
                                            : residual <= residual_before / 2;
         if (is_whole && halves && at.v - patches * width_v > most_v)

@@ -6,8 +6,8 @@
 #include "endmill/surface/curvature.h"
 #include "endmill/surface/surface.h"
 
-/// \file
-/// The section of a surface by the check plane, which stands at a contact across the feed.
+/// \file The section of a surface by the check plane, which stands at a contact across
+/// the feed.
 
 namespace endmill {
 
@@ -46,28 +46,29 @@ struct CheckPlanePoint {
 };
 
 /// The point of the surface in the check plane at a given distance from the contact along
-/// T_c: (r - r_c).T_s = 0 and (r - r_c).T_c = distance. Newton's method takes at most 8 steps
-/// of at most 0.3 of a patch, until the residual is 1e-12 of the surface's diagonal. Beyond
-/// the ends of the surface the polynomials of the border patches are continued.
+/// T_c: (r - r_c).T_s = 0 and (r - r_c).T_c = distance. Newton's method takes at most 8
+/// steps of at most 0.3 of a patch, until the residual is 1e-12 of the surface's
+/// diagonal. Beyond the ends of the surface the polynomials of the border patches are
+/// continued.
 /// Source: [KimChoi, eq. (9), (10)]; eq. (6), (7) are the same with a small distance.
 /// \param surface  of the frame.
 /// \param frame    at the contact.
 /// \param distance in mm.
-/// \param most_v   points beyond it are not needed: the search ends without convergence once
-///                 the remaining steps, if each is at most half as long as the one before,
-///                 cannot lead back to it.
+/// \param most_v   points beyond it are not needed: the search ends without convergence
+///                 once the remaining steps, if each is at most half as long as the one
+///                 before, cannot lead back to it.
 CheckPlanePoint check_plane_point(
     const Surface& surface, const FeedFrame& frame, double distance,
     double most_v = std::numeric_limits<double>::infinity());
 
-/// Normal curvature in 1/mm across the feed at the contact, from the second fundamental form.
-/// It is positive where the part is convex.
+/// Normal curvature in 1/mm across the feed at the contact, from the second fundamental
+/// form. It is positive where the part is convex.
 /// Source: docs/mathematics/economic-cl-data.md, section 6.
 double cross_curvature(const FeedFrame& frame);
 
-/// Normal curvature in 1/mm across the feed, from the chord to a point r_eps of the surface in
-/// the check plane: -2 N.(r_eps - r_c) / |r_eps - r_c|^2. It is exact on circles. On a section
-/// with third derivative k3 its error is about k3 step / 3.
+/// Normal curvature in 1/mm across the feed, from the chord to a point r_eps of the
+/// surface in the check plane: -2 N.(r_eps - r_c) / |r_eps - r_c|^2. It is exact on
+/// circles. On a section with third derivative k3 its error is about k3 step / 3.
 /// Source: [KimChoi, eq. (8)]. The paper does not print its step.
 /// \param surface of the frame.
 /// \param frame   at the contact.

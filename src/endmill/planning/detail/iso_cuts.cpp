@@ -18,8 +18,9 @@ void for_each_iso_cut(std::span<const Surface> surfaces, const ToolPath& path,
         const auto& [u, v, contact] = *point.contact;
         return along == Parameter::U ? SurfacePoint{u, v} : SurfacePoint{v, u};
     };
-    // The line of a pass is kept for all its moves, because it costs more to construct than a move
-    // to measure. A new one is needed if the constant parameter or the patch changes.
+    // The line of a pass is kept for all its moves, because it costs more to construct
+    // than a move to measure. A new one is needed if the constant parameter or the patch
+    // changes.
     std::optional<IsoLine> line;
     int patch_of_line = 0;
     for (std::size_t k = 1; k < path.points.size(); ++k) {

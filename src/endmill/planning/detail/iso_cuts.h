@@ -10,8 +10,9 @@
 
 namespace endmill {
 
-/// A cutting move of an iso-parametric path. The surface is transposed if the passes run along
-/// v, so that every pass here runs along u. The references are valid during the visit only.
+/// A cutting move of an iso-parametric path. The surface is transposed if the passes run
+/// along v, so that every pass here runs along u. The references are valid during the
+/// visit only.
 struct IsoCut {
     const Surface& surface;  ///< the surface, transposed for passes along v
     const IsoLine& line;     ///< the line of the pass

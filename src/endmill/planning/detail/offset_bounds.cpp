@@ -16,25 +16,26 @@
 #include "endmill/surface/detail/collapsed_edge.h"
 
 // The bounds of the normal N = n / |n|, n = du x dv:
-// 1. n is a polynomial of a patch. Its Bernstein coefficients bound it by their convex hull. On a
-//    collapsed edge n has a linear factor, which is divided out; this does not change N.
-// 2. The patch is divided into count by count pieces. On a piece the least length of n is bounded
-//    by its components along the mean direction, and the lengths of its derivatives by their
-//    greatest coefficients.
+// 1. n is a polynomial of a patch. Its Bernstein coefficients bound it by their convex
+//    hull. On a collapsed edge n has a linear factor, which is divided out; this does not
+//    change N.
+// 2. The patch is divided into count by count pieces. On a piece the least length of n is
+//    bounded by its components along the mean direction, and the lengths of its
+//    derivatives by their greatest coefficients.
 // 3. These three give a bound on |N_uu| and |N_vv|.
-// 4. Where the least length is small beside the greatest one, the bounds are wide, and the pieces
-//    are halved, down to 1/32 of the patch.
-// For patches with weights, n is w^3 du x dv, which has the same direction.
+// 4. Where the least length is small beside the greatest one, the bounds are wide, and
+//    the pieces are halved, down to 1/32 of the patch. For patches with weights, n is w^3
+//    du x dv, which has the same direction.
 
 namespace endmill {
 namespace {
 
-// Least and greatest number of rectangles of a patch in each parameter. The least is that of
-// bend_bounds.
+// Least and greatest number of rectangles of a patch in each parameter. The least is that
+// of bend_bounds.
 constexpr int least_count = 4;
 constexpr int most_count = 32;
-// Least length of du x dv, as a share of the greatest, above which a rectangle is not halved: the
-// bounds would gain little.
+// Least length of du x dv, as a share of the greatest, above which a rectangle is not
+// halved: the bounds would gain little.
 constexpr double even_normals = 0.3;
 
 // The Bernstein coefficients of a vector polynomial, here du x dv.
@@ -87,9 +88,10 @@ double shortest(const VectorNet& nets)
     return (mean[0] * nets[0] + mean[1] * nets[1] + mean[2] * nets[2]).minCoeff();
 }
 
-// Upper bound of |N_uu| for N = n / |n|, where `least` bounds |n| from below. With
-// t = |n_u| / |n|, the component of N_uu along N is -|N_u|^2, at most t^2 in size. The component
-// across N is that of n_uu / |n| - 2 (|n|_u / |n|) N_u, at most |n_uu| / |n| + t^2.
+// Upper bound of |N_uu| for N = n / |n|, where `least` bounds |n| from below. With t =
+// |n_u| / |n|, the component of N_uu along N is -|N_u|^2, at most t^2 in size. The
+// component across N is that of n_uu / |n| - 2 (|n|_u / |n|) N_u, at most |n_uu| / |n| +
+// t^2.
 double normal_bend(const VectorNet& nets, double least)
 {
     if (!(least > 0))
@@ -127,7 +129,8 @@ struct NormalBends {
     double vv;
 };
 
-// Bounds on count by count pieces, per squared unit of the patch's parameters, u running fastest.
+// Bounds on count by count pieces, per squared unit of the patch's parameters, u running
+// fastest.
 struct GridBends {
     int count;
     bool is_even;  // halving would not improve any piece much

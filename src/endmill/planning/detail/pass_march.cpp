@@ -17,15 +17,16 @@
 
 // A pass is marched as in the paper, section 4:
 // 1. The first contact is the start of the line v = constant.
-// 2. The curvature at a contact gives the projected length of the step, eq. (1) and (2). The
-//    next contact is the first point of the line at that distance along the tangent, eq. (3).
-//    An end of the line, or a border of patches, may replace it.
-// 3. At each contact, the curvature across the feed gives the projected path interval, eq. (4)
-//    and (5). The point of the surface at that distance in the check plane, eq. (9) and (10), is
-//    the neighbour of the contact on the next pass. Its v is the candidate of the contact.
-// 4. The rule `governing` selects one of the candidates.
-// Where the smallest candidate is wanted, a contact whose neighbour is certain to lie further
-// away than the best so far is abandoned early.
+// 2. The curvature at a contact gives the projected length of the step, eq. (1) and (2).
+//    The next contact is the first point of the line at that distance along the tangent,
+//    eq. (3). An end of the line, or a border of patches, may replace it.
+// 3. At each contact, the curvature across the feed gives the projected path interval,
+//    eq. (4) and (5). The point of the surface at that distance in the check plane, eq.
+//    (9) and (10), is the neighbour of the contact on the next pass. Its v is the
+//    candidate of the contact.
+// 4. The rule `governing` selects one of the candidates. Where the smallest candidate is
+// wanted, a contact whose neighbour is certain to lie further away than the best so far
+// is abandoned early.
 
 namespace endmill {
 namespace {

@@ -36,11 +36,11 @@ enum class PassRole {
     Last,      ///< only the contacts are computed
 };
 
-/// Computes the pass along u at `v` with the longest steps that keep the chord tolerance, and
-/// by the rule `options.governing` the parameter of the next pass.
+/// Computes the pass along u at `v` with the longest steps that keep the chord tolerance,
+/// and by the rule `options.governing` the parameter of the next pass.
 /// Source: [KimChoi, eq. (1), (2), (3), (4), (5), (6), (7), (8), (9), (10)].
-/// \param marched the surface. On a collapsed edge the pass is one contact if its normals have
-///                one limit.
+/// \param marched the surface. On a collapsed edge the pass is one contact if its normals
+///                have one limit.
 /// \param v       parameter of the pass.
 /// \param role    whether to compute the next pass.
 /// \param cutter  the ball.

@@ -8,8 +8,8 @@
 
 namespace endmill {
 
-/// The offset r + h N of one patch of a surface. At a border of the patch the normal is that
-/// of this patch, also where the surface has a crease.
+/// The offset r + h N of one patch of a surface. At a border of the patch the normal is
+/// that of this patch, also where the surface has a crease.
 class PatchOffset {
 public:
     /// \param marched the surface; must outlive this.
@@ -18,7 +18,8 @@ public:
     PatchOffset(const MarchedSurface& marched, const SurfacePoint& inside, double height);
 
     /// The point r + h N in mm at parameters of the surface.
-    /// \return nothing if the patch has no normal there, not even as a limit from its inside.
+    /// \return nothing if the patch has no normal there, not even as a limit from its
+    ///         inside.
     std::optional<Vec3> at(double u, double v) const;
 
 private:

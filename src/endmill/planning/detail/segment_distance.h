@@ -10,8 +10,8 @@
 
 namespace endmill {
 
-/// The point of the segment from `start` to `end` that is nearest to `point`. It is `start` if
-/// the segment has no length.
+/// The point of the segment from `start` to `end` that is nearest to `point`. It is
+/// `start` if the segment has no length.
 inline Vec3 nearest_on_segment(const Vec3& point, const Vec3& start, const Vec3& end)
 {
     const Vec3 chord = end - start;

@@ -13,35 +13,36 @@
 #include "endmill/planning/detail/patch_offset.h"
 #include "endmill/planning/detail/segment_distance.h"
 
-// A cell is a rectangle of parameters within one rectangle of the bounds. It is covered if all of
-// its raised points r + h N lie within R of the centres of one move.
-// 1. The distance from a straight move is a convex function. On the bilinear patch through the
-//    raised corners of a cell it is therefore greatest at a corner.
-// 2. The raised surface deviates from that patch by at most the deviation d of OffsetBends. If all
-//    corners of the cell lie within R - d of one move, the cell is covered.
-// 3. If the raised middle of the cell lies further than R from all moves nearby, the cell is not
-//    covered, and its middle is the answer.
-// 4. Otherwise the cell is halved across its wider side. Cells wider than R are halved at once. A
-//    cell that becomes smaller than 1e-5 R counts as not covered.
+// A cell is a rectangle of parameters within one rectangle of the bounds. It is covered
+// if all of its raised points r + h N lie within R of the centres of one move.
+// 1. The distance from a straight move is a convex function. On the bilinear patch
+//    through the raised corners of a cell it is therefore greatest at a corner.
+// 2. The raised surface deviates from that patch by at most the deviation d of
+//    OffsetBends. If all corners of the cell lie within R - d of one move, the cell is
+//    covered.
+// 3. If the raised middle of the cell lies further than R from all moves nearby, the cell
+//    is not covered, and its middle is the answer.
+// 4. Otherwise the cell is halved across its wider side. Cells wider than R are halved at
+//    once. A cell that becomes smaller than 1e-5 R counts as not covered.
 
 namespace endmill {
 namespace {
 
 // Width, as a share of the radius, below which cells are not halved.
 constexpr double least_cell = 1e-5;
-// Width, as a share of the radius, from which cells are halved without a test, because hardly any
-// move covers them.
+// Width, as a share of the radius, from which cells are halved without a test, because
+// hardly any move covers them.
 constexpr double widest_cell = 1;
-// Most cells in one rectangle of the bounds. More are needed only if the distance is so close to R
-// over a large region that the bounds cannot decide.
+// Most cells in one rectangle of the bounds. More are needed only if the distance is so
+// close to R over a large region that the bounds cannot decide.
 constexpr int most_cells = 200'000;
 
 // A rectangle of parameters.
 struct Cell {
     SurfacePoint low;
     SurfacePoint high;
-    // Of the offset, in the order (low u, low v), (high u, low v), (low u, high v), (high u,
-    // high v).
+    // Of the offset, in the order (low u, low v), (high u, low v), (low u, high v), (high
+    // u, high v).
     std::array<Vec3, 4> corners;
 };
 
@@ -50,8 +51,8 @@ class NearMoves {
 public:
     explicit NearMoves(const SweptPass& pass) : pass_{pass} {}
 
-    // Number of the move to which the descent from the move at `u` leads: a local minimum of
-    // the distance from `point`.
+    // Number of the move to which the descent from the move at `u` leads: a local minimum
+    // of the distance from `point`.
     std::size_t nearest(double u, const Vec3& point) const
     {
         const auto after = std::ranges::upper_bound(pass_, u, {}, &SweptSegment::from_u);
@@ -94,7 +95,8 @@ public:
     {
     }
 
-    // Searches the cell from `low` to `high` for a place that is not proved to be covered.
+    // Searches the cell from `low` to `high` for a place that is not proved to be
+    // covered.
     std::optional<SurfacePoint> find(const SurfacePoint& low, const SurfacePoint& high,
                                      std::span<const NearMoves> passes)
     {
@@ -163,9 +165,9 @@ private:
         return std::nullopt;
     }
 
-    // The width in mm that halving across a parameter would reduce: the mean length of two
-    // opposite sides, plus the deviation along them. The latter dominates at a pole, where the
-    // sides are short.
+    // The width in mm that halving across a parameter would reduce: the mean length of
+    // two opposite sides, plus the deviation along them. The latter dominates at a pole,
+    // where the sides are short.
     double width(const Cell& cell, Parameter across) const
     {
         const auto& c = cell.corners;
@@ -245,8 +247,9 @@ std::optional<SurfacePoint> StripCover::find_uncovered(Interval v, const SweptPa
     return std::nullopt;
 }
 
-// Halves the line beside the move, as find_uncovered halves cells, until the bounds prove that it
-// is covered. The line is first divided at the borders of the rectangles of the bounds.
+// Halves the line beside the move, as find_uncovered halves cells, until the bounds prove
+// that it is covered. The line is first divided at the borders of the rectangles of the
+// bounds.
 bool StripCover::covers_line(const SweptSegment& move, double v) const
 {
     struct Part {

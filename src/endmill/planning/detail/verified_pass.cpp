@@ -12,15 +12,16 @@
 
 // A pass is built step by step:
 // 1. The first contact of a piece is the first place at which the ball fits.
-// 2. The longest step from a contact is searched in two stages. The first considers only the line
-//    of the pass: a quick sampled gouge test, the demands, and the outer tolerance. If the complete
-//    gouge test also accepts this step, it is taken.
-// 3. Otherwise the part beside the pass limits the step, and a second search includes the complete
-//    test. It starts at the same share of the first result as in the step before.
-// 4. A search first multiplies or divides the step by a growing factor until it has one sound and
-//    one unsound step, then halves the difference.
-// 5. Where no step is possible the piece ends, and the scan for a place where the ball fits
-//    continues.
+// 2. The longest step from a contact is searched in two stages. The first considers only
+//    the line of the pass: a quick sampled gouge test, the demands, and the outer
+//    tolerance. If the complete gouge test also accepts this step, it is taken.
+// 3. Otherwise the part beside the pass limits the step, and a second search includes the
+//    complete test. It starts at the same share of the first result as in the step
+//    before.
+// 4. A search first multiplies or divides the step by a growing factor until it has one
+//    sound and one unsound step, then halves the difference.
+// 5. Where no step is possible the piece ends, and the scan for a place where the ball
+//    fits continues.
 
 namespace endmill {
 namespace {
@@ -29,8 +30,8 @@ namespace {
 constexpr double least_step = 1e-4;
 // Accuracy of the longest step, as a share of it.
 constexpr double step_precision = 1e-3;
-// First factor of the search for a step that is too long, and the greatest. The factor is squared
-// each time, because neighbouring steps are usually almost equal.
+// First factor of the search for a step that is too long, and the greatest. The factor is
+// squared each time, because neighbouring steps are usually almost equal.
 constexpr double least_growth = 1.04;
 constexpr double most_growth = 2;
 // Intervals of a step in the quick gouge test.
@@ -88,8 +89,8 @@ private:
             finer_);
     }
 
-    // The first parameter from `u` on at which the ball fits. Places narrower than the scan may
-    // be missed.
+    // The first parameter from `u` on at which the ball fits. Places narrower than the
+    // scan may be missed.
     std::optional<double> fitting_from(double u)
     {
         const double end = line_.range().high;
@@ -150,7 +151,8 @@ private:
                     [&](const SurfaceContact& to) { return keeps_line(from, to); });
         if (!beside_line || is_clear(from, *beside_line))
             return beside_line;
-        // The part beside the pass limits the step. The guess is its share in the step before.
+        // The part beside the pass limits the step. The guess is its share in the step
+        // before.
         const double limit = beside_line->u - from.u;
         auto clear =
             longest(from, {least, std::max(share_ * limit, least), beside_line->u},
@@ -169,8 +171,8 @@ private:
         double most_u;  // parameter at which the longest step ends
     };
 
-    // The longest sound step. It is assumed that a step shorter than a sound one is sound; the
-    // returned step is tested in any case.
+    // The longest sound step. It is assumed that a step shorter than a sound one is
+    // sound; the returned step is tested in any case.
     template <class IsSound>
     std::optional<SurfaceContact> longest(const SurfaceContact& from,
                                           const StepRange& range,
@@ -206,8 +208,9 @@ private:
         return best;
     }
 
-    // Whether a step is sound as far as the line of the pass is concerned. The gouge test here is
-    // sampled; it rejects many unsound steps before the complete test, at low cost.
+    // Whether a step is sound as far as the line of the pass is concerned. The gouge test
+    // here is sampled; it rejects many unsound steps before the complete test, at low
+    // cost.
     bool keeps_line(const SurfaceContact& from, const SurfaceContact& to) const
     {
         const SweptSegment move{from.u, to.u, ball_centre(from, surface_.cutter()),
@@ -242,7 +245,8 @@ private:
     ContactLine line_;
     std::span<const CoverDemand> demands_;
     FinerPieces finer_;
-    // Length of the last limited step, as a share of the step that its line alone would allow.
+    // Length of the last limited step, as a share of the step that its line alone would
+    // allow.
     double share_ = 1;
     std::size_t points_ = 1;
 };

@@ -14,17 +14,17 @@
 
 namespace endmill {
 
-/// Share of the inner tolerance to which moves may cut along the normals of the border. The
-/// bounds of the verification are of first order there: a path planned to the full tolerance
-/// would remain undecided.
+/// Share of the inner tolerance to which moves may cut along the normals of the border.
+/// The bounds of the verification are of first order there: a path planned to the full
+/// tolerance would remain undecided.
 /// Source: paper/notes/border-depth.md, section 4.
 inline constexpr double border_share = 0.99;
 
-/// Tests whether straight moves of a ball keep an inner tolerance on a part: no point of the
-/// part lies deeper than the tolerance in the volume that the ball and its shank clear, and
-/// along the normals of the part's border they cut at most `border_share` of it. The verdict
-/// of the module `verification` judges a cut in the same way. An immutable value that all
-/// threads may use.
+/// Tests whether straight moves of a ball keep an inner tolerance on a part: no point of
+/// the part lies deeper than the tolerance in the volume that the ball and its shank
+/// clear, and along the normals of the part's border they cut at most `border_share` of
+/// it. The verdict of the module `verification` judges a cut in the same way. An
+/// immutable value that all threads may use.
 class ClearMoves {
 public:
     /// \param surfaces  the part.
@@ -85,10 +85,10 @@ struct VerifiedPass {
     std::vector<Pass> pieces;  ///< u rising; empty if the ball fits nowhere
 };
 
-/// Computes the pass along u at `v` with the longest steps, to a thousandth of each, whose
-/// straight motions keep the tolerances and reach all demands. The pass is interrupted where
-/// the ball does not fit or a step would be shorter than 1e-4 of a patch, and continues where
-/// the ball fits again.
+/// Computes the pass along u at `v` with the longest steps, to a thousandth of each,
+/// whose straight motions keep the tolerances and reach all demands. The pass is
+/// interrupted where the ball does not fit or a step would be shorter than 1e-4 of a
+/// patch, and continues where the ball fits again.
 /// \param surface the surface and its tests.
 /// \param v       parameter of the pass.
 /// \param demands in order of rising `foot_u`.

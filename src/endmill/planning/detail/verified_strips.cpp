@@ -13,30 +13,32 @@
 #include "endmill/planning/detail/segment_distance.h"
 
 // How the passes over one surface come about:
-// 1. Passes are laid one after the other, as far apart as CoverFront computes for rolling balls.
-//    The points of the front between two passes become demands on both.
+// 1. Passes are laid one after the other, as far apart as CoverFront computes for rolling
+//    balls. The points of the front between two passes become demands on both.
 // 2. The passes are divided into straight steps in batches, in parallel (verified_pass).
-// 3. Where the ball fits nowhere on a pass, passes near the limit of where it fits replace it.
-// 4. StripCover tests the strips between neighbouring passes. In an uncovered strip, the step beside
-//    the uncovered place is halved if a rolling ball would reach the place, and the strip is tested
-//    again.
+// 3. Where the ball fits nowhere on a pass, passes near the limit of where it fits
+//    replace it.
+// 4. StripCover tests the strips between neighbouring passes. In an uncovered strip, the
+//    step beside the uncovered place is halved if a rolling ball would reach the place,
+//    and the strip is tested again.
 // 5. Strips that remain uncovered get further passes, if a ball fits in them.
 // 6. What is still uncovered is reported.
 
 namespace endmill {
 namespace {
 
-// Share of the scallop height at which passes are laid. The rest is a margin for the error of
-// sampling; it makes intervals a two thousandth narrower.
+// Share of the scallop height at which passes are laid. The rest is a margin for the
+// error of sampling; it makes intervals a two thousandth narrower.
 constexpr double planned_share = 0.999;
-// Greatest scallop height at which passes are laid, as a share of the radius. The interval is
-// almost that of a scallop of R, and a margin for the error of sampling remains.
-constexpr double widest_share = 0.98;
-// Least interval between passes, in widths of a patch. Where it is too wide, more material
+// Greatest scallop height at which passes are laid, as a share of the radius. The
+// interval is almost that of a scallop of R, and a margin for the error of sampling
 // remains.
+constexpr double widest_share = 0.98;
+// Least interval between passes, in widths of a patch. Where it is too wide, more
+// material remains.
 constexpr double least_interval = 1e-3;
-// Number of passes that are divided into steps at the same time. It does not depend on the number
-// of threads, and so neither does the result.
+// Number of passes that are divided into steps at the same time. It does not depend on
+// the number of threads, and so neither does the result.
 constexpr int batch = 32;
 // Most rounds of halving steps beside uncovered strips.
 constexpr int most_rounds = 64;
@@ -44,7 +46,8 @@ constexpr int most_rounds = 64;
 constexpr int most_splits = 3;
 // Bisections of the interval in which the ball ceases to fit.
 constexpr int limit_bisections = 6;
-// Places on a step at which a rolling ball is tested, to see whether halving the step may help.
+// Places on a step at which a rolling ball is tested, to see whether halving the step may
+// help.
 constexpr int rolling_samples = 33;
 
 // Plans the passes over one surface.
@@ -98,8 +101,8 @@ private:
 
     double end() const { return marched_.surface.range(Parameter::V).high; }
 
-    // Lays a batch of passes from `v` on. Returns the parameter of the pass after them, if there
-    // is one.
+    // Lays a batch of passes from `v` on. Returns the parameter of the pass after them,
+    // if there is one.
     std::optional<double> lay_passes(double v)
     {
         while (true) {
@@ -160,7 +163,8 @@ private:
                              : marched_.surface.patch_width(Parameter::V, v) / 32;
     }
 
-    // `next`, at least one least interval after `v`, and moved to the border if close to it.
+    // `next`, at least one least interval after `v`, and moved to the border if close to
+    // it.
     double snapped(double v, double next) const
     {
         const double width = marched_.surface.patch_width(Parameter::V, v);
@@ -191,8 +195,8 @@ private:
                              std::to_string(options_.most_points) + " points, the limit"};
     }
 
-    // Removes the passes on which the ball fits nowhere. In their place come passes as close to
-    // them as the ball fits, one on each side.
+    // Removes the passes on which the ball fits nowhere. In their place come passes as
+    // close to them as the ball fits, one on each side.
     void drop_empty_passes()
     {
         std::vector<VerifiedPass> kept;
@@ -216,8 +220,8 @@ private:
             kept.push_back(std::move(pass));
     }
 
-    // The pass nearest to `bad` on which the ball fits, between `bad` where it does not and
-    // `good` where it does. Empty if bisection finds none.
+    // The pass nearest to `bad` on which the ball fits, between `bad` where it does not
+    // and `good` where it does. Empty if bisection finds none.
     VerifiedPass last_fitting(double good, double bad) const
     {
         VerifiedPass best;
@@ -260,8 +264,8 @@ private:
             note(uncovered_between({passes.back().v, high}, passes.back(), {}));
     }
 
-    // Halves steps beside uncovered strips until no step is worth halving. Leaves in open_ the
-    // strips that are still uncovered.
+    // Halves steps beside uncovered strips until no step is worth halving. Leaves in
+    // open_ the strips that are still uncovered.
     void mend_steps()
     {
         open_.assign(passes_.size(), std::nullopt);
@@ -280,7 +284,8 @@ private:
         }
     }
 
-    // Tries to mend both passes beside each open strip. Returns the strips beside a changed pass.
+    // Tries to mend both passes beside each open strip. Returns the strips beside a
+    // changed pass.
     std::vector<char> mend_beside_open()
     {
         std::vector<char> is_due(passes_.size(), 0);
@@ -291,8 +296,8 @@ private:
         return is_due;
     }
 
-    // Halves the step beside `place` if a ball that rolls along the step would cover the place.
-    // Returns whether the step was halved.
+    // Halves the step beside `place` if a ball that rolls along the step would cover the
+    // place. Returns whether the step was halved.
     bool mend(VerifiedPass& pass, const SurfacePoint& place) const
     {
         const SweptPass moves = swept(pass, surface_.cutter());
@@ -312,8 +317,8 @@ private:
         return false;
     }
 
-    // Inserts passes between two that leave their strip uncovered, if a ball fits at the uncovered
-    // place. Otherwise the place is noted.
+    // Inserts passes between two that leave their strip uncovered, if a ball fits at the
+    // uncovered place. Otherwise the place is noted.
     void lay_between(const VerifiedPass& below, const VerifiedPass& above, int splits)
     {
         const auto place = uncovered_between({below.v, above.v}, below, above);

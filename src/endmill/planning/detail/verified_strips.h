@@ -8,7 +8,8 @@
 
 namespace endmill {
 
-/// The passes over one surface, and the places between them that are not proved to be covered.
+/// The passes over one surface, and the places between them that are not proved to be
+/// covered.
 struct VerifiedStrips {
     std::vector<VerifiedPass> passes;     ///< v rising; each has at least one piece
     std::vector<SurfacePoint> uncovered;  ///< at most one between two neighbouring passes
