@@ -28,10 +28,13 @@ int main()
     // One loop below the crossing at s = 0, z = 0.
     const std::vector<SectionCurve> curves{
         {{{-6, 6}, {2, -2}, {0, -1}, {-2, -2}, {6, 6}}}};
+    const TrimmingOptions options{.scan_step = 0.01,
+                                  .scan_threshold = 0.04};  // of method 1
     for (const TrimmingMethod& method : trimming_methods())
         std::cout << method.name << ": "
-                  << method.trim(curves, {}).curves.front().points.size() << " points\n";
+                  << method.trim(curves, options).curves.front().points.size()
+                  << " points\n";
     std::cout << "own method: "
-              << keep_points_ahead(curves, {}).curves.front().points.size()
+              << keep_points_ahead(curves, options).curves.front().points.size()
               << " points\n";
 }

@@ -27,7 +27,7 @@ try {
                           .part = &part,
                           .stock = default_block(&part, path, cutter)};
     task.resolution = 0.5;                         // mm
-    task.limits = {.tolerance = 1, .scallop = 2};  // mm
+    task.limits = {.tolerance = 1, .scallop = 3};  // mm
     const Verification found = verify_path(task);
 
     std::cout << verdict_name(found.verdict) << ": gouge "

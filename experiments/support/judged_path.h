@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "endmill/deviation/deviation.h"
-#include "endmill/planning/path_error.h"
 #include "endmill/planning/economy.h"
+#include "endmill/planning/path_error.h"
 
 namespace endmill {
 

@@ -6,8 +6,8 @@
 
 #include "cli/plan_options.h"
 #include "endmill/deviation/deviation.h"
-#include "endmill/planning/path_error.h"
 #include "endmill/planning/economy.h"
+#include "endmill/planning/path_error.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/largest_cutter.h"
 

@@ -302,7 +302,7 @@ class Feed(ProgramTest):
         self.refused(4, "no move", path=relative, options=[*common, *top])
         leaning = self.file("tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z\n0,0,0,0,0,1\n1,0,0,0,0.6,0.8\n",
                             "p.csv")
-        self.refused(4, "+z", path=leaning, options=[*common, *top])
+        self.refused(4, "0,0,1", path=leaning, options=[*common, *top])
         surface = self.file(plane(size=(60, 30)))
         path = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n5,5,0\n20,5,0.3\n", "p.csv")
         self.refused(4, "misses it by 0.2", path=path, options=[*common, *top, "--part", surface])

@@ -25,7 +25,7 @@ class Program(ProgramTest):
         known = endmill("--help").stdout.split("Subcommands:\n")[1].split("\n\n")[0]
         self.assertEqual(tuple(line.split()[0] for line in known.splitlines() if line[2] != " "), COMMANDS)
         change = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8").split("The program `endmill` with")[1].split("\n- ")[0]
-        table = (ROOT / "README.md").read_text(encoding="utf-8")
+        table = (ROOT / "docs/README.md").read_text(encoding="utf-8")
         for command in COMMANDS:
             self.assertIn(f"`{command}`", change)
             self.assertIn(f"\n| `{command}` |", table)

@@ -11,7 +11,7 @@ NET = SURFACES / "net_rot24_7D.json"
 # Work of more than a second, and words of the line that it must show.
 LONG = ((("plan", NET, "--chord-tolerance", "0.05"), ("planning:", "along u", "along v", "%")),
         (("trim", SURFACES / "valley.json", "--cutter", "ball:20", "--method", "all", "--grid", "400"),
-         ("method 1: ", "method winding: ")),
+         ("method ", "method winding: ")),
         (("setup", ROOT / "datasets/meshes/teapot-288.off", "--machine", "W/caxyBz/T", "--mode", "set", "--sphere",
           "hex:20"), ("nodes, bound",)))
 

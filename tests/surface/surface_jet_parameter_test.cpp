@@ -26,7 +26,7 @@ TEST(PlaceText, IsAPlaceAndItsPointInRoundedNumbers)
 {
     EXPECT_EQ(place_text({1.5, 0}, {30, -0.1, 12}), "u = 1.5, v = 0 (30, -0.1, 12 mm)");
     EXPECT_EQ(place_text({1.0 / 3, -0.0}, Vec3::Zero()),
-              "u = 0.333333, v = 0 (0, 0, 0 mm)");
+              "u = 0.3333, v = 0 (0, 0, 0 mm)");
     EXPECT_EQ(place_text({1.4999999982219319, -0.0}, {-5.334e-8, 86.046138984, 1}),
               "u = 1.5, v = 0 (0, 86.046, 1 mm)");
 }

@@ -19,9 +19,10 @@ namespace endmill {
 /// Topology and measures of a mesh. Triangles that repeat a corner count as degenerate and in
 /// no other number.
 struct MeshReport {
-    std::size_t boundary_edges;                   ///< edges of one triangle
-    std::size_t non_manifold_edges;               ///< edges of more than two triangles
-    std::optional<MeshEdge> first_non_manifold_edge;  ///< the lexicographically least of them
+    std::size_t boundary_edges;      ///< edges of one triangle
+    std::size_t non_manifold_edges;  ///< edges of more than two triangles
+    std::optional<MeshEdge>
+        first_non_manifold_edge;  ///< the lexicographically least of them
     /// Edges whose two triangles run along them in the same direction: the orientations of
     /// the two triangles disagree.
     std::size_t inconsistent_edges;

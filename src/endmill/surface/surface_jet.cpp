@@ -83,7 +83,7 @@ std::optional<Vec3> limit_normal(const SurfaceJet& jet, const InwardSigns& inwar
 
 std::string place_text(const SurfacePoint& at, const Vec3& point)
 {
-    const auto parameter = [](double value) { return rounded_text(value, 1e6); };
+    const auto parameter = [](double value) { return rounded_text(value, 1e4); };
     const auto mm = [](double value) { return rounded_text(value, 1e3); };
     return "u = " + parameter(at.u) + ", v = " + parameter(at.v) + " (" + mm(point.x()) +
            ", " + mm(point.y()) + ", " + mm(point.z()) + " mm)";

@@ -18,7 +18,7 @@ struct SurfacePoint {
 };
 
 /// A place and its point as text for a message, such as "u = 1.5, v = 0 (30, -0.1, 12 mm)".
-/// Parameters are rounded to 1e-6, coordinates to 0.001 mm.
+/// Parameters are rounded to 1e-4, coordinates to 0.001 mm.
 std::string place_text(const SurfacePoint& at, const Vec3& point);
 
 /// A closed interval of a parameter or of a length in mm.

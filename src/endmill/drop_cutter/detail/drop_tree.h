@@ -196,7 +196,7 @@ private:
     const WideFloats gap_x = outside(low_x, high_x, WideFloats{x});
     const WideFloats gap_y = outside(low_y, high_y, WideFloats{y});
     const WideFloats lift = WideFloats{2.0F} * (offset_x * (WideFloats{x} - low_x) +
-                                             offset_y * (WideFloats{y} - low_y)) -
+                                                offset_y * (WideFloats{y} - low_y)) -
                             (away_x * away_x + away_y * away_y);
     const WideFloats bounds = smaller(
         WideFloats{nodes.height} + WideFloats{nodes.fall} * lift, WideFloats{tops});

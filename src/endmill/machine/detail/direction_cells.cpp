@@ -50,7 +50,8 @@ DirectionCells::DirectionCells(std::span<const DirectionPatch> patches)
     keep_distinct(azimuths_);
     keep_distinct(latitudes_);
     // The last cut may equal the first one, a whole turn on.
-    if (azimuths_.size() > 1 && azimuths_.front() + 2 * pi - azimuths_.back() <= thinnest_angle)
+    if (azimuths_.size() > 1 &&
+        azimuths_.front() + 2 * pi - azimuths_.back() <= thinnest_angle)
         azimuths_.pop_back();
     if (azimuths_.empty())
         azimuths_.push_back(0);
