@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "endmill/process/feed_plan.h"
-#include "support/stroke_forces.h"
+#include "endmill/process/detail/stroke_forces.h"
 
 namespace endmill {
 

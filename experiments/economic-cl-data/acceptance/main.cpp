@@ -6,7 +6,7 @@
 //
 // Deterministic, under 5 s. Columns: README.md beside this.
 
-#include "support/acceptance_table.h"
+#include "economic-cl-data/acceptance/tables.h"
 #include "support/experiment.h"
 
 using namespace endmill;

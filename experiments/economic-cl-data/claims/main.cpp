@@ -7,7 +7,7 @@
 // Deterministic, under 1 s. Columns and verdicts: README.md beside this.
 
 #include "support/experiment.h"
-#include "support/stated_savings.h"
+#include "economic-cl-data/claims/stated_savings.h"
 
 using namespace endmill;
 

@@ -6,7 +6,7 @@
 //
 // Deterministic, under 1 s. Columns: README.md beside this.
 
-#include "support/decoding_table.h"
+#include "economic-cl-data/decode/tables.h"
 #include "support/experiment.h"
 
 using namespace endmill;

@@ -7,7 +7,7 @@
 // Deterministic, under 1 s. Columns: README.md beside this.
 
 #include "support/experiment.h"
-#include "support/scaling.h"
+#include "endmill/planning/detail/economy_scaling.h"
 
 using namespace endmill;
 

@@ -11,7 +11,7 @@
 #include "support/dataset_mesh.h"
 #include "support/experiment.h"
 #include "support/named_cells.h"
-#include "support/setup_savings.h"
+#include "five-axis-setup/savings/tables.h"
 #include "support/teapot_tessellations.h"
 
 using namespace endmill;

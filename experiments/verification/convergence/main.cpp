@@ -6,7 +6,7 @@
 // Deterministic, under 5 s on two cores. Columns: README.md beside this.
 
 #include "endmill/core/text.h"
-#include "support/closed_forms.h"
+#include "endmill/verification/detail/closed_forms.h"
 #include "support/experiment.h"
 
 using namespace endmill;

@@ -7,7 +7,7 @@
 // Deterministic, under 30 s on two cores. Columns: README.md beside this.
 
 #include "support/experiment.h"
-#include "support/weakness_table.h"
+#include "verification/weaknesses/tables.h"
 
 using namespace endmill;
 
