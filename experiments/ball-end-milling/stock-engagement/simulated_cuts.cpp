@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ball-end-milling/stock-engagement/simulated_cuts.h"
 
-#include <cmath>
-#include <functional>
 #include <numbers>
 
-#include "endmill/core/parallel.h"
-#include "endmill/process/detail/force_pattern.h"
 #include "endmill/process/detail/front_load.h"
 #include "endmill/process/detail/segment_load.h"
 #include "endmill/stock/stock_engagement.h"
@@ -14,8 +10,8 @@
 namespace endmill {
 namespace {
 
-constexpr double bottom_z_mm = -30;   // of the paper's block
-constexpr double above_stock_mm = 5;  // of tips that return
+constexpr double bottom_z_mm = -30;   // of the block
+constexpr double above_stock_mm = 5;  // height of the tip on its return
 
 std::vector<std::size_t> cut_points(const ToolPath& path)
 {
@@ -24,21 +20,6 @@ std::vector<std::size_t> cut_points(const ToolPath& path)
         if (path.points[i].move == Move::Cut)
             points.push_back(i);
     return points;
-}
-
-std::vector<double> peaks_of(
-    const std::vector<MilledMove>& moves, const MillingJob& job,
-    const std::function<CuttingLoads(std::size_t, const LoadModel&, double)>&
-        largest_loads)
-{
-    const LoadModel model{job.material, job.tool.radius};
-    std::vector<double> peaks(moves.size());
-    parallel_for(moves.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            peaks[i] =
-                largest_loads(i, model, moves[i].feed_per_tooth_mm).cutting_force_n;
-    });
-    return peaks;
 }
 
 }  // namespace
@@ -74,27 +55,6 @@ FeedPlan simulated_plan(const std::vector<SegmentCut>& cuts,
                           rules);
     };
     return feed_plan(cuts.size(), load_of, rules);
-}
-
-std::vector<double> idealised_peaks(const std::vector<MilledMove>& moves,
-                                    const MillingJob& job)
-{
-    return peaks_of(moves, job, [&](std::size_t i, const LoadModel& model, double feed) {
-        const BallEngagement engagement = ball_engagement(moves[i].cut, job.tool.radius);
-        return is_air(engagement)
-                   ? CuttingLoads{}
-                   : ForcePattern{engagement, ChipModel::Paper, job.tool}.largest_loads(
-                         model, feed);
-    });
-}
-
-std::vector<double> simulated_peaks(const std::vector<MilledMove>& moves,
-                                    const SimulatedCuts& simulated, const MillingJob& job)
-{
-    return peaks_of(moves, job, [&](std::size_t i, const LoadModel& model, double feed) {
-        return FrontPattern{simulated.fronts[i], ChipModel::Paper, job.tool}
-            .largest_loads(model, feed);
-    });
 }
 
 NamedCells engagement_cells(const std::vector<SegmentCut>& cuts,

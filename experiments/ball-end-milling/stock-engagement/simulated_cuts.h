@@ -4,37 +4,29 @@
 #include <vector>
 
 #include "endmill/cutter/engagement.h"
-#include "endmill/process/feed_plan.h"
 #include "endmill/process/detail/one_way_passes.h"
-#include "endmill/process/detail/stroke_forces.h"
+#include "endmill/process/feed_plan.h"
+#include "support/named_cells.h"
 
 namespace endmill {
 
-/// What the ball meets in a simulated block.
+/// Engagement of the ball in a simulated block.
 struct SimulatedCuts {
-    std::vector<BallFront> fronts;  ///< one a move
-    double removed_mm3;             ///< by all moves
+    std::vector<BallFront> fronts;  ///< engaged region of each move
+    double removed_mm3;             ///< volume that all moves remove
 };
 
-/// Cuts `milled` from a block of the plan's extent, from `bottom` to its stock's top.
+/// Cuts `milled` from a block with the extent and the top of `plan`; its bottom is at z = -30.
 /// \param pitch of the stock's cells, mm.
 SimulatedCuts simulated_cuts(const OneWayPasses& plan, const MilledPath& milled,
                              double pitch);
 
-/// The plan by the engagement of the fronts.
+/// The feed plan for the simulated engagement.
 FeedPlan simulated_plan(const std::vector<SegmentCut>& cuts,
                         const SimulatedCuts& simulated, const MillingJob& job,
                         const FeedPlanOptions& options);
 
-/// Cutting forces in N, the largest in a turn of the helical flutes at each move, the paper's
-/// chip: by the model's engagement, and by that of the fronts.
-std::vector<double> idealised_peaks(const std::vector<MilledMove>& moves,
-                                    const MillingJob& job);
-std::vector<double> simulated_peaks(const std::vector<MilledMove>& moves,
-                                    const SimulatedCuts& simulated,
-                                    const MillingJob& job);  ///< see above
-
-/// Coefficients over the path, weighted by length, and the volume that they say is removed:
+/// Means of the coefficients I5 and I7 over the length of the path, and the volume that I7 implies:
 /// mean_i5, mean_i7, removed_mm3.
 NamedCells engagement_cells(const std::vector<SegmentCut>& cuts,
                             const std::vector<CuttingCoefficients>& coefficients,

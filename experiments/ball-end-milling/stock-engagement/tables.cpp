@@ -6,14 +6,16 @@
 
 #include "endmill/process/detail/front_load.h"
 #include "endmill/process/detail/segment_load.h"
+#include "endmill/process/detail/stroke_forces.h"
 #include "support/milling_jobs.h"
-#include "support/stroke_comparison.h"
 
 namespace endmill {
 namespace {
 
-constexpr double peak_accuracy = 0.02;  // of forces by cells of the front
+// Relative accuracy of a force computed from the cells of a front.
+constexpr double peak_accuracy = 0.02;
 
+// Share in percent of the path length whose peak exceeds the limit by more than the accuracy.
 double over_percent(const std::vector<SegmentCut>& cuts, const std::vector<double>& peaks,
                     double limit_n)
 {
@@ -53,12 +55,13 @@ void PeakForceRun::add(CsvTable& table, CsvTable& along, const std::string& name
                        const FeedPlan& plan) const
 {
     const std::vector<MilledMove> moves = milled_moves(cuts, plan, {});
-    const std::vector<double> by_model = idealised_peaks(moves, job);
-    const std::vector<double> by_stock = simulated_peaks(moves, simulated, job);
+    const std::vector<double> by_model = peak_cutting_forces(moves, job);
+    const std::vector<double> by_stock =
+        peak_cutting_forces(moves, simulated.fronts, job);
     const MillingJob right_hand = right_hand_job(job);
-    const std::vector<double> right_by_model = idealised_peaks(moves, right_hand);
+    const std::vector<double> right_by_model = peak_cutting_forces(moves, right_hand);
     const std::vector<double> right_by_stock =
-        simulated_peaks(moves, simulated, right_hand);
+        peak_cutting_forces(moves, simulated.fronts, right_hand);
     const double limit_n = job.tool.cutting_force_n.value();
     add_named(table, name,
               {{"cut_min", plan.totals.cut_min},

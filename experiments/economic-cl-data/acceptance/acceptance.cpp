@@ -6,8 +6,9 @@
 #include <limits>
 
 #include "endmill/core/error.h"
-#include "endmill/surface/tool_side.h"
 #include "endmill/planning/detail/scallop_between.h"
+#include "endmill/surface/tool_side.h"
+#include "support/median.h"
 
 namespace endmill {
 namespace {

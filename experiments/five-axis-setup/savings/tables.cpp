@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "five-axis-setup/savings/tables.h"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
-#include <utility>
+#include <cstdint>
 
-#include <Eigen/Geometry>
-
-#include "endmill/core/angle.h"
-#include "endmill/mesh/triangle_tree.h"
 #include "endmill/setup/detail/arc_search.h"
 #include "endmill/setup/pose_search.h"
 #include "endmill/visibility/nearest_cells.h"
@@ -17,17 +11,6 @@
 
 namespace endmill {
 namespace {
-
-// The cosine that a facet's normal must exceed even at an incidence of 90 degrees: the spec's.
-constexpr double least_cosine = 1e-6;
-
-double extent(const TriangleMesh& mesh)
-{
-    double largest = 0;
-    for (const Vec3& point : mesh.points())
-        largest = std::max(largest, point.norm());
-    return largest;
-}
 
 std::size_t accessible_entries(const VisibilityMap& map)
 {
@@ -77,28 +60,6 @@ NamedCells saving_cells(const StudiedPart& part)
         {"left_by_best_direction", count(part.visibility.map.facets() -
                                          widest_direction(part.visibility.map).facets)},
         {"ca_paper_area_deg2", square_degrees(search.least.value().area)}};
-}
-
-StudiedPart offset_start_part(TriangleMesh mesh, const std::string& grid, Angle incidence,
-                              double start)
-{
-    StudiedPart part{std::move(mesh), sphere_grid(grid), {}};
-    const TriangleTree tree{part.mesh};
-    const double offset = start * extent(part.mesh);
-    const double cosine = std::max(std::cos(incidence.radians()), least_cosine);
-    const std::size_t facets = part.mesh.triangles().size();
-    part.visibility.map = {facets, part.grid.centres.size()};
-    for (std::size_t j = 0; j < facets; ++j) {
-        const auto [a, b, c] = part.mesh.corners(j);
-        const Vec3 normal = (b - a).cross(c - a).normalized();
-        const Vec3 origin = (a + b + c) / 3 + offset * normal;
-        for (std::size_t cell = 0; cell < part.grid.centres.size(); ++cell) {
-            const Vec3& direction = part.grid.centres[cell];
-            if (normal.dot(direction) > cosine && !tree.any_hit({origin, direction}))
-                part.visibility.map.column(cell)[j / 64] |= std::uint64_t{1} << (j % 64);
-        }
-    }
-    return part;
 }
 
 }  // namespace endmill

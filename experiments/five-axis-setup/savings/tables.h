@@ -27,11 +27,4 @@ NamedCells cone_cells(const StudiedPart& part);
 /// ca_paper_area_deg2, the least area of C,A in the mode `paper`.
 NamedCells saving_cells(const StudiedPart& part);
 
-/// The part as a program in single precision would see it: a ray starts `start` n L off the
-/// centroid of its facet, where n is the unit normal and L the largest distance of a point
-/// from the origin, and is decided in doubles, without exact predicates.
-/// \param start above 0.
-StudiedPart offset_start_part(TriangleMesh mesh, const std::string& grid, Angle incidence,
-                              double start);
-
 }  // namespace endmill

@@ -15,7 +15,7 @@ namespace {
 
 // Value, how far off, the bound, and whether it holds.
 void add_cells(std::vector<CsvCell>& cells, const ClosedForm& form,
-               const Measured& measured)
+               const MeasuredValue& measured)
 {
     CsvCell bound;
     if (measured.bound)

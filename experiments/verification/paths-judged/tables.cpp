@@ -19,7 +19,7 @@ std::vector<CsvCell> planned_cells(const std::string& name, const PlanToJudge& p
 {
     const double diameter = 2 * plan.ball.radius();
     const std::string direction = plan.direction == Parameter::U ? "u" : "v";
-    const std::string mode = plan.is_verified ? "verified" : "paper";
+    const std::string mode = plan.planner == Planner::Verified ? "verified" : "paper";
     return {name + " D=" + to_text(diameter) + " " + direction + " " + mode,
             name,
             diameter,
@@ -88,8 +88,8 @@ void add_judged_paths(CsvTable& table, const std::string& name, const Surface& s
                       const BallCutter& ball)
 {
     for (const Parameter direction : {Parameter::U, Parameter::V})
-        for (const bool is_verified : {false, true}) {
-            const PlanToJudge plan{ball, default_tolerance(ball), direction, is_verified};
+        for (const Planner planner : {Planner::Paper, Planner::Verified}) {
+            const PlanToJudge plan{ball, default_tolerance(ball), direction, planner};
             std::vector<CsvCell> cells = planned_cells(name, plan);
             for (CsvCell& cell : measured_cells(judged_path(surface, plan)))
                 cells.push_back(std::move(cell));

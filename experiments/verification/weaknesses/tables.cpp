@@ -6,16 +6,17 @@
 #include "endmill/planning/detail/continuum_travel.h"
 #include "endmill/planning/detail/scallop_between.h"
 #include "endmill/planning/detail/step_study.h"
+#include "support/median.h"
 
 namespace endmill {
 namespace {
 
-// Pieces of a step that stand for rolling along it: their chords stray 32^2 = 1024 times
-// less than its own, by under a thousandth of the scallop height but for the few steps that
-// are gross.
+// Number of pieces of a step that approximates rolling along it. The chord error of a piece is
+// 1 / 32^2 of that of the step: below a thousandth of the scallop height, except on the few steps
+// with gross errors.
 constexpr int rolled_pieces = 32;
 
-// Material that counts as above the scallop height: 2 % more leaves out rounding.
+// Limit of the area column, as a share of the scallop height. The 2 % exclude rounding.
 constexpr double above_scallop = 1.02;
 
 double percent_above(const std::vector<double>& values, double limit)
@@ -23,6 +24,17 @@ double percent_above(const std::vector<double>& values, double limit)
     const auto count =
         std::ranges::count_if(values, [limit](double value) { return value > limit; });
     return 100 * double(count) / double(values.size());
+}
+
+// Share in percent of the area of the first-level cells whose remaining material is higher than
+// `height` mm.
+double area_above_percent(const Deviation& left, double height)
+{
+    double above = 0;
+    for (std::size_t cell = 0; cell < left.left.size(); ++cell)
+        if (left.left[cell] > height)
+            above += left.area[cell];
+    return 100 * above / left.area_mm2;
 }
 
 void add_steps(NamedNumbers& numbers, const std::vector<StepErrors>& steps,
@@ -55,16 +67,18 @@ void add_scallop(NamedNumbers& numbers, const std::string& how, const Deviation&
                          area_above_percent(left, above_scallop * scallop_height));
 }
 
-// Lines of samples of the integrals, which then are within half a percent of those of
-// twice as many; and feeds of planes.
+// Samples of the integrals along each parameter: with twice as many, the integrals change by less
+// than half a percent.
 constexpr int continuum_samples = 500;
-constexpr int planar_feeds = 36;
+constexpr int planar_feeds = 36;  // directions of drive planes
 
 void add_continuum(NamedNumbers& numbers, const Surface& surface, const PlanToJudge& plan)
 {
-    const ContinuumTravel travel = continuum_travel(surface, plan, continuum_samples);
+    const ScallopRequest request{plan.ball, plan.tolerance};
+    const ContinuumTravel travel =
+        continuum_travel(surface, request, plan.direction, continuum_samples);
     const PlanarExtremes planes =
-        planar_extremes(surface, plan, planar_feeds, continuum_samples);
+        planar_extremes(surface, request, planar_feeds, continuum_samples);
     numbers.emplace_back("continuum: iso-parametric, mm", travel.iso);
     numbers.emplace_back("continuum: own interval everywhere, mm", travel.local);
     numbers.emplace_back("continuum: best direction everywhere, mm",
@@ -80,32 +94,33 @@ void add_continuum(NamedNumbers& numbers, const Surface& surface, const PlanToJu
 NamedNumbers weaknesses(const Surface& surface, const PlanToJudge& plan, double rays)
 {
     PlanToJudge as_paper = plan;
-    as_paper.is_verified = false;
+    as_paper.planner = Planner::Paper;
     PlanToJudge as_verified = plan;
-    as_verified.is_verified = true;
+    as_verified.planner = Planner::Verified;
+    const PassSettings settings{plan.ball, plan.tolerance, plan.direction};
     const JudgedPath judged = judged_path(surface, as_paper);
     const JudgedPath verified = judged_path(surface, as_verified);
-    const ToolPath rolled = rolled_path(surface, judged.path, plan, rolled_pieces);
+    const ToolPath rolled = rolled_path(surface, judged.path, plan.ball, rolled_pieces);
     const double pitch = pitch_of(surface, rays);
 
     NamedNumbers numbers;
-    add_steps(numbers, step_errors(surface, judged.path, plan), plan.tolerance);
+    add_steps(numbers, step_errors(surface, judged.path, settings), plan.tolerance);
     add_scallop(numbers, "rolled", deviation_of(surface, rolled, plan, pitch),
                 plan.tolerance);
     add_scallop(numbers, "straight", deviation_of(surface, judged.path, plan, pitch),
                 plan.tolerance);
     numbers.emplace_back("points", double(judged.economy.ncl));
     numbers.emplace_back("points, verified steps on these passes",
-                         double(verified_points(surface, judged.path, plan)));
+                         double(verified_points(surface, judged.path, settings)));
     numbers.emplace_back(
         "points, chords that hold on these passes",
-        double(greedy_points(surface, judged.path, plan, {.chord = true})));
+        double(greedy_points(surface, judged.path, settings, {.chord = true})));
     numbers.emplace_back("points, chords and motions that hold on these passes",
-                         double(greedy_points(surface, judged.path, plan,
+                         double(greedy_points(surface, judged.path, settings,
                                               {.chord = true, .motion = true})));
     numbers.emplace_back(
         "points, the paper's steps, shortened where these do not hold",
-        double(greedy_points(surface, judged.path, plan,
+        double(greedy_points(surface, judged.path, settings,
                              {.chord = true, .motion = true, .paper = true})));
     numbers.emplace_back("points, verified plan", double(verified.economy.ncl));
     numbers.emplace_back("passes", double(judged.economy.passes));

@@ -9,13 +9,13 @@
 
 namespace endmill {
 
-/// Numbers by what they measure, in the order of a table's rows.
+/// Named numbers in the order of a table's rows.
 using NamedNumbers = std::vector<std::pair<std::string, double>>;
 
-/// Where the path that the paper plans over `surface` falls short of what it is planned
-/// for: chords and straight motions of its steps, the scallop of passes that a ball rolls
-/// along without chords and of its straight motions, and points that verified steps need.
-/// \param rays about so many measure the scallop.
+/// The defects of the path that the paper's planner makes over `surface`: chord errors and gouges
+/// of its steps, the scallop of its passes (for a ball that rolls along them, and for its straight
+/// motions), the number of points that correct steps need, and the travel of idealised passes.
+/// \param rays approximate number of measuring rays for the scallop.
 NamedNumbers weaknesses(const Surface& surface, const PlanToJudge& plan, double rays);
 
 }  // namespace endmill

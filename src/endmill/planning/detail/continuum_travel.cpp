@@ -17,19 +17,20 @@
 namespace endmill {
 namespace {
 
-// Directions that are tried at each place.
+// Feed directions tried at each sample.
 constexpr int directions_at_a_place = 36;
-// Planes whose narrowest place is looked for, for each line of samples.
+// Bins across the feed, for each line of samples. In a bin the smallest interval holds, so a bin
+// must contain several samples.
 constexpr double planes_a_line = 0.25;
 
-// A place of the surface as its share of the integrals.
+// A sample of the integrals over the surface.
 struct Place {
     SurfaceJet jet;
     FundamentalForms forms;
-    double area;  // mm^2 that it stands for
+    double area;  // mm^2
 };
 
-// Between lines of u and of v that divide both ranges evenly: the middles.
+// Samples at the middles of `samples` by `samples` equal cells of the parameter domain.
 std::vector<Place> places_of(const Surface& surface, int samples)
 {
     const double side = tool_side_sign(surface, Vec3::UnitZ());
@@ -48,16 +49,17 @@ std::vector<Place> places_of(const Surface& surface, int samples)
     return places;
 }
 
-// Passes a mm across the feed, which is a tangent at the place, of any length.
-double density(const Place& place, const Vec3& feed, const PlanToJudge& plan)
+// Number of passes per mm across the feed: 1 / path interval.
+// \param feed a tangent vector of any length.
+double density(const Place& place, const Vec3& feed, const ScallopRequest& request)
 {
     const Vec3 across = place.forms.normal.cross(feed).normalized();
     const double curvature =
         normal_curvature(place.forms, tangent_components(place.forms, place.jet, across));
-    return 1 / path_interval(plan.ball, curvature, plan.tolerance).chord;
+    return 1 / path_interval(request.ball, curvature, request.scallop_height).chord;
 }
 
-double greatest_interval_density(const Place& place, const PlanToJudge& plan)
+double greatest_interval_density(const Place& place, const ScallopRequest& request)
 {
     const Vec3 one = place.jet.du.normalized();
     const Vec3 other = place.forms.normal.cross(one);
@@ -65,13 +67,14 @@ double greatest_interval_density(const Place& place, const PlanToJudge& plan)
     for (int k = 0; k < directions_at_a_place; ++k) {
         const double angle = std::numbers::pi * k / directions_at_a_place;
         least = std::min(
-            least, density(place, std::cos(angle) * one + std::sin(angle) * other, plan));
+            least,
+            density(place, std::cos(angle) * one + std::sin(angle) * other, request));
     }
     return least;
 }
 
-// Of planes along the feed that stands square to `across`.
-double planar_travel(const std::vector<Place>& places, const PlanToJudge& plan,
+// Travel in mm along parallel drive planes with the normal `across`.
+double planar_travel(const std::vector<Place>& places, const ScallopRequest& request,
                      const Vec3& across, int planes)
 {
     double low = std::numeric_limits<double>::infinity();
@@ -80,16 +83,17 @@ double planar_travel(const std::vector<Place>& places, const PlanToJudge& plan,
         low = std::min(low, across.dot(place.jet.point));
         high = std::max(high, across.dot(place.jet.point));
     }
-    std::vector<double> length(planes, 0);  // times the distance of these planes
-    std::vector<double> dense(planes, 0);   // planes a mm
+    std::vector<double> length(planes, 0);  // sum of area times slant, mm^2
+    std::vector<double> dense(planes, 0);   // planes per mm
     for (const Place& place : places) {
         const double at = (across.dot(place.jet.point) - low) / (high - low);
         const auto plane =
             static_cast<std::size_t>(std::clamp(at * planes, 0.0, planes - 1.0));
         const double slant = place.forms.normal.cross(across).norm();
         length[plane] += place.area * slant;
-        dense[plane] = std::max(
-            dense[plane], density(place, across.cross(place.forms.normal), plan) / slant);
+        dense[plane] =
+            std::max(dense[plane],
+                     density(place, across.cross(place.forms.normal), request) / slant);
     }
     double travel = 0;
     for (int k = 0; k < planes; ++k)
@@ -100,37 +104,38 @@ double planar_travel(const std::vector<Place>& places, const PlanToJudge& plan,
 
 }  // namespace
 
-ContinuumTravel continuum_travel(const Surface& surface, const PlanToJudge& plan,
-                                 int samples)
+ContinuumTravel continuum_travel(const Surface& surface, const ScallopRequest& request,
+                                 Parameter direction, int samples)
 {
     const std::vector<Place> places = places_of(surface, samples);
-    const bool along_u = plan.direction == Parameter::U;
-    const Interval feed_range = surface.range(along_u ? Parameter::U : Parameter::V);
+    const bool along_u = direction == Parameter::U;
+    const Interval feed_range = surface.range(direction);
     const Interval across_range = surface.range(along_u ? Parameter::V : Parameter::U);
     const double step = (feed_range.high - feed_range.low) / samples;
     const double step_across = (across_range.high - across_range.low) / samples;
     ContinuumTravel travel{0, 0, 0};
     for (int pass = 0; pass < samples; ++pass) {
         double length = 0;
-        double passes = 0;  // for a unit of the parameter across
+        double passes = 0;  // passes per unit of the parameter across the feed
         for (int k = 0; k < samples; ++k) {
             const auto number = static_cast<std::size_t>(along_u ? pass * samples + k
                                                                  : k * samples + pass);
             const Place& place = places[number];
             const Vec3& feed = along_u ? place.jet.du : place.jet.dv;
-            const double dense = density(place, feed, plan);
+            const double dense = density(place, feed, request);
             const double width = place.jet.du.cross(place.jet.dv).norm() / feed.norm();
             length += feed.norm() * step;
             passes = std::max(passes, width * dense);
             travel.local += place.area * dense;
-            travel.best_direction += place.area * greatest_interval_density(place, plan);
+            travel.best_direction +=
+                place.area * greatest_interval_density(place, request);
         }
         travel.iso += length * passes * step_across;
     }
     return travel;
 }
 
-PlanarExtremes planar_extremes(const Surface& surface, const PlanToJudge& plan,
+PlanarExtremes planar_extremes(const Surface& surface, const ScallopRequest& request,
                                int directions, int samples)
 {
     const std::vector<Place> places = places_of(surface, samples);
@@ -140,7 +145,7 @@ PlanarExtremes planar_extremes(const Surface& surface, const PlanToJudge& plan,
         const double degrees = 180.0 * k / directions;
         const double feed = Angle::degrees(degrees).radians();
         const double travel =
-            planar_travel(places, plan, {-std::sin(feed), std::cos(feed), 0}, planes);
+            planar_travel(places, request, {-std::sin(feed), std::cos(feed), 0}, planes);
         if (travel < found.least)
             found = {travel, degrees, found.greatest};
         found.greatest = std::max(found.greatest, travel);

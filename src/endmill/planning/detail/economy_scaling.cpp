@@ -20,7 +20,7 @@ void include(ValueRange& range, double value)
     range.greatest = std::max(range.greatest, value);
 }
 
-// Calls `visit` for the three by three cells of a table's direction.
+// Calls `visit` for each of the nine cells of a direction.
 void for_cells(const std::function<void(int tolerance, int diameter)>& visit)
 {
     for (int i = 0; i < 3; ++i)
@@ -28,7 +28,8 @@ void for_cells(const std::function<void(int tolerance, int diameter)>& visit)
             visit(i, j);
 }
 
-// Slope of y over x for a design in which the other variable is balanced.
+// Least-squares slope of y over x. The nine cells form a full factorial design, so the fit of
+// one exponent does not depend on the other variable.
 double slope(const std::array<double, 9>& x, const std::array<double, 9>& y)
 {
     double mean_x = 0;

@@ -10,13 +10,14 @@
 namespace endmill {
 namespace {
 
-// The whole numbers of a reading.
+// The whole numbers of an interpretation.
 struct Counts {
     std::optional<int> points_forward;
     std::array<int, 3> passes;
 };
 
-// The counts of passes that f + b allows; none if no f fits all three.
+// Numbers of passes for a given f + b. For odd N the remainder of NCL is f, which must be the
+// same for all three balls; none if it is not, or if two balls have equal numbers of passes.
 std::optional<Counts> counts_for(const std::array<int, 3>& ncl, int points_a_pair)
 {
     Counts counts{};
@@ -59,12 +60,13 @@ Decoding fitted(const Counts& counts, int points_a_pair,
     return {points_a_pair, counts.points_forward, counts.passes, chord, link, residual};
 }
 
-// Random numbers that are the same with every standard library.
+// Uniform random numbers that do not depend on the standard library: its generators are
+// specified exactly, its distributions are not.
 class Uniform {
 public:
     explicit Uniform(std::uint32_t seed) : generator_{seed} {}
 
-    // In [low, high), 53 random bits.
+    // A number in [low, high) from 53 random bits.
     double operator()(double low, double high)
     {
         const auto upper = static_cast<double>(generator_() >> 5U);
@@ -76,12 +78,13 @@ private:
     std::mt19937 generator_;
 };
 
+// Extent of the part along the passes, mm.
 double width_along(Parameter direction)
 {
     return direction == Parameter::U ? 200 : 120;
 }
 
-// What a triple of synthetic rows shares.
+// Properties that the three rows of a synthetic triple share.
 struct SyntheticPart {
     Parameter direction;
     double chord_mm;
@@ -91,7 +94,7 @@ struct SyntheticPart {
 CostRow synthetic_row(const EconomyTables& printed, const SyntheticPart& part,
                       int tolerance, Uniform& uniform)
 {
-    constexpr int middle = 1;  // the ball whose printed cell sets the size
+    constexpr int middle = 1;  // index of the ball whose printed cell sets the size
     const auto cell = [&](TableQuantity quantity) {
         return printed.cell(quantity, part.direction, tolerance, middle);
     };
@@ -99,10 +102,10 @@ CostRow synthetic_row(const EconomyTables& printed, const SyntheticPart& part,
         const BallCutter ball{table_diameters_mm[diameter] / 2};
         return path_interval(ball, 0, table_tolerances_mm[tolerance]).chord;
     };
-    // Real numbers near the printed ones; nothing makes them whole.
+    // Real numbers near the printed ones, not rounded.
     const double passes = cell(TableQuantity::Tcd) / part.chord_mm * uniform(0.9, 1.1);
     const double points_a_pass = cell(TableQuantity::Ncl) / passes * uniform(0.9, 1.1);
-    constexpr double scatter_mm = 0.5;  // of the printed triples about their lines
+    constexpr double scatter_mm = 0.5;  // of the printed (NCL, TCD) about a line
     CostRow row{};
     for (int j = 0; j < 3; ++j) {
         row.ncl[j] = static_cast<int>(

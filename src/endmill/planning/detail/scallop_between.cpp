@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/planning/detail/scallop_between.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +11,7 @@
 namespace endmill {
 namespace {
 
+// No cusp, or no point of the surface below it.
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 Vec3 ball_centre(const SurfaceTangents& at, double side, double radius)
@@ -19,13 +19,14 @@ Vec3 ball_centre(const SurfaceTangents& at, double side, double radius)
     return at.point + radius * side * unit_normal(at);
 }
 
-// Distance from `place` to its foot on the surface, sought from `start` by Newton's
-// method on (r - place).du = (r - place).dv = 0.
+// Distance from `place` to its foot point on the surface. Newton's method from `start` solves
+// (r - place).du = (r - place).dv = 0.
 double distance_to_surface(const Surface& surface, const Vec3& place, SurfacePoint start)
 {
     constexpr int most_steps = 30;
-    constexpr double last_step =
-        1e-12;  // of a parameter, far below what moves the result
+    // Parameter step at which the iteration stops: the distance is stationary at the foot
+    // point, so an error of this size changes it by less than rounding.
+    constexpr double last_step = 1e-12;
     for (int step = 0; step < most_steps; ++step) {
         const SurfaceJet jet = surface.jet(start.u, start.v);
         const Vec3 gap = jet.point - place;
@@ -57,8 +58,9 @@ double scallop_between(const Surface& surface, const BallCutter& ball,
     const SurfaceTangents second = surface.tangents(partner.u, partner.v);
     const Vec3 one = frame.jet.point + R * frame.forms.normal;
     const Vec3 other = ball_centre(second, side, R);
-    // The spheres share a circle, which the check plane cuts in two points: on the line
-    // through `middle` along `up`, the foot of the first centre in both planes.
+    // The cusp lies in two planes: the plane of the circle in which the spheres intersect, and
+    // the check plane. `up` is the direction of their common line, and `middle` is the point of
+    // the line nearest to the first centre.
     const Vec3 across = other - one;
     const Vec3 up = across.cross(frame.feed).normalized();
     Eigen::Matrix3d planes;
@@ -92,15 +94,6 @@ std::vector<double> governing_scallops(const Surface& surface, const BallCutter&
         scallops.push_back(scallop_between(marched, ball, frame, partner, side));
     }
     return scallops;
-}
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    if (values.size() % 2 == 1)
-        return *middle;
-    return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
 }  // namespace endmill

@@ -5,8 +5,10 @@
 #include <numeric>
 #include <span>
 
+#include "endmill/planning/chord_error.h"
 #include "endmill/planning/detail/segment_distance.h"
 #include "endmill/planning/detail/verified_pass.h"
+#include "endmill/planning/motion_error.h"
 #include "endmill/planning/step_length.h"
 #include "endmill/surface/curvature.h"
 #include "endmill/surface/tool_side.h"
@@ -14,7 +16,7 @@
 namespace endmill {
 namespace {
 
-// The surface as it is marched on along u.
+// `surface` with its parameters exchanged if needed, so that passes run along u.
 MarchedSurface marched(const Surface& surface, Parameter direction)
 {
     const double side = tool_side_sign(surface, Vec3::UnitZ());
@@ -38,17 +40,17 @@ std::vector<double> pass_parameters(const ToolPath& path, Parameter direction)
     return parameters;
 }
 
-// Steps between samples of a pass, fine beside the steps of any path that is looked at.
+// Intervals between samples of a pass, many times the number of steps of a planned pass.
 constexpr int pass_samples = 4096;
 
-// The line of a pass, sample by sample.
+// The contact curve of a pass and its curve of ball centres, by samples.
 struct PassLine {
     std::vector<Vec3> contacts;
-    std::vector<Vec3> centres;    // of the ball
+    std::vector<Vec3> centres;    // ball centres
     std::vector<double> bending;  // curvature, 1/mm
 };
 
-PassLine pass_line(const MarchedSurface& on, double v, const PlanToJudge& plan)
+PassLine pass_line(const MarchedSurface& on, double v, const PassSettings& settings)
 {
     const Interval range = on.surface.range(Parameter::U);
     PassLine line;
@@ -56,7 +58,7 @@ PassLine pass_line(const MarchedSurface& on, double v, const PlanToJudge& plan)
         const double u = std::lerp(range.low, range.high, k / double(pass_samples));
         const SurfaceJet jet = on.surface.jet(u, v);
         line.contacts.push_back(jet.point);
-        line.centres.push_back(jet.point + plan.ball.radius() *
+        line.centres.push_back(jet.point + settings.ball.radius() *
                                                fundamental_forms(jet, on.side).normal);
         line.bending.push_back(curve_curvature(jet.du, jet.duu));
     }
@@ -71,7 +73,7 @@ bool is_within(std::span<const Vec3> samples, double tolerance)
     return true;
 }
 
-// Number after the last sample to which the paper's step from number `first` may go.
+// One past the last sample within the paper's step length of sample `first`.
 std::size_t beyond_paper_step(const PassLine& line, std::size_t first, double tolerance)
 {
     const double longest = step_length(line.bending[first], tolerance).chord;
@@ -82,8 +84,8 @@ std::size_t beyond_paper_step(const PassLine& line, std::size_t first, double to
     return end;
 }
 
-// Number of the last sample to which a step from number `first` is found to hold: by
-// halving, as errors grow with the step by and large.
+// Last sample to which a step from sample `first` satisfies the rule. Bisection finds it, on
+// the assumption that the error grows with the length of the step.
 std::size_t end_of_step(const PassLine& line, std::size_t first, double tolerance,
                         const StepRule& rule)
 {
@@ -105,7 +107,7 @@ std::size_t end_of_step(const PassLine& line, std::size_t first, double toleranc
 }  // namespace
 
 std::vector<StepErrors> step_errors(const Surface& surface, const ToolPath& path,
-                                    const PlanToJudge& plan)
+                                    const PassSettings& settings)
 {
     const std::span<const Surface> surfaces{&surface, 1};
     std::vector<StepErrors> errors;
@@ -114,15 +116,15 @@ std::vector<StepErrors> step_errors(const Surface& surface, const ToolPath& path
             continue;
         const ToolPath step{{path.points[k - 1], path.points[k]}};
         const MotionError motion =
-            motion_error(surfaces, step, plan.ball, plan.direction);
-        errors.push_back({chord_error(surfaces, step, plan.direction).greatest_mm,
+            motion_error(surfaces, step, settings.ball, settings.direction);
+        errors.push_back({chord_error(surfaces, step, settings.direction).greatest_mm,
                           motion.gouge.greatest_mm});
     }
     return errors;
 }
 
-ToolPath rolled_path(const Surface& surface, const ToolPath& path,
-                     const PlanToJudge& plan, int pieces)
+ToolPath rolled_path(const Surface& surface, const ToolPath& path, const BallCutter& ball,
+                     int pieces)
 {
     const double side = tool_side_sign(surface, Vec3::UnitZ());
     const MarchedSurface on{surface, side};
@@ -136,8 +138,7 @@ ToolPath rolled_path(const Surface& surface, const ToolPath& path,
                                   std::lerp(from.v, end.contact->v, share)};
             PathPoint between = end;
             between.contact = contact_at(on, at, Parameter::U);
-            between.location =
-                locate(plan.ball, between.contact->contact, end.location.axis);
+            between.location = locate(ball, between.contact->contact, end.location.axis);
             rolled.points.push_back(between);
         }
         rolled.points.push_back(end);
@@ -146,51 +147,42 @@ ToolPath rolled_path(const Surface& surface, const ToolPath& path,
 }
 
 std::size_t verified_points(const Surface& surface, const ToolPath& path,
-                            const PlanToJudge& plan)
+                            const PassSettings& settings)
 {
     const std::span<const Surface> surfaces{&surface, 1};
-    const MarchedSurface on = marched(surface, plan.direction);
-    const ClearMoves clear{surfaces, tool_side_signs(surfaces, Vec3::UnitZ()), plan.ball,
-                           Vec3::UnitZ(), plan.tolerance};
+    const MarchedSurface on = marched(surface, settings.direction);
+    const ClearMoves clear{surfaces, tool_side_signs(surfaces, Vec3::UnitZ()),
+                           settings.ball, Vec3::UnitZ(), settings.tolerance};
     const OffsetBounds bounds{on.surface};
-    const StripCover line_cover{on, bounds, plan.ball, plan.tolerance};
+    const StripCover line_cover{on, bounds, settings.ball, settings.tolerance};
     const VerifiedSurface verified{
         .marched = on,
         .clear = clear,
         .line_cover = line_cover,
-        .tolerances = {plan.tolerance, plan.tolerance},
-        .direction = plan.direction,
+        .tolerances = {settings.tolerance, settings.tolerance},
+        .direction = settings.direction,
         .stop_at_borders = false,
         .most_points = 10 * path.points.size(),
     };
     std::size_t points = 0;
-    for (const double v : pass_parameters(path, plan.direction))
+    for (const double v : pass_parameters(path, settings.direction))
         for (const Pass& piece : verified_pass(verified, v, {}).pieces)
             points += piece.size();
     return points;
 }
 
 std::size_t greedy_points(const Surface& surface, const ToolPath& path,
-                          const PlanToJudge& plan, const StepRule& rule)
+                          const PassSettings& settings, const StepRule& rule)
 {
-    const MarchedSurface on = marched(surface, plan.direction);
+    const MarchedSurface on = marched(surface, settings.direction);
     std::size_t points = 0;
-    for (const double v : pass_parameters(path, plan.direction)) {
-        const PassLine line = pass_line(on, v, plan);
+    for (const double v : pass_parameters(path, settings.direction)) {
+        const PassLine line = pass_line(on, v, settings);
         ++points;
         for (std::size_t at = 0; at + 1 < line.contacts.size(); ++points)
-            at = end_of_step(line, at, plan.tolerance, rule);
+            at = end_of_step(line, at, settings.tolerance, rule);
     }
     return points;
-}
-
-double area_above_percent(const Deviation& left, double height)
-{
-    double above = 0;
-    for (std::size_t cell = 0; cell < left.left.size(); ++cell)
-        if (left.left[cell] > height)
-            above += left.area[cell];
-    return 100 * above / left.area_mm2;
 }
 
 }  // namespace endmill

@@ -4,46 +4,53 @@
 #include <cstddef>
 #include <vector>
 
-#include "support/judged_path.h"
+#include "endmill/cutter/cutter.h"
+#include "endmill/path/tool_path.h"
+#include "endmill/surface/surface.h"
 
 namespace endmill {
 
-/// What one straight step of a pass does, in mm.
-struct StepErrors {
-    double chord;  ///< farthest that the line of the pass strays from the chord
-    double gouge;  ///< deepest that the line lies inside what the ball sweeps
+/// The cutter, the chord tolerance and the direction that a path was planned for.
+struct PassSettings {
+    BallCutter ball;
+    double tolerance;  ///< mm
+    Parameter direction;
 };
 
-/// Of every cut of `path`, in order.
-/// \pre the path is over `surface`, by plan.ball along plan.direction.
+/// Errors of one straight step of a pass, in mm.
+struct StepErrors {
+    double chord;  ///< largest distance of the contact curve from its chord
+    double
+        gouge;  ///< largest depth of the contact curve inside the volume the ball sweeps
+};
+
+/// Errors of each cutting move of `path`, in order.
+/// \pre the path was planned over `surface` with `settings`.
 std::vector<StepErrors> step_errors(const Surface& surface, const ToolPath& path,
-                                    const PlanToJudge& plan);
+                                    const PassSettings& settings);
 
-/// `path` with each cut replaced by `pieces` ones between contacts on the line of its
-/// pass: nearly how a ball would roll along it.
-ToolPath rolled_path(const Surface& surface, const ToolPath& path,
-                     const PlanToJudge& plan, int pieces);
+/// A copy of `path` in which each cutting move is replaced by `pieces` moves between contacts
+/// on the surface. For many pieces the ball rolls along the contact curve.
+ToolPath rolled_path(const Surface& surface, const ToolPath& path, const BallCutter& ball,
+                     int pieces);
 
-/// CL points with which `verified_pass` keeps the plan's tolerance on the passes of
-/// `path`.
+/// Number of CL points that `verified_pass` places on the passes of `path`, for the tolerance
+/// of `settings` as chord and as motion tolerance.
 std::size_t verified_points(const Surface& surface, const ToolPath& path,
-                            const PlanToJudge& plan);
+                            const PassSettings& settings);
 
-/// What steps are held to.
+/// Conditions on the steps of `greedy_points`.
 struct StepRule {
-    bool chord = true;    ///< the line of the pass strays no further from the chord
-    bool motion = false;  ///< nor the line of the ball's centre from the chord of that
+    bool chord = true;  ///< the contact curve is within the tolerance of its chord
+    bool motion =
+        false;  ///< the curve of ball centres is within the tolerance of its chord
     bool paper =
         false;  ///< no longer than the paper's step for the curvature at its start
 };
 
-/// CL points of the longest steps that keep the plan's tolerance on the passes of `path`,
-/// looked at in 4097 samples of each pass, between which steps end.
+/// Number of CL points of the longest steps that satisfy `rule` on the passes of `path`. Each
+/// pass is sampled at 4097 points; steps end at samples.
 std::size_t greedy_points(const Surface& surface, const ToolPath& path,
-                          const PlanToJudge& plan, const StepRule& rule);
-
-/// Share in percent of the area of the first cells, between 0 and 100, that lies under more
-/// than `height` mm.
-double area_above_percent(const Deviation& left, double height);
+                          const PassSettings& settings, const StepRule& rule);
 
 }  // namespace endmill

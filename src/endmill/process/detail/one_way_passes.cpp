@@ -12,15 +12,15 @@ namespace {
 
 constexpr double longest_move = 10;  // mm
 
-// A contact of a pass along x.
+// Geometry at a contact of a pass along x.
 struct PassContact {
     Vec3 at;
     Vec3 feed;        // T, unit
     Vec3 normal;      // N, unit, upwards
     Vec3 across;      // T x N
-    double spread;    // |r_y x T|: distance of passes on the surface a mm of y
+    double spread;    // |r_y x T|: distance on the surface per mm of y
     double k_across;  // 1/mm, normal curvature across the feed, positive where convex
-    double k_along;   // 1/mm, of the section along x, either sign
+    double k_along;   // 1/mm, of the section along x, signed
 };
 
 PassContact pass_contact(const OneWayPasses& plan, double x, double y)
@@ -40,6 +40,7 @@ PassContact pass_contact(const OneWayPasses& plan, double x, double y)
     return contact;
 }
 
+// Distance in y to the next pass, mm.
 double interval(const OneWayPasses& plan, double y)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -59,12 +60,12 @@ Vec3 centre(const OneWayPasses& plan, double x, double y)
     return contact.at + plan.radius * contact.normal;
 }
 
-// The ends of a move's contacts and how far back the pass before is; 0: there is none.
+// A move between two contacts of a pass.
 struct PassMove {
     double begin;
     double end;
     double y;
-    double back;
+    double back;  // distance in y to the pass before, mm; 0 for the first pass
 };
 
 SegmentCut cut_of(const OneWayPasses& plan, const PassMove& move)
@@ -86,6 +87,7 @@ SegmentCut cut_of(const OneWayPasses& plan, const PassMove& move)
     return cut;
 }
 
+// x of the end of the move that begins at x.
 double next_x(const OneWayPasses& plan, double x, double y)
 {
     const PassContact begin = pass_contact(plan, x, y);

@@ -5,12 +5,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "endmill/core/parallel.h"
 #include "endmill/process/cutting_force.h"
+#include "endmill/process/detail/force_pattern.h"
 #include "endmill/process/detail/segment_load.h"
 
 namespace endmill {
 namespace {
 
+// Applies `choose` to each component.
 CuttingForce combined(const CuttingForce& one, const CuttingForce& other,
                       double (*choose)(double, double))
 {
@@ -33,7 +36,46 @@ double larger_magnitude(double a, double b)
     return std::max(std::abs(a), std::abs(b));
 }
 
+// Largest cutting force of each move. `largest_loads` computes the loads of one move from its
+// number, the load model and its feed per tooth.
+template <typename LargestLoads>
+std::vector<double> peaks_of(const std::vector<MilledMove>& moves, const MillingJob& job,
+                             const LargestLoads& largest_loads)
+{
+    const LoadModel model{job.material, job.tool.radius};
+    std::vector<double> peaks(moves.size());
+    parallel_for(moves.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            peaks[i] =
+                largest_loads(i, model, moves[i].feed_per_tooth_mm).cutting_force_n;
+    });
+    return peaks;
+}
+
 }  // namespace
+
+std::vector<MilledMove> milled_moves(const std::vector<SegmentCut>& cuts,
+                                     const FeedPlan& plan,
+                                     const std::optional<double>& feed_per_tooth_mm)
+{
+    std::vector<MilledMove> moves;
+    moves.reserve(cuts.size());
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+        moves.push_back({cuts[i],
+                         feed_per_tooth_mm.value_or(plan.rows[i].tooth.feed_per_tooth_mm),
+                         plan.rows[i].table.spindle_rpm});
+    return moves;
+}
+
+std::vector<MilledMove> constant_moves(const std::vector<SegmentCut>& cuts, int flutes,
+                                       double feed_mm_per_min, double spindle_rpm)
+{
+    std::vector<MilledMove> moves;
+    moves.reserve(cuts.size());
+    for (const SegmentCut& cut : cuts)
+        moves.push_back({cut, feed_mm_per_min / (flutes * spindle_rpm), spindle_rpm});
+    return moves;
+}
 
 std::vector<CuttingForce> turn_forces(const MilledMove& move, const MillingJob& job,
                                       int steps)
@@ -52,10 +94,10 @@ std::vector<CuttingForce> turn_forces(const MilledMove& move, const MillingJob& 
                          turns);
 }
 
-TurnRange turn_range(const MilledMove& move, const MillingJob& job, int steps)
+ForceRange turn_range(const MilledMove& move, const MillingJob& job, int steps)
 {
     const std::vector<CuttingForce> forces = turn_forces(move, job, steps);
-    TurnRange range{forces.front(), forces.front()};
+    ForceRange range{forces.front(), forces.front()};
     for (const CuttingForce& force : forces)
         range = {combined(range.least, force, lesser),
                  combined(range.greatest, force, larger)};
@@ -63,7 +105,7 @@ TurnRange turn_range(const MilledMove& move, const MillingJob& job, int steps)
 }
 
 StrokeForces stroke_forces(const std::vector<MilledMove>& moves,
-                           const std::vector<TurnRange>& ranges, const MillingJob& job)
+                           const std::vector<ForceRange>& ranges, const MillingJob& job)
 {
     StrokeForces stroke;
     for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -73,7 +115,7 @@ StrokeForces stroke_forces(const std::vector<MilledMove>& moves,
             cutting_coefficients(ball_engagement(cut, job.tool.radius), ChipModel::Paper)
                 .I7;
         stroke.minutes += minutes;
-        // What a tooth removes a feed is 2 pi r0^2 I7 in section.
+        // The section that all teeth together remove across the move is 2 pi r0^2 I7.
         stroke.removed_mm3 +=
             cut.length_mm * 2 * std::numbers::pi * job.tool.radius * job.tool.radius * i7;
         const CuttingForce largest =
@@ -85,16 +127,45 @@ StrokeForces stroke_forces(const std::vector<MilledMove>& moves,
     return stroke;
 }
 
-NamedCells stroke_cells(const StrokeForces& stroke)
+double used_life(const std::vector<MilledMove>& moves, const MillingJob& job,
+                 double life_min)
 {
-    return {{"minutes", stroke.minutes},
-            {"removed_mm3_per_min", stroke.removed_mm3 / stroke.minutes},
-            {"force_x_n", stroke.largest.x_n},
-            {"force_y_n", stroke.largest.y_n},
-            {"thrust_n", stroke.largest.z_n},
-            {"downhill_x_n", stroke.largest_downhill.x_n},
-            {"downhill_y_n", stroke.largest_downhill.y_n},
-            {"downhill_thrust_n", stroke.largest_downhill.z_n}};
+    constexpr double mm_per_m = 1000;
+    double used = 0;
+    for (const auto& [cut, feed, rpm] : moves) {
+        const double minutes = cut.length_mm / (job.tool.flutes * feed * rpm);
+        const double speed = 2 * std::numbers::pi * job.tool.radius * rpm / mm_per_m;
+        const double phi_over_pi =
+            tool_life_angle(ball_engagement(cut, job.tool.radius)) / std::numbers::pi;
+        const double life =
+            life_min *
+            std::pow(job.material.v1_m_per_min / speed, 1 / job.material.alpha) /
+            phi_over_pi;
+        used += minutes / life;
+    }
+    return used;
+}
+
+std::vector<double> peak_cutting_forces(const std::vector<MilledMove>& moves,
+                                        const MillingJob& job)
+{
+    return peaks_of(moves, job, [&](std::size_t i, const LoadModel& model, double feed) {
+        const BallEngagement engagement = ball_engagement(moves[i].cut, job.tool.radius);
+        return is_air(engagement)
+                   ? CuttingLoads{}
+                   : ForcePattern{engagement, ChipModel::Paper, job.tool}.largest_loads(
+                         model, feed);
+    });
+}
+
+std::vector<double> peak_cutting_forces(const std::vector<MilledMove>& moves,
+                                        const std::vector<BallFront>& fronts,
+                                        const MillingJob& job)
+{
+    return peaks_of(moves, job, [&](std::size_t i, const LoadModel& model, double feed) {
+        return FrontPattern{fronts[i], ChipModel::Paper, job.tool}.largest_loads(model,
+                                                                                 feed);
+    });
 }
 
 }  // namespace endmill

@@ -33,22 +33,22 @@ struct Profile {
     double second;
 };
 
-// b of the saddle: how far from the ridge its flanks begin.
+// b of the saddle: distance from the ridge at which the flanks begin.
 Profile half_width(double x)
 {
     const double s = (x / 90 + 1) / 2;
-    const double rate = 1.0 / 180;  // of s
+    const double rate = 1.0 / 180;  // ds / dx
     return {8 + 10 * s * s * (3 - 2 * s), 10 * 6 * s * (1 - s) * rate,
             10 * (6 - 12 * s) * rate * rate};
 }
 
-// Area over that of its shadow.
+// Ratio of the area of the surface to that of its projection onto the xy plane.
 double stretch(const HeightJet& jet)
 {
     return std::sqrt(1 + jet.zx * jet.zx + jet.zy * jet.zy);
 }
 
-// The smaller radius of principal curvature of a graph.
+// Smallest radius of principal curvature.
 double least_radius(const HeightJet& jet)
 {
     const Vec3 du{1, 0, jet.zx};
@@ -71,7 +71,7 @@ HeightJet ball_end_test_surface(double x, double y)
     constexpr double unit = 40;  // mm
     const double a = x / unit;
     const double b = y / unit;
-    // g = p / q; partials by the rule for quotients, each from those before.
+    // g = p / q; the quotient rule gives each partial derivative from those of lower order.
     const double p = a * b * (a * a - b * b);
     const double q = a * a + b * b + 0.25;
     const double g = p / q;
@@ -86,7 +86,7 @@ HeightJet ball_end_test_surface(double x, double y)
 HeightJet bicycle_saddle(double x, double y)
 {
     constexpr double sag = 10.0 / (90 * 90);  // 1/mm
-    constexpr double steepness = 3;           // of the flanks, far out
+    constexpr double steepness = 3;           // limit slope of the flanks
     const auto [b, b1, b2] = half_width(x);
     const double q = std::hypot(b, y);
     const double qx = b * b1 / q;
@@ -111,8 +111,8 @@ ExplicitSurface explicit_surface(Surface grid)
     };
 }
 
-Surface gridded(const ExplicitSurface& surface, const Rectangle& extent, int intervals_x,
-                int intervals_y)
+Surface gridded(const ExplicitSurface& surface, const XyRectangle& extent,
+                int intervals_x, int intervals_y)
 {
     require(intervals_x > 0 && intervals_y > 0, "gridded: need at least one cell");
     const std::vector<double> x = nodes(extent.x, intervals_x);
@@ -125,7 +125,7 @@ Surface gridded(const ExplicitSurface& surface, const Rectangle& extent, int int
 }
 
 double farthest_apart(const ExplicitSurface& one, const ExplicitSurface& other,
-                      const Rectangle& extent, int steps)
+                      const XyRectangle& extent, int steps)
 {
     double farthest = 0;
     for (const double x : nodes(extent.x, steps))
@@ -134,7 +134,7 @@ double farthest_apart(const ExplicitSurface& one, const ExplicitSurface& other,
     return farthest;
 }
 
-SurfaceFacts surface_facts(const ExplicitSurface& surface, const Rectangle& extent,
+SurfaceFacts surface_facts(const ExplicitSurface& surface, const XyRectangle& extent,
                            double level_mm, int steps)
 {
     SurfaceFacts facts{.least_z_mm = std::numeric_limits<double>::infinity(),

@@ -30,8 +30,7 @@ void include_joint(TangentCondition& condition, const Vec3& before, const Vec3& 
         condition.worst_bend = bend;
 }
 
-// The border between the patches i and i + 1 in u, whose worst break of normals is
-// `measured`.
+// The condition at the border between the patches i and i + 1 in u.
 TangentCondition condition_at(const Surface& surface, int i, const BorderBreak& measured)
 {
     TangentCondition condition{
@@ -47,7 +46,8 @@ TangentCondition condition_at(const Surface& surface, int i, const BorderBreak& 
     return condition;
 }
 
-// The conditions across u of a surface; across v they are those of the transposed one.
+// The conditions at the borders of constant u. The borders of constant v are those of the
+// transposed surface.
 std::vector<TangentCondition> conditions_across_u(const Surface& surface,
                                                   const std::string& name)
 {

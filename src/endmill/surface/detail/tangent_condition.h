@@ -9,19 +9,20 @@
 
 namespace endmill {
 
-/// How far a border between patches meets the sufficient condition for tangent continuity
-/// that [KimChoi, fig. 11] shows: the legs of the net on both sides of each joint lie on
-/// one line, and their lengths have one ratio along the whole line of joints.
+/// Deviation of a border between patches from the sufficient condition for tangent continuity in
+/// [KimChoi, fig. 11]: at each joint the control point of the border and its two neighbours across
+/// the border are collinear, and the ratio of their distances is constant along the border.
 struct TangentCondition {
-    std::string border;     ///< such as "u=1": the whole border, through all patches
-    double least_ratio;     ///< of the leg beyond the joint to the one before it
-    double greatest_ratio;  ///< equal to the least where the condition holds
-    Angle worst_bend;       ///< greatest angle between the two legs at a joint
-    BorderBreak measured;   ///< the worst break of the surface's normals there
+    std::string border;     ///< such as "u=1": the border through all patches
+    double least_ratio;     ///< least distance beyond the joint / distance before it
+    double greatest_ratio;  ///< equal to the least ratio if the condition holds
+    Angle worst_bend;       ///< largest angle between the two legs at a joint
+    BorderBreak
+        measured;  ///< the largest angle between the normals of the patches at the border
 };
 
-/// The condition at each inner border, first those across u, then those across v.
-/// \throws DomainError if a leg of the net at a border has no length.
+/// The condition at each inner border: first the borders of constant u, then those of constant v.
+/// \throws DomainError if two neighbouring control points across a border coincide.
 std::vector<TangentCondition> tangent_conditions(const Surface& surface);
 
 }  // namespace endmill

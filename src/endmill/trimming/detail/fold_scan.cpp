@@ -10,6 +10,7 @@
 namespace endmill {
 namespace {
 
+// The two branches of the first fold: the runs of z before and after its cusps.
 std::optional<Branches> first_fold(const SectionChain& chain)
 {
     RunReader runs{chain, RunAxis::Z, dead_band(chain.input()), chain.first()};

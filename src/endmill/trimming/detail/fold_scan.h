@@ -9,36 +9,37 @@
 
 namespace endmill {
 
-/// A fold that is searched for a crossing.
+/// A fold of a section curve and the two branches between which a crossing is searched.
 struct FoldToSearch {
     SectionChain chain;
     Branches branches;
 };
 
-/// The first fold of each curve with one, as literal detection finds it: by the signs of
-/// dz from its first point on, - + - + or + - +.
+/// The first fold of each curve that has one, by literal detection: the signs of dz from the first
+/// point of the curve are - + - + or + - +.
 /// \param sections must outlive the result.
 std::vector<FoldToSearch> first_literal_folds(const std::vector<PlaneSection>& sections);
 
-/// How many lines method 1 looks at until it answers `hit`, or all there are.
+/// Number of scan lines that method 1 examines in `fold` until it returns `hit`; without a hit all
+/// lines between the ends of the branches. \param step_mm distance of the scan lines.
 double scanned_lines(const FoldToSearch& fold, const std::optional<ChainCrossing>& hit,
                      double step_mm);
 
-/// What a search finds in each of `folds`.
+/// The crossing that `search` finds in each of `folds`.
 std::vector<std::optional<ChainCrossing>> crossings(
     const std::vector<FoldToSearch>& folds, CrossingSearch* search,
     const TrimmingOptions& options);
 
-/// How method 1 did on folds whose crossings are known.
+/// Results of method 1 on folds with known crossings.
 struct ScanOutcome {
     int hits = 0;
-    int missed = 0;       ///< crossings that are there and not found
-    int false_hits = 0;   ///< answers where there is none
-    double lines = 0;     ///< scanned a fold, on average
+    int missed = 0;       ///< crossings not found
+    int false_hits = 0;   ///< crossings reported where there is none
+    double lines = 0;     ///< mean number of scan lines a fold
     double error_mm = 0;  ///< largest distance of a hit from the true crossing
 };
 
-/// Method 1 on `folds`. \param truth what method 3 finds in them.
+/// Runs method 1 on `folds`. \param truth the true crossing of each fold, as method 3 finds it.
 ScanOutcome scan_outcome(const std::vector<FoldToSearch>& folds,
                          const std::vector<std::optional<ChainCrossing>>& truth,
                          const TrimmingOptions& options);

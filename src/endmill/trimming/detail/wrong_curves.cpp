@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-// The first method of the table, which takes a step and a threshold.
+// Method 1 of [Jang], the only one with a scan step and a threshold.
 constexpr std::string_view scanning_method = "1";
 
 bool cross(const SectionPoint& a, const SectionPoint& b, const SectionPoint& c,
@@ -22,7 +22,8 @@ bool cross(const SectionPoint& a, const SectionPoint& b, const SectionPoint& c,
            orientation(c, d, a) * orientation(c, d, b) < 0;
 }
 
-// Segments in the order of their smaller s: each is tried with those that begin below it.
+// Sweep along s: the segments are sorted by their smaller s, and each is compared with those that
+// begin before it ends.
 bool crosses_itself(const std::vector<SectionPoint>& points)
 {
     std::vector<std::size_t> order(points.size() - 1);

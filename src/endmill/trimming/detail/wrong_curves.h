@@ -11,32 +11,34 @@
 
 namespace endmill {
 
-/// A curve to be trimmed by itself, and what a result of it may be off.
+/// A curve to trim and the tolerances of a correct result.
 struct TrimmingTrial {
     SectionCurve curve;
     TrimmingTolerance tolerance;
-    double scan_gouge_mm = 0;      ///< allowed to method 1 in place of the tolerance's
-    double scan_step_mm = 0;       ///< of method 1
-    double scan_threshold_mm = 0;  ///< of method 1
+    double scan_gouge_mm =
+        0;                    ///< gouge allowed to method 1, replaces that of `tolerance`
+    double scan_step_mm = 0;  ///< scan step of method 1
+    double scan_threshold_mm = 0;  ///< distance below which method 1 accepts a crossing
 };
 
-/// A method as it is tried: by its name among `trimming_methods` and its detection.
+/// A trimming method with its way of fold detection.
 struct TriedMethod {
-    std::string label;  ///< of a column, such as "literal 1"
-    std::string method;
+    std::string label;   ///< name of a column, such as "literal 1"
+    std::string method;  ///< a name in `trimming_methods`
     FoldDetection detection;
-    FoldPatterns patterns = FoldPatterns::P3AndP4;  ///< with literal detection
+    FoldPatterns patterns = FoldPatterns::P3AndP4;  ///< for literal detection
 };
 
-/// All methods, those that have two ways of detection both ways.
+/// All trimming methods. A method with two ways of detection occurs twice: literal and guarded.
 std::vector<TriedMethod> tried_methods();
 
-/// How many of `trials` come out wrong by `method`, on all threads.
+/// Number of `trials` that `method` trims wrongly: the result exceeds a tolerance of the trial.
+/// Uses all threads. \throws DomainError if there is no such method.
 std::size_t wrong_curves(std::span<const TrimmingTrial> trials,
                          const TriedMethod& method);
 
-/// How many curves cross themselves: two segments that are no neighbours have their ends
-/// strictly on different sides of each other. Decided exactly.
+/// Number of curves that cross themselves: the ends of a segment lie strictly on different sides
+/// of another segment, and vice versa. The predicate is exact.
 std::size_t crossing_curves(std::span<const TrimmingTrial> trials);
 
 }  // namespace endmill

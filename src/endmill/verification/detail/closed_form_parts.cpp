@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-constexpr double R = 5;  // of all balls, mm
+constexpr double R = 5;  // radius of all balls, mm
 
 }  // namespace
 
@@ -52,7 +52,7 @@ Part cylinder_part(double rho, Interval angles)
 
 ToolPath level_passes(double apart, std::optional<int> left_out)
 {
-    // Links between the passes stay clear of the part.
+    // The passes overrun the part, so the links between them do not touch it.
     const double from = -R - 1;
     const double to = 20 + R + 1;
     std::vector<Vec3> tips;

@@ -8,21 +8,21 @@
 #include <utility>
 
 #include "endmill/core/text.h"
-#include "endmill/verification/verification.h"
 #include "endmill/verification/detail/closed_form_parts.h"
+#include "endmill/verification/verification.h"
 
 namespace endmill {
 namespace {
 
 using std::numbers::pi;
 
-constexpr double R = 5;  // of all cutters, mm
+constexpr double R = 5;  // radius of all cutters, mm
 
-// Relative to the number, or in its unit: what sums of a million terms lose.
+// Slack for the rounding of sums of a million terms, relative to the value and at least absolute.
 constexpr double rounding = 1e-9;
 
-// With as much as the limits it is measured for, so that refining goes on to the bound that
-// a verdict needs.
+// Measures the deviation of `part` after `path`. The limits control how far rays are refined: until
+// the bound decides the verdict for them.
 Deviation left_of(const Part& part, const ToolPath& path, double gouge, double scallop,
                   std::pair<double, int> pitch_and_refine)
 {
@@ -33,26 +33,26 @@ Deviation left_of(const Part& part, const ToolPath& path, double gouge, double s
     return deviation_in_block(part, path, Cutter::ball(R), options);
 }
 
-// Deepest gouge that a tolerance of this many mm is to tell apart from none.
+// Gouge limit, in mm, of a case that has no gouge.
 constexpr double no_gouge = 0.01;
 
 ClosedForm highest_rest(std::string name, double exact, const Part& part,
                         const ToolPath& path)
 {
-    const auto measure = [=](double pitch, int max_refine) -> Measured {
+    const auto measure = [=](double pitch, int max_refine) -> MeasuredValue {
         const Deviation left = left_of(part, path, no_gouge, exact, {pitch, max_refine});
         return {left.max_scallop_mm, left.scallop_bound_mm};
     };
     return {std::move(name), "mm", exact, true, measure, true};
 }
 
-// Height of the cusp between two balls whose centres lie `apart`, below those centres'
-// height R.
+// Height of the cusp between two balls that touch a plane `apart` mm from each other.
 double plane_scallop(double apart)
 {
     return R - std::sqrt(R * R - apart * apart / 4);
 }
 
+// Mean height of the material between the same two balls.
 double plane_mean(double apart)
 {
     const double half = apart / 2;
@@ -69,7 +69,7 @@ void add_planes(std::vector<ClosedForm>& forms)
         const std::string passes = "passes " + to_text(apart) + " apart: ";
         forms.push_back(
             highest_rest(passes + "scallop", plane_scallop(apart), part, path));
-        const auto mean = [=](double pitch, int) -> Measured {
+        const auto mean = [=](double pitch, int) -> MeasuredValue {
             return {left_of(part, path, no_gouge, 1, {pitch, 0}).mean_scallop_mm, {}};
         };
         forms.push_back(
@@ -79,8 +79,9 @@ void add_planes(std::vector<ClosedForm>& forms)
                                  level_passes(1.5, 3)));
 }
 
-// The cusp's distance from the axis, less the radius, on the side of the balls.
-// Source: spec of the removal, section 4.
+// Height of the cusp on a cylinder of radius `rho` between two balls at the angle `step`.
+// \param side +1: the balls are outside, -1: inside.
+// Source: docs/mathematics/removal.md, section 4.
 double cylinder_scallop(double rho, double side, double step)
 {
     const double centre = rho + side * R;
@@ -113,7 +114,7 @@ void add_slopes(std::vector<ClosedForm>& forms)
         const Part part = plane_part(6 * up, 6 * Vec3::UnitY());
         const ToolPath path = lowered_path(slope, lowered);
         const double exact = lowered * std::cos(slope);
-        const auto measure = [=](double pitch, int max_refine) -> Measured {
+        const auto measure = [=](double pitch, int max_refine) -> MeasuredValue {
             const Deviation left = left_of(part, path, exact, 1, {pitch, max_refine});
             return {left.max_gouge_mm, left.gouge_bound_mm};
         };
@@ -122,21 +123,21 @@ void add_slopes(std::vector<ClosedForm>& forms)
     }
 }
 
-// Tips over a block of 40 by 24 with its top at 0, and what they take.
+// A straight cut into a block of 40 by 24 mm with its top at z = 0. Points are tips.
 struct VolumeCase {
     std::string name;
     Cutter cutter;
     Vec3 from;
     Vec3 to;
     double exact;  // mm^3
-    double wall;   // mm^2: of the cut's outline from above, where it is upright
+    double wall;   // area of the vertical walls of the cut, mm^2
 };
 
 ClosedForm volume_form(const VolumeCase& one)
 {
-    const auto measure = [one](double pitch, int) -> Measured {
+    const auto measure = [one](double pitch, int) -> MeasuredValue {
         HeightStock stock = block_stock({{-20, -12, -20}, {20, 12, 0}}, pitch);
-        const double rims = 10;  // mm
+        const double rims = 10;  // length of the rims, mm
         return {remove_along(stock, tip_path({one.from, one.to}), one.cutter).total,
                 pitch * one.wall / 2 + pitch * pitch * rims};
     };
@@ -147,7 +148,7 @@ void add_volumes(std::vector<ClosedForm>& forms)
 {
     const Cutter ball = Cutter::ball(R);
     const Cutter flat = Cutter::flat(R);
-    // Off the centres of the cells, so that no symmetry helps.
+    // Not at the centre of a cell, so that errors do not cancel by symmetry.
     const double x = 0.0123;
     const double y = 0.0217;
     const double section = R * R * std::acos(1 - 1 / R) - (R - 1) * std::sqrt(2 * R - 1);
@@ -188,7 +189,7 @@ std::vector<ClosedForm> closed_forms()
     return forms;
 }
 
-std::optional<bool> bound_holds(const ClosedForm& form, const Measured& measured)
+std::optional<bool> bound_holds(const ClosedForm& form, const MeasuredValue& measured)
 {
     if (!measured.bound)
         return std::nullopt;

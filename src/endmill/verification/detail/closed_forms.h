@@ -8,34 +8,37 @@
 
 namespace endmill {
 
-/// A measured number and how far the true one may be from it.
-struct Measured {
+/// A measured value with its error bound.
+struct MeasuredValue {
     double value;
-    std::optional<double> bound;  ///< none where nothing is stated
+    std::optional<double> bound;  ///< none if the measurement has no error bound
 };
 
-/// Something that the simulation measures and that is known in closed form.
+/// A quantity that the simulation measures and whose value is known in closed form.
 struct ClosedForm {
     std::string name;
-    std::string unit;  ///< of its number: mm or mm^3
+    std::string unit;  ///< unit of the value: mm or mm^3
     double exact;
-    /// Whether the true number is `bound` greater at most and never less; else it may be
-    /// either.
+    /// Whether the measurement never exceeds the true value, so that the error lies within
+    /// [-bound, 0]; otherwise it lies within [-bound, bound].
     bool is_from_below;
-    /// Measures it with rays or cells `pitch` mm apart, halved `max_refine` times at most.
-    std::function<Measured(double pitch, int max_refine)> measure;
-    bool can_refine;  ///< whether it is measured by rays, which may be halved
+    /// Measures the quantity with rays or cells `pitch` mm apart. Rays are refined at most
+    /// `max_refine` times; each refinement halves their distance.
+    std::function<MeasuredValue(double pitch, int max_refine)> measure;
+    bool can_refine;  ///< whether the measurement uses rays
 };
 
-/// Scallops of parallel passes over a plane and along a cylinder, outside and inside, and
-/// of a pass left out; gouges of a lowered path on slopes; volumes of cuts, plunges and
-/// ramps of ball, flat and bull-nose.
-/// Source: spec of the removal, section 4. The bound of a volume is half a cell of its
-/// upright walls and 10 mm of rims, a square of the pitch each, as its tests hold it to.
+/// The test cases of the simulation: scallops of parallel passes over a plane (also with one pass
+/// left out) and along a cylinder, outside and inside; gouges of a lowered path on slopes; volumes
+/// of cuts, plunges and ramps with ball, flat and bull-nose cutters.
+///
+/// The error bound of a volume is (pitch / 2) times the area of the vertical walls of the cut, plus
+/// pitch^2 times 10 mm for its rims.
+/// Source: docs/mathematics/removal.md, section 4.
 std::vector<ClosedForm> closed_forms();
 
-/// Whether `measured` is the true number within its bound and rounding; nothing if it has
-/// no bound.
-std::optional<bool> bound_holds(const ClosedForm& form, const Measured& measured);
+/// Whether the exact value lies within the error bound of `measured`, allowing for rounding; none if
+/// `measured` has no bound.
+std::optional<bool> bound_holds(const ClosedForm& form, const MeasuredValue& measured);
 
 }  // namespace endmill

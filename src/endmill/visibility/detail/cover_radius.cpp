@@ -12,11 +12,12 @@ namespace {
 
 using Polygon = std::vector<Eigen::Vector2d>;
 
-// Farther centres, 60 degrees and more, do not bound a cell within 30.
+// A centre at 60 degrees or more does not bound a cell within 30 degrees.
 constexpr double neighbour_cosine = 0.5;
 
-// Holds the image of the cap of 30 degrees in the touching plane.
-constexpr double half_square = 0.6;  // tan 31
+// Half the side of the initial square. It contains the image of the cap of 30 degrees, whose radius
+// in the tangent plane is tan 30 = 0.577.
+constexpr double half_square = 0.6;
 
 // The part of a convex polygon where line . (u, v, 1) >= 0.
 Polygon clipped(const Polygon& polygon, const Vec3& line)
@@ -35,7 +36,7 @@ Polygon clipped(const Polygon& polygon, const Vec3& line)
     return kept;
 }
 
-// The Voronoi cell of `centre`, seen from the middle of the sphere.
+// The Voronoi cell of `centre` in the gnomonic projection onto its tangent plane.
 Polygon voronoi_cell(const Vec3& centre, std::span<const Vec3> centres)
 {
     const Vec3 u = centre.unitOrthogonal();

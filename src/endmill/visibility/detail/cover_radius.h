@@ -7,10 +7,12 @@
 
 namespace endmill {
 
-/// The largest angle, rad, from any direction to the nearest of `centres`: the farthest corner
-/// of their Voronoi cells, each cut out of the plane that touches the sphere at its centre.
-/// Absolute error below 1e-14. O(n^2).
-/// \param centres unit, so many that each Voronoi cell lies within 30 degrees of its centre.
+/// Covering radius of a set of directions in rad: the largest angle from any direction to the
+/// nearest of `centres`. It is the angle to the farthest corner of a Voronoi cell. Each cell is
+/// clipped in the plane that touches the sphere at its centre. O(n^2).
+/// Absolute error below 1e-14.
+/// \param centres unit vectors.
+/// \pre each Voronoi cell lies within 30 degrees of its centre.
 double cover_radius(std::span<const Vec3> centres);
 
 }  // namespace endmill
