@@ -18,11 +18,11 @@ PlaneSection section(std::vector<SectionPoint> points)
 }
 
 // A loop whose branches cross at the origin; its cusps are at z = -2.
-const std::vector<SectionPoint> loop{{-6, 6}, {2, -2}, {0, -1}, {-2, -2}, {6, 6}};
+const std::vector<SectionPoint> crossed_loop{{-6, 6}, {2, -2}, {0, -1}, {-2, -2}, {6, 6}};
 
 TEST(FoldScan, FindsTheBranchesOfALoop)
 {
-    const std::vector<PlaneSection> sections{section(loop),
+    const std::vector<PlaneSection> sections{section(crossed_loop),
                                              section({{-1, 0}, {0, 1}, {1, 0}})};
     const std::vector<FoldToSearch> folds = first_literal_folds(sections);
     ASSERT_EQ(folds.size(), 1U) << "the second curve has no fold";
@@ -35,7 +35,7 @@ TEST(FoldScan, FindsTheBranchesOfALoop)
 
 TEST(FoldScan, CrossingsAreThoseOfTheSearch)
 {
-    const std::vector<PlaneSection> sections{section(loop)};
+    const std::vector<PlaneSection> sections{section(crossed_loop)};
     const auto found = crossings(first_literal_folds(sections), scan_segments, {});
     ASSERT_EQ(found.size(), 1U);
     ASSERT_TRUE(found[0].has_value());
@@ -45,7 +45,7 @@ TEST(FoldScan, CrossingsAreThoseOfTheSearch)
 // Method 1 scans downwards from z = 6, where both branches begin, to the crossing at z = 0.
 TEST(FoldScan, OutcomeHasTheLinesDownToTheCrossing)
 {
-    const std::vector<PlaneSection> sections{section(loop)};
+    const std::vector<PlaneSection> sections{section(crossed_loop)};
     const std::vector<FoldToSearch> folds = first_literal_folds(sections);
     const auto truth = crossings(folds, scan_segments, {});
     TrimmingOptions options;
@@ -67,7 +67,7 @@ TEST(FoldScan, OutcomeHasTheLinesDownToTheCrossing)
 
 TEST(FoldScan, CountsAFalseHitWhereNothingIsTrue)
 {
-    const std::vector<PlaneSection> sections{section(loop)};
+    const std::vector<PlaneSection> sections{section(crossed_loop)};
     const std::vector<FoldToSearch> folds = first_literal_folds(sections);
     TrimmingOptions options;
     options.scan_step = 0.01;

@@ -5,8 +5,10 @@
 #include <numbers>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/visibility/detail/cover_radius.h"
 #include "test_meshes.h"
 
 namespace endmill {
@@ -60,21 +62,20 @@ TEST(CapMap, IsTheVisibilityOfABox)
         }
 }
 
-// A finer grid comes nearer to the shortest arc on the sphere. The arc of cells is never shorter,
-// because the closed form holds for all pairs of directions.
-TEST(ShortestArcOfTwo, ApproachesTheClosedForm)
+// No pair of cells is nearer than the closed form, which holds for all pairs of directions. A cell
+// lies within the covering radius d of a direction whose d-neighbourhood sees the same faces. That
+// direction is at most d sqrt(2) beyond the shortest arc, so the excess is below 2 d (1 + sqrt(2)).
+TEST(ShortestArcOfTwo, IsNearTheClosedForm)
 {
     const ConvexPart cube = convex_part("cube", Angle::degrees(75));
-    double last = std::numbers::pi;
     for (const char* name : {"hex:5", "hex:10", "hex:20"}) {
         const SphereGrid grid = sphere_grid(name);
         const double excess =
             shortest_arc_of_two(cap_map(cube, grid), grid) - cube.shortest_arc.radians();
         EXPECT_GT(excess, 0) << name;
-        EXPECT_LE(excess, last) << name;
-        last = excess;
+        EXPECT_LT(excess, 2 * (1 + std::numbers::sqrt2) * cover_radius(grid.centres))
+            << name;
     }
-    EXPECT_LT(last, 12 * degree);
 }
 
 TEST(ShortestArcOfTwo, OfOppositeFacesIsNearlyAHalfTurn)

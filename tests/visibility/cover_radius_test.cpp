@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "endmill/visibility/sphere_grid.h"
 #include "random.h"

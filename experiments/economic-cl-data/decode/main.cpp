@@ -8,6 +8,7 @@
 
 #include "economic-cl-data/decode/tables.h"
 #include "support/experiment.h"
+#include "support/printed_tables.h"
 
 using namespace endmill;
 
