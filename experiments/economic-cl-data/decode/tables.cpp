@@ -6,6 +6,7 @@
 #include <string>
 
 #include "endmill/core/text.h"
+#include "support/printed_tables.h"
 
 namespace endmill {
 namespace {
