@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "endmill/process/segment_load.h"
+#include "endmill/process/detail/segment_load.h"
 #include "milling_examples.h"
 #include "random.h"
 

@@ -5,10 +5,9 @@
 #include <numeric>
 #include <span>
 
-#include "endmill/planning/chord_error.h"
 #include "endmill/planning/detail/segment_distance.h"
 #include "endmill/planning/detail/verified_pass.h"
-#include "endmill/planning/motion_error.h"
+#include "endmill/planning/path_error.h"
 #include "endmill/planning/step_length.h"
 #include "endmill/surface/curvature.h"
 #include "endmill/surface/tool_side.h"

@@ -8,6 +8,7 @@
 #include "endmill/core/parallel.h"
 #include "endmill/process/cutting_force.h"
 #include "endmill/process/detail/force_pattern.h"
+#include "endmill/process/detail/front_load.h"
 #include "endmill/process/detail/segment_load.h"
 
 namespace endmill {
