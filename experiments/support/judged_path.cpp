@@ -14,7 +14,7 @@
 namespace endmill {
 namespace {
 
-// As many as the command plan measures with.
+// Number of measuring rays of the command plan.
 constexpr double measured_rays = 1e5;
 
 VerifiedPlan planned(const Surface& surface, const PlanToJudge& plan)
@@ -22,7 +22,7 @@ VerifiedPlan planned(const Surface& surface, const PlanToJudge& plan)
     const std::span<const Surface> surfaces{&surface, 1};
     LinkOptions link;
     link.safe_height = default_safe_height(surfaces, link.axis);
-    if (plan.is_verified) {
+    if (plan.planner == Planner::Verified) {
         VerifiedOptions options;
         options.direction = plan.direction;
         options.tolerances = {plan.tolerance, plan.tolerance};
@@ -40,7 +40,7 @@ VerifiedPlan planned(const Surface& surface, const PlanToJudge& plan)
 
 Keeps keeps_limits(const JudgedPath& judged, const DeviationLimits& limits)
 {
-    // Motions that are planned to just the tolerance are compared as verdicts are.
+    // A motion may use the tolerance fully, so it gets the same slack as the verdict.
     const double most = limits.tolerance + verdict_slack;
     const double motion = judged.motion.greatest_mm();
     if (judged.verdict == Verdict::Gouged || judged.verdict == Verdict::Uncut ||

@@ -10,50 +10,56 @@
 
 namespace endmill {
 
-/// How a path is planned that is then judged.
+/// The planner of a path.
+enum class Planner {
+    Paper,     ///< plan_iso_parametric, the method of Kim and Choi
+    Verified,  ///< plan_verified, which bounds gouge and remaining material
+};
+
+/// The request for a path that is planned and then judged.
 struct PlanToJudge {
     BallCutter ball{7.5};
-    double tolerance = 0.5;  ///< of chord and motion, and the scallop height, mm
+    double tolerance = 0.5;  ///< chord and motion tolerance and scallop height, mm
     Parameter direction = Parameter::U;
-    bool is_verified = false;  ///< else as the paper plans
+    Planner planner = Planner::Paper;
 };
 
-/// What `plan` may leave and take: the tolerance, and tolerance and scallop height.
+/// Limits of `plan`: gouge up to the tolerance, remaining material up to tolerance plus scallop
+/// height.
 DeviationLimits limits_of(const PlanToJudge& plan);
 
-/// Whether a path keeps what was asked.
+/// Whether a path satisfies its request.
 enum class Keeps {
-    Yes,      ///< by the bounds
-    No,       ///< by a measured place
-    Unknown,  ///< the bounds leave it open
+    Yes,      ///< the error bounds prove it
+    No,       ///< a measured place disproves it
+    Unknown,  ///< the error bounds are too wide to decide
 };
 
-/// The word for it in tables: "yes", "no" or "unknown".
+/// "yes", "no" or "unknown".
 std::string_view keeps_name(Keeps keeps);
 
-/// A path and all that is measured of it.
+/// A path with its measured errors and cost.
 struct JudgedPath {
     ToolPath path;
-    std::size_t lifted_links = 0;
-    std::size_t uncovered =
-        0;  ///< places that the planner could not cover, see VerifiedPlan
+    std::size_t lifted_links;
+    std::size_t uncovered;  ///< see VerifiedPlan; 0 for Planner::Paper
     PathEconomy economy;
     ChordError chord;
     MotionError motion;
     Deviation left;
     Verdict verdict;
-    Keeps keeps;  ///< motion error and what is left both within `limits_of`
+    Keeps keeps;  ///< whether motion error and deviation are within `limits_of`
 };
 
-/// What a ball on `path` leaves of a block on `surface`, as the command plan measures it:
-/// first rays `pitch` mm apart.
+/// Deviation of a block with the shape of `surface` after the ball has cut `path`, measured as the
+/// command plan does. \param pitch distance of the first measuring rays, mm.
 Deviation deviation_of(const Surface& surface, const ToolPath& path,
                        const PlanToJudge& plan, double pitch);
 
-/// Pitch in mm at which a surface has about `rays` of them.
+/// Pitch in mm that gives about `rays` measuring rays on `surface`.
 double pitch_of(const Surface& surface, double rays);
 
-/// Plans over `surface` and measures with about 100 000 first rays, as the command plan
+/// Plans over `surface` and judges the path with about 100 000 first rays, as the command plan
 /// does.
 JudgedPath judged_path(const Surface& surface, const PlanToJudge& plan);
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "endmill/process/feed_plan.h"
-#include "support/one_way_passes.h"
+#include "endmill/process/detail/one_way_passes.h"
 
 namespace endmill {
 

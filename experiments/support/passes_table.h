@@ -4,7 +4,7 @@
 #include <string>
 
 #include "support/named_cells.h"
-#include "support/one_way_passes.h"
+#include "endmill/process/detail/one_way_passes.h"
 
 namespace endmill {
 

@@ -8,10 +8,10 @@
 namespace endmill {
 namespace {
 
-std::vector<TurnRange> turn_ranges(const std::vector<MilledMove>& moves,
-                                   const MillingJob& job, int steps)
+std::vector<ForceRange> turn_ranges(const std::vector<MilledMove>& moves,
+                                    const MillingJob& job, int steps)
 {
-    std::vector<TurnRange> ranges;
+    std::vector<ForceRange> ranges;
     ranges.reserve(moves.size());
     for (const MilledMove& move : moves)
         ranges.push_back(turn_range(move, job, steps));
@@ -19,7 +19,8 @@ std::vector<TurnRange> turn_ranges(const std::vector<MilledMove>& moves,
 }
 
 void add_along(CsvTable& table, const std::string& feed,
-               const std::vector<MilledMove>& moves, const std::vector<TurnRange>& ranges)
+               const std::vector<MilledMove>& moves,
+               const std::vector<ForceRange>& ranges)
 {
     double travel = 0;
     for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -34,17 +35,16 @@ void add_along(CsvTable& table, const std::string& feed,
 
 }  // namespace
 
-std::vector<MilledMove> milled_moves(const std::vector<SegmentCut>& cuts,
-                                     const FeedPlan& plan,
-                                     const std::optional<double>& feed_per_tooth_mm)
+NamedCells stroke_cells(const StrokeForces& stroke)
 {
-    std::vector<MilledMove> moves;
-    moves.reserve(cuts.size());
-    for (std::size_t i = 0; i < cuts.size(); ++i)
-        moves.push_back({cuts[i],
-                         feed_per_tooth_mm.value_or(plan.rows[i].tooth.feed_per_tooth_mm),
-                         plan.rows[i].table.spindle_rpm});
-    return moves;
+    return {{"minutes", stroke.minutes},
+            {"removed_mm3_per_min", stroke.removed_mm3 / stroke.minutes},
+            {"force_x_n", stroke.largest.x_n},
+            {"force_y_n", stroke.largest.y_n},
+            {"thrust_n", stroke.largest.z_n},
+            {"downhill_x_n", stroke.largest_downhill.x_n},
+            {"downhill_y_n", stroke.largest_downhill.y_n},
+            {"downhill_thrust_n", stroke.largest_downhill.z_n}};
 }
 
 StrokeComparison compared_strokes(const std::vector<MilledMove>& constant,

@@ -1,55 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "endmill/process/feed_plan.h"
-#include "support/stroke_forces.h"
+#include "endmill/process/detail/stroke_forces.h"
+#include "support/named_cells.h"
 
 namespace endmill {
 
-/// The moves at the feed per tooth and speed of their plan; or at the same speeds and one feed
-/// per tooth, in mm.
-std::vector<MilledMove> milled_moves(const std::vector<SegmentCut>& cuts,
-                                     const FeedPlan& plan,
-                                     const std::optional<double>& feed_per_tooth_mm);
+/// Cells of a stroke: minutes, removed_mm3_per_min, force_x_n, force_y_n, thrust_n, downhill_x_n,
+/// downhill_y_n, downhill_thrust_n.
+NamedCells stroke_cells(const StrokeForces& stroke);
 
-/// A stroke at a constant and at a varied feed.
+/// One stroke at a constant and at a varied feed.
 struct StrokeComparison {
     StrokeForces constant;
     StrokeForces varied;
-    /// A row a move and feed: travel_mm at its middle, feed ("constant" or "varied"), and of
-    /// the turn there least_x_n, greatest_x_n, likewise y and z.
+    /// One row for each move and feed: travel_mm at the middle of the move, feed ("constant" or
+    /// "varied"), and the range of the force over the turn there: least_x_n, greatest_x_n,
+    /// likewise y and z.
     CsvTable along;
 };
 
-/// \param steps azimuths a turn.
+/// Compares the forces of two lists of moves along the same stroke.
+/// \param steps number of azimuths a turn.
 StrokeComparison compared_strokes(const std::vector<MilledMove>& constant,
                                   const std::vector<MilledMove>& varied,
                                   const MillingJob& job, int steps);
 
-/// Forces over a turn at the middle move of a stroke: row, theta_deg, feed ("constant" or
-/// "varied"), force_x_n, force_y_n, force_z_n. \param steps azimuths a turn.
+/// Forces over one turn at the middle move of a stroke: row, theta_deg, feed ("constant" or
+/// "varied"), force_x_n, force_y_n, force_z_n. \param steps number of azimuths a turn.
 CsvTable middle_turn(const std::vector<MilledMove>& constant,
                      const std::vector<MilledMove>& varied, const MillingJob& job,
                      int steps);
 
-/// Whether the varied feed takes less time, and so removes more a minute, with smaller peaks
-/// along x and y. Source: [ParkMaeng, section 5].
+/// Whether the varied feed takes less time (and so removes more material a minute) with smaller
+/// force peaks along x and y. Source: [ParkMaeng, section 5].
 bool is_faster_with_smaller_peaks(const StrokeComparison& compared);
 
-/// Whether the thrust's peak downhill falls by a smaller share than those along x and y over
-/// the stroke; no if nothing goes downhill. Source: as above.
+/// Whether the downhill peak of the thrust falls by a smaller share than the peaks along x and y;
+/// false for a stroke without downhill moves. Source: [ParkMaeng, section 5].
 bool downhill_thrust_hardly_falls(const StrokeComparison& compared);
 
-/// What is left of the columns of `stroke_cells`, but for removed_mm3_per_min, by varying the
-/// feed, as shares; and both claims, "yes" or "no", by their names, without `is_`.
-/// \pre The stroke goes downhill somewhere.
+/// The columns of `stroke_cells` (without removed_mm3_per_min) at the varied feed as shares of
+/// those at the constant feed, and both claims as "yes" or "no" under the names of the functions,
+/// without `is_`.
+/// \pre the stroke has downhill moves.
 NamedCells claim_cells(const StrokeComparison& compared);
 
-/// Of how many passes both claims hold, by the same names.
-/// \param constant_mm the constant feed per tooth.
+/// Number of passes for which each claim holds, under the same names.
+/// \param constant_mm the constant feed per tooth, mm.
 NamedCells claim_counts(const std::vector<SegmentCut>& cuts, const MillingJob& job,
                         double constant_mm, int steps);
 

@@ -8,7 +8,7 @@
 #include "endmill/core/text.h"
 #include "endmill/figures/tool_path_svg.h"
 #include "endmill/files/path_file.h"
-#include "support/economy_tables.h"
+#include "support/printed_tables.h"
 
 namespace endmill {
 namespace {

@@ -6,13 +6,29 @@
 //
 // Deterministic, under 20 s. Columns and verdicts: README.md beside this.
 
+#include <algorithm>
+
 #include "endmill/process/tool_life.h"
 #include "support/experiment.h"
 #include "support/milling_jobs.h"
 #include "support/stroke_comparison.h"
-#include "support/wear_and_force.h"
 
 using namespace endmill;
+
+namespace {
+
+// Largest of the forces whose move is less than `depth_mm` deep.
+double largest_force(const std::vector<MilledMove>& moves,
+                     const std::vector<double>& forces, double depth_mm)
+{
+    double largest = 0;
+    for (std::size_t i = 0; i < moves.size(); ++i)
+        if (moves[i].cut.depth_mm < depth_mm)
+            largest = std::max(largest, forces[i]);
+    return largest;
+}
+
+}  // namespace
 
 int main(int argc, char** argv)
 {
@@ -32,13 +48,14 @@ int main(int argc, char** argv)
             const auto add_job = [&](std::size_t i, const std::string& name,
                                      const MillingJob& job) {
                 const auto add = [&](const std::string& row, const auto& moves) {
-                    const PeakForces peaks = peak_forces(moves, job, depth);
+                    const auto forces = peak_cutting_forces(moves, job);
+                    const double shallow = largest_force(moves, forces, depth);
                     const double used = used_life(moves, job, life);
                     add_named(result, name + ", " + row,
-                              {{"shallow_force_n", peaks.shallow_n},
-                               {"force_n", peaks.all_n},
+                              {{"shallow_force_n", shallow},
+                               {"force_n", std::ranges::max(forces)},
                                {"used_life", used}});
-                    return std::pair{peaks.shallow_n, used};
+                    return std::pair{shallow, used};
                 };
                 const auto constant =
                     add("constant",

@@ -10,7 +10,7 @@
 #include "endmill/core/text.h"
 #include "endmill/figures/force_figures.h"
 #include "endmill/process/cutting_coefficients.h"
-#include "support/engagement_table.h"
+#include "ball-end-milling/figure-2/tables.h"
 #include "support/experiment.h"
 
 using namespace endmill;

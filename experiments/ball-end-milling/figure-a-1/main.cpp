@@ -8,7 +8,7 @@
 
 #include "endmill/core/angle.h"
 #include "support/experiment.h"
-#include "support/force_frame_table.h"
+#include "ball-end-milling/figure-a-1/tables.h"
 
 using namespace endmill;
 

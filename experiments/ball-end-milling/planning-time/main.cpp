@@ -13,7 +13,7 @@
 #include "support/experiment.h"
 #include "support/milling_jobs.h"
 #include "support/named_cells.h"
-#include "support/one_way_plans.h"
+#include "ball-end-milling/planning-time/one_way_plans.h"
 
 using namespace endmill;
 

@@ -9,7 +9,7 @@
 #include "support/experiment.h"
 #include "support/feed_plan_table.h"
 #include "support/milling_jobs.h"
-#include "support/time_accounts.h"
+#include "ball-end-milling/section-5/tables.h"
 
 using namespace endmill;
 

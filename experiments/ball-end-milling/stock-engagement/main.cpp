@@ -10,7 +10,7 @@
 #include "endmill/process/feed_plan.h"
 #include "support/experiment.h"
 #include "support/milling_jobs.h"
-#include "support/peak_force_table.h"
+#include "ball-end-milling/stock-engagement/tables.h"
 
 using namespace endmill;
 

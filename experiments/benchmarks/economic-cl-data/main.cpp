@@ -9,7 +9,7 @@
 
 #include "endmill/core/text.h"
 #include "endmill/files/path_file.h"
-#include "support/economy_tables.h"
+#include "support/printed_tables.h"
 #include "support/experiment.h"
 #include "support/peak_memory.h"
 #include "support/shortest_times.h"

@@ -15,9 +15,9 @@ public:
     explicit DefaultNet(const Surface& surface) : part_{std::vector<Surface>{surface}} {}
 
     /// The path and all that the command measures of it.
-    JudgedPath planned(bool is_verified) const
+    JudgedPath planned(Planner planner) const
     {
-        return judged_path(surface(), {.is_verified = is_verified});
+        return judged_path(surface(), {.planner = planner});
     }
 
     /// \param pitch of the stock and of the first rays, mm.

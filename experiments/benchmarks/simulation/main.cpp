@@ -40,10 +40,11 @@ constexpr double gib = 1024.0 * 1024 * 1024;
 void add_net_benchmarks(const DefaultNet& net, const std::array<ToolPath, 2>& paths,
                         double pitch)
 {
-    for (const bool is_verified : {false, true}) {
+    for (const Planner planner : {Planner::Paper, Planner::Verified}) {
+        const bool is_verified = planner == Planner::Verified;
         const std::string mode = is_verified ? "verified" : "paper";
-        add_benchmark(mode + " plan", [&net, is_verified] {
-            return net.planned(is_verified).path.points.size();
+        add_benchmark(mode + " plan", [&net, planner] {
+            return net.planned(planner).path.points.size();
         });
         const ToolPath& path = paths[is_verified ? 1 : 0];
         add_benchmark(mode + " judged",

@@ -12,7 +12,7 @@
 #include "endmill/trimming/detail/distance_trimming.h"
 #include "support/cpu_time.h"
 #include "support/experiment.h"
-#include "support/literal_fold_search.h"
+#include "endmill/trimming/detail/fold_scan.h"
 #include "support/offset_sections.h"
 #include "support/shortest_times.h"
 #include "support/timed_trimming.h"

@@ -6,8 +6,9 @@
 //
 // Deterministic, under 5 s. Columns: README.md beside this.
 
-#include "support/acceptance_table.h"
+#include "economic-cl-data/acceptance/tables.h"
 #include "support/experiment.h"
+#include "support/printed_tables.h"
 
 using namespace endmill;
 

@@ -6,8 +6,9 @@
 //
 // Deterministic, under 1 s. Columns: README.md beside this.
 
-#include "support/decoding_table.h"
+#include "economic-cl-data/decode/tables.h"
 #include "support/experiment.h"
+#include "support/printed_tables.h"
 
 using namespace endmill;
 

@@ -6,8 +6,9 @@
 //
 // Deterministic, under 1 s. Columns: README.md beside this.
 
+#include "endmill/planning/detail/economy_scaling.h"
 #include "support/experiment.h"
-#include "support/scaling.h"
+#include "support/printed_tables.h"
 
 using namespace endmill;
 

@@ -11,7 +11,7 @@
 #include "endmill/core/text.h"
 #include "endmill/planning/path_interval.h"
 #include "support/experiment.h"
-#include "support/printed_interval.h"
+#include "endmill/planning/detail/interval_forms.h"
 
 using namespace endmill;
 

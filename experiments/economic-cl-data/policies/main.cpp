@@ -8,9 +8,9 @@
 
 #include <functional>
 
-#include "support/economy_tables.h"
+#include "support/printed_tables.h"
 #include "support/experiment.h"
-#include "support/scaling.h"
+#include "endmill/planning/detail/economy_scaling.h"
 
 using namespace endmill;
 

@@ -6,7 +6,7 @@
 //
 // Deterministic, under 1 s. Columns and verdicts: README.md beside this.
 
-#include "support/economy_tables.h"
+#include "support/printed_tables.h"
 #include "support/experiment.h"
 
 using namespace endmill;

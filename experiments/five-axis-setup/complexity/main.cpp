@@ -12,7 +12,7 @@
 #include "support/dataset_mesh.h"
 #include "support/experiment.h"
 #include "support/teapot_tessellations.h"
-#include "support/timed_setup.h"
+#include "five-axis-setup/complexity/timed_setup.h"
 
 using namespace endmill;
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "endmill/setup/whole_cone_search.h"
-#include "support/convex_parts.h"
+#include "endmill/visibility/detail/convex_part.h"
 #include "support/experiment.h"
 #include "support/setup_cells.h"
 

@@ -7,7 +7,7 @@
 
 #include "support/experiment.h"
 #include "support/setup_cells.h"
-#include "support/setup_pictures.h"
+#include "five-axis-setup/figure-11-12/setup_pictures.h"
 
 using namespace endmill;
 

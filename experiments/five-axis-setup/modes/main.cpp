@@ -10,8 +10,8 @@
 
 #include "support/dataset_mesh.h"
 #include "support/experiment.h"
-#include "support/fewer_axes.h"
-#include "support/mode_comparison.h"
+#include "five-axis-setup/modes/fewer_axes.h"
+#include "five-axis-setup/modes/tables.h"
 
 using namespace endmill;
 

@@ -8,10 +8,11 @@
 
 #include <cmath>
 
+#include "endmill/visibility/detail/offset_start_map.h"
+#include "five-axis-setup/savings/tables.h"
 #include "support/dataset_mesh.h"
 #include "support/experiment.h"
 #include "support/named_cells.h"
-#include "support/setup_savings.h"
 #include "support/teapot_tessellations.h"
 
 using namespace endmill;
@@ -41,11 +42,13 @@ int main(int argc, char** argv)
                 add_named(result, row + ", " + std::to_string(std::lround(incidence)),
                           joined(cone_cells(part), saving_cells(part)));
             };
-            add("global", studied_part(teapot, grid, Angle::degrees(incidence)));
-            add("global, offset start",
-                offset_start_part(teapot, grid, Angle::degrees(incidence), start));
-            add("local", studied_part(teapot, grid, Angle::degrees(incidence),
-                                      VisibilityKind::Local));
+            const Angle angle = Angle::degrees(incidence);
+            StudiedPart part = studied_part(teapot, grid, angle);
+            add("global", part);
+            part.visibility.map =
+                offset_start_map(teapot, part.grid.centres, angle, start);
+            add("global, offset start", part);
+            add("local", studied_part(teapot, grid, angle, VisibilityKind::Local));
         }
         for (const double along : run.numbers("squares_a_patch"))
             for (const bool has_bottom : {true, false}) {

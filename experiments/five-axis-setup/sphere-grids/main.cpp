@@ -12,7 +12,7 @@
 
 #include "endmill/visibility/sphere_grid.h"
 #include "support/experiment.h"
-#include "support/grid_cover.h"
+#include "endmill/visibility/detail/cover_radius.h"
 
 using namespace endmill;
 

@@ -13,7 +13,7 @@
 
 #include "support/dataset_mesh.h"
 #include "support/experiment.h"
-#include "support/setup_searches.h"
+#include "five-axis-setup/teapot-grids/tables.h"
 
 using namespace endmill;
 

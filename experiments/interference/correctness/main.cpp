@@ -9,7 +9,7 @@
 
 #include "endmill/core/text.h"
 #include "support/experiment.h"
-#include "support/trimming_families.h"
+#include "interference/correctness/trimming_families.h"
 
 using namespace endmill;
 

@@ -14,7 +14,7 @@
 #include "endmill/trimming/detail/sequence_trimming.h"
 #include "support/cpu_time.h"
 #include "support/experiment.h"
-#include "support/literal_fold_search.h"
+#include "endmill/trimming/detail/fold_scan.h"
 #include "support/offset_sections.h"
 
 using namespace endmill;

@@ -6,7 +6,7 @@
 // Deterministic, under 5 s on two cores. Columns: README.md beside this.
 
 #include "endmill/core/text.h"
-#include "support/closed_forms.h"
+#include "endmill/verification/detail/closed_forms.h"
 #include "support/experiment.h"
 
 using namespace endmill;
@@ -15,7 +15,7 @@ namespace {
 
 // Value, how far off, the bound, and whether it holds.
 void add_cells(std::vector<CsvCell>& cells, const ClosedForm& form,
-               const Measured& measured)
+               const MeasuredValue& measured)
 {
     CsvCell bound;
     if (measured.bound)

@@ -7,7 +7,7 @@
 // Deterministic, under 20 s on two cores. Columns: README.md beside this.
 
 #include "support/experiment.h"
-#include "support/judged_table.h"
+#include "verification/paths-judged/tables.h"
 
 using namespace endmill;
 

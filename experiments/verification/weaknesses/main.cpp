@@ -7,7 +7,7 @@
 // Deterministic, under 30 s on two cores. Columns: README.md beside this.
 
 #include "support/experiment.h"
-#include "support/weakness_table.h"
+#include "verification/weaknesses/tables.h"
 
 using namespace endmill;
 
@@ -37,7 +37,7 @@ int main(int argc, char** argv)
         const NamedNumbers u = weaknesses(surface, plan, run.number("rays"));
         plan.direction = Parameter::V;
         const NamedNumbers v = weaknesses(surface, plan, run.number("rays"));
-        CsvTable result{{"row", "u", "spec_u", "v", "spec_v"}};
+        CsvTable result{{"row", "u", "reference_u", "v", "reference_v"}};
         for (std::size_t k = 0; k < u.size(); ++k) {
             const std::string& row = u[k].first;
             result.add_row({row, u[k].second, stated(rows, stated_u, row), v[k].second,

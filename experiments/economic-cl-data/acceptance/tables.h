@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "endmill/files/csv.h"
+#include "economic-cl-data/acceptance/acceptance.h"
+
+namespace endmill {
+
+/// The columns of a table of Acceptance: the measures, then whether each item holds.
+std::vector<std::string> acceptance_columns();
+
+/// A row of that table for the surface `name`; `printed` are the cells to compare with.
+std::vector<CsvCell> acceptance_row(const std::string& name, const Acceptance& found,
+                                    const EconomyTables& printed);
+
+}  // namespace endmill

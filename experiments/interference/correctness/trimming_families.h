@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "support/offset_sections.h"
+#include "endmill/trimming/detail/wrong_curves.h"
+
+namespace endmill {
+
+/// The hard profiles, sampled at `points`.
+std::vector<TrimmingTrial> hard_trials(int points);
+
+/// The wavy profiles, sampled at `points`.
+std::vector<TrimmingTrial> wavy_trials(int points);
+
+/// The convex profiles for `points`. \throws DomainError as `convex_profiles`.
+std::vector<TrimmingTrial> convex_trials(int points);
+
+/// The section curves of an offset, but for those of fewer than four points.
+std::vector<TrimmingTrial> section_trials(const SectionPlan& plan);
+
+}  // namespace endmill
