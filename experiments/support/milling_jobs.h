@@ -11,7 +11,7 @@ namespace endmill {
 
 /// The calibrated set of datasets/ for a material, "steel" or "aluminium": the file of the
 /// material, the tool that both share, the machine as set for the material.
-/// Source: spec of ball-end milling, section 8, REF set.
+/// Source: docs/mathematics/ball-end-milling.md, section 8, REF set.
 MillingJob reference_job(const std::string& material);
 
 /// The same with the helix of a right-hand cutter under M03 that mills down: in the frame of

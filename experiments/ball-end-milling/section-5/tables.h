@@ -26,8 +26,8 @@ std::vector<std::string> time_columns();
 /// Adds what follows from the printed numbers alone: length and non-cutting time by the two
 /// constant feeds, non-cutting time by each and the length, totals at these feeds with
 /// `noncut_min`, savings and cutting times; with the range that the rounding of the times leaves.
-/// Source: spec of ball-end milling, section 8.
-/// Of `time_columns` it fills length_mm to greatest.
+/// Source: docs/mathematics/ball-end-milling.md, section 8.
+/// Fills the columns length_mm to greatest of `time_columns`.
 void add_accounts(CsvTable& table, const PrintedTimes& printed, double noncut_min);
 
 }  // namespace endmill

@@ -8,8 +8,8 @@
 #include <cstdint>
 
 #include "endmill/core/text.h"
-#include "support/experiment.h"
 #include "interference/correctness/trimming_families.h"
+#include "support/experiment.h"
 
 using namespace endmill;
 
@@ -20,7 +20,8 @@ CsvCell count_cell(std::size_t count)
     return static_cast<std::int64_t>(count);
 }
 
-// Adds what methods do with a family, and below it what the specification states.
+// Adds the results of all methods on a family, and below them the results stated in
+// docs/mathematics/interference.md, section 9.
 class FamilyTable {
 public:
     explicit FamilyTable(Experiment& run) : run_{run}, table_{columns()} {}

@@ -8,7 +8,8 @@
 namespace endmill {
 namespace {
 
-// What counts as right, and the step of method 1: spec of the interference, section 9.
+// The limit of a right result, and the step of method 1.
+// Source: docs/mathematics/interference.md, section 9.
 constexpr double scan_threshold_in_steps = 8;
 
 TrimmingTrial planar_trial(SectionCurve curve)

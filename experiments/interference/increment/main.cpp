@@ -10,11 +10,11 @@
 
 #include "endmill/core/text.h"
 #include "endmill/trimming/detail/distance_trimming.h"
+#include "endmill/trimming/detail/fold_scan.h"
 #include "endmill/trimming/detail/line_trimming.h"
 #include "endmill/trimming/detail/sequence_trimming.h"
 #include "support/cpu_time.h"
 #include "support/experiment.h"
-#include "endmill/trimming/detail/fold_scan.h"
 #include "support/offset_sections.h"
 
 using namespace endmill;
@@ -80,7 +80,7 @@ void add_feed(CsvTable& result, const std::string& feed, const OffsetSections& o
     }
 }
 
-// What the specification states for the feed along x, at one step a row.
+// The values stated in docs/mathematics/interference.md for the feed along x, one step a row.
 void add_stated(Experiment& run, CsvTable& result, const std::vector<double>& steps)
 {
     for (const double step : steps) {
