@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "endmill/process/feed_plan.h"
 #include "endmill/process/detail/one_way_passes.h"
+#include "endmill/process/feed_plan.h"
 
 namespace endmill {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "support/named_cells.h"
 #include "endmill/process/detail/one_way_passes.h"
+#include "support/named_cells.h"
 
 namespace endmill {
 

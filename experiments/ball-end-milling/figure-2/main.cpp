@@ -6,11 +6,11 @@
 //
 // Deterministic, under 1 s. Columns and verdicts: README.md beside this.
 
+#include "ball-end-milling/figure-2/tables.h"
 #include "endmill/core/angle.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/force_figures.h"
 #include "endmill/process/cutting_coefficients.h"
-#include "ball-end-milling/figure-2/tables.h"
 #include "support/experiment.h"
 
 using namespace endmill;

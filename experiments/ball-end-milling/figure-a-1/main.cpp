@@ -6,9 +6,9 @@
 //
 // Deterministic, under 1 s. Columns and verdicts: README.md beside this.
 
+#include "ball-end-milling/figure-a-1/tables.h"
 #include "endmill/core/angle.h"
 #include "support/experiment.h"
-#include "ball-end-milling/figure-a-1/tables.h"
 
 using namespace endmill;
 

@@ -6,6 +6,7 @@
 //
 // About 10 s; measures time, so nothing else should run. Columns: README.md beside this.
 
+#include "ball-end-milling/planning-time/one_way_plans.h"
 #include "endmill/core/parallel.h"
 #include "endmill/process/cutting_coefficients.h"
 #include "endmill/process/segment_cuts.h"
@@ -13,7 +14,6 @@
 #include "support/experiment.h"
 #include "support/milling_jobs.h"
 #include "support/named_cells.h"
-#include "ball-end-milling/planning-time/one_way_plans.h"
 
 using namespace endmill;
 

@@ -6,10 +6,10 @@
 //
 // Deterministic, under 1 s. Columns and verdicts: README.md beside this.
 
+#include "ball-end-milling/section-5/tables.h"
 #include "support/experiment.h"
 #include "support/feed_plan_table.h"
 #include "support/milling_jobs.h"
-#include "ball-end-milling/section-5/tables.h"
 
 using namespace endmill;
 

@@ -6,11 +6,11 @@
 //
 // Deterministic, about 60 s on one core. Columns: README.md beside this.
 
+#include "ball-end-milling/stock-engagement/tables.h"
 #include "endmill/core/text.h"
 #include "endmill/process/feed_plan.h"
 #include "support/experiment.h"
 #include "support/milling_jobs.h"
-#include "ball-end-milling/stock-engagement/tables.h"
 
 using namespace endmill;
 

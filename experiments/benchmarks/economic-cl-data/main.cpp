@@ -9,9 +9,9 @@
 
 #include "endmill/core/text.h"
 #include "endmill/files/path_file.h"
-#include "support/printed_tables.h"
 #include "support/experiment.h"
 #include "support/peak_memory.h"
+#include "support/printed_tables.h"
 #include "support/shortest_times.h"
 
 using namespace endmill;

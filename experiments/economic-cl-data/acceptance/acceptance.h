@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "endmill/surface/largest_cutter.h"
 #include "endmill/planning/detail/economy_scaling.h"
+#include "endmill/surface/largest_cutter.h"
 
 namespace endmill {
 

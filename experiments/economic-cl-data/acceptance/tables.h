@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "endmill/files/csv.h"
 #include "economic-cl-data/acceptance/acceptance.h"
+#include "endmill/files/csv.h"
 
 namespace endmill {
 

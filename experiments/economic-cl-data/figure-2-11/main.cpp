@@ -9,9 +9,9 @@
 #include <cstdint>
 
 #include "endmill/figures/tool_path_svg.h"
+#include "endmill/surface/detail/tangent_condition.h"
 #include "endmill/surface/extent.h"
 #include "support/experiment.h"
-#include "endmill/surface/detail/tangent_condition.h"
 
 using namespace endmill;
 

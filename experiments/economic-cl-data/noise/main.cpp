@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "endmill/core/text.h"
+#include "endmill/planning/detail/interval_forms.h"
 #include "endmill/planning/path_interval.h"
 #include "support/experiment.h"
-#include "endmill/planning/detail/interval_forms.h"
 
 using namespace endmill;
 

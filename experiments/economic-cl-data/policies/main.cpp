@@ -8,9 +8,9 @@
 
 #include <functional>
 
-#include "support/printed_tables.h"
-#include "support/experiment.h"
 #include "endmill/planning/detail/economy_scaling.h"
+#include "support/experiment.h"
+#include "support/printed_tables.h"
 
 using namespace endmill;
 

@@ -6,8 +6,8 @@
 //
 // Deterministic, under 1 s. Columns and verdicts: README.md beside this.
 
-#include "support/printed_tables.h"
 #include "support/experiment.h"
+#include "support/printed_tables.h"
 
 using namespace endmill;
 

@@ -9,10 +9,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "five-axis-setup/complexity/timed_setup.h"
 #include "support/dataset_mesh.h"
 #include "support/experiment.h"
 #include "support/teapot_tessellations.h"
-#include "five-axis-setup/complexity/timed_setup.h"
 
 using namespace endmill;
 

@@ -5,9 +5,9 @@
 //
 // Deterministic, under 30 s. Columns and verdicts: README.md beside this.
 
+#include "five-axis-setup/figure-11-12/setup_pictures.h"
 #include "support/experiment.h"
 #include "support/setup_cells.h"
-#include "five-axis-setup/figure-11-12/setup_pictures.h"
 
 using namespace endmill;
 

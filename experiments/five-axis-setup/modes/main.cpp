@@ -8,10 +8,10 @@
 
 #include <cmath>
 
-#include "support/dataset_mesh.h"
-#include "support/experiment.h"
 #include "five-axis-setup/modes/fewer_axes.h"
 #include "five-axis-setup/modes/tables.h"
+#include "support/dataset_mesh.h"
+#include "support/experiment.h"
 
 using namespace endmill;
 

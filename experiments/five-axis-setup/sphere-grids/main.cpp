@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <numbers>
 
+#include "endmill/visibility/detail/cover_radius.h"
 #include "endmill/visibility/sphere_grid.h"
 #include "support/experiment.h"
-#include "endmill/visibility/detail/cover_radius.h"
 
 using namespace endmill;
 

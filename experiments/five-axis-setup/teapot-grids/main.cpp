@@ -11,9 +11,9 @@
 
 #include <Eigen/Geometry>
 
+#include "five-axis-setup/teapot-grids/tables.h"
 #include "support/dataset_mesh.h"
 #include "support/experiment.h"
-#include "five-axis-setup/teapot-grids/tables.h"
 
 using namespace endmill;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "support/offset_sections.h"
 #include "endmill/trimming/detail/wrong_curves.h"
+#include "support/offset_sections.h"
 
 namespace endmill {
 

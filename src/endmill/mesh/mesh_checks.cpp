@@ -156,7 +156,9 @@ BoundaryLoop in_mesh(std::span<const std::int32_t> loop, const TriangleMesh& mes
         result.length += (mesh.points()[result.points[k]] -
                           mesh.points()[result.points[(k + 1) % loop.size()]])
                              .norm();
-    std::ranges::rotate(result.points, std::ranges::min_element(result.points));
+    // Not std::ranges::rotate, which clang 14 does not compile with libstdc++ 12.
+    std::rotate(result.points.begin(), std::ranges::min_element(result.points),
+                result.points.end());
     return result;
 }
 
