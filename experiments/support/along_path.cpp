@@ -13,7 +13,7 @@
 namespace endmill {
 namespace {
 
-// Extremes and weighted mean of what is told.
+// Extremes and weighted mean of the values added.
 struct Spread {
     double least = std::numeric_limits<double>::infinity();
     double greatest = -std::numeric_limits<double>::infinity();
@@ -85,7 +85,7 @@ CapJumps cap_jumps(const std::vector<SegmentCut>& cuts, const FeedPlan& plan,
                    double shallow_mm)
 {
     CapJumps jumps;
-    double length = 0;  // of the stretch so far; 0: not at the cap
+    double length = 0;  // of the current stretch; 0: not at the cap
     bool is_shallow = false;
     for (std::size_t i = 0; i < cuts.size(); ++i) {
         if (reported_limit(plan.rows[i]) != FeedLimit::Cap) {

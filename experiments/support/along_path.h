@@ -10,29 +10,29 @@
 
 namespace endmill {
 
-/// Adds a row each for mu_deg, lambda_deg, pick_feed_mm, pick_feed_horizontal_mm and depth_mm:
-/// least, mean (of the moves where it is told) and greatest; and in_air_percent of the moves.
+/// Adds one row each for mu_deg, lambda_deg, pick_feed_mm, pick_feed_horizontal_mm and
+/// depth_mm: least, mean (over the moves that have the value) and greatest; and
+/// in_air_percent, the share of moves.
 void add_geometry(CsvTable& table, const std::vector<SegmentCut>& cuts);
 
-/// Adds a row each for the feed and the speed of `plan`, their least, greatest and mean over
-/// the length of the cuts; rows begin with `name`.
+/// Adds one row each for feed and speed of `plan`: least, greatest and mean over the
+/// length of the cuts. The labels begin with `name`.
 void add_feeds(CsvTable& table, const std::string& name,
                const std::vector<SegmentCut>& cuts, const FeedPlan& plan);
 
-/// How often the feed per tooth rises to its cap.
+/// Stretches of moves in which the feed per tooth is at its cap.
 struct CapJumps {
-    int count = 0;          ///< stretches of moves at the cap, each within a pass
-    int at_the_top = 0;     ///< of these, where l is below `shallow_mm` somewhere
-    double longest_mm = 0;  ///< stretch
+    int count = 0;          ///< number of stretches, each within a pass
+    int at_the_top = 0;     ///< number of those with a depth below `shallow_mm`
+    double longest_mm = 0;  ///< length of the longest stretch
 };
 
 /// \param shallow_mm depth below which the tip is about to leave the stock.
 CapJumps cap_jumps(const std::vector<SegmentCut>& cuts, const FeedPlan& plan,
                    double shallow_mm);
 
-/// Writes NAME.csv, a row a move (as the file engagement.csv of the program), and NAME.svg, the
-/// same over the length of the path.
-/// \param title above the picture.
+/// Writes NAME.csv, one row for each move in the format of engagement.csv of the program,
+/// and NAME.svg, the same over the length of the path. \param title of the picture.
 void write_along(Experiment& run, const std::string& name, const std::string& title,
                  const std::vector<SegmentCut>& cuts, const FeedPlan& plan);
 

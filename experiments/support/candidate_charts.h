@@ -10,15 +10,15 @@
 
 namespace endmill {
 
-/// Directions that a machine has to reach from a tool axis at zero.
+/// Directions that a machine must reach, and the tool axis at zero.
 struct DirectionSet {
     Vec3 tool_axis;                ///< unit vector
     std::vector<Vec3> directions;  ///< unit vectors
 };
 
-/// The set that a parameter states: azimuths and polar angles, "0:30 100:40", or turns
-/// about x and y, "50/30 -20/15", all in degrees. The tool axis is +z.
-/// \throws DomainError for another text.
+/// Parses a set of directions: azimuths and polar angles, "0:30 100:40", or turns about x
+/// and y, "50/30 -20/15", in degrees. The tool axis is +z. \throws DomainError for
+/// another text.
 DirectionSet direction_set(const std::string& text);
 
 /// Figures 7, 8, 13 (a): the directions by azimuth and polar angle, and a double sector.

@@ -11,7 +11,7 @@
 
 namespace endmill {
 
-/// The candidate of least area, the first of equal ones. \pre there is one.
+/// The candidate of least area, the first one of equal candidates. \pre there is one.
 template <class Candidate>
 const Candidate& least_area(const std::vector<Candidate>& candidates)
 {
@@ -19,18 +19,21 @@ const Candidate& least_area(const std::vector<Candidate>& candidates)
         candidates, {}, [](const Candidate& candidate) { return candidate.area(); });
 }
 
-/// Every sector, by `from_deg`: `from_deg`, `width_deg`, `polar_deg`, `opposite_polar_deg`,
-/// `area_deg2`.
+/// All sectors in ascending order of `from_deg`: `from_deg`, `width_deg`, `polar_deg`,
+/// `opposite_polar_deg`, `area_deg2`.
 CsvTable sector_table(std::span<const SectorCandidate> sectors);
 
-/// Every rectangle: `kind` "meridian through an edge" or "parallel through an edge"; then
-/// `r1_azimuth_deg`, within [0, 180), the ends of both ranges and `area_deg2`; of each kind by
-/// `r1_azimuth_deg`.
+/// All rectangles: `kind` "meridian through an edge" or "parallel through an edge";
+/// `r1_azimuth_deg` within [0, 180), the ends of both ranges and `area_deg2`. In
+/// ascending order of `r1_azimuth_deg` for each kind.
 CsvTable rectangle_table(const Vec3& tool_axis,
                          std::vector<RectangleCandidate> rectangles);
 
-/// For each kind of candidate how many there are, and the areas of the least and the largest;
-/// for each hull its vertices. The first `paper_count` sectors are the paper's. Columns `row`, `count`, `least_area_deg2`, `largest_area_deg2`.
+/// For each kind of candidate its number and the least and the largest area; for each
+/// hull the number of its vertices. Columns `row`, `count`, `least_area_deg2`,
+/// `largest_area_deg2`.
+/// \param paper_count number of sectors, from the first, that the paper's algorithm
+/// tries.
 CsvTable candidate_summary(const DirectionSet& ca,
                            std::span<const SectorCandidate> sectors,
                            std::size_t paper_count, const DirectionSet& ab,

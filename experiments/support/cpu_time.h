@@ -8,7 +8,7 @@
 
 namespace endmill {
 
-/// What the calling thread has used of a core so far, in s.
+/// CPU time of the calling thread so far, in s.
 inline double thread_cpu_s()
 {
     timespec time{};
@@ -16,8 +16,9 @@ inline double thread_cpu_s()
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// CPU time in s of `work()` on this thread, the best of up to `most_repeats` that together
-/// take `budget_s`, one at least: what the machine can do when nothing else gets in the way.
+/// CPU time in s of `work()` on this thread: the best of at least one and at most
+/// `most_repeats` executions that together take `budget_s`. The best is the least
+/// disturbed by other processes.
 template <typename Work>
 double shortest_cpu_s(double budget_s, const Work& work)
 {

@@ -24,7 +24,7 @@ std::unique_ptr<const JsonDocument> read_params(const std::string& name)
     return std::make_unique<const JsonDocument>(read_file(path), path.string());
 }
 
-// What `read` makes of the parameter `key`.
+// Applies `read` to the parameter `key`.
 template <typename Read>
 auto parameter(const JsonDocument& params, std::string_view key, const Read& read)
 {
@@ -33,7 +33,7 @@ auto parameter(const JsonDocument& params, std::string_view key, const Read& rea
     return read(parameters.member(key));
 }
 
-// What `read` makes of each item of the list `key`.
+// Applies `read` to each item of the list `key`.
 template <typename Read>
 auto parameter_list(const JsonDocument& params, std::string_view key, const Read& read)
 {

@@ -17,13 +17,13 @@ namespace endmill {
 
 class JsonDocument;
 
-/// What a driver works on: the "parameters" of its params.json, the data that it reads,
-/// and the folder that it writes to. Paths count from the root of the repository, which
-/// must be the working directory.
+/// The inputs and outputs of a driver: the "parameters" of its params.json and the folder
+/// of its results. Paths are relative to the root of the repository, which must be the
+/// working directory.
 class Experiment {
 public:
-    /// \param name "PAPER/ITEM", the experiment's folder under experiments/.
-    /// \param output the folder of the results; what stands in it stays.
+    /// \param name "PAPER/ITEM", the folder under experiments/.
+    /// \param output folder of the results; existing files stay.
     /// \throws FormatError if params.json is missing or malformed.
     Experiment(std::string name, const std::filesystem::path& output);
     ~Experiment();
@@ -33,22 +33,23 @@ public:
     const std::string& name() const { return name_; }  ///< "PAPER/ITEM"
     const std::filesystem::path& output() const { return results_.path(); }  ///< folder
 
-    /// A parameter, by its key in params.json: a number, a list of numbers, a text, a
-    /// list of texts. \throws FormatError if it is missing or something else.
+    /// The parameter `key` of params.json: a number, a list of numbers, a text or a list
+    /// of texts.
+    /// \throws FormatError if it is missing or has another type.
     double number(std::string_view key);
     std::vector<double> numbers(std::string_view key);     ///< see number
     std::string text(std::string_view key);                ///< see number
     std::vector<std::string> texts(std::string_view key);  ///< see number
 
-    /// Keeps a file that `publish` will show.
+    /// Adds a file to those that `publish` writes.
     void write(const std::filesystem::path& file, std::string_view content);
 
-    /// Keeps result.csv. \throws DomainError unless its first column is `row`.
+    /// Adds result.csv. \throws DomainError unless its first column is `row`.
     void write_result(const CsvTable& table);
 
-    /// Shows all files at once.
-    /// \throws FormatError, nothing shown, if params.json has a parameter that nobody
-    /// read.
+    /// Writes all files at once.
+    /// \throws FormatError, without writing, if params.json has a parameter that was
+    /// never read.
     void publish();
 
 private:
@@ -61,14 +62,14 @@ private:
 /// The surface in datasets/surfaces/NAME.json.
 Surface dataset_surface(const std::string& name);
 
-/// The number that the published.csv of experiment `name` states for a cell of its
-/// result. \throws FormatError if it states none.
+/// The published number of a cell: experiments/NAME/published.csv, `row`, `column`.
+/// \throws FormatError if there is none.
 double published_number(const std::string& name, const std::string& row,
                         const std::string& column);
 
-/// main() of a driver that is called with one argument, the output folder: runs `body`,
-/// then publishes what it wrote. An error becomes a line on standard error.
-/// \return the exit code: 0; 2 for a wrong command line; 1 for any error.
+/// The main function of a driver with one argument, the output folder: runs `body`, then
+/// publishes its files. An error is printed on standard error.
+/// \return the exit code: 0; 2 for a wrong command line; 1 for any other error.
 int run_experiment(int argc, const char* const* argv, const std::string& name,
                    const std::function<void(Experiment&)>& body);
 

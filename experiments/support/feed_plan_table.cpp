@@ -13,7 +13,7 @@
 namespace endmill {
 namespace {
 
-// Of the moves that cut and have one.
+// Quantiles of the peak factor over the cutting moves that have one.
 NamedCells peak_cells(const FeedPlan& plan)
 {
     std::vector<double> factors;
@@ -36,7 +36,7 @@ NamedCells peak_cells(const FeedPlan& plan)
 NamedCells thrust_cells(const std::vector<SegmentCut>& cuts, const FeedPlan& plan)
 {
     double count = 0;
-    Vec3 sums{0, 0, 0};  // depth, lambda, mu
+    Vec3 sums{0, 0, 0};  // of depth, lambda, mu
     for (std::size_t i = 0; i < cuts.size(); ++i)
         if (reported_limit(plan.rows[i]) == FeedLimit::Thrust) {
             ++count;

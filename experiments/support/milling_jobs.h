@@ -9,23 +9,25 @@
 
 namespace endmill {
 
-/// The calibrated set of datasets/ for a material, "steel" or "aluminium": the file of the
-/// material, the tool that both share, the machine as set for the material.
-/// Source: docs/mathematics/ball-end-milling.md, section 8, REF set.
+/// The calibrated data set for "steel" or "aluminium": the file of the material, the tool
+/// that both share, and the machine as set for the material.
+/// Source: docs/mathematics/ball-end-milling.md, section 8.
 MillingJob reference_job(const std::string& material);
 
-/// The same with the helix of a right-hand cutter under M03 that mills down: in the frame of
-/// BallEngagement, which is mirrored then, its edges trail the other way.
+/// The same job with a right-hand cutter under M03. In down milling the frame of
+/// BallEngagement is mirrored, so the helix angle of a right-hand cutter is negative
+/// there.
 /// Source: paper/notes/ball-engagement.md, section 5.
 MillingJob right_hand_job(const MillingJob& job);
 
-/// The path REF: the formula's test surface, a ball of 5 mm, passes along x.
+/// The path REF: the test surface of the formula, a ball of radius 5 mm, passes along x.
 OneWayPasses reference_passes();
 
-/// Its moves, their lengths stretched to the 5385.6 mm that the paper prints.
+/// The moves of the path REF, with their lengths scaled to the printed total of 5385.6
+/// mm.
 std::vector<SegmentCut> reference_cuts();
 
-/// The share of the length at a limit, 0 … 1.
+/// Share of the length at a limit, from 0 to 1.
 double limit_share(const FeedPlanTotals& totals, FeedLimit limit);
 double limit_share(const FeedPlanTotals& totals, SpeedLimit limit);  ///< see above
 

@@ -12,14 +12,15 @@ namespace endmill {
 /// "yes" or "no".
 CsvCell word(bool holds);
 
-/// Cells by the columns that they belong to.
+/// Cells with the names of their columns.
 using NamedCells = std::vector<std::pair<std::string, CsvCell>>;
 
-/// Adds a row to a table whose first column is `row`; columns that `cells` does not name stay
-/// empty. \throws DomainError if it names one that the table has not.
+/// Adds a row to a table whose first column is `row`. Columns that `cells` does not name
+/// stay empty.
+/// \throws DomainError if it names a column that the table does not have.
 void add_named(CsvTable& table, const std::string& row, const NamedCells& cells);
 
-/// All cells of both, one after the other.
+/// The cells of `one`, then those of `other`.
 NamedCells joined(NamedCells one, const NamedCells& other);
 
 }  // namespace endmill

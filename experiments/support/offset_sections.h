@@ -8,29 +8,29 @@
 
 namespace endmill {
 
-/// How a surface of the datasets is offset and sliced.
+/// The offset of a surface of the datasets and its sections.
 struct SectionPlan {
-    std::string surface;  ///< its name there
+    std::string surface;  ///< name of the file in datasets/surfaces
     Cutter cutter;
-    double direction_deg = 0;  ///< of the feed, from +x
-    int grid_lines = 200;      ///< along each parameter
-    int planes = 100;          ///< by the rule of `drive_planes`, over the whole part
-    BoundaryContact boundary = BoundaryContact::None;  ///< the paper's form
+    double direction_deg = 0;  ///< direction of the feed, from +x
+    int grid_lines = 200;      ///< contacts along each parameter
+    int planes = 100;  ///< number of planes over the part, placed as by `drive_planes`
+    BoundaryContact boundary = BoundaryContact::None;  ///< as in the paper
 };
 
 /// An offset and its sections.
 struct OffsetSections {
     OffsetMesh offset;
     DrivePlanes planes;
-    std::vector<PlaneSection> sections;  ///< one a plane
+    std::vector<PlaneSection> sections;  ///< one for each plane
 };
 
-/// The offset and the sections that `plan` asks for.
+/// Computes the offset and its sections.
 /// \throws FormatError if there is no such surface; GeometryError and DomainError as
 /// `offset_mesh` and `drive_planes`.
 OffsetSections offset_sections(const SectionPlan& plan);
 
-/// `count` planes over the extent of the surface of `plan`, for other numbers of planes.
+/// `count` drive planes over the surface of `plan`, for other numbers of planes.
 DrivePlanes planes_over(const SectionPlan& plan, int count);
 
 }  // namespace endmill

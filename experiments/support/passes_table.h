@@ -8,18 +8,19 @@
 
 namespace endmill {
 
-/// What the surface of `plan` is like: least_z_mm, greatest_z_mm, area_mm2, steepest_deg,
+/// Measures of the surface of `plan`: least_z_mm, greatest_z_mm, area_mm2, steepest_deg,
 /// least_radius_mm, above_stock_percent (of the rectangle).
 NamedCells surface_cells(const OneWayPasses& plan);
 
-/// passes, segments, cl_length_mm of the path.
+/// Measures of the path: passes, segments, cl_length_mm.
 NamedCells path_cells(const OneWayPasses& plan);
 
-/// The same, and beside_print_percent, by how much it is longer than `printed_mm`.
+/// The same, and beside_print_percent: the relative difference of the length from
+/// `printed_mm`.
 NamedCells path_cells(const OneWayPasses& plan, double printed_mm);
 
-/// The same passes over the spline through a mesh of `intervals_x` by `intervals_y` of their
-/// surface.
+/// `plan` with its surface replaced by the spline through a mesh of `intervals_x` by
+/// `intervals_y`.
 OneWayPasses on_mesh(OneWayPasses plan, int intervals_x, int intervals_y);
 
 }  // namespace endmill

@@ -25,7 +25,7 @@ double peak_of_child(const std::function<void()>& work)
     rusage usage{};
     if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0)
         throw LimitError{"peak_memory_bytes: the child process failed"};
-    constexpr double bytes_a_kibibyte = 1024;  // ru_maxrss counts those
+    constexpr double bytes_a_kibibyte = 1024;  // unit of ru_maxrss
     return bytes_a_kibibyte * static_cast<double>(usage.ru_maxrss);
 }
 

@@ -5,10 +5,10 @@
 
 namespace endmill {
 
-/// Bytes by which `work` raises the peak of resident memory, measured in a child process
-/// that does nothing else, less the peak of a child that does nothing.
-/// \pre no other thread of this process runs.
-/// \throws LimitError if there is no child process to be had, or if it fails.
+/// Rise of the peak resident memory in bytes by `work`: the peak of a child process that
+/// does `work`, minus the peak of a child process that does nothing.
+/// \pre this process has no other thread.
+/// \throws LimitError if a child process cannot be made, or if it fails.
 double peak_memory_bytes(const std::function<void()>& work);
 
 }  // namespace endmill

@@ -13,8 +13,8 @@
 namespace endmill {
 namespace {
 
-// As a sine: tool axes so near to z, 0.006 degrees, lean to no side that counts; a cell is a
-// thousand times as wide.
+// Tool axes within this sine of z, 0.006 degrees, have no azimuth: a cell is a thousand
+// times as wide.
 constexpr double upright = 1e-4;
 
 double degrees(double radians)

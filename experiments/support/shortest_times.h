@@ -12,17 +12,17 @@
 
 namespace endmill {
 
-/// What a piece of work took, at best of its repetitions.
+/// Time of one execution, the best of all repetitions.
 struct WorkTime {
-    double cpu_s;   ///< of the thread that did it
-    double wall_s;  ///< until it was done
+    double cpu_s;   ///< CPU time of the thread
+    double wall_s;  ///< wall time
 };
 
-/// Keeps the shortest times of each benchmark: what the machine can do when nothing else
-/// gets in the way.
+/// Keeps the shortest times of each benchmark. The shortest time is the least disturbed
+/// by other processes.
 class ShortestTimes : public benchmark::BenchmarkReporter {
 public:
-    /// Nothing is printed. \return true: go on.
+    /// Prints nothing. \return true, so that the benchmarks run.
     bool ReportContext(const Context& /*context*/) override { return true; }
 
     /// Called by Google Benchmark after each group of repetitions.
@@ -47,8 +47,8 @@ private:
     std::map<std::string, WorkTime> shortest_;
 };
 
-/// A benchmark of `work()`, which returns what must not be optimised away; five times for
-/// half a second each.
+/// Registers a benchmark of `work()`, with five repetitions of half a second each. `work`
+/// returns its result, so that the compiler does not remove the work.
 template <typename Work>
 void add_benchmark(const std::string& name, const Work& work)
 {
@@ -59,10 +59,11 @@ void add_benchmark(const std::string& name, const Work& work)
     benchmark::RegisterBenchmark(name.c_str(), body)->Repetitions(5)->MinTime(0.5);
 }
 
-/// Calls of a function of a surface's parameters in one go of `add_calls`.
+/// Number of calls in one execution of an `add_calls` benchmark.
 inline constexpr int calls_in_a_go = 1024;
 
-/// A benchmark of `evaluate(u, v)` at places spread over [0, range_u] by [0, range_v].
+/// Registers a benchmark of `evaluate(u, v)` at places spread over [0, range_u] by [0,
+/// range_v].
 template <typename Evaluate>
 void add_calls(const std::string& name, double range_u, double range_v,
                const Evaluate& evaluate)
@@ -76,7 +77,7 @@ void add_calls(const std::string& name, double range_u, double range_v,
     });
 }
 
-/// Runs all benchmarks that were added.
+/// Runs all registered benchmarks.
 inline ShortestTimes shortest_times()
 {
     ShortestTimes times;

@@ -10,7 +10,8 @@
 namespace endmill {
 namespace {
 
-// The last patches of datasets/surfaces/teapot.json, see the README there.
+// Number of patches of the bottom, the last ones of datasets/surfaces/teapot.json; see
+// the README there.
 constexpr std::size_t bottom_patches = 4;
 
 }  // namespace

@@ -5,9 +5,10 @@
 
 namespace endmill {
 
-/// The teapot's patches in (lines - 1)^2 squares each, two triangles a square, those without
-/// area left out; mm. \param lines at least 2. \param has_bottom whether its four patches are
-/// there, as they are in the dataset.
+/// The teapot's patches divided into (lines - 1)^2 squares of two triangles each, without
+/// triangles of zero area; mm. \param lines at least 2.
+/// \param has_bottom whether the four patches of the bottom are included, as in the
+/// dataset.
 TriangleMesh teapot_of_squares(int lines, bool has_bottom);
 
 }  // namespace endmill

@@ -9,7 +9,7 @@
 namespace endmill {
 namespace {
 
-constexpr std::string_view sequence_method = "3";  // heeds TrimmingOptions::search
+constexpr std::string_view sequence_method = "3";  // uses TrimmingOptions::search
 
 }  // namespace
 

@@ -9,21 +9,22 @@
 
 namespace endmill {
 
-/// A method as it is timed.
+/// A trimming method with the options for its timing.
 struct TimedMethod {
     std::string label;
     const TrimmingMethod* method;
     TrimmingOptions options;
 };
 
-/// All methods; method 3 by march and by scan. \param options of all of them.
+/// All trimming methods; method 3 both by march and by scan. \param options of all
+/// methods.
 std::vector<TimedMethod> timed_methods(const TrimmingOptions& options);
 
-/// The method labelled so, of `timed_methods`. \throws DomainError if there is none.
+/// The entry of `timed_methods` with this label. \throws DomainError if there is none.
 TimedMethod timed_method(const std::string& label, const TrimmingOptions& options);
 
-/// CPU time in s to trim all sections on one thread, the best within `budget_s`, see
-/// cpu_time.h.
+/// CPU time in s to trim all sections on one thread, the best within `budget_s` (see
+/// cpu_time.h).
 double trimming_s(const std::vector<PlaneSection>& sections, const TimedMethod& timed,
                   double budget_s);
 

@@ -13,7 +13,7 @@
 namespace endmill {
 namespace {
 
-// The tables' run that a figure shows.
+// The run of the tables that a figure shows.
 struct TableRun {
     Parameter direction;
     int tolerance;
@@ -28,7 +28,8 @@ int place_of(const std::array<double, Count>& values, double value)
     return static_cast<int>(found - values.begin());
 }
 
-// The length of all links, if it and the mean segment are the same for all three balls.
+// Length of all links, on the assumption that it and the mean segment are the same for
+// all three balls.
 struct LinkEstimate {
     double segment_mm;
     double link_mm;

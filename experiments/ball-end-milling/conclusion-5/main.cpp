@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Conclusion 5 of Park & Maeng, "less danger of breaking the tip, less wear at the outer edge":
-// force near the stock's top and life used up, at the constant feed and at the varied one.
+// Conclusion 5 of Park & Maeng, "less danger of breaking the tip, less wear at the outer
+// edge": force near the top of the stock and used tool life, at the constant and at the
+// varied feed.
 //
 //   ball-end-milling-conclusion-5 OUTPUT_FOLDER
 //
@@ -17,7 +18,7 @@ using namespace endmill;
 
 namespace {
 
-// Largest of the forces whose move is less than `depth_mm` deep.
+// Largest force over the moves with a depth below `depth_mm`.
 double largest_force(const std::vector<MilledMove>& moves,
                      const std::vector<double>& forces, double depth_mm)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 10 of Park & Maeng: forces along one stroke at a constant and at the varied feed.
-// Which stroke the paper's A is is not said; ours is a pass of the path REF.
+// Figure 10 of Park & Maeng: forces along one stroke at a constant and at the varied
+// feed. The paper does not state which stroke is its A; ours is a pass of the path REF.
 //
 //   ball-end-milling-figure-10 OUTPUT_FOLDER
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures 11 and 12 of Park & Maeng on a saddle of our own, for theirs is not given: shape and
-// path, geometry, feed and spindle speed for steel.
+// Figures 11 and 12 of Park & Maeng on a saddle of this project, because theirs is not
+// printed: surface and path, geometry, feed and spindle speed for steel.
 //
 //   ball-end-milling-figure-11-12 OUTPUT_FOLDER
 //
@@ -15,7 +15,7 @@ using namespace endmill;
 
 namespace {
 
-constexpr double above_stock_mm = 5;  // of tips that return
+constexpr double above_stock_mm = 5;  // height of the tip on its return
 
 OneWayPasses saddle_passes(double over_the_top_mm)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 2 of Park & Maeng: what a ball-end cutter engages, the part E of its half sphere
-// that faces the feed and that the previous pass has left; for one case.
+// Figure 2 of Park & Maeng for one case: the engaged part E of the half sphere, which
+// faces the feed and lies outside the previous pass.
 //
 //   ball-end-milling-figure-2 OUTPUT_FOLDER
 //

@@ -14,13 +14,13 @@ namespace endmill {
 /// BallEngagement, latitude_deg, azimuth_deg.
 CsvTable border_table(const std::vector<EngagementBorder>& borders, double radius_mm);
 
-/// What is engaged at a latitude, in rad: ranges, their from_deg and to_deg (the first
-/// and the last end), engaged_deg; and sampled_deg, the same angle by asking `is_engaged`
-/// at so many azimuths.
+/// Engagement at a latitude in rad: number of ranges, from_deg and to_deg (begin of the
+/// first and end of the last), engaged_deg, and sampled_deg: the engaged angle by
+/// `is_engaged` at `samples` azimuths.
 NamedCells latitude_cells(const BallEngagement& engagement, double latitude, int samples);
 
-/// I6 of the ball, the mean length of edge in the cut, as a height in radii: the sum of
-/// the engaged ranges of `latitudes` equal steps, each taken at its middle.
+/// I6 of the ball, the mean height of the engaged edge in radii: the sum of the engaged
+/// ranges over `latitudes` equal steps, each evaluated at its middle.
 double i6_by_ranges(const BallEngagement& engagement, int latitudes);
 
 }  // namespace endmill

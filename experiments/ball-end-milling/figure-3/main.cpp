@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 3 of Park & Maeng: I1 against the slopes across and along the feed, at a depth of the
-// ball's radius and a pick feed of half of it.
+// Figure 3 of Park & Maeng: I1 against the slopes across and along the feed. The depth is
+// the radius of the ball, the pick feed half of it.
 //
 //   ball-end-milling-figure-3 OUTPUT_FOLDER
 //

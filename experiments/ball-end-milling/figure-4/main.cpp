@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 4 of Park & Maeng: the printout of the tool-life equation, refitted from its data and
-// followed from its own exponent.
+// Figure 4 of Park & Maeng: the tool-life equation, fitted again to the printed data and
+// also computed from the printed exponent.
 //
 //   ball-end-milling-figure-4 OUTPUT_FOLDER
 //
@@ -18,7 +18,8 @@ using namespace endmill;
 
 namespace {
 
-// The angles of widths of cut a_e of a cutter of diameter D: cos phi = 1 - 2 a_e / D.
+// Engaged angle for the width of cut a_e of a cutter of diameter D: cos phi = 1 - 2 a_e /
+// D.
 void add_data(CsvTable& result, const std::vector<CuttingSpeedDatum>& data,
               const std::vector<double>& widths, double printed_pi)
 {

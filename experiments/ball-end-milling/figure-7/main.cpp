@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 7 of Park & Maeng: the test surface and the cutter's path over it, and how long the
-// path is by radius and direction, which the paper does not print.
+// Figure 7 of Park & Maeng: the test surface and the cutter's path over it, and the
+// length of the path by radius and direction, which the paper does not print.
 //
 //   ball-end-milling-figure-7 OUTPUT_FOLDER
 //
@@ -44,7 +44,7 @@ int main(int argc, char** argv)
                          "passes", "segments", "cl_length_mm", "beside_print_percent"}};
         const OneWayPasses along_x = reference_passes();
         OneWayPasses along_y = along_x;
-        // A quarter turn leaves the surface as it is.
+        // A quarter turn maps the surface onto itself.
         std::swap(along_y.extent.x, along_y.extent.y);
         along_y.samples = 400;
         const double printed = run.number("printed_length_mm");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures 8 and 9 of Park & Maeng: geometry of the cut along the path over the test surface,
-// and the feed and spindle speed that it allows.
+// Figures 8 and 9 of Park & Maeng: geometry of the cut along the path over the test
+// surface, with feed and spindle speed.
 //
 //   ball-end-milling-figure-8-9 OUTPUT_FOLDER
 //

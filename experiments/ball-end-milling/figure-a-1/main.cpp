@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure A.1 of Park & Maeng: the frame in which the forces are summed up, an element of
-// the edge in it, and where its forces point, milling down and up.
+// Figure A.1 of Park & Maeng: the frame of the force sums, an element of the edge in it,
+// and the directions of its forces, in down and up milling.
 //
 //   ball-end-milling-figure-a-1 OUTPUT_FOLDER
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Conclusion 1 of Park & Maeng: the evaluation takes no longer than planning the path. Times of
-// both on the test surface, one thread.
+// Conclusion 1 of Park & Maeng, the evaluation takes no longer than planning the path:
+// times of both on the test surface, one thread.
 //
 //   ball-end-milling-planning-time OUTPUT_FOLDER
 //
@@ -19,10 +19,10 @@ using namespace endmill;
 
 namespace {
 
-constexpr double budget_s = 1;  // of a measurement
+constexpr double budget_s = 1;  // time of one measurement
 constexpr double ms = 1e3;
 
-// What `endmill feed` does with a path and its part, but for files.
+// The work of `endmill feed` on a path and its part, without files.
 std::size_t evaluate(const ToolPath& path, const std::vector<Surface>& part,
                      const MillingJob& job, const FeedPlanOptions& options)
 {

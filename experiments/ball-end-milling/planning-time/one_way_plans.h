@@ -6,18 +6,18 @@
 
 namespace endmill {
 
-/// What one-way passes along u of a ball are to keep.
+/// Request for one-way passes of a ball along u.
 struct OneWayRequest {
     double radius;        ///< of the ball, mm
-    double tolerance;     ///< of chords, mm
-    double scallop;       ///< mm
-    double return_z = 0;  ///< height at which tips return, mm
+    double tolerance;     ///< chord tolerance, mm
+    double scallop;       ///< scallop height, mm
+    double return_z = 0;  ///< height of the tip on its return, mm
 };
 
-/// By the planner of Kim and Choi, which trusts its circles.
+/// Plans by the method of Kim and Choi, which assumes circular sections.
 ToolPath one_way_paper_path(const Surface& part, const OneWayRequest& request);
 
-/// By the planner that bounds what it leaves and cuts.
+/// Plans by verified planning, which bounds gouge and remaining material.
 ToolPath one_way_verified_path(const Surface& part, const OneWayRequest& request);
 
 }  // namespace endmill

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The times and savings of section 5 of Park & Maeng: what the printed times say of each other,
+// Times and savings in section 5 of Park & Maeng: relations between the printed times,
 // and the calibrated plan of the path REF.
 //
 //   ball-end-milling-section-5 OUTPUT_FOLDER

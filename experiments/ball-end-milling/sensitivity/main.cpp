@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the calibrated totals of Park & Maeng's section 5 hang on what is ours: the least
+// Effect of our choices on the calibrated totals of section 5 of Park & Maeng: the least
 // feed per tooth, the concentration of force, the chip.
 //
 //   ball-end-milling-sensitivity OUTPUT_FOLDER
@@ -15,7 +15,7 @@ using namespace endmill;
 
 namespace {
 
-// A set of choices and how it is called.
+// A set of choices and its name.
 struct Choice {
     std::string name;
     FeedPlanOptions options;

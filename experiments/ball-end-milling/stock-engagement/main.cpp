@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the paper could not do: the engagement of the path REF in the simulated stock beside the
-// idealised one, and the true peak of the force along the plans of both.
+// The engagement of the path REF in the simulated stock and in the paper's model, and the
+// true force peaks of the feed plans with either.
 //
 //   ball-end-milling-stock-engagement OUTPUT_FOLDER
 //

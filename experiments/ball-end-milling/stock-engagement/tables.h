@@ -8,25 +8,25 @@
 
 namespace endmill {
 
-/// Adds `engagement_cells` of the idealised and the simulated engagement, with the exact chip,
-/// and what the simulated stock lost: rows "idealised", "simulated", "stock".
+/// Adds `engagement_cells` of both engagements with the exact chip, and the volume that
+/// the simulated stock lost: rows "idealised", "simulated", "stock".
 void add_engagements(CsvTable& table, const std::vector<SegmentCut>& cuts,
                      const SimulatedCuts& simulated, double radius);
 
-/// Plans of one path judged by the true peaks of the force, in either engagement.
+/// Feed plans of one path, judged by the true force peaks with either engagement.
 struct PeakForceRun {
     const std::vector<SegmentCut>& cuts;
     const SimulatedCuts& simulated;
     MillingJob job;
 
-    /// A table for what goes on along the path: row, pass, travel_mm (in the pass), plan,
+    /// An empty table of peaks along the path: row, pass, travel_mm (in the pass), plan,
     /// idealised_n, simulated_n, right_hand_idealised_n, right_hand_simulated_n.
     static CsvTable along_table();
 
-    /// Adds to `table` what `plan` amounts to: cut_min, infeasible, and for both engagements
-    /// the largest peak and the share of the length whose peak is over the tool's limit by more
-    /// than 2 % (what cells of the front are good for); the same of a right-hand cutter under
-    /// M03 (`right_hand_job`); and to `along` the peaks of each move.
+    /// Adds a row to `table`: cut_min, infeasible, and for both engagements the largest
+    /// peak and the share of the length whose peak exceeds the tool's limit by more than
+    /// 2 %, the accuracy of the cells of the front; the same for a right-hand cutter
+    /// under M03 (`right_hand_job`). Adds the peaks of each move to `along`.
     void add(CsvTable& table, CsvTable& along, const std::string& name,
              const FeedPlan& plan) const;
 };

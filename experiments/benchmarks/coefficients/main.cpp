@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed and accuracy of the cutting coefficients of a ball-end cutter, of their table, and of
-// what a helical cutter bears at most.
+// Speed and accuracy of the cutting coefficients of a ball-end cutter and of their table,
+// and speed of the largest loads of a helical cutter.
 //
 //   benchmarks-coefficients OUTPUT_FOLDER
 //
@@ -30,7 +30,8 @@ double largest_error(const CuttingCoefficients& a, const CuttingCoefficients& b)
                      std::abs(a.I7 - b.I7), std::abs(a.I8 - b.I8)});
 }
 
-// Of `coefficients(engagement)` against those to 1e-12, rising.
+// Errors of `coefficients(engagement)` against values computed to 1e-12, in ascending
+// order.
 template <typename Coefficients>
 std::vector<double> sorted_errors(const std::vector<BallEngagement>& engagements,
                                   const Coefficients& coefficients)
@@ -44,7 +45,7 @@ std::vector<double> sorted_errors(const std::vector<BallEngagement>& engagements
     return errors;
 }
 
-// Shortest time in us a call of `work(engagement)`.
+// Shortest time of a call of `work(engagement)`, in us.
 template <typename Work>
 double us_a_point(const std::vector<BallEngagement>& engagements, const Work& work)
 {

@@ -8,9 +8,9 @@
 
 namespace endmill {
 
-/// Engagements of a ball-end cutter beside a previous pass, drawn one after the other:
-/// mu in [-1.3, 1.3), lambda in [-1.2, 1.2), pick feed in [0.02, 1), depth in [0.05, 1.55).
-/// Numbers are those of MT19937 with seed 7, two draws each, the lower half first.
+/// Random engagements of a ball-end cutter beside a previous pass: mu in [-1.3, 1.3),
+/// lambda in [-1.2, 1.2), pick feed in [0.02, 1), depth in [0.05, 1.55). The generator is
+/// MT19937 with seed 7; a number takes two draws, the lower half first.
 inline std::vector<BallEngagement> random_engagements(int count)
 {
     std::mt19937 engine{7};

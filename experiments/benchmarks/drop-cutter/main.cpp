@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed and memory of the drop cutter on meshes, beside what is asked of it.
+// Speed and memory of the drop cutter on meshes, with the bars.
 //
 //   benchmarks-drop-cutter OUTPUT_FOLDER
 //

@@ -10,7 +10,7 @@
 
 namespace endmill {
 
-/// 120 by 80 mm about the origin.
+/// A rectangle of 120 by 80 mm about the origin.
 struct GridPart {
     static constexpr double half_length = 60;  ///< mm, along x
     static constexpr double half_width = 40;   ///< mm, along y
@@ -56,7 +56,7 @@ TriangleMesh grid_part(int n, const Height& height)
     return {std::move(points), std::move(triangles)};
 }
 
-/// Lines along x, forwards and backwards, evenly over y.
+/// Lines along x, forwards and backwards, at equal distances in y.
 inline std::vector<Eigen::Vector2d> zigzag_path(int lines, int steps)
 {
     std::vector<Eigen::Vector2d> path;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed and memory of the iso-parametric planner, beside what is asked of them.
+// Speed and memory of the iso-parametric planner, with the bars.
 //
 //   benchmarks-economic-cl-data OUTPUT_FOLDER
 //

@@ -12,7 +12,7 @@
 
 #include "endmill/offset/section_curve.h"
 
-// What others offer for the upper envelope of a section.
+// The upper envelope of a section by other libraries.
 namespace endmill {
 
 /// By CGAL with exact constructions. \return number of pieces.
@@ -38,8 +38,9 @@ inline std::size_t cgal_envelope(const SectionCurve& curve)
     return pieces;
 }
 
-/// By polyclipping, as the union of what is below the curve, closed far `down`, on a grid of
-/// 1e-6 mm: not exact, and no envelope where something hangs over. \return number of points.
+/// By polyclipping: the union of the region below the curve, closed `down` below it, on a
+/// grid of 1e-6 mm. It is not exact, and no envelope where the curve overhangs. \return
+/// number of points.
 inline std::size_t polyclipping_union(const SectionCurve& curve, const SectionPoint& down)
 {
     namespace clipper = ClipperLib;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed of the exact envelope of a section, beside CGAL's, polyclipping's and what is asked.
+// Speed of the exact envelope of a section, with the bars and the times of CGAL and
+// polyclipping.
 //
 //   benchmarks-envelope OUTPUT_FOLDER
 //
@@ -17,7 +18,7 @@ using namespace endmill;
 
 namespace {
 
-// Of the best of `repeats`.
+// Time of the best of `repeats` executions.
 template <typename Work>
 double shortest_s(int repeats, const Work& work)
 {
@@ -35,7 +36,7 @@ double envelope_s(int repeats, const SectionCurve& curve)
     return shortest_s(repeats, [&] { return envelope_trimming({&curve, 1}); });
 }
 
-// At the better orientation, told by the shorter chain: the other one takes minutes.
+// Uses the orientation with the shorter chain; the other one takes minutes.
 double polyclipping_s(const SectionCurve& chain, const SectionCurve& shorter)
 {
     constexpr double depth = 1e3;

@@ -35,10 +35,11 @@ private:
     std::mt19937 engine_{7};
 };
 
-/// The raw offset, upwards by 3, of a profile of two sines sampled every 0.05, by `segments`
-/// segments: each of the profile moved along its normal; between them arcs, sampled to 1e-4,
-/// where the profile is convex, and straight lines back where it is concave.
-/// \param noise standard deviation of what is added to the profile, in mm.
+/// The raw offset, upwards by 3 mm, of a profile of two sines sampled every 0.05 mm, for
+/// `segments` segments. Each segment of the profile is moved along its normal. Between
+/// two of them the chain has an arc, sampled to 1e-4, where the profile is convex, and a
+/// straight line back where it is concave.
+/// \param noise standard deviation of the noise on the profile, in mm.
 inline SectionCurve raw_chain(std::size_t segments, double noise)
 {
     constexpr double radius = 3;
@@ -58,7 +59,7 @@ inline SectionCurve raw_chain(std::size_t segments, double noise)
     SectionCurve curve;
     SectionPoint from = next_vertex();
     double last_angle =
-        -std::numbers::pi;  // left of all: no arc before the first segment
+        -std::numbers::pi;  // below every angle: no arc before the first segment
     while (curve.points.size() <= segments) {
         const SectionPoint to = next_vertex();
         const double angle = std::atan2(to[1] - from[1], to[0] - from[0]);

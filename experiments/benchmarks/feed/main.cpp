@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed of a whole feed plan, from the text of a path to the texts of all results.
+// Speed of a whole feed plan, from the text of a path to the texts of all results, with
+// the bars.
 //
 //   benchmarks-feed OUTPUT_FOLDER
 //
@@ -53,7 +54,7 @@ SegmentCuts cuts_of(const ToolPath& path)
     return segment_cuts(path, {.radius = radius_mm, .stock_top = stock_top_mm});
 }
 
-// Bytes of what `feed` writes, its texts side by side as there.
+// Number of bytes that `feed` writes, its texts made in parallel as there.
 std::size_t written(const ToolPath& fed, const SegmentCuts& cuts, const FeedPlan& plan)
 {
     const auto limits = limit_words(fed.points.size(), cuts.points, plan.rows);
@@ -69,7 +70,7 @@ std::size_t written(const ToolPath& fed, const SegmentCuts& cuts, const FeedPlan
     return bytes[0] + bytes[1] + bytes[2];
 }
 
-// What `endmill feed` does with the text of a path.
+// The work of `endmill feed` on the text of a path.
 std::size_t whole(const std::string& text, int threads)
 {
     set_thread_count(threads);
@@ -101,7 +102,7 @@ double stock_plan(const ToolPath& path, const SegmentCuts& cuts, PeakRule peak,
     return rows.back().table.feed_mm_per_min;
 }
 
-// Every part of the work by itself, on one thread.
+// Measures every part of the work separately, on one thread.
 void add_parts(const std::string& text)
 {
     set_thread_count(1);

@@ -10,13 +10,13 @@
 
 namespace endmill {
 
-/// Height in mm over (x, y) in mm: bumps 63 mm long and 31 mm wide.
+/// Height in mm at (x, y) in mm: bumps 63 mm long and 31 mm wide.
 inline double height(double x, double y)
 {
     return std::sin(0.1 * x) * std::cos(0.2 * y);
 }
 
-/// Twice as many cells along x as along y, of two triangles each.
+/// A mesh with twice as many cells along x as along y, two triangles each.
 inline TriangleMesh bumps(std::int32_t along, double cell_mm)
 {
     const std::int32_t across = along / 2;
@@ -38,7 +38,7 @@ inline TriangleMesh bumps(std::int32_t along, double cell_mm)
     return {std::move(points), std::move(triangles)};
 }
 
-/// The triangles of a mesh, each with corners of its own.
+/// The triangles of a mesh, each with its own corners.
 inline std::vector<std::array<Vec3, 3>> soup_of(const TriangleMesh& mesh)
 {
     std::vector<std::array<Vec3, 3>> soup;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed and memory of triangle meshes, beside what is asked of them.
+// Speed and memory of triangle meshes, with the bars.
 //
 //   benchmarks-mesh OUTPUT_FOLDER
 //
@@ -19,8 +19,8 @@ using namespace endmill;
 
 namespace {
 
-// Places 0.006 mm apart at a height over the middle of the mesh, each asked about with
-// the answer of the one before as a hint.
+// Nearest points to places 0.006 mm apart at a height over the middle of the mesh. Each
+// search starts from the answer to the previous one.
 double walk_over(const TriangleTree& tree, double middle_mm, double above_mm)
 {
     std::optional<std::size_t> hint;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed of surfaces of every kind, of sampling and of reading, beside what is asked.
+// Speed of surfaces of every kind, of sampling and of reading, with the bars.
 //
 //   benchmarks-parts OUTPUT_FOLDER
 //
@@ -19,7 +19,7 @@ using namespace endmill;
 
 namespace {
 
-// A bicubic spline over `spans` by `spans` spans, wavy and, with weights, rational.
+// A wavy bicubic spline over `spans` by `spans` spans; rational if it has weights.
 Surface wavy_spline(int spans, bool rational)
 {
     SplineParameter parameter{3, {0, 0, 0}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed of writing a path for a machine and of reading it back, beside what is asked.
+// Speed of writing a path for a machine and of reading it back, with the bars.
 //
 //   benchmarks-post OUTPUT_FOLDER
 //
@@ -19,8 +19,8 @@ using namespace endmill;
 
 namespace {
 
-// A zigzag of ball R 5 over a wavy plate: all three axes move in nearly every line, and
-// every number has all its digits.
+// A zigzag of a ball of radius 5 over a wavy plate. All three axes move in nearly every
+// line, and every number has all its digits.
 ToolPath wavy_zigzag(int points)
 {
     constexpr int points_per_pass = 500;

@@ -11,9 +11,9 @@
 
 namespace endmill {
 
-/// A search, and the most that it may take.
+/// A search and the longest time that it may take.
 struct SearchBar {
-    std::string name;  ///< of the row
+    std::string name;  ///< label of the row
     Angle incidence;
     SetupRequest request;
     double at_most_s;
@@ -51,7 +51,7 @@ inline SearchBar over_cones(const std::string& family, const std::string& object
             at_most_s};
 }
 
-/// What is asked of one core of a current server.
+/// The bars for one core of a current server.
 inline std::vector<SearchBar> search_bars()
 {
     std::vector<SearchBar> all{

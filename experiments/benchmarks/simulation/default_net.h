@@ -8,13 +8,13 @@
 
 namespace endmill {
 
-/// The work of `endmill plan` on the default net, and of `endmill verify` on what it plans:
-/// a ball of 15 mm, tolerances and scallop height of 0.5 mm, along u.
+/// The work of `endmill plan` on the default net, and of `endmill verify` on its path: a
+/// ball of 15 mm, tolerances and scallop height of 0.5 mm, along u.
 class DefaultNet {
 public:
     explicit DefaultNet(const Surface& surface) : part_{std::vector<Surface>{surface}} {}
 
-    /// The path and all that the command measures of it.
+    /// The path with all measurements of the command.
     JudgedPath planned(Planner planner) const
     {
         return judged_path(surface(), {.planner = planner});

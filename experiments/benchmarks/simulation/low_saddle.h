@@ -37,16 +37,17 @@ struct LowSaddle {
         return Vec3{-slope_x, -slope_y, 1}.normalized();
     }
 
-    /// The block that it is cut from, 1 mm more below it.
+    /// The block that the saddle is cut from; its bottom is 1 mm below the saddle.
     static Block block()
     {
-        constexpr double lowest = -13.4;  // its corners of the valleys lie at -12.39
+        constexpr double lowest =
+            -13.4;  // the lowest points, at the ends of the valleys, are at -12.39
         return {{-half_length, -half_width, lowest}, {half_length, half_width, 20}};
     }
 };
 
-/// Coefficient `i` of t^power as a cubic over [low, high] in Bernstein's form: its blossom
-/// at 3 - i times `low` and i times `high`.
+/// Bernstein coefficient `i` of t^power as a cubic over [low, high]: its blossom at 3 - i
+/// times `low` and i times `high`.
 inline double cubic_coefficient(int i, int power, double low, double high)
 {
     const auto t = [&](int k) { return k < 3 - i ? low : high; };
@@ -62,7 +63,8 @@ inline double cubic_coefficient(int i, int power, double low, double high)
     }
 }
 
-/// The saddle itself, exactly: 2 by 2 rational bicubic patches, u along x and v along y.
+/// The saddle as an exact surface: 2 by 2 rational bicubic patches, u along x and v along
+/// y.
 inline Surface low_saddle_surface()
 {
     const std::vector<double> breaks_a{-1.5, 0, 1.5};
@@ -88,8 +90,8 @@ inline Surface low_saddle_surface()
     return {breaks_a, breaks_b, std::move(patches)};
 }
 
-/// Lines along x, forwards and backwards, evenly over y, each in equal steps; the cutter
-/// touches the saddle at every point.
+/// Lines along x, forwards and backwards, at equal distances in y, in equal steps. The
+/// cutter touches the saddle at every point.
 inline ToolPath saddle_path(const Cutter& cutter, int lines, int steps)
 {
     ToolPath path;
@@ -101,7 +103,8 @@ inline ToolPath saddle_path(const Cutter& cutter, int lines, int steps)
             const double y = LowSaddle::half_width * ((2.0 * line + 1) / lines - 1);
             const Vec3 normal = LowSaddle::normal(x, y);
             const Vec3 level{normal.x(), normal.y(), 0};
-            // The middle of the corner's circle, then the axis, then its lowest point.
+            // From the contact to the centre of the corner circle, to the axis, to the
+            // tip.
             Vec3 tip = Vec3{x, y, LowSaddle::height(x, y)} +
                        cutter.corner_radius() * normal -
                        cutter.corner_radius() * Vec3::UnitZ();

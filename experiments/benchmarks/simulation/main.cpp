@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed and memory of material removal, beside what is asked of it.
+// Speed and memory of material removal, with the bars.
 //
 //   benchmarks-simulation OUTPUT_FOLDER
 //
@@ -36,7 +36,7 @@ double verified_volume(const ToolPath& path, const Cutter& cutter, double pitch)
 
 constexpr double gib = 1024.0 * 1024 * 1024;
 
-// Of the default net: a row's name by what is measured.
+// Label of a row of the default net.
 void add_net_benchmarks(const DefaultNet& net, const std::array<ToolPath, 2>& paths,
                         double pitch)
 {
@@ -74,7 +74,8 @@ int main(int argc, char** argv)
         const double peak =
             peak_memory_bytes([&] { removed_volume(of_ball, ball, coarse); });
         const DefaultNet net{dataset_surface(run.text("net"))};
-        // In processes of their own, and so before there are threads: planned there too.
+        // These run in child processes, which must be forked before this process has
+        // threads.
         std::array<double, 2> net_peaks{};
         for (std::size_t k = 0; k < 2; ++k)
             net_peaks[k] = peak_memory_bytes(
@@ -121,7 +122,7 @@ int main(int argc, char** argv)
                         times.of("verified plan").wall_s / times.of("paper plan").wall_s,
                         "times",
                         3});
-        constexpr double bytes_per_result = 16;  // a move
+        constexpr double bytes_per_result = 16;  // for each move
         const double bytes = peak - bytes_per_result * moves;
         add("stock and work", coarse, bytes / cells(coarse), "bytes a cell", 12);
         run.write_result(result);

@@ -20,7 +20,7 @@ class CgalSlicer {
 public:
     explicit CgalSlicer(const TriangleMesh& mesh) : mesh_{copied(mesh)} { build_tree(); }
 
-    /// The tree over the edges of the mesh, anew.
+    /// Builds the tree over the edges of the mesh again.
     void build_tree()
     {
         tree_.rebuild(edges(mesh_).first, edges(mesh_).second, mesh_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed of slicing and of offset meshes, beside what is asked of it and beside CGAL.
+// Speed of slicing and of offset meshes, with the bars and the times of CGAL.
 //
 //   benchmarks-slicing OUTPUT_FOLDER
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed of the trimming methods, of the slicer that feeds them and of a whole trim, beside
-// what is asked of them.
+// Speed of the trimming methods, of the slicer before them and of a whole trim, with the
+// bars.
 //
 //   benchmarks-trimming OUTPUT_FOLDER
 //
@@ -22,7 +22,7 @@ using namespace endmill;
 namespace {
 
 constexpr double ms = 1e3;
-constexpr double allowed_share = 1.5;     // of the stated times
+constexpr double allowed_share = 1.5;     // of the reference times
 constexpr double march_bar = 1.15;        // of the time of method 2
 constexpr double whole_bar_ms = 60;       // on two threads
 constexpr double threshold_in_steps = 4;  // of method 1
@@ -34,8 +34,8 @@ TrimmingOptions literal(double step)
             .scan_threshold = threshold_in_steps * step};
 }
 
-// CPU times in s of slicing and of each method. They take turns, so that whatever else the
-// machine does befalls all of them.
+// CPU times in s of slicing and of each method. They are measured alternately, so that
+// other processes disturb all of them equally.
 std::vector<double> times_of(const std::vector<std::string>& kinds,
                              const OffsetSections& offset, double step)
 {
@@ -56,7 +56,7 @@ std::vector<double> times_of(const std::vector<std::string>& kinds,
     return times;
 }
 
-// A row with a measured number and what it must not exceed, if anything is said of that.
+// Adds a row with a measured number and its bar, if it has one.
 void add_row(CsvTable& result, const std::string& row, double measured,
              const std::string& unit, const CsvCell& bar = {})
 {
@@ -93,7 +93,7 @@ void add_methods(Experiment& run, CsvTable& result, SectionPlan plan)
         }
 }
 
-// The search of method 1 takes time in inverse proportion to its step.
+// The search time of method 1 is inversely proportional to its step.
 void add_search(Experiment& run, CsvTable& result, SectionPlan plan)
 {
     constexpr double budget_s = 0.5;

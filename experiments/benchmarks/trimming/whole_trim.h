@@ -15,8 +15,8 @@
 
 namespace endmill {
 
-/// What `endmill trim` does with a part in memory, by its default method and with the
-/// contact of the border, but for measuring (clearance, sampling error) and files.
+/// The work of `endmill trim` on a part in memory, by its default method and with the
+/// contacts of the border, without measurements (clearance, sampling error) and files.
 class WholeTrim {
 public:
     WholeTrim(std::span<const Surface> part, int grid_lines, int planes)
@@ -26,7 +26,7 @@ public:
     {
     }
 
-    /// Trims once. \return how many moves the path has.
+    /// Trims once. \return number of moves of the path.
     std::size_t moves(const Cutter& cutter) const
     {
         require_reachable(part_, Vec3::UnitZ(), tool_side_signs(part_, Vec3::UnitZ()));
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    static constexpr double clear_above = 5;  // mm, as the program has it
+    static constexpr double clear_above = 5;  // mm, as in the program
 
     std::span<const Surface> part_;
     int grid_lines_;

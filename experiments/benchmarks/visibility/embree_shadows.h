@@ -15,8 +15,8 @@
 
 namespace endmill {
 
-/// Embree's stream of rays as a baseline: one ray from each centroid in question, in single
-/// precision, begun a little off the facet so that it does not meet itself.
+/// Embree's stream of rays as a baseline: one ray from each centroid, in single
+/// precision. It starts slightly off its facet, so that it does not hit the facet itself.
 class EmbreeShadows {
 public:
     explicit EmbreeShadows(const TriangleMesh& part)
@@ -58,7 +58,7 @@ public:
         rtcReleaseDevice(device_);
     }
 
-    /// How many of the facets of a column are seen along `direction`.
+    /// Number of facets of a column that are visible along `direction`.
     std::size_t seen(const Vec3& direction, std::span<const std::uint64_t> column)
     {
         rays_.clear();

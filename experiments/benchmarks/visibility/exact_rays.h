@@ -14,7 +14,7 @@
 
 namespace endmill {
 
-/// CGAL's tree over a part's facets with exact arithmetic throughout, to judge answers by.
+/// CGAL's tree over a part's facets with exact arithmetic, the reference for answers.
 class ExactRays {
 public:
     explicit ExactRays(const TriangleMesh& part)

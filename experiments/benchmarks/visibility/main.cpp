@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed, memory and rightness of visibility maps, beside what is asked of them.
+// Speed, memory and correctness of visibility maps, with the bars.
 //
 //   benchmarks-visibility OUTPUT_FOLDER
 //
@@ -23,9 +23,9 @@ namespace {
 
 struct Case {
     const char* part;
-    int cells;       // of the grid, along a side
-    int directions;  // of the 1200, evenly
-    double bar_ns;   // a pair
+    int cells;       // of the grid along a side
+    int directions;  // evenly chosen from the 1200
+    double bar_ns;   // for each pair
 };
 
 std::vector<Vec3> some_of(const std::vector<Vec3>& all, int count)
@@ -46,8 +46,8 @@ double ones(const VisibilityMap& map)
     return static_cast<double>(count);
 }
 
-// Embree, as long as it has a device, holds all of oneTBB to its own number of threads: it is
-// made when ours has been timed.
+// While an Embree device exists, it limits oneTBB to its own number of threads. So the
+// device is created after our own measurements.
 void add_times(CsvTable& result, const Case& each, const std::vector<Vec3>& directions)
 {
     const TriangleMesh part = grid_part(each.cells, bumpy_height);

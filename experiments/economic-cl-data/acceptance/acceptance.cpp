@@ -23,7 +23,7 @@ bool lies_in(const ValueRange& outer, const ValueRange& inner)
     return lies_in(outer, inner.least) && lies_in(outer, inner.greatest);
 }
 
-// Whether an exponent of both directions lies in `range`.
+// Whether an exponent lies in `range` for both directions.
 bool exponents_lie_in(const ValueRange& range, const EconomyTables& tables,
                       TableQuantity quantity, double ScalingLaw::*exponent)
 {
@@ -47,7 +47,7 @@ CuspCheck check_cusps(const Surface& surface)
                     surface, BallCutter{diameter / 2}, plan, direction);
                 require(!cusps.empty(), "check_cusps: a run has a single pass");
                 for (double& cusp : cusps)
-                    cusp /= tolerance;  // the scallop height that table_plan asked for
+                    cusp /= tolerance;  // table_plan uses it as scallop height
                 const auto [least, greatest] = std::ranges::minmax(cusps);
                 check.pairs.least = std::min(check.pairs.least, least);
                 check.pairs.greatest = std::max(check.pairs.greatest, greatest);

@@ -10,41 +10,41 @@
 
 namespace endmill {
 
-/// The cusps between governing points and their partners over all 18 runs, as shares of
-/// the scallop height asked for.
+/// Scallops between governing points and their partners over all 18 runs, as shares of
+/// the requested scallop height.
 struct CuspCheck {
     ValueRange pairs;     ///< over all passes of all runs
-    double worst_median;  ///< greatest |median of a run - 1|
+    double worst_median;  ///< largest |median of a run - 1|
 };
 
-/// Cusps by scallop_between for all 18 runs on `surface`.
+/// Measures the scallops of all 18 runs on `surface` by `scallop_between`.
 CuspCheck check_cusps(const Surface& surface);
 
-/// What a surface must have in common with the printed tables for the planner to count as
-/// the paper's: the properties that the printed cells have themselves, with some room.
+/// Properties of the printed tables that a surface should reproduce, with some margin, so
+/// that the planner can be taken for the paper's.
 struct Acceptance {
-    CutterLimit limit;     ///< of the surface
-    EconomyTables tables;  ///< planned on it
+    CutterLimit limit;     ///< largest cutter of the surface
+    EconomyTables tables;  ///< planned on the surface
     CuspCheck cusps;
 
-    /// TCD by the tolerance, in [-0.53, -0.46].
+    /// The exponent of TCD in the tolerance lies in [-0.53, -0.46].
     bool travel_falls_with_root_of_tolerance() const;
-    /// NCL by the tolerance, in [-1.06, -0.94].
+    /// The exponent of NCL in the tolerance lies in [-1.06, -0.94].
     bool points_fall_with_tolerance() const;
-    /// Both by the radius, in [-0.54, -0.46].
+    /// The exponents of both in the radius lie in [-0.54, -0.46].
     bool both_fall_with_root_of_radius() const;
-    /// A ball of twice the size saves 29 % within 2 % in all twelve rows.
+    /// Doubling the ball saves 27 to 31 % in all twelve rows.
     bool doubling_the_ball_saves() const;
-    /// The mean segment depends on the ball by 2.5 % at most.
+    /// The mean segment varies with the ball by at most 2.5 %.
     bool segments_depend_on_tolerance_only() const;
     /// All cells within 4 % of the print; v costs less everywhere, by 20 to 31 % of the
     /// points and 3 to 13 % of the travel.
     bool cells_are_near(const EconomyTables& printed) const;
-    /// The median cusp of each run is the scallop height within 1 %.
+    /// The median scallop of each run is within 1 % of the requested height.
     bool cusps_are_as_asked() const;
 };
 
-/// Plans all runs on `surface` and measures it.
+/// Plans all runs on `surface` and measures the properties.
 Acceptance acceptance_of(const Surface& surface);
 
 }  // namespace endmill

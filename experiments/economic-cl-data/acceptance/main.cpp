@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which fitted nets behave as the printed tables do: scaling laws, savings, cells, and
-// the cusps between passes by a construction of their own.
+// Properties of the printed tables, tested on each fitted net: scaling laws, savings,
+// cells, and the scallops between passes by an independent construction.
 //
 //   economic-cl-data-acceptance OUTPUT_FOLDER
 //

@@ -9,10 +9,10 @@
 
 namespace endmill {
 
-/// The columns of a table of Acceptance: the measures, then whether each item holds.
+/// Columns of the table of `Acceptance`: the measures, then whether each item holds.
 std::vector<std::string> acceptance_columns();
 
-/// A row of that table for the surface `name`; `printed` are the cells to compare with.
+/// The row of the surface `name`. \param printed the cells to compare with.
 std::vector<CsvCell> acceptance_row(const std::string& name, const Acceptance& found,
                                     const EconomyTables& printed);
 

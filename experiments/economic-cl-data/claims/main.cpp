@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The percentages in the text of Kim & Choi, as means over the tables: of the printed
-// cells, and of those of the fitted nets.
+// The percentages in the text of Kim & Choi as means over the tables: over the printed
+// cells, and over the cells of the fitted nets.
 //
 //   economic-cl-data-claims OUTPUT_FOLDER
 //

@@ -5,7 +5,7 @@
 
 namespace endmill {
 
-/// What the text of the paper concludes from its tables, as shares.
+/// The conclusions in the paper's text from its tables, as shares.
 /// Source: [KimChoi, sections 6 and 7, abstract].
 struct StatedSavings {
     double points_between_directions;   ///< mean of nine reductions of NCL: "about 25 %"
@@ -15,7 +15,7 @@ struct StatedSavings {
     bool larger_is_better;  ///< every row falls as the ball grows: "as large as possible"
 };
 
-/// The same means over any tables.
+/// Computes these means from `tables`.
 StatedSavings stated_savings(const EconomyTables& tables);
 
 }  // namespace endmill

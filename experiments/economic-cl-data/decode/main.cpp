@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the printed tables as whole numbers of equal passes and equal points, and counts
-// how often rows without such a structure can be read as well.
+// Interprets the printed tables as whole numbers of equal passes and equal points, and
+// counts how often rows without such a structure have an interpretation too.
 //
 //   economic-cl-data-decode OUTPUT_FOLDER
 //

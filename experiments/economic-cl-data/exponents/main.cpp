@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the tables scale: exponents of points and travel in tolerance and ball, in print
-// and on the fitted nets.
+// Scaling of the tables: exponents of points and travel in tolerance and ball radius, for
+// the printed cells and for the fitted nets.
 //
 //   economic-cl-data-exponents OUTPUT_FOLDER
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 12 of Kim & Choi: the contacts of the path along u joined in cutting order, on a
-// net fitted to the tables; and the figure's caption beside the tables.
+// Figure 12 of Kim & Choi: the contacts of the path along u in cutting order, on a net
+// fitted to the tables; and the figure's caption compared with the tables.
 //
 //   economic-cl-data-figure-12 OUTPUT_FOLDER
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 5 of Kim & Choi says that the cusp between passes varies with the curvature
-// across them and the ball's radius; here is how.
+// Figure 5 of Kim & Choi: the scallop height between passes against the curvature across
+// them and the radius of the ball.
 //
 //   economic-cl-data-figure-5 OUTPUT_FOLDER
 //
@@ -14,7 +14,7 @@ using namespace endmill;
 
 namespace {
 
-// The longest interval at which the balls still meet above the section.
+// The longest interval at which the balls still intersect above the section.
 double longest_interval(const BallCutter& ball, double curvature)
 {
     const double meeting = 2 * ball.radius() / (1 + curvature * ball.radius());

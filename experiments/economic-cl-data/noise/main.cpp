@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rounding does to the printed path interval, eq. (4) of Kim & Choi, on nearly flat
-// sections, in double and in single precision, beside the form that this project uses.
+// Rounding errors of the printed path interval, eq. (4) of Kim & Choi, on nearly flat
+// sections, in double and in single precision, and of the form that this project uses.
 //
 //   economic-cl-data-noise OUTPUT_FOLDER
 //
@@ -20,7 +20,7 @@ namespace {
 constexpr IntervalForm forms[] = {IntervalForm::Printed, IntervalForm::Squares,
                                   IntervalForm::Factors, IntervalForm::Expanded};
 
-// Relative error; unknown where the value is not a number.
+// Relative error; an empty cell if the value is not a number.
 CsvCell relative_error(double value, double truth)
 {
     if (std::isnan(value))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the choices that the paper leaves open are worth: each changed alone, against the
+// Effect of each choice that the paper leaves open: each is changed alone, against the
 // defaults, over the nine cells of a table and direction.
 //
 //   economic-cl-data-policies OUTPUT_FOLDER

@@ -18,16 +18,16 @@ using namespace endmill;
 
 namespace {
 
-constexpr double budget_s = 0.05;  // of a measurement
+constexpr double budget_s = 0.05;  // time of one measurement
 
-// What the exponent is taken in.
+// The quantity whose exponent is computed.
 double size_of(const StudiedPart& part, const std::string& sweep)
 {
     return static_cast<double>(sweep == "triangles" ? part.visibility.map.facets()
                                                     : part.visibility.map.cells());
 }
 
-// A row for each part up to a size, from the smallest to the largest.
+// Adds one row for each part up to the size `most`, in ascending order of size.
 void add_sweep(CsvTable& result, const std::string& sweep, const SetupWork& work,
                const std::vector<StudiedPart>& parts, double most)
 {

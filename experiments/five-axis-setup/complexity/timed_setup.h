@@ -9,14 +9,14 @@
 
 namespace endmill {
 
-/// A step on the way to a setup that is timed.
+/// A timed step of the search for a setup.
 struct SetupWork {
     std::string name;
-    std::function<void(const StudiedPart&)> run;  ///< on a part whose map is there
+    std::function<void(const StudiedPart&)> run;  ///< on a part with its map
 };
 
-/// Visibility at an incidence of 90 degrees, the search in the modes `paper` of both families
-/// and `corrected` of A,B, and that over whole cones in A,B to a gap of 5 %.
+/// Visibility at an incidence of 90 degrees; the search in the modes `paper` (both
+/// families) and `corrected` (A,B); the search over whole cones in A,B to a gap of 5 %.
 std::vector<SetupWork> setup_works();
 
 /// CPU time in s of `work` on one thread, the best within `budget_s`, see cpu_time.h.

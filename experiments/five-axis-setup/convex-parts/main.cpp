@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search over whole cones where its answer is known: convex parts are reached along the
-// shortest great arc between two cells that together see every face.
+// The search over whole cones on convex parts, where the optimum is known: the shortest
+// great arc between two cells that together see every face.
 //
 //   five-axis-setup-convex-parts OUTPUT_FOLDER
 //

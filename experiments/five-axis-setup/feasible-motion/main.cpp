@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures 2, 5 and 6 of Kang & Suh: the feasible tool motion of machines of 3, 4 and 5
-// axes, and what becomes of it where one axis is not limited.
+// Figures 2, 5 and 6 of Kang & Suh: the feasible tool motion of machines with 3, 4 and 5
+// axes, also with one axis not limited.
 //
 //   five-axis-setup-feasible-motion OUTPUT_FOLDER
 //

@@ -16,7 +16,7 @@ using namespace endmill;
 
 namespace {
 
-// The map of one facet alone.
+// The row of the map that belongs to one facet.
 VisibilityMap map_of(const VisibilityMap& all, std::size_t facet)
 {
     VisibilityMap one{1, all.cells()};

@@ -42,7 +42,7 @@ void draw(Experiment& run, const StudiedPart& part, RotaryFamily family,
                                   .title = family_name(family) + ", mode " + mode,
                                   .captions = {range_caption(family, fit)}};
     std::vector<Vec3> nearest;
-    if (mode != "set")  // which does not take these for all that matters
+    if (mode != "set")  // `set` uses all directions of a cone, not these alone
         nearest = nearest_directions(part, fit);
     write_setup_pictures(run, names, part, posed(family, fit), nearest);
 }

@@ -9,19 +9,20 @@
 
 namespace endmill {
 
-/// File name, title and captions of the pictures of a setup.
+/// File name, title and captions of the two pictures of a setup.
 struct SetupPictureNames {
     std::string file;                     ///< FILE-setup.svg and FILE-sphere.svg
-    std::string title;                    ///< above both
+    std::string title;                    ///< title of both
     std::vector<std::string> captions{};  ///< lines below the title
 };
 
-/// The ranges that the pose needs, such as "R1 from -76.4° to 74.6°, R2 from ...".
+/// Text of the ranges of a pose, such as "R1 from -76.4° to 74.6°, R2 from ...".
 std::string range_caption(RotaryFamily family, const FittedPose& fit);
 
 /// Writes FILE-setup.svg, the part in its pose, and FILE-sphere.svg, the required
-/// directions. Facets count as reached at zero as in `reached_at_zero`.
-/// \param marked directions in coordinates of the part, drawn as discs on the sphere.
+/// directions. `reached_at_zero` decides which facets are coloured as reached without a
+/// turn.
+/// \param marked directions in the part's coordinates, drawn as discs on the sphere.
 void write_setup_pictures(Experiment& run, const SetupPictureNames& names,
                           const StudiedPart& part, const ShownSetup& setup,
                           const std::vector<Vec3>& marked);

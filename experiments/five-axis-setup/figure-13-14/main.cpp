@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures 13 and 14 of Kang & Suh: every candidate of the teapot's best poses, and the hulls that
-// give those of A,B.
+// Figures 13 and 14 of Kang & Suh: every candidate of the teapot's best poses, and the
+// hulls from which those of A,B follow.
 //
 //   five-axis-setup-figure-13-14 OUTPUT_FOLDER
 //

@@ -17,8 +17,9 @@ using namespace endmill;
 
 namespace {
 
-// What each axis turns and where it comes in the order of the rotary ones, and where the
-// part sees the tool when it stands at `position` alone; then the same of both together.
+// For each axis: what it turns, its number among the rotary axes, and the tool direction
+// in the part's frame when this axis alone is at `position`; then the tool direction with
+// both axes at `position`.
 void add_machine(CsvTable& table, const std::string& row, const Machine& machine,
                  double position)
 {

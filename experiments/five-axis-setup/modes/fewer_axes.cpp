@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-// As a sine: how far rounding takes centres off a circle of the grid's symmetry.
+// Sine of the largest distance of a centre from its circle of symmetry, by rounding.
 constexpr double on_circle = 1e-9;
 
 CsvCell count(std::size_t number)

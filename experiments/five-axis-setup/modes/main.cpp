@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the nearest cells of Kang & Suh cost: their least area beside the least over whole
-// cones, which is certified; and what machines of fewer axes do with the teapot.
+// Cost of the nearest-cell approximation of Kang & Suh: its least area against the
+// certified optimum over whole cones; and the reach of machines with fewer axes on the
+// teapot.
 //
 //   five-axis-setup-modes OUTPUT_FOLDER
 //
@@ -33,7 +34,7 @@ std::string row_name(std::string family, const std::string& at,
     return family.append(at).append(", ").append(objective);
 }
 
-// Machines of fewer axes. With four, also about the line from handle to spout.
+// Machines with three axes, and with four, also about the line from handle to spout.
 void add_fewer_axes(CsvTable& result, const std::string& at, const StudiedPart& part,
                     Experiment& run)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much work the groups and nearest cells of Kang & Suh save on the teapot, what its cones
-// hold, and what other tessellations of it have.
+// Savings by the groups and nearest cells of Kang & Suh on the teapot, and the sizes of
+// the cones for the teapot and for other tessellations of it.
 //
 //   five-axis-setup-savings OUTPUT_FOLDER
 //

@@ -8,23 +8,23 @@
 
 namespace endmill {
 
-/// What the paper's two groups and its one cell a cone save, means over all cells as tool axis.
-/// Source: [KangSuh, eq. (3), (4)].
+/// Savings by the paper's two groups of facets and by one cell for each cone: means over
+/// all cells as tool axis. Source: [KangSuh, eq. (3), (4)].
 struct SetupSavings {
-    double group_1_percent;     ///< facets that need no rotary motion
-    double group_2_mean;        ///< the others, by number
-    double nearest_cells_mean;  ///< different cells that represent these
+    double group_1_percent;     ///< share of facets that need no rotary motion
+    double group_2_mean;        ///< number of the other facets
+    double nearest_cells_mean;  ///< number of different cells that represent these
 };
 
 /// The savings on this part. \pre it has a facet, and the grid a cell.
 SetupSavings setup_savings(const StudiedPart& part);
 
-/// What the cones hold: facets, empty_cones, accessible_entries.
+/// Sizes of the cones: facets, empty_cones, accessible_entries.
 NamedCells cone_cells(const StudiedPart& part);
 
-/// What the paper's method saves: group_1_percent, group_2_mean, nearest_cells_mean; and
-/// left_by_best_direction, the facets that no single direction reaches with all others, and
-/// ca_paper_area_deg2, the least area of C,A in the mode `paper`.
+/// Savings of the paper's method: group_1_percent, group_2_mean, nearest_cells_mean;
+/// left_by_best_direction, the number of facets that the best single direction does not
+/// reach; and ca_paper_area_deg2, the least area of C,A in the mode `paper`.
 NamedCells saving_cells(const StudiedPart& part);
 
 }  // namespace endmill

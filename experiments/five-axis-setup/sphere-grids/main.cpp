@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 12 of Kang & Suh is all that is known of their 1200 cells: spheres that have as many,
-// and how even they are.
+// Spheres with about 1200 cells and their uniformity. Figure 12 of Kang & Suh is all that
+// is known of their own sphere.
 //
 //   five-axis-setup-sphere-grids OUTPUT_FOLDER
 //

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures 11 and 12 of Kang & Suh in numbers: the best setups of the teapot by the paper's
-// algorithms and by their corrected form, on grids of about 1200 cells.
+// Figures 11 and 12 of Kang & Suh in numbers: the best setups of the teapot by the
+// paper's algorithms and by their corrected form, on grids of about 1200 cells.
 //
 //   five-axis-setup-teapot-grids OUTPUT_FOLDER
 //

@@ -10,12 +10,12 @@
 
 namespace endmill {
 
-/// A search over the tool axes at cells, by the words of a params.json.
+/// A search over the tool axes at cells, named as in params.json.
 struct NamedSearch {
     std::string family;  ///< CA or AB
-    std::string mode;    ///< of setup_mode.h
+    std::string mode;    ///< name of a SetupMode
 
-    /// Without limits. \throws DomainError for an unknown word.
+    /// Searches without limits. \throws DomainError for an unknown name.
     PoseSearchResult operator()(const StudiedPart& part) const;
 
     std::string label() const { return family + ", " + mode; }  ///< for rows
@@ -25,16 +25,16 @@ struct NamedSearch {
 std::vector<NamedSearch> named_searches(const std::vector<std::string>& families,
                                         const std::vector<std::string>& modes);
 
-/// Columns of `search_cells`, behind `row`.
+/// Columns of `search_cells`, after `row`.
 std::vector<std::string> search_columns();
 
-/// What the search finds: the pose of least area, what it needs, the poses skipped, and in A,B
-/// true_area_deg2: what the pose needs with all that represents the cones, not only with what
-/// the mode looked at.
+/// Result of the search: the pose of least area, its ranges, the number of poses skipped,
+/// and in A,B true_area_deg2: the area that the pose needs for all nearest directions,
+/// not only for those that the mode considers.
 NamedCells search_cells(const StudiedPart& part, const NamedSearch& search);
 
-/// The search on a part that was moved: its least area, and by how much it differs from that
-/// of the part, relatively. \pre both have a pose.
+/// Result of the search on a moved part: its least area, and its relative difference from
+/// that of the part. \pre both have a pose.
 NamedCells moved_cells(const StudiedPart& part, const StudiedPart& moved_part,
                        const NamedSearch& search);
 

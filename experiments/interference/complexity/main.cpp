@@ -18,7 +18,7 @@ using namespace endmill;
 
 namespace {
 
-constexpr double budget_s = 0.05;  // of a measurement
+constexpr double budget_s = 0.05;  // time of one measurement
 
 // The parabola z = x^2 / (2 p), whose offset by a ball of radius above p has one loop.
 OffsetProfile parabola(double p, double from, double to, double radius)
@@ -38,7 +38,7 @@ std::vector<PlaneSection> section_of(SectionCurve curve)
     return sections;
 }
 
-// Method 3 by scan takes the product of the points on two branches.
+// The time of method 3 by scan grows with the product of the points on two branches.
 bool is_too_slow(const TimedMethod& timed, double points, double most_by_scan)
 {
     return timed.label == "3 scan" && points > most_by_scan;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How many curves each trimming method gets wrong, held to the segments of the curves.
+// Number of curves that each trimming method gets wrong, judged by the segments of the
+// curves.
 //
 //   interference-correctness OUTPUT_FOLDER
 //
@@ -20,7 +21,7 @@ CsvCell count_cell(std::size_t count)
     return static_cast<std::int64_t>(count);
 }
 
-// Adds the results of all methods on a family, and below them the results stated in
+// Adds the counts of a family, and below them the reference counts of
 // docs/mathematics/interference.md, section 9.
 class FamilyTable {
 public:
@@ -37,7 +38,7 @@ public:
         add_stated(name, stated);
     }
 
-    // The same of methods as printed but for one sentence: that + - + is a twist.
+    // The methods as printed, without the sentence that + - + is a twist.
     void add_without_three_runs(const std::string& name,
                                 std::span<const TrimmingTrial> trials,
                                 const std::string& stated)

@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-// The limit of a right result, and the step of method 1.
+// Tolerances of a right result, and the step and threshold of method 1.
 // Source: docs/mathematics/interference.md, section 9.
 constexpr double scan_threshold_in_steps = 8;
 

@@ -15,7 +15,7 @@ std::vector<TrimmingTrial> wavy_trials(int points);
 /// The convex profiles for `points`. \throws DomainError as `convex_profiles`.
 std::vector<TrimmingTrial> convex_trials(int points);
 
-/// The section curves of an offset, but for those of fewer than four points.
+/// The section curves of an offset, without those of fewer than four points.
 std::vector<TrimmingTrial> section_trials(const SectionPlan& plan);
 
 }  // namespace endmill

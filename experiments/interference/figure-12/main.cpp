@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 12 of Jang, Kim and Jeong: a surface and its ball offset together; and how much of
-// the offset is folded over, which is what trimming is about.
+// Figure 12 of Jang, Kim and Jeong: a surface with its ball offset, and the folded share
+// of the offset, which trimming removes.
 //
 //   interference-figure-12 OUTPUT_FOLDER
 //
@@ -25,7 +25,7 @@ constexpr LineStyle offset_style{"#1d4f91", 0.9, ""};
 
 using Lines = std::vector<std::vector<Vec3>>;
 
-// Sections in space, of every so many planes, for lines that can be told apart.
+// Sections in space of every n-th plane, so that the lines are distinct.
 Lines drawn_lines(const DrivePlanes& planes, std::span<const PlaneSection> sections,
                   std::size_t every)
 {
@@ -61,7 +61,7 @@ std::string drawing(const Lines& part, const Lines& offset, const std::string& c
     return picture.text();
 }
 
-// Triangles that face down: sheets of an offset face up but where they are folded over.
+// Share of triangles that face down: an offset faces up except where it folds over.
 std::int64_t turned_triangles(const TriangleMesh& mesh)
 {
     std::int64_t count = 0;
@@ -72,8 +72,8 @@ std::int64_t turned_triangles(const TriangleMesh& mesh)
     return count;
 }
 
-// Contacts at which one curvature radius is concave and below the ball's: there, and only
-// there, the offset runs against the surface.
+// Share of contacts with exactly one concave radius of curvature below the ball's. There,
+// and only there, the orientation of the offset is reversed.
 std::int64_t tight_contacts(const OffsetMesh& offset, const Surface& part, double radius)
 {
     std::int64_t count = 0;

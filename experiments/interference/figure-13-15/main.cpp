@@ -37,8 +37,8 @@ std::size_t points_of(std::span<const TrimmedCurve> curves)
     return count;
 }
 
-// The stretches of `points` within `reach` of `middle` in both coordinates; of two points
-// at least.
+// The stretches of `points` within `reach` of `middle` in both coordinates, with at least
+// two points.
 template <typename Point, typename At>
 std::vector<std::vector<Point>> near(const std::vector<Point>& points, const At& at,
                                      const SectionPoint& middle, double reach)
@@ -55,7 +55,7 @@ std::vector<std::vector<Point>> near(const std::vector<Point>& points, const At&
     return stretches;
 }
 
-// Between the places of all cuts.
+// The middle of all cuts.
 std::optional<SectionPoint> middle_of(std::span<const CutOut> cuts)
 {
     SectionPoint sum{0, 0};
@@ -68,7 +68,7 @@ std::optional<SectionPoint> middle_of(std::span<const CutOut> cuts)
     return count > 0 ? std::optional<SectionPoint>{sum / count} : std::nullopt;
 }
 
-// What there is of the curves within `reach` mm of `middle`.
+// The parts of the curves within `reach` mm of `middle`.
 std::string detail(std::span<const SectionCurve> curves, const Trimmed& trimmed,
                    const SectionPoint& middle, double reach, const FigureOptions& figure)
 {
@@ -87,14 +87,14 @@ std::string detail(std::span<const SectionCurve> curves, const Trimmed& trimmed,
     return section_svg({before, after}, figure);
 }
 
-// A figure of the paper and the section that stands for it.
+// A figure of the paper and the section that represents it.
 struct PlaneFigure {
     std::string number;
     double feed_deg;
     std::size_t plane;
 };
 
-// For people: to 1e-4 mm.
+// Rounds to 1e-4 mm for the captions.
 double rounded(double length)
 {
     constexpr double parts_a_mm = 1e4;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 18 of Jang, Kim and Jeong: the offset after trimming; and how far the ball's centre
-// is from the part along what is left, which the paper does not say.
+// Figure 18 of Jang, Kim and Jeong: the offset after trimming; and the distance of the
+// ball's centre from the part along the result, which the paper does not print.
 //
 //   interference-figure-18 OUTPUT_FOLDER
 //
@@ -20,11 +20,11 @@ using namespace endmill;
 
 namespace {
 
-constexpr int paper_grid = 200;  // contacts along each parameter, where none is named
+constexpr int paper_grid = 200;  // contacts along each parameter by default
 
 using PlaneCurvesInSpace = std::vector<std::vector<Vec3>>;
 
-// An offset, cut by planes, and what is known of the part.
+// An offset with its sections, and the part's surface.
 struct Case {
     OffsetSections offset;
     std::vector<Surface> part;
@@ -76,8 +76,8 @@ std::vector<PlaneCurvesInSpace> trimmed(const Case& the, const std::string& meth
     return result;
 }
 
-// Adds the smallest distance of the ball's centre from the part, and in how many planes it
-// is too small.
+// Adds the smallest distance of the ball's centre from the part, and the number of planes
+// in which it is too small.
 void add_distance(Experiment& run, CsvTable& result, const Case& the,
                   const std::string& label, const std::vector<PlaneCurvesInSpace>& planes)
 {
@@ -103,7 +103,8 @@ void add_distance(Experiment& run, CsvTable& result, const Case& the,
 std::string drawing(const std::vector<PlaneCurvesInSpace>& planes,
                     const std::string& title)
 {
-    constexpr std::size_t every = 2;  // planes, for lines that can be told apart
+    constexpr std::size_t every =
+        2;  // draw every second plane, so that the lines are distinct
     PlaneCurvesInSpace curves;
     for (std::size_t k = 0; k < planes.size(); k += every)
         curves.insert(curves.end(), planes[k].begin(), planes[k].end());

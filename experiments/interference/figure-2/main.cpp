@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 2 of Jang, Kim and Jeong: the ball's offset used for another cutter leaves stock,
-// or gouges, by how much: closed forms beside the removal by cutters on that path.
+// Figure 2 of Jang, Kim and Jeong: the ball's offset used for another cutter leaves stock
+// or gouges. Closed forms, and the removal by cutters on that path.
 //
 //   interference-figure-2 OUTPUT_FOLDER
 //
@@ -18,23 +18,23 @@ using namespace endmill;
 
 namespace {
 
-// Which point of the cutter follows that of the ball.
+// The point of the cutter that follows that of the ball.
 enum class Equated { References, Tips };
 
-// The lowest point of the cutter above its tip's place, when the ball's centre is at 0.
+// Height of the cutter's tip relative to the ball's centre.
 double tip_height(const Cutter& cutter, Equated equated)
 {
     return equated == Equated::References ? -cutter.corner_radius() : -cutter.radius();
 }
 
-// A profile across which the ball's centre has gone, in the direction of a slope.
+// A profile along which the ball's centre moved, in the direction of a slope.
 struct Slope {
     double sine;
     double cosine;
 };
 
-// How far the cutter's body reaches beyond the ball's centre, against the normal of `slope`,
-// in mm: over `samples` of its lower outline.
+// Largest extent of the cutter's body from the ball's centre against the normal of
+// `slope`, in mm, over `samples` of its lower outline.
 double reach(const Cutter& cutter, Equated equated, const Slope& slope, int samples)
 {
     double farthest = -std::numeric_limits<double>::infinity();
@@ -46,8 +46,9 @@ double reach(const Cutter& cutter, Equated equated, const Slope& slope, int samp
     return farthest;
 }
 
-// What is left, positive, or cut too deep on a plane of `slope`: the lowest outline over
-// all places of the cutter on the ball's path, above one point of the plane.
+// Remaining stock (positive) or gouge (negative) on a plane of `slope`: the lowest
+// outline over all positions of the cutter on the ball's path, above one point of the
+// plane.
 double left_on_plane(const Cutter& cutter, Equated equated, const Slope& slope,
                      int samples)
 {
@@ -63,8 +64,8 @@ double left_on_plane(const Cutter& cutter, Equated equated, const Slope& slope,
     return lowest * slope.cosine;
 }
 
-// The same in a round valley, at equal slopes: the ball's centre runs on a circle of
-// radius `valley` - R, and the removed part reaches so far in the normal's direction.
+// The same in a round valley at equal slopes. The ball's centre moves on a circle of
+// radius `valley` - R; the extent of the body is measured along the normal.
 double left_in_valley(const Cutter& cutter, Equated equated, const Slope& slope,
                       double valley, int samples)
 {

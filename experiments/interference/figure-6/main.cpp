@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 6 of Jang, Kim and Jeong: what makes an offset interfere, one profile for each
-// cause, before and after trimming.
+// Figure 6 of Jang, Kim and Jeong: the causes of interference, one profile for each,
+// before and after trimming.
 //
 //   interference-figure-6 OUTPUT_FOLDER
 //
@@ -40,7 +40,7 @@ std::vector<SectionPoint> outline(const OffsetProfile& profile, int points)
     return line;
 }
 
-// The curve as it is, for a judge of results.
+// The untrimmed curve as a result, so that its quality can be measured.
 Trimmed untrimmed(const SectionCurve& curve)
 {
     Trimmed result;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figure 9 of Jang, Kim and Jeong: on a surface askew to the drive planes, what need not be
-// looked at.
+// Figure 9 of Jang, Kim and Jeong: range culling on a surface oblique to the drive
+// planes.
 //
 //   interference-figure-9 OUTPUT_FOLDER
 //
@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::int64_t triangles_a_cell = 2;
 
-// Range of t that something takes up, in mm.
+// The range of t of an object, in mm.
 struct Extent {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ struct Extent {
     }
 };
 
-// How often a plane meets one of `extents`.
+// Number of pairs of a plane and an extent that meet.
 std::int64_t meetings(const std::vector<Extent>& extents, const DrivePlanes& planes)
 {
     std::int64_t count = 0;
@@ -41,7 +41,7 @@ std::int64_t meetings(const std::vector<Extent>& extents, const DrivePlanes& pla
     return count;
 }
 
-// Of each cell of the grid: two triangles, one after the other.
+// Extents of the cells of the grid; a cell has two consecutive triangles.
 std::vector<Extent> cell_extents(const OffsetSections& offset)
 {
     const TriangleMesh& mesh = offset.offset.mesh;
@@ -52,7 +52,7 @@ std::vector<Extent> cell_extents(const OffsetSections& offset)
     return extents;
 }
 
-// Of each strip between neighbouring lines u = const of a surface over [0, 1].
+// Extents of the strips between neighbouring lines u = const of a surface over [0, 1].
 std::vector<Extent> strip_extents(const OffsetSections& offset, int grid_lines)
 {
     const TriangleMesh& mesh = offset.offset.mesh;

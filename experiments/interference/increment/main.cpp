@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the step and the threshold of method 1 are worth: crossings found and missed, lines
-// scanned, error, and time beside method 2, on the first literal folds of sections.
+// Effect of step and threshold of method 1 on the first literal folds of sections:
+// crossings found and missed, scanned lines, error, and time relative to method 2.
 //
 //   interference-increment OUTPUT_FOLDER
 //
@@ -21,8 +21,8 @@ using namespace endmill;
 
 namespace {
 
-constexpr double threshold_in_steps = 4;  // of the second half of the table
-constexpr double budget_s = 0.03;         // of a measurement
+constexpr double threshold_in_steps = 4;  // in the columns ..._at_4
+constexpr double budget_s = 0.03;         // time of one measurement
 
 double search_s(const std::vector<FoldToSearch>& folds, CrossingSearch* search,
                 const TrimmingOptions& options)
@@ -80,7 +80,7 @@ void add_feed(CsvTable& result, const std::string& feed, const OffsetSections& o
     }
 }
 
-// The values stated in docs/mathematics/interference.md for the feed along x, one step a row.
+// The reference numbers for the feed along x, one row for each step.
 void add_stated(Experiment& run, CsvTable& result, const std::vector<double>& steps)
 {
     for (const double step : steps) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Table 1 of Jang, Kim and Jeong: the times of the three methods at 50 and 100 planes, what
-// the printed ones support, and what ours are on a part of our own.
+// Table 1 of Jang, Kim and Jeong: the times of the three methods at 50 and 100 planes,
+// the conclusions that the printed times support, and our times on a part of this
+// project.
 //
 //   interference-table-1 OUTPUT_FOLDER
 //
@@ -20,14 +21,14 @@ using namespace endmill;
 namespace {
 
 constexpr double ms = 1e3;
-constexpr double budget_s = 0.01;         // of a measurement
+constexpr double budget_s = 0.01;         // time of one measurement
 constexpr double threshold_in_steps = 4;  // of method 1
 constexpr double rounding_s = 0.5;        // of the printed seconds
-// What t(100 planes) / t(50 planes) may be and still be called proportional.
+// Range of t(100 planes) / t(50 planes) that counts as proportional.
 constexpr double proportional_low = 1.7;
 constexpr double proportional_high = 2.3;
 
-// The same offset cut by all planes and by half of them.
+// The sections of one offset by all planes and by half of them.
 struct Sliced {
     std::vector<PlaneSection> all;
     std::vector<PlaneSection> half;
@@ -60,13 +61,14 @@ bool is_proportional(double ratio)
     return proportional_low <= ratio && ratio <= proportional_high;
 }
 
-// Trimming the sections by all planes, and by half of them.
+// Times to trim the sections by all planes, and by half of them.
 struct TrimTime {
     double all_s = std::numeric_limits<double>::infinity();
     double half_s = std::numeric_limits<double>::infinity();
 };
 
-// The methods take turns, so that whatever else the machine does befalls all of them.
+// The methods are measured alternately, so that other processes disturb all of them
+// equally.
 std::vector<TrimTime> shortest(const Sliced& sliced,
                                const std::vector<TimedMethod>& methods)
 {
@@ -86,7 +88,7 @@ CsvCell word(bool holds)
     return holds ? "yes" : "no";
 }
 
-// Those of a method, and at all planes that of method 2.
+// The times of a method, and the time of method 2 at all planes.
 struct TimesOfMethod {
     TrimTime own;
     double by_lines_s;
@@ -115,7 +117,7 @@ void add_times(CsvTable& result, const std::string& row, const Sliced& sliced,
                     {}});
 }
 
-// The number of the method that takes least, of those that are printed.
+// The number of the fastest method among the printed ones.
 std::string fastest(const std::vector<TimedMethod>& methods,
                     const std::vector<TrimTime>& times)
 {
@@ -156,7 +158,7 @@ void add_measured(Experiment& run, CsvTable& result, double feed)
     result.add_row(last);
 }
 
-// The range of a / b, both rounded.
+// Range of a / b when both are rounded.
 void add_printed(CsvTable& result, const std::string& row, double a, double b)
 {
     std::vector<CsvCell> cells(result.columns().size());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the simulation measures against closed forms, as its rays and cells grow finer.
+// Measurements of the simulation against closed forms, for finer and finer rays and
+// cells.
 //
 //   verification-convergence OUTPUT_FOLDER
 //
@@ -13,7 +14,7 @@ using namespace endmill;
 
 namespace {
 
-// Value, how far off, the bound, and whether it holds.
+// Adds value, error, error bound, and whether the bound holds.
 void add_cells(std::vector<CsvCell>& cells, const ClosedForm& form,
                const MeasuredValue& measured)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paths of Kim & Choi and verified ones over all surfaces, judged by what their straight
-// motions leave.
+// Paths by the planner of Kim & Choi and by verified planning over all surfaces, judged
+// by the material that their straight motions leave.
 //
 //   verification-paths-judged OUTPUT_FOLDER
 //

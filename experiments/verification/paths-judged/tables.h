@@ -8,11 +8,12 @@
 
 namespace endmill {
 
-/// An empty table of judged paths: `row` first, a column for each measure of `JudgedPath`.
+/// An empty table of judged paths: column `row`, then one column for each measure of
+/// `JudgedPath`.
 CsvTable judged_table();
 
-/// Plans over `surface` along u and v, as the paper and verified, with the tolerance that
-/// `plan` takes by default for this ball, and appends the four judged paths.
+/// Plans over `surface` along u and v by both planners, judges the four paths and appends
+/// them. The tolerance is the default of `plan` for this ball.
 /// \param name of the surface, for the labels.
 void add_judged_paths(CsvTable& table, const std::string& name, const Surface& surface,
                       const BallCutter& ball);

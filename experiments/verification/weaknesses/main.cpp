@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the path of Kim & Choi over the default net falls short of its own tolerances, beside
-// what an earlier study outside this library found.
+// Defects of the path of Kim & Choi over the default net, with the results of an earlier
+// independent implementation beside them.
 //
 //   verification-weaknesses OUTPUT_FOLDER
 //
@@ -13,7 +13,7 @@ using namespace endmill;
 
 namespace {
 
-// The stated number of the row; unknown if none was.
+// The reference number of the row; an empty cell if there is none.
 CsvCell stated(const std::vector<std::string>& rows, const std::vector<double>& numbers,
                const std::string& row)
 {
