@@ -13,7 +13,7 @@ namespace endmill {
 /// \file
 /// Numbers to and from text, and text for messages.
 
-/// The shortest decimal text that reads back to the same double, with `.` as decimal sign.
+/// The shortest decimal text that reads back to the same double, with a point as decimal sign.
 /// \pre `value` is finite. Minus zero is written as "0".
 std::string to_text(double value);
 

@@ -32,14 +32,14 @@ struct ToolLimits {
 
 /// A cutter with its shank, its holder and its properties, as a tool file describes it.
 struct Tool {
-    Cutter cutter;
-    std::string name = {};
+    Cutter cutter;                    ///< the shape that cuts
+    std::string name = {};            ///< for reports; may be empty
     std::optional<int> flutes = {};   ///< number of flutes, if known
     std::optional<Angle> helix = {};  ///< helix angle between flutes and axis, if known
     double length = 0;                ///< mm, from the tip to the spindle nose
-    ToolLimits limits = {};
-    std::vector<ToolCylinder> shank = {};
-    std::vector<ToolCylinder> holder = {};
+    ToolLimits limits = {};           ///< greatest loads, if known
+    std::vector<ToolCylinder> shank = {};   ///< cylinders between cutter and holder
+    std::vector<ToolCylinder> holder = {};  ///< cylinders of the tool holder
 };
 
 /// Checks a tool.

@@ -10,7 +10,8 @@
 
 #include "endmill/deviation/part_charts.h"
 
-/// \file The deviation of a machined surface from the part, and the verdict on it.
+/// \file
+/// The deviation of a machined surface from the part, and the verdict on it.
 /// `deviation_in_block` and `verify_path` of the module `verification` measure it.
 
 namespace endmill {

@@ -14,7 +14,8 @@
 #include "endmill/surface/part.h"
 #include "endmill/surface/surface_jet.h"
 
-/// \file The part as a set of charts, cut into cells with a measuring ray each. A chart
+/// \file
+/// The part as a set of charts, cut into cells with a measuring ray each. A chart
 /// is a patch of a surface or a triangle of a mesh.
 
 namespace endmill {

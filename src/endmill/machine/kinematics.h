@@ -22,10 +22,10 @@ namespace endmill {
 /// The directions of tool and rotary axes while all axes are at zero. They may be given
 /// in the machine's own frame, or in the frame of a part that stands on the machine.
 struct RotaryFrame {
-    RotaryFamily family;
-    Vec3 tool_axis;  ///< unit: C, from the part towards the spindle
-    Vec3 r1_axis;    ///< unit; C,A: equal to the tool axis; A,B: perpendicular to it
-    Vec3 r2_axis;    ///< unit, perpendicular to the tool axis and, in A,B, to R1
+    RotaryFamily family;  ///< relation of the rotary axes to the tool axis
+    Vec3 tool_axis;       ///< unit: C, from the part towards the spindle
+    Vec3 r1_axis;         ///< unit; C,A: equal to the tool axis; A,B: perpendicular to it
+    Vec3 r2_axis;         ///< unit, perpendicular to the tool axis and, in A,B, to R1
 };
 
 /// The two turns that bring the tool into a direction.
@@ -67,7 +67,7 @@ double distance_from_singular(const RotaryFrame& frame, const Vec3& direction);
 
 /// The geometry and travel of a machine.
 struct Machine {
-    MachineConfiguration configuration = {};
+    MachineConfiguration configuration = {};  ///< axes and what each of them carries
     double pivot =
         0;  ///< mm, from the point where the tool-side axes meet to the spindle nose
     Vec3 table_offset{0, 0, 0};  ///< mm, the point where the part-side axes meet
@@ -81,7 +81,7 @@ using RotaryPositions = std::array<double, 2>;
 
 /// Positions of all axes of a machine.
 struct AxisPositions {
-    RotaryPositions rotary{0, 0};
+    RotaryPositions rotary{0, 0};  ///< rad
     Vec3 xyz{0, 0, 0};  ///< mm, the tip against the bed, whichever slides move it
 };
 

@@ -19,7 +19,7 @@ using SectionPoint = Eigen::Vector2d;
 /// consecutive points are different.
 struct SectionCurve {
     std::vector<SectionPoint> points;  ///< in their order
-    bool is_closed = false;
+    bool is_closed = false;            ///< the last point repeats the first
 };
 
 /// An edge of a mesh that a plane t = c crosses, directed from the vertex with t <= c to

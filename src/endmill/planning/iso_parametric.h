@@ -10,7 +10,8 @@
 #include "endmill/planning/planner_options.h"
 #include "endmill/surface/surface.h"
 
-/// \file The planner of the paper: passes along iso-parametric lines, with step lengths
+/// \file
+/// The planner of the paper: passes along iso-parametric lines, with step lengths
 /// and path intervals from circles of curvature.
 
 namespace endmill {

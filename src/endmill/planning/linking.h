@@ -11,7 +11,8 @@
 #include "endmill/path/tool_path.h"
 #include "endmill/trimming/trimming.h"
 
-/// \file Joins passes on surfaces, and trimmed curves in drive planes, to one tool path.
+/// \file
+/// Joins passes on surfaces, and trimmed curves in drive planes, to one tool path.
 /// A link is either a straight move at cutting feed, or a retract, a rapid at the safe
 /// height and a plunge.
 

@@ -7,7 +7,8 @@
 #include "endmill/path/tool_path.h"
 #include "endmill/surface/surface.h"
 
-/// \file Measures how far the straight moves of an iso-parametric path deviate from the
+/// \file
+/// Measures how far the straight moves of an iso-parametric path deviate from the
 /// lines of the surface that they replace. The chord error compares contacts with the
 /// line, as the paper does; the motion error compares the swept ball with the line.
 

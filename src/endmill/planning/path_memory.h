@@ -3,7 +3,8 @@
 
 #include <cstddef>
 
-/// \file Relates the number of points of a path to the memory that planning and writing
+/// \file
+/// Relates the number of points of a path to the memory that planning and writing
 /// it needs.
 
 namespace endmill {

@@ -61,15 +61,17 @@ enum class CrossCurvature {
 /// Options of plan_iso_parametric. The paper leaves the choices open that are enums here;
 /// docs/mathematics/economic-cl-data.md, section 7, gives reasons for the defaults.
 struct IsoParametricOptions {
-    Parameter direction = Parameter::U;  ///< the parameter that varies along a pass
-    double chord_tolerance = 0.5;        ///< delta, mm
-    double scallop_height = 0.5;         ///< h, mm
-    Governing governing = Governing::Min;
-    LastPath last_path = LastPath::Border;
-    EndPoint end_point = EndPoint::Force;
-    bool stop_at_borders = false;  ///< put a CL point on every patch border
+    Parameter direction = Parameter::U;     ///< the parameter that varies along a pass
+    double chord_tolerance = 0.5;           ///< delta, mm
+    double scallop_height = 0.5;            ///< h, mm
+    Governing governing = Governing::Min;   ///< contact that sets the path interval
+    LastPath last_path = LastPath::Border;  ///< end of the sequence of passes
+    EndPoint end_point = EndPoint::Force;   ///< end of a pass
+    bool stop_at_borders = false;           ///< put a CL point on every patch border
+    /// Curvature in the formula of the step length.
     StepCurvature step_curvature = StepCurvature::Curve;
-    March march = March::Forward;
+    March march = March::Forward;  ///< direction in which a pass is computed
+    /// Curvature in the formula of the path interval.
     CrossCurvature cross_curvature = CrossCurvature::Exact;
     double cross_step = 0.5;  ///< epsilon of eq. (7), mm; for CrossCurvature::Chord
     LinkOptions link = {};    ///< order of the passes, tool axis, safe height

@@ -10,7 +10,8 @@
 #include "endmill/planning/planner_options.h"
 #include "endmill/surface/surface.h"
 
-/// \file The planner whose path keeps its tolerances everywhere on the surface, proved by
+/// \file
+/// The planner whose path keeps its tolerances everywhere on the surface, proved by
 /// bounds.
 
 namespace endmill {

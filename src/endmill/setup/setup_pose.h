@@ -112,8 +112,8 @@ PoseRanges pose_ranges(RotaryFamily family, const FittedPose& fit);
 
 /// Evaluates an objective. The value does not decrease when a range grows.
 struct PoseMeasure {
-    RotaryFamily family = RotaryFamily::CA;
-    SetupObjective objective = SetupObjective::FlooredArea;
+    RotaryFamily family = RotaryFamily::CA;                  ///< of the machine
+    SetupObjective objective = SetupObjective::FlooredArea;  ///< what to evaluate
     double floor_rad = 5.9 * std::numbers::pi / 180;  ///< floor of FlooredArea, above 0
 
     /// The objective of these ranges: rad^2 for FlooredArea, else rad. Relative error
@@ -144,7 +144,7 @@ enum class SetupMode {
 /// What a mode tries at a given tool axis and how it compares limits. Each mode is one
 /// enumerator and one row of a table of these rules.
 struct SetupRules {
-    SetupMode mode;
+    SetupMode mode;                 ///< the mode that these rules describe
     std::string_view name;          ///< the word of the command line: "paper", "set", ...
     bool has_wide_sectors;          ///< C,A: C may turn by 180 degrees or more
     bool takes_hull_vertices_only;  ///< A,B: beta is taken over the hull's vertices only
@@ -163,9 +163,9 @@ std::optional<SetupMode> setup_mode(std::string_view name);
 /// Options of the fits and searches whose tool axes are given: `pose_fit` and
 /// `pose_search`.
 struct PoseFitOptions {
-    RotaryFamily family = RotaryFamily::CA;
-    SetupMode mode = SetupMode::Paper;  ///< any but `WholeCones`
-    RotaryLimits limits{};              ///< turns of the tool against the part
+    RotaryFamily family = RotaryFamily::CA;  ///< of the machine
+    SetupMode mode = SetupMode::Paper;       ///< any but `WholeCones`
+    RotaryLimits limits{};                   ///< turns of the tool against the part
 
     /// A,B: the first rotary axis is B, so that r2 = r1 x C; otherwise r2 = C x r1.
     bool is_b_first = false;

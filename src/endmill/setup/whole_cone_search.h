@@ -28,8 +28,8 @@ struct WholeConeSearchProgress {
 
 /// Options of a search over whole cones.
 struct WholeConeSearchOptions {
-    RotaryFamily family = RotaryFamily::CA;
-    SetupObjective objective = SetupObjective::FlooredArea;
+    RotaryFamily family = RotaryFamily::CA;                  ///< of the machine
+    SetupObjective objective = SetupObjective::FlooredArea;  ///< what becomes least
     double floor_rad =
         5.9 * std::numbers::pi / 180;  ///< of FlooredArea, > 0: a cell of 1200
 

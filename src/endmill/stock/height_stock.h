@@ -8,7 +8,8 @@
 
 #include "endmill/core/vec.h"
 
-/// \file The stock as a height field: a grid of square cells with one height at the
+/// \file
+/// The stock as a height field: a grid of square cells with one height at the
 /// centre of each. The functions at the end estimate the memory that a stock takes and
 /// choose a pitch that fits.
 

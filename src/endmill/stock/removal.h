@@ -25,7 +25,7 @@ struct RemovalOptions {
 
 /// Number, first and depth of the moves that share a property, such as rapids that cut.
 struct MoveCount {
-    std::size_t count = 0;
+    std::size_t count = 0;  ///< how many moves
     /// Number of the point to which the first leads.
     std::optional<std::size_t> first = {};
     double deepest = 0;  ///< mm, greatest depth of all of them

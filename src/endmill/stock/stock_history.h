@@ -11,7 +11,8 @@
 #include "endmill/path/tool_path.h"
 #include "endmill/stock/height_stock.h"
 
-/// \file The moves that shaped a stock. The heights of a stock say nothing about the
+/// \file
+/// The moves that shaped a stock. The heights of a stock say nothing about the
 /// surface between the centres of its cells; a block with the moves through it describes
 /// the stock exactly.
 
@@ -19,7 +20,7 @@ namespace endmill {
 
 /// The moves of an earlier run through the stock.
 struct EarlierRun {
-    Cutter cutter;
+    Cutter cutter;  ///< the shape that cut
     /// Whether the cutter came down at the first tip and cleared its volume there.
     bool stands_at_first;
     std::vector<Vec3> tips;  ///< mm, joined by straight moves; the axis is +z

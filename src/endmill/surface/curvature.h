@@ -45,8 +45,8 @@ double normal_curvature(const FundamentalForms& forms, const TangentVector& unit
 
 /// Principal curvatures in 1/mm, positive where convex.
 struct PrincipalCurvatures {
-    double least;
-    double greatest;
+    double least;     ///< 1/mm
+    double greatest;  ///< 1/mm
 };
 
 /// The principal curvatures: the eigenvalues of the shape operator, H -+ sqrt(H^2 - K).

@@ -19,8 +19,8 @@ struct CutterLimit {
 
 /// The extremes of normal curvature over a surface, in 1/mm, positive where convex.
 struct CurvatureRange {
-    double least;
-    double greatest;
+    double least;     ///< 1/mm
+    double greatest;  ///< 1/mm
 };
 
 /// The extremes of the principal curvatures over all closed patches; curvature may jump

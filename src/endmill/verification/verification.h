@@ -14,7 +14,8 @@
 #include "endmill/surface/part.h"
 #include "endmill/verification/verification_result.h"
 
-/// \file Verification of a 3-axis path: `verify_path` removes the material, measures the
+/// \file
+/// Verification of a 3-axis path: `verify_path` removes the material, measures the
 /// deviation from the part and gives a verdict. The last four functions turn a path with
 /// a fixed tilted axis and its part upright, because removal and measurement need the
 /// axis +z.
@@ -44,8 +45,8 @@ Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutte
 /// The input of `verify_path`. It refers to the part, the path and a kept stock, which
 /// must outlive it.
 struct VerificationTask {
-    const ToolPath* path;  ///< tips along +z; not null
-    Cutter cutter;
+    const ToolPath* path;                 ///< tips along +z; not null
+    Cutter cutter;                        ///< the shape that cuts
     std::vector<ToolCylinder> body = {};  ///< cylinders of shank and holder
     const Part* part = nullptr;           ///< null: only the removal is simulated
     /// The material before the path: a block, or a stock that was kept (not null), such

@@ -9,7 +9,8 @@
 #include "endmill/stock/height_stock.h"
 #include "endmill/stock/removal.h"
 
-/// \file The result of `verify_path`: deviation, removal, contacts of shank and holder
+/// \file
+/// The result of `verify_path`: deviation, removal, contacts of shank and holder
 /// with stock and part, gouges of earlier runs, and the verdict on all of them.
 
 namespace endmill {
@@ -62,8 +63,8 @@ struct EarlierGouge {
 /// has the sweep of a place in `deviation`.
 struct Verification {
     std::optional<Deviation> deviation;  ///< none without a part
-    Removal removal;  ///< its rapid cuts and collisions are those of `contacts`
-    StockContacts contacts;
+    Removal removal;         ///< its rapid cuts and collisions are those of `contacts`
+    StockContacts contacts;  ///< with the stock, by rapids, shank and holder
     std::optional<PartCollisions> part_collisions;  ///< none without a part
     /// Number of moves of earlier runs that were measured with the path; none if the
     /// history of the stock is not known.
@@ -71,7 +72,7 @@ struct Verification {
     /// None if the stock is a block, if its history is known, or if there is no part.
     std::optional<EarlierGouge> earlier_gouge = {};
     HeightStock rest;  ///< the stock after the path
-    Verdict verdict;
+    Verdict verdict;   ///< on all of it, see `verdict_with_contacts`
 };
 
 /// Returns the verdict on the deviation and all contacts of `found`, whose own verdict is

@@ -6,7 +6,8 @@
 #include "endmill/surface/curvature.h"
 #include "endmill/surface/surface.h"
 
-/// \file The section of a surface by the check plane, which stands at a contact across
+/// \file
+/// The section of a surface by the check plane, which stands at a contact across
 /// the feed.
 
 namespace endmill {

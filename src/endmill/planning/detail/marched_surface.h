@@ -3,7 +3,8 @@
 
 #include "endmill/surface/surface.h"
 
-/// \file The planners march along u only. A surface that is planned along v is transposed
+/// \file
+/// The planners march along u only. A surface that is planned along v is transposed
 /// first, and the parameters of the results are exchanged afterwards.
 
 namespace endmill {
