@@ -8,12 +8,12 @@
 
 namespace endmill {
 
-/// The keys of an answer, a line each: "key = value".
+/// One line "key = value" for each key of an answer.
 std::string answer_lines(const Json& answer);
 
-/// What a command does that only answers: prints it as asked, and writes it to summary.json
-/// with --output.
-/// \param inputs files that must not be replaced; an empty name is none.
+/// Prints the answer of a command in the format that `options` ask for. With --output it
+/// also writes summary.json.
+/// \param inputs files that must not be replaced; empty names are ignored.
 /// \throws DomainError, OutputError as `OutputFolder`.
 void give_answer(const CommonOptions& options, const std::vector<std::string>& inputs,
                  const Json& answer);

@@ -18,10 +18,11 @@
 
 namespace endmill {
 
-/// mm, mm/min, rpm: more than any machine has, and what files are held to as well.
+/// Largest accepted length, feed or speed in mm, mm/min or rpm. No machine reaches it,
+/// and the file readers use the same limit.
 inline constexpr double most_of_machine = 1e9;
 
-/// The numbers that an option takes.
+/// The numbers that an option accepts.
 struct NumberDomain {
     double above = -std::numeric_limits<double>::infinity();  ///< open lower end
     std::string words = "a number";                           ///< for messages
@@ -37,23 +38,23 @@ struct NumberDomain {
     static NumberDomain above_zero_to(double high);
     /// Above 0, at most `most_of_machine`.
     static NumberDomain of_machine() { return above_zero_to(most_of_machine); }
-    /// Between `low` and `high`, neither of them.
+    /// Between `low` and `high`, both excluded.
     static NumberDomain between(double low, double high);
-    /// From `low` to `high`, both of them.
+    /// From `low` to `high`, both included.
     static NumberDomain from_to(double low, double high);
 };
 
-/// The finite number in `domain` that `text` spells.
+/// Parses `text` as a finite number in `domain`.
 /// \throws CLI::ValidationError naming `option`.
 double number_argument(const std::string& option, const std::string& text,
                        const NumberDomain& domain);
 
-/// Refuses an option's coordinate that no file could have.
-/// \throws DomainError naming `option` if there is one beyond the limit.
+/// Refuses an option's coordinate beyond the limit for coordinates in files.
+/// \throws DomainError naming `option` if `mm` exceeds the limit.
 void require_within_extent(const std::string& option, const std::optional<double>& mm,
                            const ReadLimits& limits);
 
-/// The three comma-separated numbers of `text`. \throws CLI::ValidationError
+/// Parses three comma-separated numbers. \throws CLI::ValidationError
 Vec3 vector_argument(const std::string& option, const std::string& text);
 
 /// An option that takes one finite number.
@@ -64,7 +65,7 @@ struct NumberOption {
     NumberDomain domain = NumberDomain::positive();
 };
 
-/// Adds `option`; `target` keeps its value as default.
+/// Adds `option`. The value of `target` is the default.
 CLI::Option* add_number(CLI::App& command, const NumberOption& option, double& target);
 
 /// The same without a default.
@@ -83,24 +84,24 @@ struct WholeNumberOption {
 CLI::Option* add_whole_number(CLI::App& command, const WholeNumberOption& option,
                               std::function<void(int)> use);
 
-/// A word of an option and what it stands for.
+/// A word that an option accepts, and its value.
 template <typename Value>
 struct Choice {
     std::string_view word;
     Value value;
 };
 
-/// Yes unless the option says no.
+/// The words yes and no, with yes as the default.
 inline constexpr std::array yes_first{Choice<bool>{"yes", true},
                                       Choice<bool>{"no", false}};
 
-/// The place of `word` among `words`. \throws CLI::ValidationError with a suggestion.
+/// The index of `word` in `words`. \throws CLI::ValidationError with a suggestion.
 std::size_t choice_argument(const std::string& option, const std::string& word,
                             std::span<const std::string_view> words);
 
-/// Adds an option that takes one of a few words; the first is said to be the default.
-/// `choices` must outlive `command`.
-/// \param target a Value, or an optional one that stays empty unless the option is given.
+/// Adds an option that takes one of a few words. `choices` must outlive `command`.
+/// \param target a Value, or an optional Value that stays empty unless the option is
+/// given.
 template <typename Value, typename Target>
 CLI::Option* add_choice(CLI::App& command, const std::string& name, Target& target,
                         std::span<const Choice<Value>> choices, const std::string& help)
@@ -128,10 +129,10 @@ std::string_view word_for(Value value, std::span<const Choice<Value>> choices)
 }
 
 /// The diameter in mm of a ball given as "ball:DIAMETER".
-/// \throws CLI::ValidationError for anything else; other cutters are named as such.
+/// \throws CLI::ValidationError for any other text; the message names other cutters.
 double ball_diameter_argument(const std::string& option, const std::string& text);
 
-/// The cutter of any kind that `text` spells. \throws CLI::ValidationError
+/// Parses a cutter of any kind. \throws CLI::ValidationError
 Cutter cutter_argument(const std::string& option, const std::string& text);
 
 }  // namespace endmill

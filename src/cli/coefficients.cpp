@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// endmill coefficients: the cutting action coefficients of one engagement, and its forces.
+// SPDX-License-Identifier: GPL-3.0-or-later endmill coefficients: the cutting action
+// coefficients of one engagement, and its forces.
 
 #include <array>
 #include <memory>
@@ -36,7 +36,8 @@ BallEngagement engagement_of(const CoefficientsOptions& options)
             .previous = options.previous};
 }
 
-// The cutter as far as it is told; the size does not matter to what is a ratio.
+// The cutter of the options. A default radius suffices for ratios, which do not depend
+// on it.
 MillingTool tool_of(const CoefficientsOptions& options)
 {
     return {.radius = options.diameter_mm.value_or(2) / 2,

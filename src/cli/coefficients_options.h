@@ -14,7 +14,7 @@ struct CoefficientsOptions {
     CommonOptions common;
     std::optional<double> mu_deg;           ///< required
     std::optional<double> lambda_deg;       ///< required
-    std::optional<double> pick_feed_ratio;  ///< needed beside a previous pass
+    std::optional<double> pick_feed_ratio;  ///< required with a previous pass
     std::optional<double> depth_ratio;      ///< required
     PreviousPass previous = PreviousPass::Beside;
     std::optional<ChipModel> chip;

@@ -16,7 +16,7 @@ namespace endmill {
 /// A summary: keys stay in the order in which they are added.
 using Json = nlohmann::ordered_json;
 
-/// What the command line asked for; runs after it was understood as a whole.
+/// The work of the chosen command. It runs after the whole command line has been parsed.
 using Action = std::function<ExitCode()>;
 
 /// The options that every command has.
@@ -25,30 +25,30 @@ struct CommonOptions {
     bool json = false;
     bool quiet = false;
     bool force = false;
-    bool json_errors = false;  ///< main looks for it itself: parsing may fail
+    bool json_errors = false;  ///< main also finds it itself, since parsing may fail
     ReadLimits limits;
     std::set<std::string>
         given;  ///< names of the options on the command line, as "--gap"
 };
 
-/// Adds them to `command`; --threads takes effect at once.
+/// Adds the common options to `command`. --threads takes effect when it is parsed.
 void add_common_options(CLI::App& command, CommonOptions& options);
 
-/// The commands. Each adds itself to `program` and sets `action` when it is chosen.
-void add_info_command(CLI::App& program, Action& action);    ///< facts of a part
-void add_sample_command(CLI::App& program, Action& action);  ///< a surface as a mesh
-void add_plan_command(CLI::App& program, Action& action);    ///< a path for a part
-void add_trim_command(CLI::App& program, Action& action);    ///< trim
-void add_verify_command(CLI::App& program, Action& action);  ///< what a path leaves
-void add_post_command(CLI::App& program, Action& action);    ///< a path for a machine
-void add_eval_command(CLI::App& program, Action& action);    ///< a formula by its name
-void add_feed_command(CLI::App& program, Action& action);    ///< how fast a path may go
+/// Each function adds one command to `program`. The chosen command sets `action`.
+void add_info_command(CLI::App& program, Action& action);    ///< report on a part
+void add_sample_command(CLI::App& program, Action& action);  ///< sample as a mesh
+void add_plan_command(CLI::App& program, Action& action);    ///< plan a path
+void add_trim_command(CLI::App& program, Action& action);    ///< trim offset sections
+void add_verify_command(CLI::App& program, Action& action);  ///< simulate and verify
+void add_post_command(CLI::App& program, Action& action);    ///< write a machine program
+void add_eval_command(CLI::App& program, Action& action);    ///< evaluate a formula
+void add_feed_command(CLI::App& program, Action& action);    ///< plan feeds
 void add_coefficients_command(CLI::App& program,
-                              Action& action);  ///< of one engagement
+                              Action& action);  ///< cutting coefficients
 void add_toollife_command(CLI::App& program,
-                          Action& action);                    ///< economic cutting speed
-void add_machine_command(CLI::App& program, Action& action);  ///< of a machine's axes
-void add_setup_command(CLI::App& program, Action& action);    ///< how a part is to stand
-void add_cite_command(CLI::App& program, Action& action);     ///< the sources
+                          Action& action);                    ///< economic tool life
+void add_machine_command(CLI::App& program, Action& action);  ///< report on a machine
+void add_setup_command(CLI::App& program, Action& action);    ///< find a setup
+void add_cite_command(CLI::App& program, Action& action);     ///< list the sources
 
 }  // namespace endmill

@@ -9,17 +9,17 @@
 
 namespace endmill {
 
-/// Writes `text` to standard output, whole. \throws OutputError if that fails.
+/// Writes all of `text` to standard output. \throws OutputError if the write fails.
 void print(const std::string& text);
 
 /// Writes "endmill: warning: TEXT" to standard error, unless --quiet.
 void warn(const CommonOptions& options, const std::string& text);
 
-/// Prints the result as asked: `summary` with --json, else `text`, nothing with --quiet.
+/// Prints `summary` with --json, nothing with --quiet, and `text` otherwise.
 void print_result(const CommonOptions& options, const Json& summary,
                   const std::string& text);
 
-/// What `act` returns. A GeometryError that it throws is made to name `file`.
+/// Calls `act` and returns its result. A GeometryError gets the prefix `file`.
 template <typename Act>
 auto naming(const std::string& file, Act act)
 {
@@ -30,12 +30,12 @@ auto naming(const std::string& file, Act act)
     }
 }
 
-/// Writes the one line "endmill: error: …" (or a JSON object) for the exception in flight
-/// to standard error.
-/// \return what the program exits with.
+/// Reports the current exception on standard error, as the line "endmill: error: …" or
+/// as a JSON object.
+/// \return the exit code of the program.
 ExitCode report_current_exception(bool as_json);
 
-/// The same for a message that is no exception.
+/// Reports `message` in the same format.
 void report_error(const std::string& code, const std::string& message, ExitCode exit,
                   bool as_json);
 

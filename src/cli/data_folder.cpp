@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Empty where the system does not tell.
+// The folder of the running program, or empty if the system does not report it.
 fs::path program_folder()
 {
     std::error_code ignored;

@@ -6,11 +6,11 @@
 
 namespace endmill {
 
-/// The folder of data that come with the program, such as "machines". The first there is of:
-/// share/endmill/KIND, where the program is installed; datasets/KIND in a folder above the
-/// program, where it was built; datasets/KIND in the current folder.
-/// \param option that asks for it, for the message.
-/// \throws DomainError with these places if it is in none.
+/// The folder of data that is delivered with the program, such as "machines". The search
+/// order is share/endmill/KIND of the installation, datasets/KIND in any folder above the
+/// program (a build folder), and datasets/KIND in the current folder.
+/// \param option that needs the folder; the error message names it.
+/// \throws DomainError with these places if none of them exists.
 std::filesystem::path data_folder(const std::string& option, const std::string& kind);
 
 }  // namespace endmill

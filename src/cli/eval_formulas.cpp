@@ -16,7 +16,7 @@ constexpr Argument curvature{
 constexpr Argument scallop{"scallop", "MM", "scallop height, below the ball's diameter",
                            true};
 
-// The lengths of a result that is Unlimited are infinite, and have no angle.
+// Null if the result is Unlimited: its lengths are infinite and have no angle.
 Json half_angle(const Angle& angle, LengthStatus status)
 {
     return status == LengthStatus::Unlimited ? Json(nullptr) : Json(angle.radians());

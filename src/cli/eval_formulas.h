@@ -10,7 +10,7 @@
 
 namespace endmill {
 
-/// The arguments that were given, by name.
+/// The given arguments by name.
 using Numbers = std::map<std::string, double>;
 
 /// A number that a formula takes, as the option `--name`.
@@ -27,10 +27,10 @@ struct Formula {
     const char* help;
     const char* example;  ///< its options, such as "--radius 5"
     std::vector<Argument> arguments;
-    Json (*value)(const Numbers&);  ///< what it answers; throws as the library does
+    Json (*value)(const Numbers&);  ///< evaluates it; throws like the library
 };
 
-/// All that `endmill eval` knows, in the order in which it lists them.
+/// All formulas of `endmill eval`, in the order of its list.
 std::span<const Formula> eval_formulas();
 
 }  // namespace endmill

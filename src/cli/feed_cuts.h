@@ -9,18 +9,20 @@
 
 namespace endmill {
 
-/// The cuts of the path, as --engagement says.
-/// \throws GeometryError if there are none, or none meets the stock; as `segment_cuts`.
+/// The cuts of the path, with the engagement that --engagement selects.
+/// \throws GeometryError if the path has no cuts or no cut meets the stock; also throws
+///         as `segment_cuts`.
 SegmentCuts feed_cuts(const FeedInput& input, const FeedCommandOptions& options);
 
-/// The feeds of cuts.
+/// Feeds of the cuts.
 struct CutsPlan {
     FeedPlan feeds;
-    std::vector<Milling> milling;  ///< one a cut: where the stock is
+    std::vector<Milling> milling;  ///< up or down milling of each cut
 };
 
-/// Their feeds: from their geometry, or from the stock that they find.
-/// \throws GeometryError if none finds material in the stock; LimitError if the stock needs more memory than the limit; as `feed_plan`.
+/// Plans the feeds, either from the geometry of the cuts or from the simulated stock.
+/// \throws GeometryError if no cut finds material in the stock; LimitError if the stock
+///         needs more memory than the limit; also throws as `feed_plan`.
 CutsPlan cuts_plan(const FeedInput& input, const SegmentCuts& cuts,
                    const FeedCommandOptions& options);
 

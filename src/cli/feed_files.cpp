@@ -47,15 +47,15 @@ FeedFigure figure_of(const Json& s)
                          s["mode"].get<std::string>(), s["peak"].get<std::string>())}};
 }
 
-// What is written, file by file.
+// The contents of the output files.
 struct FeedTexts {
     std::string path;
     std::string engagement;
     std::string figure;
-    std::string program;  // of a machine program alone
+    std::string program;  // only if the input is a machine program
 };
 
-// Side by side: each is long, and drawing and rewriting go in order.
+// Creates the four texts in parallel. Each one takes long and is sequential in itself.
 FeedTexts texts_of(const FeedResult& result, const Json& summary)
 {
     const std::vector<SegmentFeed>& rows = result.plan.rows;

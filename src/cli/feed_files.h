@@ -6,8 +6,7 @@
 
 namespace endmill {
 
-/// Writes all files of a feed plan into `folder`, in the place of what an earlier run left
-/// there.
+/// Writes all files of a feed plan into `folder` and replaces those of an earlier run.
 /// \return summary.json
 Json write_feed(const FeedResult& result, OutputFolder& folder);
 

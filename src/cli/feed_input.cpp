@@ -18,7 +18,8 @@
 namespace endmill {
 namespace {
 
-// Without a part the block is the box of the path, whose top is not that of the stock.
+// The top of the stock if it is known. Without a part the default block is the bounding
+// box of the path, whose top is not the top of the stock.
 std::optional<double> told_stock_top(const FeedCommandOptions& options,
                                      const VerifyStock& stock)
 {
@@ -40,7 +41,7 @@ Tool tool_without_file(const FeedCommandOptions& options, const Program& program
                       "expected --cutter or --tool"};
 }
 
-// What the command line says of the tool rules over its file.
+// Options of the command line override the values of the tool file.
 void tell(Tool& tool, const ToolOptions& told)
 {
     if (told.flutes)
@@ -80,7 +81,7 @@ FeedPlanOptions plan_options(const FeedCommandOptions& options)
     return plan;
 }
 
-// The path, its own file or summary, and the command line speak of one cutter.
+// The cutter must be the one that the path was planned for.
 void require_cutter_of_path(const FeedCommandOptions& options, const Cutter& used,
                             const std::optional<Cutter>& planned)
 {
@@ -145,7 +146,7 @@ void require_answerable(const FeedInput& input, const FeedCommandOptions& option
             "acceleration_m_per_s2"};
 }
 
-// A path whose rows were mixed up is another path.
+// The rows must be in the order of the path. Shuffled rows would describe another path.
 void require_order(const Program& program, const std::string& file,
                    const std::string& text)
 {
@@ -166,7 +167,8 @@ void require_order(const Program& program, const std::string& file,
     }
 }
 
-// What was left out of a program, such as moves of which no place is known, may be why.
+// The path must have a cutting move. The message includes the remarks of the reader: it
+// may have left out moves, such as those whose position is not known.
 void require_cut(const Program& program)
 {
     const auto is_cut = [](const PathPoint& point) { return point.move == Move::Cut; };

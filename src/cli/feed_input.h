@@ -12,13 +12,13 @@
 
 namespace endmill {
 
-/// All that `feed` reads, with what the command line left open filled in.
+/// The input of `feed`, completed by the defaults of the command line.
 struct FeedInput {
     std::string name;
     Program program;
-    PathFormat format = PathFormat::Csv;  ///< a machine program is written again, too
-    std::string text = {};                ///< of a G-code program: its lines are kept
-    GcodeReadOptions reading = {};        ///< how it was read
+    PathFormat format = PathFormat::Csv;  ///< a machine program is also written again
+    std::string text = {};                ///< of a G-code program, whose lines are kept
+    GcodeReadOptions reading = {};        ///< options with which the program was read
     PathSummary known;
     Tool tool;
     MillingJob job;
@@ -28,13 +28,13 @@ struct FeedInput {
     double stock_top = 0;  ///< mm
 };
 
-/// Reads path, its summary, tool, material, machine, part and stock.
-/// \throws DomainError if no cutter, flutes, helix or stock's top is known where one is
-///         needed, for a cutter other than a ball, and if the part is a mesh; FormatError,
-///         LimitError as the readers, and for points out of order.
+/// Reads the path, its summary, the tool, material, machine, part and stock.
+/// \throws DomainError if the cutter, flutes, helix or top of the stock is needed but not
+///         known, if the cutter is not a ball, and if the part is a mesh; FormatError for
+///         points out of order; FormatError and LimitError as the readers.
 FeedInput read_feed_input(const FeedCommandOptions& options);
 
-/// The files that were read, which must not be written to.
+/// The files that were read. They must not be overwritten.
 std::vector<std::string> files_of(const FeedInput& input,
                                   const FeedCommandOptions& options);
 

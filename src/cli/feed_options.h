@@ -13,58 +13,58 @@
 
 namespace endmill {
 
-/// By which rules `feed` plans.
+/// The rules by which `feed` plans.
 enum class FeedMode {
     Paper,      ///< as printed, misprints corrected
     Corrected,  ///< exact chip, loads as the flutes turn, exact limits
-    Planned     ///< that, and what a machine with bounded acceleration makes of it
+    Planned     ///< Corrected, and the times of a machine with bounded acceleration
 };
 
-/// Where the engagement of a cut comes from.
+/// The source of the engagement of a cut.
 enum class EngagementChoice { Auto, Contact, Passes, Stock };
 
-/// The words of `feed` and `coefficients` for what their options stand for.
+/// The words of --mode.
 inline constexpr std::array feed_modes{Choice<FeedMode>{"paper", FeedMode::Paper},
                                        Choice<FeedMode>{"corrected", FeedMode::Corrected},
                                        Choice<FeedMode>{"planned", FeedMode::Planned}};
-/// Ditto.
+/// The words of --engagement.
 inline constexpr std::array engagement_choices{
     Choice<EngagementChoice>{"auto", EngagementChoice::Auto},
     Choice<EngagementChoice>{"contact", EngagementChoice::Contact},
     Choice<EngagementChoice>{"passes", EngagementChoice::Passes},
     Choice<EngagementChoice>{"stock", EngagementChoice::Stock}};
-/// Ditto.
+/// The words of --chip.
 inline constexpr std::array chip_models{Choice<ChipModel>{"paper", ChipModel::Paper},
                                         Choice<ChipModel>{"exact", ChipModel::Exact}};
-/// Ditto.
+/// The words of --first-pass.
 inline constexpr std::array first_passes{
     Choice<PreviousPass>{"slot", PreviousPass::None},
     Choice<PreviousPass>{"edge", PreviousPass::Edge}};
-/// Where cutting action coefficients come from.
+/// The source of the cutting action coefficients.
 enum class CoefficientSource {
-    Direct,  ///< each is computed
-    Table,   ///< interpolated: off by up to `table_error`
+    Direct,  ///< each coefficient is computed
+    Table,   ///< interpolated, with errors up to `table_error`
 };
 
-/// Ditto.
+/// The words of --coefficients.
 inline constexpr std::array coefficient_sources{
     Choice<CoefficientSource>{"direct", CoefficientSource::Direct},
     Choice<CoefficientSource>{"table", CoefficientSource::Table}};
 
-/// A right angle is none of a feed or a pick feed.
+/// Domain of the angles of feed and pick feed, which a right angle is not part of.
 inline const NumberDomain slope_domain = NumberDomain::between(-90, 90);
-/// Of --helix-deg: see `most_helix`.
+/// Domain of --helix-deg: see `most_helix`.
 inline const NumberDomain helix_domain = NumberDomain::from_to(-80, 80);
-/// Of --accuracy, as `cutting_coefficients` takes it.
+/// Domain of --accuracy, the one of `cutting_coefficients`.
 inline const NumberDomain accuracy_domain = NumberDomain::from_to(1e-12, 1e-3);
 
-/// What --helix-deg means, as its help says.
+/// Help text of --helix-deg.
 inline constexpr const char* helix_help =
     "angle of the flutes against the axis; in down milling the model's positive helix is "
     "a "
     "left-hand cutter under M03, a right-hand one has the negative angle";
 
-/// More edges than any mill has; the sums over more would take long.
+/// Largest number of flutes. No end mill has more, and larger sums would take long.
 inline constexpr int most_flutes = 100;
 
 /// The rule that --peak names.
@@ -76,10 +76,10 @@ struct PeakChoice {
 /// Largest error of a coefficient from the table: see CoefficientTable.
 inline constexpr double table_error = 0.025;
 
-/// As on the command line: "constant:1.8", "torque" or "direct".
+/// The rule as --peak takes it: "constant:1.8", "torque" or "direct".
 std::string peak_word(PeakRule rule, double factor);
 
-/// A tool without a file, or values in place of those in the file.
+/// Options of the tool. They replace the values of the tool file, if there is one.
 struct ToolOptions {
     std::string file;
     std::optional<int> flutes;
@@ -93,7 +93,7 @@ struct ToolOptions {
 struct FeedCommandOptions {
     CommonOptions common;
     PathOptions path;
-    PartOptions part;  ///< its path empty: no part
+    PartOptions part;  ///< without a part its path is empty
     std::string material;
     std::string machine;  ///< empty: none
     ToolOptions tool;
@@ -119,13 +119,13 @@ struct FeedCommandOptions {
     bool allow_infeasible = false;
 };
 
-/// Adds --chip, as the commands share it.
+/// Adds --chip, which `feed` and `coefficients` share.
 void add_chip_option(CLI::App& command, std::optional<ChipModel>& chip);
 
 /// Adds every option of `feed` to `command`.
 void add_feed_options(CLI::App& command, FeedCommandOptions& options);
 
-/// \throws DomainError naming an option that has no effect beside the others.
+/// \throws DomainError naming an option that has no effect with the other options.
 void refuse_idle_feed_options(const FeedCommandOptions& options);
 
 }  // namespace endmill

@@ -8,7 +8,8 @@
 namespace endmill {
 namespace {
 
-// On how many moves a right-hand cutter has the other helix. In a slot both have the same peaks.
+// The number of moves on which a right-hand cutter has the opposite helix in the model.
+// Slots do not count: both helices have the same peaks there.
 std::size_t other_hand_moves(const SegmentCuts& cuts, const CutsPlan& plan, double helix)
 {
     const Milling other = helix > 0 ? Milling::Down : Milling::Up;

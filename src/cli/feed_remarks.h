@@ -8,9 +8,9 @@
 
 namespace endmill {
 
-/// What a person has to know of a plan beside its numbers and the path's own remarks: cutting
-/// moves that go nowhere, moves between two earlier passes, and those on which the
-/// model's sense of the helix is not that of a right-hand cutter under M03 (MillingTool::helix).
+/// Remarks on a feed plan, in addition to those of the path. They count cutting moves of
+/// zero length, moves between two earlier passes, and moves on which the model's sense of
+/// the helix differs from a right-hand cutter under M03 (MillingTool::helix).
 std::vector<std::string> feed_remarks(const FeedInput& input, const SegmentCuts& cuts,
                                       const CutsPlan& plan);
 

@@ -21,8 +21,8 @@ Json file_or_null(const std::string& file)
     return file.empty() ? Json(nullptr) : Json(printable(file));
 }
 
-// What `verify` judges the written path by: the part that was given, or else the one that the
-// path was planned for.
+// The part by which `verify` judges the written path: the given part, or else the one
+// that the path was planned for.
 void add_part(Json& summary, const FeedResult& result)
 {
     PartOptions part = result.options.part;
@@ -111,7 +111,7 @@ void add_plan(Json& summary, const FeedPlanTotals& totals)
         {"torque_n_m", number_or_null(totals.needed.torque_n_m)}};
 }
 
-// What whoever reads the path next needs: `verify`, `post`.
+// The keys that `verify` and `post` read from the summary of a path.
 void add_known(Json& summary, const FeedResult& result)
 {
     const FeedInput& input = result.input;

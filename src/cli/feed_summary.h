@@ -13,7 +13,7 @@
 
 namespace endmill {
 
-/// What was asked, read and planned.
+/// Options, input and result of a feed plan.
 struct FeedResult {
     const FeedInput& input;
     const FeedCommandOptions& options;
@@ -21,18 +21,19 @@ struct FeedResult {
     const FeedPlan& plan;
     ToolPath path;  ///< with feeds and speeds
     FeedTimes times;
-    std::optional<double> planned_min;  ///< of the cuts, as the machine follows
-    std::filesystem::path folder;       ///< to which it is written
-    std::vector<std::string> remarks;   ///< of the path, and `feed_remarks`
+    std::optional<double>
+        planned_min;               ///< time of the cuts with the machine's acceleration
+    std::filesystem::path folder;  ///< folder of the results
+    std::vector<std::string> remarks;  ///< of the path, and `feed_remarks`
 };
 
 /// summary.json of `feed`.
 Json feed_summary(const FeedResult& result);
 
-/// The same for a person.
+/// The report on the terminal.
 std::string feed_text(const Json& summary);
 
-/// Why no feed satisfies the limits on some moves, and which limits would do.
+/// The message for moves on which no feed satisfies the limits, with sufficient limits.
 std::string infeasible_text(const Json& summary);
 
 }  // namespace endmill

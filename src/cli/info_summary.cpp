@@ -47,13 +47,13 @@ std::string patches_text(const Json& s)
                        s["patches_v"].get<int>());
 }
 
-// A number of a summary for a person, or "none".
+// A number of a summary, rounded for the report, or "none".
 std::string shown_or_none(const Json& number)
 {
     return number.is_null() ? "none" : shown(number.get<double>());
 }
 
-// Number of the boundary loops, their length together, and that of the longest.
+// Number of the boundary loops, their total length and the length of the longest.
 void add_boundary_loops(Json& summary, const TriangleMesh& mesh)
 {
     const std::vector<BoundaryLoop> loops = boundary_loops(mesh);

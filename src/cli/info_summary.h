@@ -10,18 +10,18 @@
 
 namespace endmill {
 
-/// summary.json of a part that is made of surfaces, whose continuity is known.
-/// \param axis of the tool, unit, from the tip to the spindle.
+/// summary.json of a part that consists of surfaces.
+/// \param axis tool axis, a unit vector from the tip to the spindle.
 Json surface_summary(const PartFile& file, const SurfaceContinuity& continuity,
                      const Vec3& axis);
 
-/// The same for a person.
+/// The report on the terminal.
 std::string surface_text(const Json& summary);
 
 /// summary.json of a part that is a mesh.
 Json mesh_summary(const PartFile& file, const PartOptions& options);
 
-/// The same for a person.
+/// The report on the terminal.
 std::string mesh_text(const Json& summary);
 
 }  // namespace endmill

@@ -29,10 +29,10 @@ void handle_interrupts()
     sigset_t signals;
     sigemptyset(&signals);
     for (const int number : {SIGINT, SIGTERM, SIGHUP})
-        if (!is_ignored(number))  // as nohup and shells with background jobs ask for
+        if (!is_ignored(number))  // nohup and shells with background jobs set SIG_IGN
             sigaddset(&signals, number);
-    // Blocked here and in every thread to come, so that only the waiting one gets them:
-    // unlike a signal handler it may take locks and free memory.
+    // Block the signals here and in all later threads. Only the waiting thread receives
+    // them, and unlike a signal handler it may take locks and free memory.
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     std::thread{[signals] {
         int number = 0;

@@ -13,7 +13,7 @@ namespace {
 
 bool is_machine_file(const std::string& text)
 {
-    std::error_code ignored;  // a path that cannot be looked at is a word
+    std::error_code ignored;  // a path that cannot be examined counts as a word
     return text.ends_with(".json") || std::filesystem::exists(text, ignored);
 }
 

@@ -8,15 +8,16 @@
 
 namespace endmill {
 
-/// A machine of the command line.
+/// A machine that the command line names.
 struct MachineArgument {
     Machine machine;
-    std::string file;  ///< that it was read from; empty: it was a word
+    std::string file;  ///< file of the machine; empty for a word
 };
 
-/// The machine that `text` is a file of, or the word of; a word has no offsets and no limits.
-/// \throws FormatError as `read_machine` for what ends in .json or is there as a file;
-///         DomainError for another text that is no word. It may be valid or not.
+/// The machine of the file `text`, or of the configuration word `text`. A word has no
+/// offsets and no limits. The configuration of the result need not be valid.
+/// \throws FormatError as `read_machine` if `text` ends in .json or names an existing
+///         file; DomainError if it is neither a file nor a word.
 MachineArgument machine_argument(const std::string& text, const ReadLimits& limits);
 
 }  // namespace endmill

@@ -14,11 +14,11 @@ namespace endmill {
 struct MachineOptions {
     CommonOptions common;
     std::string machine;          ///< word or file
-    std::string limits;           ///< as `rotary_limits_help` says; empty: none
+    std::string limits;           ///< see `rotary_limits_help`; empty: none
     std::vector<Vec3> contains;   ///< unit directions, in the part's frame
     std::string at;               ///< positions of rotary axes in degrees; empty: none
     std::optional<Vec3> inverse;  ///< unit direction
-    std::optional<Vec3> point;    ///< mm, of the part, where the tip is to be
+    std::optional<Vec3> point;    ///< mm, position of the tip on the part
     double length_mm = 0;         ///< of the tool, from the spindle to the tip
 };
 

@@ -93,8 +93,7 @@ RotaryPositions positions_in(const std::string& text,
         };
         const auto axis = std::ranges::find_if(configuration.rotary, is_it);
         const auto degrees = number_from_text(item.text);
-        constexpr double most_deg =
-            1e6;  // as in machine files: an axis that turns for ever
+        constexpr double most_deg = 1e6;  // the limit of machine files, for endless axes
         const bool is_position = axis != configuration.rotary.end() && degrees &&
                                  std::abs(*degrees) <= most_deg &&
                                  given.insert(item.name).second;
@@ -153,9 +152,9 @@ void add_solutions(Json& summary, const Machine& machine, const MachineOptions& 
 Json machine_summary(const Machine& machine, const MachineOptions& options)
 {
     Json summary = configuration_summary(machine.configuration);
+    // Refuse wrong positions even if the machine is not valid.
     if (!options.at.empty())
-        positions_in(options.at,
-                     machine.configuration);  // wrong for what is no machine too
+        positions_in(options.at, machine.configuration);
     add_directions(summary, machine, options.contains);
     if (!machine.configuration.is_valid())
         return summary;

@@ -7,9 +7,9 @@
 
 namespace endmill {
 
-/// What a machine can do, and as far as `options` ask for them the directions that it can take
-/// and the positions of its axes.
-/// \throws DomainError for positions of axes that it does not have.
+/// Properties of a machine. If `options` ask for them, the summary also has the reachable
+/// directions and the axis positions.
+/// \throws DomainError for positions of axes that the machine does not have.
 Json machine_summary(const Machine& machine, const MachineOptions& options);
 
 }  // namespace endmill

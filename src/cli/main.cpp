@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// The program endmill: understands the command line, runs one command, and turns what
-// went wrong into a message and an exit code.
+// SPDX-License-Identifier: GPL-3.0-or-later The program endmill. It parses the command
+// line, runs one command, and reports errors by a message and an exit code.
 
 #include <algorithm>
 #include <span>

@@ -8,18 +8,18 @@
 
 namespace endmill {
 
-/// A mesh as it is worked on, and what a reader should know of it.
+/// A cleaned mesh and remarks on its defects.
 struct RemarkedMesh {
     TriangleMesh mesh;
     std::vector<std::string> remarks;
 };
 
-/// `mesh` without the triangles that repeat another, and remarks: how many these were, and
-/// how many edges belong to one triangle, to more than two, or to two that disagree about
-/// the outer side. Those are left as they are, since what was meant cannot be told.
+/// `mesh` without duplicate triangles. The remarks count the duplicates, and the edges
+/// that belong to one triangle, to more than two, or to two triangles of opposite
+/// orientation. Such edges are kept, since the intended mesh is not known.
 RemarkedMesh remarked(TriangleMesh mesh);
 
-/// What is said of edges of more than two triangles.
+/// The remark on edges that belong to more than two triangles.
 std::string non_manifold_text(std::size_t edges, const std::string& first_edge);
 
 }  // namespace endmill

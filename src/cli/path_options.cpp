@@ -16,8 +16,9 @@ constexpr std::array programmed_points{
     Choice<ProgrammedPoint>{"tip", ProgrammedPoint::Tip},
     Choice<ProgrammedPoint>{"centre", ProgrammedPoint::Centre}};
 
-// Only G-code has arcs and blocks to leave out, and its centre may be programmed; what
-// rs274 prints has no such blocks left.
+// Refuses options that do not apply to the format of the file. G-code accepts all
+// three. The output of rs274 may have arcs and a programmed centre, but no deleted
+// blocks. Other files accept none of them.
 void require_effect(const PathOptions& path, const CommonOptions& options)
 {
     if (!path.arc_tolerance && path.programmed_point == ProgrammedPoint::Tip &&

@@ -24,7 +24,7 @@
 namespace endmill {
 namespace {
 
-// The diameter of the ball that was asked for, or of the largest that fits.
+// The requested diameter of the ball, or else the largest standard diameter that fits.
 double chosen_diameter(const std::optional<double>& asked,
                        const std::optional<CutterLimit>& limit)
 {
@@ -44,7 +44,7 @@ double chosen_diameter(const std::optional<double>& asked,
     return *diameter;
 }
 
-// What was not asked for takes its default.
+// Fills in the defaults of options that were not given.
 void complete(PlanOptions& options, std::span<const Surface> surfaces, double diameter)
 {
     IsoParametricOptions& planning = options.planning;
@@ -67,7 +67,7 @@ void complete(PlanOptions& options, std::span<const Surface> surfaces, double di
     planning.most_points = most_path_points(options.common.limits.max_memory_gib);
 }
 
-// States on standard error that the path gouges, and what avoids it.
+// Reports on standard error that the path gouges, and how to avoid it.
 void report_gouge(const KnownGouge& gouge, const PlanOptions& options)
 {
     const std::string better =

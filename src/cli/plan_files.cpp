@@ -27,7 +27,8 @@
 namespace endmill {
 namespace {
 
-// A run with other directions left files that would be taken for this one's.
+// Removes the files of an earlier run with other directions, which could be mistaken for
+// files of this run.
 void replace_earlier_run(OutputFolder& folder)
 {
     for (const std::string prefix : {"", "u/", "v/"})
@@ -36,10 +37,10 @@ void replace_earlier_run(OutputFolder& folder)
             folder.remove_unless_written(prefix + name);
 }
 
-// The feed whose digits stand in the program if none is given; nothing else hangs on it.
+// The feed in the program if no feed is given. It affects only the length of the tape.
 constexpr double default_feed_mm_per_min = 1000;
 
-// Of the program that `post` writes of this path without options but the feed.
+// Tape length of the program that `post` writes of this path with the default options.
 std::optional<double> tape_length(const ToolPath& path, const PlanTask& task)
 {
     const auto& [surfaces, context, options] = task;
@@ -54,19 +55,20 @@ std::optional<double> tape_length(const ToolPath& path, const PlanTask& task)
     return gcode(path, program).tape_length_m();
 }
 
-// Rays that the part is measured by, about: their pitch follows from its area.
+// Approximate number of measuring rays. Their pitch follows from the area of the part.
 constexpr double measured_rays = 1e5;
-// Fewer rays do where the planner has bounded what lies between them.
+// Approximate number of measuring rays where the planner has proved the tolerances.
+// Fewer rays suffice there, since the proof also covers the surface between them.
 constexpr double measured_rays_of_proved = 3e4;
 
-// Whether the planner has shown that the path keeps its tolerances everywhere.
+// Whether the planner has proved that the path keeps its tolerances everywhere.
 bool is_proved(const VerifiedPlan& plan, const PlanOptions& options)
 {
     return options.mode == PlanMode::Verified && plan.uncovered.empty();
 }
 
-// What the path leaves of a block around the part. With another axis than +z, part and
-// path are turned.
+// Deviation of the part after the path has cut a block around it. If the tool axis is not
+// +z, part and path are rotated first.
 Deviation measured_deviation(const VerifiedPlan& plan, const PlanTask& task,
                              const std::function<void(double)>& progress)
 {
@@ -106,7 +108,7 @@ class PlanProgress {
 public:
     explicit PlanProgress(const CommonOptions& options) : line_{"planning", options} {}
 
-    // For the work on one direction, to be called with its share.
+    // A callback for the work on one direction. It takes the share that is done.
     std::function<void(double)> of(Parameter along, const std::string& work)
     {
         return [this, along, work](double share) {
@@ -126,7 +128,7 @@ private:
     std::map<Parameter, std::string> states_;
 };
 
-// What the planner of the mode is told, along one parameter.
+// The options of the planner for one parameter.
 IsoParametricOptions planning_options(const PlanTask& task, Parameter along)
 {
     const PlanOptions& options = task.options;
@@ -146,7 +148,7 @@ double points_along(const PlanTask& task, Parameter along)
     return points;
 }
 
-// The path by the planner of the mode; the paper's proves nothing of it.
+// Plans the path with the planner of the mode. The planner of mode paper proves nothing.
 VerifiedPlan planned_path(const PlanTask& task, Parameter along, PlanProgress& progress)
 {
     const BallCutter ball{task.context.cutter_diameter / 2};
@@ -221,11 +223,12 @@ DirectionResult write_direction(const PlanTask& task, DirectionPlan plan,
     return {std::move(plan.planned), std::move(summary)};
 }
 
-// Of the memory: what both directions at the same time are expected to take at most.
+// Share of the memory that both directions may need together to be planned at the same
+// time.
 constexpr double share_of_both = 0.25;
 
 // Whether the paths along all of `directions` fit into memory at the same time.
-// \throws LimitError if one of them alone does not fit.
+// \throws LimitError if a single path does not fit.
 bool fit_together(const PlanTask& task, std::span<const Parameter> directions)
 {
     const double most_gib = task.options.common.limits.max_memory_gib;
@@ -254,7 +257,7 @@ std::vector<DirectionPlan> plan_directions(const PlanTask& task,
     return finished;
 }
 
-// Plans along `directions` and writes each to a folder of its own, if there are two.
+// Plans along `directions` and writes the results. Two directions get a folder each.
 std::vector<DirectionResult> write_directions(const PlanTask& task,
                                               std::span<const Parameter> directions,
                                               OutputFolder& folder)
@@ -272,7 +275,8 @@ std::vector<DirectionResult> write_directions(const PlanTask& task,
     return results;
 }
 
-// The deepest gouge of a direction, by its motion along the passes and over the whole part.
+// The deepest gouge of a direction: the larger of the motion error along the passes and
+// the deviation measured on the whole part.
 double deepest_gouge(const PlannedDirection& planned)
 {
     return std::max(planned.deviation.max_gouge_mm,

@@ -10,7 +10,7 @@
 
 namespace endmill {
 
-/// The surfaces of a part, what is known of them, and what was asked.
+/// The surfaces of a part, their properties, and the options of the command.
 struct PlanTask {
     std::span<const Surface> surfaces;
     const PlanContext& context;
@@ -23,19 +23,19 @@ struct KnownGouge {
     double depth_mm;
 };
 
-/// A summary for programs and for a person.
+/// Summary and report of a plan.
 struct PlanResult {
     Json summary;
     std::string text;
-    std::size_t uncovered_places;     ///< where a verified plan does not hold
+    std::size_t uncovered_places;     ///< places that a verified plan does not cover
     std::optional<KnownGouge> gouge;  ///< the deepest, if a path is known to gouge
 };
 
-/// Plans along the parameters that were asked for, both at the same time if they fit into
-/// memory, and writes the paths, their pictures and summaries into `folder`, in the place
-/// of what an earlier run left there.
-/// \throws LimitError before the work if the path would not fit the memory, and as
-/// plan_iso_parametric.
+/// Plans along the requested parameters, and writes paths, pictures and summaries into
+/// `folder`. The files of an earlier run are replaced. Both directions are planned at
+/// the same time if they fit into memory.
+/// \throws LimitError before planning if the path would exceed the memory limit; also
+///         throws as plan_iso_parametric.
 PlanResult write_plan(const PlanTask& task, OutputFolder& folder);
 
 }  // namespace endmill

@@ -38,8 +38,8 @@ constexpr std::array no_first{Choice<bool>{"no", false}, Choice<bool>{"yes", tru
 constexpr std::array modes{Choice<PlanMode>{"verified", PlanMode::Verified},
                            Choice<PlanMode>{"paper", PlanMode::Paper}};
 
-// Policies of the paper's planner. The verified one chooses points and passes by the
-// ball's motion.
+// Policies of mode paper only. Mode verified chooses points and passes by the motion of
+// the ball.
 constexpr std::array paper_options{"--governing",      "--last-path", "--end-point",
                                    "--step-curvature", "--march",     "--cross-curvature",
                                    "--cross-step"};

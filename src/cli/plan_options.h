@@ -10,22 +10,22 @@
 
 namespace endmill {
 
-/// Along which parameter a plan runs.
+/// The parameter along which the passes run.
 enum class PlanDirection { U, V, Both };
 
-/// How passes and points are found.
+/// The planner that chooses passes and points.
 enum class PlanMode {
-    Paper,     ///< as the paper does, its misprints corrected
-    Verified,  ///< so that the ball's straight motion keeps the tolerances everywhere
+    Paper,     ///< as published, misprints corrected
+    Verified,  ///< the straight motion of the ball keeps the tolerances everywhere
 };
 
-/// By which points lengths count where one number decides.
+/// The points between which travel is measured where one number decides.
 enum class TravelKind {
     Contact,  ///< chords between contacts
-    Tip,      ///< the cutter's tip: what the machine travels
+    Tip,      ///< the tip of the cutter, as the machine travels
 };
 
-/// The options of `endmill plan`. An empty one gets the default that the help states.
+/// The options of `endmill plan`. An empty option takes the default that the help states.
 struct PlanOptions {
     CommonOptions common;
     std::string part;
@@ -42,13 +42,14 @@ struct PlanOptions {
     bool count_links = true;
     bool g1_is_required = false;
     IsoParametricOptions planning;  ///< the policies
-    MotionTolerances motion{};      ///< in force; PlanMode::Paper is judged by them
+    MotionTolerances motion{};  ///< the values in force; they also judge PlanMode::Paper
 };
 
 /// Adds every option of `plan` to `command`.
 void add_plan_options(CLI::App& command, PlanOptions& options);
 
-/// \throws DomainError naming an option that has no effect in the mode, or beside others.
+/// \throws DomainError naming an option that has no effect in the mode or with the
+/// others.
 void refuse_idle_plan_options(const PlanOptions& options);
 
 /// The word for `mode` in summaries.

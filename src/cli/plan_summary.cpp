@@ -23,7 +23,7 @@ void add_motion(Json& summary, const PlannedDirection& planned)
     summary["uncovered_places"] = planned.uncovered.size();
 }
 
-// What the straight motions leave, over the whole part.
+// Deviation of the whole part after the straight motions.
 void add_deviation(Json& summary, const Deviation& deviation)
 {
     summary["max_gouge_mm"] = deviation.max_gouge_mm;

@@ -13,29 +13,29 @@
 
 namespace endmill {
 
-/// What is known of the surface before it is planned on.
+/// Properties of the surface that are known before planning.
 struct PlanContext {
     std::string name;
     std::string source;
     SurfaceContinuity continuity;
     std::optional<CutterLimit> limit;
     double cutter_diameter;  ///< mm
-    bool several;            ///< surfaces, each planned by itself
+    bool several;            ///< the part has several surfaces, each planned separately
 };
 
-/// What was planned along one parameter.
+/// The plan along one parameter and its measures.
 struct PlannedDirection {
     Parameter along;
     PathEconomy economy;
     ChordError chord_error;
     MotionError motion_error;
-    Deviation deviation;  ///< of what the straight motions leave of a block
-    std::optional<double> tape_length_m;  ///< none for an axis that G-code cannot have
+    Deviation deviation;                  ///< of the part after the straight motions
+    std::optional<double> tape_length_m;  ///< none unless the axis is +z
     std::size_t lifted_links = 0;
     std::vector<UncoveredPlace> uncovered = {};
 };
 
-/// Travel in mm with the links if they count, by contacts or by tips.
+/// Travel in mm between contacts or tips, with the links if `count_links`.
 double counted_travel(const PathEconomy& economy, TravelKind kind, bool count_links);
 
 /// summary.json of one direction.

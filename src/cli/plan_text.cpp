@@ -38,7 +38,7 @@ std::string length_of(const Json& s, const char* key)
     return s[key].is_null() ? "unknown" : shown(s[key].get<double>()) + " mm";
 }
 
-// The ball's motion along its own passes, then what it leaves on the whole part.
+// The motion error along the passes, then gouge and scallop on the whole part.
 std::string deviation_text(const Json& s)
 {
     return fmt::format(

@@ -9,19 +9,19 @@
 
 namespace endmill {
 
-/// A line for a person: the limit of the ball's radius and its place.
+/// The line of the report on the limit of the ball's radius.
 std::string limit_text(const std::optional<CutterLimit>& limit);
 
 /// The first line of a report: part, cutter, mode and tolerances in force.
 std::string settings_text(const PlanContext& context, const PlanOptions& options);
 
-/// The summary of one direction.
+/// The report on one direction.
 std::string direction_text(const Json& summary);
 
-/// The direction that `add_comparison` recommends.
+/// The line of the report on the recommended direction.
 std::string comparison_text(const Json& both);
 
-/// Title and caption of the drawing of a direction with that summary.
+/// Title and caption of the picture of one direction.
 FigureOptions figure_options(const Json& summary);
 
 }  // namespace endmill

@@ -24,7 +24,7 @@
 namespace endmill {
 namespace {
 
-// Rounding by a larger share of the tolerance is reported.
+// A warning is due if rounding exceeds this share of the tolerance.
 constexpr double negligible_share = 0.1;
 
 // Options replace the values of the path.
@@ -40,7 +40,8 @@ void tell(ToolPath& path, const PostOptions& options)
     }
 }
 
-// What is known of the path: by the command line, the file, or the summary beside it.
+// Properties of the path. The command line overrides the program, and the program
+// overrides the summary beside it.
 PathSummary known_of(const Program& program, PathSummary known,
                      const PostOptions& options)
 {
@@ -54,7 +55,7 @@ PathSummary known_of(const Program& program, PathSummary known,
     return known;
 }
 
-// The text in the language that was asked for.
+// The program in the requested language.
 WrittenProgram written(const ToolPath& path, const std::string& name,
                        const PathSummary& known, const PostOptions& options)
 {
@@ -67,7 +68,7 @@ WrittenProgram written(const ToolPath& path, const std::string& name,
                   options.decimals, options.line_numbers, options.comments});
 }
 
-// What a person should know before the machine starts.
+// Warnings to read before the machine starts.
 void warn_of(const PostedPath& posted, const PostOptions& options)
 {
     for (const std::string& remark : posted.read.remarks)
@@ -88,7 +89,7 @@ void warn_of(const PostedPath& posted, const PostOptions& options)
              "no spindle speed is known: M3 has no S word; expected --spindle-rpm");
 }
 
-// Options that only G-code has.
+// Refuses options of G-code in another format.
 void refuse_idle_post_options(const PostOptions& options)
 {
     if (options.format == PostFormat::Gcode)

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array formats{Choice<PostFormat>{"gcode", PostFormat::Gcode},
                              Choice<PostFormat>{"apt", PostFormat::Apt}};
 
-// Controls know tools by at most five digits.
+// Controls accept tool numbers of at most five digits.
 constexpr int greatest_tool = 99999;
 
 void add_program_options(CLI::App& command, PostOptions& options)

@@ -8,7 +8,7 @@
 
 namespace endmill {
 
-/// What a path is written as.
+/// The language of the written program.
 enum class PostFormat { Gcode, Apt };
 
 /// The word of a format on the command line, and the extension of its files.
@@ -16,10 +16,10 @@ struct PostFormatNames {
     std::string word;
     std::string extension;
 };
-/// Those of `format`.
+/// The word and extension of `format`.
 PostFormatNames names_of(PostFormat format);
 
-/// The options of `endmill post`. An empty one is taken from the path or its summary.
+/// The options of `endmill post`. An empty option is taken from the path or its summary.
 struct PostOptions {
     CommonOptions common;
     PathOptions path;

@@ -17,7 +17,7 @@ void add_known(Json& summary, const char* key, const std::optional<Value>& value
         summary[key] = *value;
 }
 
-// One number where there is one, null and both ends where there are more.
+// Adds the number if both ends are equal. Otherwise adds null and the two ends.
 void add_range(Json& summary, const std::string& key, const MinMax& range)
 {
     if (range.least == range.greatest) {

@@ -9,7 +9,7 @@
 
 namespace endmill {
 
-/// A path with what is known of it, and what was written.
+/// A path, its known properties, and the written program.
 struct PostedPath {
     std::string name;
     PathSummary known;  ///< completed by the options
@@ -18,11 +18,11 @@ struct PostedPath {
     std::string file;  ///< its name in the output folder
 };
 
-/// summary.json of `post`. It has the keys of the path's own summary, so that the program
-/// is judged by what the path was planned to.
+/// summary.json of `post`. It has the keys of the path's own summary, so that `verify`
+/// judges the program by the limits for which the path was planned.
 Json post_summary(const PostedPath& posted, const PostOptions& options);
 
-/// The same for a person.
+/// The report on the terminal.
 std::string post_text(const Json& summary);
 
 }  // namespace endmill

@@ -14,7 +14,7 @@ namespace {
 constexpr std::chrono::milliseconds redraw_interval{200};
 constexpr std::chrono::seconds quiet_time{1};
 
-// Work in several short phases is long as a whole.
+// The time counts from the start of the program, since several short phases add up.
 const auto program_start = std::chrono::steady_clock::now();
 
 }  // namespace

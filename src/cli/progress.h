@@ -10,27 +10,28 @@
 
 namespace endmill {
 
-/// A line on standard error that names the work in progress, how far it is and the time
-/// since the program began. It appears once the program has run for a second, if standard error is a
-/// terminal, and not with --quiet. A thread of its own keeps the time up to date, so that
-/// work that reports nothing is seen to go on. Any thread may report.
+/// A progress line on standard error. It shows the current work, the share that is done
+/// and the time since the program began. The line appears after the program has run for
+/// one second, only if standard error is a terminal, and not with --quiet. A separate
+/// thread updates the time, so the line changes even if the work reports nothing. Any
+/// thread may report progress.
 ///
-/// At most one line exists at a time, and nothing else is printed while it does.
+/// At most one line exists at a time. Nothing else is printed while it exists.
 class ProgressLine {
 public:
     /// \param work name of the work, such as "slicing"; it begins now.
     ProgressLine(std::string work, const CommonOptions& options);
     ~ProgressLine();                                        ///< removes the line
     ProgressLine(const ProgressLine&) = delete;             ///< one line, one owner
-    ProgressLine& operator=(const ProgressLine&) = delete;  ///< ditto
+    ProgressLine& operator=(const ProgressLine&) = delete;  ///< not assignable either
 
-    /// Names the work that follows; nothing is known of its share yet.
+    /// Starts new work, whose share is not known yet.
     void begin(std::string work);
 
-    /// \param share done so far, 0 to 1.
+    /// \param share of the work that is done, 0 to 1.
     void show(double share);
 
-    /// \param state how far the work is, where its end is not known.
+    /// \param state progress in words, for work whose end is not known.
     void show(std::string state);
 
 private:

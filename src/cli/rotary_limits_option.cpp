@@ -15,11 +15,11 @@ namespace {
 
 constexpr const char* limits_example = "phi=-30:110,theta=-180:180";
 
-// A word that limits may be given for.
+// A name for which limits may be given.
 struct LimitName {
     std::string name;
     std::size_t axis;  // from the part to the tool
-    MachineSide side;  // the tool's for turns, which need no mirror
+    MachineSide side;  // Head for phi and theta, which are not mirrored
 };
 
 std::vector<LimitName> limit_names(const MachineConfiguration& configuration)

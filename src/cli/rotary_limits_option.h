@@ -8,25 +8,26 @@
 
 namespace endmill {
 
-/// How --limits is written.
+/// Help text of --limits.
 inline constexpr const char* rotary_limits_help =
     "limits phi=LO:HI,theta=LO:HI in degrees, rotations of the tool against the part; or "
     "a, b, c: "
     "positions of these axes (default: none)";
 
-/// The limits that `text` spells for a machine. Names are phi and theta, turns of the tool
-/// against the part, or the letters of its axes, positions that are mirrored on the part's side
-/// of the bed. What is not named stays as `otherwise` has it.
-/// \throws DomainError for a name that the machine has not, twice the same axis, what is no
-///         LO:HI, and what `expected_rotary_range` objects to.
-/// Of a word that is no machine they are checked all the same; phi is then the axis nearer to
-/// the part.
+/// Parses the limits of a machine. The names are phi and theta for rotations of the
+/// tool against the part, or the letters of the axes for axis positions. The positions
+/// of an axis on the part's side of the bed are mirrored. Axes that are not named keep
+/// the limits of `otherwise`. If the configuration is not valid, the limits are checked
+/// as well, and phi is the axis nearer to the part.
+/// \throws DomainError for a name that the machine does not have, an axis that is named
+///         twice, a text that is not LO:HI, and a range that `expected_rotary_range`
+///         refuses.
 RotaryLimits limits_for_machine(const std::string& text,
                                 const MachineConfiguration& configuration,
                                 const RotaryLimits& otherwise);
 
-/// The same where only the family is known: phi and theta alone; what is not named is not
-/// limited.
+/// Parses the limits of a family, whose names are phi and theta only. Axes that are not
+/// named have no limits.
 RotaryLimits limits_for_family(const std::string& text, RotaryFamily family);
 
 }  // namespace endmill

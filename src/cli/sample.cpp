@@ -23,9 +23,9 @@
 namespace endmill {
 namespace {
 
-// Memory that a triangle takes, with its share of points, until its file is written.
+// Memory for one triangle and its share of the points, until the file is written.
 constexpr double bytes_per_triangle = 250;
-// Rounding to float in mm from which on a warning is due.
+// A warning is due if rounding to float exceeds this, in mm.
 constexpr double float_worth_telling = 1e-4;
 
 struct SampleOptions {
@@ -39,7 +39,7 @@ struct SampleOptions {
 
 struct Sampling {
     SampledSurface found;
-    Json settings;  // how it was sampled
+    Json settings;  // sampling options, for the summary
 };
 
 Sampling sampled_as_asked(const SampleOptions& options, std::span<const Surface> surfaces)

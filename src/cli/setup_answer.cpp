@@ -47,7 +47,7 @@ RotaryReach reach_of(const Machine& machine, const SetupCommandOptions& options)
             .arc_tolerance = Angle::degrees(options.arc_tolerance_deg)};
 }
 
-// How far the search over whole cones is, in the unit of what it minimises.
+// Progress of the search over whole cones, in the unit of its objective.
 std::string set_progress_text(const WholeConeSearchProgress& now,
                               SetupObjective objective)
 {

@@ -14,42 +14,46 @@
 
 namespace endmill {
 
-/// The cones that setups are searched for.
+/// The visibility cones of the facets, for which setups are searched.
 struct SetupVisibility {
-    StoredVisibility file;           ///< with what it was computed for
-    std::vector<std::size_t> empty;  ///< facets that nothing reaches
+    StoredVisibility file;  ///< the visibility and the part, grid and tool it belongs to
+    std::vector<std::size_t> empty;  ///< facets that no direction reaches
     double seconds = 0;              ///< wall time
 
-    const VisibilityMap& map() const { return file.visibility.map; }  ///< a column a cell
+    const VisibilityMap& map() const
+    {
+        return file.visibility.map;
+    }  ///< one column for each cell
 };
 
-/// What is found for one machine.
+/// The result for one machine.
 struct SetupAnswer {
-    const SetupMachine* machine;  ///< of the input, which outlives it
+    const SetupMachine* machine;  ///< points into the input, which outlives the answer
     PartSetup best;
     double seconds = 0;                                   ///< wall time of the search
     std::optional<Eigen::Matrix3d> part_to_machine = {};  ///< none without a pose
     std::optional<SetupCover> setups = {};                ///< with --max-setups above 1
     std::optional<SetupTravel> travel = {};  ///< none without a feasible pose or machine
 
-    /// The pose that is told: the best within the limits, or the unconstrained one.
+    /// The reported pose: the best one within the limits, or else the unconstrained one.
     const std::optional<FittedPose>& told() const { return best.shown(); }
-    bool is_out_of_reach = false;  ///< a facet has no cell within the limits at that pose
+    bool is_out_of_reach = false;  ///< at the pose a facet has no cell within the limits
 
-    /// Whether the linear axes go far enough; nothing where they are not limited, or there is
-    /// no pose.
+    /// Whether the travel of the linear axes suffices. Empty if they have no limits or
+    /// there is no pose.
     std::optional<bool> is_travel_ok() const;
 
-    /// (w + floor)(h + floor) of the pose that is told, with h = 0 of four axes and w = 0 of
-    /// three; nothing without a pose.
+    /// The floored area (w + floor)(h + floor) of the reported pose. h is 0 with four
+    /// axes; w and h are 0 with three. Empty without a pose.
     std::optional<double> floored_area_deg2(double floor_deg) const;
 
-    bool is_yes() const;  ///< machinable, and within the travel where that is limited
+    bool is_yes() const;  ///< machinable, and within the travel if it has limits
 };
 
-/// The visibility of the part: of --from-visibility, or computed, with progress.
-/// \throws FormatError, LimitError as `read_visibility`; DomainError if the file is for another
-///         tool.
+/// The visibility of the part, read from --from-visibility or computed. It shows
+/// progress.
+/// \throws FormatError, LimitError as `read_visibility`; DomainError if the file
+///         belongs to another tool.
 SetupVisibility visibility_for(const SetupInput& input,
                                const SetupCommandOptions& options);
 
@@ -58,7 +62,7 @@ SetupAnswer answer_for(const SetupMachine& machine, const SetupInput& input,
                        const SetupVisibility& visibility,
                        const SetupCommandOptions& options);
 
-/// Which of two answers comes first: that of the lower `setup_rank`, then of the lower name.
+/// Whether `one` precedes `other`, by `setup_rank` and then by the name of the file.
 bool ranks_before(const SetupAnswer& one, const SetupAnswer& other,
                   const SetupCommandOptions& options);
 

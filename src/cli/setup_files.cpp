@@ -15,7 +15,8 @@
 namespace endmill {
 namespace {
 
-// The cell that stands for the tool axis; in the modes whose poses are cells it is that.
+// The cell nearest to a direction. In modes whose poses are cells it is the cell of the
+// pose.
 std::size_t cell_nearest(const Vec3& direction, const SphereGrid& grid)
 {
     const auto nearest = std::ranges::max_element(
@@ -41,7 +42,7 @@ ShownSetup shown_setup(const SetupAnswer& answer)
                      pose_frame(machine.configuration, told.pose),
                      {told.phi, told.theta},
                      {}};
-    // Of axes that are not limited at all there is nothing to be seen.
+    // Axes without any limits are not drawn.
     if (machine.rotary != RotaryLimits{})
         setup.limits = machine.rotary;
     return setup;
@@ -74,7 +75,7 @@ std::string sphere_picture(const SetupInput& input, const SetupVisibility& visib
     figure.title = input.name + " on " + answer.machine->name + ": tool directions";
     figure.captions = setup_captions(answer, options);
     figure.setup = shown_setup(answer);
-    // Only these modes take the nearest cells of a pose for all that matters.
+    // Only these modes fit the pose to the nearest cells.
     if (options.mode != SetupMode::WholeCones &&
         answer.machine->machine.configuration.family)
         for (const std::size_t cell :
@@ -104,7 +105,7 @@ void write_setup_files(const SetupInput& input, const SetupVisibility& visibilit
                        const SetupAnswer& answer, const SetupCommandOptions& options,
                        OutputFolder& folder)
 {
-    // What was read is as it would be written.
+    // Do not overwrite the file that was read: its contents would be the same.
     std::error_code ignored;
     const bool is_there =
         !options.from_visibility.empty() &&
@@ -121,7 +122,7 @@ void write_setup_files(const SetupInput& input, const SetupVisibility& visibilit
             write_visibility_csv(visibility.map(), sink);
         });
     folder.remove_unless_written("visibility.csv");
-    // An earlier run's pictures of another machine would tell of a pose that is none.
+    // Remove pictures of an earlier run, which may show a pose of another machine.
     for (const char* name : {"setup.vtp", "setup.svg", "sphere.svg"})
         folder.remove_unless_written(name);
     if (answer.told() && answer.part_to_machine)

@@ -6,8 +6,8 @@
 
 namespace endmill {
 
-/// Writes visibility.bsm, cones.csv, with --write-bsm-csv visibility.csv, and of a machine with
-/// two rotary axes setup.vtp, setup.svg and sphere.svg.
+/// Writes visibility.bsm and cones.csv, and with --write-bsm-csv visibility.csv. If
+/// there is a pose, also writes setup.vtp, setup.svg and sphere.svg.
 void write_setup_files(const SetupInput& input, const SetupVisibility& visibility,
                        const SetupAnswer& answer, const SetupCommandOptions& options,
                        OutputFolder& folder);

@@ -9,7 +9,7 @@
 namespace endmill {
 namespace {
 
-// Options of the mesh, of its visibility, or of a search over facets.
+// Options of the mesh, of its visibility, or of the search over facets.
 constexpr std::array part_only_options{
     "--units",          "--up",         "--chord-tolerance",   "--clamp",
     "--sphere",         "--visibility", "--incidence-deg",     "--tool",

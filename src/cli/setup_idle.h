@@ -8,14 +8,14 @@
 
 namespace endmill {
 
-/// Refuses options of `endmill setup` that would change nothing beside the others: each was
-/// meant for something.
-/// \throws DomainError with the option, and what it is of use with.
+/// Refuses options of `endmill setup` that have no effect with the other options.
+/// \throws DomainError naming the option and the options with which it has an effect.
 void refuse_idle_setup_options(const SetupCommandOptions& options);
 
-/// The same for what would change nothing on these machines. Of several nothing is refused, and
-/// on a word that is no machine nothing either: its reason is the answer.
-/// \throws DomainError as above
+/// Refuses options that have no effect on the machine. Accepts all options if there are
+/// several machines, or if the machine is not valid: the command then reports the
+/// reason.
+/// \throws DomainError as `refuse_idle_setup_options`.
 void refuse_options_idle_on(std::span<const SetupMachine> machines,
                             const SetupCommandOptions& options);
 

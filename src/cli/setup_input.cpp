@@ -21,8 +21,8 @@
 namespace endmill {
 namespace {
 
-// Triangles without an area that the reader left out, back in their places, so that facets
-// have the numbers of the file. They have no cone and block nothing.
+// Restores the degenerate triangles that the reader left out, so that facets keep the
+// numbers of the file. Degenerate facets have no cone and block no direction.
 TriangleMesh with_degenerate(const TriangleMesh& mesh,
                              std::span<const std::size_t> degenerate)
 {
@@ -71,12 +71,13 @@ void take_surfaces(SetupInput& input, std::span<const Surface> surfaces,
     take_mesh(input, std::move(sampled_part.mesh));
 }
 
-// Before anything of that size is made.
+// Checks the memory of the visibility map before it is allocated.
 void require_map_memory(const SetupInput& input, const SetupCommandOptions& options)
 {
     const std::size_t cells = sphere_grid_cells(options.sphere);
     const std::size_t facets = input.mesh.triangles().size();
-    // A bit a facet; a triangle, half a corner, a centre and a solid angle.
+    // A cell needs one bit for each facet, and a triangle, half a corner point, a
+    // centre and a solid angle.
     const double bytes_per_cell = static_cast<double>(facets) / 8 + sizeof(Triangle) +
                                   1.5 * sizeof(Vec3) + sizeof(double);
     const double gib = static_cast<double>(cells) * bytes_per_cell / 0x1p30;
@@ -106,7 +107,8 @@ void take_visibility(SetupInput& input, const SetupCommandOptions& options)
 
 }  // namespace
 
-// R2 of A,B beyond a quarter turn: poses there would be those of the other side.
+// Remarks that R2 of A,B is not used beyond a quarter turn: poses beyond it repeat
+// those of the opposite side.
 void remark_cut_limits(SetupInput& input)
 {
     constexpr double quarter = std::numbers::pi / 2;
@@ -140,7 +142,7 @@ SetupInput read_setup_input(const SetupCommandOptions& options)
     refuse_options_idle_on(input.machines, options);
     if (!options.tool.empty())
         input.tool = read_tool(options.tool, options.common.limits);
-    constexpr std::size_t longest_body = 1000;  // that a visibility file names
+    constexpr std::size_t longest_body = 1000;  // characters in a visibility file
     if (body_text(input.tool).size() > longest_body)
         throw DomainError{options.tool +
                           ": found too many cylinders in shank and holder; expected as "

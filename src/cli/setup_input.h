@@ -14,25 +14,27 @@
 
 namespace endmill {
 
-/// What a setup is looked for with.
+/// The input of `endmill setup`.
 struct SetupInput {
-    std::string name;                  ///< of the part
-    std::string source;                ///< of its numbers
+    std::string name;                  ///< name of the part
+    std::string source;                ///< source of the part's numbers
     TriangleMesh mesh;                 ///< in mm
-    std::vector<std::string> notes;    ///< of its reader, who has warned of them
-    std::vector<std::string> remarks;  ///< beside them
+    std::vector<std::string> notes;    ///< of the part's reader, which has printed them
+    std::vector<std::string> remarks;  ///< further remarks, not printed yet
     SphereGrid grid;
     std::optional<StoredVisibility> known_visibility;  ///< of --from-visibility
-    std::vector<SetupMachine> machines;  ///< one, or all of a folder by name
-    std::optional<Tool> tool;  ///< that must be clear of the part, and gives the length
+    std::vector<SetupMachine>
+        machines;              ///< one machine, or all of a folder sorted by name
+    std::optional<Tool> tool;  ///< its body must stay clear of the part
 };
 
-/// What tells the body of a tool from another: its cylinders, in mm; empty without one.
+/// A text that identifies the body of a tool: its cylinders, in mm. Empty without a body.
 std::string body_text(const std::optional<Tool>& tool);
 
-/// Reads all files that the options of `endmill setup` name. A surface is sampled.
-/// \throws FormatError, LimitError, DomainError as the readers; DomainError for a grid that is
-///         none; LimitError if the visibility does not fit --max-memory.
+/// Reads all files that the options of `endmill setup` name. A surface is sampled as a
+/// mesh.
+/// \throws FormatError, LimitError, DomainError as the readers; DomainError if --sphere
+///         is not a grid; LimitError if the visibility needs more than --max-memory.
 SetupInput read_setup_input(const SetupCommandOptions& options);
 
 }  // namespace endmill

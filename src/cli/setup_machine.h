@@ -9,17 +9,17 @@
 
 namespace endmill {
 
-/// A machine for which a setup is searched.
+/// A machine, or a family of machines, for which a setup is searched.
 struct SetupMachine {
     std::string name;        ///< word, file as given, or family
     std::string file;        ///< the file that it was read from, or empty
     bool is_family = false;  ///< the machine stands for all machines of its family
-    Machine machine;         ///< with the limits of the command line, if given
+    Machine machine;         ///< has the limits of the command line, if given
 };
 
 /// The machines of --machine or --family.
-/// \throws DomainError unless one of the two is given; FormatError for a file or a folder
-///         without a machine file.
+/// \throws DomainError unless exactly one of the two is given; FormatError for a bad
+///         file, or a folder without machine files.
 std::vector<SetupMachine> setup_machines(const SetupCommandOptions& options);
 
 }  // namespace endmill

@@ -16,12 +16,12 @@ namespace endmill {
 /// The options of `endmill setup`.
 struct SetupCommandOptions {
     CommonOptions common;
-    PartOptions part;                       ///< empty with `points`
+    PartOptions part;                       ///< its path is empty with `points`
     std::optional<double> chord_tolerance;  ///< mm, of the mesh of a surface
     std::string points;                     ///< CSV of directions instead of a part
     std::string machine;                    ///< word, file, folder, or "all"
     std::optional<RotaryFamily> family;     ///< instead of a machine
-    std::string limits;                     ///< as `rotary_limits_help` says; empty: none
+    std::string limits;                     ///< see `rotary_limits_help`; empty: none
     std::string sphere = "hex:10";
     SetupMode mode = SetupMode::Paper;
     VisibilityKind visibility = VisibilityKind::Global;
@@ -32,13 +32,13 @@ struct SetupCommandOptions {
     int max_nodes = 200'000;
     int max_setups = 1;
     double arc_tolerance_deg = 2.95;
-    Vec3 clamp{0, 0, 0};          ///< mm, where the part's origin is put
+    Vec3 clamp{0, 0, 0};          ///< mm, position of the part's origin on the machine
     std::string tool;             ///< file
     std::string from_visibility;  ///< file
     bool write_bsm_csv = false;
 };
 
-/// Adds them to `command`.
+/// Adds every option of `setup` to `command`.
 void add_setup_options(CLI::App& command, SetupCommandOptions& options);
 
 /// The word of a mode, as --mode takes it.

@@ -29,7 +29,7 @@ SetupMachine machine_for_points(const SetupCommandOptions& options)
     return machines.front();
 }
 
-// What is told of the axis across the tool axis: R1 in A,B, R2 in C,A.
+// Azimuth of the rotary axis across the tool axis: R1 of A,B, R2 of C,A.
 Json azimuth_deg(const Vec3& axis)
 {
     return Angle::radians(std::atan2(axis.y(), axis.x())).written_degrees();
@@ -75,7 +75,7 @@ ExitCode run_setup_points(const SetupCommandOptions& options)
     const MachineConfiguration& configuration = machine.machine.configuration;
     const std::vector<Vec3> directions =
         read_directions(options.points, options.common.limits);
-    PoseSearchResult search;  // nothing fits a word that is no machine
+    PoseSearchResult search;  // stays empty if the machine is not valid
     if (configuration.family)
         search = pose_fit(Vec3::UnitZ(), directions,
                           {.family = *configuration.family,

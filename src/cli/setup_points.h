@@ -5,10 +5,12 @@
 
 namespace endmill {
 
-/// Fits sector or rectangle to the directions of --points, the tool axis at +z.
-/// \return Yes unless they do not fit: no pose within limits, or in no open hemisphere.
-/// \throws FormatError, LimitError as `read_directions`; DomainError for options that do not
-///         go with it.
+/// Runs `setup` with --points. It fits a sector (C,A) or a rectangle (A,B) to the
+/// directions, with the tool axis at +z.
+/// \return No if no pose within the limits exists, or no open hemisphere holds the
+/// directions.
+/// \throws FormatError, LimitError as `read_directions`; DomainError for options that
+///         --points excludes.
 ExitCode run_setup_points(const SetupCommandOptions& options);
 
 }  // namespace endmill

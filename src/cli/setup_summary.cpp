@@ -13,7 +13,7 @@
 namespace endmill {
 namespace {
 
-// deg^2 in a rad^2.
+// Square degrees in one square radian.
 constexpr double deg2_per_rad2 = (180 / std::numbers::pi) * (180 / std::numbers::pi);
 
 double to_deg(double radians)
@@ -52,7 +52,7 @@ bool is_set(const SetupCommandOptions& options)
     return options.mode == SetupMode::WholeCones;
 }
 
-// The objective that was minimised: the area in the modes that know no other.
+// Adds the objective that was minimised. All modes but set minimise the area.
 void add_objective(Json& summary, const SetupAnswer& answer,
                    const SetupCommandOptions& options)
 {
@@ -101,7 +101,8 @@ void add_travel_keys(Json& summary, const SetupAnswer& answer,
     summary["clamp_centred_mm"] = vector_json(travel->centred_clamp);
 }
 
-// With one setup asked for there is no list: the pose itself tells it.
+// Adds the list of setups. It is null with --max-setups 1, where the pose is the only
+// setup.
 void add_setups(Json& summary, const SetupAnswer& answer,
                 const SetupCommandOptions& options)
 {
@@ -121,7 +122,7 @@ void add_setups(Json& summary, const SetupAnswer& answer,
     summary["uncovered"] = answer.setups->uncovered;
     const bool needs_two =
         is_set(options) && answer.best.machinable == Answer::No && answer.best.is_proved;
-    if (!has_empty_cones)  // else no number of setups will do
+    if (!has_empty_cones)  // an empty cone makes every number of setups insufficient
         summary["setups_lower_bound"] = needs_two ? 2 : 1;
 }
 
@@ -154,7 +155,7 @@ void add_search(Json& summary, const SetupAnswer& answer,
     const PartSetup& best = answer.best;
     summary["machinable"] = machinable_json(best);
     summary["proved"] = best.is_proved;
-    // Words for what a pose is like need one.
+    // The status describes a pose, except that no open hemisphere rules out any pose.
     const bool has_status =
         answer.told().has_value() || best.status == SetupStatus::NoOpenHemisphere;
     summary["status"] = has_status ? Json(setup_status_word(best.status)) : Json{};
@@ -171,7 +172,7 @@ void add_search(Json& summary, const SetupAnswer& answer,
     add_travel_keys(summary, answer, options);
 }
 
-// The first facets; the summary lists all.
+// The first unreachable facets. The summary lists all of them.
 std::string unreached_text(const Json& facets)
 {
     constexpr std::size_t most_shown = 10;
@@ -182,7 +183,7 @@ std::string unreached_text(const Json& facets)
     return text + (facets.size() > most_shown ? " ...\n" : "\n");
 }
 
-// Whether the linear axes reach all facets, and which clamping helps.
+// Whether the linear axes reach all facets, and a clamping position that may help.
 std::string travel_text(const Json& s)
 {
     if (s["travel_ok"].is_null())
@@ -203,7 +204,7 @@ std::string travel_text(const Json& s)
                               shown(clamp[2].get<double>()));
 }
 
-// What the mode leaves open, and the mode that does not.
+// The limitation of the mode, and a mode without it.
 std::string better_mode_text(const Json& s)
 {
     const std::string mode = s["mode"].get<std::string>();

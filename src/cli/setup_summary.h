@@ -8,23 +8,24 @@
 
 namespace endmill {
 
-/// What `endmill setup` tells of its best answer, the first one; with the ranking of all where
-/// there are several.
+/// summary.json of `setup`. It describes the first, best answer, and ranks all answers
+/// if there are several.
 Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,
                    std::span<const SetupAnswer> answers,
                    const SetupCommandOptions& options);
 
-/// The same for a person: some lines.
+/// The report on the terminal.
 std::string setup_text(const Json& summary);
 
-/// Keys of a pose and its ranges: `area_deg2`, `phi_deg`, `theta_deg`, `tool_axis`, `r1_axis`,
-/// `r2_axis`; null without one.
+/// The keys of a pose: `area_deg2`, `phi_deg`, `theta_deg`, `tool_axis`, `r1_axis`,
+/// `r2_axis`. Their values are null without a pose.
 Json pose_json(const std::optional<FittedPose>& fit);
 
-/// Of a machine: `machine` (its file), `configuration`, `type` and `reason`, why it is none.
+/// The keys of a machine: `machine` (its file), `configuration`, `type`, and `reason`
+/// if the configuration is not valid.
 Json machine_json(const SetupMachine& machine);
 
-/// Of what a pose is compared with: `limits_phi_deg`, `limits_theta_deg`.
+/// The keys of the rotary limits: `limits_phi_deg`, `limits_theta_deg`.
 Json limits_json(const RotaryLimits& limits);
 
 /// [min, max] in degrees.

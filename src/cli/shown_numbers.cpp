@@ -9,11 +9,11 @@
 namespace endmill {
 namespace {
 
-// In mm: less than that is neither measured nor machined.
+// Smaller lengths in mm can neither be measured nor machined.
 constexpr double negligible = 5e-7;
 constexpr int significant_digits = 5;
 
-// Decimals that leave `significant_digits` digits, up to the last that matters.
+// Number of decimals that leave `significant_digits` digits, at most six.
 int decimals_of(double magnitude)
 {
     constexpr int most_decimals = 6;
@@ -56,7 +56,7 @@ std::string shown_degrees(double degrees)
 
 std::string shown_limit(double mm)
 {
-    // A limit that is computed may miss a round number by its rounding.
+    // Rounding may make a computed limit slightly smaller than a round number.
     constexpr double rounding = 1e-9;
     const double scale = std::pow(10, decimals_of(mm));
     return shown(std::floor(mm * (1 + rounding) * scale) / scale);

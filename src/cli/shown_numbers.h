@@ -5,7 +5,7 @@
 
 namespace endmill {
 
-/// Numbers as a person reads them, rounded to what matters. Files and --json keep all
+/// Numbers of reports, rounded to the digits that matter. Files and --json keep all
 /// digits.
 
 /// A length in mm, or any other quantity, to 5 significant digits: "0.66637", "137107".
@@ -18,8 +18,8 @@ std::string shown_coordinate(double mm);
 /// An angle to 0.01 degrees: "12.35", "45".
 std::string shown_degrees(double degrees);
 
-/// An open upper limit in mm: 5 significant digits, rounded down so that every value below
-/// what is shown is below the limit.
+/// An open upper limit in mm to 5 significant digits. It is rounded down, so that every
+/// value below the shown limit is below the limit itself.
 std::string shown_limit(double mm);
 
 }  // namespace endmill

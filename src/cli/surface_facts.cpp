@@ -83,15 +83,16 @@ SurfaceFile read_surface_for(const std::string& path, const std::string& command
 
 namespace {
 
-// The name of the folder in which `path` lies, as far as `path` itself tells it.
+// The name of the folder of `path`, if `path` contains it.
 std::string folder_name(const std::filesystem::path& path)
 {
     const std::string name = path.parent_path().filename().string();
     return name == ".." ? "" : name;
 }
 
-// Every plan calls its path toolpath.csv, in a folder u or v where it has both directions:
-// then the folders say which path it is.
+// The name of an input for its output folder. All plans call their path toolpath.csv
+// and put it into a folder u or v if they have both directions, so the folders identify
+// the path.
 std::string telling_name(const std::filesystem::path& input)
 {
     std::string stem = input.stem().string();

@@ -20,36 +20,37 @@ struct PartOptions {
     UpAxis up = UpAxis::Z;
 };
 
-/// The argument PART and the options --units and --up, which are for meshes.
+/// Adds the argument PART and the options --units and --up of meshes.
 void add_part_options(CLI::App& command, PartOptions& part);
 
-/// Those two options alone.
+/// Adds --units and --up only.
 void add_mesh_options(CLI::App& command, PartOptions& part);
 
-/// Writes into the summary of a path in `folder` which part it is for, as seen from there,
-/// so that both may move together.
+/// Adds the part to the summary of a path in `folder`. The part's file name is relative
+/// to `folder`, so that both may be moved together.
 void name_part(Json& summary, const PartOptions& part,
                const std::filesystem::path& folder);
 
-/// The argument SURFACE, for a command that a mesh cannot serve.
+/// Adds the argument SURFACE, for a command that does not accept a mesh.
 void add_surface_argument(CLI::App& command, std::string& path);
 
 /// Reads the part of a command. Its notes become warnings.
 /// \throws FormatError, LimitError, DomainError as read_part.
 PartFile read_part_for(const PartOptions& part, const CommonOptions& options);
 
-/// The same where only surfaces serve.
+/// Reads the part of a command that accepts surfaces only.
 /// \throws DomainError if the part is a mesh.
 SurfaceFile read_surface_for(const std::string& path, const std::string& command,
                              const CommonOptions& options);
 
-/// The folder for the results: --output, or ./NAME-COMMAND after the input's name. That of
-/// a file called toolpath is its folder's, with the one above if that is u or v:
-/// results/u/toolpath.csv is verified into ./results-u-verify.
+/// The folder for the results: --output, or ./NAME-COMMAND after the name of the input.
+/// A file called toolpath takes the name of its folder, and also of the folder above if
+/// its folder is u or v. For example, the results for results/u/toolpath.csv are in
+/// ./results-u-verify.
 std::string output_folder(const std::string& input, const std::string& command,
                           const CommonOptions& options);
 
-/// {"u", "v", "point_mm"}, and "patch" if that is given.
+/// A place with the keys u, v and point_mm, and with patch if it is given.
 Json place_json(const SurfacePoint& at, const Vec3& point,
                 std::optional<std::size_t> patch = std::nullopt);
 
@@ -58,11 +59,11 @@ Json vector_json(const Vec3& point);
 
 /// Adds `continuity`, `worst_break_deg` and `worst_break_at` to a summary; null if no
 /// border has a break.
-/// \param several surfaces make the part: a place then names its patch.
+/// \param several whether the part has several surfaces; a place then names its patch.
 void add_continuity(Json& summary, const SurfaceContinuity& continuity, bool several);
 
 /// Adds `max_cutter_radius_mm` and `max_cutter_radius_at`, null without a limit.
-/// \param several as above.
+/// \param several whether the part has several surfaces; a place then names its patch.
 void add_cutter_limit(Json& summary, const std::optional<CutterLimit>& limit,
                       bool several);
 
@@ -73,10 +74,10 @@ std::string break_text(const SurfaceContinuity& continuity);
 ExitCode refuse_break(const std::string& file, const SurfaceContinuity& continuity,
                       const CommonOptions& options);
 
-/// The option --require, whose one word is g1.
+/// Adds the option --require, whose only word is g1.
 void add_require_option(CLI::App& command, bool& g1_is_required);
 
-/// The option --axis, as a unit vector; +z by default.
+/// Adds the option --axis. `axis` becomes a unit vector; the default is +z.
 void add_axis_option(CLI::App& command, Vec3& axis);
 
 }  // namespace endmill

@@ -22,7 +22,7 @@ struct ToolLifeOptions {
     std::optional<double> alpha;
 };
 
-// What the options give; that all are there is checked when the command line is read.
+// The parser of the command line has checked that all required options are present.
 Json tool_life_summary(const ToolLifeOptions& options)
 {
     const auto data = read_cutting_speeds(options.file, options.common.limits);

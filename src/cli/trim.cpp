@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// endmill trim: sections of an offset, their loops cut out.
+// endmill trim: slices an offset and removes the loops of its sections.
 
 #include <algorithm>
 #include <array>
@@ -17,11 +17,11 @@
 namespace endmill {
 namespace {
 
-// The only method for a mesh, whose curves come from the drop cutter.
+// The only method for a mesh. Its curves come from the drop cutter.
 constexpr std::string_view mesh_method = "envelope";
 constexpr const char* needs_surface = "it needs a surface, whose normals give an offset";
 
-// What would make the path better.
+// A choice of options that would improve the path.
 std::string better_choice(const TrimResult& result, const TrimOptions& options)
 {
     if (result.method != "envelope" && result.method != "winding")
@@ -31,7 +31,7 @@ std::string better_choice(const TrimResult& result, const TrimOptions& options)
     return "a finer --grid or --refine comes closer";
 }
 
-// What is wrong with the path: a gouge beyond the tolerance, or folds that are left.
+// The fault of the path, if it gouges deeper than the tolerance or keeps folds.
 std::optional<std::string> fault_of(const TrimResult& result, const TrimOptions& options)
 {
     const double gouge = max_gouge(result).value_or(0);
@@ -58,7 +58,7 @@ void check_figure(const TrimOptions& options, const TrimInput& input)
                        std::to_string(input.sections.size() - 1));
 }
 
-// Planes that miss the part, in a gap between its surfaces.
+// Warns of planes that miss the part, as in a gap between its surfaces.
 void warn_of_empty_planes(const TrimOptions& options, const TrimInput& input)
 {
     const auto empty = std::ranges::count_if(
@@ -77,13 +77,14 @@ void warn_of_empty_planes(const TrimOptions& options, const TrimInput& input)
 struct Outcome {
     Json summary;
     std::string text;
-    std::optional<std::string> fault = {};  // what makes the answer a no
+    std::optional<std::string> fault = {};  // the reason for exit code 1
 };
 
 Outcome trim_all(const TrimInput& input, const TrimOptions& options, OutputFolder& folder)
 {
     Outcome outcome;
-    // The first run also starts the threads and fills the caches; its time would mislead.
+    // Run once without timing: the first run also starts the threads and fills the
+    // caches.
     if (!input.drop_cutter)
         trim_planes(input.sections, input.ranges, trimming_methods().front(),
                     trimming_options(options, 1));

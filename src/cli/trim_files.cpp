@@ -32,7 +32,7 @@ std::vector<std::vector<SectionCurve>> curves_of(const TrimInput& input)
     return curves;
 }
 
-// Height of all curves together.
+// Extent of all curves in z.
 double height_of(const TrimInput& input)
 {
     double low = std::numeric_limits<double>::infinity();
@@ -58,7 +58,7 @@ ToolPath linked(const TrimInput& input, const TrimOptions& options,
     return link_sections(planes, input.planes->frame, *options.cutter, link);
 }
 
-// Curves that need no trimming.
+// Converts curves that need no trimming.
 std::vector<Trimmed> as_trimmed(std::span<const PlaneSection> sections)
 {
     std::vector<Trimmed> planes(sections.size());
@@ -75,7 +75,8 @@ std::vector<Trimmed> as_trimmed(std::span<const PlaneSection> sections)
     return planes;
 }
 
-// How far the sampled points are from the smooth offset; and puts them there if asked.
+// Measures the distance of the sampled points from the smooth offset. With --refine it
+// also moves the points onto the offset.
 void measure_sampling(const TrimInput& input, const TrimOptions& options,
                       TrimResult& result)
 {
@@ -92,7 +93,7 @@ void measure_sampling(const TrimInput& input, const TrimOptions& options,
         result.trimmed[k].curves = std::move(refined.curves[k]);
 }
 
-// Of the cutter from the part, at all points that are left.
+// Smallest distance between cutter and part at all trimmed points.
 std::optional<double> clearance(const TrimInput& input, const TrimOptions& options,
                                 std::span<const Trimmed> trimmed)
 {
@@ -109,7 +110,7 @@ std::optional<double> clearance(const TrimInput& input, const TrimOptions& optio
     return least ? std::optional{least->gap} : std::nullopt;
 }
 
-// Lines of the part itself in one plane; of curves none is known.
+// Sections of the part with one plane. Empty if only curves are given.
 std::vector<std::vector<SectionPoint>> part_lines(const TrimInput& input,
                                                   std::size_t plane)
 {
@@ -140,7 +141,7 @@ std::string section_picture(const TrimResult& result, const TrimInput& input,
         figure);
 }
 
-// All that is left, where it stands; curves of a file in a plane of their own.
+// Picture of all trimmed curves in space. Curves of a file are drawn in the plane y = 0.
 std::string trimmed_picture(const TrimResult& result, const TrimInput& input)
 {
     std::vector<std::vector<Vec3>> curves;
@@ -160,7 +161,7 @@ std::string trimmed_picture(const TrimResult& result, const TrimInput& input)
     return curves_svg(curves, figure);
 }
 
-// Rounding of coordinates of some 100 mm.
+// A smaller step back is rounding, for coordinates of some 100 mm.
 constexpr double step_back_mm = 1e-10;
 
 Comparison comparison(const TrimInput& input, const TrimOptions& options,
@@ -240,7 +241,7 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
 
 namespace {
 
-// Pictures that an earlier run left in a folder, of whichever plane.
+// Names of the section pictures of an earlier run in a folder, of any plane.
 std::vector<std::string> section_pictures(const std::filesystem::path& folder)
 {
     static const std::regex picture{R"(section-\d+\.svg)"};

@@ -9,20 +9,21 @@
 
 namespace endmill {
 
-/// Trims the sections by `method`, and measures what is left.
+/// Trims the sections by `method` and measures the trimmed curves.
 /// \throws DomainError, GeometryError as the method and link_sections do.
 TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
                    const TrimOptions& options);
 
-/// Writes what one method left into `folder` under `prefix`: trimmed.csv, loops.csv,
-/// summary.json, for a part toolpath.csv, and pictures if a plane is asked for.
+/// Writes the result of one method into `folder` under `prefix`: trimmed.csv, loops.csv
+/// and summary.json, for a part also toolpath.csv, and pictures if --figure names a
+/// plane.
 /// \return the summary.
 Json write_trimmed(const TrimResult& result, const TrimInput& input,
                    const TrimOptions& options, OutputFolder& folder,
                    const std::string& prefix);
 
-/// Writes sections.csv, and makes room for the files of this run: those of an earlier one
-/// are removed unless they are written anew.
+/// Writes sections.csv, and removes the files of an earlier run that this run does not
+/// write.
 void write_sections(const TrimInput& input, OutputFolder& folder);
 
 }  // namespace endmill

@@ -26,17 +26,18 @@ constexpr std::array boundaries{
 constexpr std::array orders{Choice<PassOrder>{"zigzag", PassOrder::ZigZag},
                             Choice<PassOrder>{"one-way", PassOrder::OneWay}};
 
-// Options of a part and its path: they do not apply to --polyline.
+// Options of a part and its path, which --polyline excludes.
 constexpr std::array part_options{
     "--units", "--up",       "--planes",    "--pitch", "--scallop",    "--direction-deg",
     "--grid",  "--boundary", "--allowance", "--order", "--safe-height"};
 constexpr const char* all_methods = "all";
-// Of the ball's radius; of the curves' extent in z where there is no cutter.
+// Default step of method 1, as a share of the cutter's radius. Without a cutter it is a
+// share of the curves' extent in z.
 constexpr double step_share_of_radius = 1.0 / 500;
 constexpr double step_share_of_extent = 1.0 / 1000;
 constexpr double threshold_in_steps = 4;
 constexpr int most_planes = 10'000'000;
-constexpr int most_grid = 46'000;  // so that N x N vertices can be numbered
+constexpr int most_grid = 46'000;  // N x N vertices must have 32-bit numbers
 
 std::vector<std::string_view> method_words()
 {
@@ -171,7 +172,7 @@ void require_option(bool holds, const std::string& what)
 
 namespace {
 
-// Options of single methods beside another one.
+// Refuses options of methods other than the selected one.
 void refuse_idle_method_options(const TrimOptions& options, const std::string& method)
 {
     if (method == all_methods)
@@ -245,7 +246,8 @@ TrimmingOptions trimming_options(const TrimOptions& options, double extent)
                                                         : FoldDetection::Guarded);
     const double step = options.cutter ? step_share_of_radius * options.cutter->radius()
                                        : step_share_of_extent * extent;
-    // Curves on one level have no folds that a line could meet.
+    // The step must be positive. Curves at one height have no folds, so any step serves
+    // them.
     trimming.scan_step =
         options.scan_step.value_or(std::max(step, std::numeric_limits<double>::min()));
     trimming.scan_threshold =

@@ -13,22 +13,22 @@
 
 namespace endmill {
 
-/// How folds are found and borders treated unless an option says otherwise.
+/// The defaults for fold detection, borders and method.
 enum class TrimMode {
     Corrected,  ///< guarded detection, contacts on borders and creases, method envelope
     Paper,      ///< literal detection, no contacts on borders, method 3
 };
 
-/// The options of `endmill trim`. An empty one gets the default that the help states.
+/// The options of `endmill trim`. An empty option takes the default that the help states.
 struct TrimOptions {
     CommonOptions common;
-    PartOptions part;      ///< its path is empty if curves are given
+    PartOptions part;      ///< its path is empty with `polyline`
     std::string polyline;  ///< file of curves; empty if a part is given
     std::optional<Cutter> cutter;
     std::optional<int> planes;      ///< default 100
-    std::optional<double> pitch;    ///< mm, instead of a number of planes
-    std::optional<double> scallop;  ///< mm on level ground, ditto
-    double direction_deg = 0;       ///< of the feed, from +x
+    std::optional<double> pitch;    ///< mm, replaces the number of planes
+    std::optional<double> scallop;  ///< mm on level ground, replaces the number of planes
+    double direction_deg = 0;       ///< feed direction, from +x
     int grid = 200;
     TrimMode mode = TrimMode::Corrected;
     std::optional<std::string> method;       ///< a name in the table, or "all"
@@ -37,7 +37,7 @@ struct TrimOptions {
     std::optional<double> scan_threshold;    ///< mm, method 1
     BranchSearch search = BranchSearch::March;
     std::optional<BoundaryContact> boundary;
-    double tolerance = 0.01;  ///< mm, deepest gouge that is no failure
+    double tolerance = 0.01;  ///< mm, largest gouge depth
     double allowance = 0;     ///< mm of stock to leave
     bool refine = false;
     PassOrder order = PassOrder::ZigZag;
@@ -50,7 +50,8 @@ struct TrimOptions {
 void add_trim_options(CLI::App& command, TrimOptions& options);
 
 /// Checks the options together.
-/// \throws DomainError naming options that exclude each other, are missing, or have no effect.
+/// \throws DomainError naming options that exclude each other, are missing or have no
+/// effect.
 void check_trim_options(const TrimOptions& options);
 
 /// Throws DomainError with `what` unless `holds`.
@@ -59,14 +60,15 @@ void require_option(bool holds, const std::string& what);
 /// The word for `mode`, as --mode takes it.
 std::string_view mode_word(TrimMode mode);
 
-/// Name of the method in force, or "all".
+/// Name of the selected or default method, or "all".
 std::string method_name(const TrimOptions& options);
 
-/// Whether the offset gets contacts on borders, corners and creases.
+/// The selected or default treatment of borders, corners and creases.
 BoundaryContact boundary_contact(const TrimOptions& options);
 
-/// The options of a trimming method. \param extent of the curves' z in mm; sets the step of
-/// method 1 where there is no cutter.
+/// The options of a trimming method.
+/// \param extent of the curves in z, in mm. It sets the step of method 1 if no cutter
+/// is given.
 TrimmingOptions trimming_options(const TrimOptions& options, double extent);
 
 /// Adds every setting with the value in force to a summary.

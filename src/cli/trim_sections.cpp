@@ -22,7 +22,7 @@ namespace endmill {
 namespace {
 
 constexpr int default_planes = 100;
-constexpr double clear_above = 5;  // mm between the part and rapids, as `plan` has it
+constexpr double clear_above = 5;  // mm between part and rapids, as in `plan`
 
 using Clock = std::chrono::steady_clock;
 
@@ -31,8 +31,8 @@ double milliseconds_since(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// Widest step between planes for a scallop on level ground: of a bull-nose cutter the flat
-// bottom adds its width.
+// Largest distance of planes for a scallop height on level ground. The flat bottom of a
+// bull-nose cutter adds its width.
 double pitch_for(double scallop, const Cutter& cutter)
 {
     const double r = cutter.corner_radius();
@@ -91,7 +91,8 @@ void add_surface_sections(const std::vector<Surface>& surfaces,
     input.highest = extent(surfaces, Vec3::UnitZ()).high;
 }
 
-// A mesh has no field of normals: the drop cutter's curves are trimmed already.
+// A mesh has no continuous normals to offset along. The drop cutter gives curves that
+// need no trimming.
 void add_mesh_sections(const TriangleMesh& mesh, const TrimOptions& options,
                        TrimInput& input)
 {
@@ -121,7 +122,8 @@ void add_mesh_sections(const TriangleMesh& mesh, const TrimOptions& options,
     for (auto& curves : mesh_sections(*input.drop_cutter, *input.planes, sampling))
         input.sections.push_back({std::move(curves), {}, {}, 0});
     input.slice_ms = milliseconds_since(start);
-    // What is left is judged by the cutter itself, without the allowance.
+    // The clearance of the result is measured with the cutter itself, without the
+    // allowance.
     input.drop_cutter.emplace(mesh, *options.cutter);
 }
 

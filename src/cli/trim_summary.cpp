@@ -20,7 +20,7 @@ Json or_null(const std::optional<double>& value)
     return value ? finite_or_null(*value) : Json(nullptr);
 }
 
-// Where the path goes, and how far.
+// Adds the lengths and heights of the path.
 void add_path(Json& summary, const TrimInput& input, const TrimOptions& options,
               const TrimResult& result)
 {

@@ -18,7 +18,7 @@ const CLI::App& chosen_command(const CLI::App& program)
     return *command;
 }
 
-// "endmill eval path-interval": a command with those that it belongs to.
+// The name of a command with its parents, such as "endmill eval path-interval".
 std::string full_name(const CLI::App& command)
 {
     const CLI::App* parent = command.get_parent();
@@ -30,13 +30,13 @@ std::vector<const CLI::App*> subcommands(const CLI::App& command)
     return command.get_subcommands([](const CLI::App*) { return true; });
 }
 
-// A word that a command understands, and how to write it there.
+// A known word, and the form in which the user writes it.
 struct KnownWord {
     std::string word;
     std::string written;
 };
 
-// The options and commands of `command`, then the commands of its commands.
+// The options and subcommands of `command`, and the subcommands of these.
 std::vector<KnownWord> known_words(const CLI::App& command)
 {
     std::vector<KnownWord> known;
@@ -51,7 +51,7 @@ std::vector<KnownWord> known_words(const CLI::App& command)
     return known;
 }
 
-// What was meant by a word that `command` does not know.
+// A suggestion for a word that `command` does not know.
 std::string suggestion(const CLI::App& command, const std::string& word)
 {
     const std::vector<KnownWord> known = known_words(command);

@@ -8,16 +8,17 @@
 
 namespace endmill {
 
-/// Whether an unknown word stands where a command was expected, which CLI11 overlooks when
-/// help is asked for.
+/// Whether the command line has an unknown word in place of a command. CLI11 does not
+/// report it together with --help.
 bool names_unknown_command(const CLI::App& program);
 
-/// What is wrong with the command line that `program` parsed until `error`: the word that
-/// is not known, with what was probably meant, or the error's own words.
+/// The message for the parse error `error`. It names an unknown word with the most
+/// similar known word, or repeats the message of the error.
 std::string usage_message(const CLI::App& program, const CLI::ParseError& error);
 
-/// Of the first option or argument that was given an empty text, for which no command has a
-/// use: most often it is a shell's variable that is not set. Nothing if there is none.
+/// The message for the first option or argument with an empty text, or nothing if there
+/// is none. No command accepts an empty text; it usually comes from an unset shell
+/// variable.
 std::optional<std::string> empty_text_message(const CLI::App& program);
 
 }  // namespace endmill

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// endmill verify: simulates the cut and judges what it leaves.
+// endmill verify: simulates the cut and bounds gouge and remaining material.
 
 #include <memory>
 

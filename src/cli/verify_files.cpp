@@ -32,7 +32,7 @@ std::string stock_text(const VerifyResult& result)
                                    : "block " + box;
 }
 
-// Captions on cutter, resolution and verdict.
+// Captions with the cutter, the resolution, the bounds and the broken rules.
 std::vector<std::string> figure_captions(const VerifyResult& result)
 {
     const Deviation& deviation = *result.verification.deviation;
@@ -69,7 +69,7 @@ void write_deviation(const VerifyResult& result, const PartCharts& charts,
                  deviation_histogram_csv(deviation, result.input.limits));
 }
 
-// The stock has to be cut once more: each move is looked at before it is made.
+// Cuts the stock a second time, since the engagement of a move needs the stock before it.
 void write_engagement(const VerifyResult& result, const OutputFolder::Sink& sink)
 {
     const VerifyStock& before = result.input.stock;

@@ -7,7 +7,7 @@
 
 namespace endmill {
 
-/// What was asked, read and found.
+/// Options, input, task and result of a verification.
 struct VerifyResult {
     const VerifyInput& input;
     const VerifyOptions& options;
@@ -15,8 +15,7 @@ struct VerifyResult {
     const Verification& verification;
 };
 
-/// Writes all files of a verification into `folder`, in the place of what an earlier run
-/// left there.
+/// Writes all files of a verification into `folder` and replaces those of an earlier run.
 /// \return summary.json
 Json write_verification(const VerifyResult& result, OutputFolder& folder);
 

@@ -16,11 +16,11 @@
 namespace endmill {
 namespace {
 
-// Limits where neither the command line nor a summary names any.
+// Limits if neither the command line nor a summary has any.
 constexpr double default_tolerance_mm = 0.01;
 constexpr double default_scallop_mm = 0.1;
 
-// In place of a part's file: there is no part to judge by.
+// The word of --part for a verification without a part.
 constexpr std::string_view no_part = "none";
 
 std::optional<Tool> told_tool(const VerifyOptions& options)
@@ -62,7 +62,7 @@ DeviationLimits limits_of(const VerifyOptions& options, const PathSummary& known
             options.scallop.value_or(scallop)};
 }
 
-// That of the command line, or the one that the path was planned for.
+// Adds the part of --part, or else the part that the path was planned for.
 void add_part(VerifyInput& input, const VerifyOptions& options, const PathSummary& known)
 {
     PartOptions part = options.part;
@@ -85,8 +85,8 @@ void add_part(VerifyInput& input, const VerifyOptions& options, const PathSummar
     input.part_path = std::move(part.path);
 }
 
-// Removal knows upright cutters: a path with another fixed axis is turned, and its part
-// with it.
+// Material removal requires the tool axis +z. A path with another fixed axis is rotated,
+// together with its part.
 void stand_upright(VerifyInput& input)
 {
     const auto axis = fixed_axis(input.program.path);
@@ -102,7 +102,8 @@ void stand_upright(VerifyInput& input)
         ", is +z; so is all that is written");
 }
 
-// For what is written of the rest it is copied, or turned into something larger.
+// Memory for each cell that the output of the remaining stock needs: a copy of the
+// heights, or a mesh.
 double bytes_to_write(const VerifyOptions& options)
 {
     const bool is_copied = options.engagement || options.write_stock;

@@ -13,7 +13,7 @@
 
 namespace endmill {
 
-/// All that `verify` reads, with what the command line left open filled in.
+/// The input of `verify`, completed by the defaults of the command line.
 struct VerifyInput {
     std::string name;
     Program program;
@@ -25,15 +25,15 @@ struct VerifyInput {
 };
 
 /// Reads the path, its summary, the tool, the part and the stock.
-/// \throws DomainError if no cutter is known, or --stock is none; GeometryError, naming
-///         the file, for a path without a move or a stock that is not closed; FormatError,
-///         LimitError as the readers.
+/// \throws DomainError if the cutter is not known or --stock is not a stock;
+///         GeometryError, naming the file, for a path without moves or a stock that is
+///         not closed; FormatError, LimitError as the readers.
 VerifyInput read_verify_input(const VerifyOptions& options);
 
-/// The files that were read, which must not be written to.
+/// The files that were read. They must not be overwritten.
 std::vector<std::string> files_of(const VerifyInput& input, const VerifyOptions& options);
 
-/// The task; refers to `input`.
+/// The verification task. It refers to `input`.
 VerificationTask verification_task(const VerifyInput& input,
                                    const VerifyOptions& options);
 

@@ -9,7 +9,7 @@
 namespace endmill {
 namespace {
 
-// Finer cells than these would be below the rounding of any file.
+// Largest number of halvings. Smaller cells would be below the rounding of any file.
 constexpr int most_refine = 20;
 
 void add_measure_options(CLI::App& command, VerifyOptions& options)

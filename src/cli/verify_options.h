@@ -9,21 +9,21 @@
 
 namespace endmill {
 
-/// What --stock takes, as the help states it.
+/// Help text of --stock.
 inline constexpr const char* stock_help =
     "block (default: around the part), X0,Y0,Z0,X1,Y1,Z1 in mm, a closed mesh, or the "
     "stock.vti of an earlier run";
 
-/// The options of `endmill verify`. An empty one is taken from the path's summary.
+/// The options of `endmill verify`. An empty option is taken from the path's summary.
 struct VerifyOptions {
     CommonOptions common;
     PathOptions path;
-    PartOptions part;                 ///< its path empty: that of the summary, if any
+    PartOptions part;                 ///< default: the part of the summary, if any
     std::string tool;                 ///< file; empty: the cutter alone
     std::string stock = "block";      ///< block, six numbers, or a file
     double resolution = 0.1;          ///< mm
     std::optional<double> tolerance;  ///< mm, gouge
-    std::optional<double> scallop;    ///< mm, material left
+    std::optional<double> scallop;    ///< mm, remaining material
     int max_refine = 8;
     bool engagement = false;
     bool write_stock = false;
@@ -33,10 +33,10 @@ struct VerifyOptions {
 /// Adds every option of `verify` to `command`.
 void add_verify_options(CLI::App& command, VerifyOptions& options);
 
-/// Refuses limits where there is no part to judge by. \throws DomainError
+/// Refuses limits without a part to judge by. \throws DomainError
 void refuse_options_without_part(const CommonOptions& options);
 
-/// Refuses the options of mesh files where no mesh is read. \throws DomainError
+/// Refuses the options of mesh files if no mesh is read. \throws DomainError
 void refuse_idle_mesh_options(const CommonOptions& options);
 
 }  // namespace endmill

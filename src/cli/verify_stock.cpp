@@ -40,7 +40,7 @@ std::optional<Block> block_of_numbers(const std::string& text)
     return block;
 }
 
-// The memory is asked for before the mesh is turned into heights, which takes it.
+// Checks the memory limit before the mesh is converted to heights.
 HeightStock stock_of_mesh(const VerifyOptions& options)
 {
     const ReadLimits& limits = options.common.limits;

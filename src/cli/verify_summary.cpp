@@ -102,7 +102,7 @@ void add_part_collisions(Json& summary, const Verification& verification)
             summary[key] = nullptr;
 }
 
-// Nothing is left open where the stock's history is known.
+// Adds the gouges of earlier runs. They are null if the history of the stock is known.
 void add_earlier(Json& summary, const Verification& verification)
 {
     const std::optional<EarlierGouge>& earlier = verification.earlier_gouge;
@@ -120,7 +120,7 @@ std::string length_text(const Json& mm)
     return mm.is_null() ? "unknown" : shown(mm.get<double>()) + " mm";
 }
 
-// Where, and on the way to which point.
+// The place, and the point to which the move goes.
 std::string place_text(const Json& place)
 {
     if (place.is_null())
@@ -136,7 +136,8 @@ std::string place_text(const Json& place)
     return text;
 }
 
-// A bound that was not refined states how coarse the first rays are, not what was cut.
+// A bound that was not refined describes the pitch of the first rays, not the cut
+// surface.
 std::string bound_text(const Json& greatest, const Json& over, const Json& is_refined)
 {
     if (!is_refined.get<bool>())
@@ -171,7 +172,7 @@ std::string deviation_text(const Json& s)
         length_text(s["p99_scallop_mm"]));
 }
 
-// Contacts of rapids, shank and holder that the stock's resolution may miss.
+// The width of contacts of rapids, shank and holder that the resolution may miss.
 std::string contacts_text(const StockContacts& contacts)
 {
     if (!(contacts.width_mm > 0))
@@ -182,7 +183,7 @@ std::string contacts_text(const StockContacts& contacts)
         shown(contacts.width_mm));
 }
 
-// Gouges of earlier runs, which the heights of a stock show, and what lies between them.
+// Gouges of earlier runs at the heights of the stock, and a bound between the heights.
 std::string earlier_text(const Json& s)
 {
     return fmt::format(
@@ -191,7 +192,7 @@ std::string earlier_text(const Json& s)
         length_text(s["earlier_gouge_mm"]), length_text(s["earlier_gouge_bound_mm"]));
 }
 
-// What helps where the verdict does not settle the question.
+// A hint for a verdict that is undecided or without material removal.
 std::string hint_text(const Json& s)
 {
     if (s["verdict"] == verdict_name(Verdict::Undecided) &&

@@ -10,7 +10,7 @@
 
 namespace endmill {
 
-/// What was verified, with what the command line left open filled in.
+/// The input of a verification that its summary reports.
 struct VerifyContext {
     std::string name;
     std::string part;   ///< its file; empty without one
@@ -20,14 +20,15 @@ struct VerifyContext {
     const Program& program;
 };
 
-/// Which bounds were made as close as the verdict needs. A gouge settles it, and too much
-/// left settles that much: what bounds the rest then is that of the first rays.
+/// Which bounds were refined until the verdict was settled. A gouge settles the
+/// verdict, and too much remaining material settles its part of it. The bounds that no
+/// longer matter keep the values of the first rays.
 struct RefinedBounds {
     bool gouge;
     bool scallop;
 };
 
-/// Those of a deviation.
+/// The refined bounds of a deviation.
 RefinedBounds refined_bounds(const Deviation& deviation, const DeviationLimits& limits);
 
 /// summary.json of `verify`. Deviations are null without a part.
@@ -35,11 +36,12 @@ RefinedBounds refined_bounds(const Deviation& deviation, const DeviationLimits& 
 Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
                     const Verification& verification, const PartCharts* charts);
 
-/// A sentence for each rule that the path breaks, or may break, whatever it leaves on the
-/// part: rapids that cut, and a shank or holder in the material or the part.
+/// One sentence for each rule that the path breaks or may break, apart from the limits
+/// of the deviation. The rules forbid rapids that cut, and a shank or holder in the
+/// material or part.
 std::vector<std::string> broken_rules(const Verification& verification);
 
-/// The summary for a person.
+/// The report on the terminal.
 std::string verify_text(const Json& summary, const Verification& verification);
 
 }  // namespace endmill
