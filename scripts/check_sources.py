@@ -74,7 +74,7 @@ def main(root):
                 where = f"{file.relative_to(root)}:{line}"
                 if SPEC.search(text):
                     bad.append(f"{where}: refers to a specification that is not in the repository")
-                if "Source:" in text:
+                if re.search(r"(?<!\w)(?<!::)Source:(?!:)", text):
                     count += 1
                     source = text.split("Source:", 1)[1]
                     bad += [f"{where}: {fault}" for fault in faults(source, keys, root)]

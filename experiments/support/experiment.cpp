@@ -70,7 +70,7 @@ void print_usage(const std::string& program, const std::string& name)
 Experiment::Experiment(std::string name, const std::filesystem::path& output)
     : name_{std::move(name)},
       params_{read_params(name_)},
-      results_{output, /*force=*/true}
+      results_{output, FullFolder::Accept}
 {
 }
 

@@ -19,7 +19,7 @@ void give_answer(const CommonOptions& options, const std::vector<std::string>& i
                  const Json& answer)
 {
     if (!options.output.empty()) {
-        OutputFolder folder{options.output, options.force};
+        OutputFolder folder{options.output, options.full_folder};
         for (const std::string& input : inputs)
             if (!input.empty())
                 folder.protect(input);

@@ -71,7 +71,7 @@ ExitCode run_cite(const CiteOptions& options)
     if (options.bibtex)
         text = references;
     if (!options.common.output.empty()) {
-        OutputFolder folder{options.common.output, options.common.force};
+        OutputFolder folder{options.common.output, options.common.full_folder};
         folder.write("references.bib", references);
         folder.publish();
     }

@@ -120,7 +120,7 @@ std::string write_results(const CoefficientsOptions& options, const Json& summar
     if (options.common.output.empty() && !profile)
         return {};
     OutputFolder folder{output_folder("profile", "coefficients", options.common),
-                        options.common.force};
+                        options.common.full_folder};
     if (!options.material.empty())
         folder.protect(options.material);
     folder.write("summary.json", summary.dump(2) + "\n");

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_code.h"
+#include "endmill/files/output_folder.h"
 #include "endmill/files/read_file.h"
 
 namespace endmill {
@@ -24,7 +25,7 @@ struct CommonOptions {
     std::string output;  ///< folder; empty: the command's default
     bool json = false;
     bool quiet = false;
-    bool force = false;
+    FullFolder full_folder = FullFolder::Refuse;  ///< Accept with --force
     bool json_errors = false;  ///< main also finds it itself, since parsing may fail
     ReadLimits limits;
     std::set<std::string>

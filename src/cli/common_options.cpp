@@ -18,7 +18,10 @@ void add_common_options(CLI::App& command, CommonOptions& options)
                   "print the summary as one JSON object, with all digits")
         ->group(group);
     command.add_flag("--quiet", options.quiet, "print errors only")->group(group);
-    command.add_flag("--force", options.force, "write into a folder that is not empty")
+    command
+        .add_flag_callback(
+            "--force", [&options] { options.full_folder = FullFolder::Accept; },
+            "write into a folder that is not empty")
         ->group(group);
     add_whole_number(command,
                      {"--threads", "number of threads (default: all cores)", 1, 1024},

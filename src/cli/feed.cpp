@@ -63,7 +63,7 @@ ExitCode run_feed(const FeedCommandOptions& options)
     const ToolPath path = fed_path(input.program.path, cuts.points, plan.rows,
                                    options.plunge_feed_mm_per_min);
     OutputFolder folder{output_folder(options.path.file, "feed", options.common),
-                        options.common.force};
+                        options.common.full_folder};
     for (const std::string& file : files_of(input, options))
         folder.protect(file);
     const Json summary = [&] {

@@ -71,7 +71,8 @@ CutsPlan stock_plan(const FeedInput& input, const SegmentCuts& cuts,
          .progress = [&](double share) { progress.show(share); }},
         [&](std::size_t number, const BallFront& front) {
             is_any_engaged = is_any_engaged || is_engaged(front);
-            milling[number] = front.is_stock_right ? Milling::Down : Milling::Up;
+            milling[number] =
+                front.stock_side == FeedSide::Right ? Milling::Down : Milling::Up;
             plan.rows[number] = segment_feed(
                 front_load(lengths[number], front, input.job.tool, input.plan, rules),
                 rules);

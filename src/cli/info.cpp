@@ -29,7 +29,7 @@ void write_summary(const InfoOptions& options, const Json& summary)
 {
     if (options.common.output.empty())
         return;
-    OutputFolder folder{options.common.output, options.common.force};
+    OutputFolder folder{options.common.output, options.common.full_folder};
     folder.protect(options.part.path);
     folder.write("summary.json", summary.dump(2) + "\n");
     folder.publish();

@@ -102,7 +102,7 @@ ExitCode run_plan(PlanOptions options)
     complete(options, surfaces, context.cutter_diameter);
 
     OutputFolder folder{output_folder(options.part, "plan", options.common),
-                        options.common.force};
+                        options.common.full_folder};
     folder.protect(options.part);
     const PlanResult result = write_plan({surfaces, context, options}, folder);
     folder.publish();

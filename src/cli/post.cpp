@@ -122,7 +122,7 @@ ExitCode run_post(const PostOptions& options)
     warn_of(posted, options);
 
     OutputFolder folder{output_folder(options.path.file, "post", options.common),
-                        options.common.force};
+                        options.common.full_folder};
     folder.protect(options.path.file);
     Json summary = post_summary(posted, options);
     if (posted.known.part) {

@@ -112,7 +112,7 @@ ExitCode run_sample(const SampleOptions& options)
     summary["format"] = mesh_format_names[static_cast<std::size_t>(options.format)];
 
     OutputFolder folder{output_folder(options.surface, "sample", options.common),
-                        options.common.force};
+                        options.common.full_folder};
     folder.protect(options.surface);
     folder.write(name,
                  mesh_text(sampling.found.mesh, options.format, sampling.found.normals));

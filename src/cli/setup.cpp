@@ -48,7 +48,7 @@ ExitCode run_setup(const SetupCommandOptions& options)
     for (const std::string& remark : input.remarks)
         warn(options.common, options.part.path + ": " + remark);
     OutputFolder folder{output_folder(options.part.path, "setup", options.common),
-                        options.common.force};
+                        options.common.full_folder};
     for (const std::string& file : {options.part.path, options.tool})
         if (!file.empty())
             folder.protect(file);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/setup_files.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -14,25 +13,6 @@
 
 namespace endmill {
 namespace {
-
-// The cell nearest to a direction. In modes whose poses are cells it is the cell of the
-// pose.
-std::size_t cell_nearest(const Vec3& direction, const SphereGrid& grid)
-{
-    const auto nearest = std::ranges::max_element(
-        grid.centres, {}, [&](const Vec3& centre) { return centre.dot(direction); });
-    return static_cast<std::size_t>(nearest - grid.centres.begin());
-}
-
-FacetAccess facet_access(const SetupInput& input, const SetupVisibility& visibility,
-                         std::size_t pose_cell)
-{
-    const VisibilityMap& map = visibility.map();
-    FacetAccess access{visible_fractions(map, input.grid.solid_angles_sr), {}};
-    for (std::size_t j = 0; j < map.facets(); ++j)
-        access.reached_at_zero.push_back(map.is_accessible(j, pose_cell) ? 1 : 0);
-    return access;
-}
 
 ShownSetup shown_setup(const SetupAnswer& answer)
 {
@@ -88,8 +68,10 @@ void write_pictures(const SetupInput& input, const SetupVisibility& visibility,
                     const SetupAnswer& answer, const SetupCommandOptions& options,
                     OutputFolder& folder)
 {
-    const std::size_t cell = cell_nearest(answer.told()->pose.tool_axis, input.grid);
-    const FacetAccess access = facet_access(input, visibility, cell);
+    const VisibilityMap& map = visibility.map();
+    const FacetAccess access{
+        visible_fractions(map, input.grid.solid_angles_sr),
+        reached_at_zero(input.grid, map, answer.told()->pose.tool_axis)};
     const ShownSetup setup = shown_setup(answer);
     folder.write("setup.vtp", setup_vtp(input.mesh, access, setup));
     folder.write("setup.svg",

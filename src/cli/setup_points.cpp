@@ -81,7 +81,7 @@ ExitCode run_setup_points(const SetupCommandOptions& options)
                           {.family = *configuration.family,
                            .mode = options.mode,
                            .limits = machine.machine.rotary,
-                           .is_b_first = is_b_first(configuration)});
+                           .order = rotary_order(configuration)});
     const Json summary = points_summary(machine, search, options, directions.size());
     give_answer(options.common, {options.points, machine.file}, summary);
     return search.feasible ? ExitCode::Yes : ExitCode::No;

@@ -135,7 +135,7 @@ ExitCode run_trim(const TrimOptions& options)
             std::array{"--detection", "--m1-step", "--m1-threshold", "--m3"}, "a mesh",
             "a surface: method envelope alone trims a mesh");
     OutputFolder folder{output_folder(input.file, "trim", options.common),
-                        options.common.force};
+                        options.common.full_folder};
     folder.protect(input.file);
     write_sections(input, folder);
     const auto methods = trimming_methods();

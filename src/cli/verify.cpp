@@ -30,7 +30,7 @@ ExitCode run_verify(const VerifyOptions& options)
     for (const std::string& remark : input.program.remarks)
         warn(options.common, options.path.file + ": " + remark);
     OutputFolder folder{output_folder(options.path.file, "verify", options.common),
-                        options.common.force};
+                        options.common.full_folder};
     for (const std::string& file : files_of(input, options))
         folder.protect(file);
 

@@ -62,7 +62,7 @@ TEST(OutputFolder, KeepsExistingFilesUnlessPublished)
     const TemporaryFolder place;
     place.put("old.csv", "old");
     {
-        OutputFolder output{place.path(), /*force=*/true};
+        OutputFolder output{place.path(), FullFolder::Accept};
         output.write("old.csv", "new");
         output.write("other.csv", "other");
     }
@@ -101,8 +101,8 @@ TEST(OutputFolder, RefusesAFolderThatIsNotEmptyOrAFile)
     };
     EXPECT_THAT([&] { OutputFolder{place.path()}; },
                 refuses("is not empty; expected a new or empty folder"));
-    EXPECT_NO_THROW((OutputFolder{place.path(), /*force=*/true}));
-    EXPECT_THAT([&] { (OutputFolder{file, /*force=*/true}); }, refuses("is a file"));
+    EXPECT_NO_THROW((OutputFolder{place.path(), FullFolder::Accept}));
+    EXPECT_THAT([&] { (OutputFolder{file, FullFolder::Accept}); }, refuses("is a file"));
     EXPECT_THAT([&] { OutputFolder{""}; }, refuses("an empty name"));
 }
 
@@ -150,7 +150,7 @@ TEST(OutputFolder, DoesNotReplaceAProtectedInput)
 {
     const TemporaryFolder place;
     const fs::path input = place.put("surface.json", "{}");
-    OutputFolder output{place.path() / "." / "", /*force=*/true};
+    OutputFolder output{place.path() / "." / "", FullFolder::Accept};
     output.protect(input);
     EXPECT_THAT(
         [&] { output.write("surface.json", "x"); },
@@ -164,7 +164,7 @@ TEST(OutputFolder, DoesNotReplaceAFolder)
 {
     const TemporaryFolder place;
     fs::create_directory(place.path() / "a.csv");
-    OutputFolder output{place.path(), /*force=*/true};
+    OutputFolder output{place.path(), FullFolder::Accept};
     EXPECT_THAT([&] { output.write("a.csv", "x"); },
                 testing::ThrowsMessage<OutputError>(HasSubstr("a.csv: Is a directory")));
 }
@@ -175,7 +175,7 @@ protected:
     // the second.
     void publish_first(const fs::path& input = {})
     {
-        OutputFolder output{place.path(), /*force=*/true};
+        OutputFolder output{place.path(), FullFolder::Accept};
         if (!input.empty())
             output.protect(input);
         for (const char* name : {"first.csv", "u/second.csv"})
@@ -213,7 +213,7 @@ TEST_F(LeftoverTest, StaysUnlessPublished)
     fs::create_directory(place.path() / "u");
     place.put("u/second.csv", "old");
     {
-        OutputFolder output{place.path(), /*force=*/true};
+        OutputFolder output{place.path(), FullFolder::Accept};
         output.remove_unless_written("u/second.csv");
         output.write("first.csv", "new");
     }

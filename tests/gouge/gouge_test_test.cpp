@@ -25,9 +25,9 @@ GougeTest test_on(const std::vector<Surface>& surfaces, const Vec3& axis = up)
     return GougeTest{surfaces, BallCutter{radius}, axis};
 }
 
-GougeVerdict verdict(const GougeTest& gouge, const BallMove& move, double tolerance)
+Answer gouges(const GougeTest& gouge, const BallMove& move, double tolerance)
 {
-    return gouge.test(move, tolerance).verdict;
+    return gouge.test(move, tolerance).gouges;
 }
 
 TEST(GougeTest, OfALoweredBallIsHowMuchItIsLowered)
@@ -35,9 +35,9 @@ TEST(GougeTest, OfALoweredBallIsHowMuchItIsLowered)
     const GougeTest gouge = test_on({test::plane(60, 40)});
     const BallMove move{{10, 20, radius - 0.25}, {40, 25, radius - 0.25}};
     EXPECT_NEAR(gouge.deepest(move, 1e-6)->depth_mm, 0.25, 2e-6);
-    EXPECT_EQ(verdict(gouge, move, 0.2504), GougeVerdict::Clear);
-    EXPECT_EQ(verdict(gouge, move, 0.2496), GougeVerdict::Gouges);
-    EXPECT_NE(verdict(gouge, move, 0.25), GougeVerdict::Clear);
+    EXPECT_EQ(gouges(gouge, move, 0.2504), Answer::No);
+    EXPECT_EQ(gouges(gouge, move, 0.2496), Answer::Yes);
+    EXPECT_NE(gouges(gouge, move, 0.25), Answer::No);
     const BallMove above{{10, 20, radius + 1}, {40, 25, radius + 1}};
     EXPECT_FALSE(gouge.deepest(above, 1e-9));
 }
@@ -57,8 +57,8 @@ TEST(GougeTest, OfAChordOverACylinderIsTheSagittaOfTheCentres)
         const BallMove move{centre(1), centre(-1)};
         const double depth = (rho + radius) * (1 - std::cos(angle / 2));
         EXPECT_NEAR(gouge.deepest(move, 1e-6)->depth_mm, depth, 2e-6);
-        EXPECT_EQ(verdict(gouge, move, 1.01 * depth), GougeVerdict::Clear);
-        EXPECT_EQ(verdict(gouge, move, 0.99 * depth), GougeVerdict::Gouges);
+        EXPECT_EQ(gouges(gouge, move, 1.01 * depth), Answer::No);
+        EXPECT_EQ(gouges(gouge, move, 0.99 * depth), Answer::Yes);
     }
 }
 
@@ -76,11 +76,11 @@ TEST(GougeTest, SeesTheShankEnterAWallBesideIt)
     const auto deepest = gouge.deepest(move, 1e-6);
     EXPECT_NEAR(deepest->depth_mm, 0.3, 2e-6);
     EXPECT_EQ(deepest->surface, 1U);
-    EXPECT_EQ(verdict(gouge, move, 0.2), GougeVerdict::Gouges);
-    EXPECT_EQ(verdict(gouge, move, 0.31), GougeVerdict::Clear);
+    EXPECT_EQ(gouges(gouge, move, 0.2), Answer::Yes);
+    EXPECT_EQ(gouges(gouge, move, 0.31), Answer::No);
     // With this axis the shank leans away from the wall.
     const GougeTest tilted = test_on(part, Vec3{0, -0.6, 0.8});
-    EXPECT_EQ(verdict(tilted, move, 0.01), GougeVerdict::Clear);
+    EXPECT_EQ(gouges(tilted, move, 0.01), Answer::No);
 }
 
 // The largest depth of 161 by 161 samples of a surface, over 0 … 2 in u and in v.
@@ -120,9 +120,9 @@ TEST(GougeTest, AgreesWithDenseSamplesOnRandomSurfaces)
             if (deepest) {
                 const Vec3 there = part[0].tangents(deepest->at.u, deepest->at.v).point;
                 EXPECT_LT((there - deepest->point).norm(), 1e-9);
-                EXPECT_EQ(verdict(gouge, move, 1.01 * depth + 1e-3), GougeVerdict::Clear);
+                EXPECT_EQ(gouges(gouge, move, 1.01 * depth + 1e-3), Answer::No);
                 if (depth > 0.01) {
-                    EXPECT_EQ(verdict(gouge, move, 0.99 * depth), GougeVerdict::Gouges);
+                    EXPECT_EQ(gouges(gouge, move, 0.99 * depth), Answer::Yes);
                 }
             }
         }

@@ -104,7 +104,7 @@ TEST(BorderDepth, AgreesWithRaysOverACurvedPatch)
                    (touching - random.uniform(0, 0.3)) * normal;
         };
         const BallMove move{centre(), centre()};
-        if (gouge.test(move, depth).verdict != GougeVerdict::Clear)
+        if (gouge.test(move, depth).gouges != Answer::No)
             continue;
         const bool is_kept = border.is_kept(move);
         double deepest = 0;

@@ -273,7 +273,7 @@ TEST(RectangleFit, MirrorsBetaIfBComesFirst)
     const std::vector<Vec3> points = corners({-10, 40}, {-30, 15});
     PoseFitOptions b_first =
         options(SetupMode::Corrected, {degrees(-15, 45), degrees(-20, 35)});
-    b_first.is_b_first = true;
+    b_first.order = RotaryOrder::BFirst;
     const PoseSearchResult found = rectangle_fit(up, points, b_first);
     ASSERT_TRUE(found.feasible);
     expect_range(found.feasible->phi, -10, 40);

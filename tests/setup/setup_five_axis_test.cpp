@@ -139,7 +139,10 @@ TEST(FiveAxisSetup, WithoutConesHasTheAxesOfAMachine)
         // R1 and R2 are X and Y of the machine, Y and X if B is first, C and X in C,A.
         const Vec3 r2 = pose.tool_axis.cross(pose.r1_axis);
         EXPECT_EQ(pose.r2_axis.dot(pose.tool_axis), 0);
-        EXPECT_EQ(r2.dot(pose.r2_axis), is_ca ? 0 : is_b_first(configuration) ? -1 : 1);
+        EXPECT_EQ(r2.dot(pose.r2_axis),
+                  is_ca                                                ? 0
+                  : rotary_order(configuration) == RotaryOrder::BFirst ? -1
+                                                                       : 1);
     }
 }
 

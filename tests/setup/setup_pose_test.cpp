@@ -35,10 +35,12 @@ TEST(Magnitudes, AreSortedWhicheverEndIsLarger)
 TEST(MachineConfiguration, HasBFirstOnlyInWordsOfBThenA)
 {
     for (const char* word : {"W/baBxyz/T", "W/bxyBza/T"})
-        EXPECT_TRUE(is_b_first(configuration_from_word(word))) << word;
+        EXPECT_EQ(rotary_order(configuration_from_word(word)), RotaryOrder::BFirst)
+            << word;
     for (const char* word :
          {"W/abBxyz/T", "W/cbBxyz/T", "W/bBxyz/T", "W/bcBxyz/T", "W/xyBz/T"})
-        EXPECT_FALSE(is_b_first(configuration_from_word(word))) << word;
+        EXPECT_EQ(rotary_order(configuration_from_word(word)), RotaryOrder::AFirst)
+            << word;
 }
 
 TEST(PoseFrame, HasTheAxesOfThePoseAndTheFamilyOfTheMachine)

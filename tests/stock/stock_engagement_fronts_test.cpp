@@ -111,7 +111,7 @@ TEST(StockFronts, OfAFlatRasterTendToItsClosedForm)
              {std::pair{0.5, 3e-3}, std::pair{0.1, 1.5e-3}}) {
             const BallFront front =
                 last_of_raster(5 * row.pick_feed_ratio, 5 * row.depth_ratio, pitch, true);
-            EXPECT_TRUE(front.is_stock_right);
+            EXPECT_EQ(front.stock_side, FeedSide::Right);
             const auto found = coefficients(front);
             const double shank =
                 std::max(row.depth_ratio - 1, 0.0) * pitch / 5 / (2 * pi);
@@ -126,8 +126,8 @@ TEST(StockFronts, AreTheSameMilledUpOrDown)
 {
     const BallFront down = last_of_raster(2.5, 7, 0.5, true);
     const BallFront up = last_of_raster(2.5, 7, 0.5, false);
-    EXPECT_TRUE(down.is_stock_right);
-    EXPECT_FALSE(up.is_stock_right);
+    EXPECT_EQ(down.stock_side, FeedSide::Right);
+    EXPECT_EQ(up.stock_side, FeedSide::Left);
     EXPECT_EQ(down.engaged, up.engaged);
     EXPECT_EQ(down.rim_angle, up.rim_angle);
 }

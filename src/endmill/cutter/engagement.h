@@ -43,6 +43,9 @@ inline double engaged_area(const Engagement& engagement)
     return area;
 }
 
+/// A side of a move, seen along the feed from above.
+enum class FeedSide { Left, Right };
+
 /// The region of the front of a ball-end mill that is in the material on a straight move,
 /// cell by cell. It does not depend on how it was computed.
 ///
@@ -54,9 +57,8 @@ inline double engaged_area(const Engagement& engagement)
 struct BallFront {
     /// In rad: angle of the feed above the horizontal, between -pi/2 and pi/2.
     double lambda = 0;
-    /// Whether Y points to the right of the feed, else to its left.
-    bool is_stock_right = true;
-    int rows = 0;     ///< number of equal steps of y, from -1 to 1
+    FeedSide stock_side = FeedSide::Right;  ///< the side to which Y points
+    int rows = 0;                           ///< number of equal steps of y, from -1 to 1
     int columns = 0;  ///< number of equal steps of chi, from lambda - pi/2 to 0
     /// 1 for each cell whose middle is in the material, else 0. Cell (row, column) is at
     /// [row * columns + column].

@@ -170,7 +170,7 @@ void flush_folder(const fs::path& folder)
 }
 
 // Checks an existing folder before anything is created.
-void require_usable(const fs::path& path, bool force)
+void require_usable(const fs::path& path, FullFolder full)
 {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -182,7 +182,7 @@ void require_usable(const fs::path& path, bool force)
     const bool empty = fs::is_empty(path, error);
     if (error)
         fail("read the output folder", path, error.value());
-    if (!empty && !force)
+    if (!empty && full == FullFolder::Refuse)
         throw DomainError{"output folder " + shown_path(path) +
                           " is not empty; expected a new or empty folder, or --force"};
 }
@@ -215,10 +215,10 @@ bool lies_inside(const fs::path& folder, const fs::path& name)
 
 // The folder registers itself before it creates anything, so that an interruption at any
 // time can clean up.
-OutputFolder::OutputFolder(fs::path path, bool force) : path_{std::move(path)}
+OutputFolder::OutputFolder(fs::path path, FullFolder full) : path_{std::move(path)}
 {
     require(!path_.empty(), "the output folder has an empty name");
-    require_usable(path_, force);
+    require_usable(path_, full);
     {
         const std::scoped_lock lock{registry().mutex};
         registry().folders.insert(this);
@@ -416,7 +416,7 @@ void OutputFolder::abandon()
 void write_file(const fs::path& path, std::string_view content)
 {
     const fs::path folder = path.parent_path();
-    OutputFolder output{folder.empty() ? fs::path{"."} : folder, /*force=*/true};
+    OutputFolder output{folder.empty() ? fs::path{"."} : folder, FullFolder::Accept};
     output.write(path.filename(), content);
     output.publish();
 }

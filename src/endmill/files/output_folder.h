@@ -9,6 +9,12 @@
 
 namespace endmill {
 
+/// What a folder that is not empty means.
+enum class FullFolder {
+    Refuse,  ///< an error
+    Accept,  ///< new files replace files of the same names; the others stay
+};
+
 /// An output folder whose files appear complete and all at once, or not at all.
 ///
 /// `write` stores a file beside its final place under a temporary name; `publish` renames
@@ -18,10 +24,11 @@ namespace endmill {
 class OutputFolder {
 public:
     /// Creates the folder and missing parent folders.
-    /// \param force accept a folder that is not empty.
-    /// \throws DomainError if `path` is a file, or a non-empty folder without `force`.
+    /// \throws DomainError if `path` is a file, or a folder that is not empty if
+    ///         `full` refuses it.
     /// \throws OutputError if the folder cannot be created, read or written to.
-    explicit OutputFolder(std::filesystem::path path, bool force = false);
+    explicit OutputFolder(std::filesystem::path path,
+                          FullFolder full = FullFolder::Refuse);
 
     /// Unless published, removes the temporary files and the folders that it created.
     ~OutputFolder();

@@ -50,10 +50,10 @@ public:
         stops_at_first_ = true;
         run();
         if (found_)
-            return {GougeVerdict::Gouges, found_};
+            return {Answer::Yes, found_};
         if (undecided_)
-            return {GougeVerdict::Undecided, undecided_};
-        return {GougeVerdict::Clear, std::nullopt};
+            return {Answer::Undecided, undecided_};
+        return {Answer::No, std::nullopt};
     }
 
     std::optional<GougePlace> deepest(double resolution)

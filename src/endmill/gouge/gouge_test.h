@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "endmill/core/answer.h"
 #include "endmill/cutter/cutter.h"
 #include "endmill/surface/surface.h"
 
@@ -30,17 +31,10 @@ struct GougePlace {
     double depth_mm;  ///< R minus the point's distance from the swept axis, mm
 };
 
-/// The answer of a gouge test.
-enum class GougeVerdict {
-    Clear,      ///< no point of the part is deeper than the tolerance
-    Gouges,     ///< a point is deeper than the tolerance
-    Undecided,  ///< neither could be proved
-};
-
-/// The answer, and the point that decided it unless the answer is Clear.
+/// The answer of a gouge test, and the point that decided it.
 struct GougeAnswer {
-    GougeVerdict verdict;             ///< the answer
-    std::optional<GougePlace> place;  ///< empty if Clear
+    Answer gouges;                    ///< whether a point is deeper than the tolerance
+    std::optional<GougePlace> place;  ///< empty if the answer is No
 };
 
 /// Measures how deep a ball and the shank of the same radius above it enter a part during

@@ -35,7 +35,7 @@ PoseSearchResult best_at_cells(const SphereGrid& grid, const VisibilityMap& map,
                        {.family = request.reach.configuration.family.value(),
                         .mode = mode,
                         .limits = request.reach.limits,
-                        .is_b_first = is_b_first(request.reach.configuration),
+                        .order = rotary_order(request.reach.configuration),
                         .progress = request.cell_progress});
 }
 
@@ -89,7 +89,8 @@ std::vector<SetupPose> starting_poses(const SphereGrid& grid, const VisibilityMa
 PartSetup best_over_whole_cones(const SphereGrid& grid, const VisibilityMap& map,
                                 const SetupRequest& request)
 {
-    const bool is_reversed = is_b_first(request.reach.configuration);
+    const bool is_reversed =
+        rotary_order(request.reach.configuration) == RotaryOrder::BFirst;
     const std::vector<SetupPose> starts = starting_poses(grid, map, request);
     WholeConeSearchOptions options{.family = request.reach.configuration.family.value(),
                                    .objective = request.objective,

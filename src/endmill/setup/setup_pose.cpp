@@ -13,9 +13,10 @@ std::array<double, 2> magnitudes(const RotaryRange& range)
     return {std::min(one, other), std::max(one, other)};
 }
 
-bool is_b_first(const MachineConfiguration& configuration)
+RotaryOrder rotary_order(const MachineConfiguration& configuration)
 {
-    return configuration.family && configuration.rotary[0].letter == 'b';
+    const bool is_b_first = configuration.family && configuration.rotary[0].letter == 'b';
+    return is_b_first ? RotaryOrder::BFirst : RotaryOrder::AFirst;
 }
 
 RotaryFrame pose_frame(const MachineConfiguration& configuration, const SetupPose& pose)

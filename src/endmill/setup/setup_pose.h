@@ -77,9 +77,12 @@ struct RotaryReach {
     Angle arc_tolerance = Angle::degrees(2.95);
 };
 
-/// Returns true if the rotary axes are B, then A. Such words have r2 = r1 x C, all other
-/// words of the family A,B have r2 = C x r1.
-bool is_b_first(const MachineConfiguration& configuration);
+/// Which of the axes A and B is the first rotary axis. It decides the sense of the second:
+/// r2 = C x r1 if A is first, r2 = r1 x C if B is first.
+enum class RotaryOrder { AFirst, BFirst };
+
+/// The order of the rotary axes; `AFirst` outside the family A,B.
+RotaryOrder rotary_order(const MachineConfiguration& configuration);
 
 /// The axes of a machine on which the part stands in `pose`, in coordinates of the part.
 /// A machine with fewer than two rotary axes counts as A,B with R2 at rest.
@@ -167,8 +170,7 @@ struct PoseFitOptions {
     SetupMode mode = SetupMode::Paper;       ///< any but `WholeCones`
     RotaryLimits limits{};                   ///< turns of the tool against the part
 
-    /// A,B: the first rotary axis is B, so that r2 = r1 x C; otherwise r2 = C x r1.
-    bool is_b_first = false;
+    RotaryOrder order = RotaryOrder::AFirst;  ///< of the family A,B
 
     /// Called twice for each tool axis, after its quick bound and after its fit, with the
     /// number of calls so far. Any thread may call, one at a time. An exception ends the

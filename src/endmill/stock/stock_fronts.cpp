@@ -142,7 +142,8 @@ double rim_angle(const StockPatch& stock, const Frame& frame, const BallFront& f
 // Exchanges left and right.
 void mirror(BallFront& front)
 {
-    front.is_stock_right = !front.is_stock_right;
+    front.stock_side =
+        front.stock_side == FeedSide::Right ? FeedSide::Left : FeedSide::Right;
     std::ranges::reverse(front.shank);
     for (int row = 0; row < front.rows / 2; ++row)
         std::swap_ranges(front.engaged.begin() + row * front.columns,

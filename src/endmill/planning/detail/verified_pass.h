@@ -47,7 +47,7 @@ public:
     /// \param finer keeps pieces for the next call; see gouge/detail/piece_tree.h.
     bool is_clear(const BallMove& move, FinerPieces& finer) const
     {
-        return gouge_.test(move, tolerance_, finer).verdict == GougeVerdict::Clear &&
+        return gouge_.test(move, tolerance_, finer).gouges == Answer::No &&
                border_.is_kept(move);
     }
 

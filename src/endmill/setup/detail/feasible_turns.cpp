@@ -100,7 +100,8 @@ class Reach {
 public:
     explicit Reach(const RotaryReach& reach)
         : is_ca_{reach.configuration.family == RotaryFamily::CA},
-          second_sign_{is_b_first(reach.configuration) ? -1.0 : 1.0},
+          second_sign_{rotary_order(reach.configuration) == RotaryOrder::BFirst ? -1.0
+                                                                                : 1.0},
           phi_{reach.limits.phi},
           theta_{cell_limits(reach).theta}
     {
@@ -184,7 +185,7 @@ RotaryFrame frame_at(const RotaryReach& reach, const Vec3& tool_axis, std::size_
         return {RotaryFamily::CA, tool_axis, tool_axis, across};
     const Vec3 r2 = tool_axis.cross(across);
     return {RotaryFamily::AB, tool_axis, across,
-            is_b_first(reach.configuration) ? Vec3{-r2} : r2};
+            rotary_order(reach.configuration) == RotaryOrder::BFirst ? Vec3{-r2} : r2};
 }
 
 std::vector<FeasibleTurns> feasible_turns(const RotaryReach& reach,

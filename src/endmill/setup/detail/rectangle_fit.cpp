@@ -22,14 +22,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct RectangleProblem {
     const SetupRules& rules;
     RotaryLimits limits;
-    bool is_b_first;
+    RotaryOrder order;
 
     explicit RectangleProblem(const PoseFitOptions& options)
         : rules{setup_rules(options.mode)},
           limits{options.limits},
-          is_b_first{options.is_b_first}
+          order{options.order}
     {
-        if (is_b_first)
+        if (order == RotaryOrder::BFirst)
             limits.theta = turned(limits.theta);
     }
 
@@ -74,12 +74,13 @@ FittedPose fitted_pose(const Vec3& tool_axis, const RectangleCandidate& rectangl
                        const RectangleProblem& problem)
 {
     const bool is_turned = is_turn_better(rectangle, problem.limits);
+    const bool is_b_first = problem.order == RotaryOrder::BFirst;
     const Vec3 r1 = is_turned ? Vec3{-rectangle.r1_axis} : rectangle.r1_axis;
     const Vec3 r2 = tool_axis.cross(r1);
     FittedPose fit;
     fit.phi = is_turned ? turned(rectangle.alpha) : rectangle.alpha;
-    fit.theta = is_turned != problem.is_b_first ? turned(rectangle.beta) : rectangle.beta;
-    fit.pose = {tool_axis, r1, problem.is_b_first ? Vec3{-r2} : r2};
+    fit.theta = is_turned != is_b_first ? turned(rectangle.beta) : rectangle.beta;
+    fit.pose = {tool_axis, r1, is_b_first ? Vec3{-r2} : r2};
     fit.area = rectangle.area();
     fit.is_rigid =
         !problem.fits_unsigned(rectangle) || fits_rigidly(rectangle, problem.limits);
