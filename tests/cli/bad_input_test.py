@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every kind of bad input: one line that names it, its exit code, nothing half-written."""
+"""Bad input of every kind gives one line of error and its exit code, and leaves no partial output."""
 import json
 import os
 import resource
@@ -34,30 +34,30 @@ class BadFiles(ProgramTest):
             self.assert_refused(done, 3, "surface.json", *words)
         self.assert_nothing_left("surface.json")
 
-    def test_syntax(self):
+    def test_syntax_error_is_refused_with_its_place(self):
         self.assert_input_refused('{"format": "endmill-surface/1",\n "type": bezier}', ":2:10: invalid literal")
 
-    def test_empty_and_blank(self):
+    def test_empty_and_blank_files_are_refused(self):
         self.assert_input_refused("", "file is empty")
         self.assert_input_refused(" \n\t", "file is empty")
 
-    def test_compressed(self):
+    def test_compressed_file_is_refused(self):
         self.assert_input_refused(b"\x1f\x8b\x08\x00more", "compressed input is not accepted")
 
-    def test_other_formats(self):
+    def test_file_of_another_format_is_refused_by_name(self):
         self.assert_input_refused("solid x\nfacet normal 0 0 1\n", "looks like STL", "endmill-surface/1")
 
-    def test_duplicate_key(self):
+    def test_duplicate_key_is_refused(self):
         text = json.dumps(plane()).replace('"patches_u": 1', '"patches_u": 1, "patches_u": 1')
         self.assert_input_refused(text, 'duplicate key "patches_u"')
 
-    def test_unknown_key_with_suggestion(self):
+    def test_unknown_key_is_refused_with_a_suggestion(self):
         self.assert_input_refused(changed(patches_w=1), "/patches_w: unknown key", 'did you mean "patches_u"?')
 
-    def test_missing_key(self):
+    def test_missing_key_is_refused(self):
         self.assert_input_refused(changed(patches_v=None), 'key "patches_v" is missing')
 
-    def test_wrong_types_and_ranges(self):
+    def test_wrong_types_and_ranges_are_refused(self):
         shown = (("1", '"1"'), (-1, "-1"), (0, "0"), (2.9, "2.9"), (1.0, "1.0"), (None, "null"),
                  ([], "an array of 0"), (True, "true"), (10**30, "1e+30"), (1e300, "1e+300"))
         for value, found in shown:
@@ -65,7 +65,7 @@ class BadFiles(ProgramTest):
             surface["patches_u"] = value
             self.assert_input_refused(surface, f"/patches_u: {found}; expected a whole number from 1 to 10000")
 
-    def test_numbers_that_are_none(self):
+    def test_invalid_numbers_are_refused(self):
         before, after = json.dumps(with_point("HERE"), indent=1).split('"HERE"')
         line, point = before.count("\n") + 1, "/control_points/2/1"
         for text, *words in (("NaN", f":{line}:", " NaN is not a JSON number; expected a finite number"),
@@ -79,12 +79,12 @@ class BadFiles(ProgramTest):
                              ("1,5", f"{point}: a point of 4 numbers; expected 3")):
             self.assert_input_refused(f"{before}[{text}, 0, 0]{after}", *words)
 
-    def test_huge_coordinate(self):
+    def test_huge_coordinate_is_refused_unless_max_extent_allows_it(self):
         self.assert_input_refused(with_point([1e7, 0, 0]),
                                   "/control_points/2/1/0: coordinate 10000000.0", "--max-extent")
         self.assertEqual(endmill("info", self.folder / "surface.json", "--max-extent", "1e8").returncode, 0)
 
-    def test_wrong_counts(self):
+    def test_wrong_counts_of_points_are_refused(self):
         ragged = plane()
         ragged["control_points"][1].pop()
         self.assert_input_refused(ragged, "/control_points/1: row has 3 points; expected 4")
@@ -93,30 +93,30 @@ class BadFiles(ProgramTest):
         self.assert_input_refused(short, "/control_points: net has 3 rows; expected 4")
         self.assert_input_refused(with_point([1, 2]), "/control_points/2/1: a point of 2 numbers; expected 3")
 
-    def test_huge_declared_size(self):
+    def test_huge_declared_size_is_refused(self):
         self.assert_input_refused(changed(patches_u=10000, patches_v=10000),
                                   "/control_points: net has 4 rows; expected 30001")
         self.assert_input_refused(changed(patches_u=2**62), f"/patches_u: {2**62}; expected")
 
-    def test_deep_nesting_and_bad_utf8(self):
+    def test_deep_nesting_and_bad_utf8_are_refused(self):
         self.assert_input_refused("[" * 100_000 + "]" * 100_000, ":1:65: nested deeper than 64")
         text = json.dumps(plane()).replace("a test", "a \xff")
         column = text.index("\xff") + 1
         self.assert_input_refused(text.encode("latin-1"), f":1:{column}: ", "ill-formed UTF-8")
 
-    def test_all_points_equal(self):
+    def test_net_of_equal_points_is_refused(self):
         surface = plane(size=(0, 0))
         self.assert_input_refused(surface, "/control_points: all control points are equal")
 
-    def test_newer_format(self):
+    def test_newer_format_is_refused(self):
         self.assert_input_refused(changed(format="endmill-surface/2"), "/format: ", "a newer version",
                                   "endmill-surface/1")
 
-    def test_missing_file_and_directory(self):
+    def test_missing_file_and_directory_are_refused(self):
         self.assert_refused(endmill("info", self.folder / "none.json"), 3, "none.json", "No such file")
         self.assert_refused(endmill("info", self.folder), 3, str(self.folder), "is a directory; expected a file")
 
-    def test_pipe_does_not_hang(self):
+    def test_pipe_is_refused_and_does_not_hang(self):
         os.mkfifo(self.folder / "pipe.json")
         self.assert_refused(endmill("info", self.folder / "pipe.json"), 3, "pipe.json: is a device or a pipe")
 
@@ -125,7 +125,7 @@ class BadFiles(ProgramTest):
         self.assert_refused(done, 3, "surface.json:/[31mkey: unknown key")
         self.assertNotIn("\x1b", done.stderr)
 
-    def test_json_errors(self):
+    def test_json_errors_are_objects_with_code_and_place(self):
         done = endmill("info", self.file(changed(patches_u=-1)), "--json-errors")
         error = json.loads(done.stderr)["error"]
         self.assertEqual((error["code"], error["place"], error["exit"]), ("E_JSON", "/patches_u", 3))
@@ -134,7 +134,7 @@ class BadFiles(ProgramTest):
 
 
 class AnotherUser(ProgramTest):
-    """Root passes permission checks, so these run as a user who does not."""
+    """Permission errors. Root passes permission checks, so these tests run as another user."""
 
     def setUp(self):
         super().setUp()
@@ -146,12 +146,12 @@ class AnotherUser(ProgramTest):
         return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True,
                               check=False, timeout=600, cwd=self.folder, **self.user)
 
-    def test_file_without_read_permission(self):
+    def test_file_without_read_permission_is_refused(self):
         path = self.file(plane())
         path.chmod(0o000)
         self.assert_refused(self.run_as_user("info", path), 3, "surface.json: cannot open: permission denied")
 
-    def test_folder_that_cannot_be_written(self):
+    def test_folder_without_write_permission_is_refused(self):
         path = self.file(plane())
         (self.folder / "locked").mkdir(mode=0o555)
         for target in ("locked", "locked/new"):
@@ -166,7 +166,7 @@ class BadArguments(ProgramTest):
         self.assert_refused(done, status, *words)
         self.assert_nothing_left("surface.json")
 
-    def test_numbers_out_of_their_domain(self):
+    def test_numbers_outside_their_domain_are_refused(self):
         for cutters, expected in ((("ball:0", "ball:-1", "ball:nan", "ball:"), "a diameter above 0 mm"),
                                   (("ball", "ball:1:2", "x"), "ball:DIAMETER, such as"),
                                   (("flat:3", "bull:10:2"), "the only cutter of this command")):
@@ -179,7 +179,7 @@ class BadArguments(ProgramTest):
         self.refused(2, "--threads", "0", words=['--threads: found "0"; expected a whole number from 1 to 1024'])
         self.refused(2, "--safe-height", "nan", words=['--safe-height: found "nan"; expected a number'])
 
-    def test_numbers_that_no_machine_has(self):
+    def test_numbers_beyond_every_machine_are_refused(self):
         for option in ("--chord-tolerance", "--scallop", "--feed", "--cross-step", "--inner-tolerance"):
             for number in ("1e300", "1.01e9"):
                 self.refused(2, option, number, words=[f'{option}: found "{number}"; expected a number above 0, at most'])
@@ -197,7 +197,7 @@ class BadArguments(ProgramTest):
             self.assert_refused(endmill(*arguments, "-o", "out", cwd=self.folder), 2, words)
             self.assert_nothing_left("p.csv", "surface.json")
 
-    def test_words_that_are_not_known(self):
+    def test_unknown_words_are_refused_with_the_known_ones(self):
         self.refused(2, "--governing", "minn", words=['--governing: found "minn"', 'did you mean "min"?'])
         self.refused(2, "--mode", "exact", words=['--mode: found "exact"; expected "verified" or "paper"'])
         self.refused(2, "--cutter", "ball:10", "--mode", "verified", "--inner-tolerance", "5",
@@ -208,23 +208,23 @@ class BadArguments(ProgramTest):
         self.refused(2, "--axis", "0,1", words=['--axis: found "0,1"; expected three numbers X,Y,Z'])
         self.refused(2, "--scalop", "1", words=['found "--scalop"', "did you mean --scallop?"])
 
-    def test_ball_above_the_limit(self):
+    def test_ball_larger_than_the_limit_is_refused(self):
         done = endmill("plan", SURFACES / "parabolic-cylinder.json", "--cutter", "ball:40", cwd=self.folder)
         self.assert_refused(done, 4, "parabolic-cylinder.json", "--cutter ball:40: found radius 20 mm", "below 20 mm",
                             "u = ", "v = 1 ")
         self.assert_nothing_left()
 
-    def test_axis_from_which_the_part_cannot_be_touched(self):
+    def test_axis_from_which_the_part_is_unreachable_is_refused(self):
         self.refused(4, "--axis", "1,0,0", words=["surface.json", "u = 0, v = 0 ", "normal . axis = 0; expected"])
 
-    def test_overhang(self):
+    def test_overhang_is_refused_with_its_place(self):
         surface = plane(size=(60, 30))
         for row in surface["control_points"]:
             row[1][0], row[2][0] = 70, -10
         done = endmill("plan", self.file(surface), *PLAN, cwd=self.folder)
         self.assert_refused(done, 4, "surface.json", "cannot touch the surface at u = 0.5, ", "normal . axis = -1;")
 
-    def test_degenerate_normals(self):
+    def test_degenerate_normals_are_refused_with_their_place(self):
         surface = plane()
         for row in surface["control_points"]:
             for i, point in enumerate(row):
@@ -232,7 +232,7 @@ class BadArguments(ProgramTest):
         done = endmill("plan", self.file(surface), *PLAN, cwd=self.folder)
         self.assert_refused(done, 4, "surface.json", "no normal at u = 0, v = 0 ")
 
-    def test_only_g0_is_a_warning_with_the_place(self):
+    def test_g0_surface_gives_a_warning_with_the_place(self):
         surface = plane(patches_u=2)
         for row in surface["control_points"]:
             row[3][2] = 3
@@ -252,14 +252,14 @@ class BadArguments(ProgramTest):
 
 
 class Output(ProgramTest):
-    def test_folder_that_is_not_empty_is_left_alone(self):
+    def test_folder_that_is_not_empty_is_kept(self):
         path = self.file(plane())
         (self.folder / "out").mkdir()
         (self.folder / "out/mine.txt").write_text("mine")
         self.assert_refused(endmill("plan", path, *PLAN, cwd=self.folder), 2, "out is not empty", "--force")
         self.assertEqual(os.listdir(self.folder / "out"), ["mine.txt"])
 
-    def test_file_in_place_of_the_folder(self):
+    def test_file_in_place_of_the_output_folder_is_kept(self):
         path = self.file(plane())
         self.file("mine", "out")
         self.assert_refused(endmill("plan", path, *PLAN, cwd=self.folder), 2, "output folder out is a file")
@@ -273,14 +273,14 @@ class Output(ProgramTest):
         self.assert_refused(done, 5, "out/u/toolpath.csv: File too large")
         self.assert_nothing_left()
 
-    def test_standard_output_that_is_full(self):
+    def test_full_standard_output_exits_5(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
             done = subprocess.run([ENDMILL, "info", SURFACES / "plane.json", "--json"], stdout=full,
                                   stderr=subprocess.PIPE, text=True, check=False)
         self.assertEqual(done.returncode, 5)
         self.assertIn("standard output", done.stderr)
 
-    def test_too_many_points_are_told_before_the_work(self):
+    def test_too_many_points_are_refused_before_planning(self):
         done = endmill("plan", SURFACES / "net_rot24_7D.json", "--chord-tolerance", "1e-9", "-o", "out",
                        cwd=self.folder)
         self.assert_refused(done, 6, "CL points would need about", "GiB", "--max-memory")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill coefficients: printed vectors, forces by hand, its profile, what it refuses."""
+"""endmill coefficients: test vectors, forces computed by hand, the profile, and refused options."""
 import csv
 import json
 import math
@@ -15,7 +15,7 @@ def engagement(mu=0.0, slope=0.0, pick=0.5, depth=1.0):
             "--depth-ratio", depth]
 
 
-# Spec of ball-end milling, section 9: (mu, lambda, R_p, R_l), chip, I1 to I8.
+# docs/mathematics/ball-end-milling.md, section 9: (mu, lambda, R_p, R_l), chip, I1 to I8.
 VECTORS = [
     ((0, 0, .5, 2), "paper", [.1235246716864, .1301029447756, .2777270912488, .1945774798852, .1945774798852,
                               .3739361126434, .1583180609274, .3155540626321]),
@@ -29,13 +29,13 @@ VECTORS = [
 
 
 class Coefficients(ProgramTest):
-    def test_vectors_of_the_spec(self):
+    def test_coefficients_are_those_of_the_test_vectors(self):
         for (mu, slope, pick, depth), chip, expected in VECTORS:
             found = self.summary("coefficients", *engagement(mu, slope, pick, depth), "--chip", chip)
             for k, value in enumerate(expected):
                 self.assertAlmostEqual(found[f"I{k + 1}"], value, delta=1e-10)
 
-    def test_slot_edge_and_air(self):
+    def test_slot_edge_and_air_have_their_closed_forms(self):
         slot = self.summary("coefficients", "--mu-deg", 0, "--lambda-deg", 0, "--depth-ratio", 1, "--previous", "none")
         closed = [0, 1 / 4, 0, 1 / math.pi, 1 / math.pi, 1 / 2, 1 / 4, math.pi / 8]
         for k, value in enumerate(closed):
@@ -47,13 +47,13 @@ class Coefficients(ProgramTest):
             air = self.summary("coefficients", *options)
             self.assertEqual([air[f"I{k}"] for k in range(1, 9)], [0] * 8)
 
-    def test_angle_and_peak(self):
+    def test_engaged_angle_and_peak_factor_are_reported(self):
         found = self.summary("coefficients", *engagement(), "--flutes", 2, "--helix-deg", 30)
         self.assertAlmostEqual(found["engaged_angle_deg"], 60, delta=1e-9)
         self.assertAlmostEqual(found["peak_factor"], 4.35746842, delta=2e-5)
         self.assertNotIn("force_x_n", found)
 
-    def test_forces_are_the_matrices_of_the_coefficients(self):
+    def test_forces_follow_from_the_coefficients(self):
         options = [*engagement(.3, .2, .4, .6), "--flutes", 2, "--material", STEEL, "--feed-per-tooth", 0.1,
                    "--cutter", "ball:10"]
         m = json.loads(STEEL.read_text())
@@ -68,7 +68,7 @@ class Coefficients(ProgramTest):
             self.assertAlmostEqual(c["force_z_n"], scale * (f * m["r3"] * c["I5"] + h * m["r4"] * c["I6"]), delta=1e-9)
             self.assertAlmostEqual(c["torque_n_m"], s * scale * 5 / 1000 * (f * c["I7"] + h * c["I8"]), delta=1e-12)
 
-    def test_the_profile_has_the_mean_forces(self):
+    def test_profile_has_the_mean_forces_on_average(self):
         options = [*engagement(), "--flutes", 2, "--helix-deg", 30, "--material", STEEL, "--feed-per-tooth", 0.1,
                    "--cutter", "ball:10", "--profile", "-o", "out", "--force"]
         profiles = []
@@ -83,31 +83,31 @@ class Coefficients(ProgramTest):
                 if not runout:
                     self.assertAlmostEqual(sum(profiles[-1]) / 360, facts[key], delta=2e-3 * abs(facts[key]))
         self.assertNotEqual(profiles[0], profiles[4])
-        # Without runout both flutes do the same.
+        # Without runout both flutes give the same forces.
         for k in range(180):
             self.assertAlmostEqual(profiles[0][k], profiles[0][k + 180], delta=1e-6)
 
-    def test_writes_only_where_it_is_asked_to(self):
+    def test_files_are_written_only_with_output(self):
         self.assertEqual(endmill("coefficients", *engagement(), cwd=self.folder).returncode, 0)
         self.assert_nothing_left()
         facts = self.summary("coefficients", *engagement(), "-o", "out")
         self.assertEqual(facts, json.loads((self.folder / "out/summary.json").read_text()))
 
-    def test_the_sense_of_the_helix_is_remarked(self):
+    def test_sense_of_the_helix_gives_a_warning(self):
         def run(*options):
             done = endmill("coefficients", *engagement(), "--flutes", 2, *options, "--json", cwd=self.folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             return json.loads(done.stdout)["peak_factor"], done.stderr
         down, said = run("--helix-deg", 30)
         self.assertIn("--helix-deg -30", said)
-        self.assertAlmostEqual(down, 4.35746842, delta=1e-5)  # of the spec, by its convention
+        self.assertAlmostEqual(down, 4.35746842, delta=1e-5)  # docs/mathematics/ball-end-milling.md, section 4
         right_hand, said = run("--helix-deg", -30)
         self.assertEqual(said, "")
         self.assertLess(right_hand, 0.9 * down)
         self.assertEqual(run("--helix-deg", 30, "--milling", "up"), (down, ""))
         self.assertGreaterEqual(run("--helix-deg", 80, "--milling", "up")[0], 1)
 
-    def test_what_is_required_has_no_default(self):
+    def test_required_options_have_no_default(self):
         text = endmill("coefficients", "--help").stdout
         for line in text.splitlines():
             self.assertFalse("REQUIRED" in line and "default" in line, line)
@@ -117,7 +117,7 @@ class Coefficients(ProgramTest):
         self.assert_refused(done, 2, *words)
         self.assert_nothing_left()
 
-    def test_refuses_what_is_no_engagement(self):
+    def test_invalid_engagements_are_refused(self):
         self.refused(*engagement(pick=-0.1), words=["--pick-feed-ratio"])
         self.refused("--mu-deg", 90, "--lambda-deg", 0, "--pick-feed-ratio", 1, "--depth-ratio", 1,
                      words=["--mu-deg", '"90"', "between -90 and 90"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers in datasets/surfaces/README.md against the files that they describe."""
+"""Compares the numbers in datasets/surfaces/README.md with the files that they describe."""
 import csv
 import math
 import re
@@ -12,14 +12,14 @@ TABLES = ROOT / "experiments/economic-cl-data"
 
 
 def described(heading):
-    """The table under a heading: for every file the cells beside its name."""
+    """The table under a heading, as the cells beside the name of each file."""
     section = README.split(f"\n## {heading}\n")[1].split("\n## ")[0]
     lines = re.findall(r"^\| `(\S+\.json)`[^|]*\|(.*)\|$", section, re.MULTILINE)
     return {name: [cell.strip() for cell in cells.split("|")] for name, cells in lines}
 
 
 def number(text):
-    """"59 675" is 59675; a minus sign may be the typographic one."""
+    """Parses a number such as "59 675"; the minus sign may be typographic."""
     return float(text.replace(" ", "").replace("−", "-"))
 
 
@@ -45,7 +45,7 @@ def deviations(net):
 
 class SurfacesReadme(ProgramTest):
     def assert_rounds_to(self, value, text, message):
-        """`value` is `text` to the digits that `text` shows."""
+        """Asserts that `value` rounds to `text`, in the digits that `text` shows."""
         digits = len(text.partition(".")[2])
         self.assertLessEqual(abs(value - number(text)), 0.5 * 10**-digits * (1 + 1e-9), message)
 
@@ -70,7 +70,7 @@ class SurfacesReadme(ProgramTest):
             self.assert_rounds_to(math.hypot(*cells) / 6, rms, name)
             self.assert_rounds_to(max(map(abs, cells)), worst, name)
 
-    def test_surfaces_with_a_closed_form(self):
+    def test_facts_of_surfaces_with_a_closed_form(self):
         told = 0
         for name, (surface, known) in described("Surfaces with a closed form").items():
             facts = self.summary("info", SURFACES / name)
@@ -94,12 +94,12 @@ class SurfacesReadme(ProgramTest):
                 told += 1
         self.assertEqual(told, 13)
 
-    def test_the_surfaces_that_face_up_do(self):
+    def test_surfaces_described_as_facing_up_face_up(self):
         for name, (_, known) in described("Surfaces with a closed form").items():
             if "N·z ≥" in known:
                 self.assertIsNone(self.summary("info", SURFACES / name)["unreachable_at"], name)
 
-    def test_the_teapot(self):
+    def test_facts_of_the_teapot(self):
         text = README.split("\n## The Utah teapot\n")[1]
         facts = self.summary("info", SURFACES / "teapot.json")
         self.assertEqual(facts["patches"], 32)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill eval against values computed with 50 digits, and its exit codes."""
+"""endmill eval: values computed with 50 digits, and exit codes."""
 import math
 import unittest
 
@@ -41,19 +41,19 @@ class Eval(ProgramTest):
         self.assertEqual(value, {"chord_mm": None, "projected_mm": None,
                                  "half_angle_rad": None, "status": "unlimited"})
 
-    def test_step_takes_the_magnitude_of_curvature(self):
+    def test_step_depends_on_the_magnitude_of_curvature(self):
         for curvature in (0.01, -0.01):
             value = self.summary("eval", "step-length", "--curvature", curvature,
                                  "--chord-tolerance", 0.5)
             self.assertAlmostEqual(value["chord_mm"], 19.9749843554382, delta=1e-12)
             self.assertAlmostEqual(value["projected_mm"], 19.8751094336610, delta=1e-12)
 
-    def test_scallop_height_is_the_inverse(self):
+    def test_scallop_height_is_the_inverse_of_path_interval(self):
         value = self.summary("eval", "scallop-height", "--radius", 7.5, "--curvature", 0.02,
                              "--interval", 5)
         self.assertAlmostEqual(value["scallop_mm"], 0.501004520636059, delta=1e-14)
 
-    def test_arguments_out_of_their_domain_exit_2(self):
+    def test_arguments_outside_their_domain_exit_2(self):
         positive, ball = "; expected a number above 0", ("path-interval", "--radius", "5")
         for arguments, word in (
                 (("path-interval", "--radius", "0"), f'--radius: found "0"{positive}'),
@@ -72,7 +72,7 @@ class Eval(ProgramTest):
         done = endmill("eval", "scallop-height", "--radius", 5, "--curvature", 0, "--interval", 11)
         self.assert_refused(done, 4, "further apart than 10 mm")
 
-    def test_alone_lists_what_it_knows(self):
+    def test_eval_alone_lists_the_formulas(self):
         names = [formula["name"] for formula in self.summary("eval")["formulas"]]
         self.assertIn("path-interval", names)
         for name in names:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill feed: A14 and rasters in closed form, its files, what it refuses."""
+"""endmill feed: a slot and rasters in closed form, the files, and refused input."""
 import csv
 import json
 import math
@@ -14,7 +14,7 @@ TOOL = ROOT / "datasets/tools/ball-10-steel-and-aluminium.json"
 HEADER = ("pass,point,length_mm,mu_deg,lambda_deg,pick_feed_mm,pick_feed_horizontal_mm,depth_mm,"
           "engaged_angle_deg,feed_per_tooth_mm,peak_factor,limit,speed_limit,cutting_force_n,thrust_n,"
           "torque_n_m,power_w")
-# A14 of the spec: one straight horizontal slot.
+# docs/mathematics/ball-end-milling.md, section 9, A14: one straight horizontal slot.
 SLOT = {"format": "endmill-material/1", "specific_resistance_n_per_mm2": 2000, "edge_thickness_mm": 0.016,
         "r1": 0.4, "r2": 0.4, "r3": 0.2, "r4": 0.6, "alpha": 0.368, "v1_m_per_min": 28.4313}
 TWO_FLUTES = ["--cutter", "ball:10", "--flutes", "2"]
@@ -26,7 +26,7 @@ def rows(path):
 
 
 def raster(passes, pick=2.5, moves=3, length=30, y=1):
-    """A one-way raster along x at z = 0, towards `y`, as CSV."""
+    """A one-way raster along x at z = 0 as CSV. Passes advance along the sign of `y`."""
     lines = ["pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm"]
     for k in range(passes):
         place = y * k * pick
@@ -38,13 +38,13 @@ def raster(passes, pick=2.5, moves=3, length=30, y=1):
 
 class Feed(ProgramTest):
     def fed(self, path, *options, status=0):
-        """The folder written by `feed` and the summary."""
+        """Runs `feed` and returns its output folder and its summary."""
         done = endmill("feed", path, "--material", STEEL, *options, "-o", "out", "--force", "--json",
                        cwd=self.folder)
         self.assertEqual(done.returncode, status, done.stderr)
         return self.folder / "out", json.loads(done.stdout)
 
-    def test_one_slot_is_that_of_the_spec(self):
+    def test_slot_has_the_feed_and_speed_of_the_test_vector(self):
         path = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n50,0,0\n", "slot.csv")
         facts = self.summary("feed", path, "--material", self.file(SLOT, "m.json"), *TWO_FLUTES, "--max-force-n",
                              "1200", "--stock-top", "5", "--peak", "constant:1.8", "-o", "out",
@@ -59,7 +59,7 @@ class Feed(ProgramTest):
         self.assertEqual(facts["limits"]["cutting_force"], 1)
         self.assertEqual((facts["total_min"], facts["saving_percent"]), (facts["cut_min"], None))
 
-    def test_files_and_keys_are_those_of_the_design(self):
+    def test_files_and_keys_are_complete(self):
         path = self.file(raster(3), "raster.csv")
         out, facts = self.fed(path, "--machine", MACHINE, "--tool", TOOL, "--stock-top", "2")
         self.assertEqual(sorted(p.name for p in out.iterdir()),
@@ -78,7 +78,7 @@ class Feed(ProgramTest):
         self.assertEqual(facts, json.loads((out / "summary.json").read_text()))
         self.assertAlmostEqual(sum(facts["limits"].values()), 1, delta=1e-12)
 
-    def test_a_raster_has_the_engagement_of_its_pitch(self):
+    def test_raster_has_the_engagement_of_its_pitch(self):
         for towards, pick in ((1, 2.5), (-1, 1.5)):
             out, _ = self.fed(self.file(raster(3, pick, y=towards), "raster.csv"), "--tool", TOOL,
                               "--stock-top", "5")
@@ -93,14 +93,14 @@ class Feed(ProgramTest):
                                        math.degrees(math.acos(1 - pick / 5)), delta=1e-8)
                 self.assertEqual(float(cut["depth_mm"]), 5)
 
-    def test_times_add_up(self):
+    def test_total_time_is_the_sum_of_its_parts(self):
         path = self.file(raster(2), "raster.csv")
         out, facts = self.fed(path, "--tool", TOOL, "--stock-top", "5", "--rapid-mm-per-min", "3000",
                               "--constant-feed-mm-per-min", "40", "--plunge-feed-mm-per-min", "100")
         points = rows(out / "toolpath.csv")
         self.assertEqual(points[1]["feed_mm_per_min"], "100")
         self.assertEqual(points[0]["feed_mm_per_min"], "")
-        # Two plunges and two retracts of 30 mm at 100; one return over 30 and 2.5 mm.
+        # Two plunges and two retracts of 30 mm at 100 mm/min; one return over 30 and 2.5 mm.
         noncut = 4 * 30 / 100 + math.hypot(30, 2.5) / 3000
         self.assertAlmostEqual(facts["noncut_min"], noncut, delta=1e-12)
         cut = sum(10 / float(p["feed_mm_per_min"]) for p in points if p["move"] == "cut")
@@ -109,14 +109,14 @@ class Feed(ProgramTest):
         self.assertAlmostEqual(facts["saving_percent"],
                                100 * (1 - (cut + noncut) / (60 / 40 + noncut)), delta=1e-9)
 
-    def test_more_than_two_neighbours_is_noted(self):
+    def test_passes_between_two_others_give_a_remark(self):
         text = raster(2, 5) + "".join(f"9,{i},cut,{x},2.5,0\n" for i, x in enumerate((0, 15, 30)))
         out, facts = self.fed(self.file(text.replace("9,0,cut", "9,0,plunge"), "raster.csv"), "--tool", TOOL,
                               "--stock-top", "5")
         self.assertEqual((out / "engagement.csv").read_text().splitlines()[0], HEADER)
         self.assertTrue([r for r in facts["remarks"] if r.startswith("2 segments have earlier passes on both sides")])
 
-    def test_a_program_is_written_again(self):
+    def test_machine_program_is_written_with_the_new_feeds(self):
         program = self.file("%\nG21 G90\nT3 M6\nS1000 M3\nG0 X0 Y0 Z30\nG1 Z0 F50\nX30 F300\nG0 Z30\n"
                             "G0 X0 Y2.5\nG1 Z0 F50\nX30 F300\nG0 Z30\nM30\n%\n", "part.ngc")
         out, _ = self.fed(program, "--tool", TOOL, "--stock-top", "5")
@@ -130,23 +130,23 @@ class Feed(ProgramTest):
         self.assertNotIn("F300", text)
         self.assertIn("T3 M6", text)
 
-    def test_a_program_keeps_its_comments_and_arcs(self):
+    def test_machine_program_keeps_its_comments_and_arcs(self):
         lines = ["%", "(roughing, F300)", "N10 G21 G90 G17", "T3 M6", "S1000 M3", "G0 X0 Y0 Z30 ; over the start",
                  "G1 Z0 F50", "G1 X30 F300", "G3 X30 Y20 I0 J10 (half a turn)", "G1 X0", "G0 Z30", "M30", "%"]
         program = self.file("\n".join(lines) + "\n", "part.ngc")
         out, facts = self.fed(program, "--tool", TOOL, "--stock-top", "5")
         written = (out / "part-feed.ngc").read_text().splitlines()
-        self.assertGreater(facts["segments"], 60)  # the arc in chords of a thousandth
+        self.assertGreater(facts["segments"], 60)  # the arc has chords within 0.001 mm
         bare = [re.sub(r" ?\b[FS][0-9.]+", "", line) for line in written if not line.startswith("(")]
-        # A slot all along: one feed and one speed for the line, the arc and the line back.
+        # The cut is a slot everywhere, so both lines and the arc have the same feed and speed.
         self.assertEqual(bare, [re.sub(r" ?\b[FS][0-9.]+", "", line) for line in lines if not line.startswith("(")])
         self.assertIn(lines[1], written)
         rpm, feed = (rows(out / "toolpath.csv")[2][key] for key in ("spindle_rpm", "feed_mm_per_min"))
         self.assertIn(f"S{float(rpm):.4f}".rstrip("0").rstrip(".") + " M3", written)
         self.assertIn(f"G1 X30 F{float(feed):.4f}".rstrip("0").rstrip("."), written)
 
-    def test_an_arc_over_the_border_of_a_groove_is_split_there(self):
-        # A slot along x, then an arc across it: its feed is another where the stock is gone.
+    def test_arc_across_a_groove_is_split_at_its_border(self):
+        # An arc crosses an earlier slot along x. Its feed changes where the stock is already removed.
         program = self.file("G21 G90 G17\nS1000 M3\nG0 X-30 Y0 Z30\nG1 Z0 F50\nX30 F300\nG0 Z30\nX-20 Y4\n"
                             "G1 Z0 F50\nG2 X20 Y4 R200 F300\nG0 Z30\nM30\n", "part.ngc")
         out, _ = self.fed(program, "--tool", TOOL, "--stock-top", "5", "--allow-infeasible")
@@ -159,7 +159,7 @@ class Feed(ProgramTest):
                               "-40,-20,-5,40,20,5", "-o", "b", "--force")
         self.assertAlmostEqual(again["removed_mm3"], before["removed_mm3"], delta=0.1)
 
-    def test_contact_is_used_where_the_path_knows_it(self):
+    def test_contacts_of_the_path_are_used(self):
         surface = self.file(plane())
         done = endmill("plan", surface, "--mode", "paper", "--cutter", "ball:10", "--chord-tolerance", "0.5",
                        "--scallop", "0.5", "--direction", "u", "--order", "one-way", "-o", "plan", cwd=self.folder)
@@ -178,7 +178,7 @@ class Feed(ProgramTest):
                 self.assertAlmostEqual(float(one[0]), float(two[0]), delta=1e-7)
                 self.assertAlmostEqual(float(one[1]), float(two[1]), delta=1e-9)
 
-    def test_what_it_writes_is_verified_by_the_same_part(self):
+    def test_written_path_is_verified_by_the_same_part(self):
         surface = self.file(plane())
         done = endmill("plan", surface, "--mode", "paper", "--cutter", "ball:10", "--chord-tolerance", "0.5",
                        "--scallop", "0.5", "--direction", "u", "-o", "plan", cwd=self.folder)
@@ -191,7 +191,7 @@ class Feed(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(json.loads(done.stdout)["verdict"], "clean")
 
-    def test_the_stock_gives_what_the_passes_say(self):
+    def test_engagement_by_stock_agrees_with_engagement_by_passes(self):
         path = self.file(raster(4), "raster.csv")
         common = ["--tool", TOOL, "--stock-top", "5", "--max-feed-per-tooth", "1", "--stock",
                   "-20,-20,-20,50,30,5"]
@@ -204,7 +204,7 @@ class Feed(ProgramTest):
             self.assertAlmostEqual(float(one["feed_per_tooth_mm"]), float(two["feed_per_tooth_mm"]),
                                    delta=0.05 * float(one["feed_per_tooth_mm"]))
 
-    def test_modes_and_peaks(self):
+    def test_modes_select_chip_and_peak_rules(self):
         path = self.file(raster(2), "raster.csv")
         common = ["--tool", TOOL, "--stock-top", "5"]
         _, corrected = self.fed(path, *common, "--mode", "corrected")
@@ -217,7 +217,7 @@ class Feed(ProgramTest):
         _, direct = self.fed(path, *common)
         self.assertAlmostEqual(table["cut_min"], direct["cut_min"], delta=0.1 * direct["cut_min"])
 
-    def test_the_same_bytes_with_any_number_of_threads(self):
+    def test_files_do_not_depend_on_the_number_of_threads(self):
         path = self.file(raster(40, 0.7, 40), "raster.csv")
         for threads in ("1", "4"):
             self.fed(path, "--tool", TOOL, "--stock-top", "5", "--threads", threads)
@@ -226,7 +226,7 @@ class Feed(ProgramTest):
             self.assertEqual((self.folder / "out1" / name).read_bytes(),
                              (self.folder / "out4" / name).read_bytes())
 
-    def test_infeasible_says_how_many_and_what_would_do(self):
+    def test_infeasible_plan_reports_the_moves_and_sufficient_limits(self):
         path = self.file(raster(1), "raster.csv")
         common = ["--material", STEEL, *TWO_FLUTES, "--stock-top", "20", "-o", "out", "--force"]
         done = endmill("feed", path, *common, "--max-force-n", "100", cwd=self.folder)
@@ -245,7 +245,7 @@ class Feed(ProgramTest):
         self.assert_refused(done, status, *words)
         self.assertFalse((self.folder / "out").exists())
 
-    def test_refuses_a_wrong_command_line(self):
+    def test_wrong_command_lines_are_refused(self):
         top = ["--stock-top", "5"]
         self.refused(2, "--flutes", options=["--cutter", "ball:10", *top])
         self.refused(2, "--cutter", options=["--flutes", "2", *top])
@@ -275,7 +275,7 @@ class Feed(ProgramTest):
                          "endloop\nendfacet\nendsolid a\n", "part.stl")
         self.refused(2, "mesh", options=["--tool", TOOL, *top, "--part", mesh])
 
-    def test_refuses_bad_files(self):
+    def test_bad_files_are_refused(self):
         common = ["--tool", TOOL, "--stock-top", "5"]
         bad = dict(SLOT)
         del bad["r3"]
@@ -289,7 +289,7 @@ class Feed(ProgramTest):
         self.refused(3, "pass 0 after point 0 of pass 1", path=self.file(back, "p.csv"), options=common)
         self.refused(3, "machine", options=[*common, "--machine", self.file({"format": "x"}, "machine.json")])
 
-    def test_refuses_what_the_geometry_does_not_allow(self):
+    def test_impossible_geometry_is_refused(self):
         common = ["--tool", TOOL]
         top = ["--stock-top", "5"]
         still = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n0,0,0\n0,0,-1\n", "p.csv")
@@ -310,14 +310,14 @@ class Feed(ProgramTest):
                        "--contact-tolerance", "0.5", "-o", "out", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
 
-    def test_a_move_that_stays_in_place_is_left_out(self):
+    def test_move_of_zero_length_is_left_out(self):
         text = "tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n5,0,0\n5,0,0\n9,0,0\n"
         out, facts = self.fed(self.file(text, "p.csv"), "--tool", TOOL, "--stock-top", "5")
         self.assertEqual((facts["segments"], facts["zero_length_segments"]), (2, 1))
         self.assertEqual(len(rows(out / "toolpath.csv")), 4)
         self.assertTrue([r for r in facts["remarks"] if r.startswith("1 cutting move goes nowhere")])
 
-    def test_a_stock_that_the_path_never_meets_is_refused(self):
+    def test_stock_that_the_path_never_meets_is_refused(self):
         for engagement in ("stock", "passes", "auto"):
             self.refused(4, "stays", "mm away", "1000", options=[
                 "--tool", TOOL, "--engagement", engagement, "--stock", "1000,1000,0,1010,1010,10"])
@@ -326,7 +326,7 @@ class Feed(ProgramTest):
         self.assertEqual([facts[key] for key in ("stock", "stock_top_mm", "programmed_point", "arc_tolerance_mm",
                                                  "block_delete")], ["-5,-9,-9,40,9,3", 3, "tip", 0.001, False])
 
-    def test_normals_alone_are_a_contact(self):
+    def test_normals_without_contact_points_give_the_contact(self):
         head = "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm"
         tilt = math.radians(20)
         lines = [head + ",normal_x,normal_y,normal_z"]
@@ -343,13 +343,13 @@ class Feed(ProgramTest):
             for cut in rows(out / "engagement.csv")[2:]:
                 self.assertAlmostEqual(abs(float(cut["mu_deg"])), 20, delta=1e-9)
                 self.assertAlmostEqual(float(cut["pick_feed_mm"]), 2, delta=1e-12)
-        # The path that it writes is as good.
+        # The written path gives the same plan.
         written = self.file((out / "toolpath.csv").read_text(), "written.csv")
         _, facts = self.fed(written, "--tool", TOOL, "--stock-top", "8", "--engagement", "contact",
                                 "--allow-infeasible")
         self.assertEqual(facts["segments_by_contact"], 6)
 
-    def test_another_cutter_than_the_path_was_made_for_is_refused(self):
+    def test_cutter_other_than_that_of_the_path_is_refused(self):
         surface = self.file(plane())
         done = endmill("plan", surface, "--mode", "paper", "--cutter", "ball:10", "--chord-tolerance", "0.5",
                        "--scallop", "0.5", "--direction", "u", "-o", "plan", cwd=self.folder)
@@ -357,7 +357,7 @@ class Feed(ProgramTest):
         path = self.folder / "plan/toolpath.csv"
         self.refused(2, "ball:8", "ball:10", path=path, options=["--cutter", "ball:8", "--flutes", "2",
                                                                  "--stock-top", "4"])
-        # Contacts of a ball of 10 on a slope, without a summary.
+        # Contacts of a ball of 10 mm diameter on a slope, without a summary.
         tilt = math.radians(30)
         y, z = -5 * math.sin(tilt), 5 - 5 * math.cos(tilt)
         bare = self.file("tip_x_mm,tip_y_mm,tip_z_mm,u,v,contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,"
@@ -368,7 +368,7 @@ class Feed(ProgramTest):
         _, facts = self.fed(bare, *TWO_FLUTES, "--stock-top", "4", "--allow-infeasible")
         self.assertEqual(facts["cutter"], "ball:10")
 
-    def test_the_sense_of_the_helix_is_remarked_where_it_counts(self):
+    def test_sense_of_the_helix_gives_a_remark_where_it_matters(self):
         def helix_remarks(y, helix, *options):
             path = self.file(raster(3, y=y), "raster.csv")
             _, facts = self.fed(path, *TWO_FLUTES, "--max-force-n", "1200", "--stock-top", "5", "--helix-deg", helix,
@@ -376,14 +376,14 @@ class Feed(ProgramTest):
             self.assertEqual(facts["helix_deg"], float(helix))
             return facts["cut_min"], [r for r in facts["remarks"] if "left-hand" in r]
         for rule in ("torque", "direct"):
-            # The first of three passes is a slot, where the sense changes nothing.
+            # The first of three passes is a slot, where the sense of the helix has no effect.
             down, remarks = helix_remarks(-1, "30", "--peak", rule)
             self.assertEqual([r[:20] for r in remarks], ["on 6 of 9 segments, "])
             self.assertIn("--helix-deg -30", remarks[0])
             other, remarks = helix_remarks(-1, "-30", "--peak", rule)
             self.assertEqual(remarks, [])
             self.assertGreater(abs(other / down - 1), 1e-3)
-            # The model sees the same cut on either side, so that the hand is the other one.
+            # The model mirrors the cut on the other side, so the hand of the helix is the opposite one.
             up, remarks = helix_remarks(1, "30", "--peak", rule)
             self.assertEqual(remarks, [])
             self.assertAlmostEqual(up, down, delta=1e-9 * down)
@@ -393,7 +393,7 @@ class Feed(ProgramTest):
         self.assertEqual(len(helix_remarks(-1, "30", *stock)[1]), 1)
         self.assertEqual(len(helix_remarks(-1, "-30", *stock)[1]), 0)
 
-    def test_the_table_tells_its_error(self):
+    def test_summary_states_the_error_of_the_table(self):
         path = self.file(raster(2), "raster.csv")
         _, facts = self.fed(path, "--tool", TOOL, "--stock-top", "5", "--coefficients", "table")
         self.assertEqual(facts["table_error"], 0.025)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill info on surfaces whose facts are known in closed form."""
+"""endmill info on surfaces with facts in closed form."""
 import math
 import unittest
 
@@ -16,7 +16,7 @@ def roof(rise):
 
 
 class Info(ProgramTest):
-    def test_plane(self):
+    def test_plane_has_no_curvature_and_no_cutter_limit(self):
         facts = self.summary("info", self.file(plane()))
         self.assertEqual(facts["size_mm"], [60, 30, 0])
         self.assertAlmostEqual(facts["area_mm2"], 1800, delta=1e-9)
@@ -27,7 +27,7 @@ class Info(ProgramTest):
         self.assertIsNone(facts["max_cutter_radius_at"])
 
     def test_parabolic_trough_admits_a_ball_of_its_bottom_radius(self):
-        # z = y^2 / 40 bends with radius 20 mm at its bottom, y = 0.
+        # z = y^2 / 40 has the radius of curvature 20 mm at its bottom, y = 0.
         facts = self.summary("info", SURFACES / "parabolic-cylinder.json")
         self.assertAlmostEqual(facts["max_cutter_radius_mm"], 20, delta=1e-7)
         self.assertAlmostEqual(facts["max_cutter_radius_at"]["point_mm"][1], 0, delta=1e-3)
@@ -51,7 +51,7 @@ class Info(ProgramTest):
         done = endmill("info", self.folder / "surface.json")
         self.assertIn("continuity    G0, largest break 90 degrees at u = 1, v = 0 (30, 0, 30 mm)\n", done.stdout)
 
-    def test_surface_without_a_break_names_no_place_of_one(self):
+    def test_surface_without_a_break_has_no_place_of_a_break(self):
         for patches in (1, 2):
             path = self.file(plane(patches, patches))
             facts = self.summary("info", path)
@@ -68,7 +68,7 @@ class Info(ProgramTest):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertNotRegex(done.stdout, r"-0(\s|,)")
 
-    def test_writes_only_with_output(self):
+    def test_summary_is_written_only_with_output(self):
         path = self.file(plane())
         self.summary("info", path)
         self.assert_nothing_left("surface.json")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill machine: words, feasible directions and positions of the spec, and what it refuses."""
+"""endmill machine: words, feasible directions and positions of docs/mathematics/five-axis-setup.md,
+section 9, and refused input."""
 import json
 import math
 import unittest
@@ -8,7 +9,7 @@ from program import ROOT, ProgramTest, endmill
 
 MACHINES = ROOT / "datasets/machines"
 
-# Words of two rotary axes by pair: rank, area in sr for 30 degrees either way, family.
+# Pairs of rotary axes: rank, solid angle in sr for limits of 30 degrees either way, family.
 PAIRS = {"ab": (2, 4 * math.pi / 6 * 0.5, "AB"), "ba": (2, 4 * math.pi / 6 * 0.5, "AB"),
          "ca": (2, 2 * math.pi / 3 * (1 - math.cos(math.pi / 6)), "CA"),
          "cb": (2, 2 * math.pi / 3 * (1 - math.cos(math.pi / 6)), "CA"),
@@ -32,7 +33,7 @@ class Machine(ProgramTest):
     def machine_file(self, **keys):
         return self.file({"format": "endmill-machine/1", **keys}, "m.json")
 
-    def test_the_eighteen_words(self):
+    def test_eighteen_words_have_their_rank_family_and_solid_angle(self):
         for pair, (rank, area, family) in PAIRS.items():
             for place in range(3):
                 word = f"W/{pair[:place]}B{pair[place:]}xyz/T"
@@ -46,7 +47,7 @@ class Machine(ProgramTest):
                 if rank == 1:
                     self.assertIn("turns it about itself", found["reason"])
 
-    def test_the_papers_four_machines(self):
+    def test_four_machines_of_the_paper_have_their_family(self):
         for word, family, r1 in (("W/xyBzca/T", "CA", "C"), ("W/cxyBza/T", "CA", "C"), ("W/caxyBz/T", "CA", "C"),
                                  ("W/baxzBy/T", "AB", "B")):
             found = self.answer(word)
@@ -55,7 +56,7 @@ class Machine(ProgramTest):
         for word in ("W/acxyBz/T", "W/xyzBbc/T"):
             self.assertFalse(self.answer(word, status=1)["valid"])
 
-    def test_heads_and_tables(self):
+    def test_limits_of_tables_are_mirrored_limits_of_heads(self):
         head = self.answer("W/Bbaxyz/T", "--limits", "b=-40:65,a=-20:35", "--contains", "322.391,69.6406",
                            "--contains", "0,65.1")
         self.assertAlmostEqual(head["solid_angle_sr"], 1.6779183682, delta=1e-10)
@@ -71,7 +72,7 @@ class Machine(ProgramTest):
         self.assertEqual(mirrored, same)
         self.assertAlmostEqual(same["solid_angle_sr"], 0.9270723535, delta=1e-10)
 
-    def test_two_sectors(self):
+    def test_directions_of_two_sectors_are_contained(self):
         inside = [(azimuth, 60) for azimuth in range(-30, 61, 15)] + [(azimuth, 30) for azimuth in range(150, 241, 15)]
         outside = [(61, 10), (200, 31)]
         directions = [word for az, pol in inside + outside for word in ("--contains", f"{az},{pol}")]
@@ -79,7 +80,7 @@ class Machine(ProgramTest):
         self.assertEqual(found["contains"], [True] * len(inside) + [False] * len(outside))
         self.assertAlmostEqual(found["solid_angle_sr"], 0.9958449670, delta=1e-10)
 
-    def test_fewer_axes(self):
+    def test_machines_with_fewer_axes_are_reported(self):
         three = self.answer("W/xyBz/T", "--contains", "0,0", "--contains", "0,1")
         self.assertEqual([three[key] for key in ("valid", "axes", "family", "r1", "r2", "sides", "rank", "reason")],
                          [True, 3, None, None, None, [], 0, None])
@@ -93,7 +94,7 @@ class Machine(ProgramTest):
         spin = self.answer("W/cxyBz/T", status=1)
         self.assertEqual((spin["valid"], spin["axes"], spin["rank"]), (False, 4, 0))
 
-    def test_positions_of_the_spec(self):
+    def test_positions_are_those_of_the_test_vectors(self):
         point = ("--point", "50,20,30", "--length", 200)
         direction = [0.2716538, -0.3237444, 0.9063078]
         for word, at, xyz in (("W/cBaxyz/T", "c=-40,a=25", [51.1579743, -101.3421440, 11.2615574]),
@@ -123,7 +124,7 @@ class Machine(ProgramTest):
                 self.assertEqual(found["within_limits"], solution["within_limits"], name)
         self.assertEqual(self.answer("W/xyBz/T", "--inverse", "0,10")["inverse"], [])
 
-    def test_travel(self):
+    def test_travel_limits_are_checked(self):
         name = MACHINES / "ca-table-table.json"
         self.assertTrue(self.answer(name, "--at", "a=30", "--point", "0,0,0")["within_limits"])
         self.assertFalse(self.answer(name, "--at", "a=31")["within_limits"])
@@ -131,7 +132,7 @@ class Machine(ProgramTest):
         wider = self.answer(name, "--at", "a=31", "--limits", "a=-120:40")
         self.assertEqual((wider["within_limits"], wider["phi_range_deg"]), (True, [-40, 120]))
 
-    def test_prints_and_writes(self):
+    def test_answer_is_printed_and_written(self):
         done = endmill("machine", "W/caxyBz/T", "-o", "out", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("family = CA", done.stdout)
@@ -141,7 +142,7 @@ class Machine(ProgramTest):
         self.assertEqual(done.returncode, 1)
         self.assertIn("reason = c, the rotary axis next to the tool", done.stdout)
 
-    def test_words_that_cannot_be_read(self):
+    def test_malformed_words_are_refused(self):
         for word, said in (("W/caxyz/T", "B, the bed, is missing"), ("W/ccxyBz/T", "two equal rotary axes c"),
                            ("W/caxyBz", "/T is missing"), ("caxyBz/T", "W/ is missing"), ("W/cqxyBz/T", '"q"'),
                            ("W/CxyBz/T", "lower case"), ("W/cabxyBz/T", "three rotary axes"), ("W/caxyyBz/T", "two letters y"),
@@ -154,7 +155,7 @@ class Machine(ProgramTest):
         self.refused()
         self.assertEqual(self.answer(self.machine_file(configuration="W/acxyBz/T"), status=1)["rank"], 1)
 
-    def test_limits_that_are_none(self):
+    def test_invalid_limits_are_refused(self):
         for limits, said in (("a=30:-30", "hold 0"), ("a=1:2", "hold 0"), ("a=-181:0", "180"), ("c=-200:161", "360"),
                              ("b=-1:1", "limits of theta, c, phi, a"), ("a=-1:1,phi=-1:1", "once"), ("a=-1", "LO:HI"),
                              ("a=-1:1:2", "LO:HI"), ("a=x:1", "LO:HI"), ("a=nan:1", "LO:HI"), ("a", "list such as"),
@@ -165,14 +166,14 @@ class Machine(ProgramTest):
         self.refused("W/abxyBz/T", "--limits", "theta=-1:181", words=["180"])
         self.answer("W/caxyBz/T", "--limits", "c=-270:90")
 
-    def test_files_with_limits_that_are_none(self):
+    def test_files_with_invalid_limits_are_refused(self):
         for limits, said in (({"a_deg": [1, 2]}, "hold 0"), ({"c_deg": [-200, 161]}, "360"), ({"a_deg": [0, 181]}, "180"),
                              ({"b_deg": [-1, 1]}, "does not have")):
             key = next(iter(limits))
             self.refused(self.machine_file(configuration="W/caxyBz/T", limits=limits), status=3,
                          words=[f"/limits/{key}", said])
 
-    def test_files_with_values_of_another_kind(self):
+    def test_files_with_values_of_the_wrong_type_are_refused(self):
         for key, value, place in (("configuration", 3, "configuration"), ("limits", [], "limits"),
                                   ("limits", {"a_deg": 1}, "limits/a_deg"), ("limits", {"a_deg": ["x", 1]}, "limits/a_deg/0"),
                                   ("limits", {"a_deg": [9, -9]}, "limits/a_deg/1"), ("pivot_mm", "3", "pivot_mm"),
@@ -183,11 +184,11 @@ class Machine(ProgramTest):
         self.refused(self.file("{", "m.json"), status=3, words=["m.json:1:2"])
         self.refused(self.folder, status=3, words=["directory"])
 
-    def test_a_word_that_is_no_machine_does_not_hide_other_faults(self):
+    def test_invalid_machine_does_not_hide_other_errors(self):
         for option in (("--limits", "a=1:2"), ("--limits", "b=-1:1"), ("--limits", "a"), ("--at", "b=1"), ("--at", "a")):
             self.refused("W/acxyBz/T", *option, words=[option[0]])
 
-    def test_directions_and_positions_that_are_none(self):
+    def test_invalid_directions_and_positions_are_refused(self):
         for option in ("--contains", "--inverse"):
             for text in ("1", "1,2,3", "x,1", "0,181", "0,-1", "nan,1"):
                 self.refused("W/caxyBz/T", option, text, words=[option, "AZIMUTH,POLAR"])

@@ -7,7 +7,7 @@ from program import ROOT, SURFACES, ProgramTest, endmill
 
 MESHES = ROOT / "datasets/meshes"
 
-# A box of 1 by 2 by 3 in six quadrangles that face outwards.
+# A box of 1 by 2 by 3 mm, as six quadrangles that face outwards.
 BOX = """v 0 0 0
 v 1 0 0
 v 1 2 0
@@ -43,7 +43,7 @@ class MeshPart(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("edges of more than two triangles: 1, the first between points [0,1]", done.stderr)
 
-    def test_units_and_up_turn_it_upright(self):
+    def test_units_and_up_scale_and_rotate_the_mesh(self):
         facts = self.summary("info", self.file(BOX, "box.obj"), "--units", "inch", "--up", "x")
         self.assertEqual(sorted(facts["size_mm"]), sorted([25.4, 2 * 25.4, 3 * 25.4]))
         self.assertEqual(facts["size_mm"][2], 25.4)
@@ -58,13 +58,13 @@ class MeshPart(ProgramTest):
         self.assertEqual((facts["boundary_loops"], facts["boundary_mm"]), (1, 6))
         self.assertEqual(facts["longest_boundary_loop_mm"], 6)
 
-    def test_triangles_that_face_inwards_are_turned_with_a_count(self):
+    def test_triangles_that_face_inwards_are_reversed_and_counted(self):
         done = endmill("info", self.file(BOX.replace("f 5 6 7 8", "f 8 7 6 5"), "box.obj"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("2 triangles were turned over", done.stderr)
         self.assertIn("volume        6 mm3", done.stdout)
 
-    def test_datasets_are_as_their_readme_says(self):
+    def test_datasets_agree_with_their_readme(self):
         for name, triangles, volume in (("pocket.stl", 28, 40000), ("v-groove.stl", 24, 43680),
                                         ("prism.obj", 8, 18000), ("prism.ply", 8, 18000),
                                         ("prism.off", 8, 18000)):
@@ -73,15 +73,15 @@ class MeshPart(ProgramTest):
             self.assertAlmostEqual(facts["volume_mm3"], volume, delta=1e-9 * volume)
         self.assertEqual(self.summary("info", MESHES / "teapot-288.off")["boundary_edges"], 44)
 
-    def test_only_a_surface_serves_plan(self):
+    def test_plan_refuses_a_mesh(self):
         done = endmill("plan", self.file(BOX, "box.obj"), cwd=self.folder)
         self.assert_refused(done, 2, "box.obj: found a mesh", "plan expects a surface file")
         self.assert_nothing_left("box.obj")
 
-    def test_require_g1_is_for_surfaces(self):
+    def test_require_g1_is_refused_for_a_mesh(self):
         self.assert_refused(endmill("info", self.file(BOX, "box.obj"), "--require", "g1"), 2, "mesh")
 
-    def test_units_are_for_meshes(self):
+    def test_units_are_refused_for_a_surface(self):
         self.assert_refused(endmill("info", SURFACES / "plane.json", "--units", "inch"), 2, "--units")
 
     def test_name_that_contradicts_the_content_is_refused(self):
@@ -104,7 +104,7 @@ RIGHT = [[[30, 0, 0], [60, 0, 10]], [[30, 20, 0], [60, 20, 10]]]
 
 
 class SeveralPatches(ProgramTest):
-    def test_info_sums_them_up_and_tells_of_their_border(self):
+    def test_info_reports_totals_and_the_break_between_patches(self):
         facts = self.summary("info", self.file(patches(LEFT, RIGHT)))
         self.assertEqual(facts["patches"], 2)
         self.assertEqual(facts["size_mm"], [60, 20, 10])
@@ -113,7 +113,7 @@ class SeveralPatches(ProgramTest):
         self.assertAlmostEqual(facts["worst_break_deg"], 18.434948822922, delta=1e-9)
         self.assertIn("patch", facts["worst_break_at"])
 
-    def test_plan_goes_over_each_by_itself_with_lifts_between(self):
+    def test_plan_covers_each_patch_and_lifts_between_them(self):
         out = self.folder / "out"
         facts = self.summary("plan", self.file(patches(LEFT, RIGHT)), "--cutter", "ball:6",
                              "--mode", "paper", "--direction", "u", "-o", out)
@@ -128,7 +128,7 @@ class SeveralPatches(ProgramTest):
                 self.assertEqual(int(row["patch"]), 1 if float(row["contact_x_mm"]) > 30 or
                                  row["patch"] == "1" else 0)
 
-    def test_the_patch_that_a_tool_cannot_reach_is_named(self):
+    def test_patch_that_the_tool_cannot_reach_is_named(self):
         wall = [[[60, 0, 10], [60, 0, -30]], [[60, 20, 10], [60, 20, -30]]]
         done = endmill("plan", self.file(patches(LEFT, RIGHT, wall)), cwd=self.folder)
         self.assert_refused(done, 4, "patch 2")

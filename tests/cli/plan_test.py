@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill plan: what arithmetic says on planes, and what its files hold."""
+"""endmill plan: plans of planes in closed form, and the contents of the files."""
 import csv
 import json
 import math
@@ -26,7 +26,7 @@ def rows(path):
 
 
 class PlanOnAPlane(ProgramTest):
-    def test_passes_points_and_lengths_are_those_of_arithmetic(self):
+    def test_passes_points_and_lengths_have_their_closed_form(self):
         facts = self.summary("plan", self.file(plane(size=(60, 30))), *BALL, "--direction", "u", "-o", "out")
         self.assertEqual((facts["passes"], facts["ncl"]), (6, 12))
         self.assertAlmostEqual(facts["tcd_mm"], 6 * 60 + 30, delta=1e-9)
@@ -48,7 +48,7 @@ class PlanOnAPlane(ProgramTest):
         self.assertEqual([float(p["tip_z_mm"]) for p in points[:5]], [0, 0, 7, 7, 0])
         self.assertEqual(points[2]["contact_x_mm"], "")
 
-    def test_time_is_travel_by_feed(self):
+    def test_time_is_travel_divided_by_feed(self):
         path = self.file(plane(size=(60, 30)))
         facts = self.summary("plan", path, *BALL, "--direction", "u", "--feed", "100", "-o", "out")
         self.assertAlmostEqual(facts["time_min"], 3.9, delta=1e-9)
@@ -70,7 +70,7 @@ class PlanOnAPlane(ProgramTest):
     def files(self):
         return {str(path.relative_to(self.folder / "out")) for path in (self.folder / "out").rglob("*.*")}
 
-    def test_forced_run_leaves_only_its_own_files_and_those_of_others(self):
+    def test_forced_run_replaces_only_files_of_endmill(self):
         path = self.file(plane(size=(60, 30)))
         one = {"toolpath.csv", "toolpath.vtp", "toolpath.svg", "summary.json"}
         both = {f"{direction}/{name}" for direction in "uv" for name in one} | {"summary.json"}
@@ -83,7 +83,7 @@ class PlanOnAPlane(ProgramTest):
             self.assertEqual(self.files(), written | {"v/notes.txt", "toolpath.csv.bak"})
         self.assertFalse((self.folder / "out/u").exists())
 
-    def test_forced_run_that_fails_leaves_the_earlier_files(self):
+    def test_failed_forced_run_keeps_the_earlier_files(self):
         path = self.file(plane(size=(60, 30)))
         self.summary("plan", path, *BALL, "-o", "out")
         before = self.files()
@@ -92,13 +92,13 @@ class PlanOnAPlane(ProgramTest):
         self.assert_refused(done, 6, "surface.json", "GiB", "--max-memory")
         self.assertEqual(self.files(), before)
 
-    def test_input_in_the_output_folder_is_not_removed(self):
+    def test_input_in_the_output_folder_is_kept(self):
         (self.folder / "out/u").mkdir(parents=True)
         path = self.file(plane(size=(60, 30)), "out/u/summary.json")
         self.summary("plan", path, *BALL, "--direction", "v", "--force", "-o", "out")
         self.assertIn("u/summary.json", self.files())
 
-    def test_another_tool_axis_moves_the_tips_only(self):
+    def test_tool_axis_changes_the_tips_only(self):
         path = self.file(plane(size=(60, 30)))
         self.summary("plan", path, *BALL, "--direction", "u", "-o", "up")
         self.summary("plan", path, *BALL, "--direction", "u", "--axis", "1,0,1", "-o", "tilted")
@@ -107,7 +107,7 @@ class PlanOnAPlane(ProgramTest):
             self.assertEqual(upright["contact_x_mm"], tilted["contact_x_mm"])
             self.assertAlmostEqual(float(tilted["tip_z_mm"]), shift, delta=1e-12)
 
-    def test_measures_the_scallop_that_it_plans(self):
+    def test_measured_scallop_is_the_planned_scallop(self):
         for axis in ("0,0,1", "1,0,2"):
             facts = self.summary("plan", self.file(plane()), *BALL, "--direction", "v", "--axis", axis, "--force")
             self.assertEqual(facts["max_gouge_mm"], 0)
@@ -117,7 +117,7 @@ class PlanOnAPlane(ProgramTest):
 
 
 class VerifiedPlan(ProgramTest):
-    def test_keeps_one_sided_tolerances(self):
+    def test_verified_plan_keeps_one_sided_tolerances(self):
         facts = self.summary("plan", SURFACES / "wavy.json", "--cutter", "ball:6", "--mode", "verified",
                              "--chord-tolerance", "0.1", "--inner-tolerance", "0.03",
                              "--scallop", "0.1", "--direction", "v", "-o", "out")
@@ -133,26 +133,26 @@ class VerifiedPlan(ProgramTest):
         lifts = [p for p in rows(self.folder / "out/toolpath.csv") if p["move"] == "rapid"]
         self.assertEqual(len(lifts), facts["lifted_links"])
 
-    def test_leaves_no_more_than_it_states_between_its_rays(self):
-        # The bound comes from the plan itself: no finer measurement finds more.
+    def test_verified_plan_stays_within_its_stated_bound(self):
+        # The plan states the bound itself. A finer measurement must stay within it.
         plan = self.summary("plan", self.file(plane(size=(60, 30))), *TOLERANCES, "--direction", "u", "-o", "out")
         most = plan["scallop_mm"] + plan["outer_tolerance_mm"]
         self.assertLessEqual(plan["max_scallop_mm"] + plan["scallop_bound_mm"], most + 1e-9)
         seen = self.summary("verify", "out/toolpath.csv", "--resolution", "0.25", "-o", "seen")
         self.assertLessEqual(seen["max_scallop_mm"], plan["max_scallop_mm"] + plan["scallop_bound_mm"] + 1e-9)
 
-    def test_defaults_are_a_hundredth(self):
+    def test_default_tolerances_are_a_hundredth(self):
         facts = self.summary("plan", self.file(plane(size=(20, 10))), "--direction", "u")
         self.assertEqual((facts["mode"], facts["cutter"], facts["chord_tolerance_mm"], facts["scallop_mm"]),
                          ("verified", "ball:20", 0.01, 0.01))
         facts = self.summary("plan", self.file(plane(size=(20, 10))), *PAPER, "--direction", "u", "--force")
         self.assertEqual((facts["chord_tolerance_mm"], facts["scallop_mm"]), (20 / 30, 20 / 30))
 
-    def test_on_a_plane_is_as_economic_as_the_closed_form(self):
+    def test_verified_plan_of_a_plane_has_the_passes_of_the_closed_form(self):
         facts = self.summary("plan", self.file(plane(size=(60, 30))), *TOLERANCES, "--direction", "u")
-        self.assertEqual((facts["passes"], facts["ncl"]), (7, 14))  # 30 / 5.998, and a border
+        self.assertEqual((facts["passes"], facts["ncl"]), (7, 14))  # 30 mm / 5.998 mm, rounded up, and the last border
 
-    def test_place_that_no_ball_reaches_is_a_no(self):
+    def test_crease_that_no_ball_reaches_exits_1(self):
         crease = plane(patches_u=2)
         for row in crease["control_points"]:
             for point in row:
@@ -165,7 +165,7 @@ class VerifiedPlan(ProgramTest):
 
 
 class KnownGouge(ProgramTest):
-    def test_of_the_paper_ends_in_a_no_and_names_the_better_mode(self):
+    def test_gouge_of_mode_paper_exits_1_and_names_mode_verified(self):
         done = endmill("plan", NET, *BALL, "--direction", "u", cwd=self.folder)
         self.assertEqual(done.returncode, 1)
         errors = done.stderr.splitlines()
@@ -175,13 +175,13 @@ class KnownGouge(ProgramTest):
         facts = json.loads((self.folder / "net_rot24_7D-plan/summary.json").read_text())
         self.assertGreater(facts["max_motion_gouge_mm"], facts["inner_tolerance_mm"])
 
-    def test_is_an_error_also_when_quiet_and_an_object_on_demand(self):
+    def test_gouge_is_reported_with_quiet_and_as_json(self):
         done = endmill("plan", NET, *BALL, "--direction", "u", "--quiet", "--json-errors", cwd=self.folder)
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         error = json.loads(done.stderr)["error"]
         self.assertEqual((error["code"], error["exit"]), ("E_GOUGE", 1))
 
-    def test_of_both_directions_is_one_line(self):
+    def test_gouges_of_both_directions_give_one_line(self):
         done = endmill("plan", NET, *BALL, cwd=self.folder)
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
 
@@ -193,7 +193,7 @@ class IdleOptions(ProgramTest):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["surface.json"])
         return done.stderr
 
-    def test_policies_of_the_paper_are_refused_by_verified(self):
+    def test_mode_verified_refuses_policies_of_mode_paper(self):
         for option, value in (("--governing", "min"), ("--last-path", "none"), ("--end-point", "free"),
                               ("--step-curvature", "curve"), ("--march", "forward"), ("--cross-curvature", "chord"),
                               ("--cross-step", "1")):
@@ -201,19 +201,19 @@ class IdleOptions(ProgramTest):
                 error = self.refused(option, value, *mode)
                 self.assertIn(f"{option}: has no effect with --mode verified; expected --mode paper", error)
 
-    def test_tolerance_that_others_replace_is_refused(self):
+    def test_chord_tolerance_without_effect_is_refused(self):
         self.assertIn("--chord-tolerance", self.refused("--chord-tolerance", "1", "--inner-tolerance", "1",
                                                         "--outer-tolerance", "1", "--scallop", "1"))
 
-    def test_step_of_the_chord_is_refused_without_it(self):
+    def test_cross_step_without_chord_curvature_is_refused(self):
         self.assertIn("--cross-curvature chord", self.refused(*PAPER, "--cross-step", "1"))
 
-    def test_travel_that_nothing_uses_is_refused(self):
+    def test_distance_without_effect_is_refused(self):
         self.assertIn("--direction both", self.refused("--direction", "u", "--distance", "cl"))
 
 
 class PlanOnTheExample(ProgramTest):
-    def test_alone_it_chooses_sensibly_and_says_so(self):
+    def test_defaults_are_sensible_and_reported(self):
         done = endmill("plan", NET, cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         for word in ("radius below 10.009 mm", "ball:20", "mode verified", "scallop height 0.01 mm", "motion error",
@@ -238,7 +238,7 @@ class PlanOnTheExample(ProgramTest):
         self.assert_refused(endmill("plan", path, *BALL, cwd=self.folder), 2, "not empty", "--force")
         self.summary("plan", path, *BALL, "--force")
 
-    def test_same_bytes_with_any_number_of_threads(self):
+    def test_files_do_not_depend_on_the_number_of_threads(self):
         for mode, options, status in (("paper", PAPER, 1), ("verified", COARSE, 0)):
             for threads in (1, 4):
                 self.summary("plan", NET, *options, "--threads", threads, "-o", f"{mode}{threads}", status=status)
@@ -246,7 +246,7 @@ class PlanOnTheExample(ProgramTest):
                 twin = self.folder / f"{mode}4" / path.relative_to(self.folder / f"{mode}1")
                 self.assertEqual(path.read_bytes(), twin.read_bytes(), path)
 
-    def test_same_bytes_if_only_one_direction_fits_the_memory(self):
+    def test_files_do_not_depend_on_the_memory_limit(self):
         self.summary("plan", NET, *COARSE, "-o", "together")
         self.summary("plan", NET, *COARSE, "-o", "one-by-one", "--max-memory", "0.005")
         for path in (self.folder / "together").rglob("*.csv"):
@@ -263,7 +263,7 @@ class PlanOnTheExample(ProgramTest):
         header = (self.folder / "out/toolpath.csv").read_text().splitlines()[0]
         self.assertTrue(header.startswith("pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z"))
 
-    def test_summary_is_the_one_written_and_holds_every_policy(self):
+    def test_printed_summary_is_the_written_one_and_has_every_policy(self):
         facts = self.summary("plan", NET, *PAPER, "--direction", "u", "-o", "out", status=1)
         self.assertEqual(facts, json.loads((self.folder / "out/summary.json").read_text()))
         for key in ("governing", "last_path", "end_point", "stop_at_borders", "step_curvature", "march",
@@ -272,7 +272,7 @@ class PlanOnTheExample(ProgramTest):
             self.assertIn(key, facts)
         self.assertAlmostEqual(facts["safe_height_mm"], 225, delta=1e-3)
 
-    def test_path_lengths_are_those_of_the_points_written(self):
+    def test_path_lengths_are_those_of_the_written_points(self):
         facts = self.summary("plan", NET, "--cutter", "ball:15", "--chord-tolerance", "0.5", *PAPER,
                              "--direction", "v", "-o", "out", status=1)
         points = rows(self.folder / "out/toolpath.csv")
@@ -283,12 +283,12 @@ class PlanOnTheExample(ProgramTest):
             self.assertAlmostEqual(travel, facts[key], delta=1e-6)
 
 
-BYTES_PER_POINT = 900  # promised by src/endmill/planning/path_memory.h
+BYTES_PER_POINT = 900  # stated in src/endmill/planning/path_memory.h
 
 
 class PlanMemory(ProgramTest):
     def plan(self, *arguments):
-        """Finished summary and peak of resident memory in bytes."""
+        """The summary, and the peak of resident memory in bytes."""
         command = [ENDMILL, "plan", NET, "--cutter", "ball:15", *PAPER, "--direction", "u", "--json"]
         with subprocess.Popen([*command, *arguments], cwd=self.folder, stdout=subprocess.PIPE,
                               stderr=subprocess.DEVNULL) as process:
@@ -299,7 +299,7 @@ class PlanMemory(ProgramTest):
         return summary, 1024 * usage.ru_maxrss
 
     @unittest.skipIf(b"__asan_init" in Path(ENDMILL).read_bytes(), "sanitizers take memory of their own")
-    def test_a_point_takes_no_more_than_is_reckoned(self):
+    def test_memory_per_point_stays_within_the_stated_amount(self):
         few, peak_of_few = self.plan("--chord-tolerance", "1", "-o", "few")
         many, peak = self.plan("--chord-tolerance", "0.005", "-o", "many")
         self.assertGreater(many["ncl"], 100 * few["ncl"])

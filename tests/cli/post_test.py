@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill post: what it writes, what it takes from a path and its summary, what it refuses."""
+"""endmill post: the written programs, the defaults from a path and its summary, and refused input."""
 import csv
 import json
 import os
@@ -20,12 +20,12 @@ def blocks(path):
 
 class Post(ProgramTest):
     def planned(self, *options):
-        """The tool path of a plane, planned here."""
+        """Plans the tool path of a plane and returns its file."""
         done = endmill("plan", self.file(plane()), *PLAN, *options, "-o", "plan", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         return self.folder / "plan/toolpath.csv"
 
-    def test_a_planned_path_knows_cutter_tolerance_and_feed(self):
+    def test_cutter_tolerance_and_feed_come_from_the_planned_path(self):
         facts = self.summary("post", self.planned("--feed", "750"), "-o", "out")
         lines = blocks(self.folder / "out/toolpath.ngc")
         self.assertEqual(lines[:8], ["%", "(endmill: plane, cutter ball:10, tips)",
@@ -38,7 +38,7 @@ class Post(ProgramTest):
         self.assertLess(facts["max_rounding_error_mm"], 1e-13)
         self.assertEqual(facts, json.loads((self.folder / "out/summary.json").read_text()))
 
-    def test_tape_is_that_of_the_plan(self):
+    def test_tape_length_is_that_of_the_plan(self):
         for options, feed in (([], "1000"), (["--feed", "123.5"], "123.5")):
             path = self.planned(*options, "--order", "one-way", "--force")
             facts = self.summary("post", path, "--feed", feed, "-o", "out", "--force")
@@ -48,7 +48,7 @@ class Post(ProgramTest):
             plan = json.loads((self.folder / "plan/summary.json").read_text())
             self.assertEqual(plan["tape_length_m"], facts["tape_length_m"])
 
-    def test_options_rule_over_the_path(self):
+    def test_options_override_the_path(self):
         path = self.file("tip_x_mm,tip_y_mm,tip_z_mm,feed_mm_per_min,spindle_rpm,tool\n"
                          "0,0,0,100,1000,2\n1,0,0,200,1000,2\n", "path.csv")
         facts = self.summary("post", path, "-o", "own", "--decimals", "1")
@@ -83,7 +83,7 @@ class Post(ProgramTest):
         self.assertEqual([line for line in lines if line.startswith("GOTO")],
                          [line for line in back if line.startswith("GOTO")][1:-1])
 
-    def test_tips_alone_do_and_it_says_what_it_takes(self):
+    def test_path_of_tips_only_gets_reported_defaults(self):
         done = endmill("post", self.file(TIPS, "p.csv"), "--feed", "100", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("every move is assumed to be a cut", done.stderr)
@@ -91,24 +91,24 @@ class Post(ProgramTest):
         self.assertIn("M3 has no S word; expected --spindle-rpm", done.stderr)
         self.assertIn("X10.0000", blocks(self.folder / "p-post/p.ngc"))
 
-    def test_name_of_a_summary_cannot_leave_its_comment(self):
+    def test_name_of_a_summary_stays_inside_its_comment(self):
         path = self.file(TIPS, "p.csv")
         self.file({"name": "a)\nG0 Z-100 (\x1b[31m"}, "summary.json")
         self.summary("post", path, "--feed", "100", "-o", "out")
         self.assertEqual(blocks(self.folder / "out/p.ngc")[1], "(endmill: aG0 Z-100 [31m, tips)")
 
-    def test_coarse_digits_are_told(self):
+    def test_coarse_rounding_gives_a_warning(self):
         path = self.file(TIPS, "p.csv")
         self.file({"chord_tolerance_mm": 0.01}, "summary.json")
         done = endmill("post", path, "--feed", "100", "--decimals", "0", "-o", "out", cwd=self.folder)
         self.assertIn("rounded by up to 0.5 mm, with a tolerance of 0.01 mm", done.stderr)
 
-    def test_a_program_may_say_the_centre_skip_blocks_and_be_cut_finely(self):
+    def test_reading_options_apply_to_a_program(self):
         program = "G21 F9\nG0 X0 Y0 Z5\n/G1 Y7\nG2 X10 I5\nM2\n"
         path = self.file(program, "p.ngc")
         told = self.summary("post", path, "--cutter", "ball:6", "--programmed-point", "centre", "--block-delete",
                             "--arc-tolerance", "0.5", "-o", "out")
-        # acos(1 - 0.5 / 5) is 0.451: a half circle takes four chords; the tip is 3 below the centre.
+        # acos(1 - 0.5 / 5) = 0.451, so a half circle has four chords. The tip is 3 mm below the centre.
         self.assertEqual(told["points"], 5)
         self.assertIn("G1 X1.4645 Y3.5355 F9", blocks(self.folder / "out/p.ngc"))
         self.assertIn("G0 Z7.0000", blocks(self.folder / "out/p.ngc"))
@@ -119,7 +119,7 @@ class Post(ProgramTest):
         facts = self.summary("post", path, "--programmed-point", "centre", "-o", "known")
         self.assertEqual(facts["safe_height_mm"], 7)
 
-    def test_what_says_nothing_of_a_file_is_refused(self):
+    def test_reading_options_without_effect_are_refused(self):
         apt = self.file("UNITS/MM\nFEDRAT/100,MMPM\nGOTO/0,0,0\nGOTO/1,0,0\nFINI\n", "p.apt")
         csv = self.file(TIPS, "p.csv")
         canonical = self.file("12 N30 USE_LENGTH_UNITS(CANON_UNITS_MM)\n", "p.canon")
@@ -144,7 +144,7 @@ class Post(ProgramTest):
             self.assertIn(f"written to ./{name}-post\n", done.stdout)
             self.assertTrue((self.folder / f"{name}-post/summary.json").is_file())
 
-    def test_read_and_written_again_it_starts_no_higher(self):
+    def test_rewritten_program_keeps_its_start_height(self):
         self.summary("post", self.planned("--order", "one-way"), "--feed", "500", "-o", "1")
         first = blocks(self.folder / "1/toolpath.ngc")
         for number in range(2, 4):
@@ -152,13 +152,13 @@ class Post(ProgramTest):
             self.summary("post", self.folder / f"apt{number}/toolpath.apt", "-o", number)
             self.assertEqual(blocks(self.folder / f"{number}/toolpath.ngc"), first)
 
-    def test_another_format_replaces_the_first(self):
+    def test_another_format_replaces_the_earlier_program(self):
         path = self.file(TIPS, "p.csv")
         self.summary("post", path, "--feed", "100", "-o", "out")
         self.summary("post", path, "--feed", "100", "-o", "out", "--format", "apt", "--force")
         self.assertEqual(sorted(file.name for file in (self.folder / "out").iterdir()), ["p.apt", "summary.json"])
 
-    def test_same_bytes_with_any_number_of_threads(self):
+    def test_program_does_not_depend_on_the_number_of_threads(self):
         path = self.planned()
         texts = set()
         for threads in (1, 2, 8):
@@ -174,7 +174,7 @@ class BadInput(ProgramTest):
         self.assert_nothing_left(name)
         path.unlink()
 
-    def test_tables(self):
+    def test_bad_tables_are_refused(self):
         self.refuse("tip_x,tip_y_mm,tip_z_mm\n0,0,0\n", 3, 'p.csv:1: column "tip_x" without its unit')
         self.refuse("tip_x_mm,tip_y_mm\n0,0\n", 3, 'p.csv:1: no column "tip_z_mm"')
         self.refuse(TIPS + "1,2\n", 3, "p.csv:5: row has 2 cells; expected 3")
@@ -186,14 +186,14 @@ class BadInput(ProgramTest):
         self.refuse("feed_mm_per_min,tip_x_mm,tip_y_mm,tip_z_mm\n-1,0,0,0\n", 3, 'p.csv:2: feed_mm_per_min is "-1"')
         self.refuse("tip_x_mm,tip_y_mm,tip_z_mm\n", 3, "p.csv:1: no row")
 
-    def test_programs(self):
+    def test_bad_programs_are_refused(self):
         for text, name, *words in (("G21\nG1 X1 Y1 Z1\n", "p.ngc", "p.ngc:2"),
                                    ("G21\n#1=5\nG0 X#1\n", "p.ngc", "p.ngc:2", "rs274 -g"),
                                    ("UNITS/MM\nGODLTA/1,2,3\n", "p.apt", "p.apt:2: statement"),
                                    ("G21\n(" + "x" * 2**20 + ")\n", "p.ngc", "p.ngc:2: line is longer than 1 MiB")):
             self.refuse(text, 3, *words, name=name)
 
-    def test_other_files(self):
+    def test_other_files_are_refused(self):
         self.refuse("solid x\nfacet normal 0 0 1\n", 3, "content looks like STL; expected a tool path", name="p.stl")
         self.refuse(plane(), 3, "content looks like JSON", name="p.json")
         self.refuse(b"\x1f\x8b\x08\x00", 3, "compressed", name="p.csv.gz")
@@ -204,31 +204,31 @@ class BadInput(ProgramTest):
         self.assert_refused(endmill("post", self.folder, "--feed", "1"), 3, "is a directory")
         self.assert_refused(endmill("post", self.folder / "none.csv", "--feed", "1"), 3, "No such file")
 
-    def test_summary_beside_the_path(self):
+    def test_bad_summary_beside_the_path_is_refused(self):
         path = self.file(TIPS, "p.csv")
         self.file({"cutter": "bal:10"}, "summary.json")
         done = endmill("post", path, "--feed", "1", cwd=self.folder)
         self.assert_refused(done, 3, 'summary.json:/cutter: "bal:10"; expected ball:DIAMETER')
 
-    def test_feed(self):
+    def test_missing_or_bad_feed_is_refused(self):
         self.refuse(TIPS, 2, "point 1 of the path has no feed", "--feed", options=())
         self.refuse(TIPS, 2, "feed of 0.4 mm/min, which rounds to 0", options=("--feed", "0.4", "--decimals", "0"))
         for feed in ("0", "-1", "nan", "inf", "fast", "1e999"):
             self.refuse(TIPS, 2, "--feed", options=("--feed", feed))
 
-    def test_command_line(self):
+    def test_wrong_command_lines_are_refused(self):
         for options in (("--decimals", "10"), ("--decimals", "-1"), ("--format", "iso"), ("--comments", "maybe"),
                         ("--tool-number", "1.5"), ("--spindle-rpm", "-1"), ("--cutter", "ball"), ("--unknown",)):
             self.refuse(TIPS, 2, options[0], options=("--feed", "1", *options))
         self.refuse(TIPS, 2, "safe height 2.9 mm lies below the path, which reaches 3 mm",
                     options=("--feed", "1", "--safe-height", "2.9"))
 
-    def test_cutters_out_of_range_are_told_the_range(self):
+    def test_cutter_out_of_range_is_refused_with_the_range(self):
         self.refuse(TIPS, 2, 'found "ball:0"; expected a diameter above 0 mm', options=("--cutter", "ball:0"))
         self.refuse(TIPS, 2, 'found "bull:10:6"; expected a corner radius from 0 to 5 mm',
                     options=("--cutter", "bull:10:6"))
 
-    def test_turned_axis_is_beyond_three_axes(self):
+    def test_tilted_axis_is_refused(self):
         header = "axis_x,axis_y,axis_z," + TIPS.splitlines()[0]
         self.refuse(f"{header}\n0,0,1,0,0,0\n0,0.6,0.8,1,0,0\n", 4,
                     "p.csv: the axis at point 2 of the path is 0, 0.6, 0.8, and a 3-axis machine cannot")
@@ -236,7 +236,7 @@ class BadInput(ProgramTest):
         self.summary("post", path, "--feed", "1", "--format", "apt", "-o", "out")
         self.assertIn("GOTO/1.0000,0.0000,0.0000,0,0.6,0.8", blocks(self.folder / "out/p.apt"))
 
-    def test_output(self):
+    def test_output_errors_are_reported(self):
         path = self.file(TIPS, "p.csv")
         self.assert_refused(endmill("post", path, "--feed", "1", "-o", self.folder), 2, "not empty")
         self.assert_refused(endmill("post", path, "--feed", "1", "-o", path), 2, "p.csv")
@@ -254,7 +254,7 @@ class BadInput(ProgramTest):
         self.assertEqual(done.returncode, 5, done.stderr)
         self.assert_nothing_left("p.csv")
 
-    def test_memory(self):
+    def test_program_too_large_for_the_memory_is_refused(self):
         rows = "0,0,0\n" * 100000
         self.refuse("tip_x_mm,tip_y_mm,tip_z_mm\n" + rows, 6, "memory",
                     options=("--feed", "1", "--max-memory", "0.001"))

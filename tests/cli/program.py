@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests of the program share: running it, and surfaces to run it on."""
+"""Shared code of the tests of the program: runs it, and makes surfaces for it."""
 import json
 import os
 import subprocess
@@ -13,14 +13,14 @@ ENDMILL = os.environ.get("ENDMILL", str(ROOT / "build/release/src/cli/endmill"))
 
 
 def endmill(*arguments, **options):
-    """The finished process of one call. Ten minutes are a hang, also under sanitizers on a busy machine."""
+    """Runs the program and returns the finished process. The limit of ten minutes allows for sanitizers."""
     command = [ENDMILL, *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=600,
                           stdin=subprocess.DEVNULL, **options)
 
 
 def plane(patches_u=1, patches_v=1, size=(60, 30), slope=0):
-    """A surface file, as a dictionary, of a plane that rises along x, with equal steps."""
+    """A surface file, as a dictionary, of a plane that rises along x. Its control points have equal steps."""
     columns, rows = 3 * patches_u, 3 * patches_v
     net = [[[size[0] * i / columns, size[1] * j / rows, slope * size[0] * i / columns] for i in range(columns + 1)]
            for j in range(rows + 1)]
@@ -29,7 +29,7 @@ def plane(patches_u=1, patches_v=1, size=(60, 30), slope=0):
 
 
 class ProgramTest(unittest.TestCase):
-    """A test in a folder of its own."""
+    """A test with its own temporary folder."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -37,7 +37,7 @@ class ProgramTest(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def file(self, content, name="surface.json"):
-        """The path of a file with that content: a text, bytes, or something for JSON."""
+        """Writes a file and returns its path. The content is a text, bytes, or an object for JSON."""
         path = self.folder / name
         if isinstance(content, bytes):
             path.write_bytes(content)
@@ -46,13 +46,13 @@ class ProgramTest(unittest.TestCase):
         return path
 
     def summary(self, *arguments, status=0):
-        """What the program prints with --json, having ended with `status`."""
+        """The summary that the program prints with --json. Asserts the exit status."""
         done = endmill(*arguments, "--json", cwd=self.folder)
         self.assertEqual(done.returncode, status, done.stderr)
         return json.loads(done.stdout)
 
     def assert_refused(self, done, status, *words):
-        """Exit status, one line of error with those words, nothing on standard output."""
+        """Asserts the exit status, one line of error with these words, and no standard output."""
         self.assertEqual(done.returncode, status, done.stderr)
         self.assertEqual(done.stdout, "")
         errors = [line for line in done.stderr.splitlines() if "warning" not in line]
@@ -62,5 +62,5 @@ class ProgramTest(unittest.TestCase):
             self.assertIn(word, errors[0])
 
     def assert_nothing_left(self, *kept):
-        """The folder holds those files and no others."""
+        """Asserts that the folder has exactly these files."""
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), sorted(kept))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The program as a whole: help, version, cite."""
+"""The program as a whole: help, version, unknown words, cite."""
 import json
 import os
 import subprocess
@@ -21,7 +21,7 @@ class Program(ProgramTest):
             self.assertIn(f"endmill {command}", done.stdout.split("Example:")[1])
             self.assertIn("--json-errors", done.stdout)
 
-    def test_every_command_is_told_of(self):
+    def test_every_command_is_documented(self):
         known = endmill("--help").stdout.split("Subcommands:\n")[1].split("\n\n")[0]
         self.assertEqual(tuple(line.split()[0] for line in known.splitlines() if line[2] != " "), COMMANDS)
         change = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8").split("The program `endmill` with")[1].split("\n- ")[0]
@@ -30,7 +30,7 @@ class Program(ProgramTest):
             self.assertIn(f"`{command}`", change)
             self.assertIn(f"\n| `{command}` |", table)
 
-    def test_an_empty_text_is_no_option_left_out(self):
+    def test_empty_text_is_refused(self):
         points = self.file("azimuth_deg,polar_deg\n0,10\n", "p.csv")
         for call in (("machine", "W/caxyBz/T", "--limits", ""), ("machine", "W/caxyBz/T", "--at", ""),
                      ("machine", "W/caxyBz/T", "-o", ""), ("setup", "x.off", "--family", "CA", "--from-visibility", ""),
@@ -41,7 +41,7 @@ class Program(ProgramTest):
         self.assert_nothing_left("p.csv")
 
     def examples(self, command):
-        """The example lines of a help, as they are pasted into a shell."""
+        """The example lines of a help text, ready for a shell."""
         text = endmill(*command, "--help").stdout.split("Example:\n")[1].split("\n\n")[0]
         lines = text.splitlines()
         for line in lines:
@@ -49,12 +49,12 @@ class Program(ProgramTest):
         return [line.strip() for line in lines]
 
     def shell(self, line, folder):
-        """The finished process of a line in a shell, with the program on its path."""
+        """Runs a line in a shell with the program on its path, and returns the finished process."""
         path = f"{Path(ENDMILL).resolve().parent}{os.pathsep}{os.environ['PATH']}"
         return subprocess.run(["bash", "-c", line], cwd=folder, env={**os.environ, "PATH": path}, capture_output=True,
                               text=True, check=False, timeout=600, stdin=subprocess.DEVNULL)
 
-    def test_examples_run_in_a_shell_as_they_are(self):
+    def test_examples_of_the_help_run_in_a_shell(self):
         formulas = [formula["name"] for formula in self.summary("eval")["formulas"]]
         for command in ([], *([name] for name in COMMANDS), *(["eval", name] for name in formulas)):
             with self.subTest(command=command), tempfile.TemporaryDirectory() as folder:
@@ -75,13 +75,13 @@ class Program(ProgramTest):
         self.assertGreater(facts["saving_percent"], 50)
         self.assertGreater(facts["limits"]["cutting_force"], 0.1)
 
-    def test_help_begins_with_a_verb_and_states_defaults_in_one_way(self):
+    def test_help_begins_with_a_verb_and_states_defaults_uniformly(self):
         for command in COMMANDS:
             text = endmill(command, "--help").stdout
             self.assertRegex(text.splitlines()[0], r"^[a-z]+ ")
             self.assertNotRegex(text, r"; default")
 
-    def test_options_without_effect_are_refused_with_what_would_give_them_one(self):
+    def test_options_without_effect_are_refused(self):
         surface = self.file(plane())
         mesh = ROOT / "datasets/meshes/dome.stl"
         curves = self.file("s_mm,z_mm\n0,0\n1,1\n2,0\n", "curves.csv")
@@ -114,7 +114,7 @@ class Program(ProgramTest):
             self.assert_refused(endmill(*call, cwd=self.folder), 2, option, expected)
         self.assert_nothing_left("curves.csv", "path.csv", "surface.json")
 
-    def test_limit_of_the_ball_says_below_and_is_none_itself(self):
+    def test_limit_of_the_ball_is_exclusive(self):
         cylinder = ROOT / "datasets/surfaces/parabolic-cylinder.json"
         self.assertIn("radius below 20 mm", endmill("info", cylinder).stdout)
         limit = "found radius 20 mm; expected a radius below 20 mm"
@@ -123,7 +123,7 @@ class Program(ProgramTest):
                        cwd=self.folder)
         self.assertIn(done.returncode, (0, 1), done.stderr)
 
-    def test_header_without_the_names_gets_the_names(self):
+    def test_unknown_columns_are_refused_with_the_known_names(self):
         header = self.file("x,y,z\n0,0,0\n1,1,1\n", "p.csv")
         for call, names in ((("verify", header), ("tip_x_mm, tip_y_mm and tip_z_mm", "feed_mm_per_min")),
                             (("post", header), ("tip_x_mm, tip_y_mm and tip_z_mm", "spindle_rpm")),
@@ -133,20 +133,20 @@ class Program(ProgramTest):
                               "--machine-cost-per-min", "1"), ("phi_over_pi", "v_m_per_min"))):
             self.assert_refused(endmill(*call, cwd=self.folder), 3, "p.csv:1: unknown column", *names)
 
-    def test_version(self):
+    def test_version_is_printed(self):
         self.assertRegex(endmill("--version").stdout, r"^endmill \d+\.\d+\.\d+\n$")
 
     def test_unknown_command_gets_a_suggestion(self):
         self.assert_refused(endmill("plam"), 2, 'found "plam"', "did you mean plan?")
         self.assert_refused(endmill(), 2, "subcommand is required", "endmill --help")
 
-    def test_formula_without_eval_is_an_unknown_command(self):
+    def test_formula_without_eval_gets_a_suggestion(self):
         for arguments in ([], ["--help"], ["--radius", "5", "--curvature", "0", "--scallop", "1"]):
             self.assert_refused(endmill("path-interval", *arguments), 2, '"path-interval", which endmill does not know',
                                 "did you mean endmill eval path-interval?")
         self.assert_refused(endmill("step-lenth"), 2, "did you mean endmill eval step-length?")
 
-    def test_help_does_not_make_a_word_known(self):
+    def test_unknown_command_with_help_is_refused(self):
         self.assert_refused(endmill("plam", "--help"), 2, '"plam"', "did you mean plan?")
         self.assert_refused(endmill("xyz", "--help"), 2, '"xyz"', "see endmill --help")
         self.assert_refused(endmill("eval", "path-intervall", "--help"), 2, '"path-intervall"', "path-interval?")

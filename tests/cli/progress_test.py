@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Progress on standard error: on a terminal, after a second, and nowhere else."""
+"""The progress line appears on a terminal after one second, and nowhere else."""
 import os
 import pty
 import subprocess
@@ -8,7 +8,7 @@ import unittest
 from program import ENDMILL, ROOT, SURFACES, ProgramTest
 
 NET = SURFACES / "net_rot24_7D.json"
-# Work of more than a second, and words of the line that it must show.
+# Commands that take more than a second, and words that their progress line must show.
 LONG = ((("plan", NET, "--chord-tolerance", "0.05"), ("planning:", "along u", "along v", "%")),
         (("trim", SURFACES / "valley.json", "--cutter", "ball:20", "--method", "all", "--grid", "400"),
          ("method ", "method winding: ")),
@@ -18,7 +18,7 @@ LONG = ((("plan", NET, "--chord-tolerance", "0.05"), ("planning:", "along u", "a
 
 class Progress(ProgramTest):
     def on_terminal(self, *arguments):
-        """Exit status, and what the program writes to a terminal as standard error."""
+        """The exit status, and the output on a terminal that is standard error."""
         parent, child = pty.openpty()
         with subprocess.Popen([ENDMILL, *map(str, arguments)], cwd=self.folder, stdin=subprocess.DEVNULL,
                               stdout=subprocess.DEVNULL, stderr=child) as process:
@@ -36,7 +36,7 @@ class Progress(ProgramTest):
         os.close(parent)
         return status, shown.decode()
 
-    def test_long_work_reports_and_wipes_its_line(self):
+    def test_long_work_shows_and_removes_its_line(self):
         for number, (arguments, words) in enumerate(LONG):
             with self.subTest(command=arguments[0]):
                 _, shown = self.on_terminal(*arguments, "-o", f"out{number}")
@@ -45,7 +45,7 @@ class Progress(ProgramTest):
                 self.assertRegex(shown, r", \d+ s|: \d+ s")
                 self.assertEqual(shown.rsplit("\r\x1b[K", 1)[1].strip(), "", shown[-200:])
 
-    def test_is_silent_when_quiet_or_quick(self):
+    def test_quiet_or_quick_work_shows_no_line(self):
         status, shown = self.on_terminal("plan", NET, "--chord-tolerance", "0.05", "--quiet", "-o", "quiet")
         self.assertEqual((status, shown), (0, ""))
         self.assertEqual(self.on_terminal("cite"), (0, ""))

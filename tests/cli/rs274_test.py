@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What post writes, judged by LinuxCNC's interpreter: rs274 accepts it, and its canonical moves,
-read by our own reader, are the path. scripts/setup.sh installs it; without it these tests fail."""
+"""Programs of post, checked by LinuxCNC's interpreter. rs274 must accept them, and its canonical moves,
+read by our reader, must be the path. scripts/setup.sh installs rs274; without it these tests fail."""
 import csv
 import re
 import subprocess
@@ -8,7 +8,7 @@ import unittest
 
 from program import ROOT, SURFACES, ProgramTest, endmill
 
-# Its table is in inches, whatever the program's unit is.
+# The tool table of rs274 is always in inches.
 TOOLS = "T1 P1 D0.3937 Z0.0 ;ball\nT12 P12 D0.3937 Z1.0 ;another\n"
 INTERPRETER_ROUNDING = 5e-5  # it prints four decimals
 ROUNDING_OF_DOUBLES = 1e-9
@@ -18,14 +18,14 @@ COARSE = ["--cutter", "ball:15", "--chord-tolerance", "0.5", "--scallop", "0.5"]
 
 
 def path_of(table):
-    """Tips, and whether they are reached by a rapid, of a tool path file."""
+    """The tips of a tool path file, and whether each move to them is a rapid."""
     with open(table, newline="", encoding="ascii") as file:
         return [(tuple(float(row[f"tip_{c}_mm"]) for c in "xyz"), row["move"] == "rapid")
                 for row in csv.DictReader(file)]
 
 
 def path_of_apt(file):
-    """The same of APT CL data."""
+    """The same for APT CL data."""
     points, is_rapid = [], False
     for line in file.read_text(encoding="ascii").splitlines():
         if line.startswith("GOTO/"):
@@ -36,7 +36,7 @@ def path_of_apt(file):
 
 class Interpreter(ProgramTest):
     def interpret(self, program):
-        """The finished process of rs274, its canonical moves in canonical.txt."""
+        """Runs rs274, which writes its canonical moves into canonical.txt. Returns the finished process."""
         tools = self.file(TOOLS, "tools.tbl")
         try:
             return subprocess.run(["rs274", "-g", "-t", tools, program, "canonical.txt"], cwd=self.folder,
@@ -45,7 +45,7 @@ class Interpreter(ProgramTest):
             self.fail("rs274 is missing: scripts/setup.sh installs it (Debian package linuxcnc-uspace)")
 
     def judge(self, plan_options, post_options=(), decimals=4, surface="net_rot24_7D"):
-        """Plans, posts, has the program judged, and compares what the judge understood."""
+        """Plans and posts a path, runs rs274 on the program, and compares its moves with the path."""
         plan, out, back = (self.folder / name for name in ("plan", "out", "back"))
         done = endmill("plan", SURFACES / f"{surface}.json", "--mode", "paper", *plan_options, "--direction", "u", "-o", plan,
                        "--force")
@@ -62,7 +62,7 @@ class Interpreter(ProgramTest):
         path, read = path_of(plan / "toolpath.csv"), path_of_apt(back / "canonical.apt")
         self.assertEqual(len(read), len(path) + 3)
         self.compare(path, read[2:-1], 0.5 * 10**-decimals + INTERPRETER_ROUNDING + ROUNDING_OF_DOUBLES)
-        # Another reader of the same lines: ours has understood all of them.
+        # Our reader must read the same lines without a remark.
         lines = [((float(x), float(y), float(z)), kind == "STRAIGHT_TRAVERSE")
                  for kind, x, y, z in MOVE.findall(canonical.read_text(encoding="utf-8"))]
         self.compare(lines, read, ROUNDING_OF_DOUBLES)
@@ -82,25 +82,25 @@ class Interpreter(ProgramTest):
     def test_one_way_over_the_default_net(self):
         self.judge([*COARSE, "--order", "one-way"], ["--line-numbers"])
 
-    def test_digits(self):
+    def test_decimals_bound_the_rounding(self):
         for decimals in (2, 3, 6, 9):
             self.judge(COARSE, ["--line-numbers"], decimals)
 
-    def test_no_digits_after_the_point(self):
+    def test_program_without_decimals_is_accepted(self):
         plan = self.file("tip_x_mm,tip_y_mm,tip_z_mm,move\n1,2,0,plunge\n3,4,-5,cut\n3,4,1,rapid\n", "p.csv")
         self.summary("post", plan, "--feed", "10", "--decimals", "0", "-o", "out")
         self.assertEqual(self.interpret(self.folder / "out/p.ngc").returncode, 0)
 
-    def test_other_surfaces(self):
+    def test_paths_on_other_surfaces_are_accepted(self):
         self.judge([*FINE, "--cutter", "ball:6"], surface="torus")
         self.judge([*FINE, "--cutter", "ball:6", "--order", "one-way"], ["--comments", "no"], surface="valley")
 
-    def test_speed_and_tool(self):
+    def test_spindle_speed_and_tool_are_set(self):
         said = self.judge(COARSE, ["--spindle-rpm", "12345.5", "--tool-number", "12"])
         self.assertTrue("SET_SPINDLE_SPEED(0, 12345.5000)" in said)
         self.assertTrue("SELECT_TOOL(12)" in said)
 
-    def test_feeds_speeds_and_tools_that_change(self):
+    def test_changes_of_feed_speed_and_tool_are_kept(self):
         table = self.file("tip_x_mm,tip_y_mm,tip_z_mm,move,feed_mm_per_min,spindle_rpm,tool\n"
                           "0,0,0,plunge,100,1000,1\n10,0,0,cut,200,1000,1\n10,10,0,cut,200,2000,12\n"
                           "10,10,5,retract,300,2000,12\n0,0,5,rapid,,2000,12\n", "p.csv")
@@ -112,7 +112,7 @@ class Interpreter(ProgramTest):
                          ["0.0000", "1", "0, 1000.0000", "100.0000", "200.0000", "12", "0, 2000.0000", "300.0000",
                           "0.0000"])
 
-    def test_a_program_with_other_feeds_moves_as_before(self):
+    def test_program_with_other_feeds_has_the_same_moves(self):
         material = ROOT / "datasets/materials/steel.json"
         program = self.file("%\n(groove)\nG21 G90 G17 G40 G49 G94\nT1 M6\nS1000 M3\nG0 X-30 Y0 Z30\nG1 Z0 F50\n"
                             "X30 F300\nG0 Z30\nX-20 Y4\nG1 Z0 F50\nG2 X20 Y4 R200 F300\nG91 G3 X-40 I-20 Z-0.5\n"
@@ -135,7 +135,7 @@ class Interpreter(ProgramTest):
         self.assertEqual({tuple(round(float(c), 2) for c in end[2:4]) for end in ends[1]}, centres)
         self.assertEqual(ends[1][-1][:2], ends[0][-1][:2])
 
-    def test_names_that_would_be_commands_stay_comments(self):
+    def test_names_that_look_like_commands_stay_comments(self):
         table = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n1,0,0\n", "p.csv")
         for name in ("MSG, stop", "DEBUG, #<x>", "a) G0 Z-50 (", "%", "a;b", "Fläché €", "x" * 5000):
             self.file({"name": name}, "summary.json")
@@ -146,14 +146,14 @@ class Interpreter(ProgramTest):
             self.assertFalse("MESSAGE" in said)
             self.assertEqual(len(MOVE.findall(said)), 5)
 
-    def test_more_blocks_than_line_numbers(self):
+    def test_more_blocks_than_line_numbers_are_accepted(self):
         rows = "".join(f"{k % 100},{k // 100},{k % 2}\n" for k in range(100010))
         table = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n" + rows, "p.csv")
         self.summary("post", table, "--feed", "10", "--line-numbers", "-o", "out")
         self.assertEqual(self.interpret(self.folder / "out/p.ngc").returncode, 0)
         self.assertEqual(len(MOVE.findall((self.folder / "canonical.txt").read_text())), 100013)
 
-    def test_the_judge_refuses_what_is_wrong(self):
+    def test_interpreter_refuses_wrong_programs(self):
         for text in ("%\nG1 X1\n%\n", "%\nG21 G0 X1,5\n%\n", "%\nG99999\n%\n"):
             done = self.interpret(self.file(text, "bad.ngc"))
             self.assertEqual(done.returncode, 1, text)

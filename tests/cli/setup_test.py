@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill setup: the spec's directions and teapot, convex parts, machines of every kind, and what it refuses."""
+"""endmill setup: directions and teapot of docs/mathematics/five-axis-setup.md, section 9, convex parts,
+machines of every kind, and refused input."""
 import json
 import math
 import shutil
@@ -12,7 +13,7 @@ TEAPOT = ROOT / "datasets/meshes/teapot-288.off"
 MACHINES = ROOT / "datasets/machines"
 HEADER = "azimuth_deg,polar_deg\n"
 
-# A unit cube without its bottom: five faces of two triangles.
+# A unit cube without its bottom, as five faces of two triangles.
 CUBE = """OFF
 8 10 0
 0 0 0
@@ -42,14 +43,14 @@ def ring(count, polar):
 
 class Setup(ProgramTest):
     def fit(self, family, directions, *options, status=0):
-        """What --points answers for directions (azimuth, polar angle)."""
+        """The answer of --points for directions (azimuth, polar angle)."""
         path = self.file(HEADER + "".join(f"{a!r},{p!r}\n" for a, p in directions), "points.csv")
         done = endmill("setup", "--points", path, "--family", family, *options, "--json", cwd=self.folder)
         self.assertEqual(done.returncode, status, done.stderr)
         return json.loads(done.stdout)
 
     def found(self, part, *options, status=0):
-        """The summary of a part's setup."""
+        """Runs setup on a part and returns the summary."""
         done = endmill("setup", part, *options, "-o", "out", "--force", "--json", cwd=self.folder)
         self.assertEqual(done.returncode, status, done.stderr)
         self.assertNotIn("NaN", done.stdout)
@@ -58,7 +59,7 @@ class Setup(ProgramTest):
     def refused(self, *arguments, status=2, words=()):
         self.assert_refused(endmill("setup", *arguments, "-o", "out", cwd=self.folder), status, *words)
 
-    def test_sectors_of_directions(self):
+    def test_sectors_of_directions_have_their_closed_form(self):
         found = self.fit("CA", [(0, 30), (100, 40), (200, 50)])
         self.assertAlmostEqual(found["area_deg2"], 8000, delta=1e-8)
         self.assertAlmostEqual(found["width_deg"], 100, delta=1e-9)
@@ -70,13 +71,13 @@ class Setup(ProgramTest):
         wide = self.fit("CA", ring(3, 20), *limited, "--mode", "corrected")
         self.assertAlmostEqual(wide["area_deg2"], 4800, delta=1e-7)
 
-    def test_the_feasible_pose_is_not_the_least(self):
+    def test_feasible_pose_may_differ_from_the_least_pose(self):
         found = self.fit("CA", [(0, 60), (20, 20), (170, 25)], "--limits", "phi=-5:65")
         self.assertTrue(found["machinable"])
         self.assertAlmostEqual(found["area_deg2"], 10200, delta=1e-8)
         self.assertAlmostEqual(found["mar"]["area_deg2"], 2550, delta=1e-8)
 
-    def test_rectangles_of_directions(self):
+    def test_rectangles_of_directions_have_the_areas_of_the_test_vectors(self):
         rings = ((4, 10, 200.505460, 200.505460), (5, 20, 1382.215474, 1377.159686), (3, 30, 2365.859632, 2363.094775))
         for count, polar, paper, corrected in rings:
             for mode, area in (("paper", paper), ("corrected", corrected)):
@@ -87,7 +88,7 @@ class Setup(ProgramTest):
         self.assertEqual((none["status"], none["area_deg2"]), ("not in an open hemisphere", None))
         self.assertAlmostEqual(self.fit("AB", low, "--mode", "corrected")["area_deg2"] / 4602.510064, 1, delta=1e-6)
 
-    def test_a_rigid_part_is_not_mirrored(self):
+    def test_rigid_part_is_not_mirrored(self):
         corners = []
         for alpha, beta in ((-10, -30), (-10, 15), (40, -30), (40, 15)):
             a, b = math.radians(alpha), math.radians(beta)
@@ -101,7 +102,7 @@ class Setup(ProgramTest):
         other = self.fit("AB", corners, "--limits", "phi=-15:45,theta=-35:20", "--mode", "corrected")
         self.assertAlmostEqual(other["area_deg2"], 2250, delta=1e-6)
 
-    def test_the_teapot(self):
+    def test_teapot_has_the_areas_of_the_test_vectors(self):
         areas = {("CA", "paper"): 18988.30, ("AB", "paper-literal"): 8760.23, ("AB", "paper"): 9161.98,
                  ("AB", "corrected"): 9151.83}
         self.found(TEAPOT, "--family", "CA")
@@ -112,20 +113,20 @@ class Setup(ProgramTest):
             self.assertTrue(found["machinable"])
             self.assertEqual((found["facets"], found["cells"], found["empty_cones"]), (288, 1200, []))
             self.assertAlmostEqual(found["area_deg2"], area, delta=0.005)
-            self.assertGreater(found["tool_axis"][0], 0)  # leans to the spout
+            self.assertGreater(found["tool_axis"][0], 0)  # the tool axis leans towards the spout
 
-    def test_whole_cones_with_a_bound(self):
+    def test_mode_set_keeps_the_gap_to_its_bound(self):
         found = self.found(TEAPOT, "--family", "AB", "--mode", "set")
-        self.assertLessEqual(found["lower_bound_deg2"], 931.92)  # a pose of the spec
-        self.assertGreaterEqual(found["objective_deg2"], 929.24)  # its bound
+        self.assertLessEqual(found["lower_bound_deg2"], 931.92)  # docs/mathematics/five-axis-setup.md, 8.4
+        self.assertGreaterEqual(found["objective_deg2"], 929.24)  # the bound of that pose
         self.assertLessEqual(found["objective_deg2"], 1.05 * found["lower_bound_deg2"] * (1 + 1e-12))
         self.assertAlmostEqual(found["floored_area_deg2"], found["objective_deg2"], delta=1e-9)
 
-    def test_a_cube_on_machines_of_all_kinds(self):
+    def test_cube_is_set_up_on_machines_of_all_kinds(self):
         cube = self.file(CUBE, "cube.off")
         cone = ("--incidence-deg", 80)
         three = self.found(cube, "--machine", "W/xyBz/T", *cone, status=1)
-        self.assertEqual((three["machinable"], three["status"]), (False, None))  # no pose that it could be said of
+        self.assertEqual((three["machinable"], three["status"]), (False, None))  # a status needs a pose
         four = self.found(cube, "--machine", "W/axyBz/T", *cone)
         self.assertEqual((four["type"], four["area_deg2"], four["objective_deg2"]), ("4-axis", 0, 0))
         four = self.found(cube, "--machine", "W/axyBz/T", *cone, "--mode", "set")
@@ -138,8 +139,8 @@ class Setup(ProgramTest):
         none = self.found(cube, "--machine", "W/xyzBbc/T", *cone, status=1)
         self.assertIn("turns it about itself", none["reason"])
 
-    def test_a_tool_with_a_holder(self):
-        """A holder as wide as the wall is high keeps the tool from the foot of a step, but not from its top."""
+    def test_holder_reduces_the_visibility(self):
+        """A wide holder keeps the tool away from the foot of a step, but not from its top."""
         step = self.file("""OFF
 9 5 0
 0 -1 0
@@ -172,7 +173,7 @@ class Setup(ProgramTest):
         other = self.file(CUBE, "cube.off")
         self.refused(other, "--family", "CA", "--from-visibility", saved, "--force", status=3, words=("saved.bsm",))
 
-    def test_several_setups(self):
+    def test_several_setups_cover_the_part(self):
         found = self.found(TEAPOT, "--machine", "W/xyBz/T", "--max-setups", 6, status=1)
         self.assertEqual(len(found["setups"]), 4)
         self.assertEqual((found["uncovered"], found["setups_lower_bound"]), ([], 1))
@@ -183,7 +184,7 @@ class Setup(ProgramTest):
         few = self.found(TEAPOT, "--machine", "W/xyBz/T", "--max-setups", 2, status=1)
         self.assertGreater(len(few["uncovered"]), 0)
 
-    def test_linear_travel(self):
+    def test_linear_travel_is_checked(self):
         cube = self.file(CUBE, "cube.off")
         def machine(**limits):
             return self.file({"format": "endmill-machine/1", "configuration": "W/caxyBz/T", "limits": limits}, "m.json")
@@ -191,7 +192,7 @@ class Setup(ProgramTest):
         self.assertTrue(wide["travel_ok"])
         for axis in "xyz":
             low, high = wide["travel_mm"][axis]
-            self.assertLessEqual(abs(low), math.sqrt(3))  # a tip on the cube turns about its corner
+            self.assertLessEqual(abs(low), math.sqrt(3))  # the tip stays within the diagonal of the cube
             self.assertLessEqual(low, high)
         far = self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
                          status=1)
@@ -214,8 +215,8 @@ class Setup(ProgramTest):
                   one["configuration"]) for one in ranking]
         self.assertEqual(order, sorted(order))
 
-    def test_the_machines_that_come_with_the_program(self):
-        """From any folder: of the tree where it was built, else where it is installed, else of the current folder."""
+    def test_machines_of_the_program_are_found(self):
+        """The program finds its machines in the installation, the build tree or the current folder."""
         cube = self.file(CUBE, "cube.off")
         self.assertEqual(len(self.found(cube, "--machine", "all")["ranking"]), len(list(MACHINES.glob("*.json"))))
         program = self.folder / "bin/endmill"
@@ -235,7 +236,7 @@ class Setup(ProgramTest):
             done = moved("--json", "--quiet")
             self.assertEqual(json.loads(done.stdout)["configuration"], word, done.stderr)
 
-    def test_a_part_that_nothing_reaches(self):
+    def test_unreachable_facets_are_listed(self):
         inside = CUBE.replace("8 10 0", "12 12 0").replace("3 4 5 6\n", """.2 .2 .5
 .8 .2 .5
 .8 .8 .5
@@ -250,8 +251,8 @@ class Setup(ProgramTest):
         self.assertIn(0, found["empty_cones"])
         self.assertIn(1, found["empty_cones"])
 
-    def test_a_part_of_which_nothing_is_reached(self):
-        """In every mode the facets are told, of both families and of words that begin with b."""
+    def test_part_without_reachable_facets_is_reported(self):
+        """Every mode lists the facets, for both families and for words that begin with b."""
         cube = self.file(CUBE, "cube.off")
         for word in ("caxyBz", "abxyBz", "baxyBz", "axyBz", "xyBz"):
             for mode in ("paper", "corrected", "set"):
@@ -260,7 +261,7 @@ class Setup(ProgramTest):
                 self.assertEqual((found["machinable"], found["empty_cones"]), (False, list(range(10))))
 
     def test_facets_keep_their_numbers(self):
-        """A face without an area counts, but has no cone."""
+        """A degenerate face keeps its number, but has no cone."""
         degenerate = CUBE.replace("8 10 0", "9 11 0").replace("3 4 5 6\n", ".5 0 0\n3 0 8 1\n3 4 5 6\n", 1)
         found = self.found(self.file(degenerate, "cube.off"), "--family", "AB", "--incidence-deg", 80)
         same = self.found(self.file(CUBE, "cube.off"), "--family", "AB", "--incidence-deg", 80)
@@ -270,7 +271,7 @@ class Setup(ProgramTest):
         rows = (self.folder / "out/cones.csv").read_text().splitlines()
         self.assertEqual((len(rows), rows[1]), (12, "0,"))
 
-    def test_the_limits_are_told(self):
+    def test_limits_in_force_are_reported(self):
         keys = ("limits_phi_deg", "limits_theta_deg")
         machine_file = self.file({"format": "endmill-machine/1", "configuration": "W/cxyBza/T",
                                   "limits": {"a_deg": [-9, 9], "c_deg": [-180, 180]}}, "m.json")
@@ -283,7 +284,7 @@ class Setup(ProgramTest):
         self.assertEqual([whole[key] for key in keys], [fitted[key] for key in keys])
         self.assertEqual((whole["machine"], whole["type"]), (fitted["machine"], fitted["type"]))
 
-    def test_options_that_would_change_nothing(self):
+    def test_options_without_effect_are_refused(self):
         five, four, three = (("--machine", f"W/{axes}/T") for axes in ("caxyBz", "axyBz", "xyBz"))
         search = (("--gap", 0.1), ("--max-nodes", 9), ("--objective", "tilt"))
         for option in search:
@@ -302,7 +303,7 @@ class Setup(ProgramTest):
         self.found(cube, *four, "--arc-tolerance-deg", 2, "--incidence-deg", 80)
         self.found(cube, "--machine", MACHINES, "--arc-tolerance-deg", 2)
 
-    def test_a_word_that_is_no_machine_does_not_hide_other_faults(self):
+    def test_invalid_machine_does_not_hide_other_errors(self):
         word = ("--machine", "W/acxyBz/T")
         points = self.file(HEADER + "0,60\n", "points.csv")
         for part in ((TEAPOT,), ("--points", points)):
@@ -312,7 +313,7 @@ class Setup(ProgramTest):
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("turns it about itself", json.loads(done.stdout)["reason"])
 
-    def test_bad_input(self):
+    def test_bad_input_is_refused(self):
         self.refused(TEAPOT, words=("--machine", "--family"))
         self.refused("--family", "CA", words=("PART",))
         self.refused(TEAPOT, "--machine", "W/caxyz/T", words=("B",))
@@ -336,7 +337,7 @@ class Setup(ProgramTest):
         self.refused(TEAPOT, "--machine", folder, status=3, words=("m.json", "directory"))
         self.assert_nothing_left("empty.off", "nan.off", "p.csv", "machines")
 
-    def test_directions_that_are_none(self):
+    def test_invalid_directions_are_refused(self):
         path = self.folder / "p.csv"
         for text, place, said in (("", "", "empty"), (HEADER, ":1", "no row"), ("a,b\n1,2\n", ":1", '"a"'),
                                   ("azimuth_deg\n1\n", ":1", "no column polar_deg"), (HEADER + "0,1\n1\n", ":3", "1 cell"),
@@ -348,7 +349,7 @@ class Setup(ProgramTest):
         path.write_text(HEADER + "0,1\n" * 1000)
         self.refused("--points", path, "--family", "AB", "--max-memory", 1e-6, status=6, words=("p.csv",))
 
-    def test_damaged_visibility(self):
+    def test_damaged_visibility_is_refused(self):
         cube = self.file(CUBE, "cube.off")
         self.found(cube, "--family", "CA", "--sphere", "hex:2", "--incidence-deg", 80)
         whole = (self.folder / "out/visibility.bsm").read_bytes()
@@ -356,7 +357,7 @@ class Setup(ProgramTest):
         flipped = bytearray(whole)
         flipped[len(whole) // 2] ^= 1
         other_part = bytearray(whole)
-        other_part[40] ^= 1  # where design.md has the checksum of the part
+        other_part[40] ^= 1  # the byte belongs to the checksum of the part: docs/file-formats.md
         for content, said in ((b"", "empty"), (whole[:40], "header"), (whole[:-8], f"expected {len(whole)}"),
                               (whole + bytes(8), f"expected {len(whole)}"), (b"x" + whole[1:], "EMILLBSM"),
                               (bytes(flipped), "checksum"), (bytes(other_part), "checksum")):
@@ -365,8 +366,8 @@ class Setup(ProgramTest):
         self.refused(cube, "--family", "CA", "--from-visibility", self.folder, status=3, words=("directory",))
         self.assert_nothing_left("cube.off", "saved.bsm")
 
-    def test_meshes_that_are_odd_are_told_of(self):
-        """Open, with an edge of three triangles, and with a triangle twice: allowed."""
+    def test_defective_meshes_give_remarks(self):
+        """Open meshes, edges of three triangles and duplicate triangles are accepted."""
         odd = CUBE.replace("8 10 0", "8 12 0") + "3 4 5 1\n3 3 4 7\n"
         done = endmill("setup", self.file(odd, "odd.off"), "--family", "AB", "--sphere", "hex:2", "-o", "out", "--json",
                        cwd=self.folder)
@@ -375,7 +376,7 @@ class Setup(ProgramTest):
             self.assertIn(said, remarks)
             self.assertIn(said, done.stderr)
 
-    def test_results_that_cannot_be_written(self):
+    def test_unwritable_results_are_reported(self):
         cube = self.file(CUBE, "cube.off")
         call = (cube, "--family", "CA", "--sphere", "hex:2", "--incidence-deg", 80)
         for out, status in ((cube, 2), (self.folder, 2), (cube / "out", 5), ("/proc/out", 5)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill toollife against the printed example, and its exit codes."""
+"""endmill toollife: the printed example, and exit codes."""
 import json
 import math
 import unittest
@@ -13,11 +13,11 @@ HEADER = "phi_over_pi,v_m_per_min\n"
 
 class ToolLife(ProgramTest):
     def refused(self, content, status, *words):
-        """What the file holds is refused, with its place."""
+        """Asserts that the contents of a file are refused with their place."""
         path = self.file(content, "speeds.csv")
         self.assert_refused(endmill("toollife", path, *COSTS, cwd=self.folder), status, *words)
 
-    def test_the_printed_example(self):
+    def test_printed_example_is_reproduced(self):
         value = self.summary("toollife", SPEEDS, *COSTS)
         self.assertEqual(list(value), ["alpha", "cb", "t0_min", "v1_m_per_min"])
         self.assertAlmostEqual(value["alpha"], 0.368012948365, delta=1e-10)
@@ -27,13 +27,13 @@ class ToolLife(ProgramTest):
         for key, printed in (("alpha", 0.3680141), ("t0_min", 240.4202), ("cb", 213.8094)):
             self.assertLess(abs(value[key] / printed - 1), 1e-5)
 
-    def test_the_printed_exponent(self):
+    def test_printed_exponent_is_accepted(self):
         value = self.summary("toollife", SPEEDS, *COSTS, "--alpha", 0.3680141)
         self.assertEqual(value["alpha"], 0.3680141)
         self.assertAlmostEqual(value["t0_min"], 240.420207, delta=1e-6)
         self.assertAlmostEqual(value["cb"], 213.809481, delta=1e-6)
 
-    def test_two_points_on_a_line(self):
+    def test_two_points_are_fitted_exactly(self):
         path = self.file(HEADER + f"0.25,{10 * 0.25**-0.3!r}\n1,10\n", "speeds.csv")
         value = self.summary("toollife", path, "--tool-change-min", 0, "--tool-cost", 10,
                              "--machine-cost-per-min", 1)
@@ -41,7 +41,7 @@ class ToolLife(ProgramTest):
         self.assertAlmostEqual(value["t0_min"], 10 * (1 / 0.3 - 1), delta=1e-12)
         self.assertAlmostEqual(value["cb"], 10 * math.pow(value["t0_min"], 0.3), delta=1e-12)
 
-    def test_prints_and_writes(self):
+    def test_answer_is_printed_and_written(self):
         done = endmill("toollife", SPEEDS, *COSTS, "-o", "out", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("alpha = 0.368", done.stdout)
@@ -53,7 +53,7 @@ class ToolLife(ProgramTest):
         self.assertEqual(done.returncode, 0)
         self.assertIn("Example:", done.stdout)
 
-    def test_files_that_fix_no_line(self):
+    def test_files_that_determine_no_line_are_refused(self):
         self.refused(HEADER + "0.1,64\n", 3, "speeds.csv:2: one row", "different phi_over_pi")
         self.refused(HEADER + "0.1,64\n0.1,60\n", 3, "speeds.csv:3:", "same in all rows")
         self.refused(HEADER, 3, "no row")
@@ -66,10 +66,10 @@ class ToolLife(ProgramTest):
         self.refused("\n", 3, "empty")
         self.assert_refused(endmill("toollife", "none.csv", *COSTS), 3, "none.csv")
 
-    def test_speeds_that_do_not_fall(self):
+    def test_speeds_that_do_not_fall_are_refused(self):
         self.refused(HEADER + "0.1,50\n0.5,60\n", 4, "speeds.csv: the cutting speed must fall")
 
-    def test_arguments_out_of_their_domain(self):
+    def test_arguments_outside_their_domain_are_refused(self):
         for position, name in ((1, "--tool-change-min"), (3, "--tool-cost"),
                                (5, "--machine-cost-per-min")):
             costs = list(COSTS)

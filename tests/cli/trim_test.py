@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill trim: what it writes for surfaces, meshes and curves, and what it refuses."""
+"""endmill trim: results for surfaces, meshes and curves, and refused input."""
 import csv
 import json
 import math
@@ -9,7 +9,7 @@ import unittest
 from program import ROOT, ProgramTest, endmill, plane
 
 VALLEY = ROOT / "datasets/surfaces/valley.json"
-# Vector T1 of the specification: one symmetric loop, crossing at (0, 0).
+# docs/mathematics/interference.md, section 11, T1: one symmetric loop that crosses itself at (0, 0).
 LOOP = "s_mm,z_mm\n-6,6\n2,-2\n0,-1\n-2,-2\n6,6\n"
 
 # A cube of 10 mm that faces outwards.
@@ -37,7 +37,7 @@ f 4 5 8
 
 
 def stl(count, triangles):
-    """A binary STL file whose header says `count`."""
+    """A binary STL file whose header states `count` triangles."""
     return bytes(80) + struct.pack("<I", count) + b"".join(
         struct.pack("<12fH", 0, 0, 1, *sum(triangle, ()), 0) for triangle in triangles)
 
@@ -48,7 +48,7 @@ def table(path):
 
 
 class Trim(ProgramTest):
-    def test_a_loop_of_a_curve_is_cut_out(self):
+    def test_loop_of_a_curve_is_removed(self):
         facts = self.summary("trim", "--polyline", self.file(LOOP, "t1.csv"), "-o", "out", "--explain")
         self.assertEqual((facts["planes"], facts["curves"], facts["points"], facts["loops"]), (1, 1, 3, 1))
         self.assertIsNone(facts["min_clearance_mm"])
@@ -73,8 +73,9 @@ class Trim(ProgramTest):
             self.assertEqual(facts["methods"][name]["wrong_sections"], 0, name)
             self.assertLess(facts["methods"][name]["max_below_envelope_mm"], 1e-9, name)
 
-    def test_a_fold_that_is_left_is_told(self):
-        # Vector T5: nested loops, which the guarded methods leave. s steps back twice.
+    def test_fold_that_is_left_is_reported(self):
+        # docs/mathematics/interference.md, section 11, T5: nested loops with two steps back in s. The guarded
+        # methods keep them.
         wide = "s_mm,z_mm\n-10,10\n4,-4\n-2,-3\n0,-3.6\n2,-3.1\n-4,-4\n10,10\n"
         done = endmill("trim", "--polyline", self.file(wide, "w.csv"), "--method", "3", "--json", "-o", "out",
                        cwd=self.folder)
@@ -84,7 +85,7 @@ class Trim(ProgramTest):
         self.assertRegex(done.stdout, r"folds +2 left")
         self.assertIn("w.csv: method 3 with --mode corrected leaves 2 folds; --method envelope", done.stderr)
 
-    def test_a_known_gouge_is_a_no_that_names_the_better_method(self):
+    def test_known_gouge_exits_1_and_names_the_better_method(self):
         done = endmill("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--mode", "paper",
                        cwd=self.folder)
         self.assertEqual(done.returncode, 1)
@@ -93,7 +94,7 @@ class Trim(ProgramTest):
         for word in ("method 3 with --mode paper gouges the part", "--tolerance 0.01 mm", "--method envelope"):
             self.assertIn(word, errors[0])
 
-    def test_a_surface_becomes_a_path_that_verify_accepts(self):
+    def test_path_of_a_surface_is_accepted_by_verify(self):
         facts = self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--tolerance",
                              "0.05", "-o", "out", "--figure", "10")
         self.assertEqual((facts["planes"], facts["unresolved"]), (12, 0))
@@ -108,7 +109,7 @@ class Trim(ProgramTest):
         self.assertAlmostEqual(facts["rapid_mm"], lengths["lifted"], delta=1e-6)
         self.assertEqual(facts["safe_height_mm"], max(tip[2] for _, tip in points))
         self.assertAlmostEqual(facts["pitch_mm"], 100 / 12, delta=1e-9)
-        # Of two circles of radius 10 that far apart.
+        # The scallop between two circles of radius 10 mm at the pitch of the planes.
         self.assertAlmostEqual(facts["level_scallop_mm"], 10 - math.sqrt(100 - (50 / 12) ** 2), delta=1e-9)
         for name in ("section-10.svg", "trimmed.svg"):
             self.assertIn("<svg", (out / name).read_text(encoding="utf-8"))
@@ -116,7 +117,7 @@ class Trim(ProgramTest):
                          "--tolerance", "0.1", "--scallop", "20", "--json", "-o", "judged", cwd=self.folder)
         self.assertEqual(judged.returncode, 0, judged.stderr + judged.stdout)
 
-    def test_a_drawn_section_has_the_part_where_there_is_one(self):
+    def test_picture_of_a_section_shows_the_part(self):
         curves = self.file(LOOP, "t1.csv")
         dome = ROOT / "datasets/meshes/dome.stl"
         for words, has_part in (((VALLEY, "--cutter", "flat:8", "--tolerance", "1"), True),
@@ -127,7 +128,7 @@ class Trim(ProgramTest):
             drawn = (self.folder / "out/section-0.svg").read_text(encoding="utf-8")
             self.assertEqual(">part<" in drawn, has_part, words)
 
-    def test_refining_does_not_hang_on_the_grid(self):
+    def test_refined_points_do_not_depend_on_the_grid(self):
         heights = []
         for grid in ("60", "90"):
             facts = self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", grid, "--planes", "3", "--refine",
@@ -136,11 +137,11 @@ class Trim(ProgramTest):
             rows = [row for row in table(self.folder / grid / "trimmed.csv") if row["plane"] == "2"]
             middle = min(rows, key=lambda row: abs(float(row["s_mm"]) - 50))
             heights.append((float(middle["s_mm"]), float(middle["z_mm"])))
-        # The lowest point of a valley's section is its crossing: the same on both grids.
+        # The lowest point of a section of the valley is its crossing, which is the same on both grids.
         self.assertAlmostEqual(heights[0][0], heights[1][0], delta=1e-6)
         self.assertAlmostEqual(heights[0][1], heights[1][1], delta=1e-4)
 
-    def test_every_loop_is_explained(self):
+    def test_explain_gives_the_rule_of_every_loop(self):
         known = {"below the envelope", "winding number", "valley", "E1", "E2", "E3", "P3", "P4", "P3 cut", "P4 cut",
                  "closed", "outside the range"}
         for method, own in (("envelope", "below the envelope"), ("winding", "winding number"), ("3r", "valley")):
@@ -150,7 +151,7 @@ class Trim(ProgramTest):
             self.assertLessEqual(rules, known)
             self.assertLessEqual({own, "outside the range"}, rules)
 
-    def test_folds_that_the_range_cuts_off_are_not_told(self):
+    def test_folds_outside_the_range_are_not_reported(self):
         def sheet(x, low, high):
             return [[[x, -20, low], [x + 20, -20, high]], [[x, 20, low], [x + 20, 20, high]]]
         roof = {"format": "endmill-surface/1", "type": "bezier-patches", "name": "roof",
@@ -165,7 +166,7 @@ class Trim(ProgramTest):
                           for row in table(self.folder / method / "trimmed.csv")])
         self.assertEqual(paths[0], paths[1])
 
-    def test_loops_end_at_points_that_are_left(self):
+    def test_removed_loops_end_at_trimmed_points(self):
         for number, words in enumerate(((), ("--refine",), ("--method", "3r", "--direction-deg", "-15"))):
             out = self.folder / str(number)
             self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "40", "--planes", "9", "--tolerance", "1",
@@ -176,7 +177,7 @@ class Trim(ProgramTest):
             for loop in loops:
                 self.assertIn((loop["plane"], loop["s_mm"], loop["z_mm"]), left, words)
 
-    def test_a_mesh_is_followed_by_the_drop_cutter(self):
+    def test_drop_cutter_follows_a_mesh(self):
         mesh = ROOT / "datasets/meshes"
         part = sorted(mesh.glob("*.stl"))[0]
         facts = self.summary("trim", part, "--cutter", "ball:4", "--planes", "5", "--grid", "30", "-o", "out")
@@ -190,7 +191,7 @@ class Trim(ProgramTest):
         self.assertEqual(list(facts["methods"]), ["envelope"])
         self.assertEqual(facts["not_run"][:5], ["1", "2", "3", "3r", "winding"])
 
-    def test_the_result_does_not_depend_on_the_number_of_threads(self):
+    def test_files_do_not_depend_on_the_number_of_threads(self):
         texts = []
         for threads in ("1", "2", "3"):
             self.summary("trim", VALLEY, "--cutter", "bull:20:3", "--grid", "40", "--planes", "7", "--tolerance", "1",
@@ -200,8 +201,9 @@ class Trim(ProgramTest):
         self.assertEqual(texts[0], texts[1])
         self.assertEqual(texts[0], texts[2])
 
-    def test_the_border_gouges_unless_it_is_touched(self):
-        # Acceptance A10; at this grid the chord error is four times that of the list's 200.
+    def test_contacts_on_the_border_prevent_gouges(self):
+        # docs/mathematics/interference.md, section 11, A10. The grid of 100 lines has four times the chord
+        # error of the 200 lines there.
         words = ("trim", VALLEY, "--cutter", "ball:20", "--grid", "100", "--direction-deg", "-15")
         for method in ("envelope", "winding"):
             facts = self.summary(*words, "--method", method, "--tolerance", "0.008", "-o", "out", "--force")
@@ -211,7 +213,7 @@ class Trim(ProgramTest):
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertGreater(json.loads(done.stdout)["max_gouge_mm"], 1)
 
-    def test_what_does_not_go_together_is_refused(self):
+    def test_options_that_exclude_each_other_are_refused(self):
         curves = self.file(LOOP, "t1.csv")
         part = self.file(plane())
         dome = ROOT / "datasets/meshes/dome.stl"
@@ -236,7 +238,7 @@ class Trim(ProgramTest):
                 ((part, "--cutter", "ball:5", "--grid", "1"), "--grid")):
             self.assert_refused(endmill("trim", *words, cwd=self.folder), 2, message)
 
-    def test_broken_curves_are_refused_with_their_line(self):
+    def test_bad_curves_are_refused_with_their_line(self):
         for text, message in (("s_mm,z_mm\n", "no row"), ("s_mm,z_mm\n1,2\n", "1 different point"),
                               ("", "file is empty"), ("s_mm,z_mm\n1,2\n1,2\n", "1 different point"),
                               ("curve,s_mm,z_mm\n0,1,2\n0,2,3\n1,2,3\n", "c.csv:4"), ("s_mm,z_mm\n0,0\n1,1e400\n", ":3"), ("s_mm,z_mm\n1,nan\n2,3\n", ":2"),
@@ -245,7 +247,7 @@ class Trim(ProgramTest):
         self.assert_nothing_left("c.csv")
 
     def trimmed_mesh(self, text):
-        """The summary, what stands on standard error, and the bytes of the path."""
+        """Trims a mesh and returns the summary and the bytes of the path. Standard error has the remarks."""
         done = endmill("trim", self.file(text, "cube.obj"), "--cutter", "ball:4", "--planes", "3", "--grid", "20",
                        "--json", "-o", "out", "--force", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -254,7 +256,7 @@ class Trim(ProgramTest):
             self.assertIn(remark, done.stderr)
         return facts, (self.folder / "out/toolpath.csv").read_bytes()
 
-    def test_what_is_wrong_with_a_mesh_is_told_and_does_not_move_the_path(self):
+    def test_defects_of_a_mesh_give_remarks_and_keep_the_path(self):
         facts, sound = self.trimmed_mesh(CUBE)
         self.assertEqual(facts["remarks"], [])
         for text, remarks in (
@@ -271,14 +273,14 @@ class Trim(ProgramTest):
             self.assertGreaterEqual(len(facts["remarks"]), len(remarks), text)
             self.assertEqual(path, sound, remarks)
 
-    def test_a_mesh_of_one_side_only_is_told(self):
-        # Three quadrangles round a strip with half a twist.
+    def test_one_sided_mesh_gives_a_remark(self):
+        # A Moebius strip of three quadrangles.
         band = ("v 0 0 0\nv 0 0 2\nv 10 0 0\nv 10 0 2\nv 5 8 0\nv 5 8 2\n"
                 "f 1 3 4\nf 1 4 2\nf 3 5 6\nf 3 6 4\nf 5 2 1\nf 5 1 6\n")
         facts, _ = self.trimmed_mesh(band)
         self.assertTrue([remark for remark in facts["remarks"] if "one side only" in remark], facts["remarks"])
 
-    def test_stl_files_that_lie_are_refused_and_nothing_is_written(self):
+    def test_inconsistent_stl_files_are_refused(self):
         triangles = [((0, 0, 0), (10, 0, 0), (0, 10, 0)), ((10, 0, 0), (10, 10, 0), (0, 10, 0))]
         for content, message in ((stl(3, triangles), "header says 3 triangles"),
                                  (stl(1, triangles), "header says 1 triangle"),
@@ -319,7 +321,7 @@ class Trim(ProgramTest):
         self.assertEqual({row["plane"] for row in table(self.folder / "out/trimmed.csv")}, {"0", "5"})
 
 
-    def test_planes_that_all_miss_are_refused(self):
+    def test_planes_that_all_miss_the_part_are_refused(self):
         sheets = [[[[0, y, 0], [30, y, 0]], [[0, y + 10, 0], [30, y + 10, 0]]] for y in (0, 50)]
         apart = {"format": "endmill-surface/1", "type": "bezier-patches", "name": "apart", "patches": sheets}
         done = endmill("trim", self.file(apart), "--cutter", "ball:4", "--planes", "1", "--grid", "10", "-o", "out",
@@ -327,20 +329,20 @@ class Trim(ProgramTest):
         self.assert_refused(done, 4, "surface.json", "no drive plane meets the part")
         self.assertFalse((self.folder / "out").exists())
 
-    def test_what_cannot_fit_the_memory_is_refused_before_the_work(self):
+    def test_work_beyond_the_memory_limit_is_refused_first(self):
         for words in (("--grid", "9000"), ("--planes", "300000", "--grid", "20")):
             done = endmill("trim", VALLEY, "--cutter", "ball:20", *words, "--max-memory", "0.5", "-o", "out",
                            cwd=self.folder)
             self.assert_refused(done, 6, "GiB", "--max-memory", "--grid")
             self.assertFalse((self.folder / "out").exists())
 
-    def test_a_later_run_leaves_no_picture_of_an_earlier_one(self):
+    def test_later_run_removes_pictures_of_an_earlier_one(self):
         run = ("trim", VALLEY, "--cutter", "ball:20", "--grid", "20", "--planes", "4", "--tolerance", "9", "-o", "out")
         self.summary(*run, "--figure", "1")
         self.summary(*run, "--figure", "2", "--force")
         self.assertEqual([file.name for file in (self.folder / "out").glob("section-*.svg")], ["section-2.svg"])
 
-    def test_a_path_names_its_part_so_that_verify_judges_by_it(self):
+    def test_path_names_its_part_for_verify(self):
         self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "40", "--planes", "4", "--tolerance", "9", "-o",
                      "out")
         judged = endmill("verify", "out/toolpath.csv", "--resolution", "4", "--json", "-o", "judged", cwd=self.folder)

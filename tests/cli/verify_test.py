@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill verify: verdicts, volumes and files on paths whose truth is arithmetic, and what it refuses."""
+"""endmill verify: verdicts and volumes on paths with closed forms, the files, and refused input."""
 import csv
 import json
 import math
@@ -17,19 +17,19 @@ from program import ENDMILL, ROOT, SURFACES, ProgramTest, endmill, plane
 PLAN = ["--cutter", "ball:10", "--chord-tolerance", "0.05", "--scallop", "0.2", "--direction", "u"]
 HOLDER = ROOT / "datasets/tools/ball-10-shrink-fit.json"
 COLUMNS = "tip_x_mm,tip_y_mm,tip_z_mm\n"
-# Section of a ball of radius 5 that passes 1 mm deep through a block.
+# Cross section in mm2 of the cut of a ball of radius 5 mm, 1 mm deep.
 SECTION = 25 * math.acos(1 - 1 / 5) - 4 * math.sqrt(9)
 THROUGH = COLUMNS + "-30,0,-1\n30,0,-1\n"
 BLOCK = ("--stock", "-10,-10,-10,10,10,0")
 
 
 def scallop(pitch):
-    """What balls of radius 5 leave between level passes."""
+    """Scallop height in mm of balls of radius 5 mm between level passes."""
     return 5 - math.sqrt(25 - pitch * pitch / 4)
 
 
 def passes(ys, dip=None):
-    """Level passes along x over the plane of 60 by 30 mm; that at y = dip is 0.05 mm too deep for 20 mm."""
+    """Level passes along x over the plane of 60 by 30 mm. The pass at y = dip is 0.05 mm too deep for 20 mm."""
     lines = []
     for number, y in enumerate(ys):
         tips = [(0, 0), (20, 0), (20, -0.05), (40, -0.05), (40, 0), (60, 0)] if y == dip else [(0, 0), (60, 0)]
@@ -39,7 +39,7 @@ def passes(ys, dip=None):
 
 class VerifyTest(ProgramTest):
     def verify(self, path, *options, status=0, out="out"):
-        """The summary of a run that ends with that exit status."""
+        """Runs verify and returns the summary. Asserts the exit status."""
         done = endmill("verify", path, *options, "-o", out, "--force", "--json", cwd=self.folder)
         self.assertEqual(done.returncode, status, done.stderr + done.stdout)
         facts = json.loads(done.stdout)
@@ -59,7 +59,7 @@ class VerifyTest(ProgramTest):
 
 
 def without_history(stock):
-    """The stock.vti of a program that kept heights alone."""
+    """A stock.vti without the history of its moves, as other programs may write it."""
     end = stock.index(b"\n_") + 2
     head = re.sub(rb'   <DataArray [^>]*Name="(block_mm|run_cutters_mm|run_tips|tips_mm)"[^>]*/>\n', b"", stock[:end])
     columns, rows = (int(word) for word in re.search(rb'WholeExtent="0 (\d+) 0 (\d+) ', head).groups())
@@ -72,7 +72,7 @@ class Verdicts(VerifyTest):
         return self.verify(self.file(tips, "p.csv"), "--part", "surface.json", "--cutter", "ball:10", "--scallop",
                            "0.05", *options, status=status)
 
-    def test_a_plan_tells_what_it_was_planned_for(self):
+    def test_part_cutter_and_limits_come_from_the_plan(self):
         facts = self.verify(self.planned("--mode", "verified"), "--resolution", "1")
         self.assertEqual((facts["name"], facts["cutter"]), ("plane", "ball:10"))
         self.assertEqual(facts["part"], str(self.folder / "surface.json"))
@@ -84,7 +84,7 @@ class Verdicts(VerifyTest):
         self.assertGreaterEqual(facts["max_scallop_mm"] + facts["scallop_bound_mm"], scallop(widest) - 1e-12)
         self.assertAlmostEqual(facts["judged_area_mm2"], 1800, delta=1e-6)
 
-    def test_options_rule_over_the_plan(self):
+    def test_options_override_the_plan(self):
         facts = self.verify(self.planned(), "--resolution", "1", "--tolerance", "0.02", "--scallop", "0.1", status=1)
         self.assertEqual((facts["verdict"], facts["tolerance_mm"], facts["scallop_limit_mm"]), ("uncut", 0.02, 0.1))
 
@@ -96,7 +96,7 @@ class Verdicts(VerifyTest):
         self.assertAlmostEqual(facts["tolerance_mm"], 0.03, delta=1e-15)
         self.assertAlmostEqual(facts["scallop_limit_mm"], 0.21, delta=1e-15)
 
-    def test_a_gouge_is_found_and_placed(self):
+    def test_gouge_is_found_with_its_place(self):
         facts = self.judged(passes(range(31), dip=10), "--resolution", "0.25", status=1)
         self.assertEqual(facts["verdict"], "gouged")
         self.assertLessEqual(facts["max_gouge_mm"], 0.05 + 1e-12)
@@ -104,19 +104,19 @@ class Verdicts(VerifyTest):
         x, y, z = facts["max_gouge_at"]["point_mm"]
         self.assertTrue(19.5 <= x <= 40.5 and abs(y - 10) <= 0.25 and abs(z) < 1e-12, (x, y, z))
         self.assertTrue(22 <= facts["max_gouge_at"]["point"] <= 24, facts["max_gouge_at"])
-        width = 2 * math.sqrt(25 - (5 - 0.05 + 0.01) ** 2)  # where the dip is deeper than the tolerance
+        width = 2 * math.sqrt(25 - (5 - 0.05 + 0.01) ** 2)  # of the region where the dip exceeds the tolerance
         self.assertAlmostEqual(facts["gouge_area_mm2"], 20 * width, delta=0.25 * 20 + 2)
         done = endmill("verify", "p.csv", "--part", "surface.json", "--cutter", "ball:10", "--resolution", "1", "-o",
                        "said", cwd=self.folder)
         self.assertRegex(done.stdout, r"p: gouged\n  gouge       0\.04\d+ mm \(limit 0\.\d+\) at x .*, point 2[234];")
 
     def rest_of(self, tips, *options, status=0):
-        """stock.vti of a run, whatever its verdict."""
+        """Runs verify and keeps its stock.vti as rest.vti."""
         facts = self.judged(tips, "--resolution", "0.5", "--write-stock", *options, status=status)
         shutil.move(self.folder / "out/stock.vti", self.folder / "rest.vti")
         return facts
 
-    def test_a_gouge_of_an_earlier_run_is_found_and_placed(self):
+    def test_gouge_of_an_earlier_run_is_found_with_its_place(self):
         self.rest_of(passes(range(31), dip=10), status=1)
         facts = self.judged(passes(range(31)), "--stock", "rest.vti", status=1)
         self.assertEqual((facts["verdict"], facts["earlier_moves"]), ("gouged", 66))
@@ -130,24 +130,24 @@ class Verdicts(VerifyTest):
                        "said", cwd=self.folder)
         self.assertRegex(done.stdout, r"p: gouged\n  gouge       0\.0[45]\d* mm \(limit 0\.\d+\) at x .*, by an earlier run;")
 
-    def test_two_halves_are_clean_together(self):
+    def test_two_halves_of_a_path_are_clean_together(self):
         first = self.rest_of(passes(range(16)), status=1)
         self.assertEqual(first["verdict"], "uncut")
         self.assertIsNone(first["earlier_moves"])
         facts = self.judged(passes(range(15, 31)), "--stock", "rest.vti", "--resolution", "0.5", "--write-stock")
         self.assertEqual((facts["verdict"], facts["earlier_moves"]), ("clean", 32))
-        # The rest of the second tells of both.
+        # The remaining stock of the second run has the history of both.
         shutil.move(self.folder / "out/stock.vti", self.folder / "rest.vti")
         facts = self.judged(passes([15]), "--stock", "rest.vti")
         self.assertEqual((facts["verdict"], facts["earlier_moves"], facts["removed_mm3"]), ("clean", 64, 0))
 
-    def test_heights_alone_bound_a_gouge(self):
+    def test_stock_without_history_bounds_a_gouge(self):
         for dip in (None, 10):
             self.rest_of(passes(range(31), dip=dip), status=0 if dip is None else 1)
             old = without_history((self.folder / "rest.vti").read_bytes())
             (self.folder / "old.vti").write_bytes(old)
             facts = self.judged(passes(range(31)), "--stock", "old.vti", "--resolution", "0.5", status=1 if dip else 0)
-            # Half a pitch beside the lowest place of the dip its heights are less than certain.
+            # The heights are uncertain by half a pitch beside the lowest place of the dip.
             self.assertIn(facts["verdict"], ("gouged", "undecided") if dip else ("clean",))
             self.assertIsNone(facts["earlier_moves"])
             truth = 0.05 if dip else 0
@@ -157,16 +157,16 @@ class Verdicts(VerifyTest):
         self.assert_refused(endmill("verify", "p.csv", "--part", "surface.json", "--cutter", "ball:10", "--stock",
                                     "old.vti", "-o", "none", cwd=self.folder), 3, "old.vti")
 
-    def test_a_skipped_pass_is_uncut_there(self):
+    def test_skipped_pass_leaves_material(self):
         facts = self.judged(passes([y for y in range(31) if y != 10]), "--resolution", "0.25", status=1)
         self.assertEqual((facts["verdict"], facts["max_gouge_mm"]), ("uncut", 0))
         self.assertLessEqual(facts["max_scallop_mm"], scallop(2) + 1e-12)
         self.assertGreaterEqual(facts["max_scallop_mm"] + facts["scallop_bound_mm"], scallop(2) - 1e-12)
         self.assertAlmostEqual(facts["max_scallop_at"]["point_mm"][1], 10, delta=0.25)
-        width = 2 * (1 - math.sqrt(25 - 4.95 ** 2))  # between the balls on either side
+        width = 2 * (1 - math.sqrt(25 - 4.95 ** 2))  # of the region between the neighbouring balls
         self.assertAlmostEqual(facts["uncut_area_mm2"], 60 * width, delta=60 * 0.25)
 
-    def test_refining_never_turns_what_was_decided(self):
+    def test_refining_never_changes_a_decided_verdict(self):
         self.file(plane())
         for name, tips, truth in (("g", passes(range(31)), "clean"), ("d", passes(range(31), dip=10), "gouged"),
                                   ("s", passes([y for y in range(31) if y != 10]), "uncut")):
@@ -186,7 +186,7 @@ class Verdicts(VerifyTest):
                     self.assertEqual(done.returncode, 0 if verdict == "clean" else 1)
             self.assertIn((1.5, 8), decided)
 
-    def test_undecided_is_a_no_and_says_what_helps(self):
+    def test_undecided_verdict_exits_1_with_a_hint(self):
         path = self.file(passes(range(31)), "p.csv")
         done = endmill("verify", path, "--part", self.file(plane()), "--cutter", "ball:10", "--scallop", "0.0255",
                        "--resolution", "2", "--max-refine", "0", cwd=self.folder)
@@ -194,7 +194,7 @@ class Verdicts(VerifyTest):
         self.assertIn("p: undecided\n", done.stdout)
         self.assertIn("use a finer --resolution", done.stdout)
 
-    def test_a_rapid_that_cuts_is_a_gouge(self):
+    def test_rapid_that_cuts_is_a_gouge(self):
         text = "move," + COLUMNS + "cut,0,10,0\ncut,60,10,0\nrapid,60,20,0\nrapid,60,20,30\nrapid,0,0,30\n"
         self.file(plane())
         facts = self.verify(self.file(text, "p.csv"), "--part", "surface.json", "--cutter", "ball:10", "--scallop",
@@ -204,20 +204,20 @@ class Verdicts(VerifyTest):
         self.assertEqual(facts["max_gouge_mm"], 0)
         self.assertIn("in all gouged: 1 rapid cut", (self.folder / "out/deviation.svg").read_text())
 
-    def test_another_fixed_axis_is_turned_upright(self):
+    def test_path_with_another_fixed_axis_is_rotated(self):
         facts = self.verify(self.planned("--mode", "verified", "--axis", "0,0.6,0.8"), "--resolution", "1")
         self.assertTrue(any("0,0.6,0.8, is +z" in remark for remark in facts["remarks"]), facts["remarks"])
         self.assertAlmostEqual(facts["judged_area_mm2"], 1800, delta=1e-6)
         self.assertLessEqual(facts["max_scallop_mm"], 0.2 + 0.001)
 
-    def test_a_mesh_judges_as_its_surface(self):
+    def test_mesh_and_surface_give_the_same_verdict(self):
         self.planned("--mode", "verified")
         self.summary("sample", "surface.json", "--grid", "3", "--format", "stl", "-o", "mesh")
         facts = self.verify("plan/toolpath.csv", "--part", "mesh/mesh.stl", "--resolution", "1")
         self.assertIsInstance(facts["max_scallop_at"]["triangle"], int)
         self.assertAlmostEqual(facts["judged_area_mm2"], 1800, delta=1e-3)
 
-    def test_a_part_that_has_gone_is_an_error(self):
+    def test_missing_part_is_an_error(self):
         path = self.planned("--mode", "verified")
         (self.folder / "surface.json").unlink()
         done = endmill("verify", path, "--resolution", "1", "-o", "out", cwd=self.folder)
@@ -226,7 +226,7 @@ class Verdicts(VerifyTest):
         done = endmill("verify", path, "--part", "none", "--resolution", "1", "-o", "out", cwd=self.folder)
         self.assertIn("none to judge by", done.stdout)
 
-    def test_a_program_is_judged_by_the_part_of_its_path(self):
+    def test_program_is_judged_by_the_part_of_its_path(self):
         path = self.planned("--mode", "verified")
         endmill("post", path, "--feed", "500", "-o", "posted", cwd=self.folder)
         facts = [self.verify(file, "--resolution", "1") for file in (path, "posted/toolpath.ngc")]
@@ -241,9 +241,9 @@ class Volumes(VerifyTest):
     def cut(self, *options, tips=THROUGH, name="p.csv", status=0):
         return self.verify(self.file(tips, name), *options, status=status)
 
-    def test_one_straight_cut_is_the_closed_form(self):
+    def test_volume_of_a_straight_cut_has_its_closed_form(self):
         facts = self.cut("--cutter", "ball:10", *BLOCK)
-        # Midpoints across a section that ends steeply, and exact along it: e = O(pitch^1.5).
+        # The midpoint rule across a section with steep ends has an error of O(pitch^1.5); along x it is exact.
         self.assertAlmostEqual(facts["removed_mm3"], 20 * SECTION, delta=20 * 0.1**1.5 * 0.2)
         self.assertEqual(facts["min_z_mm"], min(facts["min_z_mm"], -0.99))
         self.assertEqual((facts["max_z_mm"], facts["verdict"], facts["part"]), (0, "clean", None))
@@ -253,7 +253,7 @@ class Volumes(VerifyTest):
         self.assertEqual(sorted(file.name for file in (self.folder / "out").iterdir()),
                          ["removal.csv", "summary.json"])
 
-    def test_rates_are_volumes_by_time(self):
+    def test_removal_rate_is_volume_divided_by_time(self):
         header = "feed_mm_per_min," + COLUMNS
         facts = self.cut("--cutter", "flat:10", *BLOCK, "--resolution", "0.5",
                          tips=header + "500,-30,0,-1\n500,0,0,-1\n250,30,0,-1\n")
@@ -265,18 +265,18 @@ class Volumes(VerifyTest):
                                    float(row["removed_mm3"]) * feed / float(row["length_mm"]), delta=1e-6)
         self.assertAlmostEqual(facts["removed_mm3"], 20 * 10 * 1, delta=1e-9)
 
-    def test_centre_of_the_ball_may_be_programmed(self):
+    def test_programs_of_ball_centres_are_accepted(self):
         text = "G21 G90 G94 G17\nG0 X-30 Y0 Z4\nG1 X30 F100\nM2\n"
         facts = self.cut("--cutter", "ball:10", "--programmed-point", "centre", *BLOCK, tips=text, name="c.ngc")
         self.assertEqual(facts["removed_mm3"], self.cut("--cutter", "ball:10", *BLOCK)["removed_mm3"])
 
-    def test_an_arc_removes_its_section_times_its_length(self):
+    def test_volume_of_an_arc_is_section_times_length(self):
         text = "G21 G90 G94 G17\nG0 X10 Y0 Z9\nG1 Z-1 F100\nG3 X10 Y0 I-10 J0\nM2\n"
         facts = self.cut("--cutter", "ball:10", "--stock", "-20,-20,-10,20,20,0", tips=text, name="a.ngc")
-        # Pappus: the section's centroid goes around a circle of radius 10.
+        # Pappus: the centroid of the section moves on a circle of radius 10 mm.
         self.assertAlmostEqual(facts["removed_mm3"], 20 * math.pi * SECTION, delta=0.03)
 
-    def test_stock_of_an_earlier_run_goes_on(self):
+    def test_stock_of_an_earlier_run_is_cut_further(self):
         whole = self.cut("--cutter", "ball:10", *BLOCK, "--resolution", "0.5",
                          tips=COLUMNS + "-30,0,-1\n30,0,-1\n30,3,-1\n-30,3,-1\n")
         first = self.cut("--cutter", "ball:10", *BLOCK, "--resolution", "0.5", "--write-stock",
@@ -287,19 +287,19 @@ class Volumes(VerifyTest):
         self.assertEqual(second["min_z_mm"], whole["min_z_mm"])
         self.assertIsNone(second["earlier_gouge_bound_mm"])  # no part
 
-    def test_stock_may_be_a_mesh_and_the_rest_is_one(self):
+    def test_stock_and_remaining_stock_may_be_meshes(self):
         self.cut("--cutter", "ball:10", *BLOCK, "--resolution", "0.5", "--write-mesh")
         shutil.move(self.folder / "out/rest.stl", self.folder / "rest.stl")
         mesh = self.summary("info", "rest.stl")
         self.assertEqual(mesh["boundary_edges"], 0)
-        # It ends half a pitch before the outermost cells.
+        # The mesh ends half a pitch inside the outermost cells.
         self.assertAlmostEqual(mesh["volume_mm3"], 19.5 * (19.5 * 10 - SECTION), delta=1)
         deeper = 25 * math.acos(1 - 2 / 5) - 3 * math.sqrt(16)  # the section 2 mm deep
         rest = self.cut("--cutter", "ball:10", "--stock", "rest.stl", "--resolution", "0.5",
                         tips=COLUMNS + "30,0,-2\n-30,0,-2\n")["removed_mm3"]
         self.assertAlmostEqual(rest, 19.5 * (deeper - SECTION), delta=2)
 
-    def test_an_open_mesh_is_no_stock_and_is_named(self):
+    def test_open_mesh_as_stock_is_refused_by_name(self):
         self.file("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                   "endloop\nendfacet\nendsolid a\n", "open.stl")
         path = self.file(COLUMNS + "0,0,0\n1,0,0\n", "p.csv")
@@ -315,12 +315,12 @@ class Volumes(VerifyTest):
         # The holder begins 40 mm above the tip.
         self.assertAlmostEqual(facts["deepest_of_collisions_mm"], 5, delta=1e-9)
 
-    def test_holder_in_the_part_is_a_collision_where_nothing_is_left_to_hit(self):
+    def test_holder_in_the_part_is_a_collision_without_material(self):
         slope = 0.5
         part = self.file(plane(size=(60, 30), slope=slope))
         tool = self.file({"format": "endmill-tool/1", "cutter": "ball:4",
                           "holder": [{"diameter_mm": 16, "from_mm": 1.5, "to_mm": 50}]}, "tool.json")
-        # A plunge to the part; the stock ends under the part where the holder goes in.
+        # A plunge to the part. Where the holder enters the part, the stock lies below it.
         depth = 8 - (8 + 1.5) / (1 + slope)
         facts = self.cut("--part", part, "--tool", tool, "--stock", "0,0,-9,60,30,16", "--resolution", "0.5",
                          tips=COLUMNS + "30,15,20\n30,15,15\n", status=1)
@@ -330,8 +330,8 @@ class Volumes(VerifyTest):
         self.assertAlmostEqual(z, slope * x, delta=1e-9)
         self.assertEqual(facts["first_of_part_collisions"], 1)
 
-    def test_a_ridge_between_cells_is_seen_by_a_rapid(self):
-        # 0.3 mm wide between two slots, its top at 0; the rapid goes along it 1 mm deep.
+    def test_rapid_through_a_ridge_between_cells_is_found(self):
+        # The ridge between two slots is 0.3 mm wide with its top at 0. The rapid moves along it 1 mm deep.
         lines = ["G21 G90 F100"] + [f"G{g} X{x} Y{y} Z{z}" for g, x, y, z in (
             (0, -30, -5.15, -2), (1, 30, -5.15, -2), (0, 30, 0, 20), (0, 30, 5.15, 20), (0, 30, 5.15, -2),
             (1, -30, 5.15, -2), (0, -30, 0, 20), (0, -30, 0, -1), (0, 30, 0, -1))] + ["M2"]
@@ -339,25 +339,25 @@ class Volumes(VerifyTest):
                          status=1)
         self.assertEqual((facts["rapid_cuts"], facts["deepest_of_rapid_cuts_mm"]), (1, 1))
         self.assertAlmostEqual(facts["contact_width_bound_mm"], 0.5 * math.sqrt(2) / 9, delta=1e-12)
-        # Whatever stays above the block cannot cut.
+        # A rapid above the block cannot cut.
         self.assertEqual(self.cut("--cutter", "ball:10", *BLOCK)["contact_width_bound_mm"], 0)
 
     def test_engagement_of_half_a_slot(self):
         self.cut("--cutter", "flat:10", "--stock", "-10,0,-10,10,10,0", "--resolution", "0.25", "--engagement")
         rows = [row for row in self.rows("out/engagement.csv") if row["latitude_deg"] == "90"]
         self.assertTrue(rows)
-        for row in rows:  # left of the feed only, which is along x
+        for row in rows:  # only the left side of the feed along x is engaged
             self.assertAlmostEqual(float(row["from_deg"]), 0, delta=3)
             self.assertAlmostEqual(float(row["to_deg"]), 90, delta=3)
 
-    def test_a_path_above_its_own_block_is_told_of_stock(self):
+    def test_path_above_its_block_gets_a_hint_about_stock(self):
         done = endmill("verify", self.file(THROUGH, "p.csv"), "--cutter", "ball:10", cwd=self.folder)
         self.assertEqual(done.returncode, 0)
         self.assertIn("--stock sets where the material is", done.stdout)
 
 
 class Origins(VerifyTest):
-    def test_a_path_of_any_origin_gets_the_same_verdict_and_volume(self):
+    def test_paths_of_every_format_get_the_same_verdict_and_volume(self):
         path = self.planned("--mode", "verified", "--feed", "400")
         self.summary("post", path, "-o", "gcode")
         self.summary("post", path, "--format", "apt", "-o", "apt")
@@ -379,12 +379,12 @@ class Origins(VerifyTest):
                 self.assertAlmostEqual(facts[key], found[0][key], delta=1e-4 * max(1, found[0][key]))
         self.assertIn("no column move: every move is assumed to be a cut", found[3]["remarks"])
 
-    def test_apt_brings_its_cutter(self):
+    def test_apt_cl_data_names_the_cutter(self):
         self.summary("post", self.planned("--mode", "verified"), "--format", "apt", "--feed", "1", "-o", "apt")
         facts = self.verify("apt/toolpath.apt", "--part", "surface.json", "--scallop", "0.25", "--resolution", "1")
         self.assertEqual(facts["cutter"], "ball:10")
 
-    def test_same_bytes_with_any_number_of_threads(self):
+    def test_files_do_not_depend_on_the_number_of_threads(self):
         self.summary("plan", SURFACES / "net_rot24_7D.json", "--mode", "paper", "--direction", "v", "-o", "plan", status=1)
         found = set()
         for threads in (1, 2, 3, 8):
@@ -397,7 +397,7 @@ class Origins(VerifyTest):
                          ["deviation.svg", "deviation.vtp", "engagement.csv", "histogram.csv", "removal.csv",
                           "rest.stl", "stock.vti", "summary.json"])
 
-    def test_files_are_well_formed_and_a_second_run_replaces_them(self):
+    def test_files_are_well_formed_and_replaced_by_a_second_run(self):
         path = self.planned()
         facts = self.verify(path, "--resolution", "1", "--write-stock", "--write-mesh", "--engagement")
         ElementTree.parse(self.folder / "out/deviation.svg")
@@ -410,7 +410,7 @@ class Origins(VerifyTest):
         self.assertEqual(sorted(file.name for file in (self.folder / "out").iterdir()),
                          ["deviation.svg", "deviation.vtp", "histogram.csv", "removal.csv", "summary.json"])
 
-    def test_the_path_beside_its_results_stays(self):
+    def test_path_in_the_output_folder_is_kept(self):
         path = self.planned()
         before = path.read_bytes()
         done = endmill("verify", path, "--resolution", "1", "-o", self.folder / "plan", "--force", cwd=self.folder)
@@ -426,7 +426,7 @@ class BadInput(VerifyTest):
         self.assert_nothing_left(*kept)
         path.unlink()
 
-    def test_files(self):
+    def test_bad_files_are_refused(self):
         self.refuse(3, 'p.csv:3: tip_y_mm is "NaN"', content=COLUMNS + "0,0,0\n1,NaN,2\n")
         self.refuse(3, "p.ngc:3: cutter compensation G41", content="G21 G90\nG1 X0 Y0 Z1 F100\nG41 X3\n", name="p.ngc")
         self.refuse(3, "p.ngc:2", "rs274 -g", content="G21\n#1=5\n", name="p.ngc")
@@ -437,7 +437,7 @@ class BadInput(VerifyTest):
         self.refuse(3, "p.csv.vti", options=("--cutter", "ball:10", "--stock", self.file("x", "p.csv.vti")))
         self.assert_refused(endmill("verify", self.folder / "none.ngc", "--cutter", "ball:10"), 3, "No such file")
 
-    def test_cutter(self):
+    def test_missing_or_wrong_cutter_is_refused(self):
         self.refuse(2, "names the cutter; expected --cutter or --tool", options=())
         self.refuse(2, "--cutter ball:8: the tool file says ball:10", options=("--cutter", "ball:8", "--tool", HOLDER))
         self.refuse(2, "--programmed-point centre: expected --cutter", options=("--programmed-point", "centre"),
@@ -446,7 +446,7 @@ class BadInput(VerifyTest):
                     options=("--cutter", "ball:10", "--programmed-point", "centre"))
         self.refuse(2, "--cutter", options=("--cutter", "ball"))
 
-    def test_command_line(self):
+    def test_wrong_command_lines_are_refused(self):
         for option in ("--resolution", "--tolerance", "--scallop", "--arc-tolerance"):
             for number in ("0", "-1", "nan", "inf", "1,5"):
                 self.refuse(2, f'{option}: found "{number}"; expected a number above 0',
@@ -456,7 +456,7 @@ class BadInput(VerifyTest):
                         options=("--cutter", "ball:10", "--stock", stock))
         self.refuse(2, "--max-refine", options=("--cutter", "ball:10", "--max-refine", "21"))
 
-    def test_a_nick_in_the_part_is_no_idle_path_at_any_resolution(self):
+    def test_nick_in_the_part_is_judged_at_any_resolution(self):
         path = self.file(COLUMNS + "-3.4,-10,-0.5\n-3.4,-3.5,-0.5\n-10,-3.5,-0.5\n", "nick.csv")
         part = ("--part", self.file(plane()), "--cutter", "flat:10")
         for resolution, refine, verdict in ((5, 0, "undecided"), (5, 8, "gouged"), (1, 8, "gouged")):
@@ -469,7 +469,7 @@ class BadInput(VerifyTest):
             self.assertEqual("gouge" in done.stdout and "the verdict is settled" in done.stdout, True)
         shutil.rmtree(self.folder / "out")
 
-    def test_a_path_beside_the_part(self):
+    def test_path_that_misses_the_part_is_refused_with_the_gap(self):
         part = ("--part", self.file(plane()), "--cutter", "ball:10", "--resolution", "1")
         for content, truth in ((COLUMNS + "-30,200,-1\n30,200,-1\n", math.hypot(170, 4) - 5),
                                (COLUMNS + "0,0,9\n60,0,9\n", 9)):
@@ -479,12 +479,12 @@ class BadInput(VerifyTest):
             gap = float(done.stderr.split("at least ")[1].split(" mm")[0])
             self.assertTrue(truth - 2 <= gap <= truth, gap)
 
-    def test_turning_axis(self):
+    def test_varying_tool_axis_is_refused(self):
         rows = "axis_x,axis_y,axis_z," + COLUMNS + "0,0,1,0,0,0\n0,0.6,0.8,1,0,0\n"
         self.refuse(4, "p.csv: ", "the axis", "+z", content=rows,
                     options=("--cutter", "ball:10", "--part", self.file(plane())))
 
-    def test_too_fine_a_resolution_names_one_that_fits(self):
+    def test_too_fine_resolution_is_refused_with_one_that_fits(self):
         part = ("--part", self.file(plane()))
         block = ("--stock", "0,0,0,100,100,10")
         path = self.file(passes(range(31)), "p.csv")
@@ -496,7 +496,7 @@ class BadInput(VerifyTest):
             done = endmill("verify", path, *options, "--resolution", fitting, "-o", "out", "--force", cwd=self.folder)
             self.assertIn(done.returncode, (0, 1), done.stderr)
 
-    def test_what_is_written_of_the_stock_counts_too(self):
+    def test_memory_limit_includes_the_written_stock(self):
         self.file(THROUGH, "p.csv")
         cut = ("p.csv", "--cutter", "ball:10", "--stock", "0,0,0,100,100,10", "--max-memory", "0.005",
                "--resolution")
@@ -510,7 +510,7 @@ class BadInput(VerifyTest):
             done = endmill("verify", *cut, fitting, option, "-o", option, cwd=self.folder)
             self.assertEqual(done.returncode, 0, done.stderr)
 
-    def test_output(self):
+    def test_output_errors_are_reported(self):
         path = self.file(THROUGH, "p.csv")
         self.assert_refused(endmill("verify", path, "--cutter", "ball:10", "-o", self.folder), 2, "not empty")
         self.assert_refused(endmill("verify", path, "--cutter", "ball:10", "-o", path), 2, "p.csv is a file")
