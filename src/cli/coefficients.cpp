@@ -182,7 +182,8 @@ void add_coefficients_command(CLI::App& program, Action& action)
     const auto options = std::make_shared<CoefficientsOptions>();
     add_coefficients_options(*command, *options);
     command->footer(
-        "I1 to I8 are means over one turn of one tooth, in ball radii. --flutes and\n"
+        "I1 to I8 are means of one tooth over a spindle revolution, in ball radii. "
+        "--flutes and\n"
         "--helix-deg add peak_factor, the ratio of largest to mean torque. --material,\n"
         "--feed-per-tooth, --cutter and --flutes add the mean forces on the work: x "
         "along\n"

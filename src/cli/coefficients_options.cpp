@@ -40,8 +40,8 @@ void add_geometry(CLI::App& command, CoefficientsOptions& options)
         ->required();
     add_choice<PreviousPass>(
         command, "--previous", options.previous, previous_passes,
-        "earlier cut: a pass beside, none, or the whole of one side (default "
-        "pass)");
+        "earlier cut. pass (default): a parallel pass beside this one; none: a full "
+        "slot; edge: the ball runs along the edge of the block");
 }
 
 void add_forces(CLI::App& command, CoefficientsOptions& options)
@@ -66,8 +66,9 @@ void add_forces(CLI::App& command, CoefficientsOptions& options)
             },
             "ball:DIAMETER in mm, for the forces")
         ->type_name("CUTTER");
-    add_choice<Milling>(command, "--milling", options.milling, milling_words,
-                        "side of the stock: right (down, default) or left (up)");
+    add_choice<Milling>(
+        command, "--milling", options.milling, milling_words,
+        "side of the feed on which the stock lies: right (down, default) or left (up)");
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ void require_answerable(const FeedInput& input, const FeedCommandOptions& option
                           "or a tool file with helix_deg"};
     if (!has_factor && options.coefficients == CoefficientSource::Table)
         throw DomainError{"--coefficients table: expected --peak constant:R; " + peak +
-                          " asks for the loads of every turn, not their mean"};
+                          " needs the loads within a spindle revolution, not their mean"};
     if (options.engagement == EngagementChoice::Stock &&
         options.coefficients == CoefficientSource::Table)
         throw DomainError{

@@ -54,18 +54,19 @@ void add_engagement_options(CLI::App& command, FeedCommandOptions& options)
     add_choice<EngagementChoice>(command, "--engagement", options.engagement,
                                  engagement_choices,
                                  "source of the engagement (default auto: the contact "
-                                 "where it is known, else the passes)");
-    add_choice<PreviousPass>(
-        command, "--first-pass", options.first_pass, first_passes,
-        "cut of a pass without a pass beside it: full slot, or along an edge (default "
-        "slot)");
+                                 "where it is known, otherwise the passes)");
+    add_choice<PreviousPass>(command, "--first-pass", options.first_pass, first_passes,
+                             "engagement of a pass that has no earlier neighbour: full "
+                             "slot, or along the edge of the block (default slot)");
     command
-        .add_option("--part", options.part.path,
-                    "surface that the path was planned for: contacts and curvature")
+        .add_option(
+            "--part", options.part.path,
+            "surface that the path was planned for; it gives contacts and curvature")
         ->type_name("FILE");
     add_mesh_options(command, options.part);
     add_number(command,
-               {"--contact-tolerance", "MM", "largest gap between ball and contact"},
+               {"--contact-tolerance", "MM",
+                "largest gap between the ball and the part at a contact"},
                options.contact_tolerance);
     add_number(command,
                {"--stock-top", "Z",
@@ -74,22 +75,25 @@ void add_engagement_options(CLI::App& command, FeedCommandOptions& options)
                 NumberDomain::any()},
                options.stock_top);
     command.add_option("--stock", options.stock, stock_help)->type_name("STOCK");
-    add_number(command, {"--resolution", "MM", "pitch of the stock (--engagement stock)"},
+    add_number(command,
+               {"--resolution", "MM", "cell size of the stock (--engagement stock)"},
                options.resolution);
 }
 
 void add_model_options(CLI::App& command, FeedCommandOptions& options)
 {
     add_choice<FeedMode>(command, "--mode", options.mode, feed_modes,
-                         "rules of the plan (default paper); planned also follows the "
-                         "machine's acceleration");
+                         "rules of the plan (default paper); planned: as corrected, with "
+                         "the acceleration limit of the machine");
     add_chip_option(command, options.chip);
     command
         .add_option_function<std::string>(
             "--peak",
             [&options](const std::string& word) { options.peak = peak_argument(word); },
-            "ratio of largest to mean load: constant:R, torque or direct (default "
-            "constant:1.8; --mode corrected, planned: direct)")
+            "rule for the peak load in a spindle revolution. constant:R: R times the "
+            "mean; torque: the mean times the peak factor of the chip torque; direct: "
+            "computed for each load (default constant:1.8; --mode corrected, planned: "
+            "direct)")
         ->type_name("RULE");
     add_number(command,
                {"--accuracy", "EPS", "largest error of a cutting action coefficient",
@@ -97,7 +101,8 @@ void add_model_options(CLI::App& command, FeedCommandOptions& options)
                options.accuracy);
     add_choice<CoefficientSource>(
         command, "--coefficients", options.coefficients, coefficient_sources,
-        "computed (default), or from a table with errors up to " + to_text(table_error));
+        "direct (default): compute; table: interpolate, error up to " +
+            to_text(table_error));
     add_number(command,
                {"--min-feed-per-tooth", "MM",
                 "smallest feed per tooth (default: the material's, or 0.005)"},
@@ -119,10 +124,13 @@ void add_model_options(CLI::App& command, FeedCommandOptions& options)
 void add_time_options(CLI::App& command, FeedCommandOptions& options)
 {
     CLI::Option* const rapid = add_number(
-        command, {"--rapid-mm-per-min", "F", "speed of rapids, for the total time"},
+        command,
+        {"--rapid-mm-per-min", "F",
+         "speed of rapids, from which the time of all non-cutting moves is computed"},
         options.rapid_mm_per_min);
     add_number(command,
-               {"--noncut-min", "MIN", "time of all other moves, for the total time",
+               {"--noncut-min", "MIN",
+                "given time of all non-cutting moves, in place of --rapid-mm-per-min",
                 NumberDomain::from_zero()},
                options.noncut_min)
         ->excludes(rapid);

@@ -60,9 +60,8 @@ inline const NumberDomain accuracy_domain = NumberDomain::from_to(1e-12, 1e-3);
 
 /// Help text of --helix-deg.
 inline constexpr const char* helix_help =
-    "angle of the flutes against the axis; in down milling the model's positive helix is "
-    "a "
-    "left-hand cutter under M03, a right-hand one has the negative angle";
+    "helix angle. Up milling: positive = right-hand. Down milling: positive = left-hand "
+    "under M03, so give a right-hand cutter a negative angle";
 
 /// Largest number of flutes. No end mill has more, and larger sums would take long.
 inline constexpr int most_flutes = 100;

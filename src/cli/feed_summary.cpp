@@ -198,8 +198,8 @@ std::string feed_text(const Json& s)
     text += "  speed limits  " + shares_text(s["speed_limits"]) + " of the length\n";
     if (s["mode"] == "paper")
         text +=
-            "  better mode   --mode corrected uses the exact chip and the load of every "
-            "turn\n";
+            "  better mode   --mode corrected uses the exact chip and the loads within a "
+            "spindle revolution\n";
     return text;
 }
 

@@ -46,20 +46,28 @@ constexpr std::array paper_options{"--governing",      "--last-path", "--end-poi
 
 void add_paper_options(CLI::App& command, IsoParametricOptions& planning)
 {
-    add_choice<Governing>(command, "--governing", planning.governing, governing,
-                          "point of a pass that sets the interval to the next pass");
-    add_choice<LastPath>(command, "--last-path", planning.last_path, last_path,
-                         "last pass, where the next one would lie beyond the border");
+    add_choice<Governing>(
+        command, "--governing", planning.governing, governing,
+        "path interval that places the next pass: the smallest at the points of a pass "
+        "(min), also between them (dense-min), the mean, the first or the largest (max)");
+    add_choice<LastPath>(
+        command, "--last-path", planning.last_path, last_path,
+        "if the next pass would lie beyond the border. border: add a pass on the border; "
+        "none: add no pass; half: add one if half an interval remains");
     add_choice<EndPoint>(command, "--end-point", planning.end_point, end_point,
-                         "end of a pass: a point on the border, or the last full step");
-    add_choice<StepCurvature>(command, "--step-curvature", planning.step_curvature,
-                              step_curvature,
-                              "curvature for the step length: of the curve, or normal");
+                         "end of a pass. force: add a point on the border; free: stop at "
+                         "the last full step");
+    add_choice<StepCurvature>(
+        command, "--step-curvature", planning.step_curvature, step_curvature,
+        "curvature that sets the step length. curve: of the pass as a space curve; "
+        "normal: normal curvature of the surface");
     add_choice<March>(command, "--march", planning.march, march,
-                      "start of the steps: the same end, or the far end of every other "
-                      "pass");
+                      "forward: compute all passes from the same end; alternate: every "
+                      "second one from the other end");
     add_choice<CrossCurvature>(command, "--cross-curvature", planning.cross_curvature,
-                               cross, "curvature across the feed: exact, or by eq. (8)");
+                               cross,
+                               "curvature across the feed. exact: from the second "
+                               "fundamental form; chord: by eq. (8)");
     add_number(command,
                {"--cross-step", "MM", "step of eq. (8) (--cross-curvature chord)",
                 NumberDomain::of_machine()},
@@ -73,18 +81,20 @@ void add_path_policies(CLI::App& command, PlanOptions& options)
 {
     IsoParametricOptions& planning = options.planning;
     add_choice<bool>(command, "--stop-at-borders", planning.stop_at_borders, no_first,
-                     "put a point on every patch border");
-    add_choice<PassOrder>(command, "--order", planning.link.order, order,
-                          "direction of neighbouring passes: opposite, or the same");
+                     "add a point wherever a pass crosses a patch border");
+    add_choice<PassOrder>(
+        command, "--order", planning.link.order, order,
+        "cutting direction of neighbouring passes. zigzag: opposite; one-way: the same");
     add_number(command,
                {"--safe-height", "MM",
-                "height of free moves along the axis (default 5 above the part)",
+                "height of rapids along the axis (default 5 above the part)",
                 NumberDomain::any()},
                options.safe_height);
     add_choice<bool>(command, "--count-links", options.count_links, yes_first,
-                     "count links in tcd_mm and tcd_cl_mm");
+                     "include the links between passes in tcd_mm and tcd_cl_mm");
     add_choice<TravelKind>(command, "--distance", options.distance, distance,
-                           "travel that --feed and the comparison of directions use");
+                           "length used for the machining time and for comparing u and "
+                           "v. contact: of contact points; cl: of cutter locations");
     for (const char* name :
          {"--stop-at-borders", "--order", "--safe-height", "--count-links", "--distance"})
         command.get_option(name)->group("Policies (default: the first word)");
@@ -95,7 +105,8 @@ void add_tolerances(CLI::App& command, PlanOptions& options)
     const NumberDomain length = NumberDomain::of_machine();
     add_number(command,
                {"--chord-tolerance", "MM",
-                "largest deviation of a move (default 0.01; --mode paper: diameter / 30)",
+                "largest gouge and remaining stock of a move (default 0.01; --mode "
+                "paper: largest chord error, default diameter / 30)",
                 length},
                options.chord_tolerance);
     add_number(
@@ -110,7 +121,7 @@ void add_tolerances(CLI::App& command, PlanOptions& options)
     add_number(
         command,
         {"--outer-tolerance", "MM",
-         "largest remaining height along a pass (default: the chord tolerance)", length},
+         "largest remaining stock along a pass (default: the chord tolerance)", length},
         options.outer_tolerance);
 }
 
@@ -132,10 +143,9 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_tolerances(command, options);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
                               "parameter along which the passes run (default both)");
-    add_choice<PlanMode>(
-        command, "--mode", options.mode, modes,
-        "verified (default): every move within tolerance, with proof; paper: as "
-        "published, without its misprints");
+    add_choice<PlanMode>(command, "--mode", options.mode, modes,
+                         "verified (default): every move is proved to be within "
+                         "tolerance; paper: as published, with misprints corrected");
     add_number(command,
                {"--feed", "MM_PER_MIN", "feed for the machining time in the summary",
                 NumberDomain::of_machine()},

@@ -19,8 +19,8 @@ void add_program_options(CLI::App& command, PostOptions& options)
 {
     add_number(command,
                {"--safe-height", "MM",
-                "G-code: height of free moves (default 5 above all moves at feed, not "
-                "below a rapid)",
+                "G-code: height of rapids (default 5 above all moves at feed, but not "
+                "below a rapid of the path)",
                 NumberDomain::any()},
                options.safe_height);
     add_whole_number(
@@ -56,7 +56,7 @@ void add_post_options(CLI::App& command, PostOptions& options)
     add_number(
         command,
         {"--feed", "MM_PER_MIN",
-         "feed of all moves but rapids (default: the path's own, or its summary's)",
+         "feed of all moves except rapids (default: the path's own, or its summary's)",
          NumberDomain::of_machine()},
         options.feed_mm_per_min);
     add_number(command,

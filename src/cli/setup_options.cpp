@@ -41,7 +41,7 @@ void add_setup_part(CLI::App& command, SetupCommandOptions& options)
                options.chord_tolerance);
     command
         .add_option("--points", options.points,
-                    "directions to reach at the pole +z, in place of PART (CSV: "
+                    "directions to reach, in place of PART; the tool axis is +z (CSV: "
                     "azimuth_deg, polar_deg)")
         ->type_name("FILE");
 }
@@ -49,11 +49,10 @@ void add_setup_part(CLI::App& command, SetupCommandOptions& options)
 void add_setup_machine(CLI::App& command, SetupCommandOptions& options)
 {
     command
-        .add_option(
-            "--machine", options.machine,
-            "axes from workpiece to tool with B the bed, such as W/caxyBz/T; a "
-            "file (endmill-machine/1); a folder of such files to try; or all, the "
-            "machines of endmill")
+        .add_option("--machine", options.machine,
+                    "axes from workpiece to tool with B the bed, such as W/caxyBz/T; a "
+                    "file (endmill-machine/1); a folder of machine files; or all: every "
+                    "machine supplied with endmill")
         ->type_name("MACHINE");
     add_choice<RotaryFamily>(
         command, "--family", options.family, rotary_families,
@@ -82,21 +81,22 @@ void add_setup_visibility(CLI::App& command, SetupCommandOptions& options)
             ->type_name("GRID");
     CLI::Option* kind = add_choice<VisibilityKind>(
         command, "--visibility", options.visibility, visibility_kinds,
-        "obstacles: all facets, or the facet's own back side alone (default global)");
-    CLI::Option* incidence =
-        add_number(command,
-                   {"--incidence-deg", "DEG",
-                    "open upper limit of the angle between tool axis and normal",
-                    NumberDomain::above_zero_to(90)},
-                   options.incidence_deg);
+        "global (default): other facets can hide a facet; local: only its own normal "
+        "counts");
+    CLI::Option* incidence = add_number(
+        command,
+        {"--incidence-deg", "DEG",
+         "upper limit (excluded) of the angle between tool axis and facet normal",
+         NumberDomain::above_zero_to(90)},
+        options.incidence_deg);
     command
         .add_option("--tool", options.tool,
                     "tool file: its shank and holder must stay clear of the part")
         ->type_name("FILE");
     command
         .add_option("--from-visibility", options.from_visibility,
-                    "visibility.bsm of an earlier run for this part, in place of casting "
-                    "rays")
+                    "visibility.bsm of an earlier run of this part, in place of a new "
+                    "computation")
         ->type_name("FILE")
         ->excludes(sphere)
         ->excludes(kind)
@@ -112,14 +112,16 @@ void add_setup_search(CLI::App& command, SetupCommandOptions& options)
     add_choice<SetupMode>(
         command, "--mode", options.mode, setup_modes,
         "paper (default): as published, misprints corrected; paper-literal: as printed; "
-        "corrected: exact for the nearest cells; set: over whole cones, with a lower "
+        "corrected: exact if each cone is represented by its cell nearest to the tool "
+        "axis; set: minimise --objective over all cells of each cone, with a lower "
         "bound");
     add_choice<SetupObjective>(command, "--objective", options.objective,
                                setup_objectives,
                                "quantity to minimise (default floored-area; --mode set "
                                "only)");
     add_number(command,
-               {"--floor-deg", "DEG", "angle added to both ranges in the floored area",
+               {"--floor-deg", "DEG",
+                "f in the floored area (w + f)(h + f) of the two rotary ranges w and h",
                 NumberDomain::from_to(1e-6, 360)},
                options.floor_deg);
     add_number(command,
@@ -129,20 +131,21 @@ void add_setup_search(CLI::App& command, SetupCommandOptions& options)
                options.gap);
     add_whole_number(command,
                      {"--max-nodes",
-                      "largest number of nodes to search (default 200000; --mode set "
-                      "only)",
+                      "largest number of search nodes (default 200000; --mode set only)",
                       1, 100'000'000},
                      [&options](int nodes) { options.max_nodes = nodes; })
         ->type_name("N");
     add_whole_number(
         command,
         {"--max-setups",
-         "most setups to combine until every facet is reachable (default 1)", 1, 1000},
+         "largest number of setups to combine until every facet is reachable (default 1)",
+         1, 1000},
         [&options](int setups) { options.max_setups = setups; })
         ->type_name("N");
     add_number(command,
                {"--arc-tolerance-deg", "DEG",
-                "largest angle from a cell to the arc of a 4-axis machine",
+                "4-axis machine: a cell counts as reached within this angle of the arc "
+                "of tool directions",
                 NumberDomain::from_to(0, 45)},
                options.arc_tolerance_deg);
 }

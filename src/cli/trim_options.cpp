@@ -66,25 +66,28 @@ void add_method_options(CLI::App& command, TrimOptions& options)
     add_choice<TrimMode>(command, "--mode", options.mode, modes,
                          "corrected (default), or paper: defaults --method 3 --detection "
                          "literal --boundary none");
-    add_choice<FoldDetection>(command, "--detection", options.detection, detections,
-                              "fold detection of methods 1, 2 and 3 (default guarded)");
+    add_choice<FoldDetection>(
+        command, "--detection", options.detection, detections,
+        "how methods 1, 2 and 3 find folds: by the signs of dz as printed (literal), or "
+        "by corrected rules (guarded, default)");
     add_number(command,
                {"--m1-step", "MM",
-                "distance of the scan lines of method 1 (default radius / 500; curves: "
-                "height / 1000)",
+                "distance of the scan lines of method 1 (default radius / 500; "
+                "--polyline: height of the curves / 1000)",
                 NumberDomain::of_machine()},
                options.scan_step);
     add_number(command,
                {"--m1-threshold", "MM",
-                "distance at which method 1 takes two points for a crossing (default 4 "
-                "steps)",
+                "two points closer than this count as a self-intersection (method 1; "
+                "default 4 steps)",
                 NumberDomain::of_machine()},
                options.scan_threshold);
     add_choice<BranchSearch>(
         command, "--m3", options.search, searches,
-        "search of methods 3 and 3r for the crossing of two branches (default march)");
-    command.add_flag("--explain", options.explain,
-                     "add the column rule to loops.csv: why each piece was removed");
+        "how methods 3 and 3r search for the crossing of two branches (default march)");
+    command.add_flag(
+        "--explain", options.explain,
+        "add a column to loops.csv: the rule by which each piece was removed");
 }
 
 void add_plane_options(CLI::App& command, TrimOptions& options)
@@ -92,31 +95,32 @@ void add_plane_options(CLI::App& command, TrimOptions& options)
     add_whole_number(command,
                      {"--planes", "number of drive planes (default 100)", 1, most_planes},
                      [&options](int count) { options.planes = count; });
-    add_number(command,
-               {"--pitch", "MM", "largest distance of the drive planes, for --planes",
-                NumberDomain::of_machine()},
-               options.pitch);
+    add_number(
+        command,
+        {"--pitch", "MM", "largest distance of the drive planes, in place of --planes",
+         NumberDomain::of_machine()},
+        options.pitch);
     add_number(command,
                {"--scallop", "MM",
-                "largest scallop height on level ground, for --planes (ball, bull-nose)",
+                "largest scallop height on a horizontal surface, in place of --planes "
+                "(ball, bull-nose)",
                 NumberDomain::of_machine()},
                options.scallop);
     add_number(command,
                {"--direction-deg", "DEG", "feed direction, from +x in the xy plane",
                 NumberDomain::any()},
                options.direction_deg);
-    add_whole_number(
-        command,
-        {"--grid",
-         "samples along each parameter; of a mesh, along each plane (default "
-         "200)",
-         2, most_grid},
-        [&options](int count) { options.grid = count; });
+    add_whole_number(command,
+                     {"--grid",
+                      "samples along each parameter of a surface; for a mesh, along each "
+                      "drive plane (default 200)",
+                      2, most_grid},
+                     [&options](int count) { options.grid = count; });
     add_choice<BoundaryContact>(
         command, "--boundary", options.boundary, boundaries,
-        "contacts on borders, corners and creases (default contact)");
+        "whether borders, corners and creases count as contacts (default contact: yes)");
     add_number(command,
-               {"--allowance", "MM", "stock to leave",
+               {"--allowance", "MM", "thickness of the stock to leave on the part",
                 NumberDomain::from_to(0, most_of_machine)},
                options.allowance);
     command.add_flag("--refine", options.refine,
@@ -143,11 +147,11 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
         ->type_name("CUTTER");
     add_plane_options(command, options);
     add_method_options(command, options);
-    add_choice<PassOrder>(
-        command, "--order", options.order, orders,
-        "direction of neighbouring planes: opposite, or the same (default zigzag)");
+    add_choice<PassOrder>(command, "--order", options.order, orders,
+                          "cutting direction in neighbouring planes. zigzag (default): "
+                          "opposite; one-way: the same");
     add_number(command,
-               {"--safe-height", "MM", "height of free moves (default 5 above the part)",
+               {"--safe-height", "MM", "height of rapids (default 5 above the part)",
                 NumberDomain::any()},
                options.safe_height);
     add_number(command,
@@ -212,9 +216,9 @@ void check_trim_options(const TrimOptions& options)
                            int{options.scallop.has_value()} <
                        2,
                    "--planes, --pitch and --scallop: expected one of them");
-    require_option(
-        !options.scallop || !options.cutter || !options.cutter->is_flat(),
-        "--scallop: a flat cutter leaves no scallop on level ground; expected --pitch");
+    require_option(!options.scallop || !options.cutter || !options.cutter->is_flat(),
+                   "--scallop: a flat cutter leaves no scallop on a horizontal surface; "
+                   "expected --pitch");
     refuse_idle_method_options(options, method);
     if (has_curves && method != all_methods)
         refuse_idle_options(options.common, std::array{"--tolerance"},

@@ -53,12 +53,16 @@ ExitCode run_verify(const VerifyOptions& options)
 void add_verify_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "verify", "simulate the cut and bound gouge and remaining material");
+        "verify", "simulate the cut and bound gouge and remaining stock");
     const auto options = std::make_shared<VerifyOptions>();
     add_verify_options(*command, *options);
     command->footer(
-        "Exit 0: the path is clean. Exit 1: it gouges, leaves too much material, stays\n"
-        "undecided, or there is no part to judge by.\n\n"
+        "Exit 0: the verdict is clean. Exit 1: the path gouges the part or leaves too "
+        "much\n"
+        "stock, a rapid cuts, shank or holder touches stock or part, or the error bound "
+        "is\n"
+        "too large to decide. Without a part only rapids, shank and holder are "
+        "judged.\n\n"
         "Writes summary.json, removal.csv and, with a part, deviation.vtp, "
         "deviation.svg\n"
         "and histogram.csv to --output (default ./NAME-verify; NAME of\n"

@@ -72,11 +72,12 @@ void add_part(VerifyInput& input, const VerifyOptions& options, const PathSummar
         const auto& [file, units, up] = *known.part;
         std::error_code ignored;
         if (!std::filesystem::exists(file, ignored))
-            throw FormatError{"E_OPEN",
-                              {options.path.file, "",
-                               "the part that its summary names, " + shown_path(file) +
-                                   ", is not there",
-                               "it, or --part FILE, or --part none to judge by no part"}};
+            throw FormatError{
+                "E_OPEN",
+                {options.path.file, "",
+                 "the part that its summary names, " + shown_path(file) +
+                     ", is not there",
+                 "it, or --part FILE, or --part none to compare with no part"}};
         part = {file.lexically_normal().string(), units, up};
     }
     if (part.path.empty())

@@ -15,9 +15,11 @@ constexpr int most_refine = 20;
 void add_measure_options(CLI::App& command, VerifyOptions& options)
 {
     const NumberDomain length = NumberDomain::of_machine();
-    add_number(command,
-               {"--resolution", "MM", "pitch of the stock and of the first rays", length},
-               options.resolution);
+    add_number(
+        command,
+        {"--resolution", "MM",
+         "cell size of the stock and distance of the initial measuring rays", length},
+        options.resolution);
     add_number(
         command,
         {"--tolerance", "MM",
@@ -25,13 +27,14 @@ void add_measure_options(CLI::App& command, VerifyOptions& options)
         options.tolerance);
     add_number(command,
                {"--scallop", "MM",
-                "largest remaining height (default: the path's scallop height and outer "
-                "tolerance, or 0.1)",
+                "largest remaining stock (default: the path's scallop height plus its "
+                "outer tolerance, or 0.1)",
                 length},
                options.scallop);
     add_whole_number(
         command,
-        {"--max-refine", "most halvings of a cell that is in doubt (default 8)", 0,
+        {"--max-refine",
+         "how often a cell may be halved while the verdict is undecided (default 8)", 0,
          most_refine},
         [&options](int halvings) { options.max_refine = halvings; });
 }
@@ -43,13 +46,14 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
     add_path_options(command, options.path);
     command
         .add_option("--part", options.part.path,
-                    "surface or mesh to judge by, or none (default: the part that the "
-                    "path was planned for)")
+                    "surface or mesh to compare with, or the word none (default: the "
+                    "part that the path was planned for)")
         ->type_name("FILE");
     add_mesh_options(command, options.part);
     command
         .add_option("--tool", options.tool,
-                    "tool file: cutter, and a shank and holder that must stay clear")
+                    "tool file: the cutter, and the shank and holder, which must touch "
+                    "neither stock nor part")
         ->type_name("FILE");
     command.add_option("--stock", options.stock, stock_help)->type_name("STOCK");
     add_measure_options(command, options);
@@ -67,7 +71,7 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
 void refuse_options_without_part(const CommonOptions& options)
 {
     refuse_idle_options(options, std::array{"--tolerance", "--scallop", "--max-refine"},
-                        "no part", "--part, to judge by");
+                        "no part", "--part, to compare with");
 }
 
 void refuse_idle_mesh_options(const CommonOptions& options)

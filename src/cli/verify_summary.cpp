@@ -310,7 +310,7 @@ std::string verify_text(const Json& s, const Verification& verification)
     std::string text = fmt::format("{}: {}\n", s["name"].get<std::string>(),
                                    s["verdict"].get<std::string>());
     if (s["part"].is_null())
-        text += "  part        none to judge by; --part FILE names one\n";
+        text += "  part        none to compare with; --part FILE names one\n";
     else
         text += deviation_text(s);
     if (verification.earlier_gouge)

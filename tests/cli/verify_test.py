@@ -224,7 +224,7 @@ class Verdicts(VerifyTest):
         self.assert_refused(done, 3, "the part that its summary names, ", "--part FILE")
         self.assertFalse((self.folder / "out").exists())
         done = endmill("verify", path, "--part", "none", "--resolution", "1", "-o", "out", cwd=self.folder)
-        self.assertIn("none to judge by", done.stdout)
+        self.assertIn("none to compare with", done.stdout)
 
     def test_program_is_judged_by_the_part_of_its_path(self):
         path = self.planned("--mode", "verified")
