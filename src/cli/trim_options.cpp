@@ -72,14 +72,14 @@ void add_method_options(CLI::App& command, TrimOptions& options)
         "by corrected rules (guarded, default)");
     add_number(command,
                {"--m1-step", "MM",
-                "distance of the scan lines of method 1 (default radius / 500; "
+                "method 1: distance of the scan lines (default radius / 500; "
                 "--polyline: height of the curves / 1000)",
                 NumberDomain::of_machine()},
                options.scan_step);
     add_number(command,
                {"--m1-threshold", "MM",
-                "two points closer than this count as a self-intersection (method 1; "
-                "default 4 steps)",
+                "method 1: two points closer than this count as a self-intersection "
+                "(default 4 steps)",
                 NumberDomain::of_machine()},
                options.scan_threshold);
     add_choice<BranchSearch>(
