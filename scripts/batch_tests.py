@@ -2,27 +2,27 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Divides test files into batches that compile as one file each.
 
-Tests keep their helpers in unnamed namespaces, so that two files may use one name for two
-things. Such files must not share a batch. A file joins the first batch that has room, and
-in which no file mentions a helper of this file, nor this file a helper of the others.
+Tests keep their helpers in unnamed namespaces, so two files may use the same name for different
+things. Such files must not share a batch. A file joins the first batch with room in which no file
+mentions a helper of this file, and whose helpers this file does not mention.
 
 Example: scripts/batch_tests.py 8 tests/core/*_test.cpp
 
-Prints one batch a line: its files, separated by semicolons. CMake calls this script
+Prints one batch per line, as file names separated by semicolons. CMake calls this script
 (cmake/endmill_module.cmake).
 """
 import re
 import sys
 from pathlib import Path
 
-# What clang-format leaves in the first column is a declaration at namespace scope.
+# After clang-format, a declaration at namespace scope begins in the first column.
 ALIAS_OR_TYPE = re.compile(r"using\s+(\w+)\s*=|(?:struct|enum class|class|enum)\s+(\w+)")
 FUNCTION_OR_VARIABLE = re.compile(r"[A-Za-z_][\w:<>,&*\s]*?[\s&*](\w+)\s*(?:[(\[={;]|$)")
 NO_HELPER = re.compile(r"(?:using|namespace|template|TEST|TEST_F|TEST_P|INSTANTIATE\w*)\b")
 # A member or a qualified name is never a helper of another file.
 WORD = re.compile(r"(?<![\w.>:])[A-Za-z_]\w*|(?<=[^-]>)[A-Za-z_]\w*|(?<=[^:]:)[A-Za-z_]\w*")
 INTRODUCED = re.compile(r"^using\s+[\w:]+::(\w+);", re.MULTILINE)
-# A call with an argument of the namespace test finds the functions of that namespace too.
+# Argument-dependent lookup also finds the functions of the namespace test.
 SHARED = re.compile(r"\btest::(\w+)")
 TEXT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
 
@@ -46,7 +46,7 @@ def words(text):
 
 
 def batches(texts, size):
-    """Lists of names: the keys of `texts` (name -> text) in batches of at most `size`."""
+    """Divides the keys of `texts` (name -> text) into lists of at most `size` names."""
     made = []  # of [files, helpers, words]
     for name, text in texts.items():
         own, used = helpers(text), words(text)

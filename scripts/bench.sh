@@ -10,7 +10,7 @@ scripts/bench.sh [--runs N] [--no-install] [NAME ...]
 scripts/bench.sh --compare REVISION [--pairs N] [--no-install] [NAME ...]
 
 Builds the benchmarks of experiments/benchmarks (or those named), runs them one at a time and
-writes one CSV. Installs missing packages (Debian, root). Leave the machine alone meanwhile.
+writes one CSV. Installs missing packages (Debian, root). Do not use the machine meanwhile.
 
   without --compare   runs each benchmark N times and writes results/bench.csv: machine,
                       revision, and for each measured row median, spread, and the ratio to
@@ -41,7 +41,7 @@ for argument in "$@"; do
 done
 
 export PYTHONPATH=scripts
-# The command line is checked before anything is installed.
+# Check the command line before installing anything.
 /usr/bin/python3 -m benchmarking --check "${arguments[@]}"
 scripts/setup.sh "${setup_options[@]}" build benchmarks
 exec /usr/bin/python3 -m benchmarking "${arguments[@]}"

@@ -17,7 +17,7 @@ def sources(root):
 
 
 def would_change(files):
-    """The complaints of clang-format about `files`, empty if they are formatted."""
+    """The messages of clang-format about `files`, empty if they are formatted."""
     if not files:
         return ""
     command = ["clang-format", "--dry-run", "-Werror", *map(str, files)]
@@ -26,7 +26,7 @@ def would_change(files):
 
 
 def leftovers(root):
-    """Committed files that `patch` or a merge leaves behind; none outside a repository."""
+    """Committed leftovers of `patch` or a merge. Empty outside a repository."""
     command = ["git", "ls-files", "*.orig", "*.rej"]
     done = subprocess.run(command, cwd=root, capture_output=True, text=True, check=False)
     return done.stdout.splitlines()

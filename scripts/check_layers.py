@@ -1,18 +1,20 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails if the house is not as it is declared.
+"""Fails if the modules differ from their declaration, or a file lacks what every file must have.
 
-* An #include follows an arrow that src/CMakeLists.txt does not declare, or is relative.
-* A module other than job, figures and files uses files: whoever computes does not read files.
-* A folder under src/endmill is no declared module, or a declared module has no folder.
-* A module folder holds other folders than detail/.
-* A module shows more than 14 public headers, or all modules together more than 130.
+The script reports:
+
+* An #include uses a module that src/CMakeLists.txt does not declare for it, or is relative.
+* A module other than job, figures and files uses files. Modules that compute do not read files.
+* A folder under src/endmill is not a declared module, or a declared module has no folder.
+* A module folder has other folders than detail/.
+* A module has more than 14 public headers, or all modules together have more than 130.
 * The umbrella header of a module does not include exactly the module's public headers.
-* Units (a header with its source) include each other in a circle.
-* A header in src shows a library that is kept inside .cpp files.
-* A public header includes one of a detail/ folder, which is not installed.
+* Units (a header with its source) include each other in a cycle.
+* A header in src includes a library that only .cpp files may include.
+* A public header includes a header of a detail/ folder, which is not installed.
 * The program or an example includes a header of a detail/ folder.
-* A header has no test file of its name.
+* A header has no test file with its name.
 * A source, script or CMake file has no SPDX line, or one that says something is still to do.
 """
 import re
@@ -24,7 +26,7 @@ MODULE = re.compile(r"endmill_module\(([^)]*)\)")
 KEYWORDS = {"USES", "LIBRARIES", "PRIVATE_LIBRARIES", "OPTIONS", "TEST_LIBRARIES"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 KEPT_INSIDE = re.compile(r"^(CGAL|OpenMesh|boost|embree\d*|tbb|oneapi)/")
-MAY_USE_FILES = {"figures", "job"}  # and src/cli, which is no module
+MAY_USE_FILES = {"figures", "job"}  # and src/cli, which is not a module
 MOST_HEADERS_OF_A_MODULE = 14
 MOST_HEADERS = 130  # of all modules, umbrella headers included
 SPDX = "SPDX-License-Identifier:"
@@ -94,7 +96,7 @@ def check_headers(root, bad):
 
 
 def check_detail(root, bad):
-    """Headers of detail/ folders are for the library's sources, its tests and experiments."""
+    """Only the library's sources, its tests and experiments may include headers of detail/ folders."""
     for file, _, includes in sources(root, "src", "docs/examples"):
         is_public = file.parts[:2] == ("src", "endmill") and file.suffix == ".h" \
             and "detail" not in file.parts

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails if a `Source:` of a comment leads nowhere.
+"""Fails if a `Source:` of a comment has no valid target.
 
-A source is one of these, several may follow each other:
+A source has one of these forms, and several sources may follow each other:
 
 * `[Key, eq. (4)]`, `[Key, section 2.1]`, `[Key, fig. 3]`, `[Key, theorem 1]` and so on: Key is an entry of
-  paper/references.bib, and a number says where in it;
+  paper/references.bib, and the number gives the place in the work;
 * `docs/mathematics/removal.md, section 4` or `paper/notes/swept-cutter.md, section 2`: a file of the
   repository and a heading in it that begins with this number.
 
@@ -24,7 +24,7 @@ KEYED = re.compile(r"\[([A-Z][A-Za-z0-9]+)(?:,\s*([^\]]*))?\]")
 FILE = re.compile(r"\b((?:docs|paper|experiments|datasets)/[\w./-]+\.\w+)(?:,\s+sections?\s+([0-9][0-9.]*))?")
 ENTRY = re.compile(r"^@\w+\{([^,]+),", re.M)
 HEADING = re.compile(r"^#+\s+(?:section\s+)?([0-9]+(?:\.[0-9]+)*)\b", re.M | re.I)
-# A specifier of a format and a specialisation of a template are other words.
+# Words such as specifier and specialisation are allowed.
 SPEC = re.compile(r"\bspec\b|\bspecs\b|\bspecification\b|\bspec's\b", re.I)
 
 
@@ -46,7 +46,7 @@ def paragraphs(text):
 
 
 def faults(source, keys, root):
-    """What is wrong with the text after `Source:`."""
+    """The error in the text after `Source:`, if any."""
     keyed, files = KEYED.findall(source), FILE.findall(source)
     if not keyed and not files:
         yield "names neither a [Key, number] nor a file of the repository"

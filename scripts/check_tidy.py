@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails on any finding of clang-tidy in the files that changed (with --all: in all files).
 
-Changed is what differs from the merge base with origin/main, or from the commit
-before where that is the current commit; uncommitted and untracked files too.
-A header is checked through the .cpp of the same name, or else one that includes it.
+Changed files differ from the merge base with origin/main, or from the previous commit if the merge
+base is the current commit. They include uncommitted and untracked files. A header is checked through
+the .cpp file of the same name, or else through one that includes it.
 
 Example: scripts/check_tidy.py --all
 """
@@ -18,18 +18,18 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-BUILD = "build/release"  # its compile_commands.json says how each file is compiled
+BUILD = "build/release"  # the folder of compile_commands.json
 
 
 def git(root, *arguments):
-    """The lines that git prints, None if it fails."""
+    """The output lines of git, or None if it fails."""
     command = ["git", *arguments]
     done = subprocess.run(command, cwd=root, capture_output=True, text=True, check=False)
     return done.stdout.splitlines() if done.returncode == 0 else None
 
 
 def base(root):
-    """The commit to compare with, None if there is none before this."""
+    """The commit to compare with, or None for a first commit."""
     head = git(root, "rev-parse", "--verify", "--quiet", "HEAD")
     fork = git(root, "merge-base", "HEAD", "origin/main")
     if fork and fork != head:
@@ -39,7 +39,7 @@ def base(root):
 
 
 def changed(root):
-    """The changed files, None if there is nothing to compare with."""
+    """The changed files, or None without a commit to compare with."""
     commit = base(root)
     if commit is None:
         return None
@@ -49,7 +49,7 @@ def changed(root):
 
 
 def through(header, compiled):
-    """The .cpp in which to look at `header`: of the same name, else the first that includes it."""
+    """The .cpp file for checking `header`: the one of the same name, or else the first that includes it."""
     same_name = header.with_suffix(".cpp")
     if same_name in compiled:
         return [same_name]
@@ -62,7 +62,7 @@ def includes(file, header):
 
 
 def select(files, compiled):
-    """Those of the `compiled` .cpp through which all changed `files` are looked at."""
+    """The files of `compiled` that must be checked to cover all changed `files`."""
     chosen = {f for f in files if f in compiled}
     for header in (f for f in files if f.suffix == ".h"):
         chosen.update(through(header, compiled))
@@ -70,13 +70,13 @@ def select(files, compiled):
 
 
 def for_clang(command):
-    """A compile command of g++ as clang understands it."""
+    """A compile command of g++, converted for clang."""
     command = re.sub(r"-Winvalid-pch|-include \S+/cmake_pch\.hxx|-Wno-restrict|-Wno-stringop-overflow|-Wno-array-bounds", "", command)
     return command + " -Wno-unknown-warning-option"
 
 
 def each_alone(entry):
-    """A compile command for each file that `entry`'s file only gathers (a unity build)."""
+    """A compile command for each file that the file of `entry` includes (a unity build)."""
     gathered = Path(entry["directory"], entry["file"])
     if not gathered.name.startswith("unity_"):
         return [entry]
@@ -86,7 +86,7 @@ def each_alone(entry):
 
 
 def tidy(database, file):
-    """What clang-tidy finds in `file`, empty if nothing."""
+    """The findings of clang-tidy in `file`, empty without findings."""
     command = ["clang-tidy", "--quiet", "-p", str(database), str(file)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     found = done.stdout + (done.stderr if done.returncode else "")

@@ -9,13 +9,13 @@ usage() {
 scripts/docs.sh [--no-install]
 
 Builds the documentation with Doxygen: guide, experiments and API as one site, which opens
-offline from build/docs/html/index.html. The API is that of the installed headers. Installs
-missing packages (Debian, root). A warning is an error: a public item without a comment, a
-link that leads nowhere, a parameter that does not exist.
+offline from build/docs/html/index.html. The API covers the installed headers. Installs
+missing packages (Debian, root). Warnings are errors, such as a public item without a
+comment, a broken link or a parameter that does not exist.
 
   --no-install   installs nothing and checks that Doxygen and Graphviz are there
 
-Exit 0; 1 with warnings, which are then printed; 2 if the command line is wrong.
+Exit 0 without warnings; 1 with warnings, which it prints; 2 if the command line is wrong.
 Example: scripts/docs.sh
 HELP
 }

@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints a Markdown file of the repository as Doxygen understands it (docs/Doxyfile).
+"""Converts a Markdown file of the repository for Doxygen (docs/Doxyfile) and prints it.
 
 scripts/filter_markdown.py FILE
 
 * A page and its headings get labels; a link to another page, `[text](../conventions.md#units)`,
   leads to its label. A folder stands for its README.md.
-* A link to any other file of the repository, which is no part of the site, becomes its text.
-* An image is named without its folders, which Doxygen knows (IMAGE_PATH).
-* A link or an image that leads nowhere becomes a reference that Doxygen warns of.
+* A link to any other file of the repository becomes plain text, since the site lacks the file.
+* An image is named without its folders. Doxygen finds it by IMAGE_PATH.
+* A broken link or image becomes a reference for which Doxygen prints a warning.
 
 Example: scripts/filter_markdown.py docs/README.md
 """
@@ -25,12 +25,12 @@ FENCE = re.compile(r"\s*(```|~~~)")
 
 
 def label(path):
-    """The label of the page that a Markdown file becomes."""
+    """The label of the page of a Markdown file."""
     return "page_" + re.sub(r"\W", "_", str(path.with_suffix("")))
 
 
 def slug(heading):
-    """The anchor of a heading, by the rule of the usual hosts."""
+    """The anchor of a heading, by the rule of common hosting sites."""
     text = re.sub(r"[`*]|\[([^\]]*)\]\([^)]*\)", r"\1", heading)
     return re.sub(r"[^\w\- ]", "", text.lower()).replace(" ", "-")
 
@@ -41,7 +41,7 @@ def on_the_site(path):
 
 
 def link(root, file, text, target):
-    """A link of `file` as Doxygen shall see it."""
+    """A link of `file`, converted for Doxygen."""
     if re.match(r"[a-z]+:", target):
         return f"[{text}]({target})"
     name, _, anchor = target.partition("#")
@@ -58,7 +58,7 @@ def link(root, file, text, target):
 
 
 def image(root, file, text, target):
-    """An image of `file` as Doxygen shall see it."""
+    """An image of `file`, converted for Doxygen."""
     if re.match(r"[a-z]+:", target):
         return f"![{text}]({target})"
     if not (root / file.parent / target).exists():
@@ -67,7 +67,7 @@ def image(root, file, text, target):
 
 
 def filtered(root, file, text):
-    """The text of `file`, a path from the root, for Doxygen."""
+    """The converted text of `file`, a path below the root."""
     lines, fenced, titled = [], False, False
     for line in text.splitlines():
         if FENCE.match(line):

@@ -9,14 +9,14 @@ usage() {
 scripts/fuzz.sh [--no-install] [SECONDS]
 
 Builds the fuzzers of the readers into build/asan (clang, libFuzzer, address and
-undefined-behaviour sanitizers) and runs each for SECONDS (default 10), as many at a time
-as there are cores. Each starts from the files in tests/fuzz/corpus, from the interesting
-inputs of earlier runs, and from their findings.
+undefined-behaviour sanitizers) and runs each for SECONDS (default 10), one fuzzer per core
+at a time. A fuzzer starts from the files in tests/fuzz/corpus, and from the interesting
+inputs and findings of earlier runs.
 
   --no-install   installs no packages and checks that every program and library is there
 
-Only what changed is rebuilt. Exit 0 without a finding; 1 with one: its input is then in
-build/fuzz/findings, and every later run tries it again; 2 if the command line is wrong.
+Rebuilds only changed files. Exit 0 without a finding; 1 with a finding, whose input is in
+build/fuzz/findings and is tried again by every later run; 2 if the command line is wrong.
 Example: scripts/fuzz.sh 60
 HELP
 }
@@ -34,13 +34,13 @@ done
 scripts/setup.sh "${setup_options[@]}" build sanitizers
 
 folder=build/fuzz
-# The preset names the clang of Debian 12; elsewhere the default clang does.
+# The preset names the clang of Debian 12. Other systems use the default clang.
 clang=()
 command -v clang++-14 >/dev/null || clang=(-D CMAKE_CXX_COMPILER=clang++)
 cmake --preset asan "${clang[@]}"
 cmake --build --preset asan --target endmill_fuzzers
 
-# Runs one fuzzer; fails if it has a finding.
+# Runs one fuzzer. Fails if the fuzzer has a finding.
 fuzz() {
     local name=$1 log="$folder/$1.log"
     local findings="$folder/findings/$name" interesting="$folder/corpus/$name"

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the meshes of datasets/meshes into that folder or into FOLDER, the same bytes every time.
+"""Writes the meshes of datasets/meshes into that folder or into FOLDER. The result is reproducible.
 
 Usage: scripts/generate_meshes.py [FOLDER]
 Example: scripts/generate_meshes.py /tmp
 
-The script does not write teapot-288.off: it is data without a formula.
+The script does not write teapot-288.off, which has no formula.
 """
 import sys
 from pathlib import Path

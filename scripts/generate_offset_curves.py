@@ -21,12 +21,12 @@ FOLDER = Path(__file__).resolve().parent.parent / "datasets/offset-curves"
 
 
 def sign(x):
-    """-1, 0 or 1."""
+    """The sign of a number: -1, 0 or 1."""
     return (x > 0) - (x < 0)
 
 
 def sech2(x):
-    """1 / cosh^2."""
+    """The square of the hyperbolic secant, 1 / cosh^2."""
     return 1 / (cosh(x) * cosh(x))
 
 
@@ -35,7 +35,7 @@ QUARTIC = (lambda x: (x * x - 1) * (x * x - 1), lambda x: 4 * x * (x * x - 1))
 POCKET = (lambda x: 1.5 * (tanh(6 * (x - 1)) - tanh(6 * (x + 1))),
           lambda x: 9 * (sech2(6 * (x - 1)) - sech2(6 * (x + 1))))
 
-# Height and slope; interval and radius stand in hard-cases.json.
+# Height and slope of each profile. hard-cases.json has the interval and the radius.
 PROFILES = {
     "parabola": PARABOLA,
     "tilted-parabola": (lambda x: x * x / 2 + 1.2 * x, lambda x: x + 1.2),
@@ -66,7 +66,7 @@ PROFILES = {
 
 
 def offset(case, count=401):
-    """The points of the centre of a ball along a profile."""
+    """Positions of the centre of a ball that moves along a profile."""
     height, slope = PROFILES[case["name"]]
     low, high = case["interval"]
     radius = case["radius_mm"]
@@ -80,7 +80,7 @@ def offset(case, count=401):
 
 
 def write(path, points):
-    """A polyline file, as `endmill trim --polyline` reads it."""
+    """Writes a polyline file for `endmill trim --polyline`."""
     path.parent.mkdir(exist_ok=True)
     rows = [f"{float(s)!r},{float(z)!r}\n" for s, z in points]
     path.write_text("s_mm,z_mm\n" + "".join(rows), encoding="utf-8")
@@ -88,7 +88,7 @@ def write(path, points):
 
 
 def write_family(path, family):
-    """The profiles of a family, a line each, with what carries the envelope of the curve."""
+    """Writes the profiles of a family, one line each, with the segments of the exact envelope."""
     path.parent.mkdir(exist_ok=True)
     rows = []
     for number, (parameters, points) in enumerate(family, 1):

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the surfaces of datasets/surfaces into that folder or into FOLDER, the same bytes every time.
+"""Writes the surfaces of datasets/surfaces into that folder or into FOLDER. The result is reproducible.
 
 Usage: scripts/generate_surfaces.py [FOLDER]
 Example: scripts/generate_surfaces.py /tmp
 
-The script does not write the net_*.json files: they are data without a formula.
+The script does not write the net_*.json files, which have no formula.
 """
 import json
 import sys
@@ -18,7 +18,7 @@ from generation.teapot import teapot
 
 FOLDER = Path(__file__).resolve().parent.parent / "datasets/surfaces"
 
-# How deep the lists are that get a line of their own: rows of points or of numbers.
+# Nesting depth of the lists that get a separate line: rows of points or of numbers.
 ROW_DEPTH = {"control_points": 2, "patches": 2, "weights": 1, "z": 1}
 
 
@@ -27,7 +27,7 @@ def depth(value):
 
 
 def indented(value, row_depth, indent):
-    """JSON with a line for every list of that depth."""
+    """JSON text with a separate line for every list of that depth."""
     if depth(value) <= row_depth:
         return " " * indent + json.dumps(value)
     inner = ",\n".join(indented(item, row_depth, indent + 1) for item in value)
@@ -35,7 +35,7 @@ def indented(value, row_depth, indent):
 
 
 def surface_text(name, content):
-    """The file, a row of the net or grid a line."""
+    """The text of a file, with one line for each row of the net or grid."""
     members = {"format": "endmill-surface/1", "name": name, **content}
     lines = [f" {json.dumps(key)}: " + indented(value, ROW_DEPTH.get(key, 1), 1).lstrip()
              for key, value in members.items()]
@@ -43,7 +43,7 @@ def surface_text(name, content):
 
 
 def surfaces():
-    """name -> content."""
+    """The files, as name -> content."""
     return {**bezier_surfaces(), **nurbs_surfaces(), **height_grids(), "teapot": teapot()}
 
 

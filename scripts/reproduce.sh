@@ -17,17 +17,17 @@ expected.csv, draws the figures and writes a report. Builds only the drivers tha
   results/PAPER/ITEM/    CSV, figures as SVG, run.json (revision, time, machine), run.log
   results/report.html    everything on one page, opens offline
 
-  --quick        leaves out the benchmarks and every study of more than a minute, which
-                 says "long": true in its params.json (default)
+  --quick        leaves out the benchmarks and every study of more than a minute, whose
+                 params.json has "long": true (default)
   --full         runs everything; on two cores that takes about 40 minutes
   PAPER          only this folder of experiments/
   PAPER/ITEM     only this experiment, however long it takes
   --no-install   installs nothing and checks that every program and library is there
   --accept       makes results/PAPER/ITEM/result.csv the new expected.csv of that
-                 experiment. Look at the result and know why it changed first.
+                 experiment. Examine the result and the reason of its change first.
 
-Exit 0; 1 if an experiment crashed or departs from its expected.csv (never because a
-published number differs); 2 if the command line is wrong.
+Exit 0; 1 if an experiment crashed or differs from its expected.csv (a difference from a
+published number is no failure); 2 if the command line is wrong.
 Example: scripts/reproduce.sh economic-cl-data/table-1
 HELP
 }

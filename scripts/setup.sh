@@ -18,11 +18,11 @@ apt-get only if something is missing. The other scripts call it with the groups 
   docs         Doxygen and Graphviz
   packaging    makes the Debian package
 
-  --no-install   installs nothing: looks for each program and library, whatever package it
-                 comes from, and lists what is missing. For other Linux distributions.
+  --no-install   installs nothing. Checks that every program and library exists, from any
+                 source, and lists the missing ones. For other Linux distributions.
   --list         prints the packages of the groups
 
-Exit 0 if everything is there; 1 if something is missing; 2 if the command line is wrong.
+Exit 0 if nothing is missing; 1 if something is missing; 2 if the command line is wrong.
 Example: scripts/setup.sh build figures
 HELP
 }
@@ -61,10 +61,10 @@ if [[ ${#groups[@]} -eq 0 ]]; then
 fi
 mapfile -t wanted < <(for group in "${groups[@]}"; do packages_of "$group"; done)
 
-# --- Without installing: look for what the packages provide. ---
+# --- Without installing: look for the contents of the packages. ---
 
-# Prints the numbers of the CMake tests ("cmake ..." or "library ...") that fail. One small
-# project asks all of them, as the build itself will.
+# Prints the numbers of the CMake tests ("cmake ..." or "library ...") that fail. One
+# small project runs all of them in the same way as the build.
 failed_cmake_tests() {
     local folder number test status=0
     folder=$(mktemp -d)
@@ -96,7 +96,7 @@ failed_cmake_tests() {
     rm -rf "$folder"
 }
 
-# Whether a test other than those of CMake succeeds.
+# Succeeds if a test other than a CMake test succeeds.
 passes() {
     local kind=${1%% *} subject=${1#* } name
     case "$kind" in
@@ -152,7 +152,7 @@ install_missing() {
         echo "setup.sh: only Debian packages can be installed; --no-install looks for what is there" >&2
         fail 1 "on Debian 12: apt-get install --no-install-recommends ${names[*]}"
     fi
-    # The second letter of the state is i for an installed package, held ones included.
+    # The second letter of the state is i for an installed package, even if it is held.
     mapfile -t missing < <(comm -23 <(printf '%s\n' "${names[@]}") <(
         dpkg-query --show --showformat='${db:Status-Abbrev} ${Package}\n' "${names[@]}" 2>/dev/null |
             awk 'substr($1, 2, 1) == "i" { print $2 }' | sort -u))

@@ -17,13 +17,13 @@ Installs missing packages (Debian, root) and runs the tests:
      on main itself since the commit before.
 It takes at most 20 minutes on two cores, beginning with an empty clone.
 
-  --all          also: all tests under sanitizers, fuzzing for 60 s each, the benchmarks
-                 compiled, every installed header compiled alone, the Debian package built
-                 and tried, the documentation built, and clang-tidy on every file;
-                 about an hour and a half on two cores
+  --all          also runs all tests under sanitizers, fuzzes each reader for 60 s,
+                 compiles the benchmarks, compiles every installed header alone, builds
+                 and tests the Debian package, builds the documentation, and runs
+                 clang-tidy on every file; about an hour and a half on two cores
   --no-install   installs nothing and checks that every program and library is there
 
-Build folders: build/release, build/asan, build/fuzz. Only what changed is rebuilt.
+Build folders: build/release, build/asan, build/fuzz. Rebuilds only changed files.
 Exit 0 if everything passed; 1 otherwise; 2 if the command line is wrong.
 Example: scripts/test.sh --no-install
 HELP
@@ -57,8 +57,8 @@ step() { printf '== [%s] %s\n' "$(elapsed)" "$*"; }
 failed=()
 summaries=()
 
-# The checks of scripts, format and layers do not depend on the compiler's flags:
-# they carry the label "scripts" and run once, with the release tests.
+# The checks of scripts, format and layers do not depend on the compiler's flags. They
+# have the label "scripts" and run once, with the release tests.
 run_tests() {
     local preset=$1 log="build/$1/ctest.log"
     shift
@@ -84,7 +84,7 @@ run_fuzzers() {
     summaries+=("fuzz: ${said:-not run}")
 }
 
-# run NAME COMMAND...: a step of its own that may fail.
+# run NAME COMMAND...: runs a separate step, which may fail.
 run() {
     local name=$1
     shift
@@ -99,7 +99,7 @@ cmake --preset release
 build release "${release_targets[@]}"
 run_tests release
 step "configure: asan"
-# The preset names the clang of Debian 12; elsewhere the default clang does.
+# The preset names the clang of Debian 12. Other systems use the default clang.
 clang=()
 command -v clang++-14 >/dev/null || clang=(-D CMAKE_CXX_COMPILER=clang++)
 cmake --preset asan "${clang[@]}"

@@ -1,11 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes experiments/README.md: the table of all experiments, paper by paper.
+"""Writes experiments/README.md, the table of all experiments, paper by paper.
 
 scripts/write_experiment_index.py [--check]
 
-A row holds the title of the experiment's README.md, its folder, and its time as that README
-states it. --check writes nothing and exits with 1 if the table is out of date, or if an
+A row has the title of the experiment's README.md, its folder, and the time that the README states. --check writes nothing and exits with 1 if the table is out of date, or if an
 experiment has no README.md with a title and a time.
 
 Example: scripts/write_experiment_index.py --check
@@ -33,7 +32,7 @@ Do not edit the tables below: `scripts/write_experiment_index.py` writes them.
 
 
 def title_of(folder):
-    """The first heading of README.md in a folder; a Fault without one."""
+    """The first heading of README.md in a folder. Raises Fault without a heading."""
     try:
         text = (folder / "README.md").read_text(encoding="utf-8")
     except OSError:

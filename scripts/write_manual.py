@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the manual page endmill.1 and the bash completion `endmill` from the program's helps.
+"""Writes the manual page endmill.1 and the bash completion `endmill` from the help texts of the program.
 
 scripts/write_manual.py PROGRAM FOLDER
 

@@ -3,7 +3,7 @@
 """Writes docs/tolerances.md from src/endmill/core/tolerance.h.
 
     scripts/write_tolerances.py            writes the page
-    scripts/write_tolerances.py --check    exits with 1 if the page is not what would be written
+    scripts/write_tolerances.py --check    exits with 1 if the page is out of date
 """
 import re
 import sys

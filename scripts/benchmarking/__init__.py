@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the benchmarks of a working tree, alone or beside another revision."""
+"""Runs the benchmarks of a working tree, alone or in comparison with another revision."""

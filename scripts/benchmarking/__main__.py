@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 class UsageError(Exception):
-    """A command line that is not understood."""
+    """An error of the command line."""
 
 
 @dataclass
@@ -32,7 +32,7 @@ def whole_number(option, text):
 
 
 def read(words, known):
-    """The Arguments that `words` mean; `known` are the names of the benchmarks."""
+    """Parses `words`; `known` are the names of the benchmarks."""
     found, rest, given = Arguments(), list(words), set()
     while rest:
         word = rest.pop(0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs benchmarks and writes what they measured."""
+"""Runs benchmarks and writes their results."""
 import csv
 import io
 import json
@@ -38,7 +38,7 @@ def run_once(tree, name, folder):
 
 
 def peers_of(tree, name):
-    """The rows of other libraries: the row of theirs -> the row of ours."""
+    """The rows of other libraries, as a map from their row to our row."""
     path = tree.root / "experiments/benchmarks" / name / "params.json"
     try:
         return json.loads(path.read_text(encoding="utf-8")).get("peers", {})
@@ -81,7 +81,7 @@ def measure(tree, names, runs, say):
 
 
 def pairs_of(old, new, name, pairs, say):
-    """The rows of interleaved runs: a list of (old, new); which is first alternates."""
+    """The rows of interleaved runs, as a list of (old, new). The order of the runs alternates."""
     found = []
     for number in range(pairs):
         order = (old, new) if number % 2 == 0 else (new, old)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The measured rows of a benchmark: what they measure, and how two runs compare."""
+"""The measured rows of a benchmark, and the comparison of two runs."""
 import re
 import statistics
 from dataclasses import dataclass
 
-LIMIT = 1.03  # a median ratio beyond it is a verdict; smaller ones are noise
+LIMIT = 1.03  # smaller median ratios are noise and give no verdict
 TIME_OR_MEMORY = {"s", "ms", "us", "ns", "bytes", "MB", "GiB"}
 
 
@@ -25,7 +25,7 @@ def rows_of(table):
 
 
 def sense(unit):
-    """1 if more of it is slower, -1 if more is faster, 0 if it is neither: a ratio, an error."""
+    """1 for times and memory, where more is slower, -1 for speeds, and 0 for ratios and errors."""
     first = re.split(r"[ /]", unit)[0]
     if first in TIME_OR_MEMORY:
         return 1
@@ -33,7 +33,7 @@ def sense(unit):
 
 
 def slowdown(old, new):
-    """How many times more time or memory `new` needs than `old`."""
+    """The ratio of the time or memory of `new` to that of `old`."""
     if sense(new.unit) > 0:
         return new.value / old.value
     return old.value / new.value
@@ -46,16 +46,16 @@ def verdict(ratio):
 
 
 def spread_percent(values):
-    """Largest less smallest of the values, over their median."""
+    """The range of the values divided by their median."""
     middle = statistics.median(values)
     return 100 * (max(values) - min(values)) / abs(middle) if middle else 0.0
 
 
 def peer_ratio(row, run, peers):
-    """How many times more the other library needs; None of a row without one.
+    """The ratio of the other library to ours, or None for a row without another library.
 
-    `peers` of params.json leads from the other library's row to ours; a row in the unit
-    `times ours` is that ratio itself.
+    `peers` of params.json maps the other library's row to ours. A row in the unit
+    `times ours` has the ratio itself.
     """
     if row.unit == "times ours":
         return row.value

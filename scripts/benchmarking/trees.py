@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Working trees with their builds: the present one, and one of another revision.
+"""Working trees with their builds: the present tree, and one of another revision.
 
-Of a revision only this must hold: experiments/benchmarks/NAME/main.cpp is built as the target
-benchmarks-NAME of the preset release, and writes result.csv into the folder of its argument.
+A revision must meet one condition: the preset release builds experiments/benchmarks/NAME/main.cpp as
+the target benchmarks-NAME, which writes result.csv into the folder of its argument.
 """
 import re
 import subprocess
@@ -14,7 +14,7 @@ from reproduction.fault import Fault
 
 @dataclass(frozen=True)
 class Tree:
-    """A working tree that is built in build/release below it."""
+    """A working tree with its build in build/release."""
 
     root: Path
     revision: str
@@ -28,13 +28,13 @@ class Tree:
 
 
 def run_whole(command, root):
-    """Runs a command; a Fault if it fails."""
+    """Runs a command. Raises Fault if it fails."""
     if subprocess.run(command, cwd=root, check=False).returncode != 0:
         raise Fault(f"{' '.join(map(str, command))} failed, see above")
 
 
 def git(root, *arguments):
-    """What git prints; a Fault if it fails."""
+    """The output of git. Raises Fault if git fails."""
     done = subprocess.run(["git", *arguments], cwd=root, capture_output=True, text=True, check=False)
     if done.returncode:
         raise Fault(f"git {' '.join(arguments)}: {done.stderr.strip()}")
@@ -42,7 +42,7 @@ def git(root, *arguments):
 
 
 def checked_out(root, revision):
-    """The tree of `revision` in build/bench, checked out if it is not there yet."""
+    """The tree of `revision` in build/bench. Checks it out if it does not exist."""
     commit = git(root, "rev-parse", "--verify", f"{revision}^{{commit}}")
     folder = root / "build/bench" / commit[:12]
     if not (folder / ".git").exists():
@@ -52,7 +52,7 @@ def checked_out(root, revision):
 
 
 def compiler_options(root):
-    """The compiler of an existing build, for another build that is compared with it."""
+    """The compiler of an existing build. A build for comparison must use the same."""
     cache = root / "build/release/CMakeCache.txt"
     text = cache.read_text(encoding="utf-8") if cache.exists() else ""
     found = re.findall(r"^(CMAKE_CXX_COMPILER(?:_LAUNCHER)?):\w+=(.+)$", text, re.MULTILINE)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Composite bicubic nets of polynomials of degree three or less, exact.
 
-Control point (i, j) is the polynomial's blossom at the knots of i and j, in fractions.
+Control point (i, j) is the blossom of the polynomial at the knots of i and j, in rational numbers.
 """
 from fractions import Fraction
 
@@ -9,7 +9,7 @@ S, T, S2, T2 = (1, 0), (0, 1), (2, 0), (0, 2)
 
 
 def equal_parts(low, high, count):
-    """`count` + 1 borders from low to high, exact."""
+    """`count` + 1 equidistant borders from low to high, as rational numbers."""
     return [Fraction(low) + Fraction(high - low, count) * k for k in range(count + 1)]
 
 
@@ -46,19 +46,19 @@ POLYNOMIALS = {
     },
 }
 
-# Each row: y, then z at the two borders and at the two control points between them.
+# Each row has y, then z at the two borders and at the two control points between them.
 VALLEY_X = (0, 60, 40, 100)
 VALLEY_ROWS = ((0, 40, 20), (Fraction(100, 3), 45, 0), (Fraction(200, 3), 55, -20), (100, 60, -40))
 
 
 def blossom_power(power, arguments):
-    """The symmetric trilinear form of t^power at three arguments, exact."""
+    """The blossom of t^power, a symmetric trilinear form, at three arguments."""
     a, b, c = arguments
     return [Fraction(1), (a + b + c) / 3, (a * b + b * c + c * a) / 3, a * b * c][power]
 
 
 def knot_triples(breaks):
-    """The blossom's arguments for the control points of a curve over `breaks`, joints shared."""
+    """The arguments of the blossom for the control points of a curve over `breaks`. Patches share joints."""
     triples = []
     for low, high in zip(breaks, breaks[1:]):
         triples += [(low, low, low), (low, low, high), (low, high, high)]
@@ -78,13 +78,13 @@ def net(surface):
 
 
 def valley_net():
-    """One patch, mirrored in the plane x = 50."""
+    """The net of one patch that is symmetric about the plane x = 50."""
     return [[[float(x), float(y), float(z)] for x, z in zip(VALLEY_X, (edge, floor, floor, edge))]
             for y, edge, floor in VALLEY_ROWS]
 
 
 def bezier_surfaces():
-    """The files of this kind: name -> content."""
+    """The files of Bezier nets, as name -> content."""
     files = {
         name: {
             "source": surface["source"], "type": "bezier",

@@ -2,7 +2,7 @@
 """Heights of closed formulas on grids."""
 from math import cos, exp, pi
 
-# So that no file depends on the last bits of a mathematical library.
+# Rounding makes the files independent of the mathematical library.
 DECIMALS = 9
 
 
@@ -31,7 +31,7 @@ def grid(source, formula, x, y):
 
 
 def height_grids():
-    """The files of this kind: name -> content."""
+    """The files of height grids, as name -> content."""
     return {
         "gaussian-bump": grid(
             "Generated: z = 20 exp(-(x^2 + y^2) / 450) in mm, every 5 mm from -45 to 45 both ways.",

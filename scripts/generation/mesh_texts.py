@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes in the formats of other programs, as bytes."""
+"""Meshes in standard file formats, as bytes."""
 import struct
 from math import sqrt
 
 
 def text(number):
-    """The shortest text that reads back to the same number."""
+    """The shortest text that is read back as the same number."""
     return repr(int(number)) if number == int(number) else repr(number)
 
 
@@ -46,7 +46,7 @@ def obj(name, vertices, triangles):
 
 
 def ply_binary(name, vertices, triangles):
-    """Little-endian, coordinates in double precision."""
+    """A little-endian PLY file with coordinates in double precision."""
     head = ["ply", "format binary_little_endian 1.0", f"comment {name}, lengths in mm",
             f"element vertex {len(vertices)}", *(f"property double {axis}" for axis in "xyz"),
             f"element face {len(triangles)}", "property list uchar int vertex_indices",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two families of random profiles, as datasets/offset-curves/random-families.json says them."""
+"""Two families of random profiles, defined by datasets/offset-curves/random-families.json."""
 import random
 from math import cos, sin, sqrt
 
@@ -9,7 +9,7 @@ CONVEX_POINTS = (41, 101, 401, 1601)
 
 
 class Uniform:
-    """Numbers of [0, 1), two draws of the Mersenne Twister each."""
+    """Random numbers in [0, 1). Each takes two draws of the Mersenne Twister."""
 
     def __init__(self, seed):
         state = [seed]
@@ -24,7 +24,7 @@ class Uniform:
 
 
 def offset_curve(profile, low, high, radius, count):
-    """The places of a ball's centre along `profile`, which gives height and slope at x."""
+    """Positions of the centre of a ball along `profile`, a function of x for height and slope."""
     points = []
     for i in range(count):
         x = low + (high - low) * i / (count - 1)
@@ -51,7 +51,7 @@ def wavy():
 
 
 def convex(points):
-    """Pairs of the parameters of a profile and its curve, for one of CONVEX_POINTS."""
+    """Pairs of the parameters of a profile and its curve, for one number of CONVEX_POINTS."""
     u = Uniform(11)
     for count in CONVEX_POINTS[:CONVEX_POINTS.index(points) + 1]:
         for _ in range(CONVEX_PROFILES):

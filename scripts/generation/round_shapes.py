@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cylinder, sphere and torus as rational quadratic NURBS, exact up to rounding.
 
-A section is a list of (across, up, weight): control points of arcs of the unit circle, from the
-lower left over the top to the lower right. Its steepest normal is (±sin, cos) of the half angle,
-with a cosine of at least 0.28, so that a tool along +z reaches all of it.
+A section is a list of (across, up, weight), the control points of arcs of the unit circle. It goes from
+the lower left over the top to the lower right. Its steepest normal is (±sin, cos) of the half angle. The
+cosine is at least 0.28, so a tool along +z reaches the whole section.
 """
 from fractions import Fraction
 from math import sqrt
 
 
 def one_arc(sine, cosine):
-    """The arc of twice the angle that has this sine and cosine, about the top."""
+    """An arc that is symmetric about the top. Its half angle has this sine and cosine."""
     return [(-sine, cosine, 1), (0, 1 / cosine, cosine), (sine, cosine, 1)]
 
 
 def two_arcs(tangent, cosine):
-    """Two arcs that meet at the top; tangent and cosine are those of half of either's angle."""
+    """Two arcs that meet at the top. Tangent and cosine belong to half the angle of one arc."""
     end = (1 - tangent**2) / (1 + tangent**2)
     side = 2 * tangent / (1 + tangent**2)
     return [(-side, end, 1), (-tangent, 1, cosine), (0, 1, 1), (tangent, 1, cosine), (side, end, 1)]
@@ -29,7 +29,7 @@ RING = [(1, 0, 1), (1, 1, sqrt(0.5)), (0, 1, 1), (-1, 1, sqrt(0.5)), (-1, 0, 1),
 
 
 def knots(degree, points):
-    """A clamped knot vector 0, 1, 2, ... whose inner knots are as often as the degree says."""
+    """A clamped knot vector 0, 1, 2, ... whose inner knots have the multiplicity of the degree."""
     pieces = (points - 1) // degree
     inner = [k for k in range(1, pieces) for _ in range(degree)]
     return [0] * (degree + 1) + inner + [pieces] * (degree + 1)
@@ -51,13 +51,13 @@ def cylinder(radius, length):
 
 
 def sphere(radius):
-    """Longitudes about the y axis along u, latitudes along v."""
+    """A part of a sphere, with longitudes about the y axis along u and latitudes along v."""
     return [[((radius * distance * across, radius * y, radius * distance * up), w * weight)
              for across, up, w in NARROW] for y, distance, weight in NARROW]
 
 
 def torus(ring_radius, tube_radius):
-    """Once around the z axis along u, from the inside over the top to the outside along v."""
+    """The top of a torus. u goes once around the z axis, v from the inside over the top to the outside."""
     net = []
     for across, up, weight in WIDE:
         distance = ring_radius + tube_radius * across
@@ -67,7 +67,7 @@ def torus(ring_radius, tube_radius):
 
 
 def nurbs_surfaces():
-    """The files of this kind: name -> content."""
+    """The files of round shapes, as name -> content."""
     return {
         "cylinder": nurbs(
             "Generated: y^2 + z^2 = 20^2, z >= 5.6, x in 0 ... 60 mm; seen from +z it is convex.",

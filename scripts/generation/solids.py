@@ -5,17 +5,17 @@ from math import cos, pi, sin
 DOME_SIDES = 48  # a multiple of 8: the corners of the plate share the rim evenly
 DOME_RINGS = 12
 
-# So that no file depends on the last bits of a mathematical library.
+# Rounding makes the files independent of the mathematical library.
 DECIMALS = 9
 
 
 def fan(corners):
-    """Triangles of a face that its first corner sees whole."""
+    """A fan of triangles for a face that is visible as a whole from its first corner."""
     return [(corners[0], a, b) for a, b in zip(corners[1:], corners[2:])]
 
 
 def box_corners(low, high):
-    """The lower four, then the upper four, each counter-clockwise seen from above."""
+    """The lower four corners, then the upper four, each counter-clockwise seen from above."""
     (x0, y0, z0), (x1, y1, z1) = low, high
     return [(x, y, z) for z in (z0, z1) for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))]
 
@@ -29,7 +29,7 @@ def ring_of_quads(lower, upper):
 
 
 def extrusion(outline, y0, y1):
-    """A prism along y over an outline of (x, z) that its first corner sees whole."""
+    """A prism along y over an outline of (x, z) that is visible as a whole from its first corner."""
     count = len(outline)
     front, back = list(range(count)), list(range(count, 2 * count))
     vertices = [(x, y, z) for y in (y0, y1) for x, z in outline]
@@ -37,7 +37,7 @@ def extrusion(outline, y0, y1):
 
 
 def prism():
-    """A roof: 40 mm wide, 15 mm high, flanks of 25 mm, 60 mm long."""
+    """A roof of 40 mm width, 15 mm height and 60 mm length, with flanks of 25 mm."""
     return extrusion([(0, 15), (-20, 0), (20, 0)], 0, 60)
 
 
@@ -56,7 +56,7 @@ def pocket():
 
 
 def corner_of_side(side):
-    """The corner of the plate that a side of the dome's rim is turned to."""
+    """The corner of the plate nearest to a side of the dome's rim."""
     return (side + DOME_SIDES // 8) // (DOME_SIDES // 4) % 4
 
 

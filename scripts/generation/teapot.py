@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The Utah teapot from the ten patches that its symmetry leaves.
+"""The Utah teapot, from ten patches and their symmetry.
 
-Numbers as published by M. Newell, heights as usual divided by 1.3; z up, spout towards +x.
+The numbers were published by M. Newell. The heights are divided by 1.3, as is usual. The z axis points
+upwards, and the spout points along +x.
 """
 from fractions import Fraction
 
 MM_PER_UNIT = 30
 
-# Quarter turns about the z axis: rows of radius, offset, z. The offset belongs to the two middle
-# points of a quarter: 0.56 of the radius but for the knob. Downwards, seen from above clockwise.
+# Patches of a quarter turn about the z axis, as rows of radius, offset and z. The offset belongs to the
+# two middle points of a quarter. It is 0.56 of the radius except for the knob. Rows go downwards, and
+# quarters clockwise seen from above.
 PROFILES = {
     "rim": "1.4 .784 2.4, 1.3375 .749 2.53125, 1.4375 .805 2.53125, 1.5 .84 2.4",
     "upper body": "1.5 .84 2.4, 1.75 .98 1.875, 2 1.12 1.35, 2 1.12 .9",
@@ -16,10 +18,10 @@ PROFILES = {
     "knob": "0 0 3.15, .8 .45 3.15, 0 0 2.85, .2 .112 2.7",
     "lid": "0.2 .112 2.7, .4 .224 2.55, 1.3 .728 2.55, 1.3 .728 2.4",
 }
-BOTTOM = "0 0 0, 1.425 .798 0, 1.5 .84 .075, 1.5 .84 .15"  # outwards, counter-clockwise
+BOTTOM = "0 0 0, 1.425 .798 0, 1.5 .84 .075, 1.5 .84 .15"  # rows go outwards, quarters counter-clockwise
 
-# Halves of tubes, the other half mirrored in y = 0: rows of x and z on one side, half width,
-# x and z on the other side.
+# Halves of tubes, whose other halves are mirrored in y = 0. A row has x and z on one side, the half
+# width, and x and z on the other side.
 TUBES = {
     "upper handle": "-1.6 2.025 .3 -1.5 2.25, -2.3 2.025 .3 -2.5 2.25,"
                     " -2.7 2.025 .3 -3 2.25, -2.7 1.8 .3 -3 1.8",
@@ -33,12 +35,12 @@ TUBES = {
 
 
 def rows(text):
-    """The numbers of a table, in mm and exact."""
+    """The numbers of a table in mm, as rational numbers."""
     return [[MM_PER_UNIT * Fraction(word) for word in row.split()] for row in text.split(",")]
 
 
 def quarter_turns(profile, turn):
-    """Four patches, the first from +x to `turn` y, each next one a quarter further."""
+    """Four patches. The first goes from +x to `turn` * y, each further one is a quarter turn ahead."""
     patch = [[(r, 0, z), (r, turn * offset, z), (offset, turn * r, z), (0, turn * r, z)]
              for r, offset, z in profile]
     patches = []

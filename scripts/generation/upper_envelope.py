@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The upper envelope of a polyline in the plane, decided in rational numbers.
+"""The exact upper envelope of a polyline in the plane.
 
-Between two neighbouring abscissae of the vertices every run of the curve is one straight line,
-so that the envelope is looked for there and nowhere else. Doubles decide where they are sure.
+Between two neighbouring abscissae of the vertices, every run of the curve is one straight line. The
+envelope is therefore computed interval by interval. Doubles decide where their rounding error permits,
+and rational numbers otherwise.
 """
 from fractions import Fraction
 
-SURE = 1e-11  # relative: far beyond the rounding of one interpolation
+SURE = 1e-11  # relative bound far above the rounding error of one interpolation
 
 
 def runs(points):
-    """The segments between two turns, as lists of (index, left, right), from left to right."""
+    """The segments between two turns in s, as lists of (index, left, right) from left to right."""
     found = [[]]
     rising = None
     for i, (p, q) in enumerate(zip(points, points[1:])):
@@ -37,18 +38,18 @@ def rounded_heights(segment, left, right):
 
 
 def crossing(one, two):
-    """Where the lines of two segments meet, or nothing."""
+    """The s at which the lines of two segments meet, or None."""
     rise = height(one, 1) - height(one, 0)
     rise -= height(two, 1) - height(two, 0)
     return rise and (height(two, 0) - height(one, 0)) / rise
 
 
 def highest_lines(lines, left, right):
-    """The highest of `lines` from left to right: pairs of a line and where it ends."""
+    """The highest of `lines` from left to right, as pairs of a line and the s where it ends."""
     at, left, right = Fraction(left), Fraction(left), Fraction(right)
     found = []
     while at < right:
-        # Highest just right of `at`: the higher one there, or the steeper one.
+        # The highest line just right of `at` is higher at `at`, or equally high and steeper.
         top = max(lines, key=lambda line: (height(line, at), height(line, right)))
         ends = (crossing(top, line) for line in lines
                 if height(line, right) > height(top, right))
@@ -58,7 +59,7 @@ def highest_lines(lines, left, right):
 
 
 def sure_top(lines, left, right):
-    """The line that is highest from end to end, if doubles can tell."""
+    """The line that is highest from end to end, if doubles can decide it."""
     if len(lines) == 1:
         return lines[0]
     ends = [rounded_heights(line, left, right) for line in lines]
@@ -70,7 +71,7 @@ def sure_top(lines, left, right):
 
 
 def upper_envelope(points):
-    """The envelope from left to right: pairs of a segment and the exact s where it ends."""
+    """The envelope from left to right, as pairs of a segment and the exact s where it ends."""
     pending = [run[::-1] for run in runs(points)]
     places = sorted({s for s, _ in points})
     found = []
@@ -90,7 +91,7 @@ def upper_envelope(points):
 
 
 def carriers_and_joints(points):
-    """Index ranges of the segments that carry the envelope, and the places between them.
+    """Index ranges of the segments on the envelope, and the joints between them.
 
     A joint is [s, z], or [s, z on the left, z on the right] where the curve ends or turns back.
     """

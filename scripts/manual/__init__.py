@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Manual page and bash completion of the program, both made from its helps."""
+"""Generates manual page and bash completion of the program from its help texts."""

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The helps as a completion for bash."""
+"""Converts the help texts into a completion for bash."""
 import re
 import shlex
 
 HEAD = """# SPDX-License-Identifier: GPL-3.0-or-later
 # Bash completion of endmill: commands, their options, the values of an option.
-# Made from the helps of the program; do not edit.
+# Generated from the help texts of the program; do not edit.
 _endmill()
 {
     local current=${COMP_WORDS[COMP_CWORD]} command="" options="" commands="" values="" i
@@ -36,26 +36,26 @@ complete -F _endmill endmill
 
 
 def choices(value):
-    """The words of a value such as `zigzag|one-way`, none if it is anything else."""
+    """The words of a value such as `zigzag|one-way`. Empty for any other value."""
     words = value.split("|")
     return words if len(words) > 1 and all(re.fullmatch(r"-?[\w.-]+", w) for w in words) else []
 
 
 def enter(command):
-    """The case by which a word of the line leads into a command."""
+    """The case that recognises the word of a command."""
     parent, word = " ".join(command.words[:-1]), command.words[-1]
     return f"            {shlex.quote(f'{parent} {word}')}) command={shlex.quote(' '.join(command.words))} ;;"
 
 
 def offer(help_):
-    """The options and commands that a command understands."""
+    """The options and subcommands of a command."""
     options = " ".join(name for entry in help_.options for name in entry.names)
     return (f"        {shlex.quote(' '.join(help_.words))}) options={shlex.quote(options)}"
             f" commands={shlex.quote(' '.join(help_.commands))} ;;")
 
 
 def value_cases(help_):
-    """The values of the options that have a fixed choice."""
+    """The values of options with fixed choices."""
     cases = []
     for entry in help_.options:
         words = choices(entry.value)
@@ -66,7 +66,7 @@ def value_cases(help_):
 
 
 def completion(helps):
-    """The script."""
+    """The completion script."""
     return "".join([
         HEAD, "".join(enter(h) + "\n" for h in helps if h.words),
         MIDDLE, "".join(offer(h) + "\n" for h in helps),

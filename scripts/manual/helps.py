@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The helps of the program: read from `endmill COMMAND --help`, as text and as options.
+"""Reads the help texts of the program, `endmill COMMAND --help`, and parses their options.
 
 The layout is that of CLI11: a summary, `Usage:`, then sections whose heading ends with a
 colon in the first column. Entries of a section are indented by two spaces; their
@@ -31,14 +31,14 @@ class Entry:
 
     @property
     def value(self):
-        """What stands behind the option: `mm|inch`, `FILE`, empty for a switch."""
+        """The value of the option, such as `mm|inch` or `FILE`. Empty for a switch."""
         rest = self.term.split(" ")[1:] if self.names else []
         return " ".join(word for word in rest if word != "REQUIRED")
 
 
 @dataclass
 class Help:
-    """The help of one command."""
+    """The parsed help text of one command."""
 
     words: list  # ["eval", "path-interval"], empty for the program
     summary: str
@@ -57,10 +57,10 @@ class Help:
 
 
 def split_entry(line):
-    """Term and description of an entry's first line; the description may be empty.
+    """Term and description of the first line of an entry. The description may be empty.
 
-    Two spaces divide them. A long term leaves room for one: then the term is the name of an
-    option with its value, which is in capitals or a choice.
+    Two spaces separate them. A long term may leave room for only one space. Then the term is the
+    name of an option with its value, which is in capitals or a choice.
     """
     term, _, text = line.strip().partition("  ")
     related = RELATION.search(term)
@@ -71,7 +71,7 @@ def split_entry(line):
 
 
 def parse(words, text):
-    """The Help of the command `words`, from what --help prints."""
+    """Parses the output of --help for the command `words`."""
     lines = text.rstrip().splitlines()
     usage = next((line for line in lines if line.startswith("Usage:")), "Usage: endmill")
     summary = " ".join(lines[:lines.index(usage)]).strip() if usage in lines else ""
@@ -94,7 +94,7 @@ def parse(words, text):
 
 
 def ask(program, words):
-    """What `program words... --help` prints."""
+    """The output of `program words... --help`."""
     done = subprocess.run([program, *words, "--help"], capture_output=True, text=True, check=False,
                           stdin=subprocess.DEVNULL)
     if done.returncode != 0:
@@ -103,7 +103,7 @@ def ask(program, words):
 
 
 def all_helps(program, words=()):
-    """The help of the program, then those of its commands, depth first."""
+    """The help texts of the program and its commands, depth first."""
     own = parse(words, ask(program, words))
     helps = [own]
     for command in own.commands:

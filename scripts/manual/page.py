@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The helps as a manual page (man macros of troff)."""
+"""Converts the help texts into a manual page (man macros of troff)."""
 
 
 def escaped(text):
-    """`text` as troff prints it; a leading dot or quote would be a request."""
+    """Escapes `text` for troff, where a leading dot or quote would be a request."""
     text = text.replace("\\", "\\e").replace("-", "\\-")
     return "\n".join("\\&" + line if line[:1] in (".", "'") else line for line in text.split("\n"))
 
 
 def sentence(text):
-    """A summary as the first words of a paragraph."""
+    """A summary with a capital letter, to begin a paragraph."""
     return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
 
 
@@ -18,7 +18,7 @@ def entries(section):
 
 
 def sections(help_, known):
-    """The sections of a help but those that an earlier command has shown."""
+    """The sections of a help text, without those that an earlier command has shown."""
     text = []
     for heading, found in help_.sections:
         new = [e for e in found if (heading, e.term, e.text) not in known and e.names[:1] != ["-h"]]
@@ -31,7 +31,7 @@ def sections(help_, known):
 
 
 def notes(help_):
-    """Notes and examples, line by line as they are printed."""
+    """Notes and examples with their line breaks."""
     return f".PP\n.nf\n{escaped(help_.notes)}\n.fi" if help_.notes else ""
 
 

@@ -31,7 +31,7 @@ def step(text):
 
 
 def run_whole(command, root):
-    """Runs a command; a Fault if it fails."""
+    """Runs a command. Raises Fault if it fails."""
     if subprocess.run(command, cwd=root, check=False).returncode != 0:
         raise Fault(f"{' '.join(command)} failed, see above")
 
@@ -43,7 +43,7 @@ def build(root, experiments):
 
 
 def draw(experiment):
-    """Draws the figures of a run that succeeded; the faults met."""
+    """Draws the figures of a successful run. Returns the faults."""
     run = read_run(experiment)
     try:
         if run and run["exit"] == 0:
@@ -54,7 +54,7 @@ def draw(experiment):
 
 
 def show(outcome):
-    """Prints one outcome: published beside computed, then the faults."""
+    """Prints one outcome: published beside computed numbers, then the faults."""
     say(f"\n{outcome.experiment.name}: regression {outcome.regression}")
     if outcome.lines:
         say(as_text(outcome.lines))
@@ -84,9 +84,9 @@ def write_report(root, outcomes, not_run):
 
 
 def stages(chosen):
-    """The experiments in groups that are built and run one after the other.
+    """The groups of experiments that are built and run one after the other.
 
-    The first table comes first, alone, so that it is printed as soon as possible.
+    The first table is a group of its own, so that it is printed as early as possible.
     """
     first = next((e for e in chosen if e.item.startswith("table")), chosen[0])
     rest = [e for e in chosen if e != first]
@@ -104,8 +104,8 @@ def run_stage(stage, revision):
 
 
 def reproduce(root, experiments, chosen, build_drivers=build):
-    """Builds and runs the `chosen` of all `experiments`; whether all are as expected."""
-    # The revision is read before the runs: a file edited meanwhile has no part in the results.
+    """Builds and runs the `chosen` of all `experiments`. Returns whether all are as expected."""
+    # Read the revision before the runs, since files that are edited meanwhile do not affect the results.
     revision = machine.revision(root)
     fresh = []
     for stage in stages(chosen):
@@ -132,7 +132,7 @@ def count(stage):
 
 
 def say_left_out(left_out):
-    """Names what --quick does not run."""
+    """Prints the experiments that --quick leaves out."""
     if left_out:
         names = [e.name for e in left_out if e.paper != "benchmarks"]
         names += ["benchmarks"] if any(e.paper == "benchmarks" for e in left_out) else []
@@ -145,7 +145,7 @@ def main(arguments):
     if "--quick" in options and "--full" in options:
         say("reproduce.sh: --quick and --full exclude each other")
         return 2
-    # A new expectation is looked at one by one, so --accept takes no whole paper.
+    # The user must examine each new expected.csv, so --accept does not take a whole paper.
     if "--accept" in options and not (names and all("/" in name for name in names)):
         say("reproduce.sh: --accept needs PAPER/ITEM, see --help")
         return 2

@@ -7,7 +7,7 @@ from .tables import read_table
 
 
 def accept(experiments, say):
-    """Copies result.csv to expected.csv for each; the exit code: 2 if one has no sound result."""
+    """Copies result.csv to expected.csv. Returns the exit code, 2 if a result is missing or has faults."""
     for experiment in experiments:
         run = read_run(experiment)
         result = experiment.results / "result.csv"

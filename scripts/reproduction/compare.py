@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The regression: result.csv against expected.csv, cell by cell."""
+"""The regression test: compares result.csv with expected.csv, cell by cell."""
 from dataclasses import dataclass
 
 from .fault import Fault
 from .tables import number
 
-# Numbers that come through different maths libraries may differ in their last bits.
+# Different maths libraries may give different last bits.
 DEFAULT = {"relative": 1e-9, "absolute": 1e-12}
 
 
@@ -24,10 +24,10 @@ class Broken:
 
 
 def column_tolerances(columns, declared):
-    """column -> {"relative": r, "absolute": a}, or None where the column is ignored.
+    """Maps each column to {"relative": r, "absolute": a}, or to None if it is ignored.
 
-    `declared` is the "tolerances" of params.json; Fault if it names what is not there,
-    because a misspelt column would silently be held to the default.
+    `declared` is "tolerances" of params.json. Raises Fault for an unknown column, since a
+    misspelt name would silently leave the default in force.
     """
     unknown = declared.keys() - set(columns) - {"default"}
     if unknown:
@@ -44,7 +44,7 @@ def column_tolerances(columns, declared):
 
 
 def equal(expected, found, tolerance):
-    """Whether two cells agree: numbers within the larger of both tolerances, other text exactly."""
+    """Whether two cells agree: numbers within the larger of both tolerances, other texts exactly."""
     a, b = number(expected), number(found)
     if a is None or b is None:
         return expected == found
@@ -52,7 +52,7 @@ def equal(expected, found, tolerance):
 
 
 def compare(expected, found, declared):
-    """The broken cells of the table `found`, held to `expected`, rows matched in order."""
+    """The cells of the table `found` that differ from `expected`. Rows are matched in order."""
     if expected.header != found.header:
         return [Broken("header", "", ",".join(expected.header), ",".join(found.header))]
     tolerances = column_tolerances(expected.header, declared)

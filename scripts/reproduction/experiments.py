@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The experiments of the repository: which there are and where each keeps what."""
+"""The experiments of the repository and their files."""
 import json
 import re
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from .fault import Fault
 
 NOT_A_PAPER = {"support"}  # a library that the drivers share
 BENCHMARKS = "benchmarks"
-BESIDE_THE_PAPERS = {"verification", BENCHMARKS}  # ours, shown last
+BESIDE_THE_PAPERS = {"verification", BENCHMARKS}  # experiments of this project, shown last
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class Experiment:
 
     @property
     def target(self):
-        """The name of its driver in the build."""
+        """The name of the driver in the build."""
         return f"{self.paper}-{self.item}"
 
     @property
@@ -42,7 +42,7 @@ class Experiment:
         return self.root / "build/release/experiments" / self.target
 
     def params(self):
-        """What params.json says; empty without one."""
+        """The contents of params.json, empty without the file."""
         path = self.folder / "params.json"
         if not path.exists():
             return {}
@@ -58,16 +58,16 @@ class Experiment:
         return params
 
     def runs_alone(self):
-        """Whether it measures time, so that nothing else may run beside it."""
+        """Whether the experiment measures time, so that nothing else may run at the same time."""
         return self.paper == BENCHMARKS or bool(self.params().get("alone"))
 
     def is_long(self):
-        """Whether `reproduce.sh --quick` leaves it out: benchmarks, and what needs over a minute."""
+        """Whether `reproduce.sh --quick` leaves the experiment out: benchmarks, and runs of over a minute."""
         return self.paper == BENCHMARKS or bool(self.params().get("long"))
 
 
 def find_experiments(root):
-    """All experiments under `root`: every folder that has a driver; figure-5 before figure-12."""
+    """All experiments under `root`, that is all folders with a driver, figure-5 before figure-12."""
     folders = [driver.parent for driver in (root / "experiments").glob("*/*/main.cpp")]
     found = [Experiment(root, folder.parent.name, folder.name) for folder in folders]
     return sorted((e for e in found if e.paper not in NOT_A_PAPER), key=place_in_report)
@@ -80,12 +80,12 @@ def place_in_report(experiment):
 
 
 def plain(names):
-    """The set of names; a shell's completion, experiments/PAPER/ITEM/, becomes PAPER/ITEM."""
+    """The set of names. Paths such as experiments/PAPER/ITEM/ become PAPER/ITEM."""
     return {name.removeprefix("experiments/").rstrip("/") for name in names}
 
 
 def long_ones(experiments, names):
-    """The long experiments that are not named one by one; all benchmarks if they are asked for."""
+    """The long experiments that --quick leaves out, since `names` do not name them one by one."""
     named = plain(names)
     return [e for e in experiments
             if e.is_long() and e.name not in named
@@ -93,9 +93,9 @@ def long_ones(experiments, names):
 
 
 def select(experiments, names):
-    """The experiments that `names` (PAPER or PAPER/ITEM) mean, all without names.
+    """The experiments that `names` (PAPER or PAPER/ITEM) select, or all without names.
 
-    Returns them and the names that mean none.
+    Also returns the names that select none.
     """
     wanted = plain(names)
     chosen = [e for e in experiments if not wanted or e.name in wanted or e.paper in wanted]

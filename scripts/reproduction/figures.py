@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the figures that params.json describes, as SVG, the same bytes on every run."""
+"""Draws the figures that params.json describes as SVG. The result is reproducible."""
 import math
 import re
 
@@ -13,7 +13,7 @@ from matplotlib.ticker import LogFormatter, LogFormatterSciNotation  # noqa: E40
 from .fault import Fault  # noqa: E402
 from .tables import Table, number, read_table  # noqa: E402
 
-# A plain name: whatever params.json says, it stays inside the results folder.
+# A plain name keeps the file inside the results folder.
 FILE_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,59}\.(svg|csv)")
 PLOT_KEYS = {"csv", "x", "y", "group_by", "filter", "labels", "x_scale", "y_scale",
              "x_label", "y_label", "title", "kind", "points"}
@@ -26,7 +26,7 @@ STYLE = {
     "grid.color": "#dddddd",
     "axes.spines.top": False,
     "axes.spines.right": False,
-    # Okabe and Ito's colours, told apart by colour-blind readers too.
+    # Okabe and Ito's colours, which colour-blind readers can distinguish.
     "axes.prop_cycle": matplotlib.cycler(color=["#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                 "#E69F00", "#56B4E9", "#000000"]),
 }
@@ -34,14 +34,14 @@ MARKERS = "osD^vP*"
 
 
 class PlainLogFormatter(LogFormatter):
-    """Names the same ticks, as 0.2 and not as 2e-01."""
+    """Labels the same ticks as 0.2 instead of 2e-01."""
 
     def __call__(self, x, pos=None):
         return f"{x:g}" if super().__call__(x, pos) else ""
 
 
 def figures_of(params):
-    """The figures that params.json names, checked: each a plain file name and a caption."""
+    """The figures of params.json. Checks that each has a plain file name and a caption."""
     figures = params.get("figures", [])
     for figure in figures:
         name = figure.get("file", "")
@@ -57,7 +57,7 @@ def figures_of(params):
 def draw_all(params, folder):
     """Draws every figure with a "plot" into `folder`, where the CSV files are.
 
-    The figures without one are the driver's own and must be there.
+    The driver writes the figures without "plot", and they must exist.
     """
     for figure in figures_of(params):
         path = folder / figure["file"]
@@ -87,7 +87,7 @@ def draw(plot, folder, path):
 
 
 def check(plot, name):
-    """Raises Fault if `plot` asks for what there is not."""
+    """Raises Fault if `plot` has unknown, missing or wrong values."""
     where = f"params.json: plot of {name}"
     unknown = plot.keys() - PLOT_KEYS
     missing = {"csv", "x", "y"} - plot.keys()
@@ -104,7 +104,7 @@ def check(plot, name):
 
 
 def filtered(table, plot):
-    """The rows that "filter" keeps; Fault if a column that the plot names is not in the table."""
+    """The rows that "filter" keeps. Raises Fault if the table lacks a column of the plot."""
     kept = plot.get("filter", {})
     named = {plot["x"], *plot["y"], *kept, plot.get("group_by", plot["x"])}
     absent = named - set(table.header)
@@ -118,7 +118,7 @@ def filtered(table, plot):
 
 
 def same(text, value):
-    """Whether a cell holds the value of a filter, be it written 0.5 or 0.50."""
+    """Whether a cell has the value of a filter. Numbers such as 0.5 and 0.50 are equal."""
     return text == str(value) or (number(text) is not None and number(text) == number(str(value)))
 
 
@@ -135,7 +135,7 @@ def curves_of(table, plot):
 
 
 def label_of(plot, group, column):
-    """What the legend calls a curve."""
+    """The label of a curve in the legend."""
     labels = plot.get("labels", {})
     if group is None:
         return labels.get(column, column)
@@ -145,7 +145,7 @@ def label_of(plot, group, column):
 
 
 def positions(axes, curves):
-    """text -> place on the x axis; words stand in their order, one apart, named by ticks."""
+    """Maps texts to positions on the x axis. Words keep their order at unit distance, with ticks."""
     texts = list(dict.fromkeys(text for _, xs, _ in curves for text in xs))
     if all(number(text) is not None for text in texts):
         return {text: number(text) for text in texts}
@@ -161,19 +161,19 @@ def name_ticks(axes, texts):
 
 
 def draw_curves(axes, curves, plot):
-    """Lines, but for all or those groups that are to be points."""
+    """Draws lines, or points for the groups of "points"."""
     place = positions(axes, curves)
     unjoined = {label_of(plot, group, column) for group in plot.get("points", []) for column in plot["y"]}
     for i, (label, xs, ys) in enumerate(curves):
         are_points = plot.get("kind") == "points" or label in unjoined
-        few = len(xs) <= 30 and not unjoined  # markers on a dense curve would only thicken it
+        few = len(xs) <= 30 and not unjoined  # markers would only thicken a dense curve
         marker = MARKERS[i % len(MARKERS)] if are_points or few else ""
         axes.plot([place[x] for x in xs], ys, label=label, marker=marker, markersize=5,
                   linewidth=1.6, linestyle="" if are_points else "-")
 
 
 def draw_bars(axes, curves):
-    """Bars side by side; a bar's x is a name, even where it is written as a number."""
+    """Draws bars side by side. The x of a bar is a name, even if it is a number."""
     texts = list(dict.fromkeys(text for _, xs, _ in curves for text in xs))
     name_ticks(axes, texts)
     width = 0.8 / len(curves)
@@ -183,7 +183,7 @@ def draw_bars(axes, curves):
 
 
 def grid_of(table, plot):
-    """Rising values of x and of group_by, and rows of y over them; Fault if one is missing."""
+    """Sorted values of x and group_by, and the rows of y over them. Raises Fault for a missing value."""
     across, along = (sorted({number(text) for text in table.column(plot[key])}) for key in ("x", "group_by"))
     cells = {(number(x), number(other)): number(y) for x, other, y in
              zip(*(table.column(column) for column in (plot["x"], plot["group_by"], plot["y"][0])))}
@@ -193,7 +193,7 @@ def grid_of(table, plot):
 
 
 def draw_surface(plot, table, path):
-    """A column over two others, as a net seen from above; what is nearer covers what is behind."""
+    """Draws a column over two others, as a net seen from above. Nearer faces cover farther ones."""
     across, along, rows = grid_of(table, plot)
     labels = plot.get("labels", {})
     figure = plt.figure(figsize=(7.2, 5.2), layout="constrained")
@@ -212,7 +212,7 @@ def draw_surface(plot, table, path):
 
 
 def dress(axes, plot, legend):
-    """Scales, labels with their units, title, and the legend beside the data."""
+    """Sets scales, labels with units, title, and the legend beside the data."""
     labels = plot.get("labels", {})
     if plot.get("kind") != "bar":
         axes.set_xscale(plot.get("x_scale", "linear"))

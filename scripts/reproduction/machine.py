@@ -6,7 +6,7 @@ import subprocess
 
 
 def first_line(command, root):
-    """The first line that `command` prints, "unknown" if it cannot be run or fails."""
+    """The first line of the output of `command`, or "unknown" if it fails."""
     try:
         done = subprocess.run(command, cwd=root, capture_output=True, text=True, check=True)
         return done.stdout.splitlines()[0]
@@ -15,7 +15,7 @@ def first_line(command, root):
 
 
 def revision(root):
-    """The commit, with -dirty behind it if the files differ from it."""
+    """The commit, with -dirty appended if files differ from it."""
     return first_line(["git", "describe", "--always", "--dirty"], root)
 
 

@@ -18,16 +18,16 @@ class Outcome:
     experiment: Experiment
     fresh: bool  # run this time; otherwise the result of an earlier run
     run: dict  # run.json
-    faults: list  # texts: a crash, a file that is not as it must be
+    faults: list  # texts, such as on a crash or a malformed file
     result: Table = Table([], [])  # result.csv
     lines: list = field(default_factory=list)  # verdicts.Line
     broken: list = field(default_factory=list)  # compare.Broken
     has_expected: bool = False
-    figures: list = field(default_factory=list)  # of params.json, those that are there
+    figures: list = field(default_factory=list)  # the figures of params.json whose files exist
 
     @property
     def regression(self):
-        """`ok`, `broken: N cells`, `no expected.csv`, or that there is nothing to compare."""
+        """`ok`, `broken: N cells`, `no expected.csv`, or a text that nothing can be compared."""
         if self.faults:
             return "failed"
         if not self.has_expected:
@@ -41,7 +41,7 @@ class Outcome:
 
 
 def read_run(experiment):
-    """run.json of the last complete run, None if there is none."""
+    """run.json of the last complete run, or None."""
     try:
         return json.loads((experiment.results / "run.json").read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -49,7 +49,7 @@ def read_run(experiment):
 
 
 def gather(experiment, fresh, faults=()):
-    """The Outcome of the result of `experiment`, None if it has no result."""
+    """The Outcome of `experiment`, or None without a result."""
     run = read_run(experiment)
     if run is None:
         return None

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The README of an experiment as HTML: a small, safe part of Markdown.
+"""Converts the README of an experiment to HTML. It supports a small, safe part of Markdown.
 
-Headings, paragraphs, lists, tables, fenced blocks, `code` and **bold**; of a link
-its text. All else is plain text, and every text is escaped before it is marked up.
+This part has headings, paragraphs, lists, tables, fenced blocks, `code` and **bold**. A link becomes
+its text. Everything else is plain text. Every text is escaped before markup is added.
 """
 import re
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ class Readme:
 
 
 def inline(text):
-    """One run of text as HTML."""
+    """Converts one piece of text to HTML."""
     text = escape(text.strip())
     text = re.sub(r"`([^`]+)`", r"<code>\1</code>", text)
     text = re.sub(r"\*\*([^*]+)\*\*", r"<strong>\1</strong>", text)
@@ -25,7 +25,7 @@ def inline(text):
 
 
 def cells(line):
-    """The texts of a table row; a bar inside `code` or written \\| is no border."""
+    """The cells of a table row. A bar inside `code` or written \\| does not separate cells."""
     inner = line.strip().removeprefix("|").removesuffix("|")
     return [cell.replace("\\|", "|").strip() for cell in re.split(r"(?<!\\)\|", inner)]
 
@@ -39,7 +39,7 @@ def table_row(tag, texts):
 
 
 def table(lines):
-    """A table as HTML; its head is left out where it is empty."""
+    """Converts a table to HTML. An empty head is left out."""
     rows = [cells(line) for line in lines if not is_rule(line)]
     has_head = len(lines) > 1 and is_rule(lines[1])
     html = ['<div class="scroll"><table>']
@@ -52,7 +52,7 @@ def table(lines):
 
 
 def kind(line):
-    """What sort of block `line` belongs to."""
+    """The kind of block to which `line` belongs."""
     if not line.strip():
         return "blank"
     if line.startswith("|"):
@@ -65,7 +65,7 @@ def kind(line):
 
 
 def blocks(text):
-    """(kind, lines) of each block, top to bottom."""
+    """The blocks in order, as (kind, lines)."""
     found, fenced = [], False
     for line in text.splitlines():
         if line.startswith("```"):
@@ -74,7 +74,7 @@ def blocks(text):
             continue
         this = "code" if fenced else kind(line)
         last = found[-1][0] if found else "blank"
-        if this == "text" and last == "item":  # a list item goes on in the next line
+        if this == "text" and last == "item":  # the next line continues a list item
             found[-1][1][-1] += " " + line.strip()
         elif this == last and this != "heading":
             found[-1][1].append(line)
@@ -84,7 +84,7 @@ def blocks(text):
 
 
 def render(this, lines):
-    """One block as HTML."""
+    """Converts one block to HTML."""
     if this == "table":
         return table(lines)
     if this == "item":
@@ -97,7 +97,7 @@ def render(this, lines):
 
 
 def read(text, fallback_title):
-    """Title, claim and body of a README: `# Title`, a table with a row `Claim`, free text."""
+    """Title, claim and body of a README. It has `# Title`, a table with a row `Claim`, and free text."""
     found = blocks(text)
     title, claim = fallback_title, ""
     if found and found[0][0] == "heading" and found[0][1][0].startswith("# "):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""results/report.html: one static page, no script, that opens offline."""
+"""Writes results/report.html, a static page without scripts that opens offline."""
 import base64
 from collections import Counter
 from html import escape
@@ -43,7 +43,7 @@ def anchor(*parts):
 
 
 def table(head, rows, numeric=(), label="table"):
-    """A table of ready HTML cells, in a box that scrolls; `numeric` columns stand to the right."""
+    """A table of HTML cells, in a box that scrolls. `numeric` columns are aligned to the right."""
 
     def row(tag, row_cells):
         marked = [f'<{tag}{" class=number" if i in numeric else ""}>{cell}</{tag}>'
@@ -66,13 +66,13 @@ def published_table(outcome):
 
 
 def rounded(text):
-    """The text of a cell: whole numbers and words unchanged, other numbers to five digits."""
+    """The text of a cell. Numbers that are not whole are rounded to five digits."""
     value = number(text)
     return text if value is None or value == int(value) else f"{value:.5g}"
 
 
 def result_table(outcome):
-    """The result itself, if it is short and the experiment has no published numbers."""
+    """The table of the result, if it is short and the experiment has no published numbers."""
     result = outcome.result
     if outcome.lines or not result.rows or len(result.rows) > LONGEST_TABLE:
         return ""
@@ -82,7 +82,7 @@ def result_table(outcome):
 
 
 def figure(outcome, description):
-    """A figure within the page: as an image, an SVG can run nothing and load nothing."""
+    """A figure as an embedded image. An SVG image cannot run scripts or load files."""
     svg = (outcome.experiment.results / description["file"]).read_bytes()
     source = "data:image/svg+xml;base64," + base64.b64encode(svg).decode()
     caption = escape(description["caption"])
@@ -102,7 +102,7 @@ def files(outcome):
 
 
 def circumstances(outcome):
-    """Date, revision and duration of the run; in bold if the run is an earlier one."""
+    """Date, revision and duration of the run. An earlier run is marked in bold."""
     run = outcome.run
     when = "Run" if outcome.fresh else "<strong>Not run this time</strong>; earlier run"
     text = f'{run["seconds"]:.2f} s, {run["started"]}, revision {run["revision"]}'
@@ -125,7 +125,7 @@ def readme_of(experiment):
 
 
 def paper_title(outcome):
-    """The heading of experiments/PAPER/README.md, the folder's name without one."""
+    """The heading of experiments/PAPER/README.md, or the name of the folder without a heading."""
     try:
         text = (outcome.experiment.folder.parent / "README.md").read_text(encoding="utf-8")
     except OSError:
@@ -134,7 +134,7 @@ def paper_title(outcome):
 
 
 def section(outcome):
-    """One item: title, claim, numbers, figures, how it was made."""
+    """One item with title, claim, numbers, figures and run."""
     experiment = outcome.experiment
     readme = readme_of(experiment)
     return "\n".join([
@@ -171,7 +171,7 @@ def contents(papers):
 
 
 def counts_table(papers):
-    """How many numbers of each paper have which verdict."""
+    """The number of cells of each paper for each verdict."""
     rows, total = [], Counter()
     for paper, title, outcomes in papers:
         counts = Counter(line.verdict for outcome in outcomes for line in outcome.lines)

@@ -12,14 +12,14 @@ from . import machine
 
 
 def write_whole(path, data):
-    """Writes bytes so that a killed run leaves the old file or the new one, never half of it."""
+    """Writes bytes atomically. A killed run leaves either the old or the new file."""
     partial = path.with_name(path.name + ".partial")
     partial.write_bytes(data)
     os.replace(partial, path)
 
 
 def run(experiment, revision, say):
-    """Runs one driver; run.json, written last, says that the folder is complete."""
+    """Runs one driver. It writes run.json last, which marks the folder as complete."""
     shutil.rmtree(experiment.results, ignore_errors=True)
     experiment.results.mkdir(parents=True)
     output = str(experiment.results.relative_to(experiment.root))
@@ -42,7 +42,7 @@ def run(experiment, revision, say):
 
 
 def call(command, folder, log):
-    """The exit code of `command`; negative: the signal that ended it; 127: there is no program."""
+    """The exit code of `command`. It is the negative signal that ended it, or 127 without a program."""
     try:
         return subprocess.run(command, cwd=folder, stdout=log, stderr=log, check=False).returncode
     except OSError as error:
@@ -51,7 +51,7 @@ def call(command, folder, log):
 
 
 def run_all(experiments, revision, say):
-    """Runs as many at a time as there are cores; then one by one those that measure time."""
+    """Runs one experiment per core at a time. Runs those that measure time afterwards, one by one."""
     alone = [e for e in experiments if e.runs_alone()]
     together = [e for e in experiments if e not in alone]
     with ThreadPoolExecutor(os.cpu_count()) as pool:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""CSV files, read strictly: a table that is only nearly right would compare wrong cells."""
+"""Reads CSV files strictly, since a slightly wrong table could compare wrong cells."""
 import csv
 import re
 from dataclasses import dataclass
@@ -10,14 +10,14 @@ NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
 def number(text):
-    """The number that `text` is, or None: a word, an empty cell, and never NaN or infinity."""
+    """Parses a finite number. Returns None for any other text."""
     value = float(text) if NUMBER.fullmatch(text) else None
     return None if value in (float("inf"), float("-inf")) else value
 
 
 @dataclass(frozen=True)
 class Table:
-    """A header and rows of as many texts each."""
+    """A header and rows with the same number of texts."""
 
     header: list
     rows: list
@@ -28,7 +28,7 @@ class Table:
         return [row[place] for row in self.rows]
 
     def cells(self):
-        """(row label, column) -> text, for a table whose column `row` labels the rows."""
+        """Maps (row label, column) to the text, for a table whose column `row` labels the rows."""
         return {
             (label, column): text
             for label, row in zip(self.column("row"), self.rows)
@@ -37,9 +37,9 @@ class Table:
 
 
 def read_table(path, labelled=False):
-    """The table in the CSV file `path`; `labelled`: its first column is `row`, each label unique.
+    """Reads the CSV file `path`. A `labelled` table has the first column `row` with unique labels.
 
-    Raises Fault with the place if it is missing, ragged, not UTF-8 or not labelled as asked.
+    Raises Fault with the place if the file is missing, ragged, not UTF-8 or lacks the labels.
     """
     try:
         with open(path, newline="", encoding="utf-8") as file:

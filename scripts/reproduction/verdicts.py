@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Published numbers beside ours, each with the verdict that its computed value supports."""
+"""Published beside computed numbers, each with the verdict that the computed number supports."""
 from dataclasses import dataclass
 
 from .fault import Fault
@@ -9,12 +9,12 @@ COLUMNS = ["row", "column", "published", "digits", "verdict"]
 INPUT = "–"
 VERDICTS = ["reproduced", "calibrated", "differs", "not recoverable", "not in the paper", INPUT]
 WITHOUT_NUMBER = {"not recoverable", "not in the paper", INPUT}  # may have no computed cell
-READING = 1e-9  # relative; a decimal print and a binary number do not meet exactly
+READING = 1e-9  # relative; decimal and binary numbers rarely agree exactly
 
 
 @dataclass(frozen=True)
 class Line:
-    """One published number: the texts to show and the verdict that is borne out."""
+    """One published number, with its texts and the verdict that the computed number supports."""
 
     row: str
     column: str
@@ -23,8 +23,8 @@ class Line:
     difference: str
     relative_percent: str
     verdict: str  # one of VERDICTS
-    remark: str  # shown behind the verdict
-    warning: str  # empty where the declared verdict is borne out
+    remark: str  # shown after the verdict
+    warning: str  # empty if the declared verdict is supported
 
     @property
     def shown_verdict(self):
@@ -54,7 +54,7 @@ def honest(declared, equal):
 
 
 def decimals(value, digits, sign=""):
-    """`value` with two decimals more than the print, less trailing zeros."""
+    """`value` with two decimals more than the print, without trailing zeros."""
     text = f"{value:{sign}.{max(digits, 0) + 2}f}".rstrip("0").rstrip(".")
     return "0" if text in ("+0", "-0") else text
 
@@ -75,7 +75,7 @@ def judge_line(published_row, cells):
 
 
 def judge_text(row, column, printed, computed, declared):
-    """The Line where the print or ours is no number: words are compared as words."""
+    """The Line of a row in which a cell is not a number. Such cells are compared as texts."""
     if printed and computed:
         verdict, remark = honest(declared, printed == computed)
     elif declared in WITHOUT_NUMBER:
@@ -88,7 +88,7 @@ def judge_text(row, column, printed, computed, declared):
 
 
 def warn(declared, verdict, remark):
-    """What to say about a declared verdict that is not borne out."""
+    """The warning about a declared verdict that the computed number does not support."""
     if verdict == declared and not remark:
         return ""
     return f"marked {declared!r}, shown as {verdict!r}" + (f" ({remark})" if remark else "")

@@ -117,7 +117,7 @@ class Setup(ProgramTest):
 
     def test_mode_set_keeps_the_gap_to_its_bound(self):
         found = self.found(TEAPOT, "--family", "AB", "--mode", "set")
-        self.assertLessEqual(found["lower_bound_deg2"], 931.92)  # docs/mathematics/five-axis-setup.md, 8.4
+        self.assertLessEqual(found["lower_bound_deg2"], 931.92)  # a pose of section 8.4
         self.assertGreaterEqual(found["objective_deg2"], 929.24)  # the bound of that pose
         self.assertLessEqual(found["objective_deg2"], 1.05 * found["lower_bound_deg2"] * (1 + 1e-12))
         self.assertAlmostEqual(found["floored_area_deg2"], found["objective_deg2"], delta=1e-9)
