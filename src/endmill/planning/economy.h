@@ -14,7 +14,7 @@ namespace endmill {
 /// A path length, measured at two points of the cutter.
 struct Travel {
     double contact_mm;  ///< sum of the chords between contacts, as in the paper's tables
-    double tip_mm;      ///< length of the way of the tip, which the machine travels
+    double tip_mm;      ///< path length of the tip, which the machine travels
 };
 
 /// The cost of a path.
@@ -22,7 +22,7 @@ struct PathEconomy {
     std::size_t passes;  ///< number of runs of points with the same `pass`
     std::size_t ncl;     ///< number of CL points, at which the cutter touches the part
     Travel cut;          ///< along the passes
-    Travel link;         ///< straight links between passes; lifted moves count in neither
+    Travel link;         ///< straight links between passes; lifted moves are not counted
 };
 
 /// Counts the points of `path` and sums the straight moves between them.

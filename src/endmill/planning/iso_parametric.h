@@ -35,7 +35,8 @@ struct IsoParametricPlan {
 /// it takes the widest interval that keeps the scallop height.
 ///
 /// The tolerances hold only as far as circles of curvature approximate the surface; the
-/// planner does not check the result. Use `path_error.h` to measure it, or plan_verified.
+/// planner does not check the result. Use the functions of `path_error.h` to measure the
+/// error, or plan with `plan_verified`.
 /// Source: [KimChoi, section 4, section 5]: eq. (1) to (3) along a pass, eq. (4) to (10)
 /// across; docs/mathematics/economic-cl-data.md, section 10.
 ///
@@ -60,9 +61,9 @@ IsoParametricPlan plan_iso_parametric(std::span<const Surface> surfaces,
                                       const BallCutter& cutter,
                                       const IsoParametricOptions& options);
 
-/// Estimates the number of points that plan_iso_parametric returns. The estimate sums
-/// step lengths and path intervals at 8 by 8 places a patch, and is right to a factor of
-/// about two. It takes well under a millisecond a patch.
+/// Estimates the number of points that plan_iso_parametric returns. The estimate
+/// evaluates step length and path interval at 8 by 8 places of each patch. It is right to
+/// a factor of about two and takes well under a millisecond a patch.
 /// \param surface to machine.
 /// \param cutter the ball.
 /// \param options see there.

@@ -23,8 +23,8 @@ using Pass = std::vector<SurfaceContact>;
 
 /// The direction in which neighbouring passes are cut.
 enum class PassOrder {
-    ZigZag,  ///< every other pass backwards, linked along the part
-    OneWay,  ///< all passes forwards; the cutter is lifted between them
+    ZigZag,  ///< every second pass backwards; links are straight moves at cutting feed
+    OneWay,  ///< all passes forwards; the cutter is lifted after each pass
 };
 
 /// How passes are joined.
@@ -85,9 +85,9 @@ struct PlaneCurves {
 
 /// Joins trimmed curves to one path of cutter tips. Each curve is a pass: a plunge
 /// reaches it, a retract leaves it, and a rapid at the safe height leads to the next one.
-/// Zigzag cuts the curves of every other plane backwards, the last curve first. Passes
-/// are numbered from 0; the lift that leads to a pass has the number of that pass. A
-/// curve of one point is a plunge alone.
+/// With `ZigZag`, the curves of every second plane are cut backwards, the last curve
+/// first. Passes are numbered from 0; the lift that leads to a pass has the number of
+/// that pass. A curve of one point becomes a plunge without a cut.
 /// Source: docs/mathematics/interference.md, section 1.
 /// \param planes  in the order in which they are cut.
 /// \param frame   position of the drive planes in space.

@@ -8,9 +8,9 @@
 #include "endmill/surface/surface.h"
 
 /// \file
-/// Measures how far the straight moves of an iso-parametric path deviate from the
-/// lines of the surface that they replace. The chord error compares contacts with the
-/// line, as the paper does; the motion error compares the swept ball with the line.
+/// Measures the deviation of the straight moves of an iso-parametric path from the lines
+/// of the surface that they replace. The chord error compares contacts with the line, as
+/// the paper does; the motion error compares the swept ball with the line.
 
 namespace endmill {
 
@@ -24,8 +24,8 @@ struct ChordError {
 
 /// Measures the chord error of the cuts of `path`.
 ///
-/// Each cut is sampled at 64 to 4096 places, on average at most 0.25 mm apart, and the
-/// worst sample is refined by golden section. A cut is skipped if the bound on the line's
+/// Each cut is sampled at 64 to 4096 places, on average at most 0.25 mm apart. Golden
+/// section search refines the worst sample. A cut is skipped if the bound on the line's
 /// second derivative proves that its error is below one that was already found. The true
 /// maximum can exceed the result only by the curvature of the line between two samples,
 /// except next to the worst sample.
@@ -42,8 +42,8 @@ ChordError chord_error(const Surface& surface, const ToolPath& path, Parameter a
 ChordError chord_error(std::span<const Surface> surfaces, const ToolPath& path,
                        Parameter along);
 
-/// Greatest deviation of the line of a pass to one side of the surface that the ball
-/// sweeps.
+/// Greatest deviation of the line of a pass from the surface that the ball sweeps, to one
+/// side of this surface.
 struct LineDeviation {
     double greatest_mm = 0;  ///< 0 if the line nowhere lies on this side
     SurfacePoint at{};       ///< parameters of the place of `greatest_mm`
@@ -53,8 +53,8 @@ struct LineDeviation {
 /// Deviation of the straight moves of a ball from the lines of their passes.
 struct MotionError {
     LineDeviation gouge;      ///< the line lies inside the swept volume
-    LineDeviation remaining;  ///< the line lies outside: material remains on it
-    double bound_mm;          ///< the true values exceed these by at most this
+    LineDeviation remaining;  ///< the line lies outside: stock remains
+    double bound_mm;  ///< the true deviations exceed `greatest_mm` by at most this
 
     /// The greater of the two deviations, in mm.
     double greatest_mm() const;
@@ -64,9 +64,9 @@ struct MotionError {
 /// is its distance from the boundary of the capsule that the ball sweeps on the straight
 /// move beside it.
 ///
-/// The result is a bound over all points of the line, not a sample: intervals of the line
-/// are halved until the bound on the second derivative excludes a greater deviation, to
-/// 1e-6 of the radius.
+/// The result bounds the deviation at all points of the line; it is not a sample.
+/// Intervals of the line are halved until a bound on the second derivative excludes a
+/// greater deviation. The accuracy is 1e-6 of the radius.
 /// \param surfaces the part.
 /// \param path     the contacts of a pass share one parameter; the patch numbers are
 ///                 indices of `surfaces`.

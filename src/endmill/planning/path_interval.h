@@ -11,7 +11,7 @@
 
 namespace endmill {
 
-/// Distance between neighbouring passes.
+/// Distance between neighbouring passes, also called pick feed.
 struct PathInterval {
     double chord;      ///< l in mm, between the two contacts
     double projected;  ///< d in mm, projection of the chord on the tangent at one contact
@@ -35,10 +35,13 @@ struct PathInterval {
 /// Source: [KimChoi, eq. (4), (5), (14)]; derived in paper/notes/path-interval.md,
 /// section 2, and paper/notes/path-interval.md, section 3.
 ///
-/// Clamped in two cases: if neighbouring balls never leave a scallop of this height, the
-/// highest scallop that they leave replaces it; if alpha exceeds 45 degrees, beyond which
-/// d decreases, alpha is 45 degrees. Unlimited if the whole concavity lies within
-/// `scallop_height` of one ball.
+/// The status is Clamped in two cases:
+/// - Neighbouring balls never leave a scallop of this height. The highest scallop that
+///   they leave replaces it.
+/// - alpha exceeds 45 degrees, beyond which d decreases. It becomes 45 degrees.
+///
+/// The status is Unlimited if the whole concavity lies within `scallop_height` of one
+/// ball.
 ///
 /// \param cutter         the ball, radius R.
 /// \param curvature      k in 1/mm across the feed, positive where the part is convex.
@@ -52,7 +55,8 @@ PathInterval path_interval(const BallCutter& cutter, double curvature,
 
 /// Height in mm of the highest scallop that neighbouring passes of `cutter` can leave,
 /// h_max = 2R / (1 + sqrt(1 + 2kR)). At a wider interval the balls no longer meet above
-/// the circle. Infinite if 1 + 2kR < 0, where the concavity closes around the ball.
+/// the circle. The result is infinite if 1 + 2kR < 0: the concavity closes around the
+/// ball.
 /// \param cutter    the ball, radius R.
 /// \param curvature k in 1/mm across the feed, positive where the part is convex.
 /// \throws DomainError unless k is finite.
@@ -64,7 +68,8 @@ PathInterval path_interval(const BallCutter& cutter, double curvature,
 double highest_scallop(const BallCutter& cutter, double curvature);
 
 /// Height in mm of the scallop between passes of `cutter` whose contacts lie `interval`
-/// apart on a circle. It is the inverse of path_interval where the status of that is Ok.
+/// apart on a circle. It is the inverse of path_interval if the status of the interval is
+/// Ok.
 /// Source: [KimChoi, fig. 5, eq. (14)], solved for h in paper/notes/path-interval.md,
 /// section 7.
 ///

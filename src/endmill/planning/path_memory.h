@@ -17,9 +17,9 @@ inline constexpr double bytes_per_path_point = 900;
 /// \pre 0 <= memory_gib
 std::size_t most_path_points(double memory_gib);
 
-/// Refuses a path that is too long for `memory_gib` before it is planned. An estimate of
-/// the number of points is right to a factor of two, therefore a path is refused only if
-/// half of the points would already be too many.
+/// Refuses a path that is too long for `memory_gib` before it is planned. The estimated
+/// number of points is right to a factor of two. A path is therefore refused only if half
+/// of the estimate is already too many.
 /// \param points     estimated number of points.
 /// \param memory_gib available memory.
 /// \throws LimitError with the number of points, the memory that they need and the limit.

@@ -17,8 +17,8 @@
 
 namespace endmill {
 
-/// Which contacts of a pass decide where the next pass lies. Each contact gives a
-/// candidate for the parameter of the next pass.
+/// The contacts of a pass that determine the next pass. Each contact gives a candidate
+/// for the parameter of the next pass.
 enum class Governing {
     Min,       ///< the smallest candidate: the scallop height holds at every CL point
     DenseMin,  ///< the smallest candidate of the CL points and of 17 more places a patch
@@ -31,7 +31,7 @@ enum class Governing {
 enum class LastPath {
     Border,  ///< adds a pass on the border
     None,    ///< adds no further pass
-    Half,    ///< adds a pass on the border if at least half an interval is left
+    Half,    ///< adds a pass on the border if at least half an interval remains
 };
 
 /// What the planner does if no further step fits on a pass.
@@ -46,10 +46,11 @@ enum class StepCurvature {
     Normal,  ///< normal curvature of the surface along the pass
 };
 
-/// The direction in which the CL points of a pass are computed. It changes their places.
+/// The direction in which the CL points of a pass are computed. The places of the points
+/// depend on it.
 enum class March {
     Forward,    ///< every pass with rising parameter
-    Alternate,  ///< every other pass from its far end
+    Alternate,  ///< every second pass from the other end
 };
 
 /// How the planner computes the curvature across the feed.
@@ -58,8 +59,9 @@ enum class CrossCurvature {
     Chord,  ///< from a chord, eq. (8) of the paper
 };
 
-/// Options of plan_iso_parametric. The paper leaves the choices open that are enums here;
-/// docs/mathematics/economic-cl-data.md, section 7, gives reasons for the defaults.
+/// Options of plan_iso_parametric. The paper leaves some choices open; each of them is an
+/// enum here. Source: docs/mathematics/economic-cl-data.md, section 7, with the reasons
+/// for the defaults.
 struct IsoParametricOptions {
     Parameter direction = Parameter::U;     ///< the parameter that varies along a pass
     double chord_tolerance = 0.5;           ///< delta, mm
@@ -83,7 +85,7 @@ struct IsoParametricOptions {
 /// Limits of the error of a ball's straight moves.
 struct MotionTolerances {
     double inner;  ///< mm; greatest gouge depth, anywhere on the part
-    double outer;  ///< mm along the normal; greatest remaining material along a pass
+    double outer;  ///< mm along the normal; largest remaining stock along a pass
 };
 
 /// Options of plan_verified.

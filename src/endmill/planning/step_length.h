@@ -30,8 +30,8 @@ struct StepLength {
 
 /// Longest step whose chord stays within `chord_tolerance` of a curve. The curve is taken
 /// as the circle of its curvature k at the start: L = 2 sqrt(2 delta/k - delta^2), D = L
-/// (1 - k delta). If its half angle exceeds 45 degrees, D would decrease as delta grows;
-/// the step is then clamped to L = sqrt(2)/k, D = 1/k.
+/// (1 - k delta). Beyond a half angle of 45 degrees, D decreases as delta grows. A longer
+/// step is therefore clamped to L = sqrt(2)/k, D = 1/k.
 /// Source: [KimChoi, eq. (1), (2)], written in curvature; the clamp is an addition, see
 /// docs/mathematics/economic-cl-data.md, section 4.
 ///

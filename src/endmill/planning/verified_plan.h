@@ -11,14 +11,14 @@
 #include "endmill/surface/surface.h"
 
 /// \file
-/// The planner whose path keeps its tolerances everywhere on the surface, proved by
+/// The planner that keeps its tolerances everywhere on the surface and proves this by
 /// bounds.
 
 namespace endmill {
 
-/// A place where more material remains than the options allow, or may remain because the
-/// bounds could not exclude it. An example is a crease that no ball reaches. The planner
-/// reports at most one place for each pair of neighbouring passes.
+/// A place where more stock remains than the options allow, or where the bounds could not
+/// exclude it. An example is a crease that no ball reaches. The planner reports at most
+/// one place for each pair of neighbouring passes.
 struct UncoveredPlace {
     int patch;        ///< number of the surface, from 0
     SurfacePoint at;  ///< parameters on it
@@ -30,26 +30,29 @@ struct VerifiedPlan {
     ToolPath path;  ///< all passes and the links between them
     /// Number of links that are lifted because a straight link would gouge.
     std::size_t lifted_links = 0;
-    std::vector<UncoveredPlace> uncovered = {};  ///< empty if the whole part is finished
+    std::vector<UncoveredPlace> uncovered = {};  ///< empty: the limits are proved
 };
 
 /// Plans passes along iso-parametric lines from one border of each surface to the other.
-/// It judges the straight moves of the ball, not only their contacts:
+/// It tests the whole straight motion of the ball, not only the contact points:
 ///
-/// * No move, including links and plunges, and no part of the shank enters a surface
-///   deeper than the inner tolerance. At the border of the part, where the ball reaches
-///   below it, the depth along the border's normals is limited as well.
-/// * Beside each move, at most the outer tolerance of material remains on the line of the
-///   pass. Between passes at most the scallop height plus the outer tolerance remains,
-///   except at the places in `uncovered`.
+/// * No move enters a surface deeper than the inner tolerance. This holds for links,
+///   plunges and the shank too. At the border of the part the ball may reach below the
+///   surface. There the inner tolerance also limits the depth along the border's normals.
+/// * On the line of a pass, at most the outer tolerance of stock remains. Between passes,
+///   at most the scallop height plus the outer tolerance remains, except at the places in
+///   `uncovered`.
 ///
 /// Both statements are proved by bounds over whole surface cells, not by samples. Each
-/// step is the longest that satisfies them, to a thousandth of its length. The intervals
-/// are the widest at which balls that roll along the passes keep the scallop height, to a
-/// thousandth; the first and the last pass lie on borders. If straight steps then break a
-/// limit between two passes, the planner halves a step or inserts a pass, down to an
-/// eighth of the interval. A zigzag starts at the end of its first pass that makes the
-/// links shorter. Surfaces are planned in their order and joined by lifted links.
+/// step is the longest that satisfies them, to a thousandth of its length.
+///
+/// The path interval is the largest at which a ball in continuous contact keeps the
+/// scallop height, to a thousandth. The first and the last pass lie on borders. Straight
+/// steps may break a limit between two such passes. The planner then halves a step or
+/// inserts a pass. It inserts passes until their spacing is one eighth of the interval.
+///
+/// A zigzag starts at that end of the first pass for which the total length of the links
+/// is smaller. Surfaces are planned in their order and joined by lifted links.
 ///
 /// The result is the same to the bit for any number of threads.
 /// \param surfaces the part; at least one.

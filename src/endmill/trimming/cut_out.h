@@ -9,11 +9,12 @@
 
 namespace endmill {
 
-/// Why a stretch of points was cut out of a section curve.
+/// The reason why a stretch of points was cut out of a section curve.
 enum class CutCause : std::uint8_t {
     Fold,    ///< a crossing bounds the stretch
-    Crease,  ///< a crossing bounds it, and one of its contacts is on a concave crease
-    End,  ///< no crossing bounds it: it ends at an end of the curve or at a vertical step
+    Crease,  ///< a crossing bounds the stretch, with a contact on a concave crease
+    /// No crossing bounds the stretch. It reaches an end of the curve or a vertical step.
+    End,
     Closed  ///< the stretch is a whole closed curve
 };
 
@@ -27,20 +28,20 @@ struct CutOut {
     std::int32_t first_point;  ///< number of its first point
     std::int32_t last_point;   ///< number of its last point
     CutCause cause;            ///< why it was cut out
-    /// The crossing that bounds the stretch; if two crossings do, the first one along the
-    /// curve. Without a crossing, the new end of the curve, which may lie inside a
-    /// segment. The point has the coordinates that it has in the result. Empty if nothing
-    /// of the curve remains.
+    /// The crossing that bounds the stretch. If two crossings bound it, this is the first
+    /// one along the curve. Without a crossing it is the new end of the curve, which may
+    /// lie inside a segment. The coordinates are those of the result. Empty if nothing of
+    /// the curve remains.
     std::optional<SectionPoint> place;
     /// The rule that cut the stretch; if several rules did, the last one:
     ///
-    ///     below the envelope  method `envelope`; closed curves with all methods but `winding`
-    ///     winding number      method `winding`: the tool would be in the material there
+    ///     below the envelope  method `envelope`; closed curves, except with `winding`
+    ///     winding number      method `winding`: the cutter would be inside the part
     ///     valley              methods 1, 2, 3 (guarded) and 3r: a loop behind a crossing
     ///     E1, E2              the same methods: a tail at the end or at the beginning
-    ///     E3                  the same methods: a branch too short to cross its neighbour
-    ///     P4, P3              methods 1, 2, 3 (literal): the signs - + - + or + - + of dz
-    ///     P4 cut, P3 cut      the same methods: the signs without a crossing, a blind cut
+    ///     E3                  the same methods: a branch too short to cross the next
+    ///     P4, P3              methods 1, 2, 3 (literal): signs - + - + or + - + of dz
+    ///     P4 cut, P3 cut      the same methods: these signs, but no crossing found
     ///     closed              methods 1, 2, 3, 3r: a closed curve below the others
     ///     outside the range   all methods: the part ends there
     ///
@@ -52,8 +53,9 @@ struct CutOut {
 using CreaseTest = std::function<bool(SegmentNumber)>;
 
 /// Lists the stretches of `curves` that `trimmed` does not contain, ordered by curve and
-/// first point. The list follows from the curves and the result alone, so that it is
-/// comparable between methods. The two equal ends of a closed curve count as one point.
+/// first point. The list depends on the curves and the result alone, so that the lists of
+/// different methods are comparable. The two equal ends of a closed curve count as one
+/// point.
 /// \param curves the section curves of one plane, as they were trimmed.
 /// \param trimmed the result of a trimming method for these curves.
 /// \param is_on_crease an empty function means that the part has no creases.

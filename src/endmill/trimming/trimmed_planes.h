@@ -41,7 +41,8 @@ struct SectionSource {
 struct RefinedPlanes {
     std::vector<std::vector<TrimmedCurve>> curves;  ///< one list for each plane
     std::size_t unrefined = 0;  ///< number of points that keep their sampled position
-    /// largest change of z in mm of a moved point: the error of the sampling there
+    /// Largest change of z in mm of a moved point. It is the sampling error at this
+    /// point.
     double greatest_shift = 0;
 };
 
@@ -56,10 +57,10 @@ struct RefinedPlanes {
 /// count as equally high. Between points the path is straight; its chord error is c l^2 /
 /// 8 for a chord of length l on a section of curvature c.
 ///
-/// A point keeps its sampled position in three cases: below the envelope of its section,
-/// in a fold that a method left; where the offset is vertical (N_z = 0); and over edges
-/// and corners if the offset was made without BoundaryContact. Runs on all threads; the
-/// result does not depend on their number.
+/// A point keeps its sampled position in three cases: it lies below the envelope of its
+/// section, in a fold that a method left; the offset is vertical there (N_z = 0); or the
+/// contact is on an edge or a corner and the offset was made without BoundaryContact.
+/// Runs on all threads; the result does not depend on their number.
 /// Source: docs/mathematics/interference.md, section 6.
 /// \param source the part, its offset and the sections.
 /// \param trimmed one result for each plane.
@@ -78,19 +79,18 @@ double sampling_error(const SectionSource& source, std::span<const Trimmed> trim
 /// The size of a trimming task.
 struct TrimmingSize {
     std::size_t surfaces;  ///< number of sampled surfaces; 0 for a mesh part
-    /// along each parameter of a surface; for a mesh part, samples in each plane
+    /// Samples along each parameter of a surface; for a mesh part, samples in each plane.
     int grid_lines;
     std::size_t planes;                                   ///< number of drive planes
     BoundaryContact boundary = BoundaryContact::Contact;  ///< see OffsetOptions
 };
 
 /// Upper estimate in bytes of the memory that the offset, its sections and their files
-/// need together. It is right to a factor of two. It was measured on one surface, with
-/// and without folds, over grids of 20 to 9000 lines and 10 to 20 000 planes.
+/// need together. It is right to a factor of two on one surface, with and without folds,
+/// for grids of 20 to 9000 lines and 10 to 20 000 planes.
 double trimming_bytes(const TrimmingSize& size);
 
-/// Refuses a task, before any work, whose memory would exceed `memory_gib` even if
-/// trimming_bytes were twice too large.
+/// Refuses a task before any work if half of trimming_bytes exceeds `memory_gib`.
 /// \throws LimitError with the grid, the planes, the estimate and the limit.
 void require_trimming_memory(const TrimmingSize& size, double memory_gib);
 

@@ -11,7 +11,7 @@
 namespace endmill {
 
 /// A segment of a section curve: the numbers of the curve and of the segment's first
-/// point. The same numbers stand for that point where a vertex is meant.
+/// point. For a vertex the pair means the point itself.
 struct SegmentNumber {
     std::int32_t curve;  ///< number of the curve
     std::int32_t point;  ///< number of the point in the curve
@@ -20,10 +20,11 @@ struct SegmentNumber {
 
 /// The origin of a point of a trimmed curve.
 enum class TrimmedKind : std::uint8_t {
-    Vertex,    ///< the vertex `on`, with the same bits
+    Vertex,    ///< the vertex `on`, with unchanged coordinates
     Crossing,  ///< the crossing of the segments `on` and `across`
     Link,      ///< on the segment `on`, vertically above or below the vertex `across`
-    End  ///< on the segment `on`, where the result was clipped; `across` equals `on`
+    /// An end that clipping to the part made, on the segment `on`; `across` equals `on`.
+    End
 };
 
 /// A point of a trimmed curve with its origin.
@@ -52,15 +53,18 @@ struct AppliedRule {
 struct Trimmed {
     std::vector<TrimmedCurve> curves;  ///< ordered by smallest s, then by z there
     std::vector<AppliedRule> rules;    ///< in the order in which the method applied them
-    /// the rule behind every cut that `rules` does not list; static lifetime
+    /// Default rule of all cuts that `rules` does not list. The text has static lifetime.
     std::string_view rule;
-    /// number of folds that remain: no crossing was found and no end rule applies
+    /// Number of folds that remain: no crossing was found, and no rule for the ends of a
+    /// curve (E1, E2, E3) applies. Source: docs/mathematics/interference.md, section 4.
     int unresolved = 0;
 };
 
-/// How methods 1, 2 and 3 find folds: by the signs of dz as printed in the paper
-/// (Literal), or by the corrected rules on runs of ds (Guarded).
-enum class FoldDetection : std::uint8_t { Literal, Guarded };
+/// How methods 1, 2 and 3 find folds.
+enum class FoldDetection : std::uint8_t {
+    Literal,  ///< by the signs of dz, as printed in the paper
+    Guarded   ///< by corrected rules on the runs along which s grows or falls
+};
 
 /// The sign patterns of dz that count as a fold with literal detection.
 enum class FoldPatterns : std::uint8_t {
@@ -68,19 +72,21 @@ enum class FoldPatterns : std::uint8_t {
     P4        ///< - + - + only, to show the effect of the other pattern
 };
 
-/// How method 3 compares the segments of two branches: with two pointers in |A| + |B|
-/// steps, or segment by segment in |A| |B| steps. Both find the same crossing.
+/// How method 3 compares the segments of two branches A and B: with one pointer on each
+/// branch in |A| + |B| steps (March), or every pair of segments in |A| |B| steps (Scan).
+/// Both find the same crossing.
 enum class BranchSearch : std::uint8_t { March, Scan };
 
 /// The options of all methods. Each method uses the options that name it and ignores the
 /// others.
 struct TrimmingOptions {
     FoldDetection detection = FoldDetection::Guarded;  ///< of methods 1, 2 and 3
-    double scan_step = 0;  ///< mm between the scan lines of method 1, which needs > 0
-    /// mm of s below which method 1 takes two branches to cross; it needs > 0
+    double scan_step =
+        0;  ///< mm between the scan lines of method 1, which must be above 0
+    /// Largest |ds| in mm at which method 1 accepts an intersection; it must be above 0.
     double scan_threshold = 0;
     BranchSearch search = BranchSearch::March;  ///< of method 3
-    /// of methods 1, 2 and 3 with literal detection
+    /// Of methods 1, 2 and 3 with literal detection.
     FoldPatterns patterns = FoldPatterns::P3AndP4;
 };
 
