@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The installed build: what lies there, and a project that uses it, also after a move.
+"""The installed build: its files, and a project that uses it before and after the prefix is moved.
 
-The tests' order is that of their names: the prefix is moved between the two builds.
+The tests run in the order of their names. The prefix is moved between the two builds.
 """
 import json
 import os
@@ -16,7 +16,7 @@ SURFACE = ROOT / "datasets/surfaces/net_rot24_7D.json"
 
 
 def run(*command, **options):
-    """The finished process of one command, whatever it returned."""
+    """Runs a command and returns the finished process, also after a failure."""
     return subprocess.run([*map(str, command)], capture_output=True, text=True, check=False,
                           timeout=600, stdin=subprocess.DEVNULL, **options)
 
@@ -27,7 +27,7 @@ def modules():
 
 
 class InstalledTest(unittest.TestCase):
-    """Tests on one temporary installation."""
+    """A test with a temporary installation."""
 
     @classmethod
     def setUpClass(cls):
@@ -40,7 +40,7 @@ class InstalledTest(unittest.TestCase):
             raise RuntimeError(done.stdout + done.stderr)
 
     def succeed(self, *command, **options):
-        """What a command that must succeed prints."""
+        """The output of a command that must succeed."""
         done = run(*command, **options)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done.stdout
@@ -52,13 +52,13 @@ class InstalledTest(unittest.TestCase):
         self.succeed("cmake", "--build", build)
 
     def headers(self):
-        """The installed headers, as one includes them."""
+        """The installed headers, as in an #include."""
         include = self.prefix / "include"
         return sorted(str(path.relative_to(include)) for path in include.rglob("*.h"))
 
 
 class WhatIsInstalled(InstalledTest):
-    def test_is_the_program_the_libraries_the_licence_and_the_machines(self):
+    def test_program_libraries_licence_and_machines_are_installed(self):
         files = {str(path.relative_to(self.prefix)) for path in self.prefix.rglob("*")
                  if path.is_file() and path.suffix != ".h"}
         package = {path for path in files if "/cmake/endmill/" in path}
@@ -73,23 +73,23 @@ class WhatIsInstalled(InstalledTest):
                          {"bin/endmill", "share/doc/endmill/LICENSE", "share/man/man1/endmill.1",
                           "share/bash-completion/completions/endmill"} | machines)
 
-    def test_headers_are_all_but_the_internal_ones(self):
+    def test_all_headers_except_internal_ones_are_installed(self):
         source = ROOT / "src"
         public = [*source.glob("endmill/*.h"), *source.glob("endmill/*/*.h")]
         self.assertEqual(self.headers(), sorted(str(path.relative_to(source)) for path in public))
         self.assertFalse([header for header in self.headers() if "/detail/" in header])
 
-    def test_modules_are_components_and_complete_with_what_they_need(self):
+    def test_modules_are_components_with_their_dependencies(self):
         self.build(ROOT / "tests/consumer/whole", self.folder / "whole",
                    f"-DMODULES={';'.join(modules())}")
 
-    def test_package_names_no_folder_of_this_machine(self):
+    def test_package_does_not_name_local_folders(self):
         for path in self.prefix.rglob("*.cmake"):
             text = path.read_text(encoding="utf-8")
             for folder in (ROOT, BUILD, self.folder):
                 self.assertNotIn(str(folder), text, path.name)
 
-    def test_version_is_that_of_the_program_and_another_minor_one_does_not_fit(self):
+    def test_version_is_that_of_the_program_and_excludes_other_minors(self):
         script = self.folder / "find.cmake"
         script.write_text("find_package(endmill 0.999 QUIET)\n"
                           "message(STATUS ${endmill_CONSIDERED_VERSIONS})\n", encoding="utf-8")
@@ -105,20 +105,20 @@ class Consumer(InstalledTest):
         return self.folder / name / "consumer"
 
     def assert_plans_as_the_program(self, consumer):
-        # As the consumer plans; the paper's path gouges this part, which is exit status 1.
+        # Plan with the options of the consumer. The path of mode paper gouges this part, so the exit code is 1.
         facts = json.loads(run(
             self.prefix / "bin/endmill", "plan", SURFACE, "--mode", "paper", "--cutter", "ball:15", "--direction", "u",
             "--chord-tolerance", "0.5", "--scallop", "0.5", "--force", "--json", cwd=self.folder).stdout)
         self.assertEqual(self.succeed(consumer, SURFACE), f"{facts['ncl']}\n")
 
-    def test_1_finds_builds_and_plans_as_the_program_does(self):
+    def test_1_consumer_plans_like_the_program(self):
         consumer = self.built("build")
         self.assert_plans_as_the_program(consumer)
         done = run(consumer, "no_such_file.json")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn("no_such_file.json", done.stderr)
 
-    def test_2_does_so_where_the_prefix_is_moved(self):
+    def test_2_consumer_builds_after_the_prefix_is_moved(self):
         moved = self.folder / "a place/moved"
         moved.parent.mkdir()
         type(self).prefix = self.prefix.rename(moved)

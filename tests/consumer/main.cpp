@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// consumer SURFACE: the number of CL points along u with a ball of 15 mm.
+// consumer SURFACE: prints the number of CL points along u for a ball of 15 mm diameter.
 
 #include <exception>
 #include <iostream>

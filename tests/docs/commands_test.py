@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every command of README.md and of the guide works as it is printed.
+"""Every command of README.md and of the guide works as printed.
 
-The commands of a page are the fenced `sh` blocks. Those of one page run one after the other in a folder of
-their own, from which `datasets` is seen, with the program on the path: as in the root of the repository.
+The commands of a page are in the fenced `sh` blocks. The test runs the commands of one page in order, in a
+temporary folder with a link to `datasets` and with the program on the path.
 """
 import os
 import re
@@ -16,13 +16,13 @@ PROGRAM = Path(os.environ.get("ENDMILL", ROOT / "build/release/src/cli/endmill")
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs/guide").glob("*.md"))]
 BLOCK = re.compile(r"^```sh\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
-# What builds the program or runs this test is run by scripts/test.sh itself: with --all also the
-# experiments. Setting the path is what this test does.
+# Commands that this test does not run: scripts/test.sh itself builds the program and runs this test, and
+# with --all also the experiments. The test sets the path itself.
 RUN_BY_TEST_SH = re.compile(r"^(scripts/(test|reproduce|docs|bench|setup|fuzz)\.sh|cmake |ctest |export PATH=)")
 
 
 def commands(page):
-    """The commands of a page, lines that end in a backslash joined."""
+    """The commands of a page. Lines that end in a backslash are joined with the next."""
     for block in BLOCK.findall(page.read_text(encoding="utf-8")):
         for command in block.replace("\\\n", " ").splitlines():
             command = re.sub(r"\s+#.*$", "", command).strip()
@@ -31,7 +31,7 @@ def commands(page):
 
 
 class Commands(unittest.TestCase):
-    """A test for each page, made below."""
+    """Has one test for each page, which the loop below adds."""
 
     def run_page(self, page):
         with tempfile.TemporaryDirectory() as folder:
@@ -52,7 +52,7 @@ class Commands(unittest.TestCase):
                 pending = ""
 
 
-# Commands whose answer is no: the page says so.
+# Commands that exit with another code than 0, as their page states.
 EXIT_CODES = {
     "endmill plan datasets/surfaces/net_rot24_7D.json --mode paper --cutter ball:15 --direction v -o paper": 1,
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The program reads every example of an input file in docs/file-formats.md.
 
-The info string of an example's fenced block names its format.
+The info string of the fenced block of an example names its format.
 """
 import os
 import re
@@ -15,7 +15,7 @@ PROGRAM = Path(os.environ.get("ENDMILL", ROOT / "build/release/src/cli/endmill")
 PAGE = ROOT / "docs/file-formats.md"
 BLOCK = re.compile(r"^```(\w+ [\w/-]+)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
-# Info string -> name of the file, and the command that reads it.
+# Maps an info string to the name of the file and the command that reads it.
 READERS = {
     "json endmill-surface/1": ("surface.json", "info FILE"),
     "stl mesh": ("mesh.stl", "info FILE"),
@@ -39,7 +39,7 @@ READERS = {
 
 
 class Formats(unittest.TestCase):
-    def test_the_program_reads_every_example(self):
+    def test_program_reads_every_example(self):
         examples = BLOCK.findall(PAGE.read_text(encoding="utf-8"))
         self.assertGreater(len(examples), 10)
         for kind, text in examples:
@@ -53,7 +53,7 @@ class Formats(unittest.TestCase):
                                       check=False, stdin=subprocess.DEVNULL, timeout=60)
                 self.assertIn(done.returncode, (0, 1), f"{kind}: {words}\n{text}\n{done.stderr}")
 
-    def test_every_kind_has_an_example(self):
+    def test_every_format_has_an_example(self):
         kinds = {kind for kind, _ in BLOCK.findall(PAGE.read_text(encoding="utf-8"))}
         self.assertEqual(kinds, set(READERS))
 

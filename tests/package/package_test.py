@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The Debian package: its contents and dependencies, and its program, manual and libraries.
 
-As root the package is installed, tried and removed; anybody else unpacks it. Build the target
-`package` first. scripts/test.sh --all runs this file.
+As root, the test installs the package, runs it and removes it. Without root, the test unpacks it.
+Build the target `package` first. scripts/test.sh --all runs this file.
 """
 import os
 import re
@@ -17,13 +17,13 @@ BUILD = Path(os.environ.get("ENDMILL_BUILD", ROOT / "build/release"))
 
 
 def run(*command, **options):
-    """The finished process of one command, whatever it returned."""
+    """Runs a command and returns the finished process, also after a failure."""
     return subprocess.run([*map(str, command)], capture_output=True, text=True, check=False,
                           timeout=900, stdin=subprocess.DEVNULL, **options)
 
 
 def succeed(*command, **options):
-    """What a command that must succeed prints."""
+    """The output of a command that must succeed."""
     done = run(*command, **options)
     if done.returncode:
         raise RuntimeError(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
@@ -39,7 +39,7 @@ def package_file():
 
 
 def can_install():
-    """Whether the package may be installed: by root, where no endmill is installed yet."""
+    """Whether the package may be installed: as root, and without an installed endmill."""
     return os.geteuid() == 0 and shutil.which("apt-get") and run("dpkg", "-s", "endmill").returncode
 
 
@@ -59,14 +59,14 @@ class Package(unittest.TestCase):
             succeed("dpkg-deb", "--extract", cls.file, cls.folder / "unpacked")
             cls.prefix = cls.folder / "unpacked/usr"
 
-    def test_depends_on_the_libraries_of_the_program_and_recommends_those_of_the_headers(self):
+    def test_package_depends_on_libraries_and_recommends_those_of_headers(self):
         depends = succeed("dpkg-deb", "--field", self.file, "Depends")
         for library in ("libc6", "libstdc++6", "libtbb12", "libfmt9"):
             self.assertRegex(depends, rf"\b{re.escape(library)}\b")
         recommends = succeed("dpkg-deb", "--field", self.file, "Recommends")
         self.assertIn("libeigen3-dev", recommends)
 
-    def test_holds_program_machines_manual_completion_headers_and_libraries(self):
+    def test_package_has_program_machines_manual_completion_headers_and_libraries(self):
         for name in ("bin/endmill", "share/endmill/machines", "share/man/man1/endmill.1",
                      "share/bash-completion/completions/endmill", "share/doc/endmill/LICENSE",
                      "include/endmill/core/vec.h", "lib/libendmill_core.a",
@@ -96,7 +96,7 @@ class Package(unittest.TestCase):
             _endmill && echo "${{COMPREPLY[@]}}" """
         self.assertEqual(succeed("bash", "-c", script).split(), ["zigzag", "one-way"])
 
-    def test_libraries_serve_a_project_of_another_folder(self):
+    def test_libraries_build_a_project_in_another_folder(self):
         build = self.folder / "consumer"
         succeed("cmake", "-S", ROOT / "tests/consumer", "-B", build, "-G", "Ninja",
                 f"-DCMAKE_PREFIX_PATH={self.prefix}")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The recipe of docs/guide/extend.md for a new trimming method, applied to a copy of the sources.
+"""Applies the recipe of docs/guide/extend.md for a new trimming method to a copy of the sources.
 
-Only the changed table is compiled. The program and the tests are linked again from the objects of
+The test compiles only the changed table. It links the program and the tests again from the objects of
 the build. The new object comes before the library, so that the linker ignores the library's own.
 """
 import csv
@@ -17,7 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("ENDMILL_BUILD", ROOT / "build/release")).resolve()
 TABLE = "src/endmill/trimming/trimming_methods.cpp"
-# Vector T1 of docs/mathematics/interference.md, section 11: one symmetric loop, crossing at (0, 0).
+# docs/mathematics/interference.md, section 11, T1: one symmetric loop that crosses itself at (0, 0).
 LOOP = "s_mm,z_mm\n-6,6\n2,-2\n0,-1\n-2,-2\n6,6\n"
 
 
@@ -31,7 +31,7 @@ def succeed(*command, cwd):
 
 
 def recipe():
-    """The steps: path and text of the new file, its #include, its line in the table, the call."""
+    """The steps of the recipe: path and text of the new file, its #include, its table line, the call."""
     text = (ROOT / "docs/guide/extend.md").read_text(encoding="utf-8")
     text = text[text.index("## A trimming method"):]
     path = re.search(r"`(src/\S+\.h)`", text)[1]
@@ -53,7 +53,7 @@ def apply_recipe(copy):
 
 
 def build_command(target, text):
-    """The words of the last command by which the build makes `target` and that contains `text`."""
+    """The words of the last command of the build for `target` that contains `text`."""
     lines = succeed("ninja", "-C", BUILD, "-t", "commands", target, cwd=BUILD).splitlines()
     commands = [command for line in lines for command in line.split(" && ")]
     return shlex.split([command for command in commands if text in command][-1])
@@ -77,7 +77,7 @@ class Recipe(unittest.TestCase):
         succeed(*words, cwd=BUILD)
 
     def linked(self, made):
-        """A program of the build, linked with the new table."""
+        """Links a program of the build with the new table."""
         program = self.folder / Path(made).name
         words = build_command(program.name, f" -o {made} ")
         words[words.index("-o") + 1] = program
@@ -85,7 +85,7 @@ class Recipe(unittest.TestCase):
         succeed(*words, cwd=BUILD)
         return program
 
-    def test_method_is_one_of_the_program(self):
+    def test_program_has_the_new_method(self):
         endmill = self.linked("src/cli/endmill")
         (self.folder / "curves.csv").write_text(LOOP, encoding="ascii")
         *_, call = recipe()
@@ -103,7 +103,7 @@ class Recipe(unittest.TestCase):
         self.assertIn("forward", said)
         self.assertIn("|forward|all", succeed(endmill, "trim", "--help", cwd=self.folder))
 
-    def test_method_passes_the_tests_of_all_methods(self):
+    def test_new_method_passes_the_tests_of_all_methods(self):
         program = self.linked("src/endmill_trimming_test")
         said = succeed(program, "--gtest_filter=TrimmingMethods.*", cwd=self.folder)
         self.assertIn("TrimmingMethods.AllKeepTheContract", said)

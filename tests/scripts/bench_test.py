@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Benchmarks run and compared, with drivers that are shell scripts."""
+"""Runs and compares benchmarks whose drivers are shell scripts."""
 import csv
 import unittest
 
@@ -17,7 +17,7 @@ HEAD = "row,measured,unit\n"
 
 
 class Rows(unittest.TestCase):
-    def test_time_and_memory_count_up_and_speed_counts_down(self):
+    def test_more_time_or_memory_is_slower_and_more_speed_is_faster(self):
         for unit in ("s", "ms a segment", "ns/pair", "us a point", "bytes a cell", "GiB", "MB"):
             self.assertEqual(sense(unit), 1, unit)
         for unit in ("million/s", "million points/s", "times as fast"):
@@ -25,18 +25,18 @@ class Rows(unittest.TestCase):
         for unit in ("times", "times ours", "of unturned", "1", "pairs"):
             self.assertEqual(sense(unit), 0, unit)
 
-    def test_slowdown_is_above_one_where_more_time_or_less_speed_is_measured(self):
+    def test_slowdown_exceeds_one_for_more_time_or_less_speed(self):
         self.assertEqual(slowdown(Row("a", "s", 2), Row("a", "s", 3)), 1.5)
         self.assertEqual(slowdown(Row("a", "million/s", 3), Row("a", "million/s", 2)), 1.5)
 
-    def test_verdicts_begin_at_three_percent_either_way(self):
+    def test_verdicts_begin_at_three_percent(self):
         self.assertEqual([verdict(r) for r in (1.031, 1.029, 1.0, 0.972, 0.969)],
                          ["slower", "same", "same", "same", "faster"])
 
-    def test_spread_is_that_of_all_runs_over_their_median(self):
+    def test_spread_is_the_range_of_all_runs_over_their_median(self):
         self.assertAlmostEqual(spread_percent([9, 10, 12]), 30)
 
-    def test_a_peer_is_compared_with_our_row_of_the_same_run(self):
+    def test_peer_is_compared_with_our_row_of_the_same_run(self):
         run = {"ours": Row("ours", "ms", 2), "theirs": Row("theirs", "ms", 9)}
         self.assertEqual(peer_ratio(run["theirs"], run, {"theirs": "ours"}), 4.5)
         self.assertIsNone(peer_ratio(run["ours"], run, {"theirs": "ours"}))
@@ -44,7 +44,7 @@ class Rows(unittest.TestCase):
 
 
 class Peers(unittest.TestCase):
-    def test_of_params_are_rows_of_the_benchmark(self):
+    def test_peers_of_params_are_rows_of_the_benchmark(self):
         for experiment in find_experiments(ROOT):
             peers = experiment.params().get("peers", {})
             if peers:
@@ -60,7 +60,7 @@ class CommandLine(unittest.TestCase):
     def test_names_may_carry_their_folder(self):
         self.assertEqual(read(["experiments/benchmarks/a/"], ["a", "b"]).names, ["a"])
 
-    def test_mistakes_are_named(self):
+    def test_errors_of_the_command_line_are_named(self):
         for words, said in ((["--pairs", "3"], "--compare"), (["--runs", "0"], "whole number"),
                             (["--compare"], "value"), (["c"], "there are: a, b"), (["--x"], "--x"),
                             (["--compare", "HEAD", "--runs", "2"], "--pairs")):
@@ -70,7 +70,7 @@ class CommandLine(unittest.TestCase):
 
 class Runs(FakeTree):
     def add(self, folder, name, result):
-        """A benchmark that writes `result`; $N in it counts its runs."""
+        """Adds a benchmark that writes `result`, in which $N is the number of the run."""
         root = self.root / folder
         self.write(f"{folder}/experiments/benchmarks/{name}/main.cpp")
         program = self.write(
@@ -81,9 +81,9 @@ class Runs(FakeTree):
         return Tree(root, folder)
 
     def quiet(self, _text):
-        """In place of a terminal."""
+        """Collects the output."""
 
-    def test_medians_and_spreads_of_several_runs_and_the_ratio_to_a_peer(self):
+    def test_several_runs_give_medians_spreads_and_ratios_to_peers(self):
         tree = self.add("new", "slicing", "ours,$N,ms\ntheirs,$((4 * $N)),ms\nerror,0,pairs\n")
         self.write("new/experiments/benchmarks/slicing/params.json", '{"peers": {"theirs": "ours"}}')
         rows = [dict(zip(RUN_HEAD, row)) for row in measure(tree, ["slicing"], 3, self.quiet)]
@@ -105,18 +105,18 @@ class Runs(FakeTree):
         self.assertEqual((rows[0]["ratio"], rows[0]["pairs"]), (1.1, 4))
         self.assertEqual(len((self.root / "old/runs").read_text().splitlines()), 4)
 
-    def test_a_peer_gets_no_verdict(self):
+    def test_peer_gets_no_verdict(self):
         run = {"theirs": Row("theirs", "ms", 9)}
         slow = {"theirs": Row("theirs", "ms", 20)}
         self.assertEqual(judged("x", [(run, slow)], {"theirs": "ours"})[0][-1], "not judged")
 
-    def test_a_crash_is_named(self):
+    def test_crash_is_named(self):
         tree = self.add("new", "post", "")
         self.write("new/build/release/experiments/benchmarks-post", "#!/bin/sh\nexit 3\n")
         with self.assertRaisesRegex(Fault, "post of new ended with exit code 3"):
             pairs_of(tree, tree, "post", 1, self.quiet)
 
-    def test_another_revision_is_checked_out_once(self):
+    def test_other_revision_is_checked_out_once(self):
         self.git("init", "--initial-branch=main")
         self.write("a.txt", "old")
         self.git("add", ".")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Formatted files only, and nothing that a merge left behind."""
+"""check_format.py reports unformatted files and leftovers of a merge."""
 import unittest
 
 from fake_tree import FakeTree
@@ -12,7 +12,7 @@ class Format(FakeTree):
         super().setUp()
         self.git("init", "--initial-branch=main")
 
-    def test_leftovers_are_complained_of_once_they_are_to_be_committed(self):
+    def test_staged_leftovers_are_reported(self):
         for name in ("src/endmill/core/vec.h.orig", "README.md.rej"):
             self.write(name, "<<<<<<<\n")
             self.assertEqual(self.check(check_format.main, self.root)[0], 0)
@@ -23,7 +23,7 @@ class Format(FakeTree):
             self.git("rm", "--force", name)
         self.assertEqual(self.check(check_format.main, self.root)[0], 0)
 
-    def test_names_that_only_look_like_it_are_welcome(self):
+    def test_similar_names_are_accepted(self):
         self.write("scripts/original.py")
         self.write("datasets/orig/README.md")
         self.git("add", ".")
@@ -31,7 +31,7 @@ class Format(FakeTree):
 
 
 class OutsideARepository(FakeTree):
-    def test_there_is_nothing_committed(self):
+    def test_folder_outside_a_repository_has_no_leftovers(self):
         self.write("a.orig")
         self.assertEqual(self.check(check_format.main, self.root)[0], 0)
 

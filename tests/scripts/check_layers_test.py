@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The layer check finds each kind of disorder, and none in a tidy tree."""
+"""check_layers.py reports each kind of fault, and none in a correct tree."""
 import unittest
 
 from fake_tree import FakeTree
@@ -29,7 +29,7 @@ class Layers(FakeTree):
         self.write("src/cli/plan.cpp", SPDX + '#include "endmill/files/csv.h"\n')
 
     def write_header(self, module, header, text=""):
-        """A header with its test."""
+        """Adds a header with its test."""
         self.write(f"src/endmill/{module}/{header}.h", SPDX + text)
         self.write(f"tests/{module}/{header.split('/')[-1]}_test.cpp", SPDX)
 
@@ -44,101 +44,101 @@ class Layers(FakeTree):
         for word in words:
             self.assertIn(word, printed)
 
-    def test_a_tidy_house_passes(self):
+    def test_correct_tree_passes(self):
         found = self.check(check_layers.main, self.root)
         self.assertEqual(found, (0, "3 modules, all as declared\n"))
 
-    def test_an_undeclared_arrow(self):
+    def test_undeclared_use_of_a_module_is_reported(self):
         self.write("src/endmill/core/vec.cpp", SPDX + '#include "endmill/surface/patch.h"\n')
         code, printed = self.check(check_layers.main, self.root)
         self.assertEqual(code, 1)
         self.assertIn("src/endmill/core/vec.cpp: core -> surface", printed)
 
-    def test_an_umbrella_header_is_for_users_of_the_library_alone(self):
+    def test_umbrella_header_in_the_library_is_reported(self):
         self.write("src/endmill/surface/patch.cpp", SPDX + '#include "endmill/core.h"\n')
         self.assert_found("src/endmill/surface/patch.cpp", "core.h")
 
-    def test_an_arrow_around_the_declaration(self):
+    def test_relative_include_is_reported(self):
         self.write("src/endmill/core/vec.cpp", SPDX + '#include "../surface/patch.h"\n')
         self.assert_found("src/endmill/core/vec.cpp", "../surface/patch.h")
 
-    def test_a_module_that_is_declared_below_its_user(self):
+    def test_module_declared_after_its_user_is_reported(self):
         self.write("src/CMakeLists.txt", MODULES.replace("USES core\n", "USES core files\n"))
         code, printed = self.check(check_layers.main, self.root)
         self.assertEqual(code, 1)
         self.assertIn("surface uses files, which is not declared above it", printed)
         self.assertIn("surface uses files; only figures, job and cli may", printed)
 
-    def test_a_folder_without_a_declaration(self):
+    def test_folder_without_a_declaration_is_reported(self):
         self.write("src/endmill/utils/all.cpp", SPDX)
         self.write_umbrella("utils")
         self.assert_found("src/endmill/utils", "not declared")
 
-    def test_a_declaration_without_a_folder(self):
+    def test_declaration_without_a_folder_is_reported(self):
         self.write("src/CMakeLists.txt", MODULES + "endmill_module(path USES core)\n")
         self.assert_found("src/endmill/path", "no folder")
 
-    def test_a_folder_in_a_module_that_is_not_detail(self):
+    def test_folder_other_than_detail_is_reported(self):
         self.write("src/endmill/core/impl/all.cpp", SPDX)
         self.assert_found("src/endmill/core/impl", "detail/")
 
-    def test_a_library_in_a_header(self):
+    def test_library_in_a_header_is_reported(self):
         for library in ("CGAL/Point_3.h", "OpenMesh/Core/Mesh.hh", "boost/x.hpp",
                         "embree3/rtcore.h", "tbb/parallel_for.h"):
             self.write("src/endmill/core/vec.h", SPDX + f"#include <{library}>\n")
             self.assert_found("src/endmill/core/vec.h", library)
 
-    def test_a_public_header_that_needs_a_private_one(self):
+    def test_public_header_that_includes_a_private_one_is_reported(self):
         self.write_header("core", "detail/lanes")
         self.write("src/endmill/surface/patch.h",
                    SPDX + '#include "endmill/core/detail/lanes.h"\n')
         self.assert_found("src/endmill/surface/patch.h", "core/detail/lanes.h")
 
-    def test_a_private_header_may_need_another(self):
+    def test_private_header_may_include_another(self):
         self.write_header("core", "detail/lanes")
         self.write_header("surface", "detail/rows", '#include "endmill/core/detail/lanes.h"\n')
         self.test_a_tidy_house_passes()
 
-    def test_a_command_that_needs_a_private_header(self):
+    def test_command_that_includes_a_private_header_is_reported(self):
         self.write_header("files", "detail/rows")
         self.write("src/cli/plan.cpp", SPDX + '#include "endmill/files/detail/rows.h"\n')
         self.assert_found("src/cli/plan.cpp", "files/detail/rows.h")
 
-    def test_an_umbrella_header_without_one_of_the_headers(self):
+    def test_incomplete_umbrella_header_is_reported(self):
         self.write_header("core", "angle")
         self.assert_found("src/endmill/core.h", "exactly")
 
-    def test_a_module_without_an_umbrella_header(self):
+    def test_module_without_an_umbrella_header_is_reported(self):
         (self.root / "src/endmill/core.h").unlink()
         self.assert_found("src/endmill/core.h", "exactly")
 
-    def test_too_many_public_headers(self):
+    def test_too_many_public_headers_are_reported(self):
         names = [f"header_{chr(ord('a') + k)}" for k in range(15)]
         for name in names:
             self.write_header("core", name)
         self.write_umbrella("core", *names, "vec")
         self.assert_found("src/endmill/core", "16 headers", "at most 14")
 
-    def test_two_units_that_include_each_other(self):
+    def test_units_that_include_each_other_are_reported(self):
         self.write_header("core", "angle", '#include "endmill/core/vec.h"\n')
         self.write("src/endmill/core/vec.cpp", SPDX + '#include "endmill/core/angle.h"\n')
         self.write_umbrella("core", "angle", "vec")
         self.assert_found("circle", "endmill/core/angle endmill/core/vec")
 
-    def test_a_header_without_a_test(self):
+    def test_header_without_a_test_is_reported(self):
         (self.root / "tests/surface/patch_test.cpp").unlink()
         self.assert_found("src/endmill/surface/patch.h", "tests/surface/patch_test.cpp")
 
-    def test_a_test_of_one_aspect_is_a_test(self):
+    def test_test_of_one_aspect_counts_as_a_test(self):
         (self.root / "tests/surface/patch_test.cpp").unlink()
         self.write("tests/surface/patch_borders_test.cpp", SPDX)
         self.test_a_tidy_house_passes()
 
-    def test_a_file_without_a_licence(self):
+    def test_file_without_a_licence_is_reported(self):
         self.write("experiments/paper/item/main.cpp", "int main() {}\n")
         self.assert_found("experiments/paper/item/main.cpp", "SPDX")
 
-    def test_what_is_not_finished(self):
+    def test_unfinished_code_is_reported(self):
         for word in ("TO" + "DO", "FIX" + "ME"):
             self.write("scripts/a.py", f"# SPDX-License-Identifier: x\n# {word}: later\n")
             self.assert_found("scripts/a.py:2")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The check of sources finds each kind of source that leads nowhere."""
+"""check_sources.py reports each kind of source without a valid target."""
 import unittest
 
 from fake_tree import FakeTree
@@ -27,34 +27,34 @@ class Sources(FakeTree):
         self.assertEqual(code, 1, printed)
         self.assertIn(words, printed)
 
-    def test_an_equation_of_a_cited_paper(self):
+    def test_equation_of_a_cited_paper_is_accepted(self):
         self.assert_good("Area.", "Source: [KimChoi, eq. (4), (15)].")
 
-    def test_a_section_of_a_page(self):
+    def test_section_of_a_page_is_accepted(self):
         self.assert_good("Source: docs/mathematics/removal.md, section 4.1.")
 
-    def test_a_source_over_two_lines(self):
+    def test_source_over_two_lines_is_accepted(self):
         self.assert_good("Source: the ramp of", "docs/mathematics/removal.md, section 4.")
 
-    def test_a_key_that_is_not_in_the_bibliography(self):
+    def test_key_outside_the_bibliography_is_reported(self):
         self.assert_found("[Nobody] is not in", "Source: [Nobody, eq. (4)].")
 
-    def test_a_paper_without_a_number(self):
+    def test_paper_without_a_number_is_reported(self):
         self.assert_found("has no number", "Source: [KimChoi].")
 
-    def test_a_page_that_does_not_exist(self):
+    def test_missing_page_is_reported(self):
         self.assert_found("does not exist", "Source: docs/mathematics/forces.md, section 1.")
 
-    def test_a_section_that_does_not_exist(self):
+    def test_missing_section_is_reported(self):
         self.assert_found("has no section 5", "Source: docs/mathematics/removal.md, section 5.")
 
-    def test_a_source_that_names_nothing(self):
+    def test_source_without_a_target_is_reported(self):
         self.assert_found("names neither", "Source: a well-known formula.")
 
-    def test_a_source_after_the_paragraph_does_not_count(self):
+    def test_source_ends_with_its_paragraph(self):
         self.assert_found("names neither", "Source: a formula.", "", "See [KimChoi, eq. (4)].")
 
-    def test_a_specification_outside_the_repository(self):
+    def test_mention_of_a_specification_is_reported(self):
         self.assert_found("specification", "As the spec of removal has it.")
 
 

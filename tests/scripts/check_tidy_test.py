@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""clang-tidy looks at what changed."""
+"""check_tidy.py selects the changed files."""
 import unittest
 
 from fake_tree import FakeTree
@@ -21,10 +21,10 @@ class Tidy(FakeTree):
         self.git("add", ".")
         self.git("commit", "--message", "a step")
 
-    def test_a_first_commit_has_nothing_to_be_compared_with(self):
+    def test_first_commit_has_no_commit_to_compare_with(self):
         self.assertIsNone(check_tidy.changed(self.root))
 
-    def test_what_the_last_commit_changed_and_what_is_not_committed(self):
+    def test_changes_include_the_last_commit_and_uncommitted_files(self):
         self.write("src/endmill/core/vec.cpp", "// changed\n")
         self.commit()
         self.assertEqual(check_tidy.changed(self.root), [self.vec])
@@ -32,7 +32,7 @@ class Tidy(FakeTree):
         self.write("tests/core/angle_test.cpp", "// changed\n")
         self.assertEqual(check_tidy.changed(self.root), sorted([new, self.vec, self.angle_test]))
 
-    def test_a_branch_is_compared_with_where_it_left_main(self):
+    def test_branch_is_compared_with_its_merge_base(self):
         self.git("update-ref", "refs/remotes/origin/main", "HEAD")
         for text in ("// one\n", "// two\n"):
             self.write("src/endmill/core/vec.cpp", text)
@@ -41,24 +41,24 @@ class Tidy(FakeTree):
             self.commit()
         self.assertEqual(check_tidy.changed(self.root), [self.root / "README.md", self.vec])
 
-    def test_a_deleted_file_is_not_looked_at(self):
+    def test_deleted_file_is_not_checked(self):
         self.vec.unlink()
         self.commit()
         self.assertEqual(check_tidy.changed(self.root), [])
 
-    def test_a_header_is_looked_at_through_the_file_of_its_name(self):
+    def test_header_is_checked_through_the_source_of_its_name(self):
         header = self.write("src/endmill/core/vec.h")
         self.assertEqual(check_tidy.select([header], self.compiled), [self.vec])
 
-    def test_a_header_without_one_is_looked_at_through_a_file_that_includes_it(self):
+    def test_header_without_a_source_is_checked_through_an_includer(self):
         header = self.write("src/endmill/core/angle.h")
         self.assertEqual(check_tidy.select([header], self.compiled), [self.angle_test])
 
-    def test_what_is_not_compiled_is_not_looked_at(self):
+    def test_files_that_are_not_compiled_are_not_checked(self):
         files = [self.write("README.md"), self.write("src/endmill/core/lonely.h")]
         self.assertEqual(check_tidy.select(files, self.compiled), [])
 
-    def test_files_that_are_compiled_together_are_looked_at_alone(self):
+    def test_files_of_a_unity_build_are_checked_separately(self):
         parts = [self.write("src/cli/plan.cpp"), self.write("src/cli/trim.cpp")]
         text = "".join(f'#include "{part}"\n' for part in parts)
         unity = self.write("build/release/Unity/unity_0_cxx.cxx", text)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The table of experiments is written from the folders, and a stale one is refused."""
+"""write_experiment_index.py writes the table from the folders and refuses an outdated one."""
 import unittest
 
 from fake_tree import ROOT, FakeTree
@@ -25,7 +25,7 @@ class Index(FakeTree):
     def run_script(self, check):
         return self.check(write_experiment_index.main, self.root, check)
 
-    def test_a_row_has_title_folder_and_time_in_the_order_of_a_reader(self):
+    def test_rows_have_title_folder_and_time_in_natural_order(self):
         self.assertEqual(self.run_script(False)[0], 0)
         text = (self.root / "experiments/README.md").read_text(encoding="utf-8")
         rows = [line for line in text.splitlines() if line.startswith("| Table")]
@@ -35,22 +35,22 @@ class Index(FakeTree):
         self.assertIn("## [A paper (Author)](paper)", text)
         self.assertEqual(self.run_script(True)[0], 0)
 
-    def test_a_table_that_lacks_an_experiment_is_out_of_date(self):
+    def test_table_without_an_experiment_is_out_of_date(self):
         self.run_script(False)
         self.add("paper/figure-1", "Figure 1", "under 1 s")
         code, said = self.run_script(True)
         self.assertEqual(code, 1)
         self.assertIn("out of date", said)
 
-    def test_a_table_with_an_experiment_that_is_gone_is_out_of_date(self):
+    def test_table_with_a_removed_experiment_is_out_of_date(self):
         self.run_script(False)
         (self.root / "experiments/paper/table-2/main.cpp").unlink()
         self.assertEqual(self.run_script(True)[0], 1)
 
-    def test_a_missing_table_is_out_of_date(self):
+    def test_missing_table_is_out_of_date(self):
         self.assertEqual(self.run_script(True)[0], 1)
 
-    def test_a_readme_without_title_or_time_is_named(self):
+    def test_readme_without_title_or_time_is_named(self):
         for text in ("no title\n", "# Only a title\n"):
             self.write("experiments/paper/table-2/README.md", text)
             code, said = self.run_script(False)
@@ -59,7 +59,7 @@ class Index(FakeTree):
 
 
 class LongExperiments(unittest.TestCase):
-    def test_are_those_whose_readme_states_a_time_of_a_minute_or_more(self):
+    def test_long_experiments_state_a_time_of_a_minute_or_more(self):
         for experiment in find_experiments(ROOT):
             text = (experiment.folder / "README.md").read_text(encoding="utf-8")
             time = next(line for line in text.splitlines() if line.startswith("| Time |"))

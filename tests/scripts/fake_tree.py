@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small trees of files to try the scripts on."""
+"""Small trees of files for the tests of the scripts."""
 import contextlib
 import io
 import json
@@ -14,7 +14,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 
 
 class FakeTree(unittest.TestCase):
-    """A test with an empty folder `root` of its own, removed afterwards."""
+    """A test with an empty folder `root`, which is removed afterwards."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -28,7 +28,7 @@ class FakeTree(unittest.TestCase):
         return path
 
     def add_experiment(self, name, result, params=None, driver="", **files):
-        """An experiment whose driver is a shell script that writes `result` as result.csv.
+        """Adds an experiment whose driver is a shell script that writes `result` as result.csv.
 
         `driver` is run after that with $1 the output folder; `files` are named without .csv.
         """
@@ -41,7 +41,7 @@ class FakeTree(unittest.TestCase):
         program.chmod(0o755)
 
     def check(self, function, *arguments):
-        """Exit code and what was printed."""
+        """Runs a script and returns its exit code and output."""
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
             code = function(*arguments)

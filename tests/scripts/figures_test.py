@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures are drawn from CSV, with the same bytes on every run."""
+"""Figures are drawn from CSV files, with the same bytes in every run."""
 import re
 import unittest
 import xml.etree.ElementTree as xml
@@ -35,7 +35,7 @@ class Figures(FakeTree):
                 root = xml.fromstring(self.drawn(kind=kind, x=x, y_scale="log"))
                 self.assertTrue(root.tag.endswith("svg"))
 
-    def test_a_surface_is_a_net_over_two_columns(self):
+    def test_surface_is_a_net_over_two_columns(self):
         self.write("result.csv", "row,u,v,z\na,1,0,3\nb,0,0,1\nc,0,5,2\nd,1,5,4\ne,2,0,0\nf,2,5,-1\n")
         surface = {"kind": "surface", "x": "u", "group_by": "v", "y": ["z"]}
         self.assertEqual(grid_of(read_table(self.root / "result.csv"), surface),
@@ -46,7 +46,7 @@ class Figures(FakeTree):
         self.assertEqual(len(net), 1)
         self.assertEqual(len([e for e in net[0].iter() if e.tag.endswith("path")]), 2)
 
-    def test_a_surface_with_a_hole_is_refused(self):
+    def test_surface_with_a_hole_is_refused(self):
         for csv in ("u,v,z\n0,0,1\n1,0,1\n0,1,1\n", "u,v,z\n0,0,1\n0,1,1\n"):
             self.write("result.csv", csv)
             with self.assertRaises(Fault):
@@ -56,44 +56,44 @@ class Figures(FakeTree):
             with self.assertRaises(Fault):
                 self.drawn(kind="surface", x="u", **({"y": ["z"]} | plot))
 
-    def test_numbers_of_a_short_logarithmic_scale_are_plain(self):
+    def test_short_logarithmic_scale_has_plain_numbers(self):
         self.write("result.csv", "u,z\n0.1,20\n1,70\n")
         texts = re.findall("<!-- (.*?) -->", self.drawn(x="u", y=["z"], x_scale="log", y_scale="log").decode())
         for number in ("0.1", "0.2", "1", "30"):
             self.assertIn(number, texts)
         self.assertFalse([text for text in texts if "e-" in text or "times" in text], texts)
 
-    def test_a_group_of_points_is_not_joined(self):
+    def test_group_of_points_is_not_joined(self):
         curve = {"group_by": "radius_mm", "labels": {"5": "printed"}}
         joined, apart = (self.drawn(**curve, **more).decode() for more in ({}, {"points": ["5"]}))
         lines = [text.count("stroke-width: 1.6") for text in (joined, apart)]
         self.assertEqual(lines[0] - lines[1], 2)  # the curve and its sample in the legend
 
-    def test_a_curve_for_each_group_with_a_gap_where_a_cell_is_empty(self):
+    def test_each_group_is_a_curve_with_gaps_at_empty_cells(self):
         plot = params(group_by="radius_mm")["figures"][0]["plot"]
         curves = list(curves_of(read_table(self.root / "result.csv"), plot))
         self.assertEqual([label for label, _, _ in curves], ["radius_mm 5", "radius_mm 10"])
         self.assertEqual(curves[0][2], [2, 1.5])
-        self.assertNotEqual(curves[1][2][1], curves[1][2][1])  # NaN alone differs from itself
+        self.assertNotEqual(curves[1][2][1], curves[1][2][1])  # only NaN differs from itself
 
-    def test_a_filter_compares_numbers_as_numbers(self):
+    def test_filter_compares_numbers_by_value(self):
         plot = params(filter={"radius_mm": 5.0})["figures"][0]["plot"]
         kept = filtered(read_table(self.root / "result.csv"), plot)
         self.assertEqual(kept.column("row"), ["a", "b"])
 
-    def test_a_plot_of_what_is_not_there_is_refused(self):
+    def test_plot_of_missing_data_is_refused(self):
         for plot in ({"x": "u"}, {"y": ["z"]}, {"y": "k"}, {"kind": "pie"}, {"colour": "red"},
                      {"csv": "../result.csv"}, {"csv": "none.csv"}, {"filter": {"k": 7}}):
             with self.assertRaises(Fault, msg=plot):
                 self.drawn(**plot)
 
-    def test_a_file_stays_in_the_results_folder_and_has_a_caption(self):
+    def test_figure_has_a_plain_name_and_a_caption(self):
         for figure in ({"file": "../x.svg", "caption": "A."}, {"file": "x.html", "caption": "A."},
                        {"file": "x.svg"}, {"caption": "A."}):
             with self.assertRaises(Fault, msg=figure):
                 draw_all({"figures": [figure]}, self.root)
 
-    def test_a_figure_of_the_driver_must_be_there(self):
+    def test_figure_of_the_driver_must_exist(self):
         figures = {"figures": [{"file": "path.svg", "caption": "A path."}]}
         with self.assertRaisesRegex(Fault, "path.svg"):
             draw_all(figures, self.root)

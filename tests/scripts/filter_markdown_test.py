@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Markdown of the repository becomes pages of the site, with labels for links to lead to."""
+"""filter_markdown.py converts Markdown to pages with labels and links."""
 from pathlib import Path
 
 import unittest
@@ -28,7 +28,7 @@ class Filter(FakeTree):
                          "## Exit codes {#page_docs_guide_plan_exit-codes}\n")
         self.assertEqual(self.page("# Project\n", "README.md"), "# Project {#mainpage}\n")
 
-    def test_links_to_pages_headings_and_folders_lead_to_labels(self):
+    def test_links_to_pages_headings_and_folders_become_labels(self):
         for target, label in (("../conventions.md", "page_docs_conventions"),
                               ("../conventions.md#units", "page_docs_conventions_units"),
                               ("#units", "page_docs_guide_plan_units"),
@@ -36,18 +36,18 @@ class Filter(FakeTree):
                               ("../../README.md", "index")):
             self.assertEqual(self.page(f"see [it]({target})\n"), f"see [it](@ref {label})\n")
 
-    def test_links_to_other_files_become_text_and_those_to_other_sites_stay(self):
+    def test_links_to_other_files_become_text_and_links_to_sites_stay(self):
         self.assertEqual(self.page("[data](../../datasets/a.json) [web](https://example.org/a.md)\n"),
                          "data [web](https://example.org/a.md)\n")
 
-    def test_what_leads_nowhere_is_left_to_a_warning(self):
+    def test_broken_links_give_a_warning_of_doxygen(self):
         self.assertEqual(self.page("[it](../gone.md)\n"), "[it](../gone.md)\n")
         self.assertEqual(self.page("![it](gone.svg)\n"), "@ref no_image_gone_svg\n")
 
-    def test_images_are_named_without_folders(self):
+    def test_images_lose_their_folders(self):
         self.assertEqual(self.page("![A path](../images/plan.svg)\n"), "![A path](plan.svg)\n")
 
-    def test_code_is_left_alone(self):
+    def test_code_is_unchanged(self):
         code = "```sh\n# no heading\n[no](../conventions.md)\n```\n"
         self.assertEqual(self.page(code), code)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers in datasets/surfaces/README.md about height grids, from their formulas."""
+"""Compares the numbers on height grids in datasets/surfaces/README.md with their formulas."""
 import json
 import re
 import unittest
@@ -22,13 +22,13 @@ FORMULAS = {
 
 
 def finer(lines, parts):
-    """Grid lines with `parts` intervals in place of one."""
+    """Grid lines with each interval divided into `parts`."""
     return [a + (b - a) * k / parts for a, b in zip(lines, lines[1:]) for k in range(parts)] \
         + lines[-1:]
 
 
 def greatest_bend(formula, x, y, step=1e-3):
-    """The normal curvature with which a graph bends up most, by central differences."""
+    """The largest upward normal curvature of a graph, by central differences."""
     near = [[formula(x + i * step, y + j * step) for i in (-1, 0, 1)] for j in (-1, 0, 1)]
     p, q = (near[1][2] - near[1][0]) / (2 * step), (near[2][1] - near[0][1]) / (2 * step)
     r = (near[1][2] - 2 * near[1][1] + near[1][0]) / step**2
@@ -41,7 +41,7 @@ def greatest_bend(formula, x, y, step=1e-3):
 
 
 def least_hollow_radius(formula, x_range, y_range):
-    """mm, by sampling ever closer to the tightest place."""
+    """The largest ball radius in mm, by sampling ever closer to the tightest place."""
     (x0, x1), (y0, y1) = x_range, y_range
     step = 1.0
     places = [(x, y) for x in range(int(x0), int(x1) + 1) for y in range(int(y0), int(y1) + 1)]
@@ -55,7 +55,7 @@ def least_hollow_radius(formula, x_range, y_range):
 
 
 def area(formula, width, depth, step):
-    """Of a graph about the origin, by the middle of squares: the error is as step squared."""
+    """The area of a graph about the origin, by the midpoint rule. Its error is of order step squared."""
     total = 0
     for i in range(round(width / step)):
         for j in range(round(depth / step)):
@@ -81,13 +81,13 @@ class HeightGrids(unittest.TestCase):
                 for x, z in zip(grid["x"], row):
                     self.assertAlmostEqual(z, FORMULAS[name](x, y), delta=0.6e-9)
 
-    def test_grids(self):
+    def test_grids_have_the_described_size(self):
         for name, grid in self.grids.items():
             sizes = "{} x {}".format(*(len(grid[axis]) - 1 for axis in "xy"))
             extent = "{:g} x {:g} mm".format(*(grid[axis][-1] - grid[axis][0] for axis in "xy"))
             self.assertEqual(STATED[name][1], f"{sizes} over {extent}")
 
-    def test_how_far_the_spline_is_from_the_formula(self):
+    def test_distance_of_the_spline_from_the_formula(self):
         for name, grid in self.grids.items():
             x, y = finer(grid["x"], 16), finer(grid["y"], 16)
             spline = heights(grid["x"], grid["y"], grid["z"], x, y)
@@ -95,13 +95,13 @@ class HeightGrids(unittest.TestCase):
                         for i in range(len(x)) for j in range(len(y)))
             self.assertTrue(rounds_to(error, STATED[name][2]), (name, error))
 
-    def test_the_largest_ball_of_the_formula(self):
+    def test_largest_ball_of_the_formula(self):
         for name, grid in self.grids.items():
             radius = least_hollow_radius(FORMULAS[name], *((grid[a][0], grid[a][-1]) for a in "xy"))
             self.assertTrue(rounds_to(radius, STATED[name][3]), (name, radius))
         self.assertTrue(rounds_to((60 / (2 * pi))**2 / 3, STATED["wavy.json"][3]))
 
-    def test_the_area_of_the_ball_end_test_surface(self):
+    def test_area_of_the_ball_end_test_surface(self):
         name = "ball-end-test-surface.json"
         coarse, fine = (area(FORMULAS[name], 120, 80, step) for step in (1, 0.5))
         stated = re.search(r"area ([\d .]+) mm²", STATED[name][0]).group(1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Manual page and completion, made from the helps of a program that is a shell script."""
+"""Generates manual page and completion from the help texts of a shell script."""
 import subprocess
 import unittest
 
@@ -54,13 +54,13 @@ class Parse(unittest.TestCase):
     def setUp(self):
         self.help = parse(["plan"], HELPS["plan"])
 
-    def test_reads_summary_usage_and_notes(self):
+    def test_summary_usage_and_notes_are_parsed(self):
         self.assertEqual(self.help.summary, "plans a path")
         self.assertEqual(self.help.usage, "endmill plan [OPTIONS] PART")
         self.assertTrue(self.help.notes.startswith(".Writes"))
         self.assertTrue(self.help.notes.endswith("  endmill plan a.json --cutter ball:15"))
 
-    def test_reads_options_with_their_values_and_descriptions(self):
+    def test_options_are_parsed_with_values_and_descriptions(self):
         found = {e.names[-1]: (e.names, e.value, e.text) for e in self.help.options}
         self.assertEqual(found["--order"],
                          (["--order"], "zigzag|one-way", "sense of neighbouring passes; default zigzag"))
@@ -81,7 +81,7 @@ class Written(FakeTree):
         self.assertEqual(write_manual.main(str(program), self.root / "made"), 0)
 
     def complete(self, *words):
-        """What the completion offers for the last of the words."""
+        """The offers of the completion for the last of the words."""
         line = " ".join(f"'{word}'" for word in words)
         script = (f"source made/endmill\nCOMP_WORDS=({line}) COMP_CWORD={len(words) - 1}\n"
                   'compopt() { :; }\n_endmill\nprintf "%s\\n" "${COMPREPLY[@]}"\n')
@@ -97,7 +97,7 @@ class Written(FakeTree):
         self.assertEqual(self.complete("endmill", "eval", ""), ["step"])
         self.assertEqual(self.complete("endmill", "eval", "step", "--"), ["--radius"])
 
-    def test_page_has_every_command_and_escapes_what_troff_would_obey(self):
+    def test_page_has_every_command_and_escapes_requests_of_troff(self):
         page = (self.root / "made/endmill.1").read_text(encoding="utf-8")
         for command in ("plan", "eval", "eval step"):
             self.assertIn(f"\n.SS endmill {command}\n", page)
@@ -106,7 +106,7 @@ class Written(FakeTree):
         self.assertEqual(page.count("\\-\\-output DIR"), 1)
         self.assertIn('.TH ENDMILL 1 "" "endmill 0.1.0"', page)
 
-    def test_a_program_that_fails_is_reported(self):
+    def test_failing_program_is_reported(self):
         self.assertEqual(write_manual.main(str(self.root / "no_program"), self.root / "made"), 1)
 
 

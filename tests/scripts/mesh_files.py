@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Readers of the meshes of datasets/meshes, as (vertices, triangles), and what they enclose."""
+"""Reads the meshes of datasets/meshes as (vertices, triangles), and measures them."""
 import re
 import struct
 from collections import Counter
 
 
 def from_corners(corners):
-    """A mesh of triples of points, equal points made one."""
+    """A mesh of triples of points. Equal points become one vertex."""
     numbers = {}
     triangles = [tuple(numbers.setdefault(c, len(numbers)) for c in t) for t in corners]
     return list(numbers), triangles
@@ -53,19 +53,19 @@ def read_mesh(path):
 
 
 def edges(triangles):
-    """How often each directed edge occurs."""
+    """The number of occurrences of each directed edge."""
     return Counter(edge for a, b, c in triangles for edge in ((a, b), (b, c), (c, a)))
 
 
 def border_edges(triangles):
-    """Edges without an opposite; an edge that occurs twice in one direction is an error."""
+    """The number of edges without an opposite edge. Raises an error if an edge occurs twice in one direction."""
     found = edges(triangles)
     assert max(found.values()) == 1
     return [edge for edge in found if edge[::-1] not in found]
 
 
 def sheets_at(triangles):
-    """For every vertex, how many fans of triangles meet in it and share no edge."""
+    """For every vertex, the number of separate fans of triangles around it."""
     onward = {}
     for a, b, c in triangles:
         for here, start, end in ((a, b, c), (b, c, a), (c, a, b)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The numbers in datasets/meshes/README.md against the files that they describe."""
+"""Compares the numbers in datasets/meshes/README.md with the files that they describe."""
 import re
 import unittest
 from math import cos, dist, pi, sin
@@ -14,7 +14,7 @@ STATED = table(README, "Files")
 
 
 def frusta(radius, sides, rings):
-    """The volume of a half ball's mesh: pyramid frusta over regular polygons, and a pyramid."""
+    """The volume of the mesh of a half ball, from pyramid frusta over regular polygons and a pyramid."""
     def area(ring):
         return sides / 2 * sin(2 * pi / sides) * (radius * cos(pi / 2 * ring / rings))**2
 
@@ -34,14 +34,14 @@ CLOSED_FORMS = {
 
 
 def distance_to_facet(radius, sides, rings, ring):
-    """From the centre of the half ball to a flat facet between two rings."""
+    """The distance of the centre of the half ball from a flat facet between two rings."""
     (x0, z0), (x1, z1) = ((radius * cos(pi / sides) * cos(angle), radius * sin(angle))
                           for angle in (pi / 2 * k / rings for k in (ring, ring + 1)))
     return abs(x0 * z1 - x1 * z0) / dist((x0, z0), (x1, z1))
 
 
 def distance_to_triangle(corners, parts=20):
-    """From the origin, the least of a grid of points on the triangle."""
+    """The smallest distance of the origin from a grid of points on the triangle."""
     a, b, c = corners
     return min(sum(((i * x + j * y + (parts - i - j) * z) / parts)**2 for x, y, z in zip(a, b, c))
                for i in range(parts + 1) for j in range(parts + 1 - i))**0.5
@@ -54,7 +54,7 @@ class Meshes(unittest.TestCase):
     def test_every_mesh_is_described(self):
         self.assertEqual(set(STATED), set(self.meshes))
 
-    def test_counts_and_sizes(self):
+    def test_counts_and_sizes_are_those_of_the_readme(self):
         for name, (vertices, triangles) in self.meshes.items():
             _, _, count, points, size, *_ = STATED[name]
             self.assertEqual((len(triangles), len(vertices)), (number(count), number(points)), name)
@@ -68,14 +68,14 @@ class Meshes(unittest.TestCase):
                 border = len(border_edges(triangles))
                 self.assertEqual(STATED[name][5], f"{border} border edges" if border else "closed")
 
-    def test_one_sheet_around_every_vertex(self):
+    def test_every_vertex_has_one_fan_of_triangles(self):
         touching = {name: [vertices[k] for k, sheets in sheets_at(triangles).items() if sheets > 1]
                     for name, (vertices, triangles) in self.meshes.items()}
-        # The lower end of the teapot's handle touches the body.
+        # The lower end of the handle of the teapot touches the body.
         self.assertEqual(touching.pop("teapot-288.off"), [(-2, 0, 0.9)])
         self.assertFalse(any(touching.values()), touching)
 
-    def test_volumes(self):
+    def test_volumes_are_those_of_the_readme(self):
         for name, (vertices, triangles) in self.meshes.items():
             stated = STATED[name][6]
             if border_edges(triangles):
@@ -86,11 +86,11 @@ class Meshes(unittest.TestCase):
             self.assertLessEqual(abs(found / expected - 1), relative, name)
             self.assertTrue(rounds_to(expected, stated), (name, expected))
 
-    def test_the_prism_is_the_same_in_three_formats(self):
+    def test_prism_is_the_same_in_three_formats(self):
         self.assertEqual(self.meshes["prism.obj"], self.meshes["prism.ply"])
         self.assertEqual(self.meshes["prism.obj"], self.meshes["prism.off"])
 
-    def test_the_dome_is_within_its_chord_error(self):
+    def test_dome_is_within_its_chord_error(self):
         vertices, triangles = self.meshes["dome.stl"]
         top = [(x, y, z - 10) for x, y, z in vertices]
         radii = [dist(v, (0, 0, 0)) for v in top if v[2] > 1]

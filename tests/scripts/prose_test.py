@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A README becomes HTML that holds its text and runs nothing."""
+"""A README becomes HTML with its text and without scripts."""
 import unittest
 
 import fake_tree  # noqa: F401 (finds the scripts)
@@ -30,7 +30,7 @@ two lines.
 
 
 class Prose(unittest.TestCase):
-    def test_title_claim_and_body(self):
+    def test_title_claim_and_body_are_converted(self):
         readme = read(README, "fallback")
         self.assertEqual(readme.title, "Table 1: counts")
         self.assertEqual(readme.claim, "about 25 % fewer, <code>NCL</code>")
@@ -40,14 +40,14 @@ class Prose(unittest.TestCase):
                      "<tr><th>column</th><th>unit</th></tr>", "<pre>| no table |</pre>"):
             self.assertIn(html, readme.body)
 
-    def test_without_a_heading_the_fallback_is_the_title(self):
+    def test_fallback_is_the_title_without_a_heading(self):
         for text in ("", "Only text.", "## Second"):
             self.assertEqual(read(text, "fallback").title, "fallback")
 
-    def test_an_empty_table_head_is_left_out(self):
+    def test_empty_table_head_is_left_out(self):
         self.assertNotIn("<th></th>", read(README, "").body)
 
-    def test_no_text_becomes_markup(self):
+    def test_text_is_escaped(self):
         for payload in ("<script>alert(1)</script>", "<img src=x onerror=alert(1)>",
                         "[text](javascript:alert)", '`"><script>`', "**<b onload=x>**"):
             for text in (payload, f"## {payload}", f"- {payload}", f"| {payload} |",

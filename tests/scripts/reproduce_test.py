@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From drivers to the report, with drivers that are shell scripts."""
+"""Reproduces experiments up to the report, with drivers that are shell scripts."""
 import html
 import json
 import re
@@ -15,12 +15,12 @@ PAYLOAD = "</script><script>alert(1)</script><img src=x onerror=alert(1)>"
 
 
 def already_built(_root, _experiments):
-    """In place of a build."""
+    """Replaces the build."""
 
 
 class Reproduce(FakeTree):
     def reproduce(self, *names):
-        """Whether all was good, and what was printed."""
+        """Runs the experiments and returns whether all are as expected, and the output."""
         experiments = find_experiments(self.root)
         chosen, unknown = select(experiments, names)
         self.assertEqual(unknown, [])
@@ -30,7 +30,7 @@ class Reproduce(FakeTree):
     def report(self):
         return (self.root / "results/report.html").read_text(encoding="utf-8")
 
-    def test_a_run_that_is_as_before_is_good_and_records_its_circumstances(self):
+    def test_unchanged_run_passes_and_records_its_circumstances(self):
         self.add_experiment("paper/table-1", RESULT, expected=RESULT)
         good, printed = self.reproduce()
         self.assertTrue(good, printed)
@@ -40,35 +40,35 @@ class Reproduce(FakeTree):
         self.assertEqual(set(record["machine"]), {"cpu", "cores", "load_average", "compiler"})
         self.assertIn("regression", self.report())
 
-    def test_the_driver_is_called_with_its_folder_from_the_root(self):
+    def test_driver_is_called_from_the_root_with_its_folder(self):
         self.add_experiment("paper/table-1", RESULT, driver='echo "$1"; pwd')
         self.reproduce()
         log = (self.root / "results/paper/table-1/run.log").read_text()
         self.assertEqual(log, f"results/paper/table-1\n{self.root}\n")
 
-    def test_a_broken_cell_is_listed_and_not_good(self):
+    def test_broken_cell_is_listed_and_fails(self):
         self.add_experiment("paper/table-1", RESULT, expected="row,x\na,1\nb,2.6\n")
         good, printed = self.reproduce()
         self.assertFalse(good)
         self.assertIn("row 'b', column 'x': expected '2.6', found '2.5'", printed)
         self.assertIn("broken: 1 cell", self.report())
 
-    def test_a_crash_is_not_good_and_shows_its_last_words(self):
+    def test_crash_fails_and_shows_the_last_output(self):
         self.add_experiment("paper/table-1", RESULT, driver="echo out of luck >&2; exit 3")
         good, printed = self.reproduce()
         self.assertFalse(good)
         self.assertIn("exit code 3", printed)
         self.assertIn("out of luck", printed)
 
-    def test_a_driver_that_was_not_built_is_not_good(self):
+    def test_missing_driver_fails(self):
         self.write("experiments/paper/table-1/main.cpp")
         self.assertFalse(self.reproduce()[0])
 
-    def test_a_driver_without_a_result_is_not_good(self):
+    def test_driver_without_a_result_fails(self):
         self.add_experiment("paper/table-1", RESULT, driver='rm "$1/result.csv"')
         self.assertFalse(self.reproduce()[0])
 
-    def test_a_published_number_that_differs_is_good(self):
+    def test_difference_from_a_published_number_passes(self):
         published = "row,column,published,digits,verdict\na,x,7,0,reproduced\n"
         self.add_experiment("paper/table-1", RESULT, published=published)
         good, printed = self.reproduce()
@@ -76,7 +76,7 @@ class Reproduce(FakeTree):
         self.assertIn("marked 'reproduced', shown as 'differs'", printed)
         self.assertIn('<span class="word bad">differs</span>', self.report())
 
-    def test_an_item_that_is_not_run_keeps_its_result_and_says_so(self):
+    def test_item_that_is_not_run_keeps_its_marked_result(self):
         self.add_experiment("paper/table-1", RESULT)
         self.add_experiment("paper/table-2", RESULT)
         self.add_experiment("benchmarks/planner", RESULT)
@@ -86,7 +86,7 @@ class Reproduce(FakeTree):
         self.reproduce("experiments/paper/table-2/")
         self.assertEqual(self.report().count("Not run this time"), 1)
 
-    def test_the_figures_are_images_within_the_page(self):
+    def test_figures_are_embedded_images(self):
         plot = {"csv": "result.csv", "x": "row", "y": ["x"]}
         figures = [{"file": "x.svg", "caption": "A caption.", "plot": plot}]
         self.add_experiment("paper/table-1", RESULT, {"figures": figures})
@@ -94,7 +94,7 @@ class Reproduce(FakeTree):
         self.assertIn('<img src="data:image/svg+xml;base64,', self.report())
         self.assertIn("<figcaption>A caption.</figcaption>", self.report())
 
-    def test_no_text_of_an_experiment_becomes_markup(self):
+    def test_texts_of_an_experiment_are_escaped(self):
         quoted = PAYLOAD.replace('"', '""')
         result = f'row,"{quoted}"\n"{quoted}",1\n'
         published = f'row,column,published,digits,verdict\n"{quoted}","{quoted}",1,0,reproduced\n'
@@ -109,7 +109,7 @@ class Reproduce(FakeTree):
         self.assertNotRegex(page, r"(?i)<script|<img src=x|<[^>]+\son\w+=")
         self.assertIn("default-src 'none'; style-src 'unsafe-inline'; img-src data:", page)
 
-    def test_every_link_of_the_page_leads_somewhere(self):
+    def test_every_link_of_the_page_has_a_target(self):
         self.add_experiment("paper/table-1", RESULT, expected=RESULT,
                             published="row,column,published,digits,verdict\na,x,1,0,reproduced\n")
         self.reproduce()
@@ -122,7 +122,7 @@ class Reproduce(FakeTree):
             else:
                 self.assertTrue((self.root / "results" / link).exists(), link)
 
-    def test_the_first_table_is_built_and_run_before_all_else_then_paper_by_paper(self):
+    def test_first_table_runs_first_and_then_paper_by_paper(self):
         for name in ("a/claims", "a/table-1", "a/table-2", "b/figure-1", "b/table-3"):
             self.add_experiment(name, RESULT)
         order = []
@@ -136,13 +136,13 @@ class Reproduce(FakeTree):
         self.assertEqual(order, [["a/table-1"], ["a/claims", "a/table-2"], ["b/figure-1", "b/table-3"]])
         self.assertLess(printed.index("a/table-1: regression"), printed.index("2 experiments of a"))
 
-    def test_one_experiment_is_one_stage_with_only_its_own_driver(self):
+    def test_single_experiment_builds_only_its_own_driver(self):
         self.add_experiment("a/table-1", RESULT)
         self.add_experiment("a/figure-2", RESULT)
         chosen, _ = select(find_experiments(self.root), ["a/figure-2"])
         self.assertEqual([[e.target for e in stage] for stage in stages(chosen)], [["a-figure-2"]])
 
-    def test_quick_leaves_out_benchmarks_and_long_studies_that_are_not_named(self):
+    def test_quick_leaves_out_benchmarks_and_unnamed_long_studies(self):
         self.add_experiment("a/table-1", RESULT)
         self.add_experiment("a/study", RESULT, {"long": True})
         self.add_experiment("benchmarks/post", RESULT)
@@ -151,27 +151,27 @@ class Reproduce(FakeTree):
             chosen, _ = select(find_experiments(self.root), names)
             self.assertEqual([e.name for e in long_ones(chosen, names)], left_out, names)
 
-    def test_accept_makes_the_result_the_expected_one(self):
+    def test_accept_copies_the_result_to_the_expected_one(self):
         self.add_experiment("paper/table-1", RESULT, expected="row,x\na,9\n")
         self.assertFalse(self.reproduce()[0])
         code, printed = self.check(accept, find_experiments(self.root), print)
         self.assertEqual(code, 0, printed)
         self.assertTrue(self.reproduce()[0])
 
-    def test_accept_refuses_without_a_sound_result(self):
+    def test_accept_refuses_a_faulty_result(self):
         self.add_experiment("paper/table-1", RESULT, driver="exit 1")
         experiments = find_experiments(self.root)
         self.assertEqual(self.check(accept, experiments, print)[0], 2)
         self.reproduce()
         self.assertEqual(self.check(accept, experiments, print)[0], 2)
 
-    def test_experiments_are_in_the_order_of_a_reader(self):
+    def test_experiments_are_in_natural_order(self):
         ordered = ["paper/claims", "paper/figure-5", "paper/figure-12", "benchmarks/a"]
         for name in ["support/x", *reversed(ordered)]:
             self.write(f"experiments/{name}/main.cpp")
         self.assertEqual([e.name for e in find_experiments(self.root)], ordered)
 
-    def test_a_name_that_is_no_experiment_is_found_out(self):
+    def test_unknown_name_of_an_experiment_is_refused(self):
         self.add_experiment("paper/table-1", RESULT)
         names = ["paper/table-1", "paper/table-9"]
         chosen, unknown = select(find_experiments(self.root), names)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packages come in groups, and without installing their contents are looked for."""
+"""setup.sh lists groups of packages, and with --no-install looks for their contents."""
 import re
 import shutil
 import subprocess
@@ -12,13 +12,13 @@ GROUPS = ["build", "figures", "benchmarks", "tests", "sanitizers", "docs", "pack
 
 class Setup(FakeTree):
     def setup_with(self, packages, *arguments):
-        """setup.sh with a packages.txt of its own."""
+        """Runs setup.sh with another packages.txt."""
         self.write("scripts/packages.txt", packages)
         shutil.copy(ROOT / "scripts/setup.sh", self.root / "scripts/setup.sh")
         return subprocess.run([self.root / "scripts/setup.sh", *arguments], capture_output=True,
                               text=True, check=False, stdin=subprocess.DEVNULL)
 
-    def test_the_groups_are_those_of_the_help(self):
+    def test_groups_are_those_of_the_help(self):
         text = (ROOT / "scripts/packages.txt").read_text(encoding="utf-8")
         self.assertEqual(re.findall(r"^\[(.+)\]$", text, re.MULTILINE), GROUPS)
         helped = subprocess.run([ROOT / "scripts/setup.sh", "--help"], capture_output=True, text=True,
@@ -33,19 +33,19 @@ class Setup(FakeTree):
                 self.assertTrue(package and reason, line)
                 self.assertRegex(test, r"^(program|cmake|library|python|header|sanitizer) \S")
 
-    def test_list_names_the_packages_of_the_groups(self):
+    def test_list_prints_the_packages_of_the_groups(self):
         packages = "[a]\none | program sh | x\n[b]\ntwo | program sh | x\nthree | program sh | x\n"
         self.assertEqual(self.setup_with(packages, "--list", "b").stdout.split(), ["two", "three"])
         self.assertEqual(self.setup_with(packages, "--list").stdout.split(), ["one", "two", "three"])
 
-    def test_without_installing_what_is_there_is_enough_whatever_package_it_is_from(self):
+    def test_no_install_accepts_contents_from_any_source(self):
         packages = ("[a]\nno-such-package | program sh | a shell\nother | header vector | a header\n"
                     "third | python json | a module\nfourth | program no-such-program sh | either\n"
                     "fifth | cmake Threads | threads\nsixth | library m | mathematics\n")
         done = self.setup_with(packages, "--no-install", "a")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
-    def test_without_installing_everything_that_is_missing_is_listed(self):
+    def test_no_install_lists_everything_that_is_missing(self):
         packages = ("[a]\none | program no-such-program | first reason\n"
                     "two | cmake NoSuchPackage 3 | second reason\nthree | library no-such-library | third\n"
                     "four | header no/such_header.h | fourth\nfive | python no_such_module | fifth\n"
@@ -57,7 +57,7 @@ class Setup(FakeTree):
         self.assertNotIn("Debian package six", done.stderr)
         self.assertIn("5 of 6 requirements are missing", done.stderr)
 
-    def test_an_unknown_group_or_option_is_refused(self):
+    def test_unknown_group_or_option_is_refused(self):
         for argument in ("nonsense", "--nonsense"):
             done = self.setup_with("[a]\none | program sh | x\n", argument)
             self.assertEqual((done.returncode, done.stdout), (2, ""))
@@ -65,7 +65,7 @@ class Setup(FakeTree):
 
 
 class Scripts(unittest.TestCase):
-    def test_all_have_a_help_with_an_example_and_refuse_what_they_do_not_know(self):
+    def test_scripts_have_a_help_with_an_example_and_refuse_unknown_options(self):
         for name in ("setup", "reproduce", "test", "fuzz", "docs", "bench"):
             script = ROOT / f"scripts/{name}.sh"
             helped = subprocess.run([script, "--help"], capture_output=True, text=True, check=False)

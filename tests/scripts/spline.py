@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The bicubic not-a-knot spline of a height grid, apart from the library's."""
+"""The bicubic not-a-knot spline of a height grid, independent of the library."""
 
 
 def solve(matrix, right):
-    """x of matrix x = right, both lists of rows, by elimination with pivots."""
+    """Solves matrix x = right by elimination with pivots. Both are lists of rows."""
     rows = [list(a) + list(b) for a, b in zip(matrix, right)]
     n = len(rows)
     for k in range(n):
@@ -17,21 +17,21 @@ def solve(matrix, right):
 
 
 def second_derivatives(knots):
-    """Row k: the second derivative at knot k as a sum over the values at all knots."""
+    """A matrix whose row k gives the second derivative at knot k from the values at all knots."""
     n, h = len(knots), [b - a for a, b in zip(knots, knots[1:])]
     left = [[0.0] * n for _ in range(n)]
     right = [[0.0] * n for _ in range(n)]
     for k in range(1, n - 1):
         left[k][k - 1:k + 2] = h[k - 1], 2 * (h[k - 1] + h[k]), h[k]
         right[k][k - 1:k + 2] = 6 / h[k - 1], -6 / h[k - 1] - 6 / h[k], 6 / h[k]
-    # No jump of the third derivative at the second knot and at the last but one.
+    # The third derivative has no jump at the second knot and at the last but one.
     left[0][:3] = h[1], -h[0] - h[1], h[0]
     left[-1][-3:] = h[-1], -h[-1] - h[-2], h[-2]
     return solve(left, right)
 
 
 def weights(knots, points):
-    """For each point, the spline's value there as a sum over the values at all knots."""
+    """A matrix whose rows give the value of the spline at each point from the values at all knots."""
     bending = second_derivatives(knots)
     result = []
     for x in points:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The teapot's normals du x dv point out of it, and its points are those of the mesh beside it."""
+"""The normals du x dv of the teapot point outwards, and the mesh has its vertices on the surface."""
 import json
 import unittest
 from math import hypot
@@ -24,7 +24,7 @@ def point(net, u, v):
 
 
 def normal(net, u, v):
-    """The unit vector of du x dv, by central differences."""
+    """The unit normal du x dv, by central differences."""
     du = [b - a for a, b in zip(point(net, u - STEP, v), point(net, u + STEP, v))]
     dv = [b - a for a, b in zip(point(net, u, v - STEP), point(net, u, v + STEP))]
     cross = [du[1] * dv[2] - du[2] * dv[1], du[2] * dv[0] - du[0] * dv[2],
@@ -33,13 +33,13 @@ def normal(net, u, v):
 
 
 def profile(numbers):
-    """(radius, z) along the patches of the plane y = 0, x > 0, as their chains meet."""
+    """(radius, z) along the patches in the half plane y = 0, x > 0, in the order of their chain."""
     points = [point(PATCHES[n], 0, k / 50) for n in numbers for k in range(51)]
     return [(x, z) for x, _, z in points]
 
 
 def inside(outline, r, z):
-    """Whether a ray towards greater r leaves the outline an odd number of times."""
+    """Whether a ray towards greater r crosses the outline an odd number of times."""
     odd = False
     for (r0, z0), (r1, z1) in zip(outline, outline[1:] + outline[:1]):
         if (z0 > z) != (z1 > z) and r < r0 + (z - z0) / (z1 - z0) * (r1 - r0):
@@ -48,7 +48,7 @@ def inside(outline, r, z):
 
 
 class Teapot(unittest.TestCase):
-    def test_pot_and_lid_are_left_along_the_normal(self):
+    def test_normals_of_pot_and_lid_point_outwards(self):
         bottom = profile([28])[::-1]
         outline = profile([20, 24]) + profile([0, 4, 8]) + bottom
         for n in TURNED["pot"] + TURNED["lid"]:
@@ -58,9 +58,9 @@ class Teapot(unittest.TestCase):
                     x, y, z = (a + side * b for a, b in zip(at, out))
                     self.assertEqual(inside(outline, hypot(x, y), z), expected, (n, u, v))
 
-    def test_tubes_are_left_along_the_normal(self):
-        # A section at constant v lies in a plane and is convex; its middle is that of the
-        # net's row. The last pair is the spout's lip, which turns inwards.
+    def test_normals_of_tubes_point_outwards(self):
+        # A section at constant v is plane and convex, and its centre is that of the row of the net.
+        # The last pair is the lip of the spout, which turns inwards.
         for n in TUBES[:6]:
             for u, v in ((0.1, 0.5), (0.5, 0.1), (0.5, 0.9), (0.9, 0.5)):
                 at = point(PATCHES[n], u, v)
@@ -71,8 +71,8 @@ class Teapot(unittest.TestCase):
         for lower, lip in ((16, 18), (17, 19)):
             self.assertEqual(PATCHES[lower][3], PATCHES[lip][0])
 
-    def test_the_mesh_has_its_vertices_on_it(self):
-        """Vertices of the mesh at corners of the pot, the handle and the spout."""
+    def test_vertices_of_the_mesh_lie_on_the_surface(self):
+        """The mesh has vertices at the corners of the pot, the handle and the spout."""
         vertices = {tuple(round(MM_PER_UNIT * c, 6) + 0.0 for c in vertex)
                     for vertex in read_mesh(ROOT / "datasets/meshes/teapot-288.off")[0]}
         for n in range(20):
