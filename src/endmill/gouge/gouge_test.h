@@ -22,7 +22,8 @@ struct BallMove {
     Vec3 to;    ///< end
 };
 
-/// A point of the part that the move of a ball removes, or nearly removes.
+/// A point of the part inside the volume that a ball sweeps, or within the accuracy of
+/// the test of it.
 struct GougePlace {
     std::size_t surface;  ///< number of its surface
     /// Parameters on the surface.
@@ -39,10 +40,10 @@ struct GougeAnswer {
 
 /// Measures how deep a ball and the shank of the same radius above it enter a part during
 /// straight moves. The depth is R minus the distance of the part's nearest point from the
-/// swept axis (detail/swept_axis.h). Where the ball lies against the part, it is the
-/// depth along the part's normal. Bounds come from the convex hulls of control points, so
-/// that the answers are certain up to rounding errors of about 1e-12 of the coordinates.
-/// An immutable value that all threads may use.
+/// swept axis (detail/swept_axis.h). At tangential contact this equals the depth along
+/// the part's normal. The convex hulls of control points give bounds. The answers are
+/// therefore certain, except for rounding errors of about 1e-12 of the coordinates. An
+/// immutable value that all threads may use.
 class GougeTest {
 public:
     /// \param surfaces the part.
@@ -52,10 +53,10 @@ public:
     GougeTest(std::span<const Surface> surfaces, const BallCutter& cutter,
               const Vec3& axis);
 
-    /// Whether `move` enters the part by more than `tolerance` anywhere. The answer is
-    /// Undecided if it depends on the depth to less than 1e-3 of the tolerance. Takes
-    /// about 5 us if the move is not much longer than R and the tolerance is not far
-    /// below R / 10.
+    /// Whether `move` enters the part by more than `tolerance` anywhere. The answer may
+    /// be Undecided if |depth - tolerance| < 1e-3 tolerance. Takes about 5 us for a move
+    /// of about the length R and a tolerance of about R / 10; longer moves and smaller
+    /// tolerances take longer.
     /// \param move the move.
     /// \param tolerance in mm, 0 < tolerance < R.
     /// \throws DomainError unless the tolerance is in its range.

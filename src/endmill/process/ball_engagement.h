@@ -2,15 +2,15 @@
 #pragma once
 
 /// \file
-/// The cut of a ball-end mill on one straight move, reduced to ratios and angles: the
-/// input of everything in this module that computes forces.
+/// The cut of a ball-end mill on one straight move, given by ratios and angles. All
+/// functions of this module that compute forces take it as input.
 
 namespace endmill {
 
-/// What has been cut before the present pass, seen across the feed.
+/// The material that was cut before the present pass, seen across the feed.
 enum class PreviousPass {
-    Beside,  ///< a parallel pass, one pick feed away, has removed its share
-    None,    ///< nothing: a slot, with full stock on both sides
+    Beside,  ///< a parallel pass, at the distance of the pick feed
+    None,    ///< nothing: a full slot, with stock on both sides
     Edge     ///< nothing, and the ball centre is above the edge of the block
 };
 

@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// The cutting action coefficients of a ball-end mill: exact ones for any engagement, and
-/// quick ones from a table computed beforehand.
+/// The cutting action coefficients of a ball-end mill: exact for any engagement, or
+/// interpolated in a table, which is faster.
 
 #include <array>
 #include <span>
@@ -13,12 +13,13 @@
 
 namespace endmill {
 
-/// The cutting action coefficients of one tooth, as means over a turn.
+/// The cutting action coefficients of one tooth, as means over a spindle revolution.
 ///
 /// Let t be the azimuth on the cutter. Let xi be 1 in front of the axis and -1 behind it
 /// where the edge cuts, and 0 elsewhere. Let zeta be 1 where the edge cuts, and 0
 /// elsewhere. Let r be the distance from the axis in radii of the ball. Each coefficient
-/// is the mean over a turn of an integral over the height dz along the edge:
+/// is the mean over a spindle revolution of an integral over the height dz along the
+/// edge:
 ///
 ///     I1  sin t cos t xi    I2  sin^2 t xi    I3  cos t zeta    I4  sin t zeta
 ///     I5  sin t xi          I6  zeta          I7  r sin t xi    I8  r zeta
@@ -44,8 +45,8 @@ CuttingCoefficients sum(const CuttingCoefficients& first,
                         const CuttingCoefficients& second);
 
 /// Engaged angle phi in rad, 0 to 2 pi: the angle over which a point of the edge cuts
-/// during a turn, at the height of the stock's top or, in deeper stock, where the shank
-/// begins.
+/// during a spindle revolution. The point is at the height of the stock's top or, in
+/// deeper stock, where the shank begins.
 /// Source: [ParkMaeng, eq. (4)]. The paper does not say at which height phi is taken; the
 /// choice is explained in docs/mathematics/ball-end-milling.md, section 5.
 /// \throws DomainError unless `engagement` is sound.
@@ -73,8 +74,8 @@ inline constexpr double coefficient_accuracy = 1e-10;
 /// \param engagement the cut.
 /// \param chip       definition of the chip thickness.
 /// \param accuracy   bound of the absolute error of a coefficient without the shank, from
-///                   1e-12 to 1e-3. The default yields 1e-11 for level moves (lambda =
-///                   0).
+///                   1e-12 to 1e-3. The default yields 1e-11 for horizontal moves (lambda
+///                   = 0).
 /// \throws DomainError if the accuracy is outside its range, or unless `engagement` is
 ///          sound.
 CuttingCoefficients cutting_coefficients(const BallEngagement& engagement,
@@ -100,8 +101,8 @@ struct CoefficientTableOptions {
 /// form.
 ///
 /// The nodes of the angles are equidistant. The nodes of the two ratios are squares of
-/// equidistant numbers, because the coefficients begin like square roots. The default
-/// table takes 1.2 MB.
+/// equidistant numbers, because the coefficients grow like square roots near 0. The
+/// default table takes 1.2 MB.
 /// Source: [ParkMaeng, section 2.2], the precomputed database;
 /// docs/mathematics/ball-end-milling.md, section 3.5.
 ///

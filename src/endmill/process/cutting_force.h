@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// Forces of a ball-end mill: means over a turn, the course during a turn, and their
-/// ratio.
+/// Forces of a ball-end mill: means over a spindle revolution, forces at positions within
+/// a revolution, and the ratio of the largest to the mean.
 
 #include <span>
 #include <vector>
@@ -27,7 +27,7 @@ struct CuttingForce {
     double torque_n_m;  ///< N m about the axis; positive when milling up, else negative
 };
 
-/// Means over a turn of force and torque of all teeth:
+/// Means of force and torque of all teeth over a spindle revolution:
 ///
 ///     Fx = m r0 K [ f (s I1 + r1 I2) + h (s I3 + r2 I4) ]
 ///     Fy = m r0 K [ f (r1 I1 - s I2) + h (r2 I3 - s I4) ]
@@ -54,7 +54,7 @@ struct Runout {
     double angle = 0;  ///< rad: azimuth of the offset when flute 0 stands at azimuth 0
 };
 
-/// A cut whose force is computed over a turn.
+/// A cut whose force is computed at positions within a spindle revolution.
 struct MillingCut {
     BallEngagement engagement;          ///< how the ball meets the stock
     ChipModel chip = ChipModel::Paper;  ///< definition of the chip thickness
@@ -66,18 +66,18 @@ struct MillingCut {
 };
 
 /// Force and torque of a ball-end mill with helical flutes at given positions within a
-/// turn.
+/// spindle revolution.
 ///
 /// Azimuths and the sense of the helix are those of MillingTool::helix. When milling down
-/// the frame is mirrored: a right-hand cutter under M03 has a negative helix and turns
+/// the frame is mirrored: a right-hand cutter under M03 has a negative helix and rotates
 /// towards falling azimuths.
 ///
 /// Flutes are counted in cutting order: flute j stands 2 pi j / m behind flute 0. Without
-/// runout its chip is f |sin u| thick, or as thick as the exact chip. Runout e at the
-/// angle a adds e [cos(2 pi j / m - a) - cos(2 pi (j - 1) / m - a)], by which the flute
-/// reaches beyond the flute before it. Where the sum is negative the flute does not touch
-/// the work and bears no force. While every chip is positive the mean over a turn equals
-/// `mean_force` for any helix.
+/// runout the thickness of its chip is f |sin u|, or that of the exact chip. Runout e at
+/// the angle a adds e [cos(2 pi j / m - a) - cos(2 pi (j - 1) / m - a)]. This is the
+/// distance by which the flute reaches beyond the flute before it. Where the sum is
+/// negative, the flute does not touch the work and bears no force. If every chip is
+/// positive, the mean over a revolution equals `mean_force` for any helix.
 /// Source: [ParkMaeng, appendices A and B], with misprints corrected; the runout model is
 /// described in docs/mathematics/ball-end-milling.md, section 10.
 ///
@@ -90,9 +90,9 @@ struct MillingCut {
 std::vector<CuttingForce> force_profile(const MillingCut& cut,
                                         std::span<const double> turns);
 
-/// Concentration of force R_m: largest torque of the chip over a turn divided by its
-/// mean, for all flutes of a helical ball-end mill. 1 where nothing is cut. Relative
-/// error below 1e-6.
+/// Peak factor R_m: the largest torque of the chip in a spindle revolution divided by its
+/// mean, for all flutes of a helical ball-end mill together. It is 1 if nothing is cut.
+/// Relative error below 1e-6.
 /// Source: docs/mathematics/ball-end-milling.md, section 4.
 /// \throws DomainError unless `engagement` and `tool` are sound, or if the flutes wind
 ///         more than 1000 times about the axis below the stock's top.

@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// A path with the feeds of a plan, and the time that it takes: block by block at the
-/// programmed feeds, or as a machine of limited acceleration follows it.
+/// A path with the feeds of a plan, and the machining time: block by block at the
+/// programmed feeds, or with the acceleration limit of a machine.
 
 #include <cstddef>
 #include <optional>
@@ -17,10 +17,10 @@
 
 namespace endmill {
 
-/// The path with a feed and a spindle speed on every row. Planned moves get those of
+/// The path with a feed and a spindle speed on every row. Planned moves get the values of
 /// `rows`. Other moves keep their feed, or get `plunge_feed_mm_per_min` if they have
-/// none; rapids have no feed. The spindle turns on them as on the next planned move, or
-/// on the last one.
+/// none; rapids have no feed. Their spindle speed is that of the next planned move, or of
+/// the last one if no planned move follows.
 /// Source: docs/mathematics/ball-end-milling.md, sections 12 and 13.
 /// \param path the path.
 /// \param points indices of the end points of the planned moves, ascending.
@@ -37,8 +37,8 @@ std::vector<std::string_view> limit_words(std::size_t count,
                                           std::span<const std::size_t> points,
                                           std::span<const SegmentFeed> rows);
 
-/// Time in min of the moves of `fed` whose end points are not among `points`. Moves
-/// without a feed run at `rapid_mm_per_min`.
+/// Time in min of the non-cutting moves: the moves of `fed` whose end points are not
+/// among `points`. Moves without a feed run at `rapid_mm_per_min`.
 /// \throws DomainError unless the rapid feed is finite and above 0.
 double noncut_minutes(const ToolPath& fed, std::span<const std::size_t> points,
                       double rapid_mm_per_min);
@@ -47,7 +47,7 @@ double noncut_minutes(const ToolPath& fed, std::span<const std::size_t> points,
 /// computed are std::nullopt.
 struct FeedTimes {
     double cut_min;                                ///< min, cutting moves
-    std::optional<double> noncut_min = {};         ///< min, approaches, returns, dwells
+    std::optional<double> noncut_min = {};         ///< min, non-cutting moves and dwells
     std::optional<double> total_min = {};          ///< min, sum of both
     std::optional<double> constant_feed_min = {};  ///< min, total at the constant feed
     /// %, share of that total that is saved; negative if the varied feed takes longer.
@@ -119,10 +119,10 @@ struct PlannedRun {
 double corner_speed(const Vec3& before, const Vec3& after,
                     const FeedAcceleration& motion);
 
-/// Fastest motion along `points` from rest to rest. Its speed nowhere exceeds the feed of
-/// the segment or the speed of a corner, and it changes no faster than the acceleration.
-/// Each vertex speed is the largest that both neighbours allow, so no motion within these
-/// bounds is faster.
+/// Fastest motion along `points` from rest to rest. Its speed exceeds neither the feed of
+/// a segment nor the speed of a corner. The rate of change of the speed does not exceed
+/// the acceleration. Each vertex speed is the largest that both neighbours allow.
+/// Therefore no motion within these bounds is faster.
 /// Source: docs/mathematics/ball-end-milling.md, section 11.
 ///
 /// \param points mm, at least two.
@@ -134,10 +134,10 @@ double corner_speed(const Vec3& before, const Vec3& after,
 PlannedRun planned_run(std::span<const Vec3> points, std::span<const double> feeds,
                        const FeedAcceleration& motion);
 
-/// Time in s of the move to each point of `path`; the first entry is 0. Each run of moves
-/// at feed is planned by its tips, from rest to rest. A rapid, and another move without a
-/// feed, has the time 0, and the machine rests before and after it. A move of length 0
-/// has the time 0.
+/// Time in s of the move to each point of `path`; the first entry is 0. Each sequence of
+/// consecutive moves at feed is planned along its tips, from rest to rest. A rapid or
+/// another move without a feed has the time 0; the machine rests before and after it. A
+/// move of length 0 has the time 0.
 /// \throws DomainError unless every cut has a feed, or as `planned_run`.
 std::vector<double> planned_times(const ToolPath& path, const FeedAcceleration& motion);
 

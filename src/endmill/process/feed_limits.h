@@ -19,9 +19,9 @@
 
 namespace endmill {
 
-/// Sums over the engaged edges of all flutes, without material and size: A, B, A_T and
-/// B_T of docs/mathematics/ball-end-milling.md, section 4, or m R_m times I5, I6, I7, I8.
-/// None is negative.
+/// Sums over the engaged edges of all flutes, without material and size. They are A, B,
+/// A_T and B_T of docs/mathematics/ball-end-milling.md, section 4, or m R_m times I5, I6,
+/// I7, I8. None is negative.
 struct EdgeSums {
     double chip = 0;         ///< chip term of the tangential force, over K f_t r0
     double edge = 0;         ///< edge term of the tangential force, over K h* r0
@@ -32,14 +32,17 @@ struct EdgeSums {
 /// The sums multiplied by `factor`, such as the number of teeth or a peak factor.
 EdgeSums scaled(const EdgeSums& sums, double factor);
 
-/// Form of a limit where the paper's form differs from the exact one.
+/// Form of the limits of force and power, for which the paper's form differs from the
+/// exact one.
 enum class LimitForm {
-    Paper,  ///< force: tangential force times sqrt(1 + r1^2), which is exact for r2 = r1;
-            /// < power: with 974000 kgf mm rpm/kW
-    Exact   ///< force: magnitude of tangential and radial force; power: 2 pi n M / 60
+    /// Force: tangential force times sqrt(1 + r1^2), which is exact for r2 = r1. Power:
+    /// with 974000 kgf mm rpm/kW.
+    Paper,
+    /// Force: magnitude of tangential and radial force. Power: 2 pi n M / 60.
+    Exact
 };
 
-/// Constants that turn sums into forces.
+/// Constants by which sums are multiplied to obtain forces.
 struct LoadModel {
     CuttingMaterial material;           ///< force constants
     double radius;                      ///< mm, r0 of the ball
@@ -102,7 +105,7 @@ enum class FeedLimit {
     Torque,        ///< largest torque of tool or spindle
     Cap,           ///< largest feed per tooth of the material
     BlockRate,     ///< shortest time of a block
-    Infeasible     ///< no feed satisfies the limits; the least feed per tooth is used
+    Infeasible     ///< no feed is feasible; the least feed per tooth is used
 };
 
 /// Limit that governs the spindle speed of a move.
@@ -131,8 +134,8 @@ std::string_view speed_limit_name(SpeedLimit limit);
 
 /// Range of the feed per tooth.
 struct FeedRange {
-    std::optional<double> most_mm =
-        {};  ///< mm, the cap; without it other limits must bind
+    /// mm, largest feed per tooth (the cap). Without it other limits must bind.
+    std::optional<double> most_mm = {};
     /// mm, least feed per tooth, above 0, at most the cap. A thinner chip rubs instead of
     /// being cut.
     double least_mm = 0.005;
@@ -146,13 +149,14 @@ void require_sound(const FeedRange& range);
 struct ToothFeed {
     double feed_per_tooth_mm;  ///< mm
     FeedLimit governing;       ///< CuttingForce, Thrust, Torque or Cap
-    bool is_infeasible;  ///< the governing bound is below the least feed, which is used
+    /// The governing bound is below the least feed. The least feed is used.
+    bool is_infeasible;
 };
 
 /// Stage I: the smallest of the bounds and the cap. If it is below the least feed per
-/// tooth, the least feed is returned and `is_infeasible` is set. A bound that is lower by
-/// less than a relative 1e-9 counts as equal, so that a limit computed from a feed admits
-/// that feed.
+/// tooth, the least feed is returned and `is_infeasible` is set. A bound that is lower
+/// than the least feed by less than a relative 1e-9 counts as equal to it. A limit that
+/// was computed from a feed therefore admits this feed.
 /// Source: [ParkMaeng, section 4.3, stage I]; docs/mathematics/ball-end-milling.md,
 /// section 6.
 /// \throws DomainError unless the range is sound, or if nothing bounds the feed.
@@ -186,7 +190,7 @@ struct TableFeed {
     double spindle_rpm;      ///< rpm
     SpeedLimit speed_limit;  ///< limit that governs the spindle speed
     double feed_mm_per_min;  ///< mm/min
-    bool is_block_bound;     ///< the feed is below m f_t n because of the block time
+    bool is_block_bound;     ///< the block time reduces the feed below m f_t n
     double power_w;          ///< W, at the torque of the move and this spindle speed
 };
 
@@ -194,21 +198,21 @@ struct TableFeed {
 /// - II and III: the spindle speed is the smallest of the economic speed and the bounds
 ///   of spindle, power and feed drive. The first of equal ones governs.
 /// - IV: the feed is m f_t n, but no more than the block time admits. The feed per tooth
-///   is not changed: under the block rate the chip is thinner and the loads are smaller
-///   than stated.
+///   is not changed. If the block time limits the feed, the chip is therefore thinner and
+///   the loads are smaller than stated.
 /// Source: [ParkMaeng, eq. (18) to (21), section 4.3, stages II to IV];
 /// docs/mathematics/ball-end-milling.md, section 6.
 /// \throws DomainError unless feed, length and radius are above 0, phi/pi is in its
 ///         range, there is a flute, and the block time is not negative.
 TableFeed table_feed(const MoveDemand& move, const DriveRules& rules);
 
-/// Load of a cutting move, however it was computed.
+/// Load of a cutting move. Its form does not depend on how it was computed.
 struct SegmentLoad {
     double length_mm;      ///< mm, length of the move, above 0
     double engaged_angle;  ///< rad, phi of the tool life, above 0, at most pi
     FeedBounds bounds;     ///< feeds per tooth at which the limits are reached
-    /// Largest loads in a turn as a function of the feed per tooth in mm. Empty if
-    /// nothing is cut.
+    /// Largest loads in a spindle revolution as a function of the feed per tooth in mm.
+    /// Empty if nothing is cut.
     std::function<CuttingLoads(double feed_per_tooth_mm)> loads;
     std::optional<double> peak_factor = {};  ///< R_m, if one factor holds for all loads
 };
@@ -230,7 +234,7 @@ struct SegmentFeed {
     double engaged_angle;               ///< rad, phi of the tool life
     ToothFeed tooth;                    ///< result of stage I
     std::optional<double> peak_factor;  ///< R_m, if one factor holds for all loads
-    CuttingLoads loads;                 ///< largest loads in a turn at the feed per tooth
+    CuttingLoads loads;                 ///< largest loads in a spindle revolution
     TableFeed table;                    ///< result of the stages II to IV
 };
 

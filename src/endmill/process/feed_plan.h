@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// Feed and spindle speed for every cutting move of a path. The module's main entry
-/// point.
+/// Feed and spindle speed for every cutting move of a path. Start here: `feed_plan` is
+/// the main function of the module.
 
 #include <array>
 #include <cstddef>
@@ -27,24 +27,28 @@ struct MillingJob {
     MachineLimits machine = {};  ///< limits of spindle and feed drives
 };
 
-/// How the largest load of a turn is found. Torque and Direct need the helix of the tool.
+/// How the largest load in a spindle revolution is found. Torque and Direct need the
+/// helix of the tool.
 /// Source: docs/mathematics/ball-end-milling.md, section 4. The paper uses a factor R_m
 /// that it does not print.
 enum class PeakRule {
     Constant,  ///< every load is a given factor times its mean
-    Torque,    ///< the same, with the factor of the chip's torque of the helical flutes
-    Direct     ///< each load is followed over the turn; no factor
+    /// R_m = largest / mean chip torque of the helical flutes; it multiplies the mean of
+    /// every load.
+    Torque,
+    Direct  ///< each load is computed over the revolution; no factor
 };
 
 /// Choices of a feed plan. The defaults are those of the mode `paper`.
 struct FeedPlanOptions {
     ChipModel chip = ChipModel::Paper;   ///< definition of the chip thickness
-    PeakRule peak = PeakRule::Constant;  ///< how the largest load of a turn is found
+    PeakRule peak = PeakRule::Constant;  ///< how the largest load is found
     double peak_factor = 1.8;            ///< R_m of PeakRule::Constant, at least 1
     LimitForm form = LimitForm::Paper;   ///< form of the limits of force and power
     /// Largest feed per tooth in mm. By default that of the material, if it has one.
     std::optional<double> max_feed_per_tooth_mm = {};
-    /// Least feed per tooth in mm. By default that of the material, or 0.005.
+    /// Least feed per tooth in mm. By default that of the material, if it has one, else
+    /// 0.005.
     std::optional<double> min_feed_per_tooth_mm = {};
     double block_time_ms = 10;  ///< ms, least time of a block; 0 switches the rule off
     double accuracy = 1e-6;     ///< bound of the error of a cutting action coefficient
@@ -78,8 +82,8 @@ FeedRules feed_rules(const MillingJob& job, const FeedPlanOptions& options);
 SegmentLoad front_load(double length_mm, const BallFront& front, const MillingTool& tool,
                        const FeedPlanOptions& options, const FeedRules& rules);
 
-/// The smallest limits for which every move would be feasible at the least feed per
-/// tooth. std::nullopt for a limit that makes no move infeasible.
+/// Limits that would just make all moves feasible at the least feed per tooth.
+/// std::nullopt for a limit that makes no move infeasible.
 struct NeededLimits {
     std::optional<double> cutting_force_n = {};  ///< N
     std::optional<double> thrust_n = {};         ///< N
@@ -88,8 +92,8 @@ struct NeededLimits {
 
 /// Totals of a feed plan. Shares are fractions of the total length.
 struct FeedPlanTotals {
-    double length_mm = 0;  ///< mm, length of all moves
-    double cut_min = 0;    ///< min, time of all moves at their feeds
+    double length_mm = 0;  ///< mm, length of all cutting moves
+    double cut_min = 0;    ///< min, time of all cutting moves at their feeds
     /// Share of the length for which each limit governs the feed, in the order of
     /// `all_feed_limits`.
     std::array<double, all_feed_limits.size()> limit_shares{};
@@ -112,14 +116,15 @@ struct FeedPlan {
 /// \param count number of moves.
 /// \param load_of returns the load of move i; called once per move, from any thread.
 /// \param rules limits of tool, spindle and drives.
-/// \throws DomainError as `segment_feed`, or unless the rules are sound.
+/// \throws DomainError as `segment_feed`, or if the rules are not sound.
 /// The plan does not depend on the number of threads.
 FeedPlan feed_plan(std::size_t count,
                    const std::function<SegmentLoad(std::size_t)>& load_of,
                    const FeedRules& rules);
 
-/// Feed and spindle speed of each of `cuts`: engagement, cutting coefficients or loads
-/// over a turn, and the stages I to IV of `segment_feed`.
+/// Feed and spindle speed of each of `cuts`. For each cut the function computes the
+/// engagement, then the cutting coefficients or the loads over a spindle revolution, then
+/// the stages I to IV of `segment_feed`.
 /// Source: [ParkMaeng, section 4]; docs/mathematics/ball-end-milling.md, sections 4 to 6.
 /// \throws DomainError unless `cuts`, `job` and `options` are sound, or if nothing bounds
 ///          a feed.
@@ -128,10 +133,10 @@ FeedPlan feed_plan(std::size_t count,
 FeedPlan feed_plan(std::span<const SegmentCut> cuts, const MillingJob& job,
                    const FeedPlanOptions& options);
 
-/// Totals of the rows of a plan, summed in the order of the moves.
+/// Totals of a plan, summed over its rows in the order of the moves.
 /// \param rows the rows of the plan.
 /// \param lengths_mm mm, one length per row.
-/// \param limits the limits from which the needed ones are determined.
+/// \param limits the limits of the plan, from FeedRules.
 /// \throws DomainError unless there is one length per row.
 /// Source: [ParkMaeng, section 5]; docs/mathematics/ball-end-milling.md, sections 6, 8
 /// and 13.

@@ -42,8 +42,9 @@ struct CuttingMaterial {
 /// \throws DomainError if a number is outside its range or not finite.
 void require_sound(const CuttingMaterial& material);
 
-/// Largest helix angle in rad, in either direction. The accuracy of the loads over a turn
-/// is tested up to this angle; steeper flutes do not occur on end mills.
+/// Largest helix angle in rad, in either direction. The accuracy of the loads over a
+/// spindle revolution is tested up to this angle. Steeper flutes do not occur on end
+/// mills.
 inline constexpr double most_helix = 80 * std::numbers::pi / 180;
 
 /// A ball-end mill, as the cutting model needs it. A missing limit does not bind.
@@ -56,13 +57,13 @@ struct MillingTool {
     /// At the height z above the tip the azimuth of an edge is that of its tip minus z
     /// tan(helix)/r0, in the frame of BallEngagement. This frame is mirrored when milling
     /// down, and the helix is not:
-    /// - Milling up, the spindle (clockwise seen from above, M03) turns towards growing
+    /// - Milling up, the spindle (clockwise seen from above, M03) rotates towards growing
     ///   azimuths. A positive helix is a right-hand cutter.
-    /// - Milling down, the spindle turns towards falling azimuths. A positive helix is a
-    ///   left-hand cutter, and a right-hand cutter has a negative helix.
+    /// - Milling down, the spindle rotates towards falling azimuths. A positive helix is
+    ///   a left-hand cutter, and a right-hand cutter has a negative helix.
     ///
-    /// The paper does not state the hand of the helix. Means over a turn do not depend on
-    /// the helix, and in a slot its sign changes no peak.
+    /// The paper does not state the hand of the helix. Means over a revolution do not
+    /// depend on the helix. In a full slot, its sign has no effect on the peaks.
     /// Source: docs/mathematics/ball-end-milling.md, section 4.
     double helix = 0;
     /// N, largest force across the axis at any time, above 0.

@@ -24,17 +24,16 @@ struct SegmentCut {
     int pass = 0;          ///< number of the pass in the path
     int point = 0;         ///< number within its pass of the point at the move's end
     double length_mm = 0;  ///< mm, length of the move of the ball centre, above 0
-    std::optional<double> mu =
-        {};             ///< rad, slope of the pick feed, turned about the feed
-    double lambda = 0;  ///< rad, slope of the feed, positive uphill
+    std::optional<double> mu = {};  ///< rad, slope of the pick feed, about the feed
+    double lambda = 0;              ///< rad, slope of the feed, positive uphill
     std::optional<double> pick_feed_mm = {};  ///< mm, f_p, between the ball centres
     std::optional<double> pick_feed_horizontal_mm = {};  ///< mm, f_p cos(mu)
-    double depth_mm =
-        0;  ///< mm, l, height of the stock's top above the tip; <= 0: in air
+    /// mm, l, height of the stock's top above the tip; <= 0: in air.
+    double depth_mm = 0;
     PreviousPass previous = PreviousPass::Beside;  ///< Beside needs mu and the pick feed
     Milling milling = Milling::Down;               ///< side of the feed with the stock
-    bool has_two_neighbours =
-        false;  ///< earlier passes lie on both sides; the nearer counts
+    /// Earlier passes lie on both sides. The nearer one counts.
+    bool has_two_neighbours = false;
 };
 
 /// Source of the geometry of a cut.
@@ -48,13 +47,12 @@ enum class CutSource {
 struct SegmentCutOptions {
     double radius;     ///< mm, radius of the ball, above 0
     double stock_top;  ///< mm, height of the stock's horizontal top
-    PreviousPass first_pass =
-        PreviousPass::None;              ///< None or Edge: moves without a neighbour
+    /// None or Edge: engagement of the moves that have no earlier neighbour.
+    PreviousPass first_pass = PreviousPass::None;
     CutSource source = CutSource::Auto;  ///< source of mu and the pick feed
-    std::span<const Surface> part =
-        {};  ///< the part for which the path was made, if known
-    double contact_tolerance =
-        0.05;  ///< mm, by which the ball may miss the part; above 0
+    std::span<const Surface> part = {};  ///< part for which the path was made, if known
+    /// mm, largest distance between the ball and the part at a contact, above 0.
+    double contact_tolerance = 0.05;
 };
 
 /// The cuts of a path.
@@ -72,8 +70,8 @@ struct SegmentCuts {
 /// The pick feed leads to the nearest earlier pass beside the move, within the diameter
 /// of the ball. A move without such a neighbour belongs to a first pass.
 /// - By the passes, length and slope of the pick feed are those of the line between the
-///   ball centres. This is exact for parallel passes on planes. Along a cylinder the
-///   length is exact and the slope is off by half the angle between the passes.
+///   ball centres. They are exact for parallel passes on planes. Along a cylinder the
+///   length is exact; the error of the slope is half the angle between the passes.
 /// - By contact, mu and lambda follow from eq. (10) and (11) with the normal of the part.
 ///   If the part is given, f_p = d (1 + r0 k), where d is the distance of the contacts
 ///   across the feed and k is the normal curvature of the part across the feed. Otherwise

@@ -29,12 +29,13 @@ PoseSearchResult pose_fit(const Vec3& tool_axis, std::span<const Vec3> direction
 /// 1. At each tool axis `nearest_cells` represents the cone of each facet by one cell.
 ///    Facets that no cell reaches are left out.
 /// 2. `pose_fit` finds the least area for these cells.
-/// 3. The least area wins, then the least sum of both ranges, then the lowest cell, then
-///    the first candidate. Areas and sums are equal if they differ by at most 1e-9.
+/// 3. The pose of least area is chosen; among equal areas the one with the least sum of
+///    both ranges, then with the lowest cell, then the first candidate. Areas and sums
+///    are equal if they differ by at most 1e-9.
 ///
-/// In the paper's modes for A,B a tool axis is skipped and counted if a direction has a
-/// cosine below 1e-6 with it. Tool axes run in parallel; the result does not depend on
-/// the number of threads.
+/// In the paper's modes for A,B, a tool axis is skipped and counted if the cosine of its
+/// angle with a direction is below 1e-6. Tool axes run in parallel; the result does not
+/// depend on the number of threads.
 /// Source: [KangSuh, sections 4 to 6].
 /// \param map cones of the facets. \param centres unit, one for each cell of `map`.
 /// \param options family, mode, limits and progress.

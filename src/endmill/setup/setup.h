@@ -20,7 +20,7 @@
 
 namespace endmill {
 
-/// What a setup is searched for, and how.
+/// The machine for which a setup is searched, and the options of the search.
 struct SetupRequest {
     RotaryReach reach = {};             ///< the machine
     SetupMode mode = SetupMode::Paper;  ///< used with five axes
@@ -41,17 +41,19 @@ struct SetupRequest {
 /// The best setup that was found, and what is proved about it.
 struct PartSetup {
     /// Whether one setup within the limits reaches the whole part. A search over cells
-    /// answers for the poses that it tries only; `is_proved` states that.
+    /// answers for the tested poses only, unless `is_proved` is true.
     Answer machinable = Answer::Undecided;
-    bool is_proved = false;  ///< the part is machinable, or every pose is excluded
+    /// Whether the answer holds for all poses, not only for the tested ones.
+    bool is_proved = false;
     SetupStatus status = SetupStatus::Ok;  ///< of `shown()`
     std::optional<FittedPose> feasible;    ///< the best pose within the limits
-    std::optional<FittedPose> least;       ///< the best pose without limits: MAR
+    std::optional<FittedPose> least;       ///< the best pose without limits of the axes
     std::size_t poses_tried = 0;    ///< poses or axes tried; `WholeCones`: nodes bounded
     std::size_t poses_skipped = 0;  ///< tool axes or rotary axes without a fit
     std::size_t unresolved = 0;     ///< `WholeCones`: small nodes that are not excluded
 
-    /// What the search minimised, for `shown()`: rad^2, or rad for objectives in rad.
+    /// Value of the minimised quantity for `shown()`, in rad^2, or in rad for objectives
+    /// in rad.
     std::optional<double> objective;
 
     /// Certified lower bound of `objective`, of `WholeCones` only.
@@ -66,8 +68,8 @@ struct PartSetup {
 /// - Five axes: `five_axis_setup`.
 /// - Four axes: the shortest arc of tool directions about each of 5120 rotary axes. The
 ///   arc about a given axis is exact, the choice of axes is not certified.
-/// - Three axes: the cell that reaches the most facets. All cells are tried, which
-///   decides.
+/// - Three axes: the cell that reaches the most facets. All cells are tried, so that the
+///   answer is certain.
 /// - A configuration that is not valid: not machinable, without a pose.
 ///
 /// A facet that has an area and that no cell reaches makes the part not machinable on
@@ -93,8 +95,8 @@ PartSetup five_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
                           const SetupRequest& request);
 
 /// The floored area (w + floor)(h + floor) of the pose that a setup shows, in square
-/// degrees. It compares setups on different machines: h is 0 with four axes, w and h are
-/// 0 with three.
+/// degrees. It serves to compare setups on different machines. h is 0 with four axes; w
+/// and h are 0 with three.
 /// \param setup found on a machine of this configuration.
 /// \param configuration the machine. \param floor_deg degrees.
 /// \return nothing if the setup shows no pose.

@@ -16,11 +16,17 @@
 #include "endmill/machine/kinematics.h"
 
 /// \file
-/// Poses of a part on a machine, the objectives that compare them, and the modes of the search.
+/// Poses of a part on a machine, objectives that compare them, and modes of the search.
 ///
-/// All objectives depend on two ranges, in rad: the width w of the window of the first rotary
-/// axis (C in C,A, R1 in A,B), and the height h = m0 + m1 of the other axis. The paper's area
-/// w h is not an objective, because it is 0 for every arc of a great circle, however long.
+/// A pose is the position of the part on the machine. It needs a range of rotation of
+/// each rotary axis. The window is the range of the first rotary axis (C in C,A, R1 in
+/// A,B), and w is its width. h = m0 + m1 is the range of the other axis. C,A: m0 is the
+/// largest polar angle of the directions whose azimuths lie in the window, m1 that of the
+/// directions opposite to the window. A,B: m0 is the largest latitude, -m1 the least. All
+/// are in rad.
+///
+/// All objectives depend on w and h. The paper's area w h is not an objective, because it
+/// is 0 for every arc of a great circle, of any length.
 /// Source: docs/mathematics/five-axis-setup.md, section 10.
 
 namespace endmill {
@@ -33,14 +39,18 @@ struct SetupPose {
     Vec3 r2_axis;    ///< unit: the other rotary axis
 };
 
-/// A pose and the ranges of turns that it needs. Both ranges contain 0.
+/// A pose and the ranges of the rotary axes that it needs. Both ranges contain 0. They
+/// are rotations of the tool against the part.
 struct FittedPose {
-    SetupPose pose;        ///< axes in coordinates of the part
-    RotaryRange phi;       ///< rad; C,A: tilt; A,B: turn of R1
-    RotaryRange theta;     ///< rad; C,A: turn of C, azimuth 0 is r2 x C; A,B: turn of R2
+    SetupPose pose;   ///< axes in coordinates of the part
+    RotaryRange phi;  ///< rad; C,A: tilt; A,B: rotation of R1
+    /// rad; C,A: rotation of C, where r2 x C has azimuth 0; A,B: rotation of R2.
+    RotaryRange theta;
     double area;           ///< rad^2: range of phi times range of theta, the paper's F
     std::size_t cell = 0;  ///< the cell whose centre is the tool axis; 0 if there is none
-    bool is_rigid = true;  ///< false: only a mirror image of the part fits the limits
+    /// False: the pose fits the limits only with a reflection, which no rotation of the
+    /// part realises.
+    bool is_rigid = true;
 };
 
 /// [S, L]: the smaller and the larger magnitude of the ends of a range, in rad.
@@ -57,28 +67,31 @@ enum class SetupStatus {
 
 /// What a search over tool axes reports. Source: [KangSuh, sections 4 to 6].
 struct PoseSearchResult {
-    SetupStatus status =
-        SetupStatus::Ok;                 ///< of `feasible` if it is set, else of `least`
-    std::optional<FittedPose> least;     ///< the best pose without limits: MAR
+    /// Status of `feasible` if it is set, otherwise of `least`.
+    SetupStatus status = SetupStatus::Ok;
+    /// The pose of least area without limits of the axes, MAR in [KangSuh].
+    std::optional<FittedPose> least;
     std::optional<FittedPose> feasible;  ///< the best pose within the limits
     std::size_t poses_tried = 0;         ///< number of tool axes
-    std::size_t poses_skipped =
-        0;  ///< tool axes without a fit: directions 90 degrees off
+    /// Number of tool axes skipped because a direction lies 90 degrees or more from them
+    /// (A,B in the paper's modes).
+    std::size_t poses_skipped = 0;
 };
 
 /// The rotary axes of a machine, as far as a setup depends on them.
 struct RotaryReach {
     MachineConfiguration configuration = {};  ///< axes of the machine
-    RotaryLimits limits =
-        {};  ///< turns of the tool against the part; of four axes phi counts
+    /// Limits, as rotations of the tool against the part. On a four-axis machine only phi
+    /// is used.
+    RotaryLimits limits = {};
 
-    /// Four axes: a cell counts if its centre lies this close to the arc of tool
-    /// directions. The default is half a cell of a sphere of 1200 cells.
+    /// Four axes: a cell counts as reached if its centre lies within this angle of the
+    /// arc of tool directions. The default is half a cell of a sphere of 1200 cells.
     Angle arc_tolerance = Angle::degrees(2.95);
 };
 
-/// Which of the axes A and B is the first rotary axis. It decides the sense of the second:
-/// r2 = C x r1 if A is first, r2 = r1 x C if B is first.
+/// The first rotary axis of the family A,B. It determines the sense of the second one: r2
+/// = C x r1 if A is first, r2 = r1 x C if B is first.
 enum class RotaryOrder { AFirst, BFirst };
 
 /// The order of the rotary axes; `AFirst` outside the family A,B.
@@ -88,28 +101,29 @@ RotaryOrder rotary_order(const MachineConfiguration& configuration);
 /// A machine with fewer than two rotary axes counts as A,B with R2 at rest.
 RotaryFrame pose_frame(const MachineConfiguration& configuration, const SetupPose& pose);
 
-/// The limits within which a cell counts as reached in the frame of `pose_frame`. With
-/// four axes theta is the arc tolerance to either side, with three axes it is 0.
+/// The limits within which a cell counts as reached, for the frame of `pose_frame`. With
+/// four axes theta is +- the arc tolerance, with three axes it is 0.
 RotaryLimits cell_limits(const RotaryReach& reach);
 
 /// The quantity that a setup minimises.
 enum class SetupObjective : std::uint8_t {
     FlooredArea,  ///< (w + floor)(h + floor), rad^2
     TotalRange,   ///< w + h, rad
-    Tilt          ///< largest turn, rad; C,A: max(m0, m1); A,B: max(w / 2, m0, m1)
+    Tilt          ///< largest rotation, rad; C,A: max(m0, m1); A,B: max(w / 2, m0, m1)
 };
 
 /// The ranges of a pose in rad, none negative.
 struct PoseRanges {
     double width = 0;  ///< w, range of C (C,A) or R1 (A,B)
-    double m0 = 0;     ///< C,A: largest polar angle in the window; A,B: largest latitude
-    double m1 =
-        0;  ///< C,A: the same opposite to the window; A,B: minus the least latitude
+    /// C,A: largest polar angle of the directions in the window; A,B: largest latitude.
+    double m0 = 0;
+    /// C,A: largest polar angle opposite to the window; A,B: minus the least latitude.
+    double m1 = 0;
 
     double height() const { return m0 + m1; }  ///< h, rad
 };
 
-/// The ranges of a fitted pose as objectives take them.
+/// The ranges w, m0 and m1 of a fitted pose.
 /// \param family decides which of phi and theta is the window. \param fit any pose.
 PoseRanges pose_ranges(RotaryFamily family, const FittedPose& fit);
 
@@ -123,14 +137,15 @@ struct PoseMeasure {
     /// below 1e-15.
     double operator()(const PoseRanges& ranges) const;
 
-    /// A width such that the objective is less than `target` only for windows narrower
-    /// than it. The result is rounded up; it is not positive if no width reaches the
-    /// target.
+    /// Upper bound of the width of the window: if the objective is below `target`, the
+    /// width is below this value. It is not positive if no width makes the objective
+    /// smaller than `target`. Rounded up.
     /// \param target rad^2 or rad, in the unit of the objective.
     /// \param m0, m1 the other ranges, rad.
     double useful_width(double target, double m0, double m1) const;
 
-    /// A height such that the objective is less than `target` only for heights below it.
+    /// Upper bound of the height: if the objective is below `target`, the height is below
+    /// this value. Rounded up.
     /// \param target rad^2 or rad. \param width of the window, rad.
     /// \pre the objective is not Tilt, which is not a function of the height.
     double useful_height(double target, double width) const;
@@ -144,16 +159,17 @@ enum class SetupMode {
     WholeCones     ///< all cells of each cone and all poses, with a certified lower bound
 };
 
-/// What a mode tries at a given tool axis and how it compares limits. Each mode is one
-/// enumerator and one row of a table of these rules.
+/// The rules of a mode: which poses it tries at a given tool axis, and how it compares
+/// limits. A table has one row of these rules for each mode.
 struct SetupRules {
     SetupMode mode;                 ///< the mode that these rules describe
     std::string_view name;          ///< the word of the command line: "paper", "set", ...
-    bool has_wide_sectors;          ///< C,A: C may turn by 180 degrees or more
+    bool has_wide_sectors;          ///< C,A: the range of C may be 180 degrees or more
     bool takes_hull_vertices_only;  ///< A,B: beta is taken over the hull's vertices only
     bool has_both_hulls;            ///< A,B: edges of the orthographic hull are tried too
-    bool takes_low_directions;  ///< A,B: directions may be 90 degrees off the tool axis
-    bool has_signed_limits;     ///< A,B: limits are compared with their signs
+    /// A,B: directions may lie 90 degrees or more from the tool axis.
+    bool takes_low_directions;
+    bool has_signed_limits;  ///< A,B: limits are compared with their signs
 };
 
 /// The rules of a mode. Those of `WholeCones` are the ones of `Corrected`.
@@ -168,7 +184,7 @@ std::optional<SetupMode> setup_mode(std::string_view name);
 struct PoseFitOptions {
     RotaryFamily family = RotaryFamily::CA;  ///< of the machine
     SetupMode mode = SetupMode::Paper;       ///< any but `WholeCones`
-    RotaryLimits limits{};                   ///< turns of the tool against the part
+    RotaryLimits limits{};                   ///< rotations of the tool against the part
 
     RotaryOrder order = RotaryOrder::AFirst;  ///< of the family A,B
 

@@ -13,8 +13,8 @@
 #include "endmill/visibility/visibility.h"
 
 /// \file
-/// Travel of the linear axes for a setup: which direction each facet is reached from, and
-/// where X, Y and Z go for it. The paper names this as future work.
+/// Travel of the linear axes for a setup: the direction from which the tool reaches each
+/// facet, and the positions of X, Y and Z there. The paper names this as future work.
 /// Source: docs/mathematics/five-axis-setup.md, section 10.
 
 namespace endmill {
@@ -29,16 +29,16 @@ Eigen::Matrix3d part_to_machine(const SetupPose& pose,
 /// The direction from which a facet is reached.
 struct FacetReach {
     std::size_t cell;     ///< its centre is the direction
-    RotaryAngles angles;  ///< turns that give this direction
+    RotaryAngles angles;  ///< rotations that give this direction
 };
 
 /// Chooses for each facet the accessible cell within the limits that needs the least
-/// |phi| + |theta|. Of the two solutions for a direction the smaller counts; of equal
-/// cells the lowest. O(cells * facets / 64).
+/// |phi| + |theta|. A direction has two solutions, of which the smaller one counts. Among
+/// equal cells the lowest one is chosen. O(cells * facets / 64).
 /// \param map accessible cells of each facet.
 /// \param centres unit, one for each cell of `map`.
 /// \param frame axes of the machine in coordinates of the part.
-/// \param limits turns.
+/// \param limits of the rotations.
 /// \return one entry for each facet, empty for a facet that no cell within the limits
 ///         reaches.
 /// \throws DomainError if there is not one centre for each cell.
@@ -47,16 +47,17 @@ std::vector<std::optional<FacetReach>> facet_reach(const VisibilityMap& map,
                                                    const RotaryFrame& frame,
                                                    const RotaryLimits& limits);
 
-/// Points of a part with the turns under which the tool reaches each of them.
+/// Points of a part, and for each of them the rotations with which the tool reaches it.
 struct ReachedPoints {
     std::vector<Vec3> points;          ///< mm, coordinates of the part
     std::vector<RotaryAngles> angles;  ///< one for each point
 };
 
-/// The centroids of the facets that a pose reaches, with the turns of `facet_reach`.
+/// The centroids of the facets that a pose reaches, with the rotations of `facet_reach`.
 /// \param part the mesh that `visibility` belongs to.
 /// \param visibility cones of its facets. \param centres unit, one for each cell.
-/// \param frame axes of the machine in coordinates of the part. \param limits turns.
+/// \param frame axes of the machine in coordinates of the part. \param limits of the
+///         rotations.
 /// \return nothing if the pose reaches no facet, or misses a facet that has an area.
 /// \throws DomainError as `facet_reach`.
 std::optional<ReachedPoints> reached_points(const TriangleMesh& part,
@@ -79,10 +80,10 @@ struct SetupTravel {
 /// the middle of the travel. The middle of an axis without limits is 0.
 /// \param machine valid.
 /// \param part_to_machine rotation of the part, from the function of this name.
-/// \param reached points and turns. \param clamp position of the part's origin, mm, in
-///         the machine's directions. \param tool_length mm, from the spindle nose to the
-///         tip.
-/// \throws DomainError if there is no point, or not one pair of turns for each point.
+/// \param reached points and rotations. \param clamp position of the part's origin, mm,
+///         in the machine's directions. \param tool_length mm, from the spindle nose to
+///         the tip.
+/// \throws DomainError if there is no point, or not one pair of rotations for each point.
 SetupTravel setup_travel(const Machine& machine, const Eigen::Matrix3d& part_to_machine,
                          const ReachedPoints& reached, const Vec3& clamp,
                          double tool_length);

@@ -24,27 +24,28 @@ struct PartialSetup {
 /// Setups chosen one after the other.
 struct SetupCover {
     std::vector<PartialSetup> setups;    ///< in the order of their choice
-    std::vector<std::size_t> uncovered;  ///< facets with a cone that no setup reaches
+    std::vector<std::size_t> uncovered;  ///< facets with a cone, but reached by no setup
 };
 
 /// Progress of a choice of setups.
 struct SetupCoverProgress {
     std::size_t setup;  ///< number of the setup that is searched for, from 1
     std::size_t tried;  ///< tool axes tried for it
-    std::size_t axes;   ///< all tool axes; not all of them need a trial
+    std::size_t axes;   ///< number of all tool axes; not all of them are tried
 };
 
-/// Chooses setups greedily: each one reaches the most of the facets that are left.
+/// Chooses setups greedily: each setup reaches as many of the remaining facets as
+/// possible.
 ///
 /// A candidate has the centre of a cell as its tool axis, and the other axes turned about
 /// it by a multiple of 5 degrees. It reaches a facet if its tool directions contain a
-/// cell of the facet's cone. Of equal candidates the lowest cell wins, then the least
-/// turn. The greedy choice is not optimal. Facets with empty cones are left out. The
-/// result does not depend on the number of threads.
+/// cell of the facet's cone. Among equal candidates the one with the lowest cell wins,
+/// then the one with the least angle. The greedy choice is not optimal. Facets with empty
+/// cones are left out. The result does not depend on the number of threads.
 ///
 /// The first setup costs about cells^2 (72 + facets / 16) operations. Later setups try
-/// few tool axes, because a candidate never reaches more of the rest than it did before.
-/// Memory: twice that of the map.
+/// few tool axes, because the number of remaining facets that a candidate reaches never
+/// increases. Memory: twice that of the map.
 /// Source: [KangSuh, section 1], which names the fewest setups as a goal;
 /// docs/mathematics/five-axis-setup.md, section 10.
 /// \param map cones of the facets. \param centres unit, one for each cell.

@@ -29,15 +29,15 @@ struct WholeConeSearchProgress {
 /// Options of a search over whole cones.
 struct WholeConeSearchOptions {
     RotaryFamily family = RotaryFamily::CA;                  ///< of the machine
-    SetupObjective objective = SetupObjective::FlooredArea;  ///< what becomes least
-    double floor_rad =
-        5.9 * std::numbers::pi / 180;  ///< of FlooredArea, > 0: a cell of 1200
+    SetupObjective objective = SetupObjective::FlooredArea;  ///< the minimised quantity
+    /// Floor of FlooredArea, above 0. The default is the size of a cell of 1200.
+    double floor_rad = 5.9 * std::numbers::pi / 180;
 
     /// Relative gap at which the search stops: objective <= (1 + gap) * lower bound. It
     /// also stops if the objective is below 1e-9.
     double gap = 0.05;
     std::size_t max_nodes = 200'000;    ///< the search stops after this many nodes
-    RotaryLimits limits;                ///< turns, for words with R2 = C x R1
+    RotaryLimits limits;                ///< of the rotations, for words with R2 = C x R1
     std::span<const SetupPose> starts;  ///< poses whose axes are tried first
 
     /// Called from time to time by the calling thread. An exception ends the search.
@@ -51,10 +51,10 @@ struct WholeConeSearchResult {
     std::optional<FittedPose> pose;  ///< the best pose found, set if machinable
     PoseRanges ranges;               ///< w, m0 and m1 of that pose
     double objective = 0;            ///< of that pose; rad^2 for FlooredArea, else rad
-    double lower_bound = 0;          ///< no pose within the limits has less; rounded down
+    double lower_bound = 0;          ///< of all poses within the limits; rounded down
     std::size_t nodes = 0;           ///< nodes bounded
-    std::size_t unresolved =
-        0;  ///< nodes that are too small to split and are not excluded
+    /// Number of nodes that are too small to split and that no bound excludes.
+    std::size_t unresolved = 0;
 };
 
 /// Finds the pose whose range of tool directions meets all visibility cones with the

@@ -49,10 +49,10 @@ struct StockGrid {
 /// \throws LimitError if there are more than 2^31 - 1 columns or rows.
 StockGrid grid_over(const Block& box, double pitch);
 
-/// A height field: material from the bottom up to one height per cell, valid at the
-/// cell's centre. A cell whose height is the bottom holds no material. The cells are
-/// stored in tiles of 8 by 8, so that neighbours on the part are neighbours in memory. It
-/// takes 8 bytes a cell.
+/// A height field: each cell is filled from the bottom to one height, which is exact at
+/// the cell's centre. A cell whose height is the bottom holds no material. The cells are
+/// stored in tiles of 8 by 8, so that neighbours on the part are neighbours in memory. A
+/// cell takes 8 bytes.
 class HeightStock {
 public:
     static constexpr int tile_side = 8;         ///< cells along a side of a tile
@@ -131,7 +131,7 @@ struct HeightRange {
 std::optional<HeightRange> height_range(const HeightStock& stock);
 
 /// Returns the box of the grid from its bottom to the highest material. Without material
-/// it has no height.
+/// the box has no height.
 Block material_box(const HeightStock& stock);
 
 /// Returns an upper bound of the memory in bytes that a stock over `box` takes, including

@@ -22,8 +22,8 @@ HeightStock mesh_stock(const TriangleMesh& mesh, double pitch);
 
 /// Greatest memory in bytes per cell while `stock_mesh` makes the mesh and a binary STL
 /// file is made of it. A cell has two points, at most five triangles and one number.
-/// While the vectors grow by doubling they take 324 bytes; with 50 bytes per triangle of
-/// the file it is 466.
+/// While they grow by doubling, the vectors of points and triangles take 324 bytes. The
+/// file takes 50 bytes per triangle more, which gives 466 bytes in all.
 inline constexpr double mesh_bytes_per_cell = 470;
 
 /// Returns the stock as a closed mesh, for viewing or measuring.

@@ -13,8 +13,8 @@
 
 namespace endmill {
 
-/// Depth in mm up to which a cut, or a contact with shank or holder, is taken for
-/// rounding and does not count.
+/// Depth in mm up to which a cut, or a contact with shank or holder, does not count,
+/// because rounding may have caused it.
 inline constexpr double least_cut_depth = 1e-9;
 
 /// Options of `remove_along`.
@@ -23,10 +23,10 @@ struct RemovalOptions {
     std::vector<ToolCylinder> body = {};
 };
 
-/// Number, first and depth of the moves that share a property, such as rapids that cut.
+/// Statistics of the moves with a common property, such as the rapids that cut.
 struct MoveCount {
-    std::size_t count = 0;  ///< how many moves
-    /// Number of the point to which the first leads.
+    std::size_t count = 0;  ///< number of moves
+    /// Number of the point to which the first of these moves leads.
     std::optional<std::size_t> first = {};
     double deepest = 0;  ///< mm, greatest depth of all of them
 };
@@ -36,8 +36,9 @@ struct MoveCount {
 struct Removal {
     std::vector<double> removed;  ///< mm^3, one per point: volume removed by the move
     /// mm, one per point: greatest depth that the move cuts at a cell, measured
-    /// downwards. For a rapid only cells count that lie inside the cutter by more than
-    /// 1e-9 of its radius, because rounding decides on the rim.
+    /// downwards. For a rapid, only cells count that lie inside the cutter by more than
+    /// 1e-9 of its radius, because on the rim of the cutter rounding decides whether it
+    /// cuts.
     std::vector<double> deepest;
     double total = 0;           ///< mm^3, volume removed by all moves
     std::size_t air_moves = 0;  ///< number of moves that cut nothing
@@ -53,14 +54,14 @@ struct Removal {
 /// size of path and cutter.
 ///
 /// All kinds of move cut. The first point is the start of the cutter. If its kind is
-/// `Plunge` or `Cut`, the cutter has come down there and cuts at this place; otherwise it
-/// cuts from the first move on.
+/// `Plunge` or `Cut`, we assume that the cutter plunged there and removed material.
+/// Otherwise it removes material from the first move on.
 ///
 /// Shank or holder collides if it is more than `least_cut_depth` inside the stock. This
-/// is tested twice per move: on the stock before the move, where the cylinder arrives
-/// over cells that it did not cover before, and on the stock after the move. A cylinder
-/// that is no wider than the cutter does not collide with material that the cutter
-/// removes on the same move.
+/// is tested twice per move. On the stock before the move, only the cells that the
+/// cylinder newly covers are tested. On the stock after the move, all cells that it
+/// covers are tested. A cylinder that is not wider than the cutter is not tested before
+/// the move, so that it does not collide with material that the same move removes.
 ///
 /// The tiles of the stock are processed on all threads, each with its moves in order.
 /// Volumes are summed as integer multiples of a power of two, about 2^-60 of the stock's
@@ -77,8 +78,8 @@ Removal remove_along(HeightStock& stock, const ToolPath& path, const Cutter& cut
                      const RemovalOptions& options = {});
 
 /// Returns the removal rate of the move to point `number`, in mm^3/min.
-/// \return nothing if the move has no feed or no length, if it is a rapid (which does not
-///         move at the feed), or if the rate overflows.
+/// \return nothing if the move has no feed or no length, if it is a rapid, or if the rate
+///         overflows. A rapid does not move at the feed.
 /// \pre `removal` is the result of `path`.
 std::optional<double> removal_rate(const Removal& removal, const ToolPath& path,
                                    std::size_t number);

@@ -11,7 +11,8 @@
 #include "endmill/stock/height_stock.h"
 
 /// \file
-/// The engaged front of a ball-end mill, move by move, and its distance from a block.
+/// The engaged region of a cutter on each move, and the distance between a path and a
+/// block.
 
 namespace endmill {
 
@@ -29,10 +30,11 @@ struct EngagementOptions {
 /// The cutter is divided into rings of equal width along its profile and each ring into
 /// equal azimuths. A cell is engaged if its middle faces the direction of the move and
 /// lies below the stock before the move, interpolated linearly between the centres of the
-/// cells. (The material that the first half of the move removes lies behind these
-/// places.) Intervals consist of whole cells, so an end is off by at most half a cell,
-/// and by one pitch at an upright wall. Rings of the same width continue up the cylinder
-/// as far as there is stock. A move without length and a move straight up engage nothing.
+/// cells. The material that the first half of the move removes lies behind these places.
+/// Intervals consist of whole cells. The error of an end is therefore at most half a
+/// cell, and one pitch at an upright wall. Rings of the same width continue up the
+/// cylinder to the top of the stock. A move without length and a move straight up engage
+/// nothing.
 /// Source: docs/mathematics/ball-end-milling.md, section 12.
 ///
 /// \param path tips along +z.
@@ -46,12 +48,12 @@ void for_each_engagement(
 
 /// The moves whose engaged fronts `for_each_ball_front` determines, and the resolution.
 struct BallFrontTask {
-    const ToolPath* path;  ///< tips along +z; not null; outlives the task
+    const ToolPath* path;  ///< tips along +z; not null; must outlive the task
     Cutter cutter;         ///< a ball
-    /// Ends of the moves, rising; not the first point.
+    /// Numbers of the points at which the moves end, rising; not the first point.
     std::span<const std::size_t> points;
     int rows = 96;  ///< cells across the feed; even
-    /// Cells about the axis across the feed, and azimuths of the shank.
+    /// Number of cells about the axis across the feed, and of azimuths of the shank.
     int columns = 128;
     /// If set, it is called now and then with the finished share, 0 to 1.
     std::function<void(double share)> progress = {};
@@ -61,15 +63,15 @@ struct BallFrontTask {
 /// the task's points it calls `visit(number, front)` with the point's number among these
 /// and the engaged part of the front in the middle of the move.
 ///
-/// A place is engaged if it lies below the surface of the stock before the move,
-/// interpolated linearly between the centres of the cells; an upright wall is known to
-/// half a cell. On the shank, each azimuth stores the height of the stock above the
-/// ball's centre. The rim is sampled at 256 azimuths a little below the highest engaged
-/// place. A move straight up or down engages nothing.
+/// A place is engaged if it lies below the surface of the stock before the move, which is
+/// interpolated linearly between the centres of the cells. The position of an upright
+/// wall is accurate to half a cell. On the shank, each azimuth stores the height of the
+/// stock above the ball's centre. The engaged angle is sampled at 256 azimuths, a little
+/// below the highest engaged place. A move straight up or down engages nothing.
 /// Source: docs/mathematics/ball-end-milling.md, section 12.
 ///
-/// One thread cuts the moves in order, because each move needs the stock that the move
-/// before left. It copies the stock around the middle of each move, and the other threads
+/// One thread cuts the moves in order, because each move needs the stock after the move
+/// before. It copies the stock around the middle of each move, and the other threads
 /// evaluate the copies. The copies take up to 64 MB, or the size of two copies if that is
 /// more. Fronts and stock are the same with any number of threads.
 ///

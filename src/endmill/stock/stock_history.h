@@ -12,16 +12,15 @@
 #include "endmill/stock/height_stock.h"
 
 /// \file
-/// The moves that shaped a stock. The heights of a stock say nothing about the
-/// surface between the centres of its cells; a block with the moves through it describes
-/// the stock exactly.
+/// The moves that made a stock. The heights of a stock are known at the centres of its
+/// cells only. A block with the moves that cut it describes the stock exactly.
 
 namespace endmill {
 
 /// The moves of an earlier run through the stock.
 struct EarlierRun {
     Cutter cutter;  ///< the shape that cut
-    /// Whether the cutter came down at the first tip and cleared its volume there.
+    /// Whether the cutter plunged at the first tip and removed its volume there.
     bool stands_at_first;
     std::vector<Vec3> tips;  ///< mm, joined by straight moves; the axis is +z
 };
@@ -39,8 +38,8 @@ struct KeptStock {
 };
 
 /// Returns the volumes that the cutter sweeps on the moves to the points of `path`, in
-/// order. The first point has the volume of the cutter that stands there, unless the
-/// cutter comes to it by a rapid or a retract; then it has none.
+/// order. The first point has the volume of the cutter at this position. If the cutter
+/// comes to it by a rapid or a retract, it has none.
 /// \throws GeometryError if the axis of a point is not +z; the message names the point.
 std::vector<StraightSweep> path_sweeps(const ToolPath& path, const Cutter& cutter);
 
@@ -53,7 +52,7 @@ std::vector<StraightSweep> history_sweeps(const StockHistory& history);
 /// Returns the number of `history_sweeps`.
 std::size_t sweep_count(const StockHistory& history);
 
-/// Stands for the number of a point if the sweep belongs to an earlier run.
+/// Replaces the number of a point if the sweep belongs to an earlier run.
 inline constexpr std::int32_t by_earlier_run = -2;
 
 /// The sweeps of earlier runs, followed by those of a path.
@@ -66,13 +65,11 @@ public:
     std::span<const StraightSweep> all() const { return sweeps_; }  ///< of all runs
     /// The sweeps of the path.
     std::span<const StraightSweep> own() const { return all().subspan(earlier_); }
-    std::size_t earlier() const
-    {
-        return earlier_;
-    }  ///< number of sweeps of earlier runs
+    /// Number of sweeps of earlier runs.
+    std::size_t earlier() const { return earlier_; }
 
     /// The number of the path point to which a sweep leads, or `by_earlier_run` for a
-    /// sweep of an earlier run. A number below 0, which stands for no sweep, is returned
+    /// sweep of an earlier run. A number below 0 means no sweep and is returned
     /// unchanged.
     std::int32_t point_of(std::int32_t sweep) const;
 
