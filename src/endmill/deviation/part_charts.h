@@ -15,8 +15,8 @@
 #include "endmill/surface/surface_jet.h"
 
 /// \file
-/// The part as a set of charts, cut into cells with a measuring ray each. A chart
-/// is a patch of a surface or a triangle of a mesh.
+/// The part as a set of charts. Each chart is divided into cells with one measuring ray
+/// each. A chart is a patch of a surface or a triangle of a mesh.
 
 namespace endmill {
 

@@ -57,8 +57,8 @@ struct DrivePlanes {
 /// \throws DomainError unless 1 <= count <= 10^7, lo <= hi and both are finite.
 DrivePlanes drive_planes(const DriveFrame& frame, const Interval& across, int count);
 
-/// The fewest planes of the rule of drive_planes, but at least one, whose distance is at
-/// most `pitch`.
+/// The planes of drive_planes with the smallest number, at least 1, for which their
+/// distance is at most `pitch`.
 /// \param frame the coordinates of the feed.
 /// \param across the extent across the feed in mm.
 /// \param pitch in mm.

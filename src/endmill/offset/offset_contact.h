@@ -8,13 +8,14 @@
 
 namespace endmill {
 
-/// What the cutter touches when its reference point is at a vertex of an offset mesh.
+/// The place of the part that the cutter touches when its reference point is at a vertex
+/// of an offset mesh.
 enum class ContactKind : std::uint8_t {
-    /// the inside of a surface or a point of its border, with the surface's own normal
+    /// The inside of a surface or a point of its border, with the surface's own normal.
     Face,
-    ConvexCrease,   ///< an edge across which the part turns down
-    ConcaveCrease,  ///< an edge across which the part turns up
-    Border,         ///< the border of the part, with a normal turned outwards about it
+    ConvexCrease,   ///< an edge at which the part is convex
+    ConcaveCrease,  ///< an edge at which the part is concave
+    Border,         ///< the border of the part; the normal is rotated outwards about it
 };
 
 /// The contact of a vertex of an offset mesh. Its position is contact_point(offset,
@@ -35,10 +36,10 @@ struct OffsetContact {
 
     /// Parameters of the contact on its surface.
     SurfacePoint at;
-    /// unit, N_z >= 0; on an edge or a corner a normal between those of its neighbours
+    /// Unit, N_z >= 0; on an edge or a corner a normal between those of its neighbours.
     Vec3 normal;
     std::int32_t surface;  ///< number of the surface
-    /// What the cutter touches.
+    /// The place that the cutter touches.
     ContactKind kind;
 };
 

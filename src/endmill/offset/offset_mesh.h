@@ -18,9 +18,12 @@ namespace endmill {
 
 /// Whether the offset contains the contacts on the border and the creases of the part.
 enum class BoundaryContact : std::uint8_t {
-    /// with strips of triangles over them; a trimmed path is correct up to the border
+    /// The offset has strips of triangles over borders and creases. A trimmed path is
+    /// correct up to the border.
     Contact,
-    None,  ///< without, as in the paper: each surface alone, smooth joints closed
+    /// No strips, as in the paper. Each surface is offset separately; only smooth joints
+    /// are closed.
+    None,
 };
 
 /// Options of offset_mesh.
@@ -29,17 +32,14 @@ struct OffsetOptions {
     /// Whether the border and the creases count as contacts.
     BoundaryContact boundary = BoundaryContact::Contact;
     double allowance = 0;  ///< mm, stock to leave between part and cutter
-    /// Largest chord error in mm of an arc of normals in a strip, measured along the
-    /// normal. The default is below the 1e-3 mm of docs/mathematics/interference.md,
-    /// section 2.5: then the strips are as accurate as grids of 400 lines. Over a corner
-    /// of the part the error is up to (1 + 1/N_z)^2 times as large, with N_z of the
-    /// corner's own normal: 4 times on level ground. A triangle there errs by l^2 / (8
-    /// R), where l is its longest edge. That edge is at most a step a along a chain of
-    /// vertices plus the distance a / N_z of two chains, which move apart where chains
-    /// from a tilted normal pass over the top. The error in z is 1/N_z of the contact
-    /// times as large.
+    /// Largest chord error in mm of the arc of normals in a strip, measured along the
+    /// normal. With the default, strips are as accurate as grids of 400 lines. At a
+    /// corner of the part the error is up to (1 + 1/N_z)^2 times as large, with N_z of
+    /// the corner's own normal; the factor is 4 if this normal is vertical. In z the
+    /// error is 1/N_z times as large, with N_z of the contact.
+    /// Source: docs/mathematics/interference.md, section 2.5.
     double arc_tolerance = 1.25e-4;
-    /// upper limit of the vertices of all grids
+    /// Upper limit of the number of vertices of all grids.
     std::size_t most_vertices = 100'000'000;
 };
 
@@ -49,7 +49,7 @@ struct OffsetMesh {
     TriangleMesh mesh;  ///< the outer side of its triangles is the tool's side
     std::vector<OffsetContact> contacts;  ///< one for each vertex
     Cutter cutter;  ///< the cutter with the allowance added to its radii
-    /// number of triangles of the surfaces, which come first
+    /// Number of triangles of the surfaces, which come first.
     std::size_t surface_triangles;
     /// Number of triangles of the surfaces and of the strips over creases. The strips
     /// along the border follow.
@@ -70,15 +70,15 @@ struct OffsetMesh {
 /// and a d c with a = (i, j), b = (i + 1, j), c = (i, j + 1), d = (i + 1, j + 1). Where N
 /// is vertical, H is not defined and the centre of the disc of reference points is taken
 /// (control_offset). Over an isolated crest, the offset for a flat or bull-nose cutter is
-/// therefore too low by an error of order 1.5 in the size of the cells.
+/// therefore too low, by an error of the order O(cell size^1.5).
 ///
 /// With BoundaryContact::Contact strips of triangles are added. The contacts of a strip
 /// stay on an edge while the normal turns. At a crease it turns from the normal of one
 /// side to that of the other along a great arc; at the border it turns outwards about the
 /// edge until N_z = 0; at a corner it takes all directions between. Two sides of surfaces
 /// are joined if they have the same points, to 1e-6 of the largest diagonal, at the same
-/// grid lines. Other sides are borders, so that gaps are closed with a margin. On smooth
-/// joints, vertices within that distance become one.
+/// grid lines. Unmatched sides count as borders; their strips cover small gaps. At smooth
+/// joints, vertices within that distance are merged.
 /// Source: [JangKimJeong, eq. (3) to (5)]; strips and vertical normals:
 /// docs/mathematics/interference.md, section 2.4 and section 2.5.
 /// \param surfaces the part.
@@ -99,7 +99,7 @@ Vec3 contact_point(const OffsetMesh& offset, std::int32_t vertex);
 /// their grids. Its chord errors are proportional to the square of the size of the cells.
 TriangleMesh contact_mesh(const OffsetMesh& offset);
 
-/// For each plane, the range of s over which its path stays over the part. It is the
+/// For each plane, the range of s in which the cutter is above the part. It is the
 /// smallest interval that contains the plane's section of the sampled part and its
 /// section of the offset without the strips along the border. It is empty for a plane
 /// that meets neither.

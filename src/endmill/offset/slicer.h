@@ -14,7 +14,7 @@ namespace endmill {
 
 /// The section of a mesh by one plane.
 struct PlaneSection {
-    /// ordered by their smallest s, then by z there
+    /// Ordered by their smallest s, then by z there.
     std::vector<SectionCurve> curves;
     /// edges[i][k] is the mesh edge on which points[k] of curves[i] lies
     std::vector<std::vector<CrossedEdge>> edges;
@@ -26,8 +26,8 @@ struct PlaneSection {
 
 /// Options of slice.
 struct SliceOptions {
-    /// Triangles from this number on do not count in PlaneSection::part_range. For an
-    /// offset mesh these are the strips along the border.
+    /// PlaneSection::part_range ignores the triangles from this number on. For an offset
+    /// mesh these are the strips along the border.
     std::size_t part_triangles = SIZE_MAX;
 };
 
@@ -36,9 +36,9 @@ struct SliceOptions {
 /// 1. A vertex with t > c is above the plane t = c; any other vertex is below it. Every
 ///    crossed triangle therefore has exactly two crossed edges, and there are no special
 ///    cases.
-/// 2. The point on an edge is below + w (above - below) with w = (c - t_below) / (t_above
-///    - t_below). Both triangles of the edge get the same bits. If a vertex lies on the
-///    plane, the point is that vertex.
+/// 2. The point on an edge is below + w (above - below), with the weight
+///    w = (c - t_below) / (t_above - t_below). Both triangles of the edge get exactly the
+///    same point. If a vertex lies on the plane, the point is that vertex.
 /// 3. The segments of the triangles run with the outer side of the triangle on their
 ///    left. They are linked at common edges to open and closed curves.
 /// 4. An open curve whose last end has the smaller s is reversed. Curves without two

@@ -22,7 +22,7 @@
 
 namespace endmill {
 
-/// Returns the block that a path is assumed to cut if no stock is given.
+/// Returns the block from which a path is cut if no stock is given.
 ///
 /// With a part it is the part's bounding box, widened sideways by the cutter's radius,
 /// from 1 mm below the lowest point of part and cutting tips to 1 mm above the part.
@@ -35,7 +35,7 @@ namespace endmill {
 ///         cutting tip.
 Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter);
 
-/// Measures the deviation that a path leaves if it starts from the default block.
+/// Measures the deviation after a path that starts from the default block.
 /// \param path tips along +z.
 /// \throws DomainError for options out of range, GeometryError if an axis is not +z or
 ///         the part is empty, LimitError if the pitch gives too many cells.
@@ -52,10 +52,10 @@ struct VerificationTask {
     /// The material before the path: a block, or a stock that was kept (not null), such
     /// as the result of an earlier run or a mesh.
     std::variant<Block, const KeptStock*> stock;
-    double resolution = 0.1;      ///< mm; pitch of a block's cells and of the first rays
-    DeviationLimits limits = {};  ///< of the verdict
-    int max_refine = 8;           ///< times that a cell may be halved, 0 to 20
-    double max_memory_gib = 8;    ///< limit of the memory, GiB
+    double resolution = 0.1;  ///< mm; cell size of a block and distance of the first rays
+    DeviationLimits limits = {};      ///< of the verdict
+    int max_refine = 8;               ///< largest number of halvings of a cell, 0 to 20
+    double max_memory_gib = 8;        ///< limit of the memory, GiB
     double extra_bytes_per_cell = 0;  ///< memory for output made from the remaining stock
     /// If set, it is called now and then with the finished share of the measurement, 0 to
     /// 1.
@@ -68,15 +68,15 @@ std::optional<StockHistory> history_of_rest(const VerificationTask& task);
 
 /// Removes the material along the path and measures the deviation from the part.
 ///
-/// If the stock has a known history, the moves of earlier runs are measured together with
-/// the path's own moves, by the same rays and bounds, as if all of them were one path. A
-/// place that an earlier run made has the sweep number `by_earlier_run`. If only the
-/// heights of a stock are known, a gouge in it counts as far as the heights prove it. A
-/// gouge beyond the tolerance that the heights allow but do not prove makes the verdict
-/// `Undecided`.
+/// If the history of the stock is known, the moves of earlier runs are measured together
+/// with the moves of the path, by the same rays and bounds, as if all of them were one
+/// path. A place that an earlier run made has the sweep number `by_earlier_run`. If only
+/// the heights of a stock are known, the depth of a gouge in it counts as far as the
+/// heights prove it. If the heights allow a gouge beyond the tolerance but do not prove
+/// it, the verdict is `Undecided`.
 ///
-/// A rapid that cuts, and a shank or holder in the material or in the part, make the
-/// verdict `Gouged`. A shank or holder that may be in the part makes it `Undecided`.
+/// The verdict is `Gouged` if a rapid cuts, or if shank or holder is in the stock or in
+/// the part. It is `Undecided` if shank or holder may be in the part.
 /// Source: docs/mathematics/removal.md, section 3.
 /// \throws GeometryError if the path cuts nothing over the part, with the gap between
 ///         cutter and part, or if an axis is not +z.

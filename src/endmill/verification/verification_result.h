@@ -15,13 +15,12 @@
 
 namespace endmill {
 
-/// Shank and holder may be this deep in the part, in mm, because a body that rests on the
-/// part is that deep by rounding. A deeper contact is found with certainty, up to
-/// `PartCollisions::bound_mm`.
+/// Contacts of shank and holder with the part up to this depth, in mm, are treated as
+/// rounding. A contact deeper than `PartCollisions::bound_mm` is never missed.
 inline constexpr double part_contact_slack = 0.001;
 
-/// A bound up to this value, in mm, leaves no contact open: the slack, and the same again
-/// for the distance between the part and the triangles that approximate it.
+/// Largest bound, in mm, at which no contact is undecided: the slack for rounding, plus
+/// the same for the distance between the part and the triangles that approximate it.
 inline constexpr double closed_contact_bound = 2 * part_contact_slack;
 
 /// The deepest contact of shank or holder with the part.
@@ -32,21 +31,21 @@ struct DeepestContact {
 
 /// Contacts of shank and holder with the part.
 struct PartCollisions {
-    /// Moves with a contact. The depth of a contact is the shortest way out of the
+    /// Moves with a contact. The depth of a contact is the shortest distance out of the
     /// cylinder, downwards or sideways.
     MoveCount moves = {};
     std::optional<DeepestContact> deepest = {};  ///< none without a contact
-    double error_mm = 0;  ///< error bound of the greatest depth: it is no deeper by more
-    double bound_mm = 0;  ///< no contact that was not found is deeper
+    /// The true greatest depth exceeds the reported one by at most this.
+    double error_mm = 0;
+    double bound_mm = 0;  ///< a missed contact is at most this deep
 };
 
 /// Forbidden contacts with the stock.
 struct StockContacts {
     MoveCount rapid_cuts = {};  ///< rapids that cut
     MoveCount collisions = {};  ///< moves on which shank or holder is in the stock
-    /// Width in mm below which a cut or contact may have been missed: seen from above, it
-    /// contains no circle of this diameter. 0 if no move can touch material that is still
-    /// there.
+    /// A cut or contact may be missed if its footprint, seen from above, contains no
+    /// circle of this diameter in mm. 0: none can be missed.
     double width_mm = 0;
 };
 
@@ -54,13 +53,13 @@ struct StockContacts {
 struct EarlierGouge {
     double found_mm = 0;                ///< depth along the part's normal that is certain
     std::optional<Vec3> found_at = {};  ///< its place on the part, mm; none without depth
-    /// No gouge is deeper than `found_mm` by more, except a gouge that is narrower than a
-    /// cell.
+    /// The true greatest depth exceeds `found_mm` by at most this. A gouge narrower than
+    /// a cell is excepted.
     double bound_mm = 0;
 };
 
-/// The result of `verify_path`. A move has the number of the point to which it leads; so
-/// has the sweep of a place in `deviation`.
+/// The result of `verify_path`. A move has the number of the point to which it leads. The
+/// sweep numbers of the places in `deviation` are numbers of moves in the same sense.
 struct Verification {
     std::optional<Deviation> deviation;  ///< none without a part
     Removal removal;         ///< its rapid cuts and collisions are those of `contacts`
@@ -72,13 +71,17 @@ struct Verification {
     /// None if the stock is a block, if its history is known, or if there is no part.
     std::optional<EarlierGouge> earlier_gouge = {};
     HeightStock rest;  ///< the stock after the path
-    Verdict verdict;   ///< on all of it, see `verdict_with_contacts`
+    Verdict verdict;   ///< of `verdict_with_contacts`
 };
 
-/// Returns the verdict on the deviation and all contacts of `found`, whose own verdict is
-/// not read: gouged by a contact, undecided if a bound allows a contact or an earlier
-/// gouge beyond the tolerance (unless the deviation is gouged), else the verdict on the
-/// deviation. Without a deviation that one is clean.
+/// Returns the verdict on the deviation and all contacts. The first rule that applies
+/// decides:
+/// 1. `Gouged` if a rapid cuts, or shank or holder is in the stock or in the part.
+/// 2. `Undecided` if a bound allows shank or holder to be in the part, or an earlier
+///    gouge beyond the tolerance, and the verdict on the deviation is not `Gouged`.
+/// 3. Otherwise the verdict on the deviation; `Clean` if there is none.
+/// \param found its member `verdict` is not used.
+/// \param limits of the deviation.
 /// Source: docs/mathematics/removal.md, section 3.
 Verdict verdict_with_contacts(const Verification& found, const DeviationLimits& limits);
 

@@ -10,12 +10,13 @@
 
 namespace endmill {
 
-/// The cells that represent the cones of a part at a tool axis: for each facet that is
-/// not accessible along the tool axis, the accessible cell nearest to it. Each cell is
-/// listed once, the nearest first. Facets that no cell reaches are left out.
+/// The cells that represent the cones of a part at a tool axis. For each facet that is
+/// not accessible along the tool axis this is the accessible cell nearest to the axis.
+/// Each cell is listed once, the nearest first. Facets that no cell reaches are left out.
 ///
-/// Of equally near cells (dot products within 1e-12) the lowest counts. The facets are
-/// the paper's Group II, the cells its MD_j. O(cells * facets / 64).
+/// If several cells are equally near (dot products within 1e-12), the lowest one is
+/// taken. The facets are the paper's Group II, the cells its MD_j. O(cells * facets /
+/// 64).
 /// Source: [KangSuh, eq. (3), (4)]; docs/mathematics/five-axis-setup.md, section 4.
 /// \param map cones. \param centres unit, one for each cell of `map`.
 /// \param pose the cell whose centre is the tool axis.

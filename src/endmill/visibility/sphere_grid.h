@@ -25,7 +25,7 @@ struct SphereGrid {
     std::vector<double> solid_angles_sr;  ///< of each cell
 };
 
-/// Makes a grid. The order of its cells decides ties in searches.
+/// Makes a grid. Searches break ties by the order of its cells.
 ///
 /// - "hex:F": 12 F^2 cells of a hexagonal bipyramid.
 /// - "cube:F": 12 F^2 cells of a cube.

@@ -13,9 +13,9 @@
 #include "endmill/mesh/triangle_mesh.h"
 
 /// \file
-/// Which facets of a part a tool reaches along which directions: the visibility cones of
-/// the facets, with and without the body of the tool. A direction points from the part
-/// towards the spindle.
+/// The visibility cones of the facets of a part: the directions along which a tool can
+/// reach each facet, with and without the body of the tool. A direction points from the
+/// part towards the spindle.
 /// Source: [KangSuh, section 2]; docs/mathematics/five-axis-setup.md, section 1.
 
 namespace endmill {
@@ -69,7 +69,7 @@ private:
     std::vector<std::uint64_t> bits_;
 };
 
-/// What can make a facet inaccessible along a direction.
+/// The causes that make a facet inaccessible along a direction.
 enum class VisibilityKind {
     Local,  ///< only the incidence on the facet itself, as in the cones of Woo et al.
     Global  ///< the incidence, and occlusion by other facets, as in the paper
@@ -77,8 +77,8 @@ enum class VisibilityKind {
 
 /// Options of `part_visibility`.
 struct VisibilityOptions {
-    /// Upper limit of the angle between the direction and the facet's normal, itself
-    /// excluded; above 0, at most 90 degrees.
+    /// Upper limit (excluded) of the angle between the direction and the facet's normal.
+    /// It is above 0 and at most 90 degrees.
     Angle incidence = Angle::degrees(90);
     VisibilityKind kind = VisibilityKind::Global;  ///< with or without occlusion
 
@@ -99,8 +99,8 @@ struct PartVisibility {
 ///
 /// Facet j is accessible along the direction C if n_j . C > max(cos incidence, 1e-6) and,
 /// in the kind `Global`, if the ray from its centroid along C meets no other facet.
-/// Facets are closed, so that a ray through an edge is blocked, and they block from both
-/// sides.
+/// Facets contain their edges, so that a ray through an edge is blocked. They block from
+/// both sides.
 ///
 /// Occlusion is exact for the doubles of points and directions; the centroid (a + b + c)
 /// / 3 is not rounded. The incidence is compared in doubles: the error of n . C is at
@@ -109,8 +109,8 @@ struct PartVisibility {
 /// Directions are processed in parallel, one column each. The result does not depend on
 /// the number of threads. Memory besides the map: about 100 bytes for each facet, and 100
 /// more on each thread.
-/// Source: [KangSuh, section 2]; docs/mathematics/five-axis-setup.md, section 1 (the rule of
-/// occlusion, which is ours) and section 11 (the method).
+/// Source: [KangSuh, section 2]; docs/mathematics/five-axis-setup.md, section 1 (our rule
+/// of occlusion) and section 11 (the method).
 /// \param part facets in mm. \param directions unit to 1e-9. \param options what counts.
 /// \throws DomainError if a direction does not have unit length, or if the incidence is
 ///         outside its range.
@@ -118,8 +118,8 @@ struct PartVisibility {
 PartVisibility part_visibility(const TriangleMesh& part, std::span<const Vec3> directions,
                                const VisibilityOptions& options = {});
 
-/// Facets with an area that no direction reaches, ascending. If there is one, no machine
-/// can make the part in one setup.
+/// Facets that have an area and that no direction of the map reaches, ascending. If there
+/// is one, no machine that is limited to these directions can make the part in one setup.
 std::vector<std::size_t> empty_cones(const PartVisibility& visibility);
 
 /// The share of the sphere that the cone of each facet covers, from 0 to 1.
@@ -130,13 +130,13 @@ std::vector<double> visible_fractions(const VisibilityMap& map,
 
 /// Removes from a map the directions along which the body of a tool would meet the part.
 /// The tip is at the centroid of the facet and the tool axis is the direction. No
-/// cylinder of the body may meet a facet, touching included.
+/// cylinder of the body may meet a facet. Touching counts as a collision.
 ///
-/// The facet of the tip counts too, so that a cylinder that begins at the tip removes
-/// every direction. The cutter itself is not tested. The decision is made for the
-/// cylinders with their flat ends, and is right except for distances within 1e-14 of the
-/// largest coordinate. Directions are processed in parallel; the result does not depend
-/// on the number of threads. Memory: up to 90 bytes for each facet.
+/// The facet at the tip is tested too. A cylinder that starts at the tip therefore
+/// excludes every direction. The cutter itself is not tested. Cylinders have flat ends.
+/// The decision is correct unless the distance of a cylinder from a facet is below 1e-14
+/// times the largest coordinate. Directions are processed in parallel; the result does
+/// not depend on the number of threads. Memory: up to 90 bytes for each facet.
 /// Source: [KangSuh, section 6] names this as future work.
 /// \param visibility of `part` along `directions`; it is changed.
 /// \param part facets in mm. \param directions unit to 1e-9.
