@@ -85,8 +85,8 @@ void remark_helix(const CoefficientsOptions& options)
         return;
     warn(options.common,
          "--helix-deg " + to_text(*options.helix_deg) +
-             ": by the model's convention, milling down, the peak and profile are those "
-             "of a left-hand cutter under M03; a right-hand one is --helix-deg " +
+             ": in down milling the model takes this angle as a left-hand cutter under "
+             "M03; a right-hand cutter needs --helix-deg " +
              to_text(-*options.helix_deg));
 }
 

@@ -46,10 +46,11 @@ fs::path data_folder(const std::string& option, const std::string& kind)
         return *built;
     if (fs::is_directory(wanted, ignored))
         return wanted;
-    throw DomainError{option + ": found no folder of " + kind + ": neither " +
-                      printable(installed.string()) + ", nor " + wanted.string() +
-                      " in the current folder, in " + printable(program.string()) +
-                      " or above it; expected one of them, or the name of another"};
+    throw DomainError{
+        option + ": found no folder of " + kind + ", neither " +
+        printable(installed.string()) + ", nor " + wanted.string() +
+        " in the current folder, in " + printable(program.string()) +
+        " or above it; expected one of these folders, or the name of a folder"};
 }
 
 }  // namespace endmill

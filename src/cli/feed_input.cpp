@@ -60,9 +60,9 @@ void require_same_cutter(const std::optional<Tool>& tool,
                          const std::optional<Cutter>& cutter)
 {
     if (tool && cutter && tool->cutter != *cutter)
-        throw DomainError{"--cutter " + cutter_word(*cutter) + ": the tool file says " +
+        throw DomainError{"--cutter " + cutter_word(*cutter) + ": the tool file has " +
                           cutter_word(tool->cutter) +
-                          "; expected the same, or one of the two options"};
+                          "; expected the same cutter, or only one of the two options"};
 }
 
 FeedPlanOptions plan_options(const FeedCommandOptions& options)
@@ -90,8 +90,8 @@ void require_cutter_of_path(const FeedCommandOptions& options, const Cutter& use
     const std::string told = options.path.cutter ? "--cutter " + cutter_word(used)
                                                  : "--tool " + options.tool.file +
                                                        " with " + cutter_word(used);
-    throw DomainError{told + ": the path was made for " + cutter_word(*planned) +
-                      ", as it or the summary.json beside it says; expected the same"};
+    throw DomainError{told + ": the path or the summary.json beside it names " +
+                      cutter_word(*planned) + "; expected the same cutter"};
 }
 
 void require_tool(const Tool& tool)
@@ -101,8 +101,8 @@ void require_tool(const Tool& tool)
                           "; expected ball:DIAMETER, the cutter of the model"};
     if (!tool.flutes)
         throw DomainError{
-            "--flutes: their number is not known; expected --flutes N, or a tool file "
-            "with flutes"};
+            "--flutes: the number of flutes is not known; expected --flutes N, or a tool "
+            "file with flutes"};
     if (tool.helix && std::abs(tool.helix->radians()) > most_helix)
         throw DomainError{"--helix-deg, or helix_deg of the tool file: found " +
                           to_text(tool.helix->written_degrees()) + "; expected " +

@@ -22,11 +22,12 @@ std::size_t other_hand_moves(const SegmentCuts& cuts, const CutsPlan& plan, doub
 
 std::string helix_remark(std::size_t moves, std::size_t of, double helix_deg)
 {
-    return "on " + std::to_string(moves) + " of " + counted(of, "segment") + ", milled " +
-           (helix_deg > 0 ? "down" : "up") +
-           ", the model's convention makes --helix-deg " + to_text(helix_deg) +
-           " a left-hand cutter under M03; a right-hand one is --helix-deg " +
-           to_text(-helix_deg) + " there";
+    return std::string{"milled "} + (helix_deg > 0 ? "down" : "up") + " on " +
+           std::to_string(moves) + " of " + counted(of, "segment") +
+           ": the model takes --helix-deg " + to_text(helix_deg) +
+           " there as a left-hand cutter under M03; a right-hand cutter needs "
+           "--helix-deg " +
+           to_text(-helix_deg);
 }
 
 }  // namespace
@@ -37,15 +38,14 @@ std::vector<std::string> feed_remarks(const FeedInput& input, const SegmentCuts&
     std::vector<std::string> remarks;
     if (cuts.zero_length > 0)
         remarks.push_back(counted(cuts.zero_length, "cutting move") +
-                          (cuts.zero_length == 1 ? " goes" : " go") + " nowhere and " +
-                          (cuts.zero_length == 1 ? "has" : "have") +
-                          " no feed from the plan");
+                          (cuts.zero_length == 1 ? " has" : " have") +
+                          " zero length and no planned feed");
     const auto between =
         std::ranges::count_if(cuts.cuts, &SegmentCut::has_two_neighbours);
     if (between > 0)
         remarks.push_back(counted(static_cast<std::size_t>(between), "segment") +
                           (between == 1 ? " has" : " have") +
-                          " earlier passes on both sides; the nearer one counts");
+                          " earlier passes on both sides; the plan uses the nearer pass");
     const bool is_turning = input.plan.peak != PeakRule::Constant;
     const double helix = input.job.tool.helix;
     const std::size_t moves = other_hand_moves(cuts, plan, helix);

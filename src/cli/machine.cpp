@@ -19,9 +19,9 @@ void refuse_idle(const MachineOptions& options)
 {
     const bool has_positions = !options.at.empty() || options.inverse;
     if (options.point && !has_positions)
-        throw DomainError{"--point: expected --at or --inverse beside it"};
+        throw DomainError{"--point: expected --at or --inverse as well"};
     if (options.length_mm > 0 && !options.point)
-        throw DomainError{"--length: expected --point, and --at or --inverse, beside it"};
+        throw DomainError{"--length: expected --point, and --at or --inverse, as well"};
 }
 
 ExitCode run_machine(const MachineOptions& options)
@@ -61,8 +61,7 @@ void add_machine_command(CLI::App& program, Action& action)
         "nearer to the part. Letters are axis positions: right-hand rotations of what "
         "the\n"
         "axis carries. Prints; with --output also writes DIR/summary.json.\n\n"
-        "Exit 1: the word is not a machine of so many axes; the report has the "
-        "reason.\n\n"
+        "Exit 1: the configuration is not valid; the report has the reason.\n\n"
         "Example:\n"
         "  endmill machine W/caxyBz/T --limits a=-120:30 --contains 45,100 --contains "
         "0,170\n"

@@ -26,7 +26,7 @@ RemarkedMesh remarked(TriangleMesh mesh)
         result.mesh = without_degenerate_or_duplicate(result.mesh).mesh;
         report = mesh_report(result.mesh);
         result.remarks.push_back("left out: " + counted(count, "triangle") +
-                                 " with the corners of another");
+                                 " that repeats another");
     }
     if (report.boundary_edges > 0)
         result.remarks.push_back(fmt::format(
@@ -37,7 +37,7 @@ RemarkedMesh remarked(TriangleMesh mesh)
             report.non_manifold_edges, fmt::format("[{},{}]", (*first)[0], (*first)[1])));
     if (report.inconsistent_edges > 0)
         result.remarks.push_back(
-            fmt::format("edges whose triangles disagree about the outer side: {}",
+            fmt::format("edges between triangles of opposite orientation: {}",
                         report.inconsistent_edges));
     return result;
 }

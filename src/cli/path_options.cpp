@@ -34,15 +34,16 @@ void require_effect(const PathOptions& path, const CommonOptions& options)
                                                          : "a tool path (CSV)";
     const auto refuse = [&](const std::string& option, const std::string& why) {
         throw DomainError{option + ": " + printable(path.file) + " is " + kind + ", " +
-                          why + "; expected G-code, or not this option"};
+                          why + "; this option expects G-code"};
     };
     if (path.block_delete)
-        refuse("--block-delete", is_canonical ? "whose blocks rs274 -b has left out"
-                                              : "which has no blocks to leave out");
+        refuse("--block-delete", is_canonical
+                                     ? "from which rs274 -b has removed such blocks"
+                                     : "which has no optional blocks");
     if (is_canonical)
         return;
     if (path.programmed_point == ProgrammedPoint::Centre)
-        refuse("--programmed-point centre", "whose coordinates are the tip's");
+        refuse("--programmed-point centre", "whose coordinates are those of the tip");
     refuse("--arc-tolerance", "which has no arcs");
 }
 
@@ -99,8 +100,9 @@ PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter
     if (path.programmed_point == ProgrammedPoint::Centre) {
         if (!cutter)
             throw DomainError{
-                "--programmed-point centre: expected --cutter or a file that names the "
-                "cutter, to know where the tip is"};
+                "--programmed-point centre: the cutter is not known; expected --cutter "
+                "or "
+                "a file that names it"};
         reading.gcode.programmed_point_height_mm = cutter->corner_radius();
     }
     return reading;

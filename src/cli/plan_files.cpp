@@ -195,8 +195,8 @@ void warn_of_uncovered(const PlannedDirection& planned, const CommonOptions& opt
         return;
     const UncoveredPlace& first = planned.uncovered.front();
     warn(options,
-         fmt::format("along {}: {} may stay under more material than scallop height and "
-                     "outer tolerance; the first is at {} of patch {}",
+         fmt::format("along {}: the remaining stock may exceed scallop height and outer "
+                     "tolerance at {}; the first is at {} of patch {}",
                      direction_word(planned.along),
                      counted(planned.uncovered.size(), "place"),
                      place_text(first.at, first.point), first.patch));

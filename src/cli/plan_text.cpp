@@ -42,7 +42,7 @@ std::string length_of(const Json& s, const char* key)
 std::string deviation_text(const Json& s)
 {
     return fmt::format(
-        "    motion error  {}: {} into the part, {} left\n"
+        "    motion error  {}: gouge {}, remaining {}\n"
         "    gouge         {} (limit {})\n"
         "    scallop       {} (limit {} mm)\n",
         length_of(s, "max_motion_error_mm"), length_of(s, "max_motion_gouge_mm"),

@@ -78,12 +78,13 @@ void warn_of(const PostedPath& posted, const PostOptions& options)
     if (tolerance && error > negligible_share * *tolerance)
         warn(options.common,
              fmt::format("coordinates are rounded by up to {} mm, with a tolerance of {} "
-                         "mm; more --decimals round less",
+                         "mm; use more --decimals",
                          shown(error), shown(*tolerance)));
     if (posted.written.slanted_rapids > 0)
-        warn(options.common, counted(posted.written.slanted_rapids, "rapid") +
-                                 " change height and place at once: not every machine "
-                                 "moves straight there");
+        warn(options.common,
+             fmt::format("rapids that change height and position together: {}; not every "
+                         "machine moves straight there",
+                         posted.written.slanted_rapids));
     if (options.format == PostFormat::Gcode && !posted.written.spindle_rpm.least)
         warn(options.common,
              "no spindle speed is known: M3 has no S word; expected --spindle-rpm");

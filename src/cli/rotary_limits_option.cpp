@@ -73,7 +73,7 @@ RotaryLimits limits_in(const std::string& text, const MachineConfiguration& conf
     for (const NamedText& item : named_texts("--limits", text, limits_example)) {
         const LimitName& axis = named_axis(item, names);
         if (!given.insert(axis.axis).second)
-            refuse_limits(item, "limits of each axis once");
+            refuse_limits(item, "limits of each axis at most once");
         turns_of(limits, configuration, axis.axis) = range_of(item, axis);
     }
     return limits;

@@ -19,9 +19,9 @@ namespace {
 void check_setup_options(const SetupCommandOptions& options)
 {
     if (options.part.path.empty() == options.points.empty())
-        throw DomainError{"expected a PART, or --points instead of one"};
+        throw DomainError{"expected either PART or --points"};
     if (options.clamp.lpNorm<Eigen::Infinity>() > options.common.limits.max_extent_mm)
-        throw DomainError{"--clamp: found a place beyond --max-extent"};
+        throw DomainError{"--clamp: found a coordinate beyond --max-extent"};
     refuse_idle_setup_options(options);
 }
 

@@ -43,7 +43,8 @@ std::vector<std::string> setup_captions(const SetupAnswer& answer,
                     range_text(told.phi), range_text(told.theta))};
     if (!answer.best.feasible)
         captions.emplace_back(
-            "no pose within the limits was found: this one needs the least");
+            "no pose within the limits was found; this pose is the best one without "
+            "limits");
     return captions;
 }
 

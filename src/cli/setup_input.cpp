@@ -45,7 +45,7 @@ void take_mesh(SetupInput& input, TriangleMesh mesh,
     const MeshReport checks = mesh_report(mesh);
     if (checks.boundary_edges > 0)
         input.remarks.push_back(fmt::format(
-            "{} edges belong to one triangle: the part is open, all its triangles block "
+            "{} edges belong to one triangle: the part is open, so all triangles block "
             "from both sides",
             checks.boundary_edges));
     if (checks.non_manifold_edges > 0)
@@ -53,7 +53,7 @@ void take_mesh(SetupInput& input, TriangleMesh mesh,
                                             checks.non_manifold_edges));
     if (checks.duplicate_triangles > 0)
         input.remarks.push_back(fmt::format(
-            "{} triangles have the corners of one before them: they block each other",
+            "{} triangles repeat an earlier triangle; such triangles block each other",
             checks.duplicate_triangles));
     input.mesh = degenerate.empty() ? std::move(mesh) : with_degenerate(mesh, degenerate);
 }
@@ -66,7 +66,7 @@ void take_surfaces(SetupInput& input, std::span<const Surface> surfaces,
                                                      : default_chord_tolerance(surfaces);
     SampledSurface sampled_part = sampled(surfaces, sides, tolerance);
     input.remarks.push_back(fmt::format(
-        "the surface is taken for {} triangles, at most {:g} mm from it",
+        "the surface is sampled as {} triangles, at most {:g} mm from it",
         sampled_part.mesh.triangles().size(), sampled_part.max_chord_error_mm));
     take_mesh(input, std::move(sampled_part.mesh));
 }
@@ -98,9 +98,10 @@ void take_visibility(SetupInput& input, const SetupCommandOptions& options)
     StoredVisibility known =
         read_visibility(options.from_visibility, input.mesh, options.common.limits);
     if (known.tool != body_text(input.tool))
-        throw DomainError{options.from_visibility +
-                          ": found the visibility for another tool; expected that for " +
-                          (options.tool.empty() ? "none" : options.tool)};
+        throw DomainError{
+            options.from_visibility +
+            ": found the visibility for another tool; expected the visibility " +
+            (options.tool.empty() ? "without a tool" : "for " + options.tool)};
     input.grid = sphere_grid(known.grid);
     input.known_visibility = std::move(known);
 }
@@ -117,10 +118,8 @@ void remark_cut_limits(SetupInput& input)
         const bool is_given = theta != RotaryRange{};
         if (machine.machine.configuration.family == RotaryFamily::AB && is_given &&
             (theta.from < -quarter || theta.to > quarter))
-            input.remarks.push_back(
-                machine.name +
-                ": of the turns of R2 those beyond 90 degrees are not "
-                "used");
+            input.remarks.push_back(machine.name +
+                                    ": rotations of R2 beyond 90 degrees are not used");
     }
 }
 
@@ -145,8 +144,8 @@ SetupInput read_setup_input(const SetupCommandOptions& options)
     constexpr std::size_t longest_body = 1000;  // characters in a visibility file
     if (body_text(input.tool).size() > longest_body)
         throw DomainError{options.tool +
-                          ": found too many cylinders in shank and holder; expected as "
-                          "many as 1000 characters tell"};
+                          ": found too many cylinders in shank and holder; expected at "
+                          "most 1000 characters in the visibility file"};
     PartFile file = read_part_for(options.part, options.common);
     input.name = file.name;
     input.source = file.source;

@@ -192,13 +192,13 @@ std::string travel_text(const Json& s)
         return "  travel       the linear axes reach all facets\n";
     if (s["travel_mm"].is_null())
         return "  travel       at this pose a facet has no direction within the limits\n";
-    std::string text = "  travel       beyond the limits of the linear axes; needed are";
+    std::string text = "  travel       beyond the limits of the linear axes; needed:";
     for (const char* axis : {"x", "y", "z"})
         text += fmt::format(" {} {} to {}", axis,
                             shown(s["travel_mm"][axis][0].get<double>()),
                             shown(s["travel_mm"][axis][1].get<double>()));
     const Json& clamp = s["clamp_centred_mm"];
-    return text + fmt::format(" mm; --clamp {},{},{} is nearest to the middle\n",
+    return text + fmt::format(" mm; --clamp {},{},{} centres the travel\n",
                               shown(clamp[0].get<double>()),
                               shown(clamp[1].get<double>()),
                               shown(clamp[2].get<double>()));

@@ -28,7 +28,7 @@ std::string better_choice(const TrimResult& result, const TrimOptions& options)
         return "--method envelope leaves no folds";
     if (boundary_contact(options) == BoundaryContact::None)
         return "--boundary contact keeps the cutter off borders and creases";
-    return "a finer --grid or --refine comes closer";
+    return "use a finer --grid or --refine";
 }
 
 // The fault of the path, if it gouges deeper than the tolerance or keeps folds.

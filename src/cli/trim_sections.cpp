@@ -97,10 +97,12 @@ void add_mesh_sections(const TriangleMesh& mesh, const TrimOptions& options,
                        TrimInput& input)
 {
     require_option(!mesh.triangles().empty(), "the mesh has no triangles");
-    require_option(!options.refine, "--refine: a mesh has no surface to be refined on");
+    require_option(!options.refine,
+                   "--refine: a mesh has no surface to refine on; expected a surface");
     require_option(
         boundary_contact(options) == BoundaryContact::Contact,
-        "--boundary none: a drop cutter touches borders of a mesh as all else");
+        "--boundary none: the drop cutter always touches the borders of a mesh; expected "
+        "--boundary contact");
     const DriveFrame frame{Angle::degrees(options.direction_deg)};
     Interval across{std::numeric_limits<double>::infinity(),
                     -std::numeric_limits<double>::infinity()};

@@ -37,7 +37,7 @@ std::vector<std::string> figure_captions(const VerifyResult& result)
 {
     const Deviation& deviation = *result.verification.deviation;
     const auto [gouge, scallop] = refined_bounds(deviation, result.input.limits);
-    std::string between = ", not refined, as a gouge is certain";
+    std::string between = "; not refined, since a gouge is certain";
     if (gouge)
         between = fmt::format(
             ", refined where in doubt; between rays a gouge is at most {:.3g} mm deeper",
@@ -49,7 +49,7 @@ std::vector<std::string> figure_captions(const VerifyResult& result)
                                                   cutter_word(result.task.cutter),
                                                   result.options.resolution, between)};
     for (const std::string& rule : broken_rules(result.verification))
-        captions.push_back("in all " +
+        captions.push_back("verdict " +
                            std::string{verdict_name(result.verification.verdict)} + ": " +
                            rule);
     return captions;

@@ -30,8 +30,8 @@ std::optional<Tool> told_tool(const VerifyOptions& options)
         tool = read_tool(options.tool, options.common.limits);
     if (options.path.cutter && tool && tool->cutter != *options.path.cutter)
         throw DomainError{"--cutter " + cutter_word(*options.path.cutter) +
-                          ": the tool file says " + cutter_word(tool->cutter) +
-                          "; expected the same, or one of the two options"};
+                          ": the tool file has " + cutter_word(tool->cutter) +
+                          "; expected the same cutter, or only one of the two options"};
     if (options.path.cutter && !tool)
         tool = Tool{.cutter = *options.path.cutter};
     return tool;
@@ -75,9 +75,9 @@ void add_part(VerifyInput& input, const VerifyOptions& options, const PathSummar
             throw FormatError{
                 "E_OPEN",
                 {options.path.file, "",
-                 "the part that its summary names, " + shown_path(file) +
-                     ", is not there",
-                 "it, or --part FILE, or --part none to compare with no part"}};
+                 "its summary names the part " + shown_path(file) +
+                     ", which does not exist",
+                 "this file, --part FILE, or --part none to compare with no part"}};
         part = {file.lexically_normal().string(), units, up};
     }
     if (part.path.empty())
@@ -98,9 +98,9 @@ void stand_upright(VerifyInput& input)
     if (input.part)
         input.part->part = turned(input.part->part, rotation);
     input.program.remarks.push_back(
-        "path and part are turned about the origin so that the axis, " +
+        "path, part and results are rotated about the origin: the tool axis " +
         to_text(axis->x()) + "," + to_text(axis->y()) + "," + to_text(axis->z()) +
-        ", is +z; so is all that is written");
+        " becomes +z");
 }
 
 // Memory for each cell that the output of the remaining stock needs: a copy of the
@@ -129,9 +129,8 @@ VerifyInput read_verify_input(const VerifyOptions& options)
                       .tool = std::move(tool),
                       .limits = limits_of(options, known)};
     if (input.program.path.points.size() < 2)
-        throw GeometryError{file +
-                            ": no move is left of the path to be judged; expected two "
-                            "points at least"};
+        throw GeometryError{
+            file + ": the path has no moves to verify; expected at least two points"};
     add_part(input, options, known);
     if (!input.part)
         refuse_options_without_part(options.common);

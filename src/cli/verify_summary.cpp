@@ -187,7 +187,7 @@ std::string contacts_text(const StockContacts& contacts)
 std::string earlier_text(const Json& s)
 {
     return fmt::format(
-        "  stock       gouged {} deep before; at most {} more between its "
+        "  stock       gouged {} deep by earlier runs; at most {} deeper between its "
         "heights\n",
         length_text(s["earlier_gouge_mm"]), length_text(s["earlier_gouge_bound_mm"]));
 }
@@ -263,7 +263,7 @@ std::vector<std::string> broken_rules(const Verification& verification)
         rules.push_back(
             fmt::format("shank or holder may enter the part by up to {} mm: no contact "
                         "was found, but "
-                        "none is excluded",
+                        "contacts are not excluded",
                         shown(in_part.bound_mm)));
     return rules;
 }

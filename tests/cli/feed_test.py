@@ -315,7 +315,7 @@ class Feed(ProgramTest):
         out, facts = self.fed(self.file(text, "p.csv"), "--tool", TOOL, "--stock-top", "5")
         self.assertEqual((facts["segments"], facts["zero_length_segments"]), (2, 1))
         self.assertEqual(len(rows(out / "toolpath.csv")), 4)
-        self.assertTrue([r for r in facts["remarks"] if r.startswith("1 cutting move goes nowhere")])
+        self.assertTrue([r for r in facts["remarks"] if r.startswith("1 cutting move has zero length")])
 
     def test_stock_that_the_path_never_meets_is_refused(self):
         for engagement in ("stock", "passes", "auto"):
@@ -378,7 +378,7 @@ class Feed(ProgramTest):
         for rule in ("torque", "direct"):
             # The first of three passes is a slot, where the sense of the helix has no effect.
             down, remarks = helix_remarks(-1, "30", "--peak", rule)
-            self.assertEqual([r[:20] for r in remarks], ["on 6 of 9 segments, "])
+            self.assertEqual([r[:30] for r in remarks], ["milled down on 6 of 9 segments"])
             self.assertIn("--helix-deg -30", remarks[0])
             other, remarks = helix_remarks(-1, "-30", "--peak", rule)
             self.assertEqual(remarks, [])

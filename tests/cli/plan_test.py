@@ -161,7 +161,7 @@ class VerifiedPlan(ProgramTest):
                        "--chord-tolerance", "0.05", "--direction", "v", "-o", "out", "--json", cwd=self.folder)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertGreater(json.loads(done.stdout)["uncovered_places"], 0)
-        self.assertIn("may stay under more material than scallop height", done.stderr)
+        self.assertIn("the remaining stock may exceed scallop height", done.stderr)
 
 
 class KnownGouge(ProgramTest):

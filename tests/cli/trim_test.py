@@ -260,7 +260,7 @@ class Trim(ProgramTest):
         facts, sound = self.trimmed_mesh(CUBE)
         self.assertEqual(facts["remarks"], [])
         for text, remarks in (
-                (CUBE + "f 7 5 6\n", ["left out: 1 triangle with the corners of another"]),
+                (CUBE + "f 7 5 6\n", ["left out: 1 triangle that repeats another"]),
                 (CUBE.replace("f 5 6 7", "f 7 6 5"), ["1 triangle was turned over, so that all face outwards"]),
                 (CUBE + "v 5 0 0\nf 1 9 2\n", ["1 triangle without an area"]),
                 (CUBE.replace("f 1 3 2\n", ""), ["edges of one triangle only: 3; the mesh is a sheet or has holes"]),

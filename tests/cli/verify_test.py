@@ -202,11 +202,11 @@ class Verdicts(VerifyTest):
         self.assertEqual((facts["verdict"], facts["rapid_cuts"], facts["first_of_rapid_cuts"]), ("gouged", 1, 2))
         self.assertAlmostEqual(facts["deepest_of_rapid_cuts_mm"], 1, delta=0.05)
         self.assertEqual(facts["max_gouge_mm"], 0)
-        self.assertIn("in all gouged: 1 rapid cut", (self.folder / "out/deviation.svg").read_text())
+        self.assertIn("verdict gouged: 1 rapid cut", (self.folder / "out/deviation.svg").read_text())
 
     def test_path_with_another_fixed_axis_is_rotated(self):
         facts = self.verify(self.planned("--mode", "verified", "--axis", "0,0.6,0.8"), "--resolution", "1")
-        self.assertTrue(any("0,0.6,0.8, is +z" in remark for remark in facts["remarks"]), facts["remarks"])
+        self.assertTrue(any("0,0.6,0.8 becomes +z" in remark for remark in facts["remarks"]), facts["remarks"])
         self.assertAlmostEqual(facts["judged_area_mm2"], 1800, delta=1e-6)
         self.assertLessEqual(facts["max_scallop_mm"], 0.2 + 0.001)
 
@@ -221,7 +221,7 @@ class Verdicts(VerifyTest):
         path = self.planned("--mode", "verified")
         (self.folder / "surface.json").unlink()
         done = endmill("verify", path, "--resolution", "1", "-o", "out", cwd=self.folder)
-        self.assert_refused(done, 3, "the part that its summary names, ", "--part FILE")
+        self.assert_refused(done, 3, "its summary names the part ", "--part FILE")
         self.assertFalse((self.folder / "out").exists())
         done = endmill("verify", path, "--part", "none", "--resolution", "1", "-o", "out", cwd=self.folder)
         self.assertIn("none to compare with", done.stdout)
@@ -439,7 +439,7 @@ class BadInput(VerifyTest):
 
     def test_missing_or_wrong_cutter_is_refused(self):
         self.refuse(2, "names the cutter; expected --cutter or --tool", options=())
-        self.refuse(2, "--cutter ball:8: the tool file says ball:10", options=("--cutter", "ball:8", "--tool", HOLDER))
+        self.refuse(2, "--cutter ball:8: the tool file has ball:10", options=("--cutter", "ball:8", "--tool", HOLDER))
         self.refuse(2, "--programmed-point centre: expected --cutter", options=("--programmed-point", "centre"),
                     content="G21 G90\nG1 X0 Y0 Z1 F100\nX2\nM2\n", name="p.ngc")
         self.refuse(2, "--programmed-point centre: ", "a tool path (CSV)",
