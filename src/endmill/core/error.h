@@ -9,8 +9,8 @@ namespace endmill {
 /// \file
 /// The exceptions of the library. The program maps each type to an exit code.
 
-/// Base class of all exceptions that endmill throws on purpose. `what()` is one line of text
-/// for a person.
+/// Base class of all exceptions that endmill throws on purpose. `what()` is one line of
+/// text for a person.
 class Error : public std::runtime_error {
 public:
     /// \param code a stable word for programs, such as "E_JSON".
@@ -34,7 +34,7 @@ public:
 /// "FILE:PLACE: FOUND; expected EXPECTED", or "FILE@BYTE: ..." for a binary file.
 class FormatError : public Error {
 public:
-    /// What is wrong in a file, and where.
+    /// The error in a file, and its place.
     struct Complaint {
         std::string file;   ///< path, as the caller gave it
         std::string place;  ///< "LINE", "LINE:COLUMN", "@BYTE", a JSON pointer or empty

@@ -10,28 +10,28 @@
 namespace endmill {
 
 /// \file
-/// Exact sign predicates on points whose coordinates are doubles. Each evaluates its
-/// determinant in double precision, with a bound on the rounding error, and repeats the
-/// evaluation without rounding only where the bound leaves the sign open.
+/// Exact sign predicates on points whose coordinates are doubles. Each predicate
+/// evaluates its determinant in double precision, with a bound on the rounding error. It
+/// repeats the evaluation without rounding only if the bound does not determine the sign.
 
-/// The same result as `turn`, always by exact arithmetic. Takes below 1 us, and about 10 us
-/// if a coordinate is beyond 1e153 or, not being zero, below 1e-145.
+/// The same result as `turn`, always by exact arithmetic. Takes less than 1 us, but about
+/// 10 us if a coordinate is above 1e153 in size, or below 1e-145 and not zero.
 int exact_turn(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                const Eigen::Vector2d& other_from, const Eigen::Vector2d& other_to);
 
-/// How the segment (`other_from`, `other_to`) turns against the segment (`from`, `to`): the
-/// sign of (to - from) x (other_to - other_from).
+/// The sense of rotation from the segment (`from`, `to`) to the segment (`other_from`,
+/// `other_to`): the sign of (to - from) x (other_to - other_from).
 ///
 /// Exact for all finite coordinates, even if that product overflows or underflows. Takes
 /// about 2 ns where the rounded product decides.
 ///
-/// Error bound: with e = 2^-53, the rounded products a and b differ from the true ones by at
-/// most (3 e + 4 e^2) of their size, and by 2^-1074 where they underflow. A rounded
+/// Error bound: with e = 2^-53, the rounded products a and b differ from the true ones by
+/// at most (3 e + 4 e^2) of their size, and by 2^-1074 where they underflow. A rounded
 /// difference beyond 4 e (|a| + |b|) + 2^-1070, which includes the roundings of the bound
 /// itself, therefore has the true sign.
 /// \pre the coordinates are finite.
-/// \return 1 if it turns to the left, -1 to the right, 0 if the segments are parallel or one
-///         has no length.
+/// \return 1 if it turns to the left, -1 to the right, 0 if the segments are parallel or
+///         one has no length.
 inline int turn(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                 const Eigen::Vector2d& other_from, const Eigen::Vector2d& other_to)
 {
@@ -46,8 +46,8 @@ inline int turn(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
     return exact_turn(from, to, other_from, other_to);
 }
 
-/// On which side of the directed line from p to q the point r lies. As exact and as fast as
-/// `turn`.
+/// The side of the directed line from p to q on which the point r lies. As exact and as
+/// fast as `turn`.
 /// \pre the coordinates are finite.
 /// \return 1 if left, -1 if right, 0 if r lies on the line or p = q.
 inline int orientation(const Eigen::Vector2d& p, const Eigen::Vector2d& q,
@@ -60,8 +60,8 @@ inline int orientation(const Eigen::Vector2d& p, const Eigen::Vector2d& q,
 /// are equal.
 /// Source: [Shewchuk, section 4], the filter of ORIENT2D, for the projections of the
 /// triangle onto the three coordinate planes.
-/// \pre each coordinate is 0 or between 1e-140 and 1e140 in size. Beyond that range products
-///      overflow or underflow and the answer may be wrong.
+/// \pre each coordinate is 0 or between 1e-140 and 1e140 in size. Beyond that range
+///      products overflow or underflow and the answer may be wrong.
 bool are_collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace endmill

@@ -9,16 +9,16 @@ namespace endmill {
 /// Calls `body(begin, end)` on ranges that together cover the numbers from 0 to count - 1
 /// once, on all threads that are allowed.
 ///
-/// How the numbers are divided into ranges, and which thread processes a range, varies from
-/// run to run. A body must write its results by index, so that they do not depend on that.
+/// The division into ranges and the thread that processes a range vary from run to run. A
+/// body must therefore write its results by index.
 ///
 /// \throws whatever a body throws. If several throw, the exception of the lowest range is
-///         rethrown. It is the one for the lowest index if each body processes its range in
-///         order and stops at its first fault.
+///         rethrown. It is the one for the lowest index if each body processes its range
+///         in order and stops at its first fault.
 void parallel_for(std::size_t count,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
 
-/// Limits `parallel_for` to `count` threads, for the rest of the process.
+/// Limits `parallel_for` to `count` threads, from now on and for the whole process.
 /// \throws DomainError unless 1 <= count <= 1024.
 void set_thread_count(int count);
 

@@ -22,10 +22,10 @@ public:
     /// \throws DomainError unless R is finite, 0 < R and 0 <= r <= R.
     Cutter(double radius, double corner_radius);
 
-    /// A ball-end mill.
-    static Cutter ball(double radius) { return {radius, radius}; }  ///< radius in mm
-    /// A flat end mill.
-    static Cutter flat(double radius) { return {radius, 0}; }  ///< radius in mm
+    /// A ball-end mill. \param radius in mm.
+    static Cutter ball(double radius) { return {radius, radius}; }
+    /// A flat end mill. \param radius in mm.
+    static Cutter flat(double radius) { return {radius, 0}; }
 
     double radius() const { return radius_; }                        ///< R, mm
     double corner_radius() const { return corner_radius_; }          ///< r, mm
@@ -56,8 +56,8 @@ std::string cutter_word(const Cutter& cutter);
 /// \return nothing if `word` has another form or its numbers are out of range.
 std::optional<Cutter> cutter_from_word(std::string_view word);
 
-/// What a message should state as expected in place of `word`, after `cutter_from_word`
-/// has failed: the range of the number that is out of range, or the form of such words.
+/// Text for a message about a `word` that `cutter_from_word` could not read: the allowed
+/// range, if a number is out of range, or else the form of a cutter word.
 std::string expected_cutter(std::string_view word);
 
 /// Where the cutter touches the part.
@@ -112,14 +112,14 @@ inline bool is_level(const Vec3& normal, const Vec3& axis = Vec3::UnitZ())
            level_normal * level_normal;
 }
 
-/// The vector from the contact to the control point, in mm. To the reference point it is
+/// The vector from the contact to the control point, in mm. For the reference point it is
 ///
 ///     r N + (R - r) H,
 ///
-/// and to the tip r P less. N is the unit `normal` of the contact, P the `axis`, and H
-/// the unit direction of the part of N perpendicular to P. If `is_level` holds, H is 0,
-/// which gives the centre of the disc. The formula holds for all cutters. For a ball
-/// R - r = 0, and H is not computed.
+/// and for the tip r P less. N is the unit `normal` of the contact, P the `axis`, and H
+/// the unit direction of the component of N perpendicular to P. If `is_level` holds, H is
+/// set to 0, which gives the centre of the disc. The formula holds for all cutters. For a
+/// ball R - r = 0, so that H is not needed.
 /// Source: [JangKimJeong, eq. (3)], with the sign for the side away from the material.
 /// \param cutter with radius R and corner radius r.
 /// \param normal unit, out of the material.
@@ -152,8 +152,8 @@ inline Vec3 control_point(const Cutter& cutter, const CutterContact& contact,
     return contact.point + control_offset(cutter, contact.normal, which, axis);
 }
 
-/// The cutter whose contacts leave `allowance` mm of stock: both radii are larger by it.
-/// Its reference points are those of `cutter` at that distance from the part.
+/// The cutter with both radii larger by `allowance` mm. Where it touches the part,
+/// `cutter` at the same reference point leaves `allowance` mm of stock.
 /// \throws DomainError unless the allowance is finite and not negative.
 Cutter with_allowance(const Cutter& cutter, double allowance);
 

@@ -22,9 +22,9 @@ struct ProfilePoint {
 /// of the normal, and the printed angle does not exist where f' = 0.
 Eigen::Vector2d profile_normal(double slope);
 
-/// The normal for a sampled crease of a profile: that of the mean of the slopes before
-/// and after the crease. A convex crease is so rounded by two chords; at a concave one
-/// the offset folds.
+/// The normal for a sampled crease of a profile. Its slope is the mean of the slopes
+/// before and after the crease. The offset rounds a convex crease by two chords, and
+/// folds at a concave one.
 Eigen::Vector2d crease_normal(double slope_before, double slope_behind);
 
 /// Unit normal of a parametric curve (x(t), z(t)): the `tangent` turned by 90 degrees to
@@ -37,11 +37,12 @@ Eigen::Vector2d curve_normal(const Eigen::Vector2d& tangent);
 ///
 ///     p + r n + (R - r) sgn(n_x) e_x.
 ///
-/// Where the sign of n_x changes, there are two of them, with the old and the new sign;
-/// on a level part of the profile it changes at the last point. The step between them is
-/// 2 (R - r) forwards over a crest and backwards in a valley, so that the offset of a
-/// flat-bottomed cutter has a loop in every valley. A ball has no such steps. A profile
-/// that is level everywhere has no sign; its offset is p + r n.
+/// Where the sign of n_x changes, there are two reference points, with the old and the
+/// new sign. On a horizontal part of the profile the sign changes at the last point. The
+/// step between the two points is 2 (R - r), forwards over a crest and backwards in a
+/// valley. The offset of a flat-bottomed cutter therefore has a loop in every valley. A
+/// ball has no such steps. A profile that is horizontal everywhere has no sign; its
+/// offset is p + r n.
 /// Source: [JangKimJeong, eq. (3)], whose +- is sgn(n_x).
 /// \return at least one point for each point of the profile, in order.
 std::vector<Eigen::Vector2d> plane_offset(const Cutter& cutter,

@@ -7,13 +7,13 @@
 namespace endmill {
 
 /// The surface that a cutter along +z leaves on one straight move, as a height S(x, y).
-/// The move removes all material above S, and the region above S is convex. A move of no
-/// length, or straight up or down, removes what the cutter covers at its lower end. An
-/// immutable value.
+/// The move removes all material above S, and the region above S is convex. A move of
+/// length 0, or straight up or down, removes the material that the cutter covers at the
+/// lower end of the move. An immutable value.
 ///
-/// S is exact except for rounding, about 1e-12 of the size and place of the move. It does
-/// not use intermediate positions of the cutter: a move that is divided into several, or
-/// made backwards, leaves the same surface.
+/// S is exact except for rounding, about 1e-12 of the size and coordinates of the move.
+/// It does not use intermediate positions of the cutter. A move that is divided into
+/// several, or made backwards, therefore leaves the same surface.
 /// Source: closed forms for a ball, a disc and a torus in oblique translation; derived in
 /// paper/notes/swept-cutter.md, sections 1 to 6.
 class StraightSweep {
@@ -28,13 +28,13 @@ public:
     const Cutter& cutter() const { return cutter_; }
     const Vec3& from() const { return from_; }  ///< tip at the start, mm
     const Vec3& to() const { return to_; }      ///< tip at the end, mm
-    double length() const { return length_; }   ///< length over the xy plane, mm
+    double length() const { return length_; }   ///< horizontal length, mm
     double slope() const { return slope_; }  ///< rise per `length`; 0 if the length is 0
 
     /// A value of S, with the position of the cutter that leaves it.
     struct Height {
         double z;  ///< S in mm; infinite where the cutter does not pass
-        /// Distance over the xy plane from the start of the move to that position, mm.
+        /// Horizontal distance from the start of the move to that position, mm.
         double along;
     };
 

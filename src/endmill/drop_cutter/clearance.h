@@ -18,8 +18,8 @@ struct LeastGap {
     Vec3 point;         ///< the point of the part, mm
 };
 
-/// The default resolution of a gap in mm. The sampling of a path usually leaves a hundred
-/// times as much.
+/// The default resolution of a gap in mm. The sampling error of a path is usually a
+/// hundred times as large.
 inline constexpr double gap_resolution = 1e-5;
 
 /// The smallest gap between the cutter at any of the positions `references` and smooth

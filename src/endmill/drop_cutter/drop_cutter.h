@@ -18,18 +18,18 @@ class DropTree;
 struct DropContact {
     double tip_z;  ///< height of the tip, mm
     Vec3 point;    ///< the contact point, mm; one of them if there are several
-    /// number of the touched triangle; the lowest number if there are several
+    /// Number of the touched triangle; the lowest number if there are several.
     std::size_t triangle;
 };
 
-/// The drop cutter: lowers a cutter along -z onto a mesh. Over (x, y) its tip comes to
-/// rest at
+/// The drop cutter: lowers a cutter along -z onto a mesh. Over (x, y) the tip stops at
+/// the height
 ///
 ///     max of q_z - h(rho) over all points q of the mesh with rho = |q_xy - (x, y)| <= R,
 ///
-/// where h is the profile of the cutter. Facets of either orientation, their sides and
-/// their corners count, so that no point of the mesh is inside the cutter. The reference
-/// point is r higher than the tip.
+/// where h is the profile of the cutter. Facets of either orientation count, and so do
+/// their sides and corners. No point of the mesh is therefore inside the cutter. The
+/// reference point is r higher than the tip.
 /// Source: docs/mathematics/interference.md, section 6 (R3).
 ///
 /// Accuracy: 1e-9 mm for coordinates within 1e4 mm and radii within 1e3 mm. A result

@@ -11,7 +11,7 @@ namespace endmill {
 
 /// The sampling of the curves of a mesh part.
 struct MeshSectionOptions {
-    /// number of equidistant s over the extent of the mesh, at least 2
+    /// Number of equidistant s over the extent of the mesh, at least 2.
     int samples = 200;
     double tolerance = 0.01;  ///< mm, largest gouge of a chord
 };
@@ -21,12 +21,12 @@ struct MeshSectionOptions {
 /// plane are ordered by s. A curve ends where no point of the mesh is below the cutter.
 ///
 /// A step is halved until its chord gouges by at most the tolerance, according to
-/// DropCutter::is_clear, or until the step is no longer than the tolerance. In the second
-/// case the cutter is at most that far from its position over the lower end of the chord,
-/// where it does not gouge, so that the gouge is no deeper than the tolerance. The ends
-/// of curves are found to the tolerance in s in the same way. A gap between two curves is
-/// missed if no step ends in it. Runs on all threads; the result does not depend on their
-/// number.
+/// DropCutter::is_clear, or until the step is not longer than the tolerance. In the
+/// second case the distance of the cutter from its position over the lower end of the
+/// chord is at most the tolerance. It does not gouge there, so that the gouge is not
+/// deeper than the tolerance. The ends of curves are found to the tolerance in s in the
+/// same way. A gap between two curves is missed if no step ends in it. Runs on all
+/// threads; the result does not depend on their number.
 /// \param drop_cutter the mesh and the cutter.
 /// \param planes the planes.
 /// \param options the sampling.

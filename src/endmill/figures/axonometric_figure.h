@@ -15,7 +15,7 @@
 /// \file
 /// Drawing in SVG: pictures in the plane (`SvgPicture`, lengths in px), and drawings in
 /// space in parallel projection with title, axes and legend (`AxonometricFigure`, lengths
-/// in mm). All other figures of this module are made with these two classes.
+/// in mm). All other figures of this module use these two classes.
 
 namespace endmill {
 
@@ -89,13 +89,13 @@ std::string xml_escaped(std::string_view text);
 /// Title, size and view of a drawing in space.
 struct FigureOptions {
     std::string title{};  ///< above the drawing; cut after 100 characters
-    std::vector<std::string>
-        captions{};         ///< lines below the title; cut after 150 characters
-    double width_px = 900;  ///< of the whole picture, in px; at least 300
+    /// Lines below the title; cut after 150 characters.
+    std::vector<std::string> captions{};
+    double width_px = 900;                ///< of the whole picture, in px; at least 300
     Angle azimuth = Angle::degrees(-60);  ///< direction to the viewer, from +x towards +y
     Angle elevation = Angle::degrees(30);  ///< of the viewer above the xy plane
     std::array<std::string_view, 3> axis_names{"x", "y", "z"};  ///< at the axes' arrows
-    bool has_length = true;  ///< whether the length of the axes' arrows is written, in mm
+    bool has_length = true;  ///< whether the axis arrows are labelled with their length
 };
 
 /// Directions of a parallel projection from space to a picture plane, mm to mm.
@@ -136,16 +136,14 @@ public:
     void add_label(const Vec3& point, const PixelPoint& shift_px, std::string_view text,
                    std::string_view colour);
 
-    const AxonometricView& view() const
-    {
-        return view_;
-    }  ///< directions of the projection
+    /// Directions of the projection.
+    const AxonometricView& view() const { return view_; }
 
-    /// Adds a line of the legend with a sample of the line style. A column has five
-    /// lines; a picture of 900 px has room for three columns.
+    /// Adds a line to the legend, with a sample of the line style. A column has five
+    /// lines. A picture of 900 px has room for three columns.
     void add_legend(std::string_view label, const LineStyle& style);
 
-    /// Adds a line of the legend with a disc.
+    /// Adds a line to the legend, with a disc.
     void add_disc_legend(std::string_view label, double radius_px,
                          std::string_view colour);
 

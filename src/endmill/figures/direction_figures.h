@@ -11,7 +11,7 @@
 
 /// \file
 /// Figures of sets of tool directions: on the sphere, and in charts of the plane. A set
-/// is the feasible tool motion of a machine; its border is that of FeasibleDirections.
+/// is the feasible tool motion of a machine; FeasibleDirections computes its border.
 
 namespace endmill {
 
@@ -31,9 +31,9 @@ struct ChartedDirections {
     ChartProjection projection = ChartProjection::Equidistant;  ///< of the chart
 };
 
-/// A chart of directions and the border of a set that shall contain them, as an SVG file.
-/// A gnomonic chart reaches at most 80 degrees from the pole and also shows the line
-/// towards the first rotary axis.
+/// A chart of directions and the border of a set that should contain them, as an SVG
+/// file. A gnomonic chart reaches at most 80 degrees from the pole and also shows the
+/// line towards the first rotary axis.
 /// Source: after [KangSuh, figures 7, 8, 10 and 13].
 /// \param border_label name of the border in the legend.
 std::string motion_chart(const ChartedDirections& chart, const FeasibleDirections& motion,
@@ -46,10 +46,14 @@ std::string motion_chart(const ChartedDirections& chart, const FeasibleDirection
 /// \throws DomainError if `hull` is empty.
 std::string hull_chart(const ChartedDirections& chart, std::span<const Vec3> hull);
 
-/// The sphere of directions with a set, as an SVG file: the border of the set; the basis
-/// circle, which the tool follows when only the tilt (C,A) or only R1 (A,B) moves; the
-/// rotary axes that turn; the tool axis at zero; and the names of [KangSuh, figure 5] if
-/// both axes are limited. Lines behind the sphere are dashed.
+/// The sphere of directions with a set, as an SVG file. It shows:
+/// - the border of the set;
+/// - the basis circle, which the tool axis follows if only the tilt (C,A) or only R1
+///   (A,B) moves;
+/// - the rotary axes that move, and the tool axis at zero;
+/// - the names of [KangSuh, figure 5], if both axes are limited.
+///
+/// Lines behind the sphere are dashed.
 /// Source: after [KangSuh, figures 2, 5 and 6].
 /// \param legend name of the border in the legend.
 std::string direction_sphere_svg(const FeasibleDirections& set, const std::string& title,

@@ -16,9 +16,9 @@ struct FeedFigure {
     std::vector<std::string> captions = {};  ///< lines below the title; cut after 150
 };
 
-/// Geometry and feed of each cutting move over the length of cut, as an SVG file with
-/// five panels: the angles mu and lambda, the pick feed and its horizontal part, the
-/// depth, the feed, the spindle speed.
+/// Geometry and feed of each cutting move over the length of cut, as an SVG file. Five
+/// panels show the angles mu and lambda, the pick feed and its horizontal component, the
+/// depth, the feed, and the spindle speed.
 /// Source: after [ParkMaeng, fig. 8, 9].
 /// \throws DomainError unless there is one row for each of `cuts` and every number is
 ///         finite.

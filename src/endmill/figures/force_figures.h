@@ -23,21 +23,21 @@ struct BallFrame {
     Milling milling = Milling::Down;  ///< selects the side of Y
     double radius_mm = 1;             ///< radius of the ball, in mm
 
-    /// A point or direction of the frame in the axes of the figure; lengths in radii.
+    /// A point or direction of the frame, in the axes of the figure; lengths in radii.
     Vec3 turned(const Vec3& place) const;
 
-    /// A point of the frame (in radii) in the axes of the figure, in mm.
+    /// Converts a point of the frame, in radii, to the axes of the figure, in mm.
     Vec3 in_room(const Vec3& place) const;
 
-    /// The points of a line of the frame (in radii) in the axes of the figure, in mm.
+    /// Converts the points of a line of the frame, in radii, to the axes of the figure,
+    /// in mm.
     std::vector<Vec3> in_room(const std::vector<Vec3>& line) const;
 };
 
 /// A border of the engaged part of the ball.
 struct EngagementBorder {
-    std::string
-        name;  ///< "front", "previous pass", "wall of the previous pass", "edge" or
-               ///< "stock's top"
+    /// "front", "previous pass", "wall of the previous pass", "edge" or "stock's top".
+    std::string name;
     std::vector<Vec3> points;  ///< of the unit ball, in the frame of BallEngagement
 };
 
@@ -56,14 +56,14 @@ std::string engagement_svg(const BallEngagement& engagement, const BallFrame& fr
 
 /// An element of a straight edge (without helix) that is cutting.
 struct EdgeElement {
-    BallEngagement engagement;  ///< of a level move: mu = lambda = 0
+    BallEngagement engagement;  ///< of a horizontal move: mu = lambda = 0
     double latitude;            ///< delta, in rad from the tip
     double azimuth;  ///< theta, in rad from Y towards X; within an engaged range
 };
 
 /// Unit directions of the force components at an element, in the axes of the figure. They
-/// are computed by `force_profile` with material constants that leave one component at a
-/// time; without helix all elements of the edge then contribute in the same direction.
+/// are computed by `force_profile` with material constants that make all other components
+/// zero. Without helix, all elements of the edge then contribute in the same direction.
 struct ForceDirections {
     Vec3 tangential;  ///< F_T, on the work
     Vec3 radial;      ///< F_R, on the work

@@ -23,8 +23,8 @@ struct SectionDrawing {
 
 /// A section before and after trimming, as an SVG file with s to the right and z upwards
 /// at the same scale. Removed parts are red, the trimmed curves blue, the part black. The
-/// cutter is drawn at the first three crossings, or at the middle of the first trimmed
-/// curve if there is none.
+/// cutter is drawn at the first three crossings. Without a crossing it is drawn at the
+/// middle of the first trimmed curve.
 /// Source: after [JangKimJeong, figs. 13 to 15].
 /// \param figure title, captions and width; view and axis names are replaced.
 /// \throws DomainError if there is no point, or one that is not finite.

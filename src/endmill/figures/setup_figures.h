@@ -37,7 +37,7 @@ struct ShownSetup {
 /// Accessibility of each facet of a part.
 struct FacetAccess {
     std::vector<double> visible_fraction;  ///< solid angle of the cone over 4 pi, 0 … 1
-    std::vector<std::uint8_t> reached_at_zero;  ///< 1: without a turn of the rotary axes
+    std::vector<std::uint8_t> reached_at_zero;  ///< 1: with all rotary axes at zero
 };
 
 /// For each facet of the map 1 if the tool reaches it with all rotary axes at zero, else
@@ -48,8 +48,8 @@ std::vector<std::uint8_t> reached_at_zero(const SphereGrid& grid,
                                           const VisibilityMap& map,
                                           const Vec3& tool_axis);
 
-/// The object that a cell of setup.vtp, or a line of a figure, belongs to. The numbers
-/// are written to files.
+/// The object to which a cell of setup.vtp or a line of a figure belongs. The numbers are
+/// written to files.
 enum class SetupObject : std::int32_t {
     Facet = 0,         ///< facet of the part
     ToolAxis = 1,      ///< tool axis at zero
@@ -61,14 +61,14 @@ enum class SetupObject : std::int32_t {
 
 /// A line on the sphere of directions.
 struct SetupLine {
-    SetupObject object;         ///< that the line belongs to
+    SetupObject object;         ///< to which the line belongs
     DirectionCurve directions;  ///< unit vectors in coordinates of the machine
 };
 
 /// A sphere around a part.
 struct PartSphere {
     Vec3 centre;    ///< centre of the part's bounding box, in mm
-    double radius;  ///< 1.1 times the largest distance of a point, in mm; positive
+    double radius;  ///< 1.1 times the largest distance from the centre, in mm
 };
 
 /// The axes of a setup in coordinates of the machine.
@@ -84,7 +84,7 @@ std::vector<SetupLine> motion_borders(const ShownSetup& setup, double step);
 /// The points of `mesh` in coordinates of the machine; the origin of the part is fixed.
 std::vector<Vec3> posed_points(const TriangleMesh& mesh, const ShownSetup& setup);
 
-/// The sphere around points; its radius is 1 mm if all points coincide.
+/// The sphere around points. Its radius is positive: it is 1 mm if all points coincide.
 /// \throws DomainError if there is no point.
 PartSphere sphere_around(const std::vector<Vec3>& points);
 
@@ -102,12 +102,13 @@ struct SetupFigure {
     std::size_t most_facets = 20'000;      ///< largest number of drawn facets; at least 1
 };
 
-/// A part in its pose on a machine, as an SVG file. Facets that the tool reaches at zero
-/// are blue, those that need a turn yellow, and facets seen from behind grey, shaded by a
-/// light from the viewer. The rotary axes and the tool axis are lines through the centre
-/// of the part; the machine's X, Y and Z are below. Facets are sorted by the depth of
-/// their centres, so facets that intersect may cover each other wrongly. A part with more
-/// than `most_facets` is drawn coarser, and a caption states it.
+/// A part in its pose on a machine, as an SVG file. Facets that the tool reaches with all
+/// axes at zero are blue, facets that need a rotation are yellow, and facets seen from
+/// behind are grey. A light from the viewer shades them. The rotary axes and the tool
+/// axis are lines through the centre of the part; the machine's X, Y and Z are below.
+/// Facets are drawn in the order of the depth of their centres. Facets that intersect may
+/// therefore be drawn in the wrong order. A part with more than `most_facets` is drawn
+/// coarser, and a caption states it.
 /// Source: [KangSuh, figure 11].
 /// \param reached_at_zero one for each facet, 1 or 0.
 /// \throws DomainError if the mesh has no facet, `reached_at_zero` has another size, and
@@ -116,8 +117,8 @@ std::string setup_svg(const TriangleMesh& mesh,
                       std::span<const std::uint8_t> reached_at_zero,
                       const ShownSetup& setup, const SetupFigure& figure);
 
-/// Largest number of cells of a sphere that are filled; of finer grids only borders are
-/// drawn.
+/// Largest number of cells of a sphere that are filled. Grids with more cells are drawn
+/// as borders only.
 inline constexpr std::size_t most_filled_cells = 100'000;
 
 /// Title, size, view and content of the figure of a sphere of directions.
@@ -128,13 +129,15 @@ struct SphereFigure {
     Angle azimuth = Angle::degrees(-60);   ///< direction to the viewer, from X towards Y
     Angle elevation = Angle::degrees(30);  ///< of the viewer above the XY plane
     std::optional<ShownSetup> setup{};     ///< its axes and borders are drawn
-    std::vector<Vec3> marked{};  ///< unit vectors of the part, drawn as discs: the set MD
+    /// Unit vectors of the part that are drawn as discs: for each cone the cell nearest
+    /// to the tool axis (MD in [KangSuh]).
+    std::vector<Vec3> marked{};
 };
 
 /// The sphere of directions as an SVG file: the front half of its cells, shaded by the
-/// number of facets that a tool reaches along them. With a setup the directions are those
-/// of the machine at zero, and its axes and the borders of its motion are drawn, dashed
-/// behind the sphere.
+/// number of facets that a tool reaches along them. With a setup, directions are in
+/// machine coordinates with all axes at zero. Its axes and the borders of its motion are
+/// then drawn, dashed behind the sphere.
 /// Source: [KangSuh, figure 12].
 /// \throws DomainError unless the map has the cells of the grid and at least one facet,
 ///         and as `motion_borders` and `AxonometricFigure`.

@@ -15,7 +15,8 @@
 
 /// \file
 /// Tables in CSV files: a table in memory, its text, and a reader for small tables. The
-/// readers of large tables (tool paths, curves, directions) split lines in place instead.
+/// readers of large tables (tool paths, curves, directions) do not use this type; they
+/// split lines in place.
 
 namespace endmill {
 
@@ -41,10 +42,8 @@ public:
     void add_row(std::initializer_list<CsvCell> cells);  ///< the same for a list of cells
 
     std::span<const std::string> columns() const { return columns_; }  ///< in file order
-    std::size_t rows() const
-    {
-        return lines_.size();
-    }  ///< number of rows, without header
+    /// Number of rows, without the header.
+    std::size_t rows() const { return lines_.size(); }
 
     /// The text of a cell; empty if its value is unknown. `row` counts from 0.
     /// \throws FormatError E_CSV if the table has no such column. \pre row < rows()

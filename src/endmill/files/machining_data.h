@@ -22,8 +22,8 @@
 
 namespace endmill {
 
-/// Travel range of one machine axis. The positions of a rotary axis are right-hand turns
-/// of what the axis carries.
+/// Travel range of one machine axis. A position of a rotary axis is the right-hand
+/// rotation of the body that the axis carries.
 struct AxisTravel {
     char axis;    ///< 'x', 'y', 'z': linear; 'a', 'b', 'c': rotary about x, y, z
     double from;  ///< mm for a linear axis, rad for a rotary one
@@ -36,7 +36,7 @@ struct AxisTravel {
 /// A machine as its file describes it. A value that the file does not state is empty.
 struct MachineDescription {
     std::string name;                          ///< from the file, or the file's stem
-    std::string source = {};                   ///< where the numbers come from
+    std::string source = {};                   ///< origin of the numbers
     std::string configuration = "W/xyBz/T";    ///< axes from workpiece to tool, B the bed
     MachineLimits limits = {};                 ///< of spindle and feed drives
     std::vector<AxisTravel> travels = {};      ///< of the axes, in the order x y z a b c

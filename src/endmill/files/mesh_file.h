@@ -32,18 +32,19 @@ enum class UpAxis { X, Y, Z, MinusX, MinusY, MinusZ };
 inline constexpr std::array<std::string_view, 6> up_axis_names{"x",  "y",  "z",
                                                                "-x", "-y", "-z"};
 
-/// What a mesh file does not state itself.
+/// Data that a mesh file does not contain, and limits.
 struct MeshReadOptions {
     ReadLimits limits = {};             ///< on coordinates (in mm) and memory
     LengthUnit units = LengthUnit::Mm;  ///< unit in the file; inches are converted to mm
-    UpAxis up = UpAxis::Z;              ///< axis that is turned to +z, by a rotation
+    UpAxis up = UpAxis::Z;              ///< axis that a rotation turns to +z
 };
 
 /// A mesh that was read, and a report of every change to the content of the file.
 struct MeshFile {
-    std::string name;   ///< file name without folder and extension
-    TriangleMesh mesh;  ///< in mm; no two points are equal, every point is used, every
-                        ///< triangle has an area. Its topology is not checked.
+    std::string name;  ///< file name without folder and extension
+    /// In mm. No two points are equal, every point is used, and every triangle has an
+    /// area. The topology is not checked.
+    TriangleMesh mesh;
     std::size_t welded_points;  ///< number of points that were merged with an equal point
     /// Indices, from 0 and rising, of the triangles of the file that were left out
     /// because their corners are collinear.

@@ -9,13 +9,14 @@
 
 namespace endmill {
 
-/// What a folder that is not empty means.
+/// The treatment of an output folder that is not empty.
 enum class FullFolder {
     Refuse,  ///< an error
     Accept,  ///< new files replace files of the same names; the others stay
 };
 
-/// An output folder whose files appear complete and all at once, or not at all.
+/// An output folder whose files become visible all together when they are complete, or
+/// not at all.
 ///
 /// `write` stores a file beside its final place under a temporary name; `publish` renames
 /// all of them. An `OutputFolder` that is destroyed before `publish` removes its
@@ -70,10 +71,10 @@ public:
     /// \throws OutputError if that fails, or after `abandon_all`.
     void publish();
 
-    /// For a program that is being interrupted: removes the temporary files and created
-    /// folders of every unpublished `OutputFolder` of this process. Afterwards every
-    /// `OutputFolder` throws OutputError. Any thread may call it, a signal handler may
-    /// not.
+    /// Removes the temporary files and created folders of every unpublished
+    /// `OutputFolder` of this process, for a program that is being interrupted.
+    /// Afterwards every `OutputFolder` throws OutputError. Any thread may call it, a
+    /// signal handler may not.
     static void abandon_all();
 
 private:

@@ -17,20 +17,20 @@ namespace endmill {
 /// A part, and a report of every change to the content of its file.
 struct PartFile {
     std::string name;    ///< name in the file, or the file's stem
-    std::string source;  ///< where the numbers come from; empty if the file does not say
+    std::string source;  ///< origin of the numbers; empty if the file does not state it
     Part part;           ///< lengths in mm
     /// Indices, from 0 and rising, of the degenerate triangles of a mesh file that were
     /// left out; empty for a surface file.
     std::vector<std::size_t> degenerate_triangles;
     std::size_t welded_points;  ///< merged points of a mesh file; 0 for a surface file
-    std::vector<std::string>
-        notes;  ///< one sentence for each change and each peculiarity
+    /// One sentence for each change and each peculiarity.
+    std::vector<std::string> notes;
 };
 
 /// Reads a surface file if the content is JSON or the extension is .json (in either
-/// case), else a mesh file. In a mesh, triangles whose orientation contradicts their
-/// neighbours and closed pieces that are inside out are turned over (`oriented`); a note
-/// states how many, and how many pieces cannot be oriented.
+/// case), else a mesh file. In a mesh, `oriented` reverses triangles whose orientation
+/// contradicts that of their neighbours, and closed pieces that are oriented inwards. A
+/// note states how many triangles it reversed and how many pieces cannot be oriented.
 /// \throws FormatError, LimitError as `read_surface` and `read_mesh`; LimitError also if
 ///         the orientation needs more memory than the limit.
 /// \throws DomainError if `options` give units or an upward axis for a surface file,

@@ -29,14 +29,15 @@ enum class PathFormat {
     Apt,        ///< APT CL data
 };
 
-/// What a file with a tool path does not state itself.
+/// Data that a file with a tool path does not contain, and limits.
 struct PathReadOptions {
     ReadLimits limits = {};  ///< on coordinates and memory; they replace those of `gcode`
     GcodeReadOptions gcode = {};  ///< for machine programs
 };
 
-/// The format of a file. The content decides if it is clear, else the extension, in
-/// either case: .csv; .apt, .cl, .cls; .ngc, .nc, .gcode, .tap, .cnc, .mpf.
+/// The format of a file. The content determines the format if it is unambiguous.
+/// Otherwise the extension determines it, in upper or lower case: .csv; .apt, .cl, .cls;
+/// .ngc, .nc, .gcode, .tap, .cnc, .mpf.
 /// \param path for the extension and for messages.
 /// \throws FormatError E_FORMAT for any other file; the message names a recognised
 ///         format.
@@ -95,14 +96,13 @@ struct PartReference {
 /// The content of the summary.json beside a tool path. A value that is missing or null in
 /// the file is empty.
 struct PathSummary {
-    std::optional<std::string> name;    ///< of the part
-    std::optional<PartReference> part;  ///< that the path was planned for
-    std::optional<Cutter> cutter;       ///< that the path was planned for
-    std::optional<double>
-        chord_tolerance_mm;  ///< largest distance of chords from the path
+    std::optional<std::string> name;           ///< of the part
+    std::optional<PartReference> part;         ///< that the path was planned for
+    std::optional<Cutter> cutter;              ///< that the path was planned for
+    std::optional<double> chord_tolerance_mm;  ///< largest chord error
     std::optional<double> inner_tolerance_mm;  ///< largest depth of a gouge
-    std::optional<double>
-        outer_tolerance_mm;                 ///< largest excess beside the scallop height
+    /// Largest remaining stock along a pass.
+    std::optional<double> outer_tolerance_mm;
     std::optional<double> scallop_mm;       ///< scallop height
     std::optional<double> feed_mm_per_min;  ///< programmed feed
     std::optional<double> spindle_rpm;      ///< programmed spindle speed

@@ -28,11 +28,11 @@ namespace endmill {
 /// Histogram of the deviation over the area of the part, as a CSV file with the columns
 /// `from_mm`, `to_mm` and `area_mm2`.
 ///
-/// Bins have the width (scallop limit + tolerance) / 100 and cover -2 tolerances to
-/// 2 scallop limits; values outside fall into the first or last bin. Only bins between
-/// the least and the greatest value are written, and these two values replace the outer
-/// edges. A value on an edge belongs to the upper bin. The areas sum to the measured area
-/// within rounding.
+/// Bins have the width (scallop limit + tolerance) / 100 and cover -2 tolerances to 2
+/// scallop limits; values outside fall into the first or last bin. Only bins between the
+/// least and the greatest value are written. These two values replace the outer edges. A
+/// value on an edge belongs to the upper bin. The areas sum to the measured area within
+/// rounding.
 /// \throws DomainError unless both limits are finite and positive, and every cell has a
 ///         finite value and area.
 std::string deviation_histogram_csv(const Deviation& deviation,
@@ -68,7 +68,7 @@ std::string removal_csv(const Removal& removal, const ToolPath& path);
 /// engaged interval of each ring and the columns `point` (from 0 in the whole path),
 /// `latitude_deg`, `radius_mm`, `above_tip_mm`, `from_deg` and `to_deg`, as in
 /// `Engagement`. Angles are rounded to 1e-9 degrees. The text is passed on in pieces of a
-/// few MiB, because that of a long path need not fit into memory.
+/// few MiB, because the text of a long path may not fit into memory.
 class EngagementCsv {
 public:
     /// \param sink receives the pieces in order; the first begins with the header.
@@ -78,7 +78,7 @@ public:
     /// \throws DomainError if a number is not finite.
     void add(std::size_t number, const Engagement& engagement);
 
-    /// Passes on the rest of the text; to be called after the last move.
+    /// Passes on the remaining text. Call it after the last move.
     void finish();
 
 private:

@@ -14,10 +14,10 @@
 
 namespace endmill {
 
-/// The surfaces of a file, and what its reader has to report.
+/// The surfaces of a file, and the notes of its reader.
 struct SurfaceFile {
     std::string name;    ///< name in the file, or the file's stem
-    std::string source;  ///< where the numbers come from; empty if the file does not say
+    std::string source;  ///< origin of the numbers; empty if the file does not state it
     std::vector<Surface> surfaces;  ///< in mm; several only for the type "bezier-patches"
     std::vector<std::string> notes;  ///< one sentence for a converted unit and each pole
 };

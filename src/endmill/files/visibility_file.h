@@ -13,17 +13,17 @@
 #include "endmill/visibility/visibility.h"
 
 /// \file
-/// Visibility files (.bsm): a visibility map and everything that it was computed from, so
-/// that a later run can use it without computing it again.
+/// Visibility files (.bsm): a visibility map and all inputs of its computation. A later
+/// run can use the map instead of computing it again.
 
 namespace endmill {
 
 /// A visibility map and the inputs that it depends on.
 struct StoredVisibility {
     std::string grid;  ///< name of the grid, as `sphere_grid` reads it
-    Angle incidence = Angle::degrees(90);  ///< largest angle of tool axis and normal
+    Angle incidence = Angle::degrees(90);  ///< largest angle between tool axis and normal
     VisibilityKind kind = VisibilityKind::Global;  ///< local or global
-    std::string tool;  ///< word of the tool whose body must pass; empty: none
+    std::string tool;  ///< word of the tool whose body was tested; empty: none
     std::uint64_t part_checksum = 0;  ///< of the part, see `part_checksum`
     PartVisibility visibility;        ///< the map and the facets without area
 };
@@ -44,9 +44,8 @@ std::uint64_t part_checksum(const TriangleMesh& part);
 ///     uint32   facets without area      uint32   0
 ///     the grid's name and the tool's, then zeros to a multiple of 8 bytes
 ///     uint32   each facet without area, rising; then zeros to a multiple of 8 bytes
-///     uint64   ceil(n / 64) for each cell: bit j % 64 of word j / 64 is 0 where facet j
-///     is
-///              accessible, as in [KangSuh], and 0 beyond the last facet
+///     uint64   ceil(n / 64) for each cell: bit j % 64 of word j / 64 is 0 where facet
+///              j is accessible, as in [KangSuh], and 0 beyond the last facet
 ///     uint64   checksum of all preceding bytes (`visibility_checksum`)
 ///
 /// \throws DomainError if the grid's name is invalid or has another number of cells, or

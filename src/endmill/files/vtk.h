@@ -54,7 +54,7 @@ KeptStock read_stock(const std::filesystem::path& path, const ReadLimits& limits
 KeptStock parse_stock(std::string_view content, const std::filesystem::path& path,
                       const ReadLimits& limits = {});
 
-/// Default number of points in a deviation file; such a file has 22 MB.
+/// Default number of points in a deviation file. Such a file has 22 MB.
 inline constexpr std::size_t usual_deviation_points = 500'000;
 
 /// The deviation of a part as a VTK XML PolyData file (.vtp).
@@ -62,9 +62,9 @@ inline constexpr std::size_t usual_deviation_points = 500'000;
 /// Points are the centres of the part's cells, in order, each with a vertex cell. Point
 /// data are `left_mm` (remaining stock along the normal; negative in a gouge) and
 /// `normal`. All numbers are Float32, as the deviation is. Cells without area have no
-/// normal and are left out. If there are more than `most_points`, runs of consecutive
-/// cells are represented by their least and their greatest value, so the deepest gouge
-/// and the largest excess are kept.
+/// normal and are left out. If there are more than `most_points`, each run of consecutive
+/// cells is represented by its least and its greatest value. The file therefore contains
+/// the deepest gouge and the largest remaining stock.
 /// \param charts      those that the deviation was measured on.
 /// \param most_points largest number of points; at least 2.
 /// \throws DomainError if `most_points` is less than 2, the deviation does not belong to

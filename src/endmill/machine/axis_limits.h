@@ -16,15 +16,15 @@
 /// Travel limits of linear and rotary axes.
 ///
 /// A *turn* is a rotation of the tool against the part, by the right-hand rule about +X,
-/// +Y or +Z. A *position* is the rotation of whatever the axis carries, by the same rule.
-/// Turn and position are equal on the tool's side of the bed, and have opposite signs on
-/// the part's side. The library computes with turns; machine files and controllers use
-/// positions.
+/// +Y or +Z. A *position* is the rotation of the body that the axis carries (part or
+/// tool), by the same rule. Turn and position are equal on the tool's side of the bed,
+/// and have opposite signs on the part's side. The library computes with turns; machine
+/// files and controllers use positions.
 /// Source: docs/mathematics/five-axis-setup.md, section 2.
 
 namespace endmill {
 
-/// Interval of turns of one rotary axis. The default is a whole turn.
+/// Interval of turns of one rotary axis. The default is a full rotation.
 struct RotaryRange {
     double from = -std::numbers::pi;  ///< rad, at most 0
     double to = std::numbers::pi;     ///< rad, at least 0 and at most 2 pi above `from`
@@ -35,9 +35,9 @@ struct RotaryRange {
 
 /// Limits of the two rotary axes as turns. The default does not limit either.
 ///
-/// phi is the tilt (second letter) of a C,A machine and the turn of R1 (first letter) of
-/// an A,B machine; theta belongs to the other letter. The only rotary axis of a four-axis
-/// machine is phi, and its theta is 0.
+/// On a C,A machine phi is the tilt (second letter), on an A,B machine it is the turn of
+/// R1 (first letter). theta belongs to the other letter. On a four-axis machine phi is
+/// the only rotary axis, and theta is 0.
 struct RotaryLimits {
     RotaryRange phi = {};    ///< C,A: tilt, second letter; A,B: R1, first letter
     RotaryRange theta = {};  ///< C,A: turn of C, first letter; A,B: R2, second letter
@@ -63,7 +63,7 @@ using LinearLimits = std::array<LinearRange, 3>;
 /// \param xyz position in mm.
 bool is_within(const LinearLimits& limits, const Vec3& xyz);
 
-/// Finds the turn that differs from `turn` by whole turns and lies within `range`, to
+/// Finds the turn that differs from `turn` by full rotations and lies within `range`, to
 /// `turn_tolerance`.
 /// \param range at most 2 pi wide; it contains 0.
 /// \param turn rad, within [-pi, pi].
@@ -80,9 +80,9 @@ double mirrored(MachineSide side, double turn);
 /// part's side. Exact.
 RotaryRange mirrored(MachineSide side, const RotaryRange& range);
 
-/// Checks the limits of a rotary axis, in degrees, as a person writes them. They must
-/// contain 0 and be at most 360 degrees wide. The axis next to the tool (the tilt of C,A,
-/// R2 of A,B) must stay within 180 degrees to either side.
+/// Checks the limits of a rotary axis, in degrees, as a file or an option gives them.
+/// They must contain 0 and be at most 360 degrees wide. The axis next to the tool (the
+/// tilt of C,A, R2 of A,B) must stay within 180 degrees to either side.
 /// \param axis 0 for the axis nearer to the part, or the only one; 1 for the other axis.
 /// \param from_deg lower limit. \param to_deg upper limit.
 /// \return a description of what is expected, or nothing if the limits are valid.
@@ -96,12 +96,12 @@ std::optional<std::string> expected_rotary_range(std::size_t axis, double from_d
 RotaryRange& turns_of(RotaryLimits& limits, const MachineConfiguration& configuration,
                       std::size_t axis);
 
-/// Selects the limits of one rotary axis, as the overload for limits that may change.
+/// The same for limits that cannot be changed.
 const RotaryRange& turns_of(const RotaryLimits& limits,
                             const MachineConfiguration& configuration, std::size_t axis);
 
-/// Limits that restrict nothing: a whole turn for each axis of the machine, and [0, 0]
-/// for an axis that it lacks.
+/// Limits that restrict nothing: a full rotation for each rotary axis of the machine, and
+/// [0, 0] for an axis that the machine lacks.
 RotaryLimits widest_limits(const MachineConfiguration& configuration);
 
 }  // namespace endmill

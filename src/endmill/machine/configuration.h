@@ -8,8 +8,8 @@
 #include <vector>
 
 /// \file
-/// Machine words such as W/caxyBz/T: how they are read, what their axes can do with the
-/// tool axis, and how many different words there are.
+/// Machine words such as W/caxyBz/T: their reading, the tool directions that their axes
+/// allow, and the number of different words.
 ///
 /// A word lists the axes of a machine from the workpiece W to the tool T. The letters x,
 /// y, z are linear axes, a, b, c are rotary axes about +X, +Y, +Z, and B is the bed. Axes
@@ -35,16 +35,16 @@ enum class MachineSide {
 /// A rotary axis of a machine. Its direction holds while all other axes stand at zero.
 struct RotaryAxis {
     char letter;       ///< 'a', 'b' or 'c': an axis about +X, +Y or +Z
-    MachineSide side;  ///< what the axis turns
+    MachineSide side;  ///< of the bed
 
     /// Compares letter and side.
     friend bool operator==(const RotaryAxis&, const RotaryAxis&) = default;
 };
 
-/// The axes of a machine and what they can do with the tool axis.
+/// The axes of a machine and the tool directions that they allow.
 ///
-/// The tool axis is +Z when all axes are at zero. Linear axes and the place of the bed do
-/// not change which directions are possible.
+/// The tool axis is +Z if all axes are at zero. The possible directions do not depend on
+/// linear axes or on the place of the bed.
 /// Source: [KangSuh, section 3]; its list of words is corrected in
 /// docs/mathematics/five-axis-setup.md, section 2.
 struct MachineConfiguration {

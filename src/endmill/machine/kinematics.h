@@ -67,22 +67,23 @@ double distance_from_singular(const RotaryFrame& frame, const Vec3& direction);
 
 /// The geometry and travel of a machine.
 struct Machine {
-    MachineConfiguration configuration = {};  ///< axes and what each of them carries
-    double pivot =
-        0;  ///< mm, from the point where the tool-side axes meet to the spindle nose
+    MachineConfiguration configuration = {};  ///< axes, and the side of each
+    /// mm, from the point where the tool-side axes meet to the spindle nose.
+    double pivot = 0;
     Vec3 table_offset{0, 0, 0};  ///< mm, the point where the part-side axes meet
     RotaryLimits rotary = {};    ///< limits as turns of the tool against the part
     LinearLimits linear = {};    ///< travel of X, Y, Z
 };
 
 /// Positions of the rotary axes, from the part to the tool, in rad. A position is the
-/// right-hand turn of what the axis carries; it is 0 for an axis that the machine lacks.
+/// right-hand rotation of the body that the axis carries. It is 0 for an axis that the
+/// machine lacks.
 using RotaryPositions = std::array<double, 2>;
 
 /// Positions of all axes of a machine.
 struct AxisPositions {
     RotaryPositions rotary{0, 0};  ///< rad
-    Vec3 xyz{0, 0, 0};  ///< mm, the tip against the bed, whichever slides move it
+    Vec3 xyz{0, 0, 0};             ///< mm, position of the tip against the bed
 };
 
 /// Inverse kinematics: the positions of all axes when the tip is at a point of the part.
@@ -101,7 +102,7 @@ CutterLocation tool_location(const Machine& machine, const AxisPositions& positi
                              double tool_length);
 
 /// Tests whether all axes can take these positions, the rotary ones to `turn_tolerance`.
-/// A rotary axis without limits may stand at any multiple of a turn.
+/// A rotary axis without limits may be at any number of full rotations.
 /// \pre the configuration is valid.
 bool is_within_travel(const Machine& machine, const AxisPositions& positions);
 
@@ -115,8 +116,8 @@ struct RotarySolution {
 /// All ways to turn the tool into a direction of the part: two solutions with two rotary
 /// axes, at most one with fewer.
 ///
-/// Turns are shifted by whole turns into the limits where that is possible, else into
-/// [-pi, pi]. Where one turn has no effect it is 0 in the first solution.
+/// Turns are shifted by full rotations into the limits if that is possible, else into
+/// [-pi, pi]. If one turn has no effect, it is 0 in the first solution.
 /// \param machine valid.
 /// \param direction towards the spindle, of any length.
 /// \throws DomainError if the configuration is not valid, or the direction is zero or not

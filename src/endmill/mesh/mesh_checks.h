@@ -13,21 +13,21 @@ namespace endmill {
 /// \file
 /// Reports on the quality of a mesh: topology, degenerate triangles, area and volume.
 ///
-/// Two corners are the same point only if their numbers are equal, so weld the mesh first if
-/// its triangles stand alone (weld.h).
+/// Two corners are the same point only if their numbers are equal. If each triangle has
+/// points of its own, the mesh must be welded first (detail/weld.h).
 
-/// Topology and measures of a mesh. Triangles that repeat a corner count as degenerate and in
-/// no other number.
+/// Topology and measures of a mesh. A triangle that repeats a corner counts as degenerate
+/// and does not contribute to any other number.
 struct MeshReport {
     std::size_t boundary_edges;      ///< edges of one triangle
     std::size_t non_manifold_edges;  ///< edges of more than two triangles
-    std::optional<MeshEdge>
-        first_non_manifold_edge;  ///< the lexicographically least of them
-    /// Edges whose two triangles run along them in the same direction: the orientations of
-    /// the two triangles disagree.
+    /// The lexicographically least of these edges.
+    std::optional<MeshEdge> first_non_manifold_edge;
+    /// Edges along which their two triangles run in the same direction: the orientations
+    /// of the two triangles disagree.
     std::size_t inconsistent_edges;
-    /// Number of pieces connected by edges, non-manifold edges included. Pieces that touch
-    /// only at a point count separately.
+    /// Number of pieces connected by edges, non-manifold edges included. Pieces that
+    /// touch only at a point count separately.
     std::size_t components;
     /// Triangles that repeat a corner or whose corners are collinear; decided exactly by
     /// `are_collinear`.
@@ -37,7 +37,7 @@ struct MeshReport {
     double area;  ///< mm^2
     /// Whether there are edges and every edge belongs to an even number of triangles.
     bool closed;
-    /// In mm^3, positive if the triangles are counter-clockwise seen from outside. Not given
+    /// In mm^3, positive if the triangles are counter-clockwise seen from outside. Empty
     /// unless the triangles run along every edge equally often in both directions.
     std::optional<double> volume;
 };
@@ -45,9 +45,9 @@ struct MeshReport {
 /// Computes the report.
 ///
 /// Takes linear time if the number of triangles at a point is bounded, else n log n, and
-/// 28 bytes a triangle and 8 a point. Let S be the sum, over all triangles, of the product of
-/// the two sides at the first corner. The area is within 1e-15 S, and the volume within
-/// 1e-15 S times the diagonal of the mesh's bounding box.
+/// 28 bytes a triangle and 8 a point. Let S be the sum, over all triangles, of the
+/// product of the two sides at the first corner. The area is within 1e-15 S, and the
+/// volume within 1e-15 S times the diagonal of the mesh's bounding box.
 MeshReport mesh_report(const TriangleMesh& mesh);
 
 /// A closed chain of boundary edges.
@@ -60,10 +60,11 @@ struct BoundaryLoop {
 
 /// The boundary loops of a mesh, in the order of their first points.
 ///
-/// The mesh is first cut into manifold pieces: along edges of more than two triangles, along
-/// inconsistent edges, and at points where several fans of triangles meet. Both sides of a
-/// cut that stays open are boundary of the pieces, so on a non-manifold mesh loops can pass
-/// along edges that are no `boundary_edges`. Triangles that repeat a corner are left out.
+/// The mesh is first cut into manifold pieces: along edges of more than two triangles,
+/// along inconsistent edges, and at points where several fans of triangles meet. Both
+/// sides of a cut that stays open are boundaries of the pieces. On a non-manifold mesh,
+/// loops can therefore pass along edges that are not counted in `boundary_edges`.
+/// Triangles that repeat a corner are left out.
 /// \throws DomainError if there are more than 715 827 882 triangles.
 std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh);
 

@@ -17,12 +17,11 @@ struct CleanedMesh {
 /// Removes triangles whose corners are collinear, decided exactly by `are_collinear`, and
 /// triangles that have the same three corners, in any order, as an earlier one.
 ///
-/// A removed triangle without area may leave a slit of no width, if its corners were
-/// three different points: an edge on one side of the slit then lies along two edges on
-/// the other.
+/// If the corners of a removed triangle without area were three different points, it may
+/// leave a slit of width 0: one edge on one side of the slit, two edges on the other.
 CleanedMesh without_degenerate_or_duplicate(const TriangleMesh& mesh);
 
-/// A mesh in which triangles were turned over.
+/// A mesh in which the orientation of triangles was reversed.
 struct OrientedMesh {
     TriangleMesh mesh;  ///< all given triangles, in the same order
     /// Number of triangles whose second and third corner were exchanged.
@@ -36,15 +35,15 @@ struct OrientedMesh {
 ///
 /// - An open piece keeps the orientation of the majority of its triangles, or of its
 ///   first one if there is none.
-/// - A closed piece that no other piece encloses is turned outwards.
+/// - A closed piece that no other piece encloses is oriented outwards.
 /// - A closed piece inside another may be a cavity or a body of its own. It is oriented
-///   like an open one, and turned over together with the outermost piece around it.
+///   like an open one, and reversed together with the outermost piece around it.
 /// - A closed piece whose volume is not above its rounding error counts as open.
 ///
-/// A piece encloses another if it winds around one of the other's points. Pieces that
-/// intersect so may or may not enclose each other. Takes time of the order n log n for n
-/// triangles. Each pair of a closed piece and another one in its bounding box adds log n
-/// commonly, and n^(5/6) at worst.
+/// A piece encloses another if it winds around one of the other's points. It is not
+/// defined whether pieces that intersect enclose each other. Takes time of the order n
+/// log n for n triangles. Each pair of a closed piece and another piece in its bounding
+/// box adds log n as a rule, and n^(5/6) at worst.
 OrientedMesh oriented(const TriangleMesh& mesh);
 
 }  // namespace endmill

@@ -16,8 +16,9 @@ using Triangle = std::array<std::int32_t, 3>;
 /// An edge by the numbers of its ends, the lower one first.
 using MeshEdge = std::array<std::int32_t, 2>;
 
-/// Triangles over shared points. An immutable value of 12 bytes a triangle and 24 a point.
-/// The topology is not checked: `mesh_report` examines it, `mesh_repair.h` corrects it.
+/// Triangles over shared points. An immutable value of 12 bytes a triangle and 24 a
+/// point. The topology is not checked: `mesh_report` examines it, `mesh_repair.h`
+/// corrects it.
 class TriangleMesh {
 public:
     /// A mesh without triangles.
@@ -25,8 +26,8 @@ public:
 
     /// \param points    in mm.
     /// \param triangles numbers of points, from 0.
-    /// \throws DomainError if a point is not finite, a number is out of range, or there are
-    ///         more than 2^31 - 1 points or triangles.
+    /// \throws DomainError if a point is not finite, a number is out of range, or there
+    ///         are more than 2^31 - 1 points or triangles.
     TriangleMesh(std::vector<Vec3> points, std::vector<Triangle> triangles);
 
     std::span<const Vec3> points() const { return points_; }  ///< in mm, as given

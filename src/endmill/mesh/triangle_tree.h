@@ -34,8 +34,8 @@ struct RayHit {
 };
 
 /// The point of a triangle that is nearest to `place`. Accurate to 1e-14 of the largest
-/// coordinate, however thin the triangle is. Triangles that share an edge and are nearest in
-/// it find the same point.
+/// coordinate, also for very thin triangles. Two triangles give the same point if it lies
+/// on their common edge.
 /// \param place   in mm.
 /// \param corners in mm.
 Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners);
@@ -46,14 +46,14 @@ Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners);
 /// The tree is a hierarchy of bounding boxes. It keeps 12 bytes a triangle, 28 while it
 /// is built, and refers to the mesh, which must outlive it. It is a tuned kernel: its
 /// leaves and nodes have four children, whose boxes are tested together in one vector
-/// register. Other modules have trees of other shapes over other items, so it shares no
-/// code with them.
+/// register. It shares no code with the trees of other modules, which have other shapes
+/// and other items.
 ///
-/// A result depends only on the mesh and the query, not on earlier queries. Of equally
-/// good triangles the one with the lowest number is returned. Lengths are accurate to
-/// 1e-14 of the largest coordinate of mesh and query, however thin a triangle is, and so
-/// is the position of a hit across the ray. Triangles without area count for the nearest
-/// point.
+/// A result depends only on the mesh and the query, not on earlier queries. If several
+/// triangles are equally good, the one with the lowest number is returned. Lengths are
+/// accurate to 1e-14 of the largest coordinate of mesh and query, also for very thin
+/// triangles. So is the position of a hit across the ray. Triangles without area count
+/// for the nearest point.
 class TriangleTree {
 public:
     /// Builds the tree. \throws DomainError if a coordinate of a point is above 1e30 mm.
@@ -76,11 +76,11 @@ public:
 
     /// The hit of least t, from either side of a triangle.
     ///
-    /// The test is watertight. On which side a ray passes an edge is decided in the same
-    /// way for all triangles at the edge. So a ray that meets the interior of a triangle,
-    /// an edge shared by two triangles, or a point surrounded by triangles, hits at least
-    /// one of them. Rounding decides which one it hits, and whether a ray hits that
-    /// grazes the boundary of the mesh or lies in the plane of a triangle.
+    /// The test is watertight: the side on which a ray passes an edge is the same for all
+    /// triangles at the edge. A ray that meets the interior of a triangle, an edge shared
+    /// by two triangles, or a point surrounded by triangles, therefore hits at least one
+    /// of them. Rounding decides which one it hits. It also decides whether a ray that
+    /// touches the boundary of the mesh, or lies in the plane of a triangle, hits it.
     /// Source: [WoopBenthinWald, pp. 65-82].
     /// \return nothing if the ray meets no triangle.
     /// \throws DomainError if the ray's origin is beyond 1e30 mm, or the length of its

@@ -15,7 +15,7 @@ enum class Move {
     Cut,      ///< in the material, along a pass
     Link,     ///< at cutting feed, from the end of a pass to the start of the next
     Rapid,    ///< at rapid speed, clear of the part
-    Plunge,   ///< down along the axis onto the part; every path begins so
+    Plunge,   ///< down along the axis onto the part; every planned path begins with one
     Retract,  ///< up along the axis, clear of the part
 };
 
@@ -39,8 +39,8 @@ struct PathPoint {
     int point;                ///< number of the point in its pass, from 0
     Move move;                ///< the move that leads here
     CutterLocation location;  ///< tip and axis
-    /// Where the cutter touches the surface; nothing where it is clear of the part or where
-    /// only the tip is known.
+    /// Place where the cutter touches the surface. Empty if it is clear of the part, or
+    /// if only the tip is known.
     std::optional<SurfaceContact> contact;
     /// For a part of several surfaces: number of the surface of this pass, from 0.
     int patch = 0;
@@ -64,8 +64,8 @@ struct ToolPath {
     std::vector<PathPoint> points;  ///< in order
     /// Settings for the move to each point; empty if no setting is known.
     std::vector<CuttingConditions> conditions = {};
-    /// Unit normal of the part at each contact, for paths that state no further contact
-    /// data; zero where it is unknown. Empty if all are unknown.
+    /// Unit normal of the part at each contact, for paths without other contact data. A
+    /// normal is zero where it is unknown. Empty if all are unknown.
     std::vector<Vec3> normals = {};
 
     /// Unit normal of the part where the cutter touches it at points[i].

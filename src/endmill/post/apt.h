@@ -25,13 +25,13 @@ struct AptReadOptions {
 bool is_apt(std::string_view text);
 
 /// Reads CL data with the statements that `apt` writes, and with REMARK, PPRINT and `$$`
-/// (comments) and LOADTL, COOLNT and STOP (no effect). Case and blanks between words do
-/// not matter. Numbers are plain decimals. CUTTER without a corner radius is a flat end
-/// mill.
+/// (comments) and LOADTL, COOLNT and STOP (no effect). Upper and lower case are equal,
+/// and blanks between words are ignored. Numbers are plain decimals. CUTTER without a
+/// corner radius is a flat end mill.
 ///
 /// A move straight down is a plunge, straight up a retract, otherwise a cut; after RAPID
 /// it is a rapid. The first move is a plunge unless it is a rapid. All points belong to
-/// pass 0. Text after FINI is ignored, which a remark states.
+/// pass 0. Text after FINI is ignored; a remark reports it.
 /// \param text the CL data.
 /// \param file name of the file for messages.
 /// \param options limits.
@@ -45,10 +45,10 @@ bool is_apt(std::string_view text);
 Program parse_apt(std::string_view text, const std::string& file,
                   const AptReadOptions& options = {});
 
-/// Data that a path does not contain, and the format of its CL data.
+/// Data that the path does not contain, and the format of its CL data.
 struct AptOptions {
     std::string name = {};              ///< name of the part, for PARTNO
-    std::optional<Cutter> cutter = {};  ///< for CUTTER, which is left out without one
+    std::optional<Cutter> cutter = {};  ///< for CUTTER; without it there is no CUTTER
     std::optional<double> feed_mm_per_min = {};  ///< mm/min, for moves without a feed
     std::optional<double> spindle_rpm = {};  ///< rpm, for moves without a spindle speed
     int decimals = 4;  ///< digits after the point of coordinates, feeds, speeds; 0 to 9
@@ -57,8 +57,8 @@ struct AptOptions {
 /// The path as CL data in the words of APT (ISO 4343): PARTNO, UNITS/MM, CUTTER, then
 /// SPINDL and FEDRAT where they change, RAPID before each rapid move, GOTO to each tip,
 /// with the axis where it is not +z, and FINI. The cutter and the axes are written
-/// exactly: they read back to the same doubles. The tool number and a safe start are left
-/// to the post-processor that reads the data.
+/// exactly: reading gives the same doubles. Tool number and safe start are not written;
+/// the post-processor that reads the data adds them.
 /// \param path the path.
 /// \param options format and missing data.
 /// \throws DomainError for a path without points; for decimals outside 0 to 9; if a move

@@ -12,15 +12,15 @@ namespace endmill {
 /// The G-code program `text` with the feeds and spindle speeds of `path`. Only F and S
 /// words change; lines, comments, arcs and all other words stay as they are.
 ///
-/// F and S are set on lines that move, or added where the value in force would be wrong.
+/// F and S are replaced on lines that move, or added if the current value would be wrong.
 /// An S on a line before a motion becomes the S of that motion. F is in the unit and feed
 /// mode of the program, including inches and G93.
 ///
-/// An arc keeps its line while its chords differ by at most 0.1 % in feed and in speed.
-/// The line then gets the smallest speed and the smallest feed per revolution of its
-/// chords, so that no limit is exceeded. Otherwise the arc is split into several arcs on
-/// the same circle, each below a full turn, with ends written to 1e-6 of the unit. An arc
-/// on a line with M codes is never split, because an M code may stop the program there.
+/// An arc keeps its line if its chords differ by at most 0.1 % in feed and in speed. The
+/// line then gets the smallest speed and the smallest feed per revolution of its chords,
+/// so that no limit is exceeded. Otherwise the arc is split into several arcs on the same
+/// circle, each below a full turn, with ends written to 1e-6 of the unit. An arc on a
+/// line with M codes is never split, because an M code may stop the program there.
 ///
 /// \param text the program.
 /// \param file name of the file for messages.

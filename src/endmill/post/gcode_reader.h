@@ -21,8 +21,8 @@ namespace endmill {
 ///   otherwise a cut. Arcs are cuts along chords within the arc tolerance.
 /// - *Arcs*: the radii at the two ends may differ by the larger of 0.01 mm and 0.1 %, and
 ///   a radius R may be too small by as much.
-/// - *Start*: the position is unknown until each axis has been given an absolute
-///   position. Moves before that are left out, which a remark states.
+/// - *Start*: the position is unknown until the program has given each axis an absolute
+///   position. Earlier moves are left out; a remark reports them.
 /// - *Feed*: F in the block of a G20 or G21 is in the new unit. G93 and G94 discard the F
 ///   before them.
 /// - *M codes*: M2 and M30 end the program, M3 to M5 control the spindle, M6 changes the
@@ -47,9 +47,9 @@ bool is_canonical(std::string_view text);
 
 /// The path in the canonical output of LinuxCNC's interpreter, `rs274 -g`, in which
 /// parameters, subprograms and cycles are expanded. Moves, passes, tools and arcs are
-/// those of `parse_gcode`. Known commands that cannot move the tool are passed over;
-/// unknown commands are errors. Coordinates have four decimals, so `position_error_mm` is
-/// half of the last one.
+/// those of `parse_gcode`. Known commands that cannot move the tool are ignored; unknown
+/// commands are errors. Coordinates have four decimals, so `position_error_mm` is half of
+/// the last one.
 ///
 /// \param text the output.
 /// \param file name of the file for messages.

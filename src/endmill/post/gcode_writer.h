@@ -20,11 +20,11 @@ struct GcodeOptions {
     std::optional<double> feed_mm_per_min = {};  ///< mm/min, for moves without a feed
     std::optional<double> spindle_rpm = {};  ///< rpm, for moves without a spindle speed
     int tool = 1;                            ///< tool number, for moves without one
-    /// mm. Default: `default_clearance_mm` above the moves at feed, but not below a
-    /// rapid.
+    /// mm. Default: `default_clearance_mm` above the moves at feed, but not below a rapid
+    /// of the path.
     std::optional<double> safe_height = {};
-    std::optional<double> tolerance =
-        {};                     ///< mm, tolerance for which the path was planned
+    /// mm, tolerance for which the path was planned.
+    std::optional<double> tolerance = {};
     int decimals = 4;           ///< digits after the point of coordinates, 0 to 9
     bool line_numbers = false;  ///< whether every block has a number N1, N2, ...
     bool comments = true;       ///< whether the comment at the start is written
@@ -35,9 +35,10 @@ struct GcodeOptions {
 /// change. Rapid moves are G0, all others G1. Coordinates are those of the tip; the
 /// control applies the tool length.
 ///
-/// Before the first point the tool rises to the safe height and goes over the point.
-/// After the last point it rises again. Where the path changes the tool, it rises,
-/// changes the tool, returns over the last point and comes down to it.
+/// Before the first point, the tool rises to the safe height and moves to the place above
+/// the point. After the last point it rises again. At a tool change it rises, the tool is
+/// changed, and the new tool returns to the place above the last point and descends to
+/// it.
 ///
 /// The path control is `G64 P` with half the tolerance, so that the rounding of corners
 /// by the control leaves the other half. P is rounded to the nearest number with enough

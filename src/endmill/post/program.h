@@ -2,8 +2,8 @@
 #pragma once
 
 /// \file
-/// What all readers and writers of this module share: a program as it was read, the
-/// options for reading one, and a program as it was written.
+/// Types that all readers and writers of this module share: a program that was read, the
+/// options for reading, and a program that was written.
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace endmill {
 
-/// A machine program or CL data as it was read.
+/// A machine program or CL data that was read.
 struct Program {
     ToolPath path;  ///< tips, with cutting conditions if the program has any
     std::optional<Cutter> cutter;  ///< the cutter, if the program names one (APT does)
@@ -27,8 +27,8 @@ struct Program {
 /// Options for reading a G-code program or canonical output, and limits of what is
 /// accepted.
 struct GcodeReadOptions {
-    double arc_tolerance_mm =
-        0.001;                  ///< mm, largest distance between an arc and its chords
+    /// mm, largest distance between an arc and its chords.
+    double arc_tolerance_mm = 0.001;
     bool block_delete = false;  ///< whether blocks that begin with / are left out
     /// mm, height of the programmed point above the tip: the corner radius if the program
     /// describes the centre of the corner circle, 0 if it describes the tip.
@@ -68,12 +68,12 @@ struct MinMax {
     }
 };
 
-/// A program as it is written to a file, with a record of what writing changed.
+/// The text of a program, and a record of the changes that writing made.
 struct WrittenProgram {
     std::string text;       ///< the whole program
     std::size_t lines = 0;  ///< number of lines
-    std::size_t repeated_points =
-        0;  ///< points left out: after rounding equal to the previous
+    /// Number of points left out because they equal the previous one after rounding.
+    std::size_t repeated_points = 0;
     std::size_t slanted_rapids = 0;    ///< rapids that change height and position at once
     double max_rounding_error_mm = 0;  ///< mm, largest rounding error of a coordinate
     double safe_height_mm = 0;         ///< mm, safe height of a G-code program

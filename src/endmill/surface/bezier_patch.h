@@ -16,7 +16,7 @@ namespace endmill {
 ///     r(u, v) = sum_ij w_ij B_i(u) B_j(v) P_ij / sum_ij w_ij B_i(u) B_j(v),
 ///
 /// with B_i(u) = C(p,i) u^i (1-u)^(p-i), and B_j(v) likewise. An immutable value. Outside
-/// the unit square the polynomials are continued.
+/// the unit square the polynomials are extrapolated.
 /// Source: [KimChoi, section 2] for p = q = 3 without weights, with the binomial
 /// coefficients that the print leaves out.
 class BezierPatch {
@@ -75,8 +75,8 @@ public:
     SurfaceTangents tangents(double u, double v) const;
 
     /// Point and first partial derivatives on a grid of parameters: those at (u[i], v[j])
-    /// are at [j * u.size() + i]. Equal to the single results except for rounding, and
-    /// several times faster.
+    /// are at [j * u.size() + i]. The results equal those of single calls except for
+    /// rounding. This function is several times faster.
     std::vector<SurfaceTangents> tangents(std::span<const double> u,
                                           std::span<const double> v) const;
 

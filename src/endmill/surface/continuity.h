@@ -36,8 +36,8 @@ struct BorderBreak {
 /// most `smooth_angle`.
 Continuity continuity_of(double gap_mm, Angle normals, double size);
 
-/// Whether `one` is the worse break: less continuous, or else with the greater gap or
-/// angle.
+/// Whether `one` is the worse break. The break of lower continuity is worse; at equal
+/// continuity it is the one with the greater gap or angle.
 bool is_worse(const BorderBreak& one, const BorderBreak& other);
 
 /// The worst place of every inner border of a surface: first the borders across u, then
@@ -60,8 +60,8 @@ SurfaceContinuity continuity(const Surface& surface);
 ///
 /// Two sides of patches meet if their ends are the same two points, in either order, up
 /// to 1e-6 of the part's size. Their parameters may run differently. A side that meets no
-/// other is a border of the part. The angle is the angle by which the part turns across
-/// the border, up to 180 degrees where it folds back. 17 samples of each side are
+/// other is a border of the part. The angle is the change of the normal across the
+/// border, up to 180 degrees where the part folds back. 17 samples of each side are
 /// examined.
 /// \throws DomainError if there are no surfaces.
 SurfaceContinuity continuity(std::span<const Surface> surfaces);

@@ -24,7 +24,7 @@ struct FundamentalForms {
 /// \throws GeometryError where `is_singular` holds.
 FundamentalForms fundamental_forms(const SurfaceJet& jet, double side);
 
-/// The forms at `jet` for a given unit normal, which at a pole is a limit.
+/// The forms at `jet` for a given unit normal. At a pole this may be a limit.
 FundamentalForms fundamental_forms(const SurfaceJet& jet, const Vec3& normal);
 
 /// A tangent vector a du + b dv, by its components.

@@ -9,8 +9,8 @@ namespace endmill {
 
 /// Least and greatest value of r(u, v) . direction over a surface, in mm for a unit
 /// `direction`. Computed by branch and bound with the convex hull of the control points.
-/// Each end may lie inside the true extent by up to 1e-9 of the surface's diagonal plus
-/// 1e-14 of its value. It never lies outside.
+/// Each end lies inside the true extent by at most 1e-9 of the surface's diagonal plus
+/// 1e-14 of its value, and never outside.
 Interval extent(const Surface& surface, const Vec3& direction);
 
 /// The extent of several surfaces together.

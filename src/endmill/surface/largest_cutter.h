@@ -26,8 +26,8 @@ struct CurvatureRange {
 /// The extremes of the principal curvatures over all closed patches; curvature may jump
 /// at their borders. The best of 33 by 33 samples a patch (fewer, at least 5 by 5, on
 /// surfaces of more than 3600 patches) is refined to a relative error of 1e-10. Places
-/// without a normal are skipped, and so is the last thousandth of a patch next to a pole,
-/// where curvature loses its digits.
+/// without a normal are skipped. So is the last thousandth of a patch next to a pole,
+/// where rounding makes the curvature inaccurate.
 /// \param surface its patches are examined one by one.
 /// \param side sign of the normal, from tool_side_sign.
 /// \return nothing if no sample has a normal.
@@ -55,24 +55,24 @@ std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface,
 std::optional<CutterLimit> largest_cutter_by_curvature(std::span<const Surface> surfaces,
                                                        std::span<const double> sides);
 
-/// The largest ball that can touch the surface everywhere without reaching into it
-/// elsewhere: half the least |q - p|^2 / (N_p . (q - p)) over pairs of points p, q. It is
-/// never above the limit by curvature, which is the limit q -> p.
+/// The largest ball that can touch the surface at every point without entering it at
+/// another point. Its radius is half the least |q - p|^2 / (N_p . (q - p)) over pairs of
+/// points p, q. It never exceeds the radius by curvature, which is the limit q -> p.
 ///
-/// Pairs that are closer than an eighth of a patch in both parameters are left to the
-/// limit by curvature. A crease is not considered; strictly, it admits no ball. Use
-/// `continuity` to find creases. The search takes at most 15 000 samples and refines the
-/// best pairs. The relative error is below 1e-8 if the limiting pair is further apart
-/// than a sample spacing.
+/// Pairs closer than an eighth of a patch in both parameters are not tested; the limit by
+/// curvature covers them. Creases are not considered, although strictly a crease admits
+/// no ball. Use `continuity` to find them. The search takes at most 15 000 samples and
+/// refines the best pairs. The relative error is below 1e-8 if the limiting pair is
+/// further apart than a sample spacing.
 /// \param surface its patches are examined together.
 /// \param side sign of the normal, from tool_side_sign.
 /// \return nothing if every ball fits; pairs that limit the radius to more than 8
 ///         diagonals are ignored.
 std::optional<CutterLimit> largest_cutter(const Surface& surface, double side);
 
-/// The largest ball for a part of several surfaces: it reaches into none of them. Pairs
-/// on two surfaces count as close if their distance is below an eighth of the smaller
-/// patch's size.
+/// The largest ball for a part of several surfaces. It enters none of them. Pairs on two
+/// surfaces count as close if their distance is below an eighth of the smaller patch's
+/// size.
 /// \param surfaces of the part.
 /// \param sides from tool_side_signs.
 std::optional<CutterLimit> largest_cutter(std::span<const Surface> surfaces,

@@ -26,11 +26,11 @@ struct Nurbs {
     std::vector<double> weights;  ///< one for each control point; empty if all are equal
 };
 
-/// What is wrong with a spline parameter, as text for a message; empty if it is valid. It
-/// is valid if:
+/// The error of a spline parameter, as text for a message; empty if the parameter is
+/// valid. It is valid if:
 /// - the degree is from 1 to 25, and there are at least degree + 1 control points;
-/// - the knots are finite and do not fall, and none is repeated more than degree + 1
-///   times;
+/// - the knots are finite and in non-falling order, and none is repeated more than degree
+///   + 1 times;
 /// - the range from knot [degree] to knot [points] is within 1e-50 to 1e50;
 /// - every span between different knots is wider than 1e-12 of the range.
 std::string flaw(const SplineParameter& parameter);
@@ -50,9 +50,9 @@ Surface nurbs_surface(const Nurbs& nurbs, ToolSide tool_side = ToolSide::Up);
 ///
 /// At its four sides the spline satisfies the not-a-knot condition: the first two
 /// intervals of a grid line share one cubic, and so do the last two. Along a parameter
-/// with 3 grid lines the spline is quadratic, with 2 linear. Bicubic polynomials are
-/// reproduced. Heights are accurate to 1e-13 of the greatest one if neighbouring
-/// intervals differ by less than a factor of ten.
+/// with 3 grid lines the spline is quadratic, and with 2 grid lines linear. Bicubic
+/// polynomials are reproduced. Heights are accurate to 1e-13 of the greatest one if
+/// neighbouring intervals differ by less than a factor of ten.
 /// Source: [DeBoor, chapter IV] for one variable; here its tensor product.
 ///
 /// \param x rising, at least 2 numbers, in mm.

@@ -29,15 +29,15 @@ inline constexpr std::size_t most_possible_triangles = 2'000'000'000;
 double default_chord_tolerance(std::span<const Surface> surfaces);
 
 /// Samples `surfaces` so that no point of them is further than `chord_tolerance` from the
-/// mesh. Each patch is divided into 2^a by 2^b cells, the smallest number that a bound on
-/// the second partial derivatives allows. `max_chord_error_mm` is this bound. Except for
-/// rounding it is never below the true error.
+/// mesh. Each patch is divided into 2^a by 2^b cells. A bound on the second partial
+/// derivatives determines the smallest number of cells. `max_chord_error_mm` is the error
+/// bound that follows; except for rounding it is never below the true error.
 ///
 /// The mesh is watertight within each surface. It is also watertight where surfaces meet,
-/// or a closed surface meets itself, if both sides have the same points at the same
-/// shares of their parameters, as patches with common control points have. Points closer
-/// than 1e-9 of the largest diagonal are made one there. A gap at a border of patches
-/// remains a gap.
+/// or where a closed surface meets itself, if both sides have the same points at the same
+/// shares of their parameter ranges. Patches with common control points satisfy this.
+/// Points closer than 1e-9 of the largest diagonal are merged there. A gap at a border of
+/// patches remains a gap.
 ///
 /// Triangles at a pole that would have no area are left out. The normal at a pole is its
 /// limit if all its triangles have the same, otherwise the mean of their normals. The

@@ -49,8 +49,8 @@ public:
     }
 
     /// Number of the patch that contains `parameter`. At a border it is the patch above
-    /// the border; beyond the range the first or the last one, whose polynomial is
-    /// continued.
+    /// the border. Beyond the range it is the first or the last patch, whose polynomial
+    /// is extrapolated.
     int patch_number(Parameter along, double parameter) const;
 
     /// Width of the patch that contains `parameter`.

@@ -17,7 +17,7 @@ struct SurfacePoint {
     double v;  ///< global parameter
 };
 
-/// A place and its point as text for a message, such as "u = 1.5, v = 0 (30, -0.1, 12 mm)".
+/// A place and its point as text for a message: "u = 1.5, v = 0 (30, -0.1, 12 mm)".
 /// Parameters are rounded to 1e-4, coordinates to 0.001 mm.
 std::string place_text(const SurfacePoint& at, const Vec3& point);
 
@@ -55,9 +55,9 @@ SurfaceTangents projected(const SurfaceTangents& homogeneous,
 /// The same including the second partial derivatives.
 SurfaceJet projected(const SurfaceJet& homogeneous, const Eigen::Matrix3d& weight);
 
-/// Whether a surface has no normal at a point, except as a limit: du and dv are parallel
-/// up to rounding, |du x dv| <= 1e-10 |du| |dv|, or one of them vanishes. This happens at
-/// poles, cusps and collapsed edges.
+/// Whether a surface has no normal at a point, except as a limit. This is so if du and dv
+/// are parallel up to rounding, |du x dv| <= 1e-10 |du| |dv|, or if one of them vanishes,
+/// as at poles, cusps and collapsed edges.
 bool is_singular(const SurfaceTangents& tangents);
 /// The same for a known product `across` = du x dv.
 bool is_singular(const SurfaceTangents& tangents, const Vec3& across);
@@ -74,9 +74,10 @@ struct InwardSigns {
     int v;  ///< +1 or -1
 };
 
-/// The unit normal at `jet` on the side of du x dv, or at a collapsed edge its limit
-/// along the parameter line that leaves the edge. There one partial derivative vanishes.
-/// To first order du is a multiple of duv, so duv x dv has the direction of the normal.
+/// The unit normal at `jet` on the side of du x dv. At a collapsed edge it is the limit
+/// of the normal along the parameter line that leaves the edge. There one partial
+/// derivative vanishes, such as du. Near the edge du is to first order a multiple of duv,
+/// so that duv x dv has the direction of the normal.
 /// \return nothing where this limit does not exist either.
 std::optional<Vec3> limit_normal(const SurfaceJet& jet, const InwardSigns& inward);
 

@@ -10,9 +10,9 @@
 namespace endmill {
 
 /// The sign that turns du x dv into the normal on the tool's side, for the whole surface.
-/// For ToolSide::Up it is the sign of the surface's projected area along `axis`. This
-/// integral is exact except for rounding; for patches with weights it is computed by
-/// Gauss-Legendre quadrature with 30 by 30 points.
+/// For ToolSide::Up it is the sign of the surface's projected area along `axis`. The
+/// projected area is an exact integral, up to rounding. For patches with weights it is
+/// computed by Gauss-Legendre quadrature with 30 by 30 points.
 /// \param surface with its tool side.
 /// \param axis from the tip to the spindle, unit.
 /// \return +1 or -1; +1 if the projected area is zero.
@@ -30,14 +30,15 @@ struct UnreachablePlace {
     std::optional<double> normal_dot_axis;
 };
 
-/// Searches for an unreachable place by bounding the polynomial w^3 (du x dv) . axis on
-/// smaller and smaller pieces of each patch. It does not sample, so it also finds a
-/// narrow overhang. On a collapsed edge the limit of the normal counts.
+/// Searches for an unreachable place by bounds of the polynomial w^3 (du x dv) . axis on
+/// smaller and smaller pieces of each patch, where w is the weight function of the patch
+/// (1 without weights). It does not sample, so that it also finds a narrow overhang. On a
+/// collapsed edge, the limit of the normal counts.
 /// \param surface to search.
 /// \param axis from the tip to the spindle, unit.
 /// \param side from tool_side_sign.
-/// \return nothing only if N . axis > 0 everywhere, except in pieces narrower than 2^-14
-///         of a patch, which are judged by their corners.
+/// \return If nothing is returned, N . axis > 0 everywhere. Pieces narrower than 2^-14 of
+///         a patch are tested only at their corners.
 std::optional<UnreachablePlace> find_unreachable_place(const Surface& surface,
                                                        const Vec3& axis, double side);
 
