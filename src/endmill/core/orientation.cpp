@@ -24,8 +24,9 @@ void add_product(ExactSum& sum, const ExactPair& a, const ExactPair& b)
             sum.add_product(x, y);
 }
 
-// Whether products of coordinates and their rounding errors are doubles. Both are multiples
-// of the square of a coordinate's last bit, so coordinates of this range are safe.
+// Whether products of coordinates and their rounding errors are doubles. Both are
+// multiples of the square of a coordinate's last bit, so coordinates of this range are
+// safe.
 bool is_of_middle_size(double coordinate)
 {
     constexpr double smallest = 0x1p-484;
@@ -65,13 +66,13 @@ int turn_by_integers(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
 
 // Whether the components i and j of b - a and c - a are linearly independent.
 //
-// The determinant of the rounded differences decides if it exceeds Shewchuk's bound on its
-// rounding error. Otherwise the determinant is expanded into six products of coordinates,
-// which are summed without rounding.
+// The determinant of the rounded differences decides if it exceeds Shewchuk's bound on
+// its rounding error. Otherwise the determinant is expanded into six products of
+// coordinates, which are summed without rounding.
 bool are_independent(const Vec3& a, const Vec3& b, const Vec3& c, int i, int j)
 {
-    // ccwerrboundA of [Shewchuk, section 4]: rounding error of the determinant, as a share
-    // of the sum of the sizes of its products.
+    // ccwerrboundA of [Shewchuk, section 4]: rounding error of the determinant, as a
+    // share of the sum of the sizes of its products.
     constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
     constexpr double rounding = (3 + 16 * unit) * unit;
     // Added because a product below this size may have lost digits.
@@ -104,8 +105,8 @@ bool are_independent(const Vec3& a, const Vec3& b, const Vec3& c, int i, int j)
 // The predicate is decided in up to three steps, each more expensive than the one before:
 // 1. by the signs of the rounded differences, which are the true signs;
 // 2. by the exact sum of the 16 products of the differences and their rounding errors;
-// 3. in integers, if a coordinate is so large or small that such a product leaves the range
-//    of a double.
+// 3. in integers, if a coordinate is so large or small that such a product leaves the
+//    range of a double.
 int exact_turn(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                const Eigen::Vector2d& other_from, const Eigen::Vector2d& other_to)
 {

@@ -16,8 +16,8 @@
 namespace endmill {
 namespace {
 
-// Keeps the exception of the lowest range. Ranges do not overlap and each stops at its first
-// fault, so the result does not depend on how the numbers were divided.
+// Keeps the exception of the lowest range. Ranges do not overlap and each stops at its
+// first fault, so the result does not depend on how the numbers were divided.
 class FirstException {
 public:
     // Whether a range that begins there could still replace the exception kept so far.

@@ -30,7 +30,8 @@ std::size_t sequence_length(unsigned char lead)
     return lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
 }
 
-// Whether a value decoded from so many bytes is a Unicode scalar value in its shortest form.
+// Whether a value decoded from so many bytes is a Unicode scalar value in its shortest
+// form.
 bool is_scalar_value(char32_t value, std::size_t bytes)
 {
     const bool overlong =
@@ -58,7 +59,8 @@ CodePoint first_code_point(std::string_view text)
     return is_scalar_value(value, bytes) ? CodePoint{value, bytes} : not_utf8;
 }
 
-// Whether a character is printed: it moves no cursor, breaks no line and turns no text around.
+// Whether a character is printed: it moves no cursor, breaks no line and turns no text
+// around.
 bool is_shown(char32_t value)
 {
     const bool control = value < 0x20 || (0x7f <= value && value < 0xa0);
@@ -69,14 +71,16 @@ bool is_shown(char32_t value)
     return !control && !separator && !direction;
 }
 
-// Longer words get no suggestion: the time of a comparison grows with the square of the length.
+// Longer words get no suggestion: the time of a comparison grows with the square of the
+// length.
 constexpr std::size_t longest_word = 64;
 
 using Row = std::vector<std::size_t>;
 
-// The least number of edits that turns `a` into `b`, where no letter is edited twice (optimal
-// string alignment). Row i of the usual table holds the distances of the first i letters of
-// `a` from all beginnings of `b`; a swap of neighbours needs the row before the last one.
+// The least number of edits that turns `a` into `b`, where no letter is edited twice
+// (optimal string alignment). Row i of the usual table holds the distances of the first i
+// letters of `a` from all beginnings of `b`; a swap of neighbours needs the row before
+// the last one.
 std::size_t edit_distance(std::string_view a, std::string_view b)
 {
     Row before_last(b.size() + 1);

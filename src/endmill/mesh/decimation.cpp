@@ -31,9 +31,9 @@ using OpenMesh::Vec3d;
 // Cosine of the largest angle by which a collapse may turn a triangle. More would fold it
 // over its neighbours.
 constexpr double least_turn_cosine = 0.2;
-// Weight of a squared edge length, times the length squared as an area, against the quadric
-// error. It is small enough to decide only among collapses of a flat region, where it prefers
-// short edges and so avoids long thin triangles.
+// Weight of a squared edge length, times the length squared as an area, against the
+// quadric error. It is small enough to decide only among collapses of a flat region,
+// where it prefers short edges and so avoids long thin triangles.
 constexpr double length_weight = 1e-6;
 
 Vec3d area_vector(const Vec3d& a, const Vec3d& b, const Vec3d& c)
@@ -81,8 +81,9 @@ public:
                 add_boundary(edge);
     }
 
-    // The decimater asks for all collapses of a vertex in a row and takes the cheapest. The
-    // expensive test for turned triangles is left out for those that another one undercuts.
+    // The decimater asks for all collapses of a vertex in a row and takes the cheapest.
+    // The expensive test for turned triangles is left out for those that another one
+    // undercuts.
     float collapse_priority(const CollapseInfo& collapse) override
     {
         if (collapse.v0 != vertex_) {
@@ -129,7 +130,8 @@ private:
         const double area = normal.norm();
         if (!(area > 0))
             return;
-        // As large as the square over the edge, so that the boundary weighs like a surface.
+        // As large as the square over the edge, so that the boundary weighs like a
+        // surface.
         const Vec3d outwards = along % normal / area * along.norm();
         const Quadric plane = weighted_plane(mesh().point(from), outwards);
         quadrics_[from.idx()] += plane;
@@ -162,8 +164,8 @@ private:
     float least_cost_ = 0;           // of them so far
 };
 
-// The pieces, moved and scaled into the unit cube: costs then fit into the floats in which
-// OpenMesh keeps them, and lose no digits if the mesh is far from the origin.
+// The pieces, moved and scaled into the unit cube: costs then fit into the floats in
+// which OpenMesh keeps them, and lose no digits if the mesh is far from the origin.
 HalfEdgeMesh half_edge_mesh(const TriangleMesh& mesh, const ManifoldPieces& pieces)
 {
     omlog().disable();

@@ -29,8 +29,8 @@ namespace {
 // Least and greatest number of sample intervals of a cut.
 constexpr int least_samples = 64;
 constexpr int most_samples = 4096;
-// Greatest mean distance in mm between the samples of a cut, while there are less than the
-// greatest number. The worst sample is refined afterwards.
+// Greatest mean distance in mm between the samples of a cut, while there are less than
+// the greatest number. The worst sample is refined afterwards.
 constexpr double mean_pitch_mm = 0.25;
 // Steps of the golden section: they narrow two sample intervals by 4e-9.
 constexpr int refinements = 40;

@@ -13,7 +13,7 @@
 // 1. EngagedRegion describes the engaged part of the ball by its borders.
 // 2. `border_integrals` and `top_integrals` add up line integrals along the borders,
 //    which equal the surface integrals by Green's theorem.
-// 3. Division by 2 pi turns the sums into means over a turn.
+// 3. Division by 2 pi gives the means over a spindle revolution.
 // 4. `shank_coefficients` adds the cylinder above the ball in closed form.
 
 namespace endmill {

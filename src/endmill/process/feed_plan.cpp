@@ -24,8 +24,8 @@
 namespace endmill {
 namespace {
 
-// Relative margin of a needed limit. It exceeds the error of 1e-5 of the largest load
-// over a turn, so that a plan with the needed limit admits the least feed.
+// Relative margin of a needed limit. It exceeds the error of 1e-5 of the largest load in
+// a revolution, so that a plan with the needed limit admits the least feed.
 constexpr double needed_margin = 2e-5;
 
 // Raises `needed` to the limit that `load` needs, if `load` exceeds `limit`.

@@ -81,8 +81,8 @@ enum class BranchSearch : std::uint8_t { March, Scan };
 /// others.
 struct TrimmingOptions {
     FoldDetection detection = FoldDetection::Guarded;  ///< of methods 1, 2 and 3
-    double scan_step =
-        0;  ///< mm between the scan lines of method 1, which must be above 0
+    /// Distance of the scan lines of method 1 in mm; it must be above 0.
+    double scan_step = 0;
     /// Largest |ds| in mm at which method 1 accepts an intersection; it must be above 0.
     double scan_threshold = 0;
     BranchSearch search = BranchSearch::March;  ///< of method 3

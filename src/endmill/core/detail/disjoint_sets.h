@@ -9,9 +9,9 @@
 
 namespace endmill {
 
-/// A partition of the numbers from 0 to count - 1 into sets that can be joined (union-find).
-/// A set is named by its least member, so that the result does not depend on the order in
-/// which sets were joined. Uses 4 bytes a number.
+/// A partition of the numbers from 0 to count - 1 into sets that can be joined
+/// (union-find). A set is named by its least member, so that the result does not depend
+/// on the order in which sets were joined. Uses 4 bytes a number.
 class DisjointSets {
 public:
     /// Every number alone in its set. \pre count <= 2^31 - 1.

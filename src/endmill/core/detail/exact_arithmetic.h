@@ -11,17 +11,17 @@ namespace endmill {
 /// Floating-point arithmetic without rounding, or with twice the digits of a double.
 ///
 /// The building block is the error-free transformation: the rounding error of a sum or a
-/// product of two doubles is itself a double and can be computed. `ExactPair` holds a rounded
-/// result with its error, `ExactSum` adds any few doubles exactly, and `DoubleDouble` rounds
-/// to 31 digits. All of it needs the compiler to keep the order of operations and to contract
-/// none, which the build asks for.
+/// product of two doubles is itself a double and can be computed. `ExactPair` holds a
+/// rounded result with its error, `ExactSum` adds any few doubles exactly, and
+/// `DoubleDouble` rounds to 31 digits. All of it needs the compiler to keep the order of
+/// operations and to contract none, which the build asks for.
 
-/// The rounded sum or product of two doubles and its rounding error. Their sum is the exact
-/// result unless the error underflows.
+/// The rounded sum or product of two doubles and its rounding error. Their sum is the
+/// exact result unless the error underflows.
 struct ExactPair {
     double rounded;  ///< the result, rounded to nearest
-    double
-        rest;  ///< the rounding error, at most half a unit in the last place of `rounded`
+    /// The rounding error, at most half a unit in the last place of `rounded`.
+    double rest;
 };
 
 /// The sum a + b with its rounding error. \pre the sum does not overflow.
@@ -49,8 +49,8 @@ inline ExactPair two_product(double a, double b)
     return {product, std::fma(a, b, -product)};
 }
 
-/// A sum of at most 16 doubles, kept without rounding as an expansion: parts whose digits do
-/// not overlap, in order of rising size.
+/// A sum of at most 16 doubles, kept without rounding as an expansion: parts whose digits
+/// do not overlap, in order of rising size.
 /// Source: [Shewchuk, theorem 10], GROW-EXPANSION with zero elimination.
 class ExactSum {
 public:
@@ -90,12 +90,12 @@ private:
     std::size_t count_ = 0;
 };
 
-/// A number as the unevaluated sum of two doubles, about 31 digits. It serves the few places
-/// where the rounding of a double would change the result.
+/// A number as the unevaluated sum of two doubles, about 31 digits. It serves the few
+/// places where the rounding of a double would change the result.
 ///
-/// With u = 2^-53, each operation errs by less than 16 u^2 (about 2e-31) of its result; a sum
-/// of terms of unlike sign errs by 16 u^2 of the terms' sizes. Only finite numbers far from
-/// overflow and underflow are supported.
+/// With u = 2^-53, each operation errs by less than 16 u^2 (about 2e-31) of its result; a
+/// sum of terms of unlike sign errs by 16 u^2 of the terms' sizes. Only finite numbers
+/// far from overflow and underflow are supported.
 /// Source: [JoldesMullerPopescu, algorithms 6, 12 and 18].
 class DoubleDouble {
 public:

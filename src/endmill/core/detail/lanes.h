@@ -106,7 +106,8 @@ private:
     Vector set_;
 };
 
-/// Eight floats in registers. All operators work lane by lane and round like single floats.
+/// Eight floats in registers. All operators work lane by lane and round like single
+/// floats.
 class WideFloats {
 public:
     /// Zero in all lanes.

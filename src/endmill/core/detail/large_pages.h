@@ -8,9 +8,10 @@ namespace endmill {
 
 /// Asks the system to use large pages of 2 MB for the `bytes` bytes from `begin` on.
 ///
-/// The first write to a page costs about two microseconds, whether the page has 4 kB or 2 MB.
-/// For ten megabytes that are written once, small pages take most of the time. The request is
-/// only a hint: it changes no value, and has no effect where the system has no large pages.
+/// The first write to a page costs about two microseconds, whether the page has 4 kB or 2
+/// MB. For ten megabytes that are written once, small pages take most of the time. The
+/// request is only a hint: it changes no value, and has no effect where the system has no
+/// large pages.
 void prefer_large_pages(void* begin, std::size_t bytes);
 
 /// Reserves room for `count` items. Newly allocated room uses large pages, so the items

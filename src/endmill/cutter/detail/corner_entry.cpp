@@ -17,8 +17,8 @@ constexpr double rounding_share = 1e-15;
 // Newton steps of the search from outside. It needs three to five; a line that takes more
 // grazes the region.
 constexpr int most_steps = 24;
-// Steps of the bracketed search, which halves the bracket at least every fourth step: enough
-// to reach neighbouring doubles.
+// Steps of the bracketed search, which halves the bracket at least every fourth step:
+// enough to reach neighbouring doubles.
 constexpr int most_iterations = 200;
 // Every so many steps of the bracketed search one halves the bracket, for sure progress.
 constexpr int steps_per_halving = 4;

@@ -39,8 +39,8 @@ LineInterval within_circle(const Vector2d& offset, const Vector2d& rate, double 
     if (a == 0)
         return offset.squaredNorm() <= radius * radius ? LineInterval{}
                                                        : LineInterval::none();
-    // From the point of the line that is nearest to the centre. The usual quadratic formula
-    // would lose digits if the line's origin is far away.
+    // From the point of the line that is nearest to the centre. The usual quadratic
+    // formula would lose digits if the line's origin is far away.
     const double nearest = -offset.dot(rate) / a;
     const double distance2 = (offset + nearest * rate).squaredNorm();
     const double rest = radius * radius - distance2;
@@ -76,8 +76,8 @@ Vec3 out_of_plan(const LineInPlan& plan, double along, double across, double up)
             along * plan.along.y() + across * plan.along.x(), up};
 }
 
-// The outline is the union of a rectangle and the circles around both ends. It is convex, so
-// the hull of the three intervals is the interval in the union.
+// The outline is the union of a rectangle and the circles around both ends. It is convex,
+// so the hull of the three intervals is the interval in the union.
 LineInterval within_outline(const LineInPlan& plan, double radius)
 {
     LineInterval sides;

@@ -22,8 +22,8 @@ struct Line {
 
 /// Where a line enters the region that a move clears.
 struct SweepEntry {
-    /// Place on the line, in mm from its origin; minus infinity if all of the line before it
-    /// is inside.
+    /// Place on the line, in mm from its origin; minus infinity if all of the line before
+    /// it is inside.
     double t;
     Vec3 normal;  ///< of the region's boundary at the entry, unit, out of the region
 };
@@ -52,9 +52,9 @@ LineInterval hull(const LineInterval& a, const LineInterval& b);
 /// Where value + t rate >= 0.
 LineInterval where_not_negative(double value, double rate);
 
-/// Where |offset + t rate| <= radius: of a line in the plane and a circle, or of a line in
-/// space and a cylinder. If the line touches the circle, rounding decides between an interval
-/// of one point and the empty one.
+/// Where |offset + t rate| <= radius: of a line in the plane and a circle, or of a line
+/// in space and a cylinder. If the line touches the circle, rounding decides between an
+/// interval of one point and the empty one.
 LineInterval within_circle(const Eigen::Vector2d& offset, const Eigen::Vector2d& rate,
                            double radius);
 
@@ -76,8 +76,8 @@ LineInPlan line_in_plan(const StraightSweep& sweep, const Line& line);
 /// The vector of space with these components in the frame of the move.
 Vec3 out_of_plan(const LineInPlan& plan, double along, double across, double up);
 
-/// Where the line is within the outline of the whole move, seen from above: within `radius`
-/// of the segment between the two tips.
+/// Where the line is within the outline of the whole move, seen from above: within
+/// `radius` of the segment between the two tips.
 LineInterval within_outline(const LineInPlan& plan, double radius);
 
 /// Normal of the outline, unit and outwards, at a place t where the line crosses it.

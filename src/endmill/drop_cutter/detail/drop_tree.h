@@ -173,8 +173,8 @@ private:
     std::vector<Level> levels_;
 };
 
-// Evaluates min(F - c d^2, top) for eight nodes at once. F is linear in the place, so that
-// it follows from its value over the low corner of the box; d is the distance of the
+// Evaluates min(F - c d^2, top) for eight nodes at once. F is linear in the place, so
+// that it follows from its value over the low corner of the box; d is the distance of the
 // touching point from the box. Nodes whose box is beyond the cutter's radius are out of
 // reach.
 [[gnu::always_inline]] inline FloatLanes DropTree::tip_bounds(const Nodes& nodes,
@@ -216,10 +216,12 @@ inline void DropTree::put(const Waiting& node, std::size_t first, WaitingNodes& 
 
 // Depth-first search with the best child first:
 // 1. The bounds of the eight children of a node are computed at once.
-// 2. Children whose bound reaches the query's limit are put on the stack, the highest last.
-// 3. On the lowest level the children are triangles, which the query looks at immediately.
-// 4. The limit grows while triangles are found, so that nodes on the stack are compared with
-//    it again when they are taken off.
+// 2. Children whose bound reaches the query's limit are put on the stack, the highest
+//    last.
+// 3. On the lowest level the children are triangles, which the query looks at
+//    immediately.
+// 4. The limit grows while triangles are found, so that nodes on the stack are compared
+//    with it again when they are taken off.
 template <typename Query>
 [[gnu::always_inline]] inline void DropTree::search(Query& query) const
 {

@@ -15,8 +15,8 @@ enum class TouchKind : std::uint8_t { Facet, Edge, Vertex };
 struct TriangleContact {
     /// mm; minus infinity: no contact
     double tip_z = -std::numeric_limits<double>::infinity();
-    Vec3 point =
-        Vec3::Zero();  ///< mm, the contact point; one of them if there are several
+    /// mm, the contact point; one of them if there are several.
+    Vec3 point = Vec3::Zero();
     /// What the cutter touches.
     TouchKind kind = TouchKind::Facet;
 };

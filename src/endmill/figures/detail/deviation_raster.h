@@ -20,8 +20,8 @@ struct DeviationRaster {
     double side = 1;            ///< side of a square, in mm
     int columns = 1;            ///< number of squares along x
     int rows = 1;               ///< number of squares along y
-    std::vector<float>
-        left;  ///< deviation in mm, row by row from the least y, or `nothing`
+    /// Deviation in mm, row by row from the least y, or `nothing`.
+    std::vector<float> left;
 
     /// The deviation of a square. \pre 0 <= column < columns, 0 <= row < rows.
     float at(int column, int row) const

@@ -14,11 +14,11 @@
 namespace endmill {
 namespace {
 
-// Decimation takes some ten microseconds a triangle. A mesh of more than this multiple of the
-// triangles wanted is made coarser by a grid first.
+// Decimation takes some ten microseconds a triangle. A mesh of more than this multiple of
+// the triangles wanted is made coarser by a grid first.
 constexpr std::size_t decimated_share = 2;
-// Cells along the longest side of the part. The finest cell is about one pixel of a picture,
-// the coarsest still shows the shape.
+// Cells along the longest side of the part. The finest cell is about one pixel of a
+// picture, the coarsest still shows the shape.
 constexpr std::array<int, 8> grids{512, 256, 128, 96, 64, 48, 32, 16};
 
 // For each point, the point of the lowest number in its cell.

@@ -17,10 +17,11 @@ struct DrawnMesh {
 
 /// The triangles to draw: all of them, or a coarser mesh if there are more than `most`.
 ///
-/// 1. If there are more than twice `most`, the points in each cell of a grid are merged into
-///    the first of them. This is fast and loses detail evenly. The finest of eight grids that
-///    leaves at most twice `most` triangles is used.
-/// 2. The rest is decimated to `most` by edge collapses (`decimated`), which keeps the shape.
+/// 1. If there are more than twice `most`, the points in each cell of a grid are merged
+///    into the first of them. This is fast and loses detail evenly. The finest of eight
+///    grids that leaves at most twice `most` triangles is used.
+/// 2. The rest is decimated to `most` by edge collapses (`decimated`), which keeps the
+///    shape.
 /// 3. If too many triangles remain, because they are not connected, some are left out at
 ///    equal steps of their numbers.
 /// \param points    in mm.

@@ -18,8 +18,8 @@ namespace endmill {
 struct ChartLine {
     std::string_view label;  ///< in the legend of the panel
     LineStyle style;         ///< of the curve
-    std::vector<std::optional<double>>
-        values;  ///< one for each place; a gap where unknown
+    /// One for each place; a gap where unknown.
+    std::vector<std::optional<double>> values;
 };
 
 /// A panel: curves with a common ordinate.

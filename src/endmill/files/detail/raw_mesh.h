@@ -16,10 +16,10 @@ namespace endmill {
 /// and triangles may be degenerate.
 struct RawMesh {
     TriangleMesh mesh;  ///< in mm
-    std::size_t
-        split_faces;  ///< number of faces with more than three corners in the file
-    double
-        out_of_plane_mm;  ///< largest distance of a corner of these from its face's plane
+    /// Number of faces with more than three corners in the file.
+    std::size_t split_faces;
+    /// Largest distance of a corner of these from its face's plane.
+    double out_of_plane_mm;
 };
 
 /// Collects a RawMesh while a file with indexed points is read.

@@ -15,10 +15,10 @@ namespace {
 // The steps of the cut:
 // 1. Two triangles are neighbours across an edge if they alone use it, in opposite
 //    directions. All other edges are cut.
-// 2. The corners of neighbours at the ends of their edge belong to one fan. Every fan becomes
-//    a point of the pieces. Where a cut leaves both ends of an edge whole, its triangles meet
-//    again in the same two points, and the cut closes; two bodies that touch along an edge
-//    are separated so.
+// 2. The corners of neighbours at the ends of their edge belong to one fan. Every fan
+//    becomes a point of the pieces. Where a cut leaves both ends of an edge whole, its
+//    triangles meet again in the same two points, and the cut closes; two bodies that
+//    touch along an edge are separated so.
 // 3. In rare cases, such as a Moebius strip one edge wide, the edge remains non-manifold,
 //    because its triangles are in one fan at both ends. These triangles are detached from
 //    all their neighbours, and step 1 is repeated.
@@ -84,7 +84,8 @@ ManifoldPieces pieces_of(const TriangleMesh& mesh, DisjointSets& fans)
     return pieces;
 }
 
-// Marks the triangles at the non-manifold edges of `pieces`. Returns whether there are any.
+// Marks the triangles at the non-manifold edges of `pieces`. Returns whether there are
+// any.
 bool detach_non_manifold(const TriangleMesh& mesh, const ManifoldPieces& pieces,
                          std::vector<bool>& is_detached)
 {

@@ -19,8 +19,8 @@ namespace {
 
 // Feed directions tried at each sample.
 constexpr int directions_at_a_place = 36;
-// Bins across the feed, for each line of samples. In a bin the smallest interval holds, so a bin
-// must contain several samples.
+// Bins across the feed, for each line of samples. In a bin the smallest interval holds,
+// so a bin must contain several samples.
 constexpr double planes_a_line = 0.25;
 
 // A sample of the integrals over the surface.

@@ -12,14 +12,14 @@ struct ScallopRequest {
     double scallop_height;  ///< mm
 };
 
-/// Travel in mm of idealised passes whose number need not be whole: the integral of 1 / interval
-/// over the surface, with the path interval for the curvature across the feed. The travel is
-/// measured along contacts, without links.
+/// Travel in mm of idealised passes whose number need not be whole: the integral of 1 /
+/// interval over the surface, with the path interval for the curvature across the feed.
+/// The travel is measured along contacts, without links.
 struct ContinuumTravel {
     double iso;  ///< iso-parametric passes, each as near as its narrowest sample requires
     double local;  ///< the same feed directions, each sample with its own interval
-    double
-        best_direction;  ///< as `local`, each sample with its best of 36 feed directions
+    /// As `local`, each sample with its best of 36 feed directions.
+    double best_direction;
 };
 
 /// Integrates over `samples` by `samples` samples of the parameter domain.
@@ -30,7 +30,8 @@ ContinuumTravel continuum_travel(const Surface& surface, const ScallopRequest& r
                                  Parameter direction, int samples);
 
 /// The idealised travel along parallel drive planes, over the directions of the feed. The
-/// distance of neighbouring planes is the one that the narrowest sample between them requires.
+/// distance of neighbouring planes is the one that the narrowest sample between them
+/// requires.
 struct PlanarExtremes {
     double least;         ///< mm
     double least_at_deg;  ///< direction of the feed with the least travel, from +x

@@ -18,8 +18,8 @@ struct PassSamples {
 
 /// The farthest point beside a pass that the pass alone cuts down to the scallop height.
 struct FrontPoint {
-    SurfaceContact
-        contact;    ///< the point; v is the end of the range if the pass cuts all
+    /// The point; v is the end of the range if the pass cuts all.
+    SurfaceContact contact;
     double foot_u;  ///< u of the place on the pass from which the ball reaches it
 };
 

@@ -28,8 +28,8 @@ void for_cells(const std::function<void(int tolerance, int diameter)>& visit)
             visit(i, j);
 }
 
-// Least-squares slope of y over x. The nine cells form a full factorial design, so the fit of
-// one exponent does not depend on the other variable.
+// Least-squares slope of y over x. The nine cells form a full factorial design, so the
+// fit of one exponent does not depend on the other variable.
 double slope(const std::array<double, 9>& x, const std::array<double, 9>& y)
 {
     double mean_x = 0;

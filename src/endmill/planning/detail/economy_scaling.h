@@ -35,20 +35,22 @@ ValueRange reductions_between_directions(const EconomyTables& tables,
 /// (max - min) / mean over the three diameters, among all tolerances and directions.
 double segment_spread(const EconomyTables& tables);
 
-/// Range over the nine cells of travel times the interval on a plane,
-/// TCD 2 sqrt(2 R h - h^2), in mm^2. If no interval exceeds that on a plane, each value is an
-/// upper bound on the area of the part.
+/// Range over the nine cells of travel times the interval on a plane, TCD 2 sqrt(2 R h -
+/// h^2), in mm^2. If no interval exceeds that on a plane, each value is an upper bound on
+/// the area of the part.
 /// \param scallop_per_tolerance h / delta.
 ValueRange travel_times_plane_interval(const EconomyTables& tables, Parameter direction,
                                        double scallop_per_tolerance);
 
-/// Whether both quantities fall with the diameter of the ball in all six rows of each table.
+/// Whether both quantities fall with the diameter of the ball in all six rows of each
+/// table.
 bool falls_with_diameter(const EconomyTables& tables);
 
 /// Whether passes along v cost less than passes along u in all nine cells of both tables.
 bool v_beats_u(const EconomyTables& tables);
 
-/// Mean of (changed - defaults) / defaults over the nine cells of one quantity and direction.
+/// Mean of (changed - defaults) / defaults over the nine cells of one quantity and
+/// direction.
 double mean_change(const EconomyTables& defaults, const EconomyTables& changed,
                    TableQuantity quantity, Parameter direction);
 

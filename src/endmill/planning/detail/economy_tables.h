@@ -8,8 +8,8 @@
 
 namespace endmill {
 
-/// Chord tolerances of [KimChoi, tables 1 and 2] in mm. Each tolerance is combined with each
-/// diameter and each direction: 18 runs.
+/// Chord tolerances of [KimChoi, tables 1 and 2] in mm. Each tolerance is combined with
+/// each diameter and each direction: 18 runs.
 inline constexpr std::array<double, 3> table_tolerances_mm{1, 0.5, 0.2};
 inline constexpr std::array<double, 3> table_diameters_mm{10, 15,
                                                           20};  ///< of the ball, mm

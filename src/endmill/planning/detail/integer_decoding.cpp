@@ -16,8 +16,9 @@ struct Counts {
     std::array<int, 3> passes;
 };
 
-// Numbers of passes for a given f + b. For odd N the remainder of NCL is f, which must be the
-// same for all three balls; none if it is not, or if two balls have equal numbers of passes.
+// Numbers of passes for a given f + b. For odd N the remainder of NCL is f, which must be
+// the same for all three balls; none if it is not, or if two balls have equal numbers of
+// passes.
 std::optional<Counts> counts_for(const std::array<int, 3>& ncl, int points_a_pair)
 {
     Counts counts{};

@@ -18,9 +18,9 @@ struct CostRow {
     std::array<double, 3> tcd_mm;
 };
 
-/// An interpretation of a row by whole numbers. It assumes N passes of equal chord length L,
-/// with f points on each forward pass and b points on each backward pass, joined by links of
-/// total length W:
+/// An interpretation of a row by whole numbers. It assumes N passes of equal chord length
+/// L, with f points on each forward pass and b points on each backward pass, joined by
+/// links of total length W:
 ///
 ///     NCL = (f + b) floor(N / 2) [+ f if N is odd],  TCD = N L + W,
 ///
@@ -39,16 +39,16 @@ struct Decoding {
 std::vector<Decoding> decodings(const CostRow& row, double tolerance_mm,
                                 const Interval& chord_mm);
 
-/// Number of ways to choose one interpretation of each of three rows such that their L agree:
-/// (max - min) / mean is at most `spread`.
+/// Number of ways to choose one interpretation of each of three rows such that their L
+/// agree: (max - min) / mean is at most `spread`.
 int one_chord_triples(std::span<const std::vector<Decoding>, 3> readings, double spread);
 
 /// Conditions on an interpretation.
 struct DecodingRules {
     double tolerance_mm;  ///< largest residual, see `decodings`
     double chord_spread;  ///< see `one_chord_triples`
-    double
-        longest_chord;  ///< upper bound of L in widths of the part along the pass; the lower is 1
+    /// Upper bound of L in widths of the part along the pass; the lower is 1.
+    double longest_chord;
 };
 
 /// Bounds of L in mm for passes along `direction` on the paper's part of 200 by 120 mm.
@@ -60,12 +60,13 @@ struct NullTest {
     int rows;          ///< rows tried, three a triple
     int rows_read;     ///< rows with an interpretation
     int triples;       ///< triples tried: the rows of one direction for three tolerances
-    int triples_read;  ///< triples with interpretations of all three rows that share one L
+    int triples_read;  ///< triples whose three rows all have interpretations of one L
 };
 
-/// Null test of `decodings` on `triples` triples of synthetic rows. The rows have the size of
-/// the printed ones, scale with the interval on a plane and have collinear (NCL, TCD) as the
-/// printed ones do; their numbers of passes and of points a pass are real numbers.
+/// Null test of `decodings` on `triples` triples of synthetic rows. The rows have the
+/// size of the printed ones, scale with the interval on a plane and have collinear (NCL,
+/// TCD) as the printed ones do; their numbers of passes and of points a pass are real
+/// numbers.
 /// \param printed the cells that set the size of the synthetic rows.
 /// \param seed of the generator MT19937. The rows do not depend on the standard library.
 NullTest null_test(const EconomyTables& printed, const DecodingRules& rules, int triples,

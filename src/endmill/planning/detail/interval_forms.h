@@ -3,9 +3,9 @@
 
 namespace endmill {
 
-/// Forms of the path interval l of [KimChoi, eq. (4)]. They are equal in exact arithmetic and
-/// differ in their rounding errors. With A = 2 (R + rho)(h + rho) and
-/// B = rho^2 + 2 R rho + (h + rho)^2, the radicand is
+/// Forms of the path interval l of [KimChoi, eq. (4)]. They are equal in exact arithmetic
+/// and differ in their rounding errors. With A = 2 (R + rho)(h + rho) and B = rho^2 + 2 R
+/// rho + (h + rho)^2, the radicand is
 enum class IntervalForm {
     Printed,   ///< eq. (4) from left to right, 4 (R + rho)^2 (h + rho)^2 - B^2
     Squares,   ///< A^2 - B^2
@@ -26,12 +26,12 @@ struct IntervalCase {
     double section_radius;  ///< rho, mm, positive: a convex section
 };
 
-/// The interval l in mm by `form`, with every operation rounded to `precision`. Not a number if
-/// the rounded radicand is negative.
+/// The interval l in mm by `form`, with every operation rounded to `precision`. Not a
+/// number if the rounded radicand is negative.
 double printed_interval(const IntervalCase& at, IntervalForm form, Precision precision);
 
-/// The interval l in mm by eq. (4) in decimal arithmetic of 50 digits. Relative error below 1e-15,
-/// the rounding of the result.
+/// The interval l in mm by eq. (4) in decimal arithmetic of 50 digits. Relative error
+/// below 1e-15, the rounding of the result.
 double interval_in_50_digits(const IntervalCase& at);
 
 }  // namespace endmill

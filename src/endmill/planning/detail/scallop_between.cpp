@@ -19,8 +19,8 @@ Vec3 ball_centre(const SurfaceTangents& at, double side, double radius)
     return at.point + radius * side * unit_normal(at);
 }
 
-// Distance from `place` to its foot point on the surface. Newton's method from `start` solves
-// (r - place).du = (r - place).dv = 0.
+// Distance from `place` to its foot point on the surface. Newton's method from `start`
+// solves (r - place).du = (r - place).dv = 0.
 double distance_to_surface(const Surface& surface, const Vec3& place, SurfacePoint start)
 {
     constexpr int most_steps = 30;
@@ -58,9 +58,9 @@ double scallop_between(const Surface& surface, const BallCutter& ball,
     const SurfaceTangents second = surface.tangents(partner.u, partner.v);
     const Vec3 one = frame.jet.point + R * frame.forms.normal;
     const Vec3 other = ball_centre(second, side, R);
-    // The cusp lies in two planes: the plane of the circle in which the spheres intersect, and
-    // the check plane. `up` is the direction of their common line, and `middle` is the point of
-    // the line nearest to the first centre.
+    // The cusp lies in two planes: the plane of the circle in which the spheres
+    // intersect, and the check plane. `up` is the direction of their common line, and
+    // `middle` is the point of the line nearest to the first centre.
     const Vec3 across = other - one;
     const Vec3 up = across.cross(frame.feed).normalized();
     Eigen::Matrix3d planes;

@@ -83,8 +83,8 @@ std::size_t beyond_paper_step(const PassLine& line, std::size_t first, double to
     return end;
 }
 
-// Last sample to which a step from sample `first` satisfies the rule. Bisection finds it, on
-// the assumption that the error grows with the length of the step.
+// Last sample to which a step from sample `first` satisfies the rule. Bisection finds it,
+// on the assumption that the error grows with the length of the step.
 std::size_t end_of_step(const PassLine& line, std::size_t first, double tolerance,
                         const StepRule& rule)
 {

@@ -20,8 +20,8 @@ struct PassSettings {
 /// Errors of one straight step of a pass, in mm.
 struct StepErrors {
     double chord;  ///< largest distance of the contact curve from its chord
-    double
-        gouge;  ///< largest depth of the contact curve inside the volume the ball sweeps
+    /// Largest depth of the contact curve inside the volume the ball sweeps.
+    double gouge;
 };
 
 /// Errors of each cutting move of `path`, in order.
@@ -29,27 +29,27 @@ struct StepErrors {
 std::vector<StepErrors> step_errors(const Surface& surface, const ToolPath& path,
                                     const PassSettings& settings);
 
-/// A copy of `path` in which each cutting move is replaced by `pieces` moves between contacts
-/// on the surface. For many pieces the ball rolls along the contact curve.
+/// A copy of `path` in which each cutting move is replaced by `pieces` moves between
+/// contacts on the surface. For many pieces the ball rolls along the contact curve.
 ToolPath rolled_path(const Surface& surface, const ToolPath& path, const BallCutter& ball,
                      int pieces);
 
-/// Number of CL points that `verified_pass` places on the passes of `path`, for the tolerance
-/// of `settings` as chord and as motion tolerance.
+/// Number of CL points that `verified_pass` places on the passes of `path`, for the
+/// tolerance of `settings` as chord and as motion tolerance.
 std::size_t verified_points(const Surface& surface, const ToolPath& path,
                             const PassSettings& settings);
 
 /// Conditions on the steps of `greedy_points`.
 struct StepRule {
     bool chord = true;  ///< the contact curve is within the tolerance of its chord
-    bool motion =
-        false;  ///< the curve of ball centres is within the tolerance of its chord
-    bool paper =
-        false;  ///< no longer than the paper's step for the curvature at its start
+    /// The curve of ball centres is within the tolerance of its chord.
+    bool motion = false;
+    /// No longer than the paper's step for the curvature at its start.
+    bool paper = false;
 };
 
-/// Number of CL points of the longest steps that satisfy `rule` on the passes of `path`. Each
-/// pass is sampled at 4097 points; steps end at samples.
+/// Number of CL points of the longest steps that satisfy `rule` on the passes of `path`.
+/// Each pass is sampled at 4097 points; steps end at samples.
 std::size_t greedy_points(const Surface& surface, const ToolPath& path,
                           const PassSettings& settings, const StepRule& rule);
 

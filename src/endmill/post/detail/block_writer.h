@@ -20,8 +20,8 @@ enum class Motion {
 /// Format of blocks.
 struct BlockFormat {
     int decimals = 4;  ///< digits after the point of every number, 0 to 9
-    bool line_numbers =
-        false;  ///< whether blocks are numbered N1 to N99999, then N1 again
+    /// Whether blocks are numbered N1 to N99999, then N1 again.
+    bool line_numbers = false;
 };
 
 /// Writes the blocks of a program. G0, G1, X, Y, Z, F and S are written only where the

@@ -15,8 +15,8 @@ namespace endmill {
 /// of modal groups, so a block with more codes is wrong in any case.
 class GcodeCodes {
 public:
-    static constexpr std::size_t most =
-        20;  ///< capacity; more than there are modal groups
+    /// Capacity; more than there are modal groups.
+    static constexpr std::size_t most = 20;
 
     bool is_full() const { return count_ == most; }  ///< whether no code can be added
     void add(int code) { codes_[count_++] = code; }  ///< \pre !is_full()

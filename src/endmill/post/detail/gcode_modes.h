@@ -48,8 +48,8 @@ struct GcodeModes {
     DistanceMode centres = DistanceMode::Incremental;  ///< group 4, words I, J, K
     FeedRateMode feed = FeedRateMode::PerMinute;       ///< group 5
     GcodeUnit unit = GcodeUnit::Unsaid;                ///< group 6
-    int coordinate_system =
-        0;  ///< group 12: 540 to 593, in tenths; 0 before the first code
+    /// Group 12: 540 to 593, in tenths; 0 before the first code.
+    int coordinate_system = 0;
     bool used_tool_length = false;  ///< whether a G43 occurred
     bool used_blending = false;     ///< whether a G64 occurred
 

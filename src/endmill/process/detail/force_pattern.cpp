@@ -10,14 +10,14 @@
 #include "endmill/process/detail/border_integrals.h"
 
 // Outline:
-// - Construction tabulates the moments of the edge over the latitude and samples the sums
-//   at nine turns between each pair of neighbouring events.
+// - Construction tabulates the moments of the edge over the latitude. It samples the sums
+//   at nine azimuths of the tip between each pair of neighbouring events.
 // - `at` adds the closed sums over the engaged ranges of each flute. The paper's chip
 //   |sin u| needs ranges split where sin u changes its sign; the exact chip does not on
 //   the ball.
-// - `largest` finds the maximum over the turn of any function of the sums, such as a
-//   load. It refines by golden-section search the intervals whose best sample comes close
-//   to the best of all.
+// - `largest` finds the maximum of any function of the sums, such as a load, over a
+//   revolution. It refines by golden-section search the intervals whose best sample comes
+//   close to the best of all.
 
 namespace endmill {
 namespace {
@@ -182,9 +182,9 @@ EdgeSums ForcePattern::mean() const
     return scaled({one.I5, one.I6, one.I7, one.I8}, flutes_);
 }
 
-// Between two neighbouring events the sums are smooth in the turn, except for square
-// roots at the ends. The samples are therefore dense at the ends; the outermost are
-// almost at the events.
+// Between two neighbouring events the sums are smooth functions of the azimuth of the
+// tip, except for square roots at the ends. The samples are therefore dense at the ends;
+// the outermost are almost at the events.
 void ForcePattern::sample()
 {
     constexpr int nodes = 9;
@@ -273,7 +273,7 @@ FeedBounds ForcePattern::direct_bounds(const LoadModel& model,
                                        const LoadLimits& limits) const
 {
     constexpr double never = -std::numeric_limits<double>::infinity();
-    // The least bound over the turn is the largest negative bound.
+    // The least bound over a revolution is the largest negative bound.
     const auto least = [&](std::optional<double> FeedBounds::*bound,
                            const LoadLimits& limit) -> std::optional<double> {
         const double found = -largest([&](const EdgeSums& sums) {

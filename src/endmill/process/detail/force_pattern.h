@@ -12,16 +12,16 @@
 
 namespace endmill {
 
-/// Sums over all edges of a helical ball-end mill while it turns. At the turn t flute j
-/// has the azimuth u = t + 2 pi j / m - z tan(helix) at the height z (in radii of the
-/// ball), and
+/// Sums over all edges of a helical ball-end mill during a spindle revolution. Let t be
+/// the azimuth of the tip of flute 0. Flute j then has the azimuth u = t + 2 pi j / m - z
+/// tan(helix) at the height z (in radii of the ball), and
 ///
 ///     A   = sum of the integrals of |sin u| dz      B   = sum of the integrals of dz
 ///     A_T = sum of the integrals of r |sin u| dz    B_T = sum of the integrals of r dz
 ///
 /// over the engaged heights, where r is the distance from the axis. With the exact chip
-/// its thickness replaces |sin u|. The means over a turn are m I5, m I6, m I7 and m I8.
-/// The sense of the helix is explained at MillingTool::helix.
+/// its thickness replaces |sin u|. The means over a revolution are m I5, m I6, m I7 and m
+/// I8. The sense of the helix is explained at MillingTool::helix.
 ///
 /// 1. HelicalEdge gives the engaged heights of each edge from the borders of the region.
 /// 2. The sums over these heights are closed, except that of r sin u, which is tabulated
@@ -37,24 +37,25 @@ public:
     ForcePattern(const BallEngagement& engagement, ChipModel chip,
                  const MillingTool& tool);
 
-    /// The sums when the tip of flute 0 stands at the azimuth `turn` (rad, any value).
-    /// Absolute error below 1e-11; below 1e-5 within 1e-6 of a turn at which an edge
+    /// The sums while the tip of flute 0 is at the azimuth `turn` (rad, any value).
+    /// Absolute error below 1e-11; below 1e-5 within 1e-6 of an azimuth at which an edge
     /// touches a border.
     EdgeSums at(double turn) const;
 
-    /// Means of the sums over a turn, from `cutting_coefficients`.
+    /// Means of the sums over a revolution, from `cutting_coefficients`.
     EdgeSums mean() const;
 
-    /// R_m, the concentration of force: the largest torque of the chip A_T over its mean.
-    /// 1 where nothing is cut. Relative error below 1e-6.
+    /// Peak factor R_m: the largest torque of the chip A_T over its mean. 1 if nothing is
+    /// cut. Relative error below 1e-6.
     double peak_factor() const;
 
     /// Largest feeds per tooth in mm at which no limit is exceeded at any time of the
-    /// turn: the minimum over t of `feed_bounds`. Relative error below 1e-6.
+    /// revolution: the minimum over t of `feed_bounds`. Relative error below 1e-6.
     /// \pre as `feed_bounds`.
     FeedBounds direct_bounds(const LoadModel& model, const LoadLimits& limits) const;
 
-    /// Largest of each load over a turn at a feed per tooth. Relative error below 1e-6.
+    /// Largest value of each load in a revolution at a feed per tooth. Relative error
+    /// below 1e-6.
     CuttingLoads largest_loads(const LoadModel& model, double feed_per_tooth_mm) const;
 
 private:

@@ -14,17 +14,17 @@
 // reaches along the shank. Everything here is a midpoint rule over these data:
 // - `front_coefficients` sums over the cells, which have equal areas, and over the
 //   azimuths of the shank.
-// - FrontPattern follows each helical edge upwards in small steps of height, at 180 turns
-//   of the flutes' period, and adds the steps whose cell is engaged.
+// - FrontPattern follows each helical edge upwards in small steps of height, at 180
+//   azimuths within the period of the flutes, and adds the steps whose cell is engaged.
 
 namespace endmill {
 namespace {
 
 using std::numbers::pi;
 
-// Number of turns within the period of the flutes, and of height steps per radius of the
-// ball. Both are finer than the cells of a front, whose width limits the accuracy of the
-// sums.
+// Number of azimuths within the period of the flutes, and of height steps per radius of
+// the ball. Both are finer than the cells of a front, whose width limits the accuracy of
+// the sums.
 constexpr int turns = 180;
 constexpr int edge_steps = 64;
 

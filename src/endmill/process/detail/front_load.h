@@ -22,9 +22,9 @@ void require_sound(const BallFront& front);
 /// Error below 3e-3 for 96 by 128 cells whose middles are classified correctly.
 CuttingCoefficients front_coefficients(const BallFront& front, ChipModel chip);
 
-/// The sums over all edges of a helical mill while it turns in a front. The counterpart
-/// of ForcePattern, with the same sums and the same sense of the helix, evaluated by the
-/// midpoint rule along each edge. Accurate to about the width of a cell: 1 to 3 % of the
+/// The sums over all edges of a helical mill with a measured front during a spindle
+/// revolution. Sums and sense of the helix are those of ForcePattern; the midpoint rule
+/// along each edge evaluates them. Accurate to about the width of a cell: 1 to 3 % of the
 /// largest sum.
 /// Source: docs/mathematics/ball-end-milling.md, sections 4 and 12.
 class FrontPattern {
@@ -32,17 +32,17 @@ public:
     /// \throws DomainError unless `front` and `tool` are sound.
     FrontPattern(const BallFront& front, ChipModel chip, const MillingTool& tool);
 
-    /// R_m: largest torque of the chip over its mean; 1 where nothing is cut.
+    /// Peak factor R_m: largest torque of the chip over its mean; 1 if nothing is cut.
     double peak_factor() const;
 
-    /// Means of the sums over a turn.
+    /// Means of the sums over a revolution.
     EdgeSums mean() const;
 
     /// Largest feeds per tooth in mm at which no limit is exceeded at any time of the
-    /// turn.
+    /// revolution.
     FeedBounds direct_bounds(const LoadModel& model, const LoadLimits& limits) const;
 
-    /// Largest of each load over a turn at a feed per tooth.
+    /// Largest value of each load in a revolution at a feed per tooth.
     CuttingLoads largest_loads(const LoadModel& model, double feed_per_tooth_mm) const;
 
 private:

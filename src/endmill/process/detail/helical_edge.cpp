@@ -75,8 +75,8 @@ double HelicalEdge::turn_rate(const Run& run, double p) const
     return point.turn + tangent_ * square * point.height;
 }
 
-// Parameter p at which the edge crosses a run when its tip stands at `turn`. The secant
-// between the ends of the run is the first guess.
+// Parameter p at which the edge crosses a run when its tip is at the azimuth `turn`. The
+// secant between the ends of the run is the first guess.
 double HelicalEdge::crossing(const Run& run, double turn) const
 {
     constexpr double least_step = 1e-14;  // of p, whose magnitude is at most 1

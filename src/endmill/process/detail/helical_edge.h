@@ -23,11 +23,11 @@ inline constexpr double most_windings = 1000;
 ///
 /// The edge enters and leaves the engaged region where it crosses the borders of the
 /// region.
-/// 1. Every border is split, once, at the few points where the azimuth at the tip for
-///    which the edge passes the border point has a local extremum. On each part (a "run")
-///    that azimuth is monotonic.
-/// 2. For a given turn, each run that contains the turn's azimuth holds one crossing,
-///    which is one bracketed root.
+/// 1. For each point of a border there is an azimuth of the tip at which the edge passes
+///    this point. Every border is split once, at the few local extrema of this azimuth.
+///    On each part (a "run") the azimuth is monotonic.
+/// 2. For a given azimuth of the tip, each run that contains this azimuth has one
+///    crossing, which is one bracketed root.
 /// 3. Between neighbouring crossings the edge is engaged if the middle of the range is.
 /// Source: [ParkMaeng, appendix A]; derived in paper/notes/ball-engagement.md, section 5.
 class HelicalEdge {
@@ -39,10 +39,10 @@ public:
     ///         stock's top.
     HelicalEdge(const BallEngagement& engagement, double helix);
 
-    /// The heights at which the edge cuts when the tip of the edge stands at the azimuth
-    /// `turn` (rad, any value). Ascending and disjoint; two ranges may share the end of
-    /// the ball at 1. Accurate to 1e-12 where the edge crosses a border, and to 1e-6
-    /// where it nearly touches one.
+    /// The heights at which the edge cuts while its tip is at the azimuth `turn` (rad,
+    /// any value). Ascending and disjoint; two ranges may share the end of the ball at 1.
+    /// Accurate to 1e-12 where the edge crosses a border, and to 1e-6 where it nearly
+    /// touches one.
     std::vector<EdgeRange> engaged(double turn) const;
 
     /// The azimuths of the tip, 0 <= turn < 2 pi, ascending, at which the number of

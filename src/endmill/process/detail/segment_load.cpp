@@ -13,7 +13,7 @@
 namespace endmill {
 namespace {
 
-// The load of a move whose sums do not depend on the turn.
+// The load of a move whose sums are constant over a revolution.
 SegmentLoad load_of_sums(const SegmentCut& cut, const EdgeSums& sums,
                          const FeedRules& rules)
 {

@@ -51,7 +51,7 @@ SegmentLoad constant_peak_load(const SegmentCut& cut,
 SegmentLoad torque_peak_load(const SegmentCut& cut, const MillingTool& tool,
                              ChipModel chip, const FeedRules& rules);
 
-/// Load of the move if each load is followed over a turn of the helical flutes
+/// Load of the move if each load is computed over a revolution of the helical flutes
 /// (PeakRule::Direct). The load of a move in air is 0. Parameters, errors and
 /// preconditions are those of `torque_peak_load`.
 SegmentLoad direct_peak_load(const SegmentCut& cut, const MillingTool& tool,

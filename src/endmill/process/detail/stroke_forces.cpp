@@ -37,8 +37,8 @@ double larger_magnitude(double a, double b)
     return std::max(std::abs(a), std::abs(b));
 }
 
-// Largest cutting force of each move. `largest_loads` computes the loads of one move from its
-// number, the load model and its feed per tooth.
+// Largest cutting force of each move. `largest_loads` computes the loads of one move from
+// its number, the load model and its feed per tooth.
 template <typename LargestLoads>
 std::vector<double> peaks_of(const std::vector<MilledMove>& moves, const MillingJob& job,
                              const LargestLoads& largest_loads)

@@ -17,8 +17,8 @@ struct MilledMove {
     double spindle_rpm;
 };
 
-/// The moves with the spindle speed of `plan`, and with its feed per tooth or, if given, one
-/// constant feed per tooth in mm. \pre one row of the plan for each cut.
+/// The moves with the spindle speed of `plan`, and with its feed per tooth or, if given,
+/// one constant feed per tooth in mm. \pre one row of the plan for each cut.
 std::vector<MilledMove> milled_moves(const std::vector<SegmentCut>& cuts,
                                      const FeedPlan& plan,
                                      const std::optional<double>& feed_per_tooth_mm);
@@ -27,12 +27,13 @@ std::vector<MilledMove> milled_moves(const std::vector<SegmentCut>& cuts,
 std::vector<MilledMove> constant_moves(const std::vector<SegmentCut>& cuts, int flutes,
                                        double feed_mm_per_min, double spindle_rpm);
 
-/// Forces on the work at `steps` equal azimuths of one turn, in the frame of `mean_force`, with
-/// the paper's chip and without runout. All are 0 for a move in air.
+/// Forces on the work at `steps` equal azimuths of one spindle revolution, in the frame
+/// of `mean_force`, with the paper's chip and without runout. All are 0 for a move in
+/// air.
 std::vector<CuttingForce> turn_forces(const MilledMove& move, const MillingJob& job,
                                       int steps);
 
-/// Range of each force component over one turn of the cutter.
+/// Range of each force component in one spindle revolution.
 struct ForceRange {
     CuttingForce least;
     CuttingForce greatest;
@@ -54,14 +55,16 @@ struct StrokeForces {
 StrokeForces stroke_forces(const std::vector<MilledMove>& moves,
                            const std::vector<ForceRange>& ranges, const MillingJob& job);
 
-/// Share of the tool life that the moves use: the sum of dt / T with V (phi/pi T)^alpha = C_b.
-/// V is the speed of the largest circle of the ball, and C_b = V1 T0^alpha for T0 = `life_min`.
+/// Share of the tool life that the moves use: the sum of dt / T with V (phi/pi T)^alpha =
+/// C_b. V is the speed of the largest circle of the ball, and C_b = V1 T0^alpha for T0 =
+/// `life_min`.
 /// Source: [ParkMaeng, eq. (4)]; docs/mathematics/ball-end-milling.md, sections 5 and 14.
 double used_life(const std::vector<MilledMove>& moves, const MillingJob& job,
                  double life_min);
 
-/// Largest cutting force in N of the helical flutes in one turn of each move, with the paper's
-/// chip and the engagement of the model; 0 for a move in air. Uses all threads.
+/// Largest cutting force in N of the helical flutes in a spindle revolution of each move,
+/// with the paper's chip and the engagement of the model; 0 for a move in air. Uses all
+/// threads.
 std::vector<double> peak_cutting_forces(const std::vector<MilledMove>& moves,
                                         const MillingJob& job);
 

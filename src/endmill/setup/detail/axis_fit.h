@@ -46,8 +46,8 @@ struct AxisFit {
 /// Which ranges about an axis are asked for.
 struct FitRequest {
     double below;  ///< only those with a smaller objective
-    double slack =
-        0;  ///< relative: a range that is better by less than this may be missed
+    /// Relative: a range that is better by less than this may be missed.
+    double slack = 0;
     std::array<double, 2> low = {0, 0};   ///< lower bounds of m0 and m1, rad
     std::array<double, 2> high = {4, 4};  ///< upper bounds of m0 and m1, rad
 };
@@ -89,8 +89,8 @@ private:
     WindowSweep sweep_;
     CoverageTable table_;
     AxisView view_;
-    std::array<std::vector<double>, 2>
-        levels_;                 ///< levels of cells, and the lowest; ascending
+    /// Levels of cells, and the lowest; ascending.
+    std::array<std::vector<double>, 2> levels_;
     std::vector<RankBox> heap_;  ///< least bound first
     double below_ = 0;           ///< only a smaller objective counts
     double slack_ = 0;           ///< of the request
@@ -101,8 +101,8 @@ private:
 struct Descent {
     double from;       ///< first length, rad
     double to = 1e-7;  ///< last length, rad; machines do not resolve smaller angles
-    int directions =
-        12;  ///< tried at each length before it is halved: valleys are narrow
+    /// Tried at each length before it is halved: valleys are narrow.
+    int directions = 12;
 };
 
 /// Improves a fit by moving its axis, with step lengths that are halved when no step

@@ -27,8 +27,8 @@ enum class NodeKind : std::uint8_t {
 struct LevelBox {
     std::array<double, 2> low;   ///< lower limits of m0 and m1
     std::array<double, 2> high;  ///< upper limits of m0 and m1
-    double
-        bound;  ///< no range of the node with levels in the box has a smaller objective
+    /// No range of the node with levels in the box has a smaller objective.
+    double bound;
 };
 
 /// A spherical triangle of axes, with the boxes of levels that are not excluded.

@@ -60,8 +60,8 @@ private:
     std::optional<AzimuthWindow> sweep(double cap);
 
     const ConeSet* cones_;
-    std::vector<const std::uint64_t*>
-        missing_;                ///< columns of the swept cells that count
+    /// Columns of the swept cells that count.
+    std::vector<const std::uint64_t*> missing_;
     std::vector<double> begin_;  ///< begins of their intervals
     std::vector<double> end_;    ///< running maximum of their ends, over two rounds
     std::vector<std::uint64_t> always_;  ///< AND of the columns of the free cells

@@ -51,12 +51,12 @@ private:
     std::array<double, 2> bins_per_rad_{};
     double longest_ = 0;  ///< longest interval of a cell, rad
     std::vector<SeenCell> free_;
-    std::vector<std::size_t>
-        first_;  ///< by azimuth bin: first cell in the view; and the end
+    /// By azimuth bin: first cell in the view; and the end.
+    std::vector<std::size_t> first_;
     std::vector<std::uint64_t> bins_;  ///< by side, level, azimuth: AND up to this level
     std::vector<std::uint64_t> both_;  ///< by azimuth bin: AND of both sides
-    std::vector<std::uint64_t>
-        tail_;                        ///< AND of the bins from here to the end of a block
+    /// AND of the bins from here to the end of a block.
+    std::vector<std::uint64_t> tail_;
     std::vector<std::uint64_t> sum_;  ///< AND of the bins since the block began
     std::vector<char> is_start_;      ///< by azimuth bin: 1 if a run begins here
     std::vector<SweptRange> places_;

@@ -30,10 +30,8 @@ struct RangeLimits {
 
     double widest() const { return width + turn_tolerance; }  ///< limit of w, rad
     double farthest() const { return far + turn_tolerance; }  ///< limit of m0 and m1, rad
-    double highest() const
-    {
-        return far + near + 2 * turn_tolerance;
-    }  ///< limit of h, rad
+    /// Limit of h, rad.
+    double highest() const { return far + near + 2 * turn_tolerance; }
 };
 
 /// Tests whether m0 or m1 may rise beyond `level` within the limits without a change of

@@ -48,8 +48,8 @@ struct RectangleExtents {
 
 /// Lower bounds for all rectangles with R1 in an interval of azimuths.
 struct RectangleBound {
-    RectangleExtents
-        extents;  ///< bound of each end, without the opposite of the tool axis
+    /// Bound of each end, without the opposite of the tool axis.
+    RectangleExtents extents;
 
     /// Lower bounds of the area, rad^2. If the opposite of the tool axis is one of the
     /// directions, it has alpha = 180 degrees in the first and -180 degrees in the

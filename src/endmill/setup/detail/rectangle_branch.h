@@ -17,11 +17,10 @@ inline constexpr double branch_accuracy = 1e-7;
 
 /// The goal of a search over R1.
 struct BranchGoal {
-    std::optional<RotaryLimits>
-        limits{};  ///< signed limits of alpha (phi) and beta (theta)
-    double worthless =
-        std::numeric_limits<double>::infinity();  ///< rad^2: larger areas are
-                                                  ///< of no interest
+    /// Signed limits of alpha (phi) and beta (theta).
+    std::optional<RotaryLimits> limits{};
+    /// rad^2: larger areas are of no interest.
+    double worthless = std::numeric_limits<double>::infinity();
 };
 
 /// The best rectangle with R1 at a multiple of 5 degrees, as a quick upper bound.

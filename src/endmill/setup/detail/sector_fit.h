@@ -19,10 +19,8 @@ struct SectorCandidate {
     double polar;  ///< rad: largest polar angle in the first sector
     double opposite_polar;  ///< rad: largest polar angle of the other directions
 
-    double area() const
-    {
-        return (polar + opposite_polar) * width;
-    }  ///< rad^2, the paper's F
+    /// rad^2, the paper's F.
+    double area() const { return (polar + opposite_polar) * width; }
 };
 
 /// The double sectors that a mode tries. First those below 180 degrees, one for each

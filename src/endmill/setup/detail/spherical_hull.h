@@ -15,7 +15,7 @@ namespace endmill {
 /// The projection of the half sphere about a tool axis to a plane.
 enum class HullProjection {
     Gnomonic,     ///< from the centre: great circles become straight lines
-    Orthographic  ///< along the tool axis: parallels about a perpendicular axis become lines
+    Orthographic  ///< along the tool axis: parallels about a cross axis become lines
 };
 
 /// Two linearly independent vectors that are exactly perpendicular to `axis`. Each is

@@ -17,9 +17,9 @@ struct BendBounds {
     /// Upper bound in mm of the distance between the surface and any triangle with
     /// corners in one cell of `width_u` by `width_v`, measured at equal parameters: (a^2
     /// uu + 2 a b uv + b^2 vv) / 8.
-    /// Source: [FilipMagedsonMarkot, pp. 295-311] for right triangles. For others it is the sum of the
-    /// remainders of Taylor's formula, because the coordinates of the corners have a
-    /// variance of at most a quarter.
+    /// Source: [FilipMagedsonMarkot, pp. 295-311] for right triangles. For others it is
+    /// the sum of the remainders of Taylor's formula, because the coordinates of the
+    /// corners have a variance of at most a quarter.
     double chord_error(double width_u, double width_v) const
     {
         return (width_u * width_u * uu + 2 * width_u * width_v * uv +

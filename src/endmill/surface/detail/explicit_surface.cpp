@@ -71,7 +71,8 @@ HeightJet ball_end_test_surface(double x, double y)
     constexpr double unit = 40;  // mm
     const double a = x / unit;
     const double b = y / unit;
-    // g = p / q; the quotient rule gives each partial derivative from those of lower order.
+    // g = p / q; the quotient rule gives each partial derivative from those of lower
+    // order.
     const double p = a * b * (a * a - b * b);
     const double q = a * a + b * b + 0.25;
     const double g = p / q;

@@ -15,13 +15,14 @@ struct FoldToSearch {
     Branches branches;
 };
 
-/// The first fold of each curve that has one, by literal detection: the signs of dz from the first
-/// point of the curve are - + - + or + - +.
+/// The first fold of each curve that has one, by literal detection: the signs of dz from
+/// the first point of the curve are - + - + or + - +.
 /// \param sections must outlive the result.
 std::vector<FoldToSearch> first_literal_folds(const std::vector<PlaneSection>& sections);
 
-/// Number of scan lines that method 1 examines in `fold` until it returns `hit`; without a hit all
-/// lines between the ends of the branches. \param step_mm distance of the scan lines.
+/// Number of scan lines that method 1 examines in `fold` until it returns `hit`; without
+/// a hit all lines between the ends of the branches. \param step_mm distance of the scan
+/// lines.
 double scanned_lines(const FoldToSearch& fold, const std::optional<ChainCrossing>& hit,
                      double step_mm);
 
@@ -39,7 +40,8 @@ struct ScanOutcome {
     double error_mm = 0;  ///< largest distance of a hit from the true crossing
 };
 
-/// Runs method 1 on `folds`. \param truth the true crossing of each fold, as method 3 finds it.
+/// Runs method 1 on `folds`. \param truth the true crossing of each fold, as method 3
+/// finds it.
 ScanOutcome scan_outcome(const std::vector<FoldToSearch>& folds,
                          const std::vector<std::optional<ChainCrossing>>& truth,
                          const TrimmingOptions& options);

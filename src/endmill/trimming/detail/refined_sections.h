@@ -25,8 +25,8 @@ struct RefinedCurves {
     /// number of points at which the cutter now rests on the part
     std::size_t refined = 0;
     std::size_t unrefined = 0;  ///< number of points that keep their sampled position
-    double greatest_shift =
-        0;  ///< mm, largest change of z of a point; a crossing counts at its old s
+    /// mm, largest change of z of a point; a crossing counts at its old s.
+    double greatest_shift = 0;
 };
 
 /// Moves every point of the trimmed curves of a plane that lies on the upper envelope of

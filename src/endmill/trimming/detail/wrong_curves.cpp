@@ -22,8 +22,8 @@ bool cross(const SectionPoint& a, const SectionPoint& b, const SectionPoint& c,
            orientation(c, d, a) * orientation(c, d, b) < 0;
 }
 
-// Sweep along s: the segments are sorted by their smaller s, and each is compared with those that
-// begin before it ends.
+// Sweep along s: the segments are sorted by their smaller s, and each is compared with
+// those that begin before it ends.
 bool crosses_itself(const std::vector<SectionPoint>& points)
 {
     std::vector<std::size_t> order(points.size() - 1);

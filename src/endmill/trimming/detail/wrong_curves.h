@@ -15,9 +15,9 @@ namespace endmill {
 struct TrimmingTrial {
     SectionCurve curve;
     TrimmingTolerance tolerance;
-    double scan_gouge_mm =
-        0;                    ///< gouge allowed to method 1, replaces that of `tolerance`
-    double scan_step_mm = 0;  ///< scan step of method 1
+    /// Gouge allowed to method 1, replaces that of `tolerance`.
+    double scan_gouge_mm = 0;
+    double scan_step_mm = 0;       ///< scan step of method 1
     double scan_threshold_mm = 0;  ///< distance below which method 1 accepts a crossing
 };
 
@@ -29,16 +29,17 @@ struct TriedMethod {
     FoldPatterns patterns = FoldPatterns::P3AndP4;  ///< for literal detection
 };
 
-/// All trimming methods. A method with two ways of detection occurs twice: literal and guarded.
+/// All trimming methods. A method with two ways of detection occurs twice: literal and
+/// guarded.
 std::vector<TriedMethod> tried_methods();
 
-/// Number of `trials` that `method` trims wrongly: the result exceeds a tolerance of the trial.
-/// Uses all threads. \throws DomainError if there is no such method.
+/// Number of `trials` that `method` trims wrongly: the result exceeds a tolerance of the
+/// trial. Uses all threads. \throws DomainError if there is no such method.
 std::size_t wrong_curves(std::span<const TrimmingTrial> trials,
                          const TriedMethod& method);
 
-/// Number of curves that cross themselves: the ends of a segment lie strictly on different sides
-/// of another segment, and vice versa. The predicate is exact.
+/// Number of curves that cross themselves: the ends of a segment lie strictly on
+/// different sides of another segment, and vice versa. The predicate is exact.
 std::size_t crossing_curves(std::span<const TrimmingTrial> trials);
 
 }  // namespace endmill

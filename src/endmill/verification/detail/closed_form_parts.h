@@ -25,12 +25,12 @@ Part cylinder_part(double rho, Interval angles);
 ToolPath level_passes(double apart, std::optional<int> left_out);
 
 /// Passes of a ball of radius 5 along the axis of `cylinder_part`, with ball centres
-/// `centre_radius` mm from the axis, at steps of `step` rad from the angle `from` to at least
-/// `from` + 2 rad.
+/// `centre_radius` mm from the axis, at steps of `step` rad from the angle `from` to at
+/// least `from` + 2 rad.
 ToolPath passes_along_cylinder(double centre_radius, double from, double step);
 
-/// Passes of a ball of radius 5, 0.1 mm apart, over a plane of 6 by 6 mm that rises along x at the
-/// angle `slope` in rad. All tips are `lowered` mm too low.
+/// Passes of a ball of radius 5, 0.1 mm apart, over a plane of 6 by 6 mm that rises along
+/// x at the angle `slope` in rad. All tips are `lowered` mm too low.
 ToolPath lowered_path(double slope, double lowered);
 
 }  // namespace endmill

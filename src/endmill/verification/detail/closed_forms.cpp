@@ -18,11 +18,12 @@ using std::numbers::pi;
 
 constexpr double R = 5;  // radius of all cutters, mm
 
-// Slack for the rounding of sums of a million terms, relative to the value and at least absolute.
+// Slack for the rounding of sums of a million terms, relative to the value and at least
+// absolute.
 constexpr double rounding = 1e-9;
 
-// Measures the deviation of `part` after `path`. The limits control how far rays are refined: until
-// the bound decides the verdict for them.
+// Measures the deviation of `part` after `path`. The limits control how far rays are
+// refined: until the bound decides the verdict for them.
 Deviation left_of(const Part& part, const ToolPath& path, double gouge, double scallop,
                   std::pair<double, int> pitch_and_refine)
 {

@@ -22,8 +22,8 @@ ConvexPart convex_part(const std::string& word, Angle incidence)
         const double azimuth = 2 * std::numbers::pi * k / sides;
         part.normals.emplace_back(std::cos(azimuth), std::sin(azimuth), 0);
     }
-    // Both directions lean as far from the top as its cap allows: on opposite sides, over an edge
-    // of the cube or over a side of the prism.
+    // Both directions lean as far from the top as its cap allows: on opposite sides, over
+    // an edge of the cube or over a side of the prism.
     const double reach = std::cos(incidence.radians());
     part.shortest_arc =
         Angle::radians(2 * std::asin((is_cube ? std::numbers::sqrt2 : 2) * reach));

@@ -15,8 +15,8 @@ using Polygon = std::vector<Eigen::Vector2d>;
 // A centre at 60 degrees or more does not bound a cell within 30 degrees.
 constexpr double neighbour_cosine = 0.5;
 
-// Half the side of the initial square. It contains the image of the cap of 30 degrees, whose radius
-// in the tangent plane is tan 30 = 0.577.
+// Half the side of the initial square. It contains the image of the cap of 30 degrees,
+// whose radius in the tangent plane is tan 30 = 0.577.
 constexpr double half_square = 0.6;
 
 // The part of a convex polygon where line . (u, v, 1) >= 0.

@@ -16,8 +16,8 @@ namespace endmill {
 struct FacetGroup {
     int count;  ///< number of facets; further lanes repeat the last facet
     std::array<std::int32_t, float_lanes> facet;  ///< numbers of the facets
-    std::array<std::array<std::int32_t, float_lanes>, 3>
-        corner;  ///< [corner]: point numbers
+    /// [corner]: point numbers.
+    std::array<std::array<std::int32_t, float_lanes>, 3> corner;
 };
 
 /// The facets of a part that have an area, in groups that are close to each other in

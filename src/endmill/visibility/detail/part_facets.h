@@ -13,8 +13,8 @@ namespace endmill {
 struct PartFacets {
     std::vector<Vec3> normals;    ///< unit, outward; 0 for a facet without area
     std::vector<Vec3> centroids;  ///< mm, (a + b + c) / 3 rounded
-    std::vector<std::size_t>
-        dropped;  ///< facets with exactly collinear corners (are_collinear), ascending
+    /// Facets with exactly collinear corners (are_collinear), ascending.
+    std::vector<std::size_t> dropped;
 
     /// Tests whether a facet has an area. \pre the facet exists.
     bool has_area(std::size_t facet) const { return !normals[facet].isZero(0); }

@@ -20,8 +20,8 @@ struct alignas(32) PointBlock {
     std::array<float, size> x;
     std::array<float, size> y;
     std::array<float, size> z;
-    std::array<std::int32_t, size>
-        number;  ///< -1, with infinite x, where there is no point
+    /// -1, with infinite x, where there is no point.
+    std::array<std::int32_t, size> number;
 };
 
 /// A point with the number of its facet.

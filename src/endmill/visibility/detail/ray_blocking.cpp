@@ -62,8 +62,8 @@ std::optional<int> certain_sign(const RoundedVector& x, const RoundedVector& y,
     return {};
 }
 
-// The answer by signs that rounding cannot have changed. The vectors from the centroid to the
-// corners are multiplied by 3, which avoids the division.
+// The answer by signs that rounding cannot have changed. The vectors from the centroid to
+// the corners are multiplied by 3, which avoids the division.
 Answer certain_answer(const Corners& from, const Vec3& direction, const Corners& facet)
 {
     const Vec3 sum = from[0] + from[1] + from[2];

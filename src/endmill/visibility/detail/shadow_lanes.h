@@ -26,14 +26,14 @@ using LaneFloats = std::array<float, float_lanes>;
 /// below, and its sign is certain if its magnitude exceeds 1.
 struct alignas(32) ShadowLanes {
     std::array<std::int32_t, float_lanes> facet{};  ///< numbers of the facets
-    std::array<std::array<LaneFloats, 3>, 3>
-        corner{};  ///< [corner][axis], within [-1, 1]
+    /// [corner][axis], within [-1, 1].
+    std::array<std::array<LaneFloats, 3>, 3> corner{};
 
     std::array<float, 2> low{};   ///< least x and y of points that may be covered
     std::array<float, 2> high{};  ///< largest x and y of points that may be covered
     float highest = 0;            ///< largest z of points that may be covered
-    std::array<std::array<LaneFloats, 2>, 3>
-        side{};                         ///< edge functions: factors of dx, dy
+    /// Edge functions: factors of dx, dy.
+    std::array<std::array<LaneFloats, 2>, 3> side{};
     LaneFloats second_offset{};         ///< constant term of edge function 1
     std::array<LaneFloats, 3> depth{};  ///< depth: factors of dx, dy, dz
     LaneFloats low_dz{};                ///< dz is raised to this value
