@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fails if a `Source:` of a comment has no valid target.
+"""Fails if a `Source:` of a comment has no valid target, or a README of the library names a missing header.
 
 A source has one of these forms, and several sources may follow each other:
 
@@ -11,6 +11,10 @@ A source has one of these forms, and several sources may follow each other:
 
 The text of a source ends with its paragraph. No comment may refer to a "spec" or "specification" as a
 document.
+
+Each header that src/endmill/README.md or src/endmill/MODULE/README.md names must exist: `vec.h` in any module or
+its detail/ folder, `detail/line.h` in the README's own module, `core/orientation.h` and
+`endmill/core/orientation.h` below src/endmill.
 """
 import re
 import sys
@@ -24,6 +28,7 @@ KEYED = re.compile(r"\[([A-Z][A-Za-z0-9]+)(?:,\s*([^\]]*))?\]")
 FILE = re.compile(r"\b((?:docs|paper|experiments|datasets)/[\w./-]+\.\w+)(?:,\s+sections?\s+([0-9][0-9.]*))?")
 ENTRY = re.compile(r"^@\w+\{([^,]+),", re.M)
 HEADING = re.compile(r"^#+\s+(?:section\s+)?([0-9]+(?:\.[0-9]+)*)\b", re.M | re.I)
+HEADER = re.compile(r"(?<![\w./-])[\w./-]*\w\.h\b")
 # Words such as specifier and specialisation are allowed.
 SPEC = re.compile(r"\bspec\b|\bspecs\b|\bspecification\b|\bspec's\b", re.I)
 
@@ -63,6 +68,19 @@ def faults(source, keys, root):
             yield f"{name} has no section {section.rstrip('.')}"
 
 
+def missing_headers(root):
+    """The headers named in the README files of the library that do not exist."""
+    library = root / "src/endmill"
+    names = {file.name for file in library.rglob("*.h")}
+    for readme in sorted([*library.glob("README.md"), *library.glob("*/README.md")]):
+        for line, text in enumerate(readme.read_text(encoding="utf-8").splitlines(), start=1):
+            for named in HEADER.findall(text):
+                places = (readme.parent / named, library / named, root / "src" / named)
+                exists = any(p.is_file() for p in places) if "/" in named else named in names
+                if not exists:
+                    yield f"{readme.relative_to(root)}:{line}: no header {named}"
+
+
 def main(root):
     keys = set(ENTRY.findall((root / "paper/references.bib").read_text(encoding="utf-8")))
     bad, count = [], 0
@@ -78,6 +96,7 @@ def main(root):
                     count += 1
                     source = text.split("Source:", 1)[1]
                     bad += [f"{where}: {fault}" for fault in faults(source, keys, root)]
+    bad += missing_headers(root)
     print("\n".join(bad) or f"{count} sources, all in the repository or in a cited work")
     return bool(bad)
 

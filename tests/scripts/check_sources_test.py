@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""check_sources.py reports each kind of source without a valid target."""
+"""check_sources.py reports each kind of source without a valid target, and headers that do not exist."""
 import unittest
 
 from fake_tree import FakeTree
@@ -56,6 +56,31 @@ class Sources(FakeTree):
 
     def test_mention_of_a_specification_is_reported(self):
         self.assert_found("specification", "As the spec of removal has it.")
+
+
+class NamedHeaders(FakeTree):
+    def setUp(self):
+        super().setUp()
+        self.write("paper/references.bib")
+        for name in ("core.h", "core/vec.h", "core/detail/line.h", "mesh/weld.h"):
+            self.write(f"src/endmill/{name}", "// SPDX\n")
+
+    def check_readme(self, text, readme="core/README.md"):
+        self.write(f"src/endmill/{readme}", text)
+        return self.check(check_sources.main, self.root)
+
+    def test_headers_of_any_module_are_accepted(self):
+        text = "`vec.h`: `line.h`, `detail/line.h`, (weld.h), `mesh/weld.h`, `endmill/core/vec.h`, `endmill/core.h`.\n"
+        self.assertEqual(self.check_readme(text)[0], 0)
+        text = "| `mesh` | `weld.h` |, `endmill/<module>.h`\n"
+        self.assertEqual(self.check_readme(text, "README.md")[0], 0)
+
+    def test_missing_headers_are_reported_with_their_line(self):
+        for name in ("stock_fronts.h", "detail/vec.h", "core/weld.h", "endmill/mesh.h"):
+            with self.subTest(name=name):
+                code, printed = self.check_readme(f"# core\n\n| x | `vec.h`, `{name}` |\n")
+                self.assertEqual(code, 1)
+                self.assertEqual(printed, f"src/endmill/core/README.md:3: no header {name}\n")
 
 
 if __name__ == "__main__":
