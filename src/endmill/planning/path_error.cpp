@@ -16,7 +16,7 @@
 // 1. An interval of the line deviates from its chord by at most w^2 / 8 times the bound
 //    on its second derivative, where w is its width.
 // 2. The distance of the chord from the way is greatest at an end of the chord. This
-//    bounds the remaining material on the interval.
+//    bounds the remaining stock on the interval.
 // 3. The distance is nowhere below that from the plane through the point of the way
 //    nearest to the chord's middle, perpendicular to the direction from there to the
 //    middle. This bounds the gouge on the interval.

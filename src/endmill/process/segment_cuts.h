@@ -26,7 +26,7 @@ struct SegmentCut {
     double length_mm = 0;  ///< mm, length of the move of the ball centre, above 0
     std::optional<double> mu = {};  ///< rad, slope of the pick feed, about the feed
     double lambda = 0;              ///< rad, slope of the feed, positive uphill
-    std::optional<double> pick_feed_mm = {};  ///< mm, f_p, between the ball centres
+    std::optional<double> pick_feed_mm = {};  ///< mm, f_p: path interval of ball centres
     std::optional<double> pick_feed_horizontal_mm = {};  ///< mm, f_p cos(mu)
     /// mm, l, height of the stock's top above the tip; <= 0: in air.
     double depth_mm = 0;

@@ -30,7 +30,7 @@ DeviationCell deviation_cell(const PartCharts& charts, const Deviation& deviatio
                              std::size_t number);
 
 /// Computes the area that was judged and, weighted by area, the mean and the 99 %
-/// quantile of the thickness left. All are 0 without any area.
+/// quantile of the remaining stock. All are 0 without any area.
 void add_areas(Deviation& deviation);
 
 }  // namespace endmill

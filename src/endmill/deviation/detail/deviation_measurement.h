@@ -39,17 +39,17 @@ struct MachinedStock {
 /// of at most (d^2 / 2)(1 / r + k), with d half the diagonal of a cell, r the cutter's
 /// corner radius and k the part's convex curvature. Where this does not hold (a sharp
 /// edge, a crease or side of a patch or triangle, a cell that is not small against r), a
-/// separating plane bounds the depth of every sweep near the cell. The thickness left is
-/// bounded by the shape of the part and the sweeps: above a flat piece of the part the
-/// thickness that one sweep leaves is a convex function, so its maximum lies at a corner
-/// of the cell. The part's curvature k adds d^2 k.
+/// separating plane bounds the depth of every sweep near the cell. The shape of the part
+/// and of the sweeps bounds the remaining stock. Above a flat piece of the part, the
+/// stock that one sweep leaves is a convex function of the place. Its maximum therefore
+/// lies at a corner of the cell. The part's curvature k adds d^2 k.
 ///
-/// *What is not judged.* In refined cells a strip of half a first cell along the border
+/// *What is not judged.* In refined cells, a strip of half a first cell along the border
 /// of the part (sides of surfaces that meet no other side, edges of one triangle) counts
-/// as neither gouge nor remaining material, but it enters the bounds, because a finer
-/// grid would judge it. On upright outer walls, beside which there is no part half a
-/// pitch away, remaining material is not judged: no path over the part reaches the stock
-/// there. Such cells count as 0 and have no area.
+/// as neither gouge nor remaining stock. It enters the bounds, because a finer grid would
+/// judge it. Remaining stock is not judged on upright outer walls, beside which there is
+/// no part within half a pitch: no path over the part reaches the stock there. Such cells
+/// count as 0 and have no area.
 ///
 /// The result is the same with any number of threads.
 /// Source: docs/mathematics/removal.md, section 2 and section 3; the bounds are derived

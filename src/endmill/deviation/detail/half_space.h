@@ -26,7 +26,7 @@ HalfSpace half_space(const Cutter& cutter, const Vec3& place, const Vec3& neares
 
 /// Returns such a half space for one sweep. It always contains the swept volume. The
 /// distance of `place` from it is the distance from the swept volume if the corner faces
-/// the place and the move is level, and close to that otherwise.
+/// the place and the move is horizontal, and close to it otherwise.
 HalfSpace half_space_beyond(const StraightSweep& sweep, const Vec3& place);
 
 }  // namespace endmill

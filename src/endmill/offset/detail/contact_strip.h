@@ -61,11 +61,12 @@ struct ContactChain {
     static ContactChain of(std::int32_t vertex) { return {{vertex}, {0}}; }
 };
 
-/// Divides the arc `level` of level normals at a corner. A chain leads from `normal` to
-/// each level normal. The strips between neighbouring chains lie within `tolerance` mm of
-/// the surface that the reference point follows. Near the axis the bottom of a flat or
-/// bull-nose cutter turns fast, so that chains that pass the axis are denser.
-/// \param level the arc of level normals.
+/// Divides the arc `level` of horizontal normals at a corner. A chain leads from `normal`
+/// to each horizontal normal. The strips between neighbouring chains lie within
+/// `tolerance` mm of the surface that the reference point follows. Near the axis the
+/// bottom of a flat or bull-nose cutter turns fast, so that chains that pass the axis are
+/// denser.
+/// \param level the arc of horizontal normals.
 /// \param normal the corner's own unit normal.
 /// \param sampling cutter and tolerance.
 /// \param least number of equal steps that the result contains in any case.

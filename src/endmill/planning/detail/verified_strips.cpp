@@ -34,8 +34,8 @@ constexpr double planned_share = 0.999;
 // interval is almost that of a scallop of R, and a margin for the error of sampling
 // remains.
 constexpr double widest_share = 0.98;
-// Least interval between passes, in widths of a patch. Where it is too wide, more
-// material remains.
+// Least interval between passes, in widths of a patch. Where it is too wide, more stock
+// remains.
 constexpr double least_interval = 1e-3;
 // Number of passes that are divided into steps at the same time. It does not depend on
 // the number of threads, and so neither does the result.

@@ -51,8 +51,8 @@ struct MoveBatch {
     void keep(const std::uint8_t* kept);
 };
 
-/// The shape that a tool sweeps: all points within `corner_radius` of a level disc of
-/// `flat_radius` whose centre lies `above` the tip, and all points above them.
+/// The shape that a tool sweeps: all points within `corner_radius` of a horizontal disc
+/// of `flat_radius` whose centre lies `above` the tip, and all points above them.
 struct SweptDisc {
     double flat_radius;    ///< mm
     double corner_radius;  ///< mm

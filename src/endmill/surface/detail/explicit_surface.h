@@ -35,7 +35,8 @@ HeightJet ball_end_test_surface(double x, double y);
 /// A bicycle saddle, defined by this project because the paper does not print its own. It
 /// is meant for 180 by 40 mm about the origin, is convex across and concave along x:
 ///
-///     z = 10 (x/90)^2 - 3 (sqrt(b^2 + y^2) - b),  b = 8 + 10 s^2 (3 - 2 s),  s = (x/90 + 1)/2,
+///     z = 10 (x/90)^2 - 3 (sqrt(b^2 + y^2) - b)
+///     with b = 8 + 10 s^2 (3 - 2 s), s = (x/90 + 1)/2.
 ///
 /// It is narrow (b = 8 mm) at the nose, x = -90, and wide (b = 18 mm) at the rear. The
 /// slope of its flanks approaches atan 3 = 71.6 degrees.
