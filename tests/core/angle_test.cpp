@@ -17,7 +17,7 @@ TEST(Angle, OfThirtyDegreesHasASineOfOneHalf)
     EXPECT_NEAR(std::sin(Angle::degrees(-30).radians()), -0.5, 1e-16);
 }
 
-TEST(Angle, ReadsBackAsItWasMade)
+TEST(Angle, ReturnsItsValueInBothUnits)
 {
     for (const double value : {-720.0, -1e-9, 0.0, 1e-300, 0.1, 45.0, 1e6}) {
         EXPECT_EQ(Angle::radians(value).radians(), value);
@@ -25,7 +25,7 @@ TEST(Angle, ReadsBackAsItWasMade)
     }
 }
 
-TEST(Angle, InDegreesIsAsAPersonWroteIt)
+TEST(Angle, InDegreesIsAsWritten)
 {
     int longer = 0;
     for (int tenths = -3600; tenths <= 3600; ++tenths) {

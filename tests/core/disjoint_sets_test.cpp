@@ -30,7 +30,7 @@ TEST(DisjointSets, ReportWhetherTwoBecameOne)
 }
 
 // The second route gives every set a colour and recolours one set when two are joined.
-TEST(DisjointSets, AreThoseOfRecolouring)
+TEST(DisjointSets, AgreeWithRecolouring)
 {
     test::Random random{1};
     constexpr int count = 200;

@@ -30,7 +30,7 @@ TEST(ParallelFor, VisitsEveryIndexOnce)
         EXPECT_EQ(visits(count), std::vector<int>(count, 1));
 }
 
-TEST(ParallelFor, OfNothingCallsNothing)
+TEST(ParallelFor, OverAnEmptyRangeCallsNothing)
 {
     parallel_for(0, [](std::size_t, std::size_t) { FAIL(); });
 }
@@ -81,7 +81,7 @@ TEST(ParallelFor, GivesTheSameResultsByIndexOnAnyNumberOfThreads)
     }
 }
 
-TEST(ParallelFor, ThrowsWhatABodyThrows)
+TEST(ParallelFor, RethrowsTheExceptionOfABody)
 {
     const auto throw_at = [](std::size_t bad) {
         parallel_for(1000, [&](std::size_t begin, std::size_t end) {

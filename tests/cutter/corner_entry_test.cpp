@@ -15,7 +15,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // The limit `before` decides only whether the entry is reported.
-TEST(CornerEntry, BeforeSomeLengthIsTheEntryOrNone)
+TEST(CornerEntry, WithinALengthIsTheEntryOrEmpty)
 {
     test::Random random{41};
     const auto uniform = [&](double size) {

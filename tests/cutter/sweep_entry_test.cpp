@@ -98,7 +98,7 @@ TEST(SweepEntry, OfALineStraightDownIsFromInside)
     }
 }
 
-TEST(SweepEntry, ThatThereIsNone)
+TEST(SweepEntry, IsEmptyForALineThatMisses)
 {
     for (const Cutter& cutter : {Cutter::ball(5), Cutter::flat(5), Cutter{5, 2}}) {
         const StraightSweep level{cutter, {0, 0, 0}, {10, 0, 0}};

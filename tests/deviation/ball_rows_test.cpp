@@ -60,7 +60,7 @@ void expect_as_one_by_one(const StraightSweep& sweep, const std::vector<PartRay>
     }
 }
 
-TEST(ShortenByBall, DoesAsOneByOne)
+TEST(ShortenByBall, EqualsShorteningOneByOne)
 {
     test::Random random{31};
     const auto within = [&](double size) {

@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-TEST(CutRay, DoesNotCountWhatIsTakenOnAnotherSideOfThePart)
+TEST(CutRay, IgnoresRemovalOnAnotherSideOfThePart)
 {
     const StraightSweep beyond{Cutter::ball(5), {-20, 0, -9}, {-20, 0, -9}};
     const PartRay wall{{0, 0, 0}, Vec3::UnitX(), Vec3::Zero(), Vec3::Zero()};
@@ -36,7 +36,7 @@ TEST(CutRay, LeavesNothingWhereASideTouches)
 
 // A ball touches a plane. At a distance of 3 beside the contact, 5 - 4 of the vertical
 // ray remains, and the slope of the ball is 3/4.
-TEST(CutRay, KnowsTheSlopeOfWhatIsLeft)
+TEST(CutRay, HasTheSlopeOfTheRemainingStock)
 {
     const StraightSweep sweep{Cutter::ball(5), {3, 0, 0}, {3, 0, 0}};
     const PartRay ray{Vec3::Zero(), Vec3::UnitZ(), Vec3::Zero(), Vec3::Zero()};

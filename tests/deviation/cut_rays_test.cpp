@@ -16,7 +16,7 @@ namespace {
 class CutRaysOf : public testing::TestWithParam<Cutter> {};
 
 // The tree, the half spaces and the rays that are cut first must not change the result.
-TEST_P(CutRaysOf, AreTheLeastOfEverySweepByItself)
+TEST_P(CutRaysOf, AreTheMinimumOverAllSweeps)
 {
     test::Random random{21};
     const auto uniform = [&](double size) {
@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(BallFlatBull, CutRaysOf,
                          testing::Values(Cutter::ball(5), Cutter::flat(5), Cutter{5, 2}));
 
 // The same with one tree for all cutters.
-TEST(CutRays, OfSeveralCuttersAreTheLeastOfEverySweepByItself)
+TEST(CutRays, OfSeveralCuttersAreTheMinimumOverAllSweeps)
 {
     test::Random random{23};
     const auto uniform = [&](double size) {
@@ -102,7 +102,7 @@ TEST(CutRays, OfSeveralCuttersAreTheLeastOfEverySweepByItself)
 }
 
 // Every sweep that clears a place of the part near a ray must be listed.
-TEST(CutRays, KnowTheSweepsThatGougeThePart)
+TEST(CutRays, NameTheSweepsThatGougeThePart)
 {
     test::Random random{22};
     for (const Cutter& cutter : {Cutter::ball(2), Cutter::flat(2), Cutter{2, 0.5}}) {

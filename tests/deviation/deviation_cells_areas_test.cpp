@@ -6,7 +6,7 @@
 namespace endmill {
 namespace {
 
-TEST(DeviationAreas, RestsCountByTheirAreasAndGougesAsNone)
+TEST(DeviationAreas, WeightRemainingStockByAreaAndCountGougesAsZero)
 {
     Deviation deviation;
     deviation.left = {0.5F, -3.0F, 0.25F};
@@ -19,7 +19,7 @@ TEST(DeviationAreas, RestsCountByTheirAreasAndGougesAsNone)
 
 // A hundred cells of equal area: 99 % of the area does not exceed the second highest
 // value.
-TEST(DeviationAreas, OneInAHundredMayHaveMore)
+TEST(DeviationAreas, QuantileExcludesOnePercentOfTheArea)
 {
     Deviation deviation;
     for (int k = 1; k <= 100; ++k) {
@@ -30,7 +30,7 @@ TEST(DeviationAreas, OneInAHundredMayHaveMore)
     EXPECT_NEAR(deviation.p99_scallop_mm, 0.99, 1e-3);
 }
 
-TEST(DeviationAreas, OfNothingAreNone)
+TEST(DeviationAreas, WithoutCellsAreZero)
 {
     Deviation deviation;
     add_areas(deviation);

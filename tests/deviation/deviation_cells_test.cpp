@@ -43,7 +43,7 @@ TEST(DeviationCells, NeedTheChartsThatWereMeasured)
                  DomainError);
 }
 
-TEST(DeviationCells, AreOfAWholeAndFiniteDeviation)
+TEST(DeviationCells, RequireACompleteAndFiniteDeviation)
 {
     const Part part = std::vector<Surface>{test::plane(1, 1)};
     const Deviation whole = made_deviation(part_charts(part), 0.5, none_left);

@@ -61,7 +61,7 @@ ToolPath level_passes(double pitch)
 // The centre of a ball passes outside the edge x = 0 of a plane, at a distance of
 // `beyond`. The ball removes 0.3 mm along the normal at the edge, and nothing from 0.06
 // mm inside the edge on.
-TEST(Deviation, LeavesOpenWhatAFinerGridMayJudgeAtTheBorder)
+TEST(Deviation, IsUndecidedAtTheBorderWithACoarseGrid)
 {
     constexpr double radius = 4;
     constexpr double beyond = 3.9;
@@ -112,7 +112,7 @@ TEST_P(ParallelPasses, LeaveTheScallopOfTheClosedForm)
 INSTANTIATE_TEST_SUITE_P(AtAnyPitch, ParallelPasses,
                          testing::Values(0.4, 0.2, 0.1, 0.07));
 
-TEST(Deviation, OfAPassLeftOutIsTheScallopOfTwicePitchInPlace)
+TEST(Deviation, OfAnOmittedPassIsTheScallopOfTwiceThePitch)
 {
     const ToolPath path = passes(8, 0, 20, [](int i) {
         return Eigen::Vector2d{1.5 * (i < 3 ? i : i + 1), 0};  // none at y = 4.5
@@ -236,7 +236,7 @@ TEST_P(LoweredPath, GougesByItsShareAlongTheNormal)
 INSTANTIATE_TEST_SUITE_P(FromFlatToSteep, LoweredPath,
                          testing::Values(0.0, 30.0, 60.0, 80.0, 89.0));
 
-TEST(Deviation, OfAFlatCutterAlongAWallIsHowFarItStaysAway)
+TEST(Deviation, OfAFlatCutterAlongAWallIsItsDistance)
 {
     // A step up at x = 0: floor z = 0 for x > 0, wall x = 0 up to z = 4.
     const TriangleMesh mesh{
@@ -262,7 +262,7 @@ TEST(Deviation, OfAFlatCutterAlongAWallIsHowFarItStaysAway)
 }
 
 // The passes of a flat cutter leave a thin wall between them, which no ray need hit.
-TEST(Deviation, OfASharpEdgeKnowsWhatItMayHaveMissed)
+TEST(Deviation, OfAThinWallBetweenPassesIsNotClean)
 {
     const ToolPath path = passes(2, -9, 29, [](int i) {
         return Eigen::Vector2d{i * 10.02 + 1.013, 0};
@@ -329,7 +329,7 @@ TEST(Deviation, OfAPathElsewhereCutsNothing)
     EXPECT_EQ(verdict(left, {}), Verdict::Uncut);
 }
 
-TEST(Deviation, RefusesWhatItCannotMeasure)
+TEST(Deviation, RefusesUnsupportedInput)
 {
     DeviationOptions options;
     options.pitch = 0;
@@ -341,7 +341,7 @@ TEST(Deviation, RefusesWhatItCannotMeasure)
                  LimitError);
 }
 
-TEST(Verdict, OfTheGridIsNeverTurnedByAFinerOne)
+TEST(Verdict, OfTheGridIsNeverReversedByAFinerOne)
 {
     // The true scallop is 0.1010205. The closer the limit is to it, the longer the
     // verdict stays undecided.

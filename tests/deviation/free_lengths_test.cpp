@@ -63,7 +63,7 @@ TEST(FreeLengths, InACylinderAreItsRadius)
     }
 }
 
-TEST(FreeLengths, OfFreeWaysAreTheirOwn)
+TEST(FreeLengths, OfUnobstructedRaysAreTheirLengths)
 {
     const Part box = test::box_mesh({0, 0, 0}, {4, 4, 4});
     const PartCharts charts = part_charts(box);

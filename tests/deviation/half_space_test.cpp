@@ -18,7 +18,7 @@ Vec3 uniform(test::Random& random, double size)
 }
 
 // All points at and above the height of the sweep belong to the swept volume.
-TEST(HalfSpace, HoldsAllThatASweepClears)
+TEST(HalfSpace, ContainsTheVolumeOfTheSweep)
 {
     test::Random random{51};
     for (const Cutter& cutter : {Cutter::ball(5), Cutter::flat(5), Cutter{5, 2}})

@@ -50,7 +50,7 @@ TEST(PartCell, QuartersHaveItsAreaAndHalfItsReach)
     }
 }
 
-TEST(PartCharts, KnowTheOuterBorderOfASurface)
+TEST(PartCharts, HaveTheOuterBorderOfASurface)
 {
     const Part part = std::vector<Surface>{test::plane(6, 4, {3, 1})};
     const PartCharts charts = part_charts(part);

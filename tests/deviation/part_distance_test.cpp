@@ -68,7 +68,7 @@ TEST(PartDistance, FreeLengthsAreTheRadiiOfBallsThatFit)
     EXPECT_EQ(in_cylinder.uncertainty() <= 0.002, true);
 }
 
-TEST(PartDistance, KnowsWhatStandsOverOrUnderThePart)
+TEST(PartDistance, FindsPointsOverOrUnderThePart)
 {
     const Part box = test::box_mesh({0, 0, 0}, {2, 3, 4});
     const PartCharts charts = part_charts(box);

@@ -23,7 +23,7 @@ double gap_between_plane_and(const Vec3& tip)
     return part_gap(charts, SweepTree{sweeps});
 }
 
-TEST(PartGap, IsNearlyTheDistanceAndNeverMore)
+TEST(PartGap, IsACloseLowerBoundOfTheDistance)
 {
     EXPECT_LE(gap_between_plane_and({10, 6, 30}), 30);
     EXPECT_GE(gap_between_plane_and({10, 6, 30}), 29.5);
@@ -33,7 +33,7 @@ TEST(PartGap, IsNearlyTheDistanceAndNeverMore)
     EXPECT_EQ(gap_between_plane_and({10, 6, 0}), 0);
 }
 
-TEST(PartGap, OfNothingIsInfinite)
+TEST(PartGap, WithoutMovesIsInfinite)
 {
     const Part part = std::vector<Surface>{test::plane(20, 12)};
     EXPECT_TRUE(std::isinf(
@@ -50,7 +50,7 @@ bool passes_over_plane(const Cutter& cutter, const std::vector<Vec3>& tips, doub
 
 // The cutter overlaps the border or a corner of the part by a little, passes over the
 // part, or stays above the stock.
-TEST(PassesOver, IsSeenWhereverTheCutterReachesThePart)
+TEST(PassesOver, IsTrueWhereverTheCutterReachesThePart)
 {
     for (const double in : {0.02, 0.5, 8.0}) {
         const std::vector<Vec3> tips{{-5 + in, -3, -2}, {-5 + in, 20, -2}};

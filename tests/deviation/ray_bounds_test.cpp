@@ -26,7 +26,7 @@ std::vector<PartRay> rays_near(const Vec3& place, test::Random& random)
 }
 
 // A half space that is reported out of reach contains no point of any ray.
-TEST(RayBounds, HoldsAllRaysOfAllThatItIsMadeOf)
+TEST(RayBounds, ContainsAllRaysOfItsParts)
 {
     test::Random random{41};
     int out_of_reach = 0;
@@ -57,7 +57,7 @@ TEST(RayBounds, HoldsAllRaysOfAllThatItIsMadeOf)
     EXPECT_GT(out_of_reach, 50);
 }
 
-TEST(RayBounds, OfOneIsThatOneAndABit)
+TEST(RayBounds, OfOneRayIsThatRayWithAMargin)
 {
     const RayBounds one{{1, 2, 3}, {0, 0, 1}, 3, 4, 0.1, 6};
     const RayBounds common = common_bounds({&one, 1});
@@ -69,7 +69,7 @@ TEST(RayBounds, OfOneIsThatOneAndABit)
     EXPECT_EQ(common.longest, 6);
 }
 
-TEST(UnitOrUp, IsUpForNothing)
+TEST(UnitOrUp, IsUpForAZeroVector)
 {
     EXPECT_EQ(unit_or_up(Vec3::Zero()), Vec3::UnitZ());
     EXPECT_EQ(unit_or_up({0, -4, 0}), Vec3(0, -1, 0));

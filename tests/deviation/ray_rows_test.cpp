@@ -31,7 +31,7 @@ RayRows rows_of(const std::vector<PartRay>& rays, double length)
     return rows;
 }
 
-TEST(RayRows, FallShortOfAHalfSpaceByWhatTheirTipsDo)
+TEST(RayRows, FallShortOfAHalfSpaceLikeTheirTips)
 {
     const RayRows rows = rows_of({{{0, 0, 1}, {0, 0, 1}, Vec3::Zero(), Vec3::Zero()},
                                   {{0, 0, 2}, {0.6, 0, 0.8}, Vec3::Zero(), Vec3::Zero()}},
@@ -44,7 +44,7 @@ TEST(RayRows, FallShortOfAHalfSpaceByWhatTheirTipsDo)
     EXPECT_NEAR(shortfalls(rows, over, 0.25, 0.125, short_by), 1.6 + 0.125 - 0.45, 1e-12);
 }
 
-TEST(RayRows, KnowTheLongest)
+TEST(RayRows, HaveTheLongestRay)
 {
     const std::vector<PartRay> rays(
         11, {Vec3::Zero(), {0, 0, 1}, Vec3::Zero(), Vec3::Zero()});

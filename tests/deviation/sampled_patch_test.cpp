@@ -38,7 +38,7 @@ TriangleMesh mesh_of(const std::vector<Vec3>& points, int columns, int rows)
     return TriangleMesh{points, std::move(triangles)};
 }
 
-TEST(SampledPatch, FindsWhatATreeOfBoxesFinds)
+TEST(SampledPatch, AgreesWithATreeOfBoxes)
 {
     for (const auto& [columns, rows] : {std::pair{16, 8}, {1, 1}, {1, 4}, {8, 1}}) {
         const std::vector<Vec3> points = wave(columns, rows);
@@ -60,7 +60,7 @@ TEST(SampledPatch, FindsWhatATreeOfBoxesFinds)
     }
 }
 
-TEST(SampledPatch, KeepsWhatIsNearer)
+TEST(SampledPatch, KeepsTheNearerPlace)
 {
     const SampledPatch patch{wave(4, 4), 4, 4};
     const Vec3 place{2, 2, 30};

@@ -49,7 +49,7 @@ TEST(SurfaceTree, DistancesFromATorusAreWithinTheChordError)
     }
 }
 
-TEST(SurfaceTree, AnyHintLeadsToTheSameAnswer)
+TEST(SurfaceTree, ResultDoesNotDependOnTheHint)
 {
     const std::vector<Surface> torus = torus_quarter();
     const SurfaceTree fresh{torus, tolerance};
@@ -67,7 +67,7 @@ TEST(SurfaceTree, AnyHintLeadsToTheSameAnswer)
     }
 }
 
-TEST(SurfaceTree, AnswersAnyNumberOfThreads)
+TEST(SurfaceTree, SupportsAnyNumberOfThreads)
 {
     const std::vector<Surface> torus = torus_quarter();
     const SurfaceTree pieces{torus, tolerance};
@@ -83,7 +83,7 @@ TEST(SurfaceTree, AnswersAnyNumberOfThreads)
         EXPECT_NEAR(error, 0, pieces.chord_error() + 1e-12);
 }
 
-TEST(SurfaceTree, OfAPlaneAreThePlaneWhateverTheirNumber)
+TEST(SurfaceTree, OfAPlaneHasTheDistancesOfThePlane)
 {
     const std::vector<Vec3> net{{0, 0, 1}, {7, 0, 1}, {0, 5, 1}, {7, 5, 1}};
     const std::vector<Surface> plane{Surface{{0, 1}, {0, 1}, {BezierPatch{1, 1, net}}}};

@@ -57,7 +57,7 @@ TEST_P(SweepRowsOf, HoldEverySweepThatShortensARay)
 }
 
 // Cutting tiles together gives the same result as cutting each alone.
-TEST_P(SweepRowsOf, LeaveTheSameTogether)
+TEST_P(SweepRowsOf, GiveTheSameResultTogether)
 {
     test::Random random{52};
     for (int round = 0; round < 20; ++round) {

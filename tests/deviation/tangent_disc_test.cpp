@@ -26,7 +26,7 @@ TEST(TangentDisc, DistancesOfAFlatCylinder)
     EXPECT_EQ(disc.squared_distance({8, 2, -1.5}), 25 + 16);
 }
 
-TEST(TangentDisc, IsNoFurtherThanWhatItHolds)
+TEST(TangentDisc, IsNoFurtherThanItsContents)
 {
     test::Random random{1};
     for (int i = 0; i < 200; ++i) {
@@ -59,7 +59,7 @@ TEST(TangentDisc, OfCornersInAPlaneLiesInIt)
     EXPECT_EQ(disc.half_thickness, 0);
 }
 
-TEST(TangentDisc, OfOnePlaceHasSomeNormal)
+TEST(TangentDisc, OfOnePointHasANormal)
 {
     const std::array<Vec3, 4> corners{Vec3{1, 1, 1}, Vec3{1, 1, 1}, Vec3{1, 1, 1},
                                       Vec3{1, 1, 1}};

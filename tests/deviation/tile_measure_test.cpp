@@ -90,7 +90,7 @@ TEST(LimitedThickness, KeepsItsSign)
     EXPECT_EQ(limited_thickness(0.5, wall, distance, hint), 0.5);
 }
 
-TEST(Extremes, OfCellsLookedAtTwiceKeepTheLargerArea)
+TEST(Extremes, OfCellsMeasuredTwiceKeepTheLargerArea)
 {
     Extremes a;
     a.add_area(-0.02, 3, limits);

@@ -151,7 +151,7 @@ TEST(LeastGap, DoesNotDependOnThreads)
     }
 }
 
-TEST(LeastGap, IsNothingWithoutAPlaceOrAPart)
+TEST(LeastGap, IsEmptyWithoutAPlaceOrAPart)
 {
     const std::vector<Surface> surfaces{bowl(5)};
     EXPECT_FALSE(least_gap(surfaces, cutters[0], {}));

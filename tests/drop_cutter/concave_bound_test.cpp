@@ -42,7 +42,7 @@ struct Lines {
     }
 };
 
-TEST(ConcaveBound, IsNeverWrongAndMostlyKnows)
+TEST(ConcaveBound, IsNeverWrongAndMostlyDecides)
 {
     test::Random random{1};
     int undecided = 0;
@@ -70,7 +70,7 @@ TEST(ConcaveBound, SeesAParabolaBetweenItsValues)
     EXPECT_FALSE(stays_below(parabola, 0.9999));
 }
 
-TEST(ConcaveBound, TakesNothingForGrantedWhereThereIsNone)
+TEST(ConcaveBound, IsUndecidedWithoutAValue)
 {
     const auto part = [](double x) { return x > 0.9 ? -1.0 : -infinite; };
     EXPECT_FALSE(stays_below(part, -2));

@@ -29,7 +29,7 @@ SurfaceJet bent(double u, double v)
 const Cutter cutters[] = {Cutter::ball(5), Cutter{5, 2}, Cutter::flat(5)};
 const Eigen::Vector2d axis{1.2, -0.4};
 
-TEST(ContactHeight, IsThatOfTheProfileOnThePoint)
+TEST(ContactHeight, IsTheHeightOfTheProfileOverThePoint)
 {
     for (const Cutter& cutter : cutters)
         for (const auto& [u, v] : {std::pair{1.5, 2.0}, {0.5, 0.1}, {-1.0, 1.0}}) {

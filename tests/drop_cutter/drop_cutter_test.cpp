@@ -137,7 +137,7 @@ TEST(DropCutter, RestsOnACylinder)
 }
 
 // A body that contains another never rests lower: ball, bull-nose, flat.
-TEST(DropCutter, RestsHigherTheMoreItFillsItsCylinder)
+TEST(DropCutter, RestsHigherForFullerCutters)
 {
     test::Random random{3};
     const TriangleMesh mesh = rubble(random, 200, 3);
@@ -183,7 +183,7 @@ TEST(DropCutter, DoesNotDependOnHintsOrderOrThreads)
 }
 
 // A fan of long thin triangles, which fill their boxes in plan badly.
-TEST(DropCutter, KnowsItsWayAmongLongThinTriangles)
+TEST(DropCutter, WorksWithLongThinTriangles)
 {
     std::vector<Vec3> points{{0, 0, 5}};
     std::vector<Triangle> triangles;
@@ -226,7 +226,7 @@ TEST(DropCutter, WorksFarFromTheOrigin)
     }
 }
 
-TEST(DropCutter, FindsNothingWhereThereIsNothing)
+TEST(DropCutter, FindsNothingBesideTheMesh)
 {
     const TriangleMesh empty;
     const DropCutter over_nothing{empty, Cutter::ball(1)};
@@ -241,7 +241,7 @@ TEST(DropCutter, FindsNothingWhereThereIsNothing)
     }
 }
 
-TEST(DropCutter, IsAskedAboutPlacesOnly)
+TEST(DropCutter, RefusesInvalidArguments)
 {
     const TriangleMesh mesh = test::flat_mesh(2, 2);
     const DropCutter drop_cutter{mesh, Cutter::ball(1)};

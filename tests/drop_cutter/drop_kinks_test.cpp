@@ -47,7 +47,7 @@ TEST(DropKinks, IsTheCrossingOfTheInclinedTrough)
     }
 }
 
-TEST(DropKinks, AreNoneWhereTheContactGoesOverSmoothly)
+TEST(DropKinks, AreNoneWhereTheContactChangesSmoothly)
 {
     // Over a ridge, from one side to the crease and down the other side.
     const std::vector<Surface> ridge{test::valley(10, 20, -0.5)};

@@ -68,7 +68,7 @@ TEST(DropTree, NeverBoundsATriangleBelowWhatItsPointsReach)
 }
 
 // With tight bounds a search visits few of many triangles.
-TEST(DropTree, LeavesOutNearlyAll)
+TEST(DropTree, SkipsNearlyAllTriangles)
 {
     const TriangleMesh mesh = hills(100);
     const DropTree tree{mesh, Cutter::ball(2)};
@@ -86,7 +86,7 @@ TEST(DropTree, LeavesOutNearlyAll)
 
 // The bounds of a plane, computed from its values, cover the corners of all triangles
 // below it.
-TEST(DropTree, KeepsPlanesAboveWhatIsBelow)
+TEST(DropTree, KeepsPlanesAboveItsTriangles)
 {
     struct Planes {
         const DropTree& tree;

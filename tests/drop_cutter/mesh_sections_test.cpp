@@ -110,7 +110,7 @@ TEST(MeshSections, AreHalvedUntilNoChordGouges)
 }
 
 // Islands from 0 to 5 and from 15 to 20. The rim of the cutter leaves the first one at 7.
-TEST(MeshSections, BreakWhereNothingIsBeneath)
+TEST(MeshSections, BreakAtTheBorderOfTheMesh)
 {
     const TriangleMesh mesh = test::both(test::box_mesh({0, 0, 0}, {5, 10, 1}),
                                          test::box_mesh({15, 0, 0}, {20, 10, 1}));
@@ -126,7 +126,7 @@ TEST(MeshSections, BreakWhereNothingIsBeneath)
     }
 }
 
-TEST(MeshSections, AreNoneWhereThereIsNothing)
+TEST(MeshSections, AreEmptyBesideTheMesh)
 {
     const TriangleMesh mesh = test::flat_mesh(2, 2);
     const DrivePlanes far{along_x.frame, {50}};
@@ -154,7 +154,7 @@ TEST(MeshSections, DoNotDependOnThreads)
     }
 }
 
-TEST(MeshSections, TakeSensibleOptionsOnly)
+TEST(MeshSections, RefuseInvalidOptions)
 {
     const TriangleMesh mesh = test::flat_mesh(2, 2);
     const DropCutter drop_cutter{mesh, cutters[0]};

@@ -84,7 +84,7 @@ TEST(PatchClimb, FindsTheTopThatDenseSamplesFind)
         }
 }
 
-TEST(PatchClimb, TellsHowTheHeightGoesOn)
+TEST(PatchClimb, GivesTheDerivativesOfTheHeight)
 {
     const test::Polynomial hills = test::monomial(2, 0, -0.03) +
                                    test::monomial(0, 2, -0.02) +

@@ -71,7 +71,7 @@ TEST(HighestCorner, BoundsSmallTrianglesClosely)
     }
 }
 
-TEST(HighestCorner, LeavesOutWhatIsOutsideOrAtTheRim)
+TEST(HighestCorner, IgnoresTrianglesOutsideOrAtTheRim)
 {
     const auto found_at = [](double x) {
         return highest_corner({Vec3{x, 0, 0}, Vec3{x + 9, 0, 0}, Vec3{x, 9, -9}}, 0, 0,

@@ -247,7 +247,7 @@ TEST(TriangleDrop, TakesATriangleWithoutAreaForItsSides)
     }
 }
 
-TEST(TriangleDrop, DoesNotCareWhichWayATriangleFaces)
+TEST(TriangleDrop, DoesNotDependOnTheOrientationOfATriangle)
 {
     test::Random random{4};
     for (int k = 0; k < 200; ++k) {
@@ -265,7 +265,7 @@ TEST(TriangleDrop, DoesNotCareWhichWayATriangleFaces)
 }
 
 // Far from the origin only the rounding of the coordinates is lost.
-TEST(TriangleDrop, IsAsGoodFarFromTheOrigin)
+TEST(TriangleDrop, IsAccurateFarFromTheOrigin)
 {
     test::Random random{5};
     const Vec3 far{4096, -8192, 512};  // exact, and so are sums with sixteenths
@@ -286,7 +286,7 @@ TEST(TriangleDrop, IsAsGoodFarFromTheOrigin)
     }
 }
 
-TEST(TriangleDrop, MayLeaveOutOnlyWhatIsBelowTheLeast)
+TEST(TriangleDrop, SkipsOnlyTrianglesBelowTheLimit)
 {
     test::Random random{6};
     for (int k = 0; k < 300; ++k) {

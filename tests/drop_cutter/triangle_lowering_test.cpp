@@ -26,7 +26,7 @@ TriangleLowering<Real> lowered(const CutterShape<Real>& shape,
 
 // The result with twice the digits is the same, unless the result in doubles is marked as
 // doubtful.
-TEST(TriangleLowering, KnowsWhenItsDigitsAreTooFew)
+TEST(TriangleLowering, DetectsInsufficientPrecision)
 {
     test::Random random{1};
     int plain = 0;

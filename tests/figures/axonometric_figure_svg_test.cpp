@@ -55,7 +55,7 @@ TEST(SvgPicture, DrawsAPolylineWithinATenthOfAPixel)
     }
 }
 
-TEST(SvgPicture, LeavesOutWhatCannotBeSeen)
+TEST(SvgPicture, LeavesOutInvisibleElements)
 {
     std::vector<PixelPoint> straight;
     std::vector<PixelPoint> circle;
@@ -97,7 +97,7 @@ TEST(SvgPicture, DrawsBoxesAsOneElementWithSharpSides)
     EXPECT_EQ(path.attributes.at("d"), "M3 4h20v5h-20zM-7 8h1v2h-1z");
 }
 
-TEST(SvgPicture, DrawsNothingWhereThereIsNothing)
+TEST(SvgPicture, IgnoresEmptyElements)
 {
     SvgPicture picture{100, 100, ""};
     const std::string before = picture.text();

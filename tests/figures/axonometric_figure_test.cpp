@@ -41,7 +41,7 @@ TEST(AxonometricView, HasThreeUnitDirectionsAtRightAngles)
 }
 
 // The directions of the picture for views from the front, from the right and from above.
-TEST(AxonometricView, FacesThePartFromWhereTheViewerStands)
+TEST(AxonometricView, FacesThePartFromTheViewer)
 {
     const AxonometricView front{Angle::degrees(-90), Angle::degrees(0)};
     EXPECT_TRUE(front.right.isApprox(Vec3::UnitX(), 1e-15));
@@ -85,7 +85,7 @@ Frame frame_of(const std::string& svg)
 
 class FigureOfABox : public testing::TestWithParam<Vec3> {};
 
-TEST_P(FigureOfABox, HasRoomForAllThatIsDrawn)
+TEST_P(FigureOfABox, HasRoomForTheWholeDrawing)
 {
     const auto corners = box_corners(GetParam());
     for (const double azimuth : {-60.0, 0.0, 90.0, 170.0}) {
@@ -162,7 +162,7 @@ TEST(AxonometricFigure, AnArrowGoesFromPointToPoint)
         EXPECT_LT((barb - curve[0]).norm(), (curve[1] - curve[0]).norm());
 }
 
-TEST(AxonometricFigure, AnArrowSeenFromItsEndIsNone)
+TEST(AxonometricFigure, AnArrowSeenFromItsEndIsNotDrawn)
 {
     AxonometricFigure figure{
         {.azimuth = Angle::degrees(-90), .elevation = Angle::degrees(0)},

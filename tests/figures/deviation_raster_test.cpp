@@ -91,7 +91,7 @@ TEST(DeviationRaster, IsEmptyWhereThePartDoesNotShow)
         }
 }
 
-TEST(DeviationRaster, OfAWallIsALineAndOfNothingASquare)
+TEST(DeviationRaster, OfAWallIsALineAndOfAnEmptyPartASquare)
 {
     const Part wall = std::vector<Surface>{test::parallelogram({10, 0, 0}, {0, 0, 5})};
     const PartCharts charts = part_charts(wall);

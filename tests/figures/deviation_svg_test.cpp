@@ -191,7 +191,7 @@ TEST(DeviationMap, NamesVerdictAndExtremesWhereTheyAre)
         clean, [](const std::string& text) { return text.starts_with("gouge "); }));
 }
 
-TEST(DeviationMap, StaysSmallWhateverThePart)
+TEST(DeviationMap, StaysSmallForEveryPart)
 {
     const Part part = std::vector<Surface>{test::plane(40, 40)};
     const PartCharts charts = part_charts(part);
@@ -201,7 +201,7 @@ TEST(DeviationMap, StaysSmallWhateverThePart)
     EXPECT_LT(deviation_svg(charts, rough, {.limits = limits}).size(), 1'500'000U);
 }
 
-TEST(DeviationMap, OfNothingAndOfAWallAreDrawn)
+TEST(DeviationMap, IsDrawnForAnEmptyPartAndAWall)
 {
     const Part none = std::vector<Surface>{};
     EXPECT_NO_THROW(SmallXml::parse(deviation_svg(part_charts(none), {}, {})));

@@ -63,7 +63,7 @@ TEST(DrawnMesh, NamesAFacetNearby)
 }
 
 // Tiny triangles far from each other, all smaller than a cube of any grid.
-TEST(DrawnMesh, LeavesSomeWhereAllWouldVanish)
+TEST(DrawnMesh, KeepsSomeTrianglesOfTinyParts)
 {
     std::vector<Vec3> points;
     std::vector<Triangle> triangles;
@@ -78,7 +78,7 @@ TEST(DrawnMesh, LeavesSomeWhereAllWouldVanish)
     EXPECT_GT(drawn.triangles.size(), 0U);
 }
 
-TEST(DrawnMesh, TakesASinglePlaceAndNothing)
+TEST(DrawnMesh, AcceptsASinglePointAndAnEmptyMesh)
 {
     const std::vector<Vec3> points(3, Vec3{1, 1, 1});
     const std::vector<Triangle> triangles(7, Triangle{0, 1, 2});

@@ -77,7 +77,7 @@ TEST(SectionSvg, HasOneScaleInBothDirections)
     EXPECT_NEAR(sides[0], -sides[4], 0.02);
 }
 
-TEST(SectionSvg, RefusesWhatCannotBeDrawn)
+TEST(SectionSvg, RefusesSectionsThatCannotBeDrawn)
 {
     EXPECT_THROW(section_svg({{}, {}}), DomainError);
     EXPECT_THROW(curves_svg({}), DomainError);

@@ -110,7 +110,7 @@ TEST(ShownSetup, NamesAxesByTheMachines)
 
 // Facet 0 is accessible along the cell nearest to the tool axis only, facet 1 along all
 // others.
-TEST(ReachedAtZero, LooksAtTheCellNearestToTheToolAxis)
+TEST(ReachedAtZero, UsesTheCellNearestToTheToolAxis)
 {
     const SphereGrid grid = sphere_grid("hex:3");
     const std::size_t cell = 17;

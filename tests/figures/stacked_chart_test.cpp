@@ -82,7 +82,7 @@ TEST(StackedChart, OfAConstantDoesNotShowItsRounding)
     EXPECT_THAT(text_of(-4), testing::HasSubstr(">-4.5<"));
 }
 
-TEST(StackedChart, OfNothingIsAFrame)
+TEST(StackedChart, WithoutValuesIsAFrame)
 {
     const std::vector<ChartPanel> panels{{"y", {{"line", red, {}}}}};
     EXPECT_THAT(stacked_chart({"empty", {}, "x"}, {}, panels),

@@ -38,7 +38,7 @@ TEST(CsvTable, QuotesAsRfc4180Does)
     EXPECT_EQ(table.text(), "a,b\n\"b\"\"bb\",\"x,y\"\n\"two\r\nlines\",plain text\n");
 }
 
-TEST(CsvTable, DisarmsFormulasInTextAndLeavesNumbersAlone)
+TEST(CsvTable, EscapesFormulasInTextOnly)
 {
     CsvTable table{{"text", "number"}};
     for (const char* formula : {"=1+1", "+1", "-1", "@SUM(A1)", "\tx"})
@@ -49,7 +49,7 @@ TEST(CsvTable, DisarmsFormulasInTextAndLeavesNumbersAlone)
     }
 }
 
-TEST(CsvTable, RefusesWhatNoFileMayHold)
+TEST(CsvTable, RefusesInvalidCellsAndNames)
 {
     CsvTable table{{"a", "b"}};
     EXPECT_THROW(table.add_row({1.0}), DomainError);

@@ -9,7 +9,7 @@ namespace endmill {
 namespace {
 
 // First lines as printed in the documents of the formats.
-TEST(RecognizedFormat, SeesTheBeginningsOfTheUsualFiles)
+TEST(RecognizedFormat, RecognisesTheBeginningsOfTheUsualFiles)
 {
     EXPECT_EQ(recognized_format("solid cube\n facet normal 0 0 1\n"), "STL");
     EXPECT_EQ(recognized_format("# Blender\nmtllib a.mtl\n"), "OBJ");
@@ -25,7 +25,7 @@ TEST(RecognizedFormat, SeesTheBeginningsOfTheUsualFiles)
     EXPECT_EQ(recognized_format("[]"), "JSON");
 }
 
-TEST(RecognizedFormat, KnowsABinaryStlByItsSizeWhateverItBeginsWith)
+TEST(RecognizedFormat, RecognisesABinaryStlByItsSize)
 {
     std::string stl = "{\"format\": " + std::string(68, ' ');
     stl.resize(80, ' ');
@@ -35,7 +35,7 @@ TEST(RecognizedFormat, KnowsABinaryStlByItsSizeWhateverItBeginsWith)
     EXPECT_EQ(recognized_format(stl), "JSON");
 }
 
-TEST(RecognizedFormat, IsNothingForUnknownContent)
+TEST(RecognizedFormat, IsEmptyForUnknownContent)
 {
     EXPECT_EQ(recognized_format("hello"), std::nullopt);
     EXPECT_EQ(recognized_format(""), std::nullopt);

@@ -15,7 +15,7 @@ StockHistory history()
              {Cutter{4, 1}, false, {{4, 5, 6}, {7, 8, 9}, {0, 0, 1}}}}};
 }
 
-TEST(HistoryArrays, AreAsLongAsTheySay)
+TEST(HistoryArrays, HaveTheirStatedLength)
 {
     const HistoryCounts counts = counts_of(history());
     EXPECT_EQ(counts.runs, 2);
@@ -34,7 +34,7 @@ TEST(HistoryArrays, AreNamedInTheHead)
     EXPECT_FALSE(named_history("<FieldData>"));
 }
 
-TEST(HistoryArrays, AreReadFromWhereTheyStand)
+TEST(HistoryArrays, AreReadFromTheirOffset)
 {
     std::string bytes = "before";
     append_history(bytes, history());

@@ -30,7 +30,7 @@ TEST(DirectionsCsv, AreUnitVectorsByAzimuthAndPolarAngle)
         EXPECT_LT((read[i] - expected[i]).norm(), 1e-15) << i;
 }
 
-TEST(DirectionsCsv, SayWhichLineIsWrong)
+TEST(DirectionsCsv, NameTheWrongLine)
 {
     EXPECT_THAT(complaint_about("azimuth_deg,polar_deg\n"), HasSubstr("no row"));
     EXPECT_THAT(complaint_about("azimuth_deg,polar_deg\n1,181\n"),

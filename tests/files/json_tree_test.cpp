@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(DuplicateKeys, MalformedJson,
                                          BadText{"[{\"b\": {\"a/~\": 1, \"a/~\": 1}}]",
                                                  "/0/b/a~1~0", "duplicate key \"a/~\""}));
 
-TEST(JsonTree, NamesTheWordThatIsNoFiniteNumber)
+TEST(JsonTree, NamesTheInvalidNumber)
 {
     for (const std::string word :
          {"NaN", "nan", "-NaN", "Infinity", "-Infinity", "+Infinity", "inf", "-inf"}) {
@@ -116,7 +116,7 @@ TEST(JsonTree, NestsSixtyFourDeepAndNoDeeper)
     EXPECT_EQ(complaint_about("\"" + std::string(100, '[') + "\""), "accepted");
 }
 
-TEST(JsonTree, RefusesATreeThatWouldNotFit)
+TEST(JsonTree, RefusesATreeBeyondTheMemoryLimit)
 {
     std::string text = "[";
     for (int i = 0; i < 100000; ++i)
@@ -129,7 +129,7 @@ TEST(JsonTree, RefusesATreeThatWouldNotFit)
     EXPECT_NO_THROW(json_tree(text, "f", {.max_memory_gib = 5 * least_gib}));
 }
 
-TEST(JsonTree, HoldsWhatTheTextSpells)
+TEST(JsonTree, HasTheValuesOfTheText)
 {
     const auto tree =
         json_tree(R"({"a": [1, -2, 0.5, "t", true, null], "b": {}})", "f", {});

@@ -42,7 +42,7 @@ TriangleMesh rounded_to_float(const TriangleMesh& mesh)
     return {std::move(points), triangles_of(mesh)};
 }
 
-TEST(MeshText, ReadsBackToTheSameNumbersWherePointsAreNumbered)
+TEST(MeshText, KeepsNumbersWherePointsAreNumbered)
 {
     for (const TriangleMesh& mesh :
          {uneven_mesh(), test::torus_mesh(12, 7), test::box_mesh({0, 0, 0}, {1, 2, 3})})
@@ -54,7 +54,7 @@ TEST(MeshText, ReadsBackToTheSameNumbersWherePointsAreNumbered)
         }
 }
 
-TEST(MeshText, ReadsBackToTheSameTrianglesWhereTheyStandAlone)
+TEST(MeshText, KeepsTrianglesWithoutPointNumbers)
 {
     const TriangleMesh mesh = uneven_mesh();
     const TriangleMesh ascii = read_back(mesh, MeshFormat::StlAscii);

@@ -158,7 +158,7 @@ std::size_t memory_bound(std::size_t file_bytes)
 
 class DamagedMesh : public testing::TestWithParam<Sample> {};
 
-TEST_P(DamagedMesh, IsReadSoundOrRefused)
+TEST_P(DamagedMesh, IsReadCorrectlyOrRefused)
 {
     test::Random random{20};
     for (int i = 0; i < 300; ++i) {
@@ -172,7 +172,7 @@ TEST_P(DamagedMesh, IsReadSoundOrRefused)
 INSTANTIATE_TEST_SUITE_P(OfEveryFormat, DamagedMesh, testing::ValuesIn(samples()),
                          [](const auto& sample) { return sample.param.name; });
 
-TEST(LyingMesh, IsGivenNoMemoryForWhatItClaims)
+TEST(LyingMesh, GetsNoMemoryForFalseCounts)
 {
     const std::string points = "property char x\nproperty char y\nproperty char z\n";
     const std::string faces = "\nproperty list uchar int vertex_index\nend_header\n";
@@ -250,7 +250,7 @@ std::string ply_of_one_polygon(std::int32_t corners)
 
 class GreedyFile : public testing::TestWithParam<Greedy> {};
 
-TEST_P(GreedyFile, TakesAboutTheLimitAtMostAndIsNotRefusedMuchTooEarly)
+TEST_P(GreedyFile, RespectsTheMemoryLimit)
 {
     constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
     const TemporaryFolder folder;

@@ -113,7 +113,7 @@ TEST(ParseObj, RefusesIndicesOfNoPoint)
               "E_INDEX f.obj:1: index 1; expected points (v) above the faces");
 }
 
-TEST(ParseObj, RefusesFacesThatAreNoneAndEndlessLines)
+TEST(ParseObj, RefusesInvalidFacesAndEndlessLines)
 {
     EXPECT_EQ(complaint_about(points + "f 1 2\n"),
               "E_DEGENERATE f.obj:5: a face of 2 corners; expected at least 3");
@@ -127,7 +127,7 @@ TEST(ParseObj, RefusesFacesThatAreNoneAndEndlessLines)
               "expected lines of at most 1048576 bytes");
 }
 
-TEST(ParseObj, RefusesCoordinatesThatAreNone)
+TEST(ParseObj, RefusesInvalidCoordinates)
 {
     EXPECT_EQ(complaint_about("v 0 0 0\nv 0 nan 0\n"),
               "E_NONFINITE f.obj:2: coordinate NaN; expected a finite number");

@@ -130,7 +130,7 @@ TEST(ParseOff, RefusesIndicesOfNoPoint)
               "E_INDEX f.off:8: index -1; expected 0 to 3");
 }
 
-TEST(ParseOff, RefusesFacesThatAreNone)
+TEST(ParseOff, RefusesInvalidFaces)
 {
     EXPECT_EQ(complaint_with("3 0 2 3", "2 0 2"),
               "E_DEGENERATE f.off:8: a face of 2 corners; expected at least 3");
@@ -147,7 +147,7 @@ TEST(ParseOff, RefusesFacesThatAreNone)
               "E_OFF_SYNTAX f.off:8: \"5\"; expected the end of the line");
 }
 
-TEST(ParseOff, RefusesCoordinatesThatAreNone)
+TEST(ParseOff, RefusesInvalidCoordinates)
 {
     EXPECT_EQ(complaint_with("0.5", "NaN"),
               "E_NONFINITE f.off:6: coordinate NaN; expected a finite number");
@@ -158,7 +158,7 @@ TEST(ParseOff, RefusesCoordinatesThatAreNone)
               "(--max-extent)");
 }
 
-TEST(OffText, HasTheCountsAndNoEdges)
+TEST(OffText, HasTheCountsWithoutEdges)
 {
     const TriangleMesh mesh{{{0, 0, 0}, {0.1, 0, 0}, {0, 1e-7, 0}}, {{0, 1, 2}}};
     EXPECT_EQ(off_text(mesh),

@@ -197,7 +197,7 @@ TEST_F(LeftoverTest, IsRemovedWithItsFolderWhenPublished)
     EXPECT_EQ(content_of(place.path() / "first.csv"), "new");
 }
 
-TEST_F(LeftoverTest, IsAllThatIsRemoved)
+TEST_F(LeftoverTest, IsTheOnlyFileThatIsRemoved)
 {
     for (const char* folder : {"u", "u/v", "v"})
         fs::create_directory(place.path() / folder);

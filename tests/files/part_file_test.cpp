@@ -36,7 +36,7 @@ TEST(PartFile, IsASurfaceIfItsContentIsOne)
     }
 }
 
-TEST(PartFile, IsElseAMesh)
+TEST(PartFile, IsOtherwiseAMesh)
 {
     const TemporaryFolder folder;
     const TriangleMesh box = test::box_mesh({0, 0, 0}, {1, 2, 3});
@@ -63,7 +63,7 @@ TEST(PartFile, WhoseNameContradictsItsContentIsRefused)
                 HasSubstr("unknown extension"));
 }
 
-TEST(PartFile, SurfacesSpeakForTheirUnitThemselves)
+TEST(PartFile, RefusesMeshOptionsForSurfaces)
 {
     const TemporaryFolder folder;
     const auto path = folder.put("plate.json", plane_text());
@@ -130,7 +130,7 @@ TEST(PartFile, LeavesACavityAndSoundBodiesAsTheyAreWithoutANote)
     EXPECT_THAT(file.notes, ElementsAre());
 }
 
-TEST(PartFile, DoesNotSayThatAnOpenMeshFacesOutwards)
+TEST(PartFile, DoesNotReportAnOpenMeshAsOutwards)
 {
     const TriangleMesh sheet =
         test::with_turned(test::flat_mesh(3, 3), [](std::size_t k) { return k == 4; });

@@ -36,7 +36,7 @@ TEST(PathSummary, IsReadFromTheFileBesideThePath)
     EXPECT_EQ(summary->spindle_rpm, 5000);
 }
 
-TEST(PathSummary, MayBeMissingOrSayNothing)
+TEST(PathSummary, MayBeMissingOrEmpty)
 {
     const TemporaryFolder folder;
     EXPECT_FALSE(read_path_summary(folder.path() / "toolpath.csv"));

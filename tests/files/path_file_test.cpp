@@ -22,7 +22,7 @@ constexpr const char* canonical =
     "    4 N2     STRAIGHT_FEED(1.0000, 0.0000, 5.0000, 0.0000, 0.0000, 0.0000)\n"
     "    5 N..... PROGRAM_END()\n";
 
-TEST(PathFile, FormatFollowsTheContentWhateverTheName)
+TEST(PathFile, FormatFollowsTheContentBeforeTheName)
 {
     const ToolPath path = wavy_path(2, 3);
     for (const char* name : {"x", "x.txt", "x.ngc", "x.apt", "x.csv"}) {
@@ -84,7 +84,7 @@ TEST(PathFile, ReadsEveryKind)
     EXPECT_EQ(points("a.txt", canonical), 2U);
 }
 
-TEST(PathFile, HoldsEveryKindToTheLimits)
+TEST(PathFile, LimitsEveryKind)
 {
     const TemporaryFolder folder;
     const ToolPath path = wavy_path(2, 3);
@@ -101,7 +101,7 @@ TEST(PathFile, HoldsEveryKindToTheLimits)
     }
 }
 
-TEST(PathFile, RefusesWhatCannotBeRead)
+TEST(PathFile, RefusesUnreadableFiles)
 {
     const TemporaryFolder folder;
     const auto about = [](const std::filesystem::path& file) {

@@ -132,7 +132,7 @@ TEST(ParsePly, RefusesMoreOrFewerItemsThanClaimed)
     }
 }
 
-TEST(ParsePly, RefusesListsThatGoOnPastTheEnd)
+TEST(ParsePly, RefusesListsBeyondTheEnd)
 {
     const std::string text =
         binary_with_face("uchar int", "\xff" + std::string(12, '\0'));
@@ -178,7 +178,7 @@ TEST(ParsePly, RefusesIndicesOfNoPoint)
               "expected different corners");
 }
 
-TEST(ParsePly, RefusesCoordinatesThatAreNone)
+TEST(ParsePly, RefusesInvalidCoordinates)
 {
     EXPECT_EQ(complaint_with("255 0.5 0", "255 nan 0"),
               "E_NONFINITE f.ply:22: coordinate NaN; expected a finite number");

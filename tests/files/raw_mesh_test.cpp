@@ -44,7 +44,7 @@ TEST(RawMeshBuilder, SplitsFacesInOrder)
     EXPECT_NEAR(raw.out_of_plane_mm, 0.125, 0.005);
 }
 
-TEST(RawMeshBuilder, RefusesFacesThatAreNone)
+TEST(RawMeshBuilder, RefusesInvalidFaces)
 {
     EXPECT_EQ(complaint_about_face({}),
               "E_DEGENERATE f:5: a face of 0 corners; expected at least 3");
@@ -61,7 +61,7 @@ TEST(RawMeshBuilder, RefusesFacesThatAreNone)
               "itself; expected triangles or convex faces");
 }
 
-TEST(RawMeshBuilder, AsksForNoMoreMemoryThanTheLimit)
+TEST(RawMeshBuilder, NeedsNoMoreMemoryThanTheLimit)
 {
     const MeshSource tight{"", "f", {.max_memory_gib = 1e-3}};
     EXPECT_THROW(RawMeshBuilder(tight, 50000, 0), LimitError);

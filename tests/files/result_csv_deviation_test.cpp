@@ -106,7 +106,7 @@ TEST(DeviationHistogram, OfOneValueIsOneRowAndOfNoneTheHeader)
     EXPECT_EQ(deviation_histogram_csv({}, limits), "from_mm,to_mm,area_mm2\n");
 }
 
-TEST(DeviationHistogram, RefusesLimitsAndValuesThatAreNone)
+TEST(DeviationHistogram, RefusesInvalidLimitsAndValues)
 {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const Deviation deviation = of_values({0}, {1});

@@ -63,7 +63,7 @@ TEST(FeedCsv, LeavesCellsEmptyWhereNothingIsKnown)
                   "5.5,518.25\n");
 }
 
-TEST(FeedCsv, HasTheSameColumnsWhateverLiesBesideTheMoves)
+TEST(FeedCsv, HasTheSameColumnsForMovesBetweenTwoPasses)
 {
     std::vector cuts{cut(), cut()};
     cuts[1].has_two_neighbours = true;

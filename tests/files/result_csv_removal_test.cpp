@@ -70,7 +70,7 @@ TEST(RemovalCsv, SumsToTheVolumeAndTheLengthOfAPath)
     EXPECT_EQ(length_read, length);
 }
 
-TEST(RemovalCsv, HasNoRateForALengthThatIsNextToNothing)
+TEST(RemovalCsv, HasNoRateForANegligibleLength)
 {
     ToolPath path;
     path.points = {point_at({0, 0, 0}), point_at({1e-160, 0, 0})};
@@ -84,7 +84,7 @@ TEST(RemovalCsv, OfAnEmptyPathIsTheHeader)
     EXPECT_EQ(removal_csv({}, {}), "point,length_mm,removed_mm3,rate_mm3_per_min\n");
 }
 
-TEST(RemovalCsv, RefusesWhatDoesNotBelongTogetherOrIsNotFinite)
+TEST(RemovalCsv, RefusesMismatchedOrNonFiniteData)
 {
     ToolPath path;
     path.points = {point_at({0, 0, 0}), point_at({1, 0, 0})};

@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-TEST(RoundedDegrees, IsTheWholeNumberThatAnAngleStandsFor)
+TEST(RoundedDegrees, IsTheWholeNumberOfTheAngle)
 {
     for (int degrees = -720; degrees <= 720; ++degrees)
         EXPECT_EQ(rounded_degrees(Angle::degrees(degrees).radians()), degrees);

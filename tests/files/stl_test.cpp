@@ -65,7 +65,7 @@ TEST(ParseStl, ReadsBinary)
     EXPECT_TRUE(read(binary(0, 0, {})).empty());
 }
 
-TEST(ParseStl, ReadsAsciiHoweverItsWordsAreSpread)
+TEST(ParseStl, ReadsAsciiWithAnyLineBreaks)
 {
     const Corners expected{Vec3{0, 0, 0}, Vec3{1.5, 0, 0}, Vec3{0, -2.25, 1e-3}};
     EXPECT_THAT(read(ascii), testing::ElementsAre(expected));
@@ -138,7 +138,7 @@ TEST(ParseStl, RefusesAsciiThatIsNotStl)
               "E_STL_SYNTAX f.stl:3: \"inner\"; expected \"outer\"");
 }
 
-TEST(ParseStl, RefusesCoordinatesThatAreNone)
+TEST(ParseStl, RefusesInvalidCoordinates)
 {
     const auto with = [](float z) {
         std::array<float, 9> corners = some_corners;
@@ -204,7 +204,7 @@ TEST(StlText, HasTheSizeAndTheNormalsOfTheFormat)
                                     "endloop\nendfacet\nfacet normal 0 0 0\n"));
 }
 
-TEST(StlText, RefusesWhatAFloatCannotHold)
+TEST(StlText, RefusesCoordinatesOutsideTheRangeOfFloat)
 {
     const TriangleMesh far{{{0, 0, 0}, {1e39, 0, 0}, {0, 2, 0}}, {{0, 1, 2}}};
     EXPECT_THROW(stl_text(far), DomainError);

@@ -200,7 +200,7 @@ TEST(ReadSurface, DistinguishesANewerFormatFromAnother)
                                                       format + "\"; expected "));
 }
 
-TEST(ReadSurface, SuggestsAKindForOneThatDoesNotExist)
+TEST(ReadSurface, SuggestsAKindForAnUnknownOne)
 {
     EXPECT_THAT(complaint_about(replaced(surface_text(), "\"bezier\"", "\"beizer\"")),
                 HasSubstr("did you mean \"bezier\"?"));
@@ -243,7 +243,7 @@ TEST(ReadSurface, AcceptsAPoleWithANote)
                 testing::ElementsAre(HasSubstr("border u = 2 is a single point")));
 }
 
-TEST(ReadSurface, NeverDoesWorseThanRefuseAMutatedFile)
+TEST(ReadSurface, ReadsOrRefusesEveryMutatedFile)
 {
     const std::string sound = surface_text("\"units\": \"inch\", \"name\": \"n\", ");
     std::mt19937 random{20};
@@ -288,7 +288,7 @@ TEST(SurfaceJson, ReadsBackAsTheSameDoubles)
         }
 }
 
-TEST(SurfaceJson, RefusesWhatTheFormatCannotHold)
+TEST(SurfaceJson, RefusesSurfacesOutsideTheFormat)
 {
     const BezierPatch patch =
         parse_surface(surface_text(), "f").surfaces.front().patch(0, 0);

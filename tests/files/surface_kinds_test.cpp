@@ -122,7 +122,7 @@ TEST(SurfaceKinds, RefuseUnsoundKnotsDegreesAndWeights)
     EXPECT_THAT(with("\"weights\"", "\"wieghts\""), HasSubstr("mean \"weights\"?"));
 }
 
-TEST(SurfaceKinds, RefuseNetsThatAreNone)
+TEST(SurfaceKinds, RefuseInvalidNets)
 {
     const auto with = [](const std::string& from, const std::string& to) {
         return complaint_about(replaced(two_patches, from, to));
@@ -147,7 +147,7 @@ TEST(SurfaceKinds, RefuseNetsThatAreNone)
               "surface");
 }
 
-TEST(SurfaceKinds, RefuseGridsThatAreNone)
+TEST(SurfaceKinds, RefuseInvalidGrids)
 {
     const auto with = [](const std::string& from, const std::string& to) {
         return complaint_about(replaced(grid, from, to));
@@ -207,7 +207,7 @@ TEST(SurfaceKinds, MemoryOfTheirPatchesIsCountedBeforeItIsTaken)
         LimitError);
 }
 
-TEST(SurfaceKinds, NeverDoWorseThanRefuseAMutatedFile)
+TEST(SurfaceKinds, ReadOrRefuseEveryMutatedFile)
 {
     std::mt19937 random{20};
     const std::string bytes = "{}[]\",:0123456789eE.-+ \\u\n\xff\x80tfn";

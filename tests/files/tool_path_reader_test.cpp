@@ -63,7 +63,7 @@ TEST(ToolPathReader, ReadsConditionsAndPatchesToTheBit)
 }
 
 // Long enough to be read in several runs of lines.
-TEST(ToolPathReader, ReadsALongPathToTheBitAndComplainsOfItsFirstFault)
+TEST(ToolPathReader, ReadsALongPathExactlyAndReportsItsFirstError)
 {
     ToolPath path = wavy_path(30, 400);
     path.normals.assign(path.points.size(), Vec3::Zero());
@@ -237,7 +237,7 @@ TEST(ToolPathReader, KeepsANormalWithoutTheRestOfItsContact)
     EXPECT_EQ(tool_path_csv(again.path), text);
 }
 
-TEST(ToolPathReader, KnowsTheLineOfARow)
+TEST(ToolPathReader, FindsTheLineOfARow)
 {
     const std::string text = "tip_x_mm,tip_y_mm,tip_z_mm\r\n0,0,0\n1,0,0\n2,0,0";
     EXPECT_EQ(line_of_row(text, 0), 2U);

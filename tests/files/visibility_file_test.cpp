@@ -68,7 +68,7 @@ TEST(VisibilityFile, HasZeroForAccessible)
     EXPECT_EQ(bytes.substr(columns + 16, 16), std::string(16, '\0'));
 }
 
-TEST(VisibilityFile, MayBeOfNothing)
+TEST(VisibilityFile, MayBeEmpty)
 {
     StoredVisibility stored{.grid = "hex:1", .tool = {}, .visibility = {{0, 12}, {}}};
     EXPECT_EQ(parse_visibility(bytes_of(stored), "f").visibility.map.cells(), 12U);
@@ -81,7 +81,7 @@ TEST(VisibilityFile, MayBeOfNothing)
     EXPECT_THROW(bytes_of(stored), DomainError);
 }
 
-TEST(VisibilityFile, IsRefusedIfAnyByteIsOther)
+TEST(VisibilityFile, IsRefusedIfAnyByteDiffers)
 {
     const std::string bytes = bytes_of(some_visibility());
     for (std::size_t at = 0; at < bytes.size(); ++at) {

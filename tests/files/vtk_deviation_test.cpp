@@ -63,7 +63,7 @@ TEST(DeviationVtp, HasAVertexForEachPoint)
 
 class ThinnedDeviation : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(ThinnedDeviation, KeepsBothExtremesWhateverIsLeftOut)
+TEST_P(ThinnedDeviation, KeepsBothExtremes)
 {
     const PartCharts charts = part_charts(slope);
     Deviation deviation = made_deviation(charts, 0.1, wavy);

@@ -89,7 +89,7 @@ TEST(StockVti, IsAnImageOfVtk)
     EXPECT_EQ(elements.size(), 8U);
 }
 
-TEST(StockVti, RefusesHeightsThatAreNone)
+TEST(StockVti, RefusesInvalidHeights)
 {
     const std::string file = stock_vti(rough_stock());
     const std::size_t at = array_at(file, 16) + 8 * 20;
@@ -247,7 +247,7 @@ TEST(StockVtiWithHistory, IsAnImageOfVtk)
     EXPECT_EQ(end, file.rfind("\n </AppendedData>"));
 }
 
-TEST(StockVtiWithHistory, RefusesRunsThatAreNone)
+TEST(StockVtiWithHistory, RefusesInvalidRuns)
 {
     const std::string file = kept_file();
     const std::size_t block = history_at(file) + 8;
@@ -278,7 +278,7 @@ TEST(StockVtiWithHistory, RefusesRunsThatAreNone)
     EXPECT_THAT(complaint(with_number_at(file, block, -1e6)), StartsWith("E_VTI "));
 }
 
-TEST(StockVtiWithHistory, RefusesCountsThatAreNotThoseOfTheFile)
+TEST(StockVtiWithHistory, RefusesCountsThatContradictTheFile)
 {
     const std::string file = kept_file();
     const auto with = [&](const std::string& from, const std::string& to) {

@@ -30,7 +30,7 @@ Answer gouges(const GougeTest& gouge, const BallMove& move, double tolerance)
     return gouge.test(move, tolerance).gouges;
 }
 
-TEST(GougeTest, OfALoweredBallIsHowMuchItIsLowered)
+TEST(GougeTest, OfALoweredBallIsTheLowering)
 {
     const GougeTest gouge = test_on({test::plane(60, 40)});
     const BallMove move{{10, 20, radius - 0.25}, {40, 25, radius - 0.25}};
@@ -129,7 +129,7 @@ TEST(GougeTest, AgreesWithDenseSamplesOnRandomSurfaces)
     }
 }
 
-TEST(GougeTest, KeptPiecesChangeNoAnswer)
+TEST(GougeTest, ResultDoesNotDependOnKeptPieces)
 {
     const GougeTest gouge = test_on({test::random_surface(5, {2, 2})});
     FinerPieces finer;

@@ -64,7 +64,7 @@ TEST(PieceTree, BoundsEveryPieceFromBelow)
     }
 }
 
-TEST(PieceTree, CutsNoFinerThanFits)
+TEST(PieceTree, LimitsTheNumberOfPieces)
 {
     const std::vector<Surface> surfaces{test::plane(100, 100)};
     EXPECT_LT((PieceTree{surfaces, 1e-9}.pieces().size()), 200'000U);

@@ -55,7 +55,7 @@ TEST(SurfaceGap, ToACylinderIsTheDistanceOfItsAxis)
     }
 }
 
-TEST(SurfaceGap, BelowALimitIsThereIfTheLeastIs)
+TEST(SurfaceGap, BelowALimitExistsIfTheMinimumIsBelow)
 {
     const std::vector<Surface> surfaces{cylinder()};
     const PieceTree tree{surfaces, 1};
@@ -71,7 +71,7 @@ TEST(SurfaceGap, BelowALimitIsThereIfTheLeastIs)
     }
 }
 
-TEST(SurfaceGap, IsNotLookedForAboveWhatIsEnough)
+TEST(SurfaceGap, IsEmptyAboveTheLimit)
 {
     const std::vector<Surface> surfaces{cylinder()};
     const PieceTree tree{surfaces, 1};

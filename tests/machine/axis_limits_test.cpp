@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 constexpr double pi = std::numbers::pi;
 
-TEST(AxisLimits, HoldTheirEnds)
+TEST(AxisLimits, ContainTheirEnds)
 {
     const LinearLimits limits{LinearRange{-1, 1}, LinearRange{}, LinearRange{0, 0}};
     EXPECT_TRUE(is_within(limits, {1, 1e9, 0}));

@@ -23,7 +23,7 @@ TEST(DirectionCells, OfOnePatchHaveItsAreaAndFourEdges)
     EXPECT_EQ(cells.border().size(), 4U);
 }
 
-TEST(DirectionCells, OfNothingAndOfEverythingHaveNoBorder)
+TEST(DirectionCells, OfNoneAndOfAllDirectionsHaveNoBorder)
 {
     const std::vector<DirectionPatch> whole{{1, 2 * pi, -pi / 2, pi / 2}};
     EXPECT_NEAR(DirectionCells{whole}.solid_angle(), 4 * pi, 1e-14);

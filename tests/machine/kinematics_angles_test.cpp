@@ -78,7 +78,7 @@ TEST(RotaryAngles, TurnTheToolAxisAsItsAxesDo)
         }
 }
 
-TEST(RotaryAngles, AreFoundAgainFromTheDirection)
+TEST(RotaryAngles, AreRecoveredFromTheDirection)
 {
     test::Random random{2};
     for (const MachineConfiguration& machine : valid_machines())

@@ -139,7 +139,7 @@ TEST(Kinematics, AreThoseOfTheChainOfJoints)
         }
 }
 
-TEST(Kinematics, AtZeroLeaveThePartWhereItIs)
+TEST(Kinematics, AtZeroGiveTheCoordinatesOfThePoint)
 {
     for (const Machine& machine : valid_machines())
         EXPECT_LT(
@@ -169,7 +169,7 @@ TEST(RotarySolutions, GiveTheDirection)
         }
 }
 
-TEST(RotarySolutions, LieWithinTheLimitsWhereWholeTurnsBringThemThere)
+TEST(RotarySolutions, AreMovedIntoTheLimitsByWholeTurns)
 {
     Machine machine = machine_of("W/Bcaxyz/T");
     machine.rotary = {.phi = {0, rad(100)}, .theta = {rad(-300), 0}};

@@ -130,7 +130,7 @@ TEST(Decimated, StopsWhereNoCollapseIsPossible)
 }
 
 // Random triangles over few points: non-manifold nearly everywhere, some degenerate.
-TEST(Decimated, TakesNonManifoldMeshes)
+TEST(Decimated, AcceptsNonManifoldMeshes)
 {
     test::Random random{11};
     for (int trial = 0; trial < 100; ++trial) {

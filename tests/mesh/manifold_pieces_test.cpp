@@ -53,7 +53,7 @@ TEST(ManifoldPieces, OfAManifoldMeshHaveItsPoints)
 }
 
 // Random triangles over few points are non-manifold nearly everywhere.
-TEST(ManifoldPieces, AreManifoldWhateverTheMesh)
+TEST(ManifoldPieces, AreManifoldForEveryMesh)
 {
     test::Random random{7};
     for (int trial = 0; trial < 300; ++trial) {

@@ -134,7 +134,7 @@ TEST(Oriented, KeepsCavitiesAndBodiesInsideAnother)
     }
 }
 
-TEST(Oriented, TurnsWhatIsInACavityWithTheOutermostPiece)
+TEST(Oriented, TurnsPiecesInACavityWithTheOutermostPiece)
 {
     const TriangleMesh nested =
         test::both(test::both(cube(1), inside_out(cube(2))), cube(3));
@@ -295,7 +295,7 @@ TEST(Oriented, TurnsBodiesThatTouchAlongAnEdgeOutwards)
     EXPECT_DOUBLE_EQ(volume(result.mesh), 16);
 }
 
-TEST(Oriented, TakesAClosedSheetWithoutVolumeForAnOpenOne)
+TEST(Oriented, TreatsAClosedSheetWithoutVolumeAsOpen)
 {
     // Two triangles back to back, one that repeats a corner, and one with collinear
     // corners.

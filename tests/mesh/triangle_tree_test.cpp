@@ -178,7 +178,7 @@ TEST(Nearest, IsTheLowestTriangleOfThoseThatShareAnEdgeOrPoint)
     EXPECT_EQ(tree.nearest({0.07, -0.3, -0.2})->triangle, lowest_with({0, 1}));
 }
 
-TEST(Nearest, HasTheSameDistanceInWhateverOrderTheTrianglesAre)
+TEST(Nearest, HasTheSameDistanceForEveryOrderOfTriangles)
 {
     test::Random random{5};
     const TriangleMesh torus = test::torus_mesh(40, 30);

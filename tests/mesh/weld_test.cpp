@@ -139,7 +139,7 @@ TEST(WeldWithTolerance, JoinsTheSameAsTestingEveryPair)
     }
 }
 
-TEST(WeldWithTolerance, GivesTheSamePointsInWhateverOrder)
+TEST(WeldWithTolerance, GivesTheSamePointsInEveryOrder)
 {
     test::Random random{6};
     std::vector<Corners> soup(500);

@@ -59,7 +59,7 @@ TEST(CreaseStrips, TurnWithTheCrease)
     EXPECT_LT(volume_above(crease_strips(test::pyramid(10, -0.3), 3).draft, 100), 0);
 }
 
-TEST(CreaseStrips, SayWhatTheCreaseIsLike)
+TEST(CreaseStrips, NameTheKindOfTheCrease)
 {
     for (const double slope : {0.3, -0.3}) {
         const Strips strips = crease_strips(test::pyramid(10, slope), 3);

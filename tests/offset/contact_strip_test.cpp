@@ -149,7 +149,7 @@ TEST(OffsetDraft, ChainsKeepTheirContactPoint)
 
 // Strips between chains of any lengths, on a sphere: the triangles face outwards and
 // cover the region between the chains once.
-TEST(OffsetDraft, StripsCoverWhatLiesBetween)
+TEST(OffsetDraft, StripsCoverTheGap)
 {
     OffsetDraft draft = draft_with(Vec3::Zero(), {Vec3::UnitZ()});
     const Vec3 west = -Vec3::UnitX();
@@ -172,7 +172,7 @@ TEST(OffsetDraft, StripsCoverWhatLiesBetween)
 
 // Chains and strips that are made together, on any number of threads, equal those made
 // one by one.
-TEST(OffsetDraft, ManyAtOnceAreAsOneByOne)
+TEST(OffsetDraft, ManyStripsAtOnceEqualOneByOne)
 {
     test::Random random{8};
     std::vector<Vec3> normals;

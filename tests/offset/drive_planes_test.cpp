@@ -61,7 +61,7 @@ TEST(DrivePlanes, ByPitchAreTheFewestThatKeepIt)
     EXPECT_EQ(count(1, INFINITY), 1U);
 }
 
-TEST(DrivePlanes, RefuseWhatHasNoAnswer)
+TEST(DrivePlanes, RefuseInvalidArguments)
 {
     const DriveFrame frame{Angle::degrees(0)};
     EXPECT_THROW(drive_planes(frame, {0, 1}, 0), DomainError);

@@ -6,7 +6,7 @@
 namespace endmill {
 namespace {
 
-TEST(OffsetContact, KeepsWhatItIsMadeOf)
+TEST(OffsetContact, KeepsItsMembers)
 {
     const OffsetContact contact{{0.25, 0.75}, Vec3::UnitZ(), 3, ContactKind::Border};
     EXPECT_EQ(contact.at.u, 0.25);

@@ -102,7 +102,7 @@ protected:
     }
 };
 
-TEST_P(OffsetOfTheValley, IsCulledAsTheSpecCounts)
+TEST_P(OffsetOfTheValley, IsCulledToTheListedCounts)
 {
     std::size_t strips = 0;
     std::size_t cells = 0;
@@ -423,7 +423,7 @@ TEST(OffsetMesh, OverALevelCrestIsTooLowByOrderOneAndAHalf)
         EXPECT_NEAR(std::log2(errors[k - 1] / errors[k]), 1.5, 0.25);
 }
 
-TEST(OffsetMesh, HangsNeitherOnThreadsNorOnChance)
+TEST(OffsetMesh, DoesNotDependOnThreads)
 {
     const auto part = test::pyramid(10, -0.4);
     std::vector<OffsetMesh> offsets;
@@ -436,7 +436,7 @@ TEST(OffsetMesh, HangsNeitherOnThreadsNorOnChance)
         std::ranges::equal(offsets[0].mesh.triangles(), offsets[1].mesh.triangles()));
 }
 
-TEST(OffsetMesh, RefusesWhatACutterFromAboveCannotTouch)
+TEST(OffsetMesh, RefusesSurfacesUnreachableFromAbove)
 {
     // x = 3 u^2 - u^3 - u reverses near u = 0, and the normal points down there.
     const std::vector part{test::polynomial_surface(
@@ -453,7 +453,7 @@ TEST(OffsetMesh, RefusesWhatACutterFromAboveCannotTouch)
     EXPECT_THROW(offset_mesh(upright, Cutter::ball(1)), GeometryError);
 }
 
-TEST(OffsetMesh, RefusesWhatItCannotDo)
+TEST(OffsetMesh, RefusesUnsupportedInput)
 {
     const std::vector part{test::plane(1, 1)};
     const Cutter ball = Cutter::ball(1);

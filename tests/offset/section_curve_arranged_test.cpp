@@ -39,7 +39,7 @@ TEST(CurveArrangement, NumbersCurvesByLeastSThenZ)
     EXPECT_EQ(ordered[2].points, late.points);
 }
 
-TEST(CurveArrangement, OfNothingIsNothing)
+TEST(CurveArrangement, WithoutCurvesIsEmpty)
 {
     EXPECT_TRUE(arranged({}).empty());
 }

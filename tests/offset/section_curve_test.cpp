@@ -6,7 +6,7 @@
 namespace endmill {
 namespace {
 
-TEST(SectionCurve, IsOpenUnlessSaid)
+TEST(SectionCurve, IsOpenByDefault)
 {
     EXPECT_FALSE(SectionCurve{}.is_closed);
     EXPECT_TRUE(SectionCurve{}.points.empty());

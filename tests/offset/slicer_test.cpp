@@ -98,7 +98,7 @@ std::multiset<EdgePair> plain_segments(const TriangleMesh& mesh, const DriveFram
     return segments;
 }
 
-TEST(Slice, HasTheSegmentsThatAPlainLoopFinds)
+TEST(Slice, HasTheSegmentsOfASimpleSearch)
 {
     const TriangleMesh mesh = folded_ground(3);
     const DrivePlanes planes = planes_at({-0.3, 4.1, 4.1, 7.7, 20, 28.4}, 20);
@@ -205,7 +205,7 @@ TEST(Slice, OpenCurvesRunTowardsLargerS)
         }
 }
 
-TEST(Slice, TellsTheRangeOfTheFirstTriangles)
+TEST(Slice, GivesTheRangeOfTheFirstTriangles)
 {
     const TriangleMesh mesh =
         test::grid_mesh(11, 3, [](int i, int j) { return Vec3(i, j, 0); });
@@ -220,7 +220,7 @@ TEST(Slice, TellsTheRangeOfTheFirstTriangles)
 
 // Three triangles at one edge, and two with opposite orientation: every segment occurs
 // once, and the tracing ends.
-TEST(Slice, ComesToAnEndWhereTheMeshIsNoSurface)
+TEST(Slice, EndsOnANonManifoldMesh)
 {
     const std::vector<Vec3> points{
         {0, -1, 0}, {0, 1, 0}, {3, 0.5, 1}, {-3, 0.5, 1}, {0, 0.5, 4}};
@@ -237,7 +237,7 @@ TEST(Slice, ComesToAnEndWhereTheMeshIsNoSurface)
     EXPECT_EQ(slice(turned, planes_at({0.0}))[0].curves.size(), 2U);
 }
 
-TEST(Slice, OfNothingIsNothing)
+TEST(Slice, WithoutCrossingsIsEmpty)
 {
     const TriangleMesh mesh = folded_ground(1);
     EXPECT_TRUE(slice(mesh, planes_at({})).empty());
@@ -250,7 +250,7 @@ TEST(Slice, OfNothingIsNothing)
 }
 
 // More planes than fit into one batch.
-TEST(Slice, TakesAnyNumberOfPlanes)
+TEST(Slice, SupportsAnyNumberOfPlanes)
 {
     const TriangleMesh mesh =
         test::grid_mesh(2, 2, [](int i, int j) { return Vec3(i, j, i); });

@@ -22,7 +22,7 @@ TEST(PathLengths, SeparateMovesAtFeedFromOthers)
     EXPECT_DOUBLE_EQ(path_lengths(path).lifted_mm, 8 + 5 + 19);
 }
 
-TEST(PathLengths, OfNothingAreNone)
+TEST(PathLengths, OfAnEmptyPathAreZero)
 {
     EXPECT_EQ(path_lengths({}).at_feed_mm, 0);
     EXPECT_EQ(path_lengths({{point(Move::Plunge, {1, 2, 3})}}).lifted_mm, 0);

@@ -12,7 +12,7 @@ namespace {
 
 // Passes on a plane are straight: two points each. Their number follows from the interval
 // 2 sqrt(2 R h - h^2), one more than the whole intervals, plus the pass on the border.
-TEST(EconomyTables, OnAPlaneAreThoseOfArithmetic)
+TEST(EconomyTables, OnAPlaneHaveTheirClosedForm)
 {
     const EconomyTables tables = planned_tables(test::plane(200, 120));
     for (const Parameter direction : table_directions)
@@ -43,7 +43,7 @@ TEST(EconomyTables, ReduceAsThePaperDefines)
                      0.7);
 }
 
-TEST(EconomyTables, CountAsThePoliciesSay)
+TEST(EconomyTables, FollowThePolicies)
 {
     const Surface trough = test::parabolic_cylinder(0.02, 10, 30);
     const ToolPath path = table_plan(trough, {}, Parameter::U, 0.5, 10).path;

@@ -21,7 +21,7 @@ CostRow made_row(const std::array<int, 3>& passes, int f, int b, double chord,
     return row;
 }
 
-TEST(IntegerDecoding, FindsTheNumbersThatARowWasMadeOf)
+TEST(IntegerDecoding, FindsTheWholeNumbersOfARow)
 {
     const CostRow row = made_row({61, 49, 42}, 12, 15, 231.5, 140);
     const std::vector<Decoding> found = decodings(row, 1e-9, {200, 480});
@@ -43,7 +43,7 @@ TEST(IntegerDecoding, LeavesTheForwardPointsOpenWhenAllPassesArePaired)
     EXPECT_FALSE(decoding->points_forward.has_value());
 }
 
-TEST(IntegerDecoding, RefusesWhatExceedsTheToleranceOrTheChord)
+TEST(IntegerDecoding, RefusesRowsBeyondTheToleranceOrTheChord)
 {
     CostRow row = made_row({61, 49, 42}, 12, 15, 231.5, 140);
     EXPECT_TRUE(decodings(row, 1e-9, {250, 480}).empty());

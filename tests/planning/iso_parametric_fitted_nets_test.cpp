@@ -261,7 +261,7 @@ double cusp_height(const Surface& surface, const GoverningPoint& pair, double ra
     return (surface.tangents(u, v).point - cusp).norm();
 }
 
-TEST(FittedNets, GoverningPointsAndTheirPartnersLeaveTheScallopAskedFor)
+TEST(FittedNets, GoverningPointsLeaveTheRequestedScallop)
 {
     const Surface surface = fitted_net("net_rot24_7D");
     for (const Cell& cell : cells()) {

@@ -141,7 +141,7 @@ TEST(Invariance, ATurnedPartHasTheTurnedPath)
             1e-8);
 }
 
-TEST(Invariance, HowAPolynomialIsCutIntoPatchesDoesNotMatter)
+TEST(Invariance, PathDoesNotDependOnTheDivisionIntoPatches)
 {
     const test::Rectangle over{{-40, 50}, {-30, 25}};
     const IsoParametricOptions options;

@@ -237,7 +237,7 @@ void expect_same_path(const ToolPath& path, const ToolPath& expected)
     }
 }
 
-TEST(PlannedKinds, OneSurfaceHasOnePathInWhateverKindItIsWritten)
+TEST(PlannedKinds, OneSurfaceHasTheSamePathInEveryKind)
 {
     const Surface bezier = bicubic_graph({1, 1});
     const auto higher = [](const BezierPatch& patch) { return elevated(patch, 5, 4); };

@@ -46,7 +46,7 @@ TEST(SectionLinking, LiftsBetweenAllCurves)
     EXPECT_EQ(points.back().point, 3);
 }
 
-TEST(SectionLinking, CutsEveryOtherPlaneBackwardsInZigzagAlone)
+TEST(SectionLinking, CutsEveryOtherPlaneBackwardsInZigzagOnly)
 {
     const std::vector<PlaneCurves> planes{{0, one}, {1, two}};
     const auto tip = [&](PassOrder order, std::size_t k) {

@@ -46,7 +46,7 @@ double random_relative_curvature(test::Random& random)
                                       : -1 + random.log_uniform(0.01, 1);
 }
 
-TEST(PathIntervalAccuracy, IsWhatItStates)
+TEST(PathIntervalAccuracy, IsTheStatedOne)
 {
     test::Random random{1};
     double worst = 0;
@@ -68,7 +68,7 @@ TEST(PathIntervalAccuracy, IsWhatItStates)
     EXPECT_LT(worst, 1e-14);
 }
 
-TEST(PathIntervalAccuracy, IsWhatItStatesWhereTheScallopIsClamped)
+TEST(PathIntervalAccuracy, IsTheStatedOneWhereTheScallopIsClamped)
 {
     test::Random random{2};
     double worst = 0;
@@ -98,7 +98,7 @@ Real scallop(const Real& R, const Real& rho, const Real& l)
 
 // Where the balls barely meet, the scallop depends so steeply on the interval that the
 // rounding of the interval dominates its error.
-TEST(ScallopHeightAccuracy, IsWhatItStatesShortOfTheHighestScallop)
+TEST(ScallopHeightAccuracy, IsTheStatedOneBelowTheHighestScallop)
 {
     test::Random random{3};
     double worst = 0;

@@ -265,7 +265,7 @@ TEST(ScallopHeight, NearItsHighestStillGivesBackNineDigits)
         }
 }
 
-TEST(ScallopHeight, RefusesWhatNoTwoBallsLeave)
+TEST(ScallopHeight, RefusesIntervalsThatNoTwoBallsLeave)
 {
     const BallCutter ball{5};
     EXPECT_THROW(scallop_height(ball, -0.2, 1), GeometryError) << "the ball does not fit";

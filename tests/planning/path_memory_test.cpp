@@ -15,7 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-TEST(MostPathPoints, FillTheMemoryButForLessThanAPoint)
+TEST(MostPathPoints, FillTheMemoryUpToOnePoint)
 {
     for (const double gib : {1e-9, 1e-6, 0.5, 1.0, 8.0, 1000.0}) {
         const double bytes = gib * 1024 * 1024 * 1024;
@@ -30,7 +30,7 @@ TEST(MostPathPoints, HaveNoLimitInUnlimitedMemory)
     EXPECT_EQ(most_path_points(1e300), std::numeric_limits<std::size_t>::max());
 }
 
-TEST(PathMemory, RefusesOnlyWhatWouldNotFitWithHalfThePoints)
+TEST(PathMemory, RefusesOnlyPathsThatDoNotFitWithHalfThePoints)
 {
     const auto most = static_cast<double>(most_path_points(0.25));
     EXPECT_NO_THROW(require_path_memory(0, 0.25));

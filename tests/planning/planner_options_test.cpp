@@ -46,7 +46,7 @@ TEST(DefaultDiameter, IsTheLargestThatTheTightestPlaceAdmits)
     }
 }
 
-TEST(DefaultDiameter, CanBePlannedWithAndTheNextLargerCannot)
+TEST(DefaultDiameter, IsTheLargestThatCanBePlannedWith)
 {
     for (std::size_t k = 1; k < stock_diameters.size(); ++k) {
         const Surface surface = trough(1.01 * stock_diameters[k] / 2);
@@ -57,14 +57,14 @@ TEST(DefaultDiameter, CanBePlannedWithAndTheNextLargerCannot)
     }
 }
 
-TEST(DefaultDiameter, IsTheLargestOfAllWhereNothingIsConcave)
+TEST(DefaultDiameter, IsTheLargestOfAllWithoutConcavity)
 {
     const auto limit = largest_cutter(test::plane(60, 30), 1);
     EXPECT_FALSE(limit);
     EXPECT_EQ(default_diameter(limit), 20);
 }
 
-TEST(Fits, NotAtTheLimitItself)
+TEST(Fits, IsFalseAtTheLimitItself)
 {
     const CutterLimit limit{10, 0, {0, 0}, Vec3::Zero()};
     EXPECT_TRUE(fits(BallCutter{std::nextafter(10, 0)}, limit));

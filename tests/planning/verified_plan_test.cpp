@@ -192,7 +192,7 @@ TEST(VerifiedPlan, ScalesWithItsInput)
     EXPECT_EQ(points(1.0 / 1024), points(1));
 }
 
-TEST(VerifiedPlan, RefusesWhatIsOutOfRange)
+TEST(VerifiedPlan, RefusesOptionsOutOfRange)
 {
     const std::vector<Surface> part{test::plane(10, 10)};
     const auto plan = [&](const Demand& demand) {

@@ -64,7 +64,7 @@ TEST(AptReader, ReadsEveryStatement)
                     CuttingConditions{250.5, 3000, {}}));
 }
 
-TEST(AptReader, NeedsNothingButAGoto)
+TEST(AptReader, RequiresOnlyAGoto)
 {
     const Program program = parse_apt("\xef\xbb\xbfGOTO/1,2,3", "f.apt");
     EXPECT_EQ(program.path.points.size(), 1U);
@@ -83,7 +83,7 @@ TEST(AptReader, IgnoresTextAfterTheEnd)
     EXPECT_THAT(program.remarks, ElementsAre("text after FINI is ignored"));
 }
 
-TEST(AptReader, TakesACutterWithoutACornerForAFlatOne)
+TEST(AptReader, ReadsACutterWithoutACornerAsFlat)
 {
     EXPECT_EQ(parse_apt("CUTTER/8\nGOTO/1,2,3", "f").cutter, Cutter::flat(4));
 }
@@ -153,7 +153,7 @@ TEST(AptReader, KeepsItsLimits)
                 HasSubstr("E_LIMIT f.apt:2: line is longer than 1 MiB"));
 }
 
-TEST(AptReader, KnowsItsOwnByTheFirstStatement)
+TEST(AptReader, RecognisesAptByTheFirstStatement)
 {
     for (const char* text : {"PARTNO x\n", "\xef\xbb\xbf\n $$ c\n GOTO/1,2,3", "units/mm",
                              "CUTTER/10", "RAPID\n", "PPRINT/x"})

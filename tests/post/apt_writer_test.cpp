@@ -98,7 +98,7 @@ TEST(AptRoundTrip, KeepsThePathWithinTheRounding)
     }
 }
 
-TEST(AptRoundTrip, OfWhatWasReadIsTheSameText)
+TEST(AptRoundTrip, WritesAReadPathAsTheSameText)
 {
     const AptOptions options{.name = "x", .decimals = 3};
     const std::string once = apt(test::random_path(23, 500), options).text;

@@ -38,7 +38,7 @@ TEST(PlaneAxesOf, AreRightHanded)
     EXPECT_EQ(plane_axes(ArcPlane::Yz).normal, 0);
 }
 
-TEST(ArcAngle, IsThatBetweenTheEndsInTheArcsSense)
+TEST(ArcAngle, IsTheAngleBetweenTheEndsInTheSenseOfTheArc)
 {
     for (const ArcPlane plane : planes)
         for (double from = -3; from < 3; from += 0.7)
@@ -124,7 +124,7 @@ TEST(ArcChords, HaveTheirEndsOnTheCircleAndTheirMiddlesWithinTheTolerance)
             }
 }
 
-TEST(ArcChords, AreAsFewAsTheFormulaSays)
+TEST(ArcChords, HaveTheLeastNumberOfTheFormula)
 {
     const Arc quarter{{5, 0, 0}, {0, 5, 0}, Vec3::Zero(), ArcPlane::Xy, false};
     const double step = 2 * std::acos(1 - 0.001 / 5);
@@ -136,7 +136,7 @@ TEST(ArcChords, AreAsFewAsTheFormulaSays)
 
 // Seen from +normal, a clockwise arc from the first axis goes to the negative second
 // axis: for G18 from +z to -x.
-TEST(ArcChords, TurnAsTheSenseSays)
+TEST(ArcChords, FollowTheSenseOfTheArc)
 {
     for (const ArcPlane plane : planes) {
         const PlaneAxes axes = plane_axes(plane);
@@ -167,7 +167,7 @@ TEST(ArcChords, RiseAndWidenEvenlyWithTheAngle)
     EXPECT_EQ(chords.end(count), helix.end);
 }
 
-TEST(ArcChords, CountWithoutMakingThem)
+TEST(ArcChords, AreCountedWithoutComputingThem)
 {
     const Arc many{{5, 0, 0}, {5, 0, 0}, Vec3::Zero(), ArcPlane::Xy, true, 1e15};
     EXPECT_GT(ArcChords(many, 0.001).count(), 1e16);

@@ -40,14 +40,14 @@ TEST(CanonicalLineOf, TakesTheNumberOfTheBlock)
     }
 }
 
-TEST(CanonicalLineOf, TakesParenthesesInComments)
+TEST(CanonicalLineOf, AcceptsParenthesesInComments)
 {
     const auto line = canonical_line("1 N..... COMMENT(\"a (b), c\")");
     ASSERT_TRUE(line);
     EXPECT_EQ(line->arguments, "\"a (b), c\"");
 }
 
-TEST(CanonicalLineOf, IsNothingElse)
+TEST(CanonicalLineOf, RefusesOtherLines)
 {
     for (const std::string line :
          {"", "12", "N10 G0 X1", "12 N.....", "12 N..... ", "12 N..... NAME",

@@ -33,7 +33,7 @@ TEST(OpeningComment, NamesThePathAndTheCutter)
 }
 
 // A control shows, logs or evaluates comments that begin with these words.
-TEST(OpeningComment, IsNeverOneThatAControlObeys)
+TEST(OpeningComment, IsNeverACommandOfAControl)
 {
     for (const char* name : {"MSG, stop", "DEBUG,#1", "PRINT, x", "LOGOPEN,/etc/x"})
         EXPECT_TRUE(opening_comment(name, {}).starts_with("endmill: ")) << name;

@@ -12,7 +12,7 @@ TEST(FeedMove, StraightDownIsAPlungeAndStraightUpARetract)
     EXPECT_EQ(feed_move({1, 2, -3}, {1, 2, 3}), Move::Retract);
 }
 
-TEST(FeedMove, AnyOtherIsACut)
+TEST(FeedMove, InAnyOtherDirectionIsACut)
 {
     EXPECT_EQ(feed_move({1, 2, 3}, {1.1, 2, -3}), Move::Cut);
     EXPECT_EQ(feed_move({1, 2, 3}, {1, 2.1, 5}), Move::Cut);

@@ -39,7 +39,7 @@ TEST(ParseBlock, ReadsLettersAndNumbers)
 }
 
 // "G0X +0. 12 34Y 7" is the example of [KramerProctorMessina].
-TEST(ParseBlock, TakesBlanksAndCasesAsTheyCome)
+TEST(ParseBlock, IgnoresBlanksAndCase)
 {
     const GcodeBlock block = block_of("g0x +0. 12 34y\t7 z- 1");
     EXPECT_THAT(block.g.all(), ElementsAre(0));
@@ -86,7 +86,7 @@ TEST(ParseBlock, AdvisesToExpandParametersAndSubprograms)
                       "give its output, and leave out the number of the program");
 }
 
-TEST(ParseBlock, RefusesNumbersThatAreNoPlainDecimals)
+TEST(ParseBlock, RefusesNumbersOtherThanPlainDecimals)
 {
     EXPECT_EQ(refusal("X1E5"),
               "E_GCODE f:1: exponent \"E5\"; expected a plain decimal number without "
@@ -110,7 +110,7 @@ TEST(ParseBlock, RefusesNumbersThatAreNoPlainDecimals)
                   "...\"; expected a number that a double can store");
 }
 
-TEST(ParseBlock, RefusesWordsItDoesNotKnow)
+TEST(ParseBlock, RefusesUnknownWords)
 {
     const std::string known = "; expected words of ABCDFGHIJKLMNPQRSTXYZ";
     EXPECT_EQ(refusal("G0 U1"), "E_GCODE f:1: unknown word \"U1\"" + known);

@@ -14,7 +14,7 @@ TEST(GcodeLine, KeepsOtherWordsAndBlanks)
         EXPECT_EQ(GcodeLine{text}.text(), text);
 }
 
-TEST(GcodeLine, KnowsItsWords)
+TEST(GcodeLine, FindsItsWords)
 {
     const GcodeLine line{"n7 g1 X1 (S9) f 3 0.5 ;M3"};
     EXPECT_TRUE(line.has('N'));

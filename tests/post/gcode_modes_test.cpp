@@ -31,7 +31,7 @@ std::string m_refusal(const std::string& text)
     });
 }
 
-TEST(GcodeModes, BeginAsTheLanguageDoes)
+TEST(GcodeModes, BeginWithTheDefaultsOfTheLanguage)
 {
     const GcodeModes modes;
     EXPECT_EQ(modes.motion, GcodeMotion::None);
@@ -66,7 +66,7 @@ TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
     EXPECT_EQ(later.coordinate_system, 593);
 }
 
-TEST(GcodeModes, AreOfOneGroupOncePerBlock)
+TEST(GcodeModes, RefuseTwoOfOneGroupInABlock)
 {
     for (const std::string codes :
          {"G0 G1", "G2 G80", "G17 G18", "G20 G21", "G43 G49", "G54 G55", "G61 G64",
@@ -79,7 +79,7 @@ TEST(GcodeModes, AreOfOneGroupOncePerBlock)
     }
 }
 
-TEST(GcodeModes, KnowOneCoordinateSystem)
+TEST(GcodeModes, SupportOneCoordinateSystem)
 {
     EXPECT_EQ(refusal("G54\nG54\nG59.1"),
               "E_GCODE f:3: G59.1 after G54; expected one coordinate system");

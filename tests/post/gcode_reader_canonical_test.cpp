@@ -45,7 +45,7 @@ std::string refusal(const std::string& commands)
     return refusal_of([&] { read_canonical(commands); });
 }
 
-TEST(IsCanonical, KnowsItByItsFirstLine)
+TEST(IsCanonical, DependsOnTheFirstLine)
 {
     EXPECT_TRUE(is_canonical("\n    1 N..... COMMENT(\"a\")\nanything"));
     EXPECT_TRUE(is_canonical("1 N20    FINISH()"));
@@ -124,7 +124,7 @@ TEST_P(CanonicalArc, IsThePathOfItsProgram)
     EXPECT_EQ(feeds(canonical_twin), feeds(twin));
 }
 
-TEST(ParseCanonical, PassesOverCommandsThatDoNotMove)
+TEST(ParseCanonical, IgnoresCommandsThatDoNotMove)
 {
     const Program program = read_canonical(
         "COMMENT(\"Move (1, 2)\")\nMESSAGE(\"x\")\nFLOOD_ON()\nMIST_OFF()\nFLOOD_OFF()\n"
@@ -182,7 +182,7 @@ TEST(ParseCanonical, RemarksOnAssumptions)
     EXPECT_THAT(parse_canonical("1 N..... FINISH()", "f").path.points, ElementsAre());
 }
 
-TEST(ParseCanonical, RefusesMotionThatItDoesNotFollow)
+TEST(ParseCanonical, RefusesUnsupportedMotion)
 {
     for (const std::string name :
          {"STRAIGHT_PROBE", "RIGID_TAP", "NURBS_FEED", "CANON_ERROR",
@@ -266,7 +266,7 @@ TEST(ParseCanonical, RefusesImpossibleArcs)
                 StartsWith("E_LIMIT f.txt:9: an arc of "));
 }
 
-TEST(ParseCanonical, RefusesWhatIsTooLong)
+TEST(ParseCanonical, RefusesLinesAndPathsThatAreTooLong)
 {
     EXPECT_EQ(refusal_of([] { parse_canonical("\n", "f"); }), "E_EMPTY f: file is empty");
     EXPECT_THAT(refusal("COMMENT(\"" + std::string(1U << 20U, 'x') + "\")"),

@@ -116,7 +116,7 @@ TEST_P(GcodeRoundTrip, IsWrittenAgainAsTheSameMoves)
     EXPECT_EQ(again.text, once);
 }
 
-TEST_P(GcodeRoundTrip, StartsNoHigherEachTimeByWayOfApt)
+TEST_P(GcodeRoundTrip, KeepsItsStartHeightThroughApt)
 {
     const GcodeOptions options{.tool = 3, .decimals = GetParam()};
     const std::string once = gcode(test::random_path(14, 500), options).text;

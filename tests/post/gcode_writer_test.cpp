@@ -152,7 +152,7 @@ TEST(Gcode, CountsPointsThatRoundingMakesEqualAndRapidsThatSlant)
 }
 
 // Text that a control refuses or misreads, whatever the numbers are.
-TEST(Gcode, IsPlain)
+TEST(Gcode, HasOnlyPlainWords)
 {
     const std::regex word{"[NGXYZFSTMP]-?[0-9]+(\\.[0-9]+)?"};
     for (const double size : {1e-6, 1.0, 1e5}) {

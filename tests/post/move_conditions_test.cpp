@@ -35,7 +35,7 @@ std::string refusal(const ToolPath& path, const CuttingConditions& otherwise,
     }
 }
 
-TEST(MoveConditions, OfThePathPrecedeThoseForAllOfIt)
+TEST(MoveConditions, OfThePathPrecedeTheGivenDefaults)
 {
     const ToolPath path = three_moves({{100, 2000, 7}, {200, {}, {}}, {{}, {}, {}}});
     MoveConditions conditions{path, {300, 3000, 1}, 4};
@@ -47,7 +47,7 @@ TEST(MoveConditions, OfThePathPrecedeThoseForAllOfIt)
     EXPECT_EQ(conditions.speeds().least, 2000);
 }
 
-TEST(MoveConditions, OfAPathWithoutAnyAreThoseForAllOfIt)
+TEST(MoveConditions, OfAPathWithoutAnyAreTheGivenDefaults)
 {
     const ToolPath path = three_moves({});
     MoveConditions conditions{path, {300, {}, {}}, 4};
@@ -64,7 +64,7 @@ TEST(MoveConditions, RefuseAMoveWithoutAFeedAndNameIt)
     EXPECT_EQ(refusal(three_moves({{100, {}, {}}, {}, {200, {}, {}}}), {}), "accepted");
 }
 
-TEST(MoveConditions, RefuseAFeedThatRoundsToNothing)
+TEST(MoveConditions, RefuseAFeedThatRoundsToZero)
 {
     EXPECT_THAT(refusal(three_moves({}), {0.4, {}, {}}, 0),
                 testing::HasSubstr("0.4 mm/min, which rounds to 0 with 0 decimals"));

@@ -38,7 +38,7 @@ std::string exact(double value)
     return text;
 }
 
-TEST(PlainNumber, HasAsManyDigitsAsAsked)
+TEST(PlainNumber, HasTheRequestedNumberOfDigits)
 {
     EXPECT_EQ(fixed(1.5, 4), "1.5000");
     EXPECT_EQ(fixed(-12.34567, 3), "-12.346");

@@ -147,7 +147,7 @@ TEST_F(ProgramBuilderTest, ChangesToTheToolSelectedLast)
     EXPECT_THAT(tools(builder.take()), ElementsAre(-1, 1, 2, 7));
 }
 
-TEST_F(ProgramBuilderTest, TakesSelectionsForChangesWhereThereIsNone)
+TEST_F(ProgramBuilderTest, TreatsASelectionAsAChangeIfThereIsNoChange)
 {
     ProgramBuilder builder{lines, options};
     const auto step = [&] { builder.go_to({0, 0, 0}, feed); };

@@ -25,7 +25,7 @@ TEST(PointsWithin, AreAtMostWhatAnIntCounts)
     EXPECT_EQ(points_within(1e9), std::size_t{std::numeric_limits<int>::max()});
 }
 
-TEST(GcodeReadOptions, AcceptsTheDefaultsAndNothingOutOfTheDomain)
+TEST(GcodeReadOptions, AcceptsDefaultsAndRefusesValuesOutOfRange)
 {
     const double infinity = std::numeric_limits<double>::infinity();
     EXPECT_NO_THROW(require_sound(GcodeReadOptions{}));

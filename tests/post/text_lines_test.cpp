@@ -47,7 +47,7 @@ TEST(TextLines, AreAtMostAMebibyteLong)
               "bytes");
 }
 
-TEST(TextLines, KeepThePlaceAndTheRest)
+TEST(TextLines, KeepTheLineNumberAndTheRemainingText)
 {
     TextLines lines{"a\nb\nc", {"f", "E_GCODE"}};
     lines.next();
@@ -59,7 +59,7 @@ TEST(TextLines, KeepThePlaceAndTheRest)
     EXPECT_EQ(lines.range_complaint("b", "B").code(), "E_RANGE");
 }
 
-TEST(Quoted, IsFitForATerminal)
+TEST(Quoted, HasNoControlCharacters)
 {
     const std::string long_text(41, 'x');
     EXPECT_EQ(quoted("a\x1b[31mb\xc3"), "\"a?[31mb?\"");

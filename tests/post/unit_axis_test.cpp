@@ -38,7 +38,7 @@ TEST(UnitAxis, OfAVectorOfFourDecimalsIsScaled)
     }
 }
 
-TEST(UnitAxis, IsNoneForOtherLengths)
+TEST(UnitAxis, IsEmptyForOtherLengths)
 {
     for (const Vec3& axis :
          {Vec3{0, 0, 0}, Vec3{0, 0, 1.0002}, Vec3{0, 0, 0.9998}, Vec3{1, 1, 1},

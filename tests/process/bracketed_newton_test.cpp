@@ -31,7 +31,7 @@ TEST(BracketedNewton, HalvesWhereAStepLeavesTheBracket)
     EXPECT_NEAR(bracketed_newton({-1, 3, true, 0}, least_step, cubic), 2, 4e-16);
 }
 
-TEST(BracketedNewton, EndsWhereTheValueIsNeverZero)
+TEST(BracketedNewton, EndsAtASignChangeWithoutAZero)
 {
     const auto step = [](double x) { return ValueAndSlope{x < 0.7 ? -1.0 : 1.0, 0}; };
     EXPECT_NEAR(bracketed_newton({0, 1, true, 0.5}, least_step, step), 0.7, 1e-14);

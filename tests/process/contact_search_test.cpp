@@ -17,7 +17,7 @@ namespace {
 
 // Each centre lies on the normal of a surface point, at less than the radius of
 // curvature. The search has to return that point.
-TEST(ContactSearch, FindsThePointThatTheCentreWasMadeFrom)
+TEST(ContactSearch, FindsThePointUnderTheCentre)
 {
     std::vector<Surface> part;
     part.push_back(test::saddle(30, 20, {3, 2}));
@@ -39,7 +39,7 @@ TEST(ContactSearch, FindsThePointThatTheCentreWasMadeFrom)
     }
 }
 
-TEST(ContactSearch, TellsOfACentreBehindThePart)
+TEST(ContactSearch, ReportsACentreBehindThePart)
 {
     const std::vector<Surface> part{test::plane(20, 10)};
     const BallFoot foot = ContactSearch{part}.foot({5, 5, -2}, {}, 5, 1e-3);

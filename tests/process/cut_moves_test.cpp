@@ -13,7 +13,7 @@ PathPoint at(Move move, const Vec3& tip)
     return {3, 0, move, {tip, Vec3::UnitZ()}, {}};
 }
 
-TEST(CutMoves, AreTheCutsThatGoAlongByTheirPlaceOnThePath)
+TEST(CutMoves, AreTheCutsWithHorizontalMotionInPathOrder)
 {
     const ToolPath path{
         {at(Move::Rapid, {0, 0, 5}), at(Move::Plunge, {0, 0, 0}),
@@ -45,7 +45,7 @@ TEST(CutMoves, NeedAnUprightAxis)
     EXPECT_THROW(cut_moves(path), GeometryError);
 }
 
-TEST(CutMoves, ThatGoNowhereAreCounted)
+TEST(CutMoves, OfZeroLengthAreCounted)
 {
     ToolPath path;
     for (const double x : {0.0, 0.0, 5.0, 5.0, 5.0, 9.0})

@@ -208,7 +208,7 @@ TEST(CuttingCoefficients, EqualIntegrationBySlicesOnLevelMoves)
     }
 }
 
-TEST(CuttingCoefficients, AreAsAccurateAsAskedFor)
+TEST(CuttingCoefficients, HaveTheRequestedAccuracy)
 {
     test::Random random{7};
     for (int k = 0; k < 1500; ++k) {

@@ -20,7 +20,7 @@ constexpr double steel_min = 54.8;
 constexpr double printed_length_mm = 5385.6;
 constexpr double rounding_min = 0.05;
 
-TEST(FeedTimes, TellThePapersLengthFromItsTimes)
+TEST(FeedTimes, GiveThePathLengthOfThePaper)
 {
     const RunParts parts = parts_of_runs(fast, slow);
     EXPECT_NEAR(parts.length_mm, 5384, 1e-9);
@@ -39,7 +39,7 @@ TEST(FeedTimes, TellThePapersLengthFromItsTimes)
     EXPECT_LT(std::abs(printed_length_mm - parts.length_mm), longest);
 }
 
-TEST(FeedTimes, LeaveTheTimeBesidesCutsWithinTheRounding)
+TEST(FeedTimes, GiveTheNoncuttingTimeWithinRounding)
 {
     const double one = fast.total_min - printed_length_mm / fast.feed_mm_per_min;
     const double other = slow.total_min - printed_length_mm / slow.feed_mm_per_min;
@@ -62,7 +62,7 @@ TEST(FeedTimes, GiveThePrintedSavings)
                 62.70, 5e-3);
 }
 
-TEST(FeedTimes, AddUp)
+TEST(FeedTimes, AreTheSumOfTheirParts)
 {
     const FeedTimes times = feed_times({.cut_length_mm = printed_length_mm,
                                         .cut_min = steel_min - 12.47,

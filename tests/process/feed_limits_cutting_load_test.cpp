@@ -41,7 +41,7 @@ CuttingMaterial random_material(test::Random& random)
     return material;
 }
 
-TEST(CuttingLoad, OfASlotIsTheForceThatIsAskedFor)
+TEST(CuttingLoad, OfASlotIsTheRequestedForce)
 {
     CuttingMaterial material = steel();
     material.specific_resistance_n_per_mm2 = 2000;

@@ -58,7 +58,7 @@ TEST(ToothFeed, IsTheLeastBound)
     expect({0.1, 0.1, 0.1}, 0.1, FeedLimit::CuttingForce);
 }
 
-TEST(ToothFeed, BelowTheLeastIsInfeasibleAndNotSilent)
+TEST(ToothFeed, BelowTheLeastIsReportedAsInfeasible)
 {
     for (const double bound : {0.0, 1e-9, 0.004999}) {
         const ToothFeed tooth = tooth_feed({.thrust = bound}, wide);
@@ -129,7 +129,7 @@ TEST(TableFeed, WithoutTorqueIsNotBoundByPower)
     EXPECT_EQ(table.power_w, 0);
 }
 
-TEST(TableFeed, LetsABlockLast)
+TEST(TableFeed, KeepsTheShortestBlockTime)
 {
     test::Random random{6};
     int bound = 0;

@@ -148,7 +148,7 @@ TEST(FeedPlan, OfTheReferencePathInAluminium)
 
 // docs/mathematics/ball-end-milling.md, section 8: thrust governs where the cut is deep
 // and goes downhill.
-TEST(FeedPlan, LetsThrustBindWhereThePaperSays)
+TEST(FeedPlan, IsBoundByThrustAsInThePaper)
 {
     const std::vector<SegmentCut> cuts = test::reference_cuts();
     const FeedPlan plan = feed_plan(cuts, steel_job(), {});
@@ -171,7 +171,7 @@ TEST(FeedPlan, LetsThrustBindWhereThePaperSays)
 
 // docs/mathematics/ball-end-milling.md, section 8: dependence of the total on the least
 // feed.
-TEST(FeedPlan, HangsOnTheLeastFeed)
+TEST(FeedPlan, DependsOnTheLeastFeed)
 {
     const std::vector<SegmentCut> cuts = scaled_reference_cuts();
     const double least[] = {0.002, 0.01, 0.02, 0.03};
@@ -187,7 +187,7 @@ TEST(FeedPlan, HangsOnTheLeastFeed)
 
 // docs/mathematics/ball-end-milling.md, section 8: the same path with the torque of
 // helical flutes.
-TEST(FeedPlan, HangsOnTheRuleOfThePeak)
+TEST(FeedPlan, DependsOnTheRuleOfThePeak)
 {
     const std::vector<SegmentCut> cuts = scaled_reference_cuts();
     const FeedPlan torque = feed_plan(cuts, aluminium_job(), {.peak = PeakRule::Torque});
@@ -256,7 +256,7 @@ TEST(FeedPlan, KeepsCapAndBlockTimeOnEveryMove)
     }
 }
 
-TEST(FeedPlan, TellsTheLimitsThatWouldDo)
+TEST(FeedPlan, ReportsSufficientLimits)
 {
     const std::vector<SegmentCut> cuts = test::reference_cuts();
     MillingJob job = steel_job();

@@ -189,7 +189,7 @@ TEST(ForcePattern, IsTheSumOverSmallSteps)
         }
 }
 
-TEST(ForcePattern, IsNowhereAboveItsPeaks)
+TEST(ForcePattern, IsNeverAboveItsPeaks)
 {
     test::Random random{32};
     for (int n = 0; n < 25; ++n) {
@@ -251,7 +251,7 @@ TEST(ForcePattern, InAirBoundsNothing)
     EXPECT_FALSE(bounds.cutting_force || bounds.thrust || bounds.torque);
 }
 
-TEST(ForcePattern, WhereEdgesAloneAreTooMuchHasNoFeed)
+TEST(ForcePattern, HasNoFeedIfTheEdgeForceExceedsTheLimit)
 {
     const ForcePattern pattern{{0, 0, 0.5, 1}, ChipModel::Paper, tool(2)};
     EXPECT_EQ(*pattern.direct_bounds(model, {1, {}, {}}).cutting_force, 0);

@@ -10,7 +10,7 @@
 namespace endmill {
 namespace {
 
-TEST(MachineLimits, NeedNotBeThere)
+TEST(MachineLimits, AreOptional)
 {
     EXPECT_NO_THROW(require_sound(MachineLimits{}));
 }

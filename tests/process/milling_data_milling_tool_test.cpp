@@ -35,7 +35,7 @@ TEST(MillingTool, WithoutLimitsHasNone)
     EXPECT_EQ(seen.helix, 0);
 }
 
-TEST(MillingTool, RefusesACutterThatIsNoBallOrDoesNotTellItsFlutes)
+TEST(MillingTool, RefusesOtherCuttersAndUnknownFlutes)
 {
     for (const Cutter& cutter : {Cutter::flat(5), Cutter{5, 2}}) {
         try {

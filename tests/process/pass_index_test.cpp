@@ -97,7 +97,7 @@ TEST(PassIndex, LeavesOutTheOwnPassNearbyButNotFurtherOn)
     EXPECT_TRUE(index.beside(4, 15).left);  // 31 mm away
 }
 
-TEST(PassIndex, TakesAPassStraightAboveForNoPickFeedAndOneInPlaceForAir)
+TEST(PassIndex, IgnoresAPassAboveAndFindsAPassInPlace)
 {
     const ToolPath path = passes({{Vec3{0, 0, 0}, Vec3{20, 0, 0}},
                                   {Vec3{0, 0, -2}, Vec3{20, 0, -2}},

@@ -29,7 +29,7 @@ double distance_to(const RootsAndExtrema& found, double place)
     return least;
 }
 
-TEST(RootsAndExtrema, HaveTheRootsThatWerePutIn)
+TEST(RootsAndExtrema, FindTheGivenRoots)
 {
     test::Random random{3};
     for (int n = 0; n < 2000; ++n) {
@@ -46,7 +46,7 @@ TEST(RootsAndExtrema, HaveTheRootsThatWerePutIn)
     }
 }
 
-TEST(RootsAndExtrema, OfLowerDegreesAreTheirs)
+TEST(RootsAndExtrema, OfLowerDegreesAreFound)
 {
     EXPECT_LT(distance_to(roots_and_extrema(with_roots({0.1, -0.7, 0.5}), -1, 1), 0.1),
               1e-12);

@@ -192,7 +192,7 @@ TEST(TurningLoad, NamesAMoveThatIsCutTooDeepForItsHelix)
 }
 
 // The default SegmentCut states no pick feed and lies in air.
-TEST(SegmentLoad, TakesADefaultMoveForACutInAir)
+TEST(SegmentLoad, TreatsADefaultMoveAsACutInAir)
 {
     const SegmentCut cut;
     EXPECT_FALSE(cut.mu || cut.pick_feed_mm || cut.pick_feed_horizontal_mm);

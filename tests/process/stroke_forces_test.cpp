@@ -104,7 +104,7 @@ TEST(StrokeForces, CountDownhillMovesByThemselves)
     EXPECT_GE(stroke.largest.z_n, stroke.largest_downhill.z_n);
 }
 
-TEST(UsedLife, IsTheTimeOverTaylorsLife)
+TEST(UsedLife, IsTheTimeDividedByTaylorsLife)
 {
     const MillingJob job = steel_job();
     const std::vector<MilledMove> moves{milled(slot())};

@@ -130,7 +130,7 @@ TEST(RectangleBranch, PutsTheOppositeOfTheToolAxisWhereTheLimitsHaveRoom)
         EXPECT_TRUE(reached.contains(direction));
 }
 
-TEST(RectangleBranch, FindsNothingIfAllIsWorthlessOrNothingFits)
+TEST(RectangleBranch, FindsNothingAboveTheGoalOrOutsideTheLimits)
 {
     const std::vector<Vec3> points = test::directions({{90, 120}, {270, 120}, {0, 30}});
     const double area = branch_rectangle(PolePoints{up, points}, {})->area();

@@ -377,7 +377,7 @@ TEST(RectangleFit, IsTheSameForATurnedPart)
     }
 }
 
-TEST(RectangleFit, BoundsWhatItFindsWithLessWork)
+TEST(RectangleFit, BoundsItsResultWithLessWork)
 {
     const auto points = directions({{0, 30}, {120, 95}, {240, 20}});
     const PoseFitOptions asked = options(SetupMode::Corrected);

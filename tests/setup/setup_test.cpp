@@ -109,7 +109,7 @@ TEST(FindSetup, ProvesThatNoMachineReachesAnEmptyCone)
         }
 }
 
-TEST(FindSetup, FindsNothingOnAMachineThatIsNone)
+TEST(FindSetup, FindsNothingOnAnInvalidMachine)
 {
     const TwoCones part;
     for (const char* word : {"W/cBxyz/T", "W/acBxyz/T"}) {

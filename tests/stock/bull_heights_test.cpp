@@ -57,7 +57,7 @@ TEST_P(BullHeightsOf, AreRightWhereTheyAreBelowTheStock)
 }
 
 // A continued move need not cut again what the cutter has cleared where the move starts.
-TEST_P(BullHeightsOf, OfAMoveThatGoesOnLeaveTheSame)
+TEST_P(BullHeightsOf, OfAContinuedMoveAreTheSame)
 {
     const Cutter cutter = GetParam();
     const TilePlace place = test::small_tile();

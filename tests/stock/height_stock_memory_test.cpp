@@ -32,13 +32,13 @@ TEST(FittingPitch, FitsAndTheNextFinerOneDoesNot)
     }
 }
 
-TEST(FittingPitch, IsNoneIfNothingFits)
+TEST(FittingPitch, IsEmptyIfNothingFits)
 {
     EXPECT_FALSE(fitting_pitch(saddle_box, 1000));
     EXPECT_FALSE(fitting_pitch({{0, 0, 0}, {0, 0, 0}}, 1e9));
 }
 
-TEST(RequiredBytes, GrowWithWhatElseIsMadeOfEachCell)
+TEST(RequiredBytes, IncludeTheExtraBytesOfEachCell)
 {
     const double cells = 1200 * 800;
     const double more =
@@ -51,7 +51,7 @@ TEST(RequiredBytes, GrowWithWhatElseIsMadeOfEachCell)
     EXPECT_GT(required_bytes(saddle_box, *pitch * 0.89, 470), 1e8);
 }
 
-TEST(RequireStockMemory, SaysHowMuchAndWhatFits)
+TEST(RequireStockMemory, ReportsTheNeedAndAFittingPitch)
 {
     EXPECT_NO_THROW(require_stock_memory(saddle_box, 0.1, 8));
     try {

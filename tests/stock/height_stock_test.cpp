@@ -42,7 +42,7 @@ TEST(GridOver, OfAPointIsACell)
     EXPECT_EQ(grid.y(0), 4);
 }
 
-TEST(GridOver, RefusesWhatIsNoBoxOrPitch)
+TEST(GridOver, RefusesInvalidBoxesAndPitches)
 {
     const Block box{{0, 0, 0}, {1, 1, 1}};
     EXPECT_THROW(grid_over(box, 0), DomainError);

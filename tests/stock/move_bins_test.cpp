@@ -42,7 +42,7 @@ double distance_over_plane(const test::SmallMove& move, double x, double y)
 
 // Every cell within reach of a move lies in a group that lists the move. A group far from
 // the move does not list it.
-TEST(MoveBins, HoldTheMovesThatPass)
+TEST(MoveBins, ContainTheMovesThatPass)
 {
     constexpr double reach = 2;
     const StockGrid grid = small_grid();
@@ -86,7 +86,7 @@ TEST(MoveBins, StopWhenTheyAreFull)
     EXPECT_TRUE(none.over(0).empty());
 }
 
-TEST(MoveBins, AMoveFarAwayIsNowhere)
+TEST(MoveBins, AMoveFarAwayIsInNoBin)
 {
     const std::vector<SweptMove> far{swept_move({100, 100, 0}, {101, 100, 0})};
     const MoveBins bins{small_grid(), far, 2, 50};

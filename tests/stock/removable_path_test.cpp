@@ -11,7 +11,7 @@
 namespace endmill {
 namespace {
 
-TEST(RequireRemovable, TakesThreeAxisPathsOnly)
+TEST(RequireRemovable, AcceptsThreeAxisPathsOnly)
 {
     ToolPath path = test::tip_path({{0, 0, 0}, {1, 2, 3}});
     EXPECT_NO_THROW(require_removable(path));
@@ -22,14 +22,14 @@ TEST(RequireRemovable, TakesThreeAxisPathsOnly)
     EXPECT_THROW(require_removable(path), GeometryError);
 }
 
-TEST(RequireRemovable, RefusesTipsOutOfThisWorld)
+TEST(RequireRemovable, RefusesTipsBeyondTheExtent)
 {
     const double infinite = std::numeric_limits<double>::infinity();
     EXPECT_THROW(require_removable(test::tip_path({{0, infinite, 0}})), DomainError);
     EXPECT_THROW(require_removable(test::tip_path({{0, 0, -2e9}})), DomainError);
 }
 
-TEST(CutsAtStart, IfTheCutterCameDownThere)
+TEST(CutsAtStart, IsTrueIfTheCutterArrivesAtFeed)
 {
     EXPECT_TRUE(cuts_at_start(test::tip_path({{0, 0, 0}}, Move::Plunge)));
     EXPECT_TRUE(cuts_at_start(test::tip_path({{0, 0, 0}}, Move::Cut)));

@@ -147,7 +147,7 @@ TEST(ParallelPasses, LeaveTheScallopOfTheirPitch)
     EXPECT_NEAR(scallop(1.98997487421), 0.1, 1e-11);
 }
 
-TEST(ParallelPasses, OneLeftOutLeavesTheScallopOfTwiceThePitchInItsPlace)
+TEST(ParallelPasses, WithOneOmittedLeaveTheScallopOfTwiceThePitch)
 {
     const double pitch = 1.5;
     HeightStock stock = odd_block();

@@ -63,7 +63,7 @@ TEST_P(RemovalOf, LeavesTheLeastOfAllSweeps)
         }
 }
 
-TEST_P(RemovalOf, VolumesOfTheMovesAreWhatIsGone)
+TEST_P(RemovalOf, VolumesOfTheMovesSumToTheRemovedVolume)
 {
     HeightStock stock = small_block(0.25);
     const double before = stock_volume(stock);
@@ -206,7 +206,7 @@ TEST(Removal, FindsRapidMovesThatCut)
 }
 
 // A rapid in the groove that was just cut touches nothing.
-TEST(Removal, ARapidMoveMayGoWhereNothingIsLeft)
+TEST(Removal, RapidsInRemovedMaterialAreAllowed)
 {
     ToolPath path = tip_path({{-30, 0.3, -2}, {30, 0.3, -2}, {-30, 0.3, -2}});
     path.points[2].move = Move::Rapid;
@@ -219,7 +219,7 @@ TEST(Removal, ARapidMoveMayGoWhereNothingIsLeft)
 // The path lies on a lattice of cells, so that many cells lie on the cutter's rim. A
 // cutter that goes back or up through its own cut touches nothing, nor does a shank of
 // the same width.
-TEST_P(RemovalOf, WhatIsOnTheRimIsNotTouchedOnTheWayOut)
+TEST_P(RemovalOf, MaterialAtTheRimIsNotTouchedOnRetracting)
 {
     test::Random random{4};
     const auto place = [&](double z) {
@@ -274,7 +274,7 @@ TEST(Removal, GoesNoDeeperThanTheBottom)
     EXPECT_EQ(removal.left->low, 0);
 }
 
-TEST(Removal, SaysNothingOfAStockThatIsGone)
+TEST(Removal, HasNoHeightRangeWithoutRemainingStock)
 {
     HeightStock stock = block_stock({{-1, -1, -1}, {1, 1, 0}}, 0.1);
     const Removal removal = remove_along(stock, tip_path({{0, 0, -2}}), Cutter::flat(5));
@@ -336,7 +336,7 @@ TEST(Collisions, AreFoundAheadOfTheCutter)
     }
 }
 
-TEST(Removal, RefusesWhatItCannotSimulate)
+TEST(Removal, RefusesUnsupportedPaths)
 {
     HeightStock stock = small_block(0.5);
     ToolPath path = tip_path({{0, 0, 0}, {1, 0, 0}});

@@ -170,7 +170,7 @@ TEST(StockFronts, OfAnUphillSlotHaveItsClosedCoefficients)
 // Reference: each front is computed alone, on a stock that the path up to it has left.
 // The moves are shorter than the ball and go back and forth, so that every move meets the
 // cuts of the moves just before it.
-TEST(StockFronts, AreThoseThatEachMoveFindsWhicheverThreadLooks)
+TEST(StockFronts, EqualFrontsComputedOneByOne)
 {
     const Block block{{-12, -12, -20}, {12, 12, 4}};
     std::vector<Vec3> tips;
@@ -207,7 +207,7 @@ TEST(StockFronts, AreThoseThatEachMoveFindsWhicheverThreadLooks)
     EXPECT_NEAR(stock_volume(whole), stock_volume(removed), 1e-9);
 }
 
-TEST(StockFronts, RefuseWhatTheyDoNotKnow)
+TEST(StockFronts, RefuseUnsupportedInput)
 {
     HeightStock stock = block_stock({{-5, -5, -5}, {5, 5, 0}}, 0.5);
     const ToolPath path = test::tip_path({{0, 0, 0}, {1, 0, 0}});

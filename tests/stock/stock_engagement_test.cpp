@@ -133,7 +133,7 @@ TEST(StockEngagement, LeavesTheStockThatTheRemovalLeaves)
     }
 }
 
-TEST(StockEngagement, RefusesToLookAtNothing)
+TEST(StockEngagement, RefusesZeroRingsOrAzimuths)
 {
     HeightStock stock = block_stock({{0, 0, 0}, {1, 1, 1}}, 0.5);
     const ToolPath path = test::tip_path({{0, 0, 0}, {1, 0, 0}});

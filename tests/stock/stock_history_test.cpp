@@ -52,7 +52,7 @@ TEST(StockHistory, OfNothingHasNoSweeps)
     EXPECT_TRUE(run_along({}, Cutter::ball(1)).tips.empty());
 }
 
-TEST(JoinedSweeps, TellThePathsOwnPoints)
+TEST(JoinedSweeps, NumberThePointsOfThePath)
 {
     const ToolPath earlier = test::tip_path({{0, 0, 0}, {1, 0, 0}});
     ToolPath path = test::tip_path({{0, 0, 1}, {1, 0, 1}, {2, 0, 1}});

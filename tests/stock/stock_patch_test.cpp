@@ -33,7 +33,7 @@ void expect_same(const HeightStock& stock, const StockPatch& patch, const Vec3& 
     }
 }
 
-TEST(StockPatch, IsWhatTheStockWasThere)
+TEST(StockPatch, CopiesTheStock)
 {
     HeightStock stock = wavy_stock(61, 45);
     const HeightStock before = stock;
@@ -55,7 +55,7 @@ TEST(StockPatch, OfASmallStockIsAllOfIt)
     expect_same(stock, patch, {-2.8, 2.1, 0}, 1);
 }
 
-TEST(StockPatch, TakesNoMoreThanItSays)
+TEST(StockPatch, NeedsNoMoreMemoryThanStated)
 {
     // Cells of 0.25 mm make tiles of 2 mm. The ball and its margin cover 3.5 mm, at most
     // 3 tiles of 512 bytes along x and y.

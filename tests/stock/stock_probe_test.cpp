@@ -22,7 +22,7 @@ TEST(StockProbe, IsLinearBetweenTheCentresOfCells)
     EXPECT_NEAR(interpolated_height(stock, 0, 2).value(), plane(0.5, 2), 1e-14);
 }
 
-TEST(StockProbe, KnowsNothingBesideTheStock)
+TEST(StockProbe, IsEmptyBesideTheStock)
 {
     const HeightStock stock = block_stock({{0, 0, 0}, {4, 4, 1}}, 1);
     EXPECT_FALSE(interpolated_height(stock, -0.1, 2));

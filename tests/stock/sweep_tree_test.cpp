@@ -48,7 +48,7 @@ TEST(SweepTree, VisitsEverySweepWithinReach)
     }
 }
 
-TEST(SweepTree, OfNothingVisitsNothing)
+TEST(SweepTree, WithoutSweepsVisitsNothing)
 {
     const SweepTree tree{std::span<const StraightSweep>{}};
     tree.visit(
@@ -85,7 +85,7 @@ TEST(SweepTree, NamesTheCutterOfItsBoxes)
     EXPECT_EQ(order, (std::vector<Cutter>{cutters[2], cutters[1], cutters[0]}));
 }
 
-TEST(SweepTree, OfOneCutterSaysSo)
+TEST(SweepTree, ReportsASingleCutter)
 {
     const std::vector<StraightSweep> sweeps =
         path_sweeps(test::tip_path({{0, 0, 0}, {1, 0, 0}}), Cutter{0.3, 0.1});

@@ -8,7 +8,7 @@
 namespace endmill {
 namespace {
 
-TEST(SweptMove, IsTheMoveTakenApart)
+TEST(SweptMove, HasTheComponentsOfTheMove)
 {
     for (const test::SmallMove& move : test::small_moves(1, 200)) {
         const SweptMove swept = move.swept();

@@ -112,7 +112,7 @@ class MayTouch : public testing::TestWithParam<Cutter> {};
 
 // A move that is reported clear must lower no cell. Of the moves that lower none, most
 // must be reported clear.
-TEST_P(MayTouch, ANoIsCertainAndFrequent)
+TEST_P(MayTouch, IsFalseOnlyIfCertainAndOften)
 {
     const Cutter cutter = GetParam();
     const TilePlace place = test::small_tile();

@@ -11,7 +11,7 @@
 namespace endmill {
 namespace {
 
-TEST(CutTile, TellsWhatIsGone)
+TEST(CutTile, ReportsTheRemovedMaterial)
 {
     const TilePlace place = test::small_tile();
     for (const Cutter& cutter : {Cutter::ball(5), Cutter::flat(5), Cutter{5, 2}})

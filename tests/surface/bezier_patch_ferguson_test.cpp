@@ -60,7 +60,7 @@ TEST(Ferguson, BezierFormIsTheSurfaceOfHermitesCubics)
                       1e-12);
 }
 
-TEST(Ferguson, ThereAndBackIsTheSamePatch)
+TEST(Ferguson, ConvertedBackIsTheSamePatch)
 {
     for (unsigned seed = 0; seed < 20; ++seed) {
         const BezierPatch patch = random_patch(seed);

@@ -262,7 +262,7 @@ TEST(RationalPatch, ExtentOfASphereIsItsRadius)
     EXPECT_NEAR(extent(cap, direction).high, 9, 1e-8);
 }
 
-TEST(RationalPatch, OfAPlaneIsReachedWhateverItsWeights)
+TEST(RationalPatch, OfAPlaneIsReachedForAllWeights)
 {
     const std::vector<Vec3> net{{0, 0, 0}, {9, 0, 0}, {0, 7, 0}, {9, 7, 0}};
     for (const double ratio : {1.0, 60.0, 1e2, 1e3})

@@ -23,7 +23,7 @@ TEST(TrimBranches, SumsUpOverThePlane)
     EXPECT_EQ(trimmed.rules[0].curve, 1);
 }
 
-TEST(TrimBranches, AsksTheSearchItIsGiven)
+TEST(TrimBranches, UsesTheGivenSearch)
 {
     CrossingSearch* none = [](const SectionChain&, const Branches&,
                               const TrimmingOptions&) -> std::optional<ChainCrossing> {
@@ -34,7 +34,7 @@ TEST(TrimBranches, AsksTheSearchItIsGiven)
     EXPECT_EQ(trimmed.unresolved, 1);
 }
 
-TEST(TrimBranches, SortsWhatIsLeftByPlace)
+TEST(TrimBranches, SortsTheTrimmedCurvesByPlace)
 {
     const SectionCurve far = test::open_curve({{20, 0}, {21, 0}});
     const SectionCurve above = test::open_curve({{-9, 9}, {-8, 9}});
@@ -46,7 +46,7 @@ TEST(TrimBranches, SortsWhatIsLeftByPlace)
     EXPECT_EQ(trimmed.curves[2].points[0].on.curve, 0);
 }
 
-TEST(TrimBranches, OfNoCurvesIsNothing)
+TEST(TrimBranches, WithoutCurvesIsEmpty)
 {
     EXPECT_TRUE(trim_branches({}, {march_segments}, {}).curves.empty());
 }

@@ -21,7 +21,7 @@ TEST(CrossingOf, IsWhereTheSegmentsCross)
     EXPECT_FALSE(crossing_of(chain, 0, 2, CrossingType::Any));
 }
 
-TEST(CrossingOf, HeedsTheWayThePathTurns)
+TEST(CrossingOf, DependsOnTheTurnOfThePath)
 {
     // The loop of a hill, at whose crossing the path turns right.
     const std::vector<SectionPoint> hill{{-6, -6}, {2, 2}, {0, 1}, {-2, 2}, {6, -6}};
@@ -30,7 +30,7 @@ TEST(CrossingOf, HeedsTheWayThePathTurns)
     EXPECT_FALSE(crossing_of(chain, 0, 3, CrossingType::Valley));
 }
 
-TEST(CrossingOf, TakesWhatTouchesOnceOrNever)
+TEST(CrossingOf, CountsATouchOnceOrNever)
 {
     // A vertex of B at the origin lies on A; the next segment of B crosses A.
     const std::vector<SectionPoint> touching{{-4, 4}, {4, -4}, {-3, -3}, {0, 0}, {5, 5}};

@@ -21,7 +21,7 @@ TrimmedCurve curve(const std::vector<SectionPoint>& points, bool is_closed = fal
 
 using Points = std::vector<SectionPoint>;
 
-TEST(ClippedSections, LeavesWhatLiesWithin)
+TEST(ClippedSections, KeepsCurvesInsideTheRange)
 {
     const Points points{{0, 0}, {1, 5}, {4, 1}};
     const auto left = clipped({curve(points)}, {0, 4});

@@ -43,7 +43,7 @@ TEST(TrimClosed, KeepsTheTopOfOneThatReachesAbove)
     }
 }
 
-TEST(TrimClosed, TakesWhatTouchesForCovered)
+TEST(TrimClosed, TreatsTouchingCurvesAsCovered)
 {
     const std::vector<SectionCurve> curves{open, crescent(-0.5)};
     EXPECT_TRUE(trim_closed(curves).curves.empty());
@@ -60,7 +60,7 @@ TEST(TrimClosed, KeepsOneBesideOrWithoutOpenCurves)
     EXPECT_EQ(trim_closed({&beside, 1}).curves.size(), 1U);
 }
 
-TEST(TrimClosed, IsWhatTheMethodsDo)
+TEST(TrimClosed, IsUsedByTheMethods)
 {
     const std::vector<SectionCurve> curves{open, crescent(-3)};
     for (const char* method : {"1", "2", "3", "3r"}) {

@@ -92,7 +92,7 @@ TEST(CutOut, OfAVerticalStepIsAnEnd)
     EXPECT_TRUE(cuts[0].rule.empty());
 }
 
-TEST(CutOut, OfWholeCurvesHasAPlaceOnlyIfSomethingIsLeft)
+TEST(CutOut, OfWholeCurvesHasAPlaceOnlyBesideTrimmedCurves)
 {
     const SectionCurve closed{{{0, 0}, {1, 1}, {1, -1}, {0, 0}}, true};
     Trimmed dropped;
@@ -121,7 +121,7 @@ TEST(CutOut, TakesTheEndsOfAClosedCurveForOne)
     expect_stretch(cuts[0], 3, 3, CutCause::End);
 }
 
-TEST(CutOut, HoldsExactlyThePointsThatAreNotLeft)
+TEST(CutOut, HasExactlyTheRemovedPoints)
 {
     for (const OffsetProfile& profile : hard_profiles()) {
         SCOPED_TRACE(profile.name);
@@ -157,7 +157,7 @@ TEST(CutOut, HoldsExactlyThePointsThatAreNotLeft)
 }
 
 // The curve is clipped inside the segments 0 and 2, at the ends of a range.
-TEST(CutOut, OfWhatLiesOutsideTheRangeEndsAtItsEnd)
+TEST(CutOut, OutsideTheRangeEndsAtTheEndOfTheRange)
 {
     const SectionCurve roof = test::open_curve({{0, 0}, {4, 4}, {8, 4}, {12, 0}});
     Trimmed trimmed = test::trim("envelope", roof);

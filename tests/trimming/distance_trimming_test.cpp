@@ -45,7 +45,7 @@ TEST(SearchByDistance, MissesACrossingBetweenTwoLines)
 }
 
 // A begins right of B's cusp and stays at least 0.1 right of B.
-TEST(SearchByDistance, AnswersWhereBranchesAreNearWithoutACrossing)
+TEST(SearchByDistance, AcceptsNearBranchesWithoutACrossing)
 {
     const std::vector<SectionPoint> beside{{0.3, 1}, {0.5, 0}, {0, -1}, {0.2, 1}, {6, 8}};
     const SectionChain chain{beside, 0};
@@ -79,7 +79,7 @@ TEST(TrimByDistance, NeverStepsBack)
     }
 }
 
-TEST(TrimByDistance, RefusesLinesThatAreNone)
+TEST(TrimByDistance, RefusesInvalidScanOptions)
 {
     const SectionCurve curve = test::open_curve(loop);
     for (const TrimmingOptions& options :

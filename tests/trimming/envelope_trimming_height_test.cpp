@@ -28,7 +28,7 @@ TEST(EnvelopeHeight, IsTheUpperEndOfAVerticalStep)
     EXPECT_EQ(height.at(1), 0);
 }
 
-TEST(EnvelopeHeight, IsNoneWhereNoCurveIs)
+TEST(EnvelopeHeight, IsEmptyWithoutACurve)
 {
     const std::vector curves{test::open_curve({{0, 0}, {1, 1}}),
                              test::open_curve({{3, 0}, {4, 1}})};

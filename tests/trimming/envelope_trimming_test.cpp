@@ -38,7 +38,7 @@ Points envelope(const Points& points)
     return curves.front();
 }
 
-TEST(EnvelopeTrimming, GivesWhatTheVectorsList)
+TEST(EnvelopeTrimming, AgreesWithTheTestVectors)
 {
     for (const test::TrimmingVector& vector : test::trimming_vectors()) {
         SCOPED_TRACE(vector.name);
@@ -137,7 +137,7 @@ TEST(EnvelopeTrimming, BreaksWhereNoCurveLies)
                   {{0, 0}, {1, 0}, {1, 1}, {2, 1}}, {{3, 1}, {3, 2}}, {{5, 0}, {6, 1}}}));
 }
 
-TEST(EnvelopeTrimming, OfNothingIsNothing)
+TEST(EnvelopeTrimming, WithoutCurvesIsEmpty)
 {
     EXPECT_TRUE(envelope(std::vector<SectionCurve>{}).empty());
     EXPECT_TRUE(envelope(std::vector<SectionCurve>(3)).empty());
@@ -160,7 +160,7 @@ TEST(EnvelopeTrimming, IsCarriedByTheFirstOfSegmentsThatCoincide)
 
 // All coordinates times 2^k, for the smallest and the largest numbers, whose products
 // would underflow or overflow.
-TEST(EnvelopeTrimming, IsOfAnySize)
+TEST(EnvelopeTrimming, SupportsAnySize)
 {
     for (const test::TrimmingVector& vector : test::trimming_vectors()) {
         SCOPED_TRACE(vector.name);
@@ -215,7 +215,7 @@ TEST(EnvelopeTrimming, OfManyLongTeethIsTheirTips)
         EXPECT_EQ(tips[k], SectionPoint(k, 1));
 }
 
-TEST(EnvelopeTrimming, RefusesWhatIsNoNumber)
+TEST(EnvelopeTrimming, RefusesNonFiniteCoordinates)
 {
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
                              std::numeric_limits<double>::infinity()}) {

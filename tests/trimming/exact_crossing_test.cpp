@@ -14,7 +14,7 @@ const SectionLine falling{{0, 1}, {1, 0}};   // z = 1 - s; the lines cross in (3
 const SectionLine backward{{1, 0}, {0, 1}};  // the same line
 constexpr double tiny = 0x1p-52;
 
-TEST(ExactCrossing, TellsSidesAtTheLastBit)
+TEST(ExactCrossing, DecidesSidesAtTheLastBit)
 {
     const SectionLine level{{-1, 0.25}, {5, 0.25}};
     const SectionLine above{{-1, 0.25}, {5, 0.25 + tiny}};

@@ -65,7 +65,7 @@ TEST(FoldScan, OutcomeHasTheLinesDownToTheCrossing)
         << "no line lies near the crossing";
 }
 
-TEST(FoldScan, CountsAFalseHitWhereNothingIsTrue)
+TEST(FoldScan, CountsAHitWithoutATrueCrossingAsFalse)
 {
     const std::vector<PlaneSection> sections{section(crossed_loop)};
     const std::vector<FoldToSearch> folds = first_literal_folds(sections);

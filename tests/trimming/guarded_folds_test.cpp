@@ -70,7 +70,7 @@ TEST(TrimGuarded, KeepsTheLongerOfTwoShortBranches)
 }
 
 // A reversal for which there is no crossing and no end rule.
-TEST(TrimGuarded, LeavesWhatItDoesNotUnderstandAndCountsIt)
+TEST(TrimGuarded, KeepsAndCountsUnresolvedFolds)
 {
     const Points overhang{{-4, 4}, {2, 1}, {1, 1.25}, {0, 0.5}, {6, -2.5}};
     const Outcome outcome = trim(overhang);

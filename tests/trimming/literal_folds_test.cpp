@@ -63,7 +63,7 @@ TEST(TrimLiterally, GoesOnBehindACut)
     EXPECT_EQ(outcome.rules, (std::vector<std::string_view>{"P3 cut", "P3"}));
 }
 
-TEST(TrimLiterally, LeavesFewerRunsAlone)
+TEST(TrimLiterally, KeepsCurvesWithFewerRuns)
 {
     for (const std::vector<SectionPoint>& points :
          {std::vector<SectionPoint>{{0, 0}, {1, 0}},

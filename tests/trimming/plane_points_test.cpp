@@ -32,7 +32,7 @@ TEST(PlanePoints, CopiesNoSingleCurve)
     EXPECT_EQ(plane.number(1), (SegmentNumber{0, 1}));
 }
 
-TEST(PlanePoints, BoundsCoordinatesAndRefusesWhatIsNoNumber)
+TEST(PlanePoints, BoundsCoordinatesAndRefusesNonFiniteOnes)
 {
     const SectionCurve far = test::open_curve({{0, 1}, {-1e200, 3}});
     EXPECT_GE((PlanePoints{{&far, 1}}.section().largest_at_most), 1e200);

@@ -86,7 +86,7 @@ TEST(OffsetCurve, MergesEqualPoints)
         EXPECT_NEAR((point - SectionPoint(0, 5)).norm(), 0, 1e-14);
 }
 
-TEST(OffsetCurve, RefusesWhatIsNoSampling)
+TEST(OffsetCurve, RefusesInvalidSamplings)
 {
     EXPECT_THROW(offset_curve(parabola(1, 1, 0, 1), 1), DomainError);
     EXPECT_THROW(offset_curve(parabola(1, 1, 1, 1), 5), DomainError);

@@ -204,7 +204,7 @@ TEST(HardProfiles, AreJoinedWhereTheSmoothCurvesCrossInTheLimit)
     }
 }
 
-TEST(HardProfiles, WithoutInterferenceComeBackUnchangedButFromThePrint)
+TEST(HardProfiles, WithoutInterferenceAreUnchangedExceptByThePrint)
 {
     for (const OffsetProfile& profile : hard_profiles()) {
         if (profile.name != "gentle-wave" && profile.name != "hill-and-valley")
@@ -249,7 +249,7 @@ void expect_counts(const std::array<int, 4>& wrong, const nlohmann::json& listed
     EXPECT_EQ(wrong[3], 0) << "3r";
 }
 
-TEST(WavyProfiles, AreAsWrongAsListed)
+TEST(WavyProfiles, HaveTheListedErrors)
 {
     const auto family = offset_curves_json("random-families.json")["families"][0];
     const std::vector<OffsetProfile> profiles = wavy_profiles();
@@ -269,7 +269,7 @@ TEST(WavyProfiles, AreAsWrongAsListed)
 }
 
 // Without P3, a hill followed by a valley does not count as a fold.
-TEST(WavyProfiles, AreLessWrongByThePrintWithoutItsThreeRuns)
+TEST(WavyProfiles, HaveFewerErrorsWithoutPatternP3)
 {
     const auto family = offset_curves_json("random-families.json")["families"][0];
     const auto wrong =
@@ -282,7 +282,7 @@ TEST(WavyProfiles, AreLessWrongByThePrintWithoutItsThreeRuns)
     expect_counts(wrong, family["wrong"]["literal without P3"]);
 }
 
-TEST(ConvexProfiles, AreAsWrongAsListed)
+TEST(ConvexProfiles, HaveTheListedErrors)
 {
     const auto family = offset_curves_json("random-families.json")["families"][1];
     for (const int count : {41, 101, 401}) {

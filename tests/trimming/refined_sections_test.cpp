@@ -79,7 +79,7 @@ TEST(RefinedSections, StillRunForwards)
         EXPECT_LE(points[k - 1].at.x(), points[k].at.x());
 }
 
-TEST(RefinedSections, KeepWhatAMethodLeftInAFold)
+TEST(RefinedSections, KeepFoldsThatAMethodLeft)
 {
     // Nothing is trimmed: the tails below the crossing are not at the height of the
     // cutter.

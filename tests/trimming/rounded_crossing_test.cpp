@@ -24,7 +24,7 @@ void expect_as_by_integers(test::Random& random, double opening)
     EXPECT_EQ(rounded_height(p, s), exact_height(p, s));
 }
 
-TEST(RoundedCrossing, IsTheOneByIntegers)
+TEST(RoundedCrossing, AgreesWithIntegerArithmetic)
 {
     test::Random random{5};
     for (const double opening : {1.0, 1e-3, 1e-8, 1e-12})

@@ -48,7 +48,7 @@ TEST(SectionChain, JoinsAtACrossing)
 
 // A segment of a crossing that is bounded by crossings is named by its segment of the
 // input.
-TEST(SectionChain, KnowsTheInputsSegmentsBehindCrossings)
+TEST(SectionChain, NamesTheInputSegmentsOfCrossings)
 {
     SectionChain chain{row, 0};
     const std::int32_t first = chain.join(0, 2, {0, 1, {1.2, 1}}, "valley");

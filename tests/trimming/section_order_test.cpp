@@ -59,7 +59,7 @@ void expect_exact(const SectionCurve& curve)
     }
 }
 
-TEST(SectionOrder, IsThatOfIntegers)
+TEST(SectionOrder, AgreesWithIntegerArithmetic)
 {
     test::Random random{9};
     for (const double off : {0.0, 0x1p-50, 0.1})
@@ -67,7 +67,7 @@ TEST(SectionOrder, IsThatOfIntegers)
             expect_exact(random_points(random, off));
 }
 
-TEST(SectionOrder, TellsSidesWhicheverWayASegmentRuns)
+TEST(SectionOrder, GivesTheSideForBothDirectionsOfASegment)
 {
     const SectionCurve curve =
         test::open_curve({{0, 0}, {2, 2}, {0, 0}, {1, 1}, {1, 2}, {1, 0}});

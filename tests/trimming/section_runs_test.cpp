@@ -45,7 +45,7 @@ std::vector<Expected> runs_of_heights(std::initializer_list<double> z)
     return runs_of(chain, RunAxis::Z, dead_band(points));
 }
 
-TEST(RunReader, TellsGrowingFromFalling)
+TEST(RunReader, DistinguishesRisingFromFalling)
 {
     EXPECT_EQ(runs_of_heights({0, 1, 2, 1, 0, 5}),
               (std::vector<Expected>{{0, 2, true}, {2, 4, false}, {4, 5, true}}));
@@ -90,7 +90,7 @@ TEST(RunReader, AlternatesOnRandomChains)
     }
 }
 
-TEST(BackwardRuns, AreCountedOfWhatIsLeft)
+TEST(BackwardRuns, AreCountedInTheTrimmedCurves)
 {
     const auto count = [](const std::vector<double>& s) {
         std::vector<TrimmedPoint> points;
@@ -112,7 +112,7 @@ TEST(DeadBand, IsAShareOfTheLargerExtent)
     EXPECT_DOUBLE_EQ(dead_band(heights({0, 1, 2, 1, 0, 1, 1})), 6e-10);
 }
 
-TEST(DeadBand, RefusesWhatIsNotFinite)
+TEST(DeadBand, RefusesNonFiniteCoordinates)
 {
     EXPECT_THROW(dead_band({}), DomainError);
     EXPECT_THROW(dead_band(heights({1})), DomainError);

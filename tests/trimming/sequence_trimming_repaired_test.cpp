@@ -16,7 +16,7 @@ TEST(TrimRepaired, FindsNestedLoops)
               (std::vector<SectionPoint>{{-10, 10}, {0, 0}, {10, 10}}));
 }
 
-TEST(TrimRepaired, HeedsNoOption)
+TEST(TrimRepaired, IgnoresTheOptions)
 {
     const SectionCurve wave =
         test::open_curve({{-4, 2}, {-2, 0}, {0, 1}, {2, 0}, {4, 2}});

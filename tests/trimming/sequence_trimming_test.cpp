@@ -33,7 +33,7 @@ std::vector<Sampled> all_families()
     return curves;
 }
 
-TEST(March, AnswersWhatTheScanDoes)
+TEST(March, AgreesWithTheScan)
 {
     for (const Sampled& sampled : all_families()) {
         for (const FoldDetection detection : both_detections) {

@@ -9,7 +9,7 @@ namespace endmill {
 namespace {
 
 // The resident memory of whole runs, as counted by the operating system.
-TEST(TrimmingMemory, IsWhatRunsTookWithinAFactorOfTwo)
+TEST(TrimmingMemory, IsThatOfRunsWithinAFactorOfTwo)
 {
     struct Run {
         TrimmingSize size;
@@ -29,7 +29,7 @@ TEST(TrimmingMemory, IsWhatRunsTookWithinAFactorOfTwo)
     }
 }
 
-TEST(TrimmingMemory, RefusesOnlyWhatCannotFit)
+TEST(TrimmingMemory, RefusesOnlyWorkBeyondTheLimit)
 {
     EXPECT_NO_THROW(require_trimming_memory({1, 200, 100}, 0.1));
     EXPECT_THROW(require_trimming_memory({1, 20'000, 100}, 8), LimitError);

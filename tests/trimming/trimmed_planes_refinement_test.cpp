@@ -56,7 +56,7 @@ Sections trough(int grid_lines)
             {DriveFrame{Angle::degrees(0)}, {0, 1.3}}};
 }
 
-TEST(RefinedPlanes, FindTheCrossingOfTheInclinedTroughWhateverTheGrid)
+TEST(RefinedPlanes, FindTheCrossingOfTheInclinedTroughOnEveryGrid)
 {
     // Closed form A3 of docs/mathematics/interference.md, section 11. On these grids the sampled
     // crossing is off by 5e-3 and 2e-3 mm.
@@ -96,7 +96,7 @@ TEST(RefinedPlanes, TouchThePartAtEveryRefinedPoint)
             0, 2 * resolution);
 }
 
-TEST(RefinedPlanes, TellTheErrorOfTheSampling)
+TEST(RefinedPlanes, ReportTheErrorOfTheSampling)
 {
     // The error is of second order in the pitch: 16 times smaller at a quarter of the
     // pitch.
@@ -200,7 +200,7 @@ class RefinedHeights : public testing::TestWithParam<Case> {};
 // The accuracy that refine_planes promises. The test takes a few planes, the first and
 // the last next to the corners, and of their points all crossings, ends and neighbours of
 // these, and some others, because the dense drop is slow.
-TEST_P(RefinedHeights, AreThoseOfADenseDropWhateverTheGrid)
+TEST_P(RefinedHeights, AreThoseOfADenseDropOnEveryGrid)
 {
     const KnownPart part = GetParam().part();
     const Cutter& cutter = GetParam().cutter;

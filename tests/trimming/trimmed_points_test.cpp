@@ -11,7 +11,7 @@ namespace {
 const std::vector curves{test::open_curve({{0, 0}, {4, 2}}),
                          test::open_curve({{0, 2}, {1, 9}, {4, 0}})};
 
-TEST(TrimmedPoints, TellWhereTheyComeFrom)
+TEST(TrimmedPoints, NameTheirSegments)
 {
     const PlanePoints plane{curves};
     const TrimmedPoints points{plane};

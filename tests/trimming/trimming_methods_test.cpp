@@ -80,7 +80,7 @@ void expect_by_distance(const TrimmingVector& vector, const ExpectedTrim& expect
     }
 }
 
-TEST(TrimmingMethods, GiveWhatTheVectorsList)
+TEST(TrimmingMethods, AgreeWithTheTestVectors)
 {
     for (const TrimmingVector& vector : test::trimming_vectors()) {
         for (const FoldDetection detection : both_detections) {
@@ -100,7 +100,7 @@ TEST(TrimmingMethods, GiveWhatTheVectorsList)
 }
 
 // The vectors list which results are right. trimming_quality must agree.
-TEST(TrimmingMethods, FailOnTheVectorsWhereTheyAreKnownTo)
+TEST(TrimmingMethods, FailOnTheKnownTestVectors)
 {
     for (const TrimmingVector& vector : test::trimming_vectors()) {
         for (const FoldDetection detection : both_detections) {
@@ -117,7 +117,7 @@ TEST(TrimmingMethods, FailOnTheVectorsWhereTheyAreKnownTo)
     }
 }
 
-TEST(TrimmingMethods, SayWhereTheirPointsComeFrom)
+TEST(TrimmingMethods, NameTheSegmentsOfTheirPoints)
 {
     const SectionCurve curve =
         test::open_curve({{-6, 6}, {2, -2}, {0, -1}, {-2, -2}, {6, 6}});
@@ -226,7 +226,7 @@ TEST(TrimmingMethods, ReportABackwardCurve)
     EXPECT_EQ(trimmed.unresolved, 1);
 }
 
-TEST(TrimmingMethods, BearPathsThatGoToAndFroOnOneLine)
+TEST(TrimmingMethods, AcceptPathsThatReverseOnOneLine)
 {
     const SectionCurve curve =
         test::open_curve({{0, 0}, {2, 0}, {1, 0}, {3, 0}, {2, 0}, {4, 0}});
@@ -240,7 +240,7 @@ TEST(TrimmingMethods, BearPathsThatGoToAndFroOnOneLine)
     }
 }
 
-TEST(TrimmingMethods, RefuseWhatIsNoCurve)
+TEST(TrimmingMethods, RefuseInvalidCurves)
 {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -38,7 +38,7 @@ TEST(TrimmingQuality, OfTheEnvelopesOfTheVectorsIsFaultless)
     }
 }
 
-TEST(TrimmingQuality, SeesHowDeepALoopGoes)
+TEST(TrimmingQuality, MeasuresTheDepthOfALoop)
 {
     // At s = 2 the tail lies 4 mm below the other branch, and falls by 1 in 2 there.
     const TrimmingQuality found = quality(loop, loop.points);
@@ -47,7 +47,7 @@ TEST(TrimmingQuality, SeesHowDeepALoopGoes)
     EXPECT_EQ(found.uncovered, 0);
 }
 
-TEST(TrimmingQuality, SeesWhatIsNotCovered)
+TEST(TrimmingQuality, FindsUncoveredRanges)
 {
     EXPECT_DOUBLE_EQ(quality(loop, {{-6, 6}, {0, 0}}).uncovered, 0.5);
     EXPECT_DOUBLE_EQ(quality(loop, {{-3, 3}, {0, 0}, {3, 3}}).uncovered, 0.5);
@@ -73,7 +73,7 @@ TEST(TrimmingQuality, TakesLimitsFromInsideASegment)
     EXPECT_FALSE(is_right(quality(step, {{0, 0}, {1.01, 0}, {1.01, 5}, {2, 5}}), {}));
 }
 
-TEST(TrimmingQuality, BearsCurvesWithoutWidth)
+TEST(TrimmingQuality, AcceptsCurvesWithoutWidth)
 {
     const SectionCurve vertical = test::open_curve({{1, 0}, {1, 5}});
     EXPECT_TRUE(is_right(quality(vertical, vertical.points), {}));

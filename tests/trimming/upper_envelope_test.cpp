@@ -152,7 +152,7 @@ void expect_as_listed(const std::string& family,
     EXPECT_LE(others, other_libraries) << family;
 }
 
-TEST(UpperEnvelope, IsAsListedForAllRandomProfiles)
+TEST(UpperEnvelope, AgreesWithTheListForAllRandomProfiles)
 {
     expect_as_listed("wavy", wavy_profiles(), 401);
     for (const int points : {41, 101, 401, 1601})

@@ -51,7 +51,7 @@ TEST(WindingBorder, OfAClosedCurveRepeatsNoPlace)
     EXPECT_EQ(found[0].places.size(), 4U);
 }
 
-TEST(WindingBorder, IsNoneOfNothing)
+TEST(WindingBorder, WithoutCurvesIsEmpty)
 {
     EXPECT_TRUE(borders({}).empty());
     EXPECT_TRUE(borders({test::open_curve({{1, 1}, {1, 1}})}).empty());

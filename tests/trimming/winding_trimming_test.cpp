@@ -39,7 +39,7 @@ SectionCurve closed_curve(Points points)
     return {std::move(points), true};
 }
 
-TEST(WindingTrimming, GivesWhatTheVectorsList)
+TEST(WindingTrimming, AgreesWithTheTestVectors)
 {
     for (const test::TrimmingVector& vector : test::trimming_vectors()) {
         SCOPED_TRACE(vector.name);
@@ -107,7 +107,7 @@ TEST(WindingTrimming, IsTheEnvelopeOfConvexProfiles)
 }
 
 // The loop that a cutter makes at the bottom of a slot that widens downwards.
-TEST(WindingTrimming, KeepsWhatHangsOver)
+TEST(WindingTrimming, KeepsOverhangs)
 {
     const Points slot{{-5, 0}, {-1, 0}, {-2, -3}, {2, -3}, {1, 0}, {5, 0}};
     EXPECT_EQ(winding({test::open_curve(slot)}), (std::vector<Points>{slot}));
@@ -232,7 +232,7 @@ TEST(WindingTrimming, LeavesPiecesOfSegmentsEachOnce)
     }
 }
 
-TEST(WindingTrimming, DropsWhatIsDetached)
+TEST(WindingTrimming, DropsDetachedPieces)
 {
     const SectionCurve ground = test::open_curve({{-5, 0}, {5, 0}});
     for (const SectionCurve& crescent : {closed_curve({{-1, -3}, {1, -3}, {0, -2}}),
@@ -240,7 +240,7 @@ TEST(WindingTrimming, DropsWhatIsDetached)
         EXPECT_EQ(winding({ground, crescent}), (std::vector<Points>{{{-5, 0}, {5, 0}}}));
 }
 
-TEST(WindingTrimming, HasTheToolInsideAClosedCurveThatRunsLeftRound)
+TEST(WindingTrimming, KeepsTheInsideOfACounterClockwiseCurve)
 {
     const SectionCurve pocket = closed_curve({{0, 0}, {4, 0}, {4, 3}, {0, 3}});
     EXPECT_EQ(winding({pocket}), (std::vector<Points>{pocket.points}));
@@ -274,7 +274,7 @@ TEST(WindingTrimming, TakesPiecesThatCancelOut)
     EXPECT_TRUE(winding({test::open_curve({{1, 1}, {1, 1}})}).empty());
 }
 
-TEST(WindingTrimming, RefusesWhatIsNoNumber)
+TEST(WindingTrimming, RefusesNonFiniteCoordinates)
 {
     const SectionCurve curve =
         test::open_curve({{0, 0}, {1, std::numeric_limits<double>::quiet_NaN()}});

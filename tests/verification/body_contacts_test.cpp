@@ -34,14 +34,14 @@ protected:
     BodyMoves moves_{sweeps_};
 };
 
-TEST_F(OverAFloor, NothingIsKnownAtFirst)
+TEST_F(OverAFloor, ContactsAreUndecidedAtFirst)
 {
     EXPECT_TRUE(moves_.has_open());
     EXPECT_EQ(moves_.open_sweeps().size(), 3U);
     EXPECT_GT(moves_.found(0).bound_mm, 1e9);
 }
 
-TEST_F(OverAFloor, AMeshDecidesAllAtOnce)
+TEST_F(OverAFloor, AMeshDecidesAllContacts)
 {
     const PartCollisions found = after({0});
     EXPECT_FALSE(moves_.has_open());
@@ -52,7 +52,7 @@ TEST_F(OverAFloor, AMeshDecidesAllAtOnce)
 }
 
 // Within the chord error only the move that touches the floor stays open.
-TEST_F(OverAFloor, WhatTheTrianglesBlurStaysOpen)
+TEST_F(OverAFloor, ContactsWithinTheTriangleErrorStayUndecided)
 {
     const PartCollisions found = after({0.015});
     EXPECT_EQ(moves_.open_sweeps().size(), 1U);

@@ -190,7 +190,7 @@ void expect_same_values(const Deviation& one, const Deviation& other)
 // A bull-nose cutter leaves a fillet in the corner of floor and wall. The point of the
 // fillet that is furthest from both faces is its middle, (sqrt(2) - 1) r / sqrt(2) from
 // each.
-TEST(DeviationCertainty, OfARestInACornerIsTheBallsBetweenAtAnyLimit)
+TEST(DeviationCertainty, OfAFilletInACornerHoldsAtAnyLimit)
 {
     const TriangleMesh mesh{
         {{0, 0, 0}, {20, 0, 0}, {20, 10, 0}, {0, 10, 0}, {20, 0, 10}, {20, 10, 10}},
@@ -257,7 +257,7 @@ TEST(DeviationCertainty, OfAGougeThatNoFirstRayMeetsIsFound)
 
 // While a gouge is possible the verdict is undecided, because a finer grid could still
 // find the gouge.
-TEST(DeviationCertainty, OfARestIsOpenWhileAGougeIs)
+TEST(DeviationCertainty, OfRemainingStockIsOpenWhileAGougeIsPossible)
 {
     Deviation left;
     left.max_scallop_mm = 1;
@@ -269,7 +269,7 @@ TEST(DeviationCertainty, OfARestIsOpenWhileAGougeIs)
 }
 
 // A gouge that an earlier run left in the stock remains a gouge.
-TEST(DeviationCertainty, OfAGougeInTheStockItselfIsTold)
+TEST(DeviationCertainty, OfAGougeInTheStockItselfIsReported)
 {
     const Part part = std::vector<Surface>{test::plane(20, 12)};
     HeightStock stock = block_stock({{-5, -5, -5}, {25, 17, 0}}, 0.5);

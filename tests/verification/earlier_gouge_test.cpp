@@ -47,7 +47,7 @@ struct GroovedSlope {
 
 constexpr double degree = std::numbers::pi / 180;
 
-TEST(EarlierGouge, HoldsTheDepthOfAGrooveOnASlope)
+TEST(EarlierGouge, BoundsTheDepthOfAGrooveOnASlope)
 {
     for (const double slope : {0.0, 15.0, 30.0, 45.0, 60.0})
         for (const double pitch : {0.2, 0.1, 0.05}) {
@@ -67,7 +67,7 @@ TEST(EarlierGouge, HoldsTheDepthOfAGrooveOnASlope)
 }
 
 // The bound falls with the pitch.
-TEST(EarlierGouge, IsKnownBetterTheFinerTheStock)
+TEST(EarlierGouge, HasTighterBoundsForAFinerStock)
 {
     double before = 1;
     for (const double pitch : {0.2, 0.1, 0.05}) {

@@ -39,7 +39,7 @@ StockContacts contacts(const ToolPath& path, const std::vector<ToolCylinder>& bo
 }
 
 // The centres of cells lie at y = ±0.25. Only finer cells detect a ridge between them.
-TEST(FinerContacts, SeeWhatIsWiderThanTheBoundSays)
+TEST(FinerContacts, FindContactsWiderThanTheStatedBound)
 {
     const double finest = std::numbers::sqrt2 * pitch / 9;
     for (const double width : {0.45, 0.3, 0.1}) {
@@ -55,7 +55,7 @@ TEST(FinerContacts, SeeWhatIsWiderThanTheBoundSays)
     }
 }
 
-TEST(FinerContacts, SayWhatTheyCouldNotSee)
+TEST(FinerContacts, ReportTheWidthOfContactsTheyMayMiss)
 {
     const StockContacts found = contacts(over_ridge(0.3, 0), {}, 0);
     EXPECT_EQ(found.rapid_cuts.count, 0U);
@@ -64,7 +64,7 @@ TEST(FinerContacts, SayWhatTheyCouldNotSee)
 
 // The shank clears the stock in two passes beside the ridge, and cuts into the ridge in a
 // third, deeper pass.
-TEST(FinerContacts, SeeAShankInARidge)
+TEST(FinerContacts, FindAShankInARidge)
 {
     const ToolPath path = test::tip_path({{-20, -7, -2},
                                           {20, -7, -2},
@@ -83,7 +83,7 @@ TEST(FinerContacts, SeeAShankInARidge)
 }
 
 // The cutter leaves and returns through material that it has already removed.
-TEST(FinerContacts, AreNoneWhereTheCutterHasBeen)
+TEST(FinerContacts, AreNoneInRemovedMaterial)
 {
     ToolPath path = test::tip_path({{-7.03, 0.11, -2},
                                     {5.07, 3.2, -3},

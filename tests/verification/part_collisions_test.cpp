@@ -38,7 +38,7 @@ PartCollisions beside_step(double away, const ToolCylinder& body)
     return part_collisions(step(20), path, Cutter::flat(3), std::vector{body});
 }
 
-TEST(PartCollisions, OfAHolderBesideAWallAreAsDeepAsItReachesOver)
+TEST(PartCollisions, OfAHolderBesideAWallHaveTheDepthOfTheOverlap)
 {
     const PartCollisions found = beside_step(4, {12, 10, 60});
     EXPECT_EQ(found.moves.count, 1U);
@@ -54,7 +54,7 @@ TEST(PartCollisions, OfAHolderBesideAWallAreAsDeepAsItReachesOver)
 
 // The cylinder's lower end is 1 below the edge of the wall, so the shortest way out is
 // down.
-TEST(PartCollisions, AreAsDeepAsTheLeastWayOut)
+TEST(PartCollisions, HaveTheDepthOfTheShortestWayOut)
 {
     const PartCollisions found = beside_step(4, {12, 19, 60});
     EXPECT_NEAR(found.moves.deepest, 1, found.error_mm);
@@ -76,7 +76,7 @@ TEST(PartCollisions, OfAShankBesideAStepAreNoneWhereItIsClear)
 }
 
 // The cutter is open above. Contacts inside it are reported as gouges of the cutter.
-TEST(PartCollisions, LeaveOutWhatIsWithinTheCutter)
+TEST(PartCollisions, IgnoreThePartInsideTheCutter)
 {
     EXPECT_EQ(beside_step(2.5, {6, 5, 60}).moves.count, 0U);
     EXPECT_FALSE(reaches_out({6, 5, 60}, Cutter::flat(3)));
@@ -140,7 +140,7 @@ TEST(PartCollisions, WithACurvedPartAreCertainBeyondTheSlack)
 
 // The corners of a mesh lie on the part. None is deeper than the result with its error
 // bound, and every move that has a corner in the body is counted.
-TEST(PartCollisions, AreNeverLessThanAPlaceShows)
+TEST(PartCollisions, AreNeverBelowTheDepthAtAPlace)
 {
     test::Random random{7};
     const TriangleMesh mesh = test::grid_mesh(40, 40, [&](int i, int j) {
@@ -180,7 +180,7 @@ TEST(PartCollisions, AreNeverLessThanAPlaceShows)
     }
 }
 
-TEST(PartCollisions, OfNothingAreNone)
+TEST(PartCollisions, WithoutBodyPathOrPartAreNone)
 {
     const ToolPath path = tip_path({{0, 0, 0}, {1, 0, 0}});
     EXPECT_EQ(part_collisions(step(20), path, Cutter::flat(3), {}).moves.count, 0U);

@@ -26,7 +26,7 @@ TEST(RayInBlock, EndsAtTheFaceThatItLeavesThrough)
     EXPECT_NEAR(oblique.slope, 1, 1e-15);
 }
 
-TEST(RayInBlock, MissesWhatLiesBetweenItsPointAndTheBlock)
+TEST(RayInBlock, LacksTheLengthBetweenItsPointAndTheBlock)
 {
     EXPECT_EQ(ray_in_block(block, ray_of({0, 0, 6}, {0, 0, 1})).thickness, -1);
     EXPECT_EQ(ray_in_block(block, ray_of({11, 0, 0}, {1, 0, 0})).thickness, -1);
@@ -35,14 +35,14 @@ TEST(RayInBlock, MissesWhatLiesBetweenItsPointAndTheBlock)
     EXPECT_NEAR(oblique.slope, 1, 1e-14);
 }
 
-TEST(RayInBlock, MissesAllDownToTheFloorBesideTheBlock)
+TEST(RayInBlock, LacksAllMaterialBesideTheBlock)
 {
     EXPECT_EQ(ray_in_block(block, ray_of({11, 0, 0}, {0, 0, 1})).thickness, -5);
     const double level = ray_in_block(block, ray_of({-11, 0, 0}, {1, 0, 0})).thickness;
     EXPECT_NEAR(level, -std::sqrt(900.0), 1e-12);  // the diagonal
 }
 
-TEST(RayInStock, OfAFullBlockIsThatInTheBlock)
+TEST(RayInStock, OfAFullBlockEqualsTheRayInTheBlock)
 {
     const HeightStock stock = block_stock(block, 0.5);
     test::Random random{3};
@@ -70,7 +70,7 @@ TEST(RayInStock, EndsAtAWallOfTheStock)
 }
 
 // An earlier run has lowered the floor.
-TEST(RayInStock, MissesWhatWasTakenBefore)
+TEST(RayInStock, LacksTheMaterialRemovedBefore)
 {
     HeightStock stock = block_stock(block, 0.5);
     for (int row = 0; row < stock.grid().rows; ++row)
@@ -85,7 +85,7 @@ TEST(RayInStock, MissesWhatWasTakenBefore)
 }
 
 // The cells form steps. A slope that was cut exactly must not count as gouged.
-TEST(RayInStock, TakesNoStepForAGouge)
+TEST(RayInStock, DoesNotReportAStepAsAGouge)
 {
     HeightStock stock = block_stock(block, 0.5);
     const StockGrid& grid = stock.grid();
@@ -182,7 +182,7 @@ TEST(MostMissing, IsNoneUnderAnAllowance)
 }
 
 // A single cell is missing, near rays that pass beside it.
-TEST(MostMissing, SeesAHoleWithinReach)
+TEST(MostMissing, FindsAHoleWithinReach)
 {
     HeightStock stock = block_stock(block, 0.5);
     stock.set_height(20, 20, -3);

@@ -76,7 +76,7 @@ struct TwoRuns {
     std::optional<Verification> after;
 };
 
-TEST(VerifyPathAfterAnother, FindsAHalfOfEachCleanTogether)
+TEST(VerifyPathAfterAnother, FindsTwoHalvesCleanTogether)
 {
     for (const double degrees : {0.0, 30.0, 60.0, 75.0}) {
         const Slope slope{degrees};
@@ -91,7 +91,7 @@ TEST(VerifyPathAfterAnother, FindsAHalfOfEachCleanTogether)
 }
 
 // Reference: one path of both runs, with a link between them that cuts nothing more.
-TEST(VerifyPathAfterAnother, MeasuresWhatOnePathOfBothDoes)
+TEST(VerifyPathAfterAnother, EqualsOnePathOfBoth)
 {
     const Slope slope{40};
     const ToolPath left = slope.passes(-1, 4, 0.003);
@@ -208,7 +208,7 @@ TEST(VerifyPathAfterAnother, IsTheSameOnAnyNumberOfThreads)
 
 // With heights only, a gouge on a slope is not known well. The verdict is never clean
 // then, and it is clean where enough material stands over the part.
-TEST(VerifyPathInHeights, IsNotCleanWhereAGougeMayBe)
+TEST(VerifyPathInHeights, IsNotCleanIfAGougeIsPossible)
 {
     for (const double degrees : {0.0, 30.0, 60.0})
         for (const double above : {-0.05, 1.5}) {
@@ -236,7 +236,7 @@ TEST(VerifyPathInHeights, IsNotCleanWhereAGougeMayBe)
 
 // Runs of cutters of every kind, the last of them too deep. The bounds include what a
 // finer grid finds, and a certain verdict never changes.
-TEST(VerifyPathAfterAnother, HoldsTheDepthAfterCuttersOfAllKinds)
+TEST(VerifyPathAfterAnother, BoundsTheDepthAfterCuttersOfAllKinds)
 {
     for (const double deep : {-0.03, 0.3})
         for (const Cutter& cutter : {Cutter::flat(4), Cutter{4, 1}, Cutter::ball(1)}) {

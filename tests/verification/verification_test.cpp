@@ -29,7 +29,7 @@ TEST(DefaultBlock, IsThePartWidenedByTheRadius)
     EXPECT_LT((block.high - Vec3{25, 17, 1}).norm(), 1e-6);
 }
 
-TEST(DefaultBlock, WithoutAPartIsThatOfTheCuttingTips)
+TEST(DefaultBlock, WithoutAPartIsTheBoxOfTheCuttingTips)
 {
     ToolPath path = test::tip_path({{0, 0, 0}, {20, 10, -2}, {20, 10, 50}});
     path.points[2].move = Move::Retract;
@@ -58,7 +58,7 @@ TEST(VerifyPath, FindsACleanPathCleanAndItsVolumes)
                 1e-9 * found.removal.total);
 }
 
-TEST(VerifyPath, OfAnEarlierRestTakesOnlyWhatIsLeft)
+TEST(VerifyPath, RemovesOnlyTheRemainingStockOfAnEarlierRun)
 {
     const ToolPath finishing = finishing_path(2);
     ToolPath roughing = finishing;
@@ -98,7 +98,7 @@ TEST(VerifyPath, CallsAHolderInTheMaterialAGouge)
     EXPECT_GT(found.removal.collisions.count, 0U);
 }
 
-TEST(VerifyPath, WithoutAPartTellsTheRemovalAlone)
+TEST(VerifyPath, WithoutAPartReportsTheRemovalOnly)
 {
     const ToolPath path = finishing_path(2);
     const Verification found = verify_path(task_of(path, nullptr));
@@ -121,7 +121,7 @@ TEST(VerifyPath, NamesThePointThatGouges)
     EXPECT_LE(found.deviation->deepest->sweep, 7);
 }
 
-TEST(VerifyPath, OfAPathBesideThePartSaysHowFar)
+TEST(VerifyPath, ReportsTheDistanceOfAPathBesideThePart)
 {
     const ToolPath path = test::tip_path({{40, 0, 0}, {40, 12, 0}});
     try {
@@ -132,7 +132,7 @@ TEST(VerifyPath, OfAPathBesideThePartSaysHowFar)
     }
 }
 
-TEST(VerifyPath, OfAPathThatOnlyComesNearSaysSo)
+TEST(VerifyPath, ReportsAPathThatOnlyComesNear)
 {
     const auto message = [](const ToolPath& path) {
         try {
@@ -166,7 +166,7 @@ TEST(DefaultBlock, ReachesFromWhereCutsBegin)
 }
 
 // The estimate covers rays and stock, and the proposed resolution fits.
-TEST(VerifyPath, WhatItProposesFitsTheMemory)
+TEST(VerifyPath, ProposesAResolutionThatFitsTheMemory)
 {
     const ToolPath path = finishing_path(2);
     VerificationTask task = task_of(path, &plane);
@@ -200,7 +200,7 @@ TEST(VerifyPath, RefusesAResolutionThatDoesNotFitTheMemory)
 }
 
 // The mesh is the same plane as the surface.
-TEST(VerifyPath, JudgesAMeshAsTheSurface)
+TEST(VerifyPath, GivesAMeshTheVerdictOfTheSurface)
 {
     const Part mesh = test::grid_mesh(2, 2, [](int i, int j) {
         return Vec3{10.0 * i, 6.0 * j, 0};
