@@ -8,6 +8,14 @@
 
 #include "endmill/offset/section_curve.h"
 
+/// \file
+/// Curves of one drive plane after trimming, and the options of the trimming methods.
+///
+/// A *cusp* is a point at which a curve reverses its direction in s. A *fold* is a piece
+/// of a curve along which s decreases; it usually has a cusp at each end. A *tail* is a
+/// fold at an end of the curve. The *branches* of a fold are the pieces before and after
+/// it. A *crossing* is a point at which two branches intersect.
+
 namespace endmill {
 
 /// A segment of a section curve: the numbers of the curve and of the segment's first
