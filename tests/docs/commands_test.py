@@ -2,7 +2,9 @@
 """Every command of README.md and of the guide works as printed.
 
 The commands of a page are in the fenced `sh` blocks. The test runs the commands of one page in order, in a
-temporary folder with a link to `datasets` and with the program on the path.
+temporary folder with a link to `datasets` and with the program on the path. Each page runs without the results
+of other pages, and no two pages write files or folders of the same name. A reader can therefore run all pages
+in one folder.
 """
 import os
 import re
@@ -33,6 +35,8 @@ def commands(page):
 class Commands(unittest.TestCase):
     """Has one test for each page, which the loop below adds."""
 
+    written = {}  # file or folder that a page wrote -> the page
+
     def run_page(self, page):
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "datasets").symlink_to(ROOT / "datasets")
@@ -50,11 +54,15 @@ class Commands(unittest.TestCase):
                 self.assertEqual(done.returncode, EXIT_CODES.get(pending, 0),
                                  f"{page.name}: {pending}\n{done.stdout}{done.stderr}")
                 pending = ""
+            for entry in sorted(os.listdir(folder)):
+                if entry != "datasets":
+                    other = self.written.setdefault(entry, page)
+                    self.assertEqual(other, page, f"both pages write {entry}")
 
 
 # Commands that exit with another code than 0, as their page states.
 EXIT_CODES = {
-    "endmill plan datasets/surfaces/net_rot24_7D.json --mode paper --cutter ball:15 --direction v -o paper": 1,
+    "endmill plan datasets/surfaces/net_rot24_7D.json --mode paper --cutter ball:15 --direction v -o plan-paper": 1,
 }
 
 
@@ -65,6 +73,17 @@ def add_test(page):
 
 for each in PAGES:
     add_test(each)
+
+class OwnMethod(unittest.TestCase):
+    """The trimming method of the guide and that of the example."""
+
+    def test_guide_and_example_have_the_same_body(self):
+        bodies = []
+        for name in ("docs/guide/extend.md", "docs/examples/trim.cpp"):
+            text = (ROOT / name).read_text(encoding="utf-8")
+            bodies.append(re.search(r"^\{\n    Trimmed trimmed;\n.*?^\}$", text, re.DOTALL | re.MULTILINE)[0])
+        self.assertEqual(*bodies)
+
 
 if __name__ == "__main__":
     unittest.main()
