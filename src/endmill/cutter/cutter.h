@@ -60,13 +60,13 @@ std::optional<Cutter> cutter_from_word(std::string_view word);
 /// range, if a number is out of range, or else the form of a cutter word.
 std::string expected_cutter(std::string_view word);
 
-/// Where the cutter touches the part.
+/// The point at which the cutter touches the part, with the normal there.
 struct CutterContact {
     Vec3 point;   ///< mm
     Vec3 normal;  ///< unit, out of the material
 };
 
-/// Where the machine puts the cutter. For a given axis, the tip determines the position.
+/// The position of the cutter: its tip and its axis.
 struct CutterLocation {
     Vec3 tip;   ///< mm, the lowest point of the cutter on its axis
     Vec3 axis;  ///< unit, from the tip to the spindle

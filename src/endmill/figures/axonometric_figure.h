@@ -57,7 +57,8 @@ public:
 
     /// Adds straight lines between consecutive points; nothing if there are fewer than
     /// two. Points that are within 0.1 px of the line through the others are left out, so
-    /// the size of the file depends on what is visible and not on the number of points.
+    /// that the size of the file depends on the visible shape and not on the number of
+    /// points.
     /// \throws DomainError if a coordinate is not finite; so do the functions below.
     void add_polyline(std::span<const PixelPoint> points, const LineStyle& style);
 

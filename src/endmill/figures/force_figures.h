@@ -15,8 +15,8 @@
 
 namespace endmill {
 
-/// The frame of BallEngagement as it is placed in a figure. In the figure x is the feed
-/// seen from above, y is to the left of it and z points upwards. Y of the frame is to the
+/// The position of the frame of BallEngagement in a figure. In the figure, x is the feed
+/// seen from above, y points to the left of it and z upwards. Y of the frame is to the
 /// left of the feed in up milling and to the right of it in down milling.
 /// Source: docs/mathematics/ball-end-milling.md, section 1.
 struct BallFrame {

@@ -41,7 +41,7 @@ struct FacetAccess {
 };
 
 /// For each facet of the map 1 if the tool reaches it with all rotary axes at zero, else
-/// 0. The cell of the grid that is nearest to the tool axis stands for the tool axis.
+/// 0. The cell of the grid that is nearest to the tool axis replaces it.
 /// \param map       of the cells of `grid`.
 /// \param tool_axis unit vector in coordinates of the part.
 std::vector<std::uint8_t> reached_at_zero(const SphereGrid& grid,

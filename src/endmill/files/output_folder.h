@@ -43,8 +43,8 @@ public:
     void protect(const std::filesystem::path& input);
 
     /// Makes `publish` remove a file of an earlier run of the same command, unless this
-    /// run writes it. Only a regular file that is reached through no symbolic link below
-    /// `path()` is removed, and then its folder if that is empty.
+    /// run writes it. Only a regular file is removed, and only if no folder between it
+    /// and `path()` is a symbolic link. Its folder is then removed too if it is empty.
     /// \throws DomainError for a name that `write` would refuse.
     void remove_unless_written(const std::filesystem::path& name);
 
@@ -68,7 +68,8 @@ public:
 
     /// Renames every file to its final name, in the order of writing, then removes the
     /// files named by `remove_unless_written`.
-    /// \throws OutputError if that fails, or after `abandon_all`.
+    /// \throws OutputError if a file cannot be renamed or removed, or after
+    ///         `abandon_all`.
     void publish();
 
     /// Removes the temporary files and created folders of every unpublished
@@ -99,7 +100,7 @@ private:
 
 /// Writes one file, complete or not at all, and replaces an existing one. Creates the
 /// folder of the file if it is missing.
-/// \throws OutputError if that fails.
+/// \throws OutputError if the file or its folder cannot be written.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace endmill

@@ -75,8 +75,8 @@ std::optional<std::string> configuration_fault(std::string_view word);
 /// \throws DomainError if `configuration_fault` finds an error.
 MachineConfiguration configuration_from_word(std::string_view word);
 
-/// A machine that stands for its family: "W/caBxyz/T" for C,A and "W/abBxyz/T" for A,B.
-/// Both rotary axes turn the part.
+/// The machine that represents a family: "W/caBxyz/T" for C,A and "W/abBxyz/T" for A,B.
+/// Both rotary axes carry the part.
 MachineConfiguration configuration_of_family(RotaryFamily family);
 
 /// Explains why a configuration is not valid.

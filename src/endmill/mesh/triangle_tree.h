@@ -52,8 +52,8 @@ Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners);
 /// A result depends only on the mesh and the query, not on earlier queries. If several
 /// triangles are equally good, the one with the lowest number is returned. Lengths are
 /// accurate to 1e-14 of the largest coordinate of mesh and query, also for very thin
-/// triangles. So is the position of a hit across the ray. Triangles without area count
-/// for the nearest point.
+/// triangles. The position of a hit across the ray has the same accuracy. Triangles
+/// without area count for the nearest point.
 class TriangleTree {
 public:
     /// Builds the tree. \throws DomainError if a coordinate of a point is above 1e30 mm.

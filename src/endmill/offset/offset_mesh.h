@@ -67,10 +67,10 @@ struct OffsetMesh {
 /// Each surface is sampled at grid_lines by grid_lines equidistant parameters of its
 /// range, and also at the borders between its patches where it is not continuously
 /// differentiable. The cell between (i, j) and (i + 1, j + 1) becomes the triangles a b d
-/// and a d c with a = (i, j), b = (i + 1, j), c = (i, j + 1), d = (i + 1, j + 1). Where N
-/// is vertical, H is not defined and the centre of the disc of reference points is taken
-/// (control_offset). Over an isolated crest, the offset for a flat or bull-nose cutter is
-/// therefore too low, by an error of the order O(cell size^1.5).
+/// and a d c with a = (i, j), b = (i + 1, j), c = (i, j + 1), d = (i + 1, j + 1). If N is
+/// vertical, H is not defined. The vertex is then the centre of the disc of reference
+/// points (control_offset). Over an isolated crest, the offset for a flat or bull-nose
+/// cutter is therefore too low, by an error of the order O(cell size^1.5).
 ///
 /// With BoundaryContact::Contact strips of triangles are added. The contacts of a strip
 /// stay on an edge while the normal turns. At a crease it turns from the normal of one

@@ -44,11 +44,11 @@ struct SliceOptions {
 /// 4. An open curve whose last end has the smaller s is reversed. Curves without two
 ///    different points are dropped.
 ///
-/// Where an edge has more than two triangles, or two with opposite orientation, curves
-/// end or begin; the order of the triangles decides which segments are linked. The
-/// section by a plane does not depend on the other planes or on the number of threads.
-/// Each triangle is visited only by the planes within its range of t; classifying the
-/// vertices takes about one visit of each.
+/// Curves end or begin at an edge that has more than two triangles, or two with opposite
+/// orientation. There the order of the triangles determines which segments are linked.
+/// The section by a plane does not depend on the other planes or on the number of
+/// threads. Each triangle is visited only by the planes within its range of t;
+/// classifying the vertices takes about one visit of each.
 /// Source: [JangKimJeong, fig. 7 to 9]; linking: docs/mathematics/interference.md,
 /// section 3.
 /// \param mesh any triangles; coordinates within 1e100 mm.

@@ -10,7 +10,7 @@
 
 namespace endmill {
 
-/// How the cutter gets to a point of its path.
+/// The kind of move that leads to a point of a path.
 enum class Move {
     Cut,      ///< in the material, along a pass
     Link,     ///< at cutting feed, from the end of a pass to the start of the next

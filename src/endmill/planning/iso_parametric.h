@@ -34,9 +34,9 @@ struct IsoParametricPlan {
 /// Along a pass it takes the longest steps that keep the chord tolerance; between passes
 /// it takes the widest interval that keeps the scallop height.
 ///
-/// The tolerances hold only as far as circles of curvature approximate the surface; the
-/// planner does not check the result. Use the functions of `path_error.h` to measure the
-/// error, or plan with `plan_verified`.
+/// Circles of curvature approximate the surface. The tolerances hold only with the
+/// accuracy of this approximation; the planner does not check the result. Use the
+/// functions of `path_error.h` to measure the error, or plan with `plan_verified`.
 /// Source: [KimChoi, section 4, section 5]: eq. (1) to (3) along a pass, eq. (4) to (10)
 /// across; docs/mathematics/economic-cl-data.md, section 10.
 ///

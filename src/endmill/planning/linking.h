@@ -27,7 +27,7 @@ enum class PassOrder {
     OneWay,  ///< all passes forwards; the cutter is lifted after each pass
 };
 
-/// How passes are joined.
+/// Options for joining passes.
 struct LinkOptions {
     PassOrder order = PassOrder::ZigZag;  ///< direction of neighbouring passes
     Vec3 axis = Vec3::UnitZ();            ///< unit, from the tip to the spindle

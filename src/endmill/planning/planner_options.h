@@ -27,17 +27,17 @@ enum class Governing {
     Max,       ///< the largest candidate of the CL points
 };
 
-/// What the planner does if the next pass would lie beyond the border.
+/// The last pass, if the next one would lie beyond the border.
 enum class LastPath {
-    Border,  ///< adds a pass on the border
-    None,    ///< adds no further pass
-    Half,    ///< adds a pass on the border if at least half an interval remains
+    Border,  ///< a pass on the border is added
+    None,    ///< no further pass is added
+    Half,    ///< as Border if at least half an interval remains, else as None
 };
 
-/// What the planner does if no further step fits on a pass.
+/// The end of a pass, if no further step fits on it.
 enum class EndPoint {
-    Force,  ///< makes the end of the pass a CL point
-    Free,   ///< ends the pass at its last CL point
+    Force,  ///< the end of the pass becomes a CL point
+    Free,   ///< the pass ends at its last CL point
 };
 
 /// The curvature that determines the step length.
@@ -53,7 +53,7 @@ enum class March {
     Alternate,  ///< every second pass from the other end
 };
 
-/// How the planner computes the curvature across the feed.
+/// The computation of the curvature across the feed.
 enum class CrossCurvature {
     Exact,  ///< from the second fundamental form
     Chord,  ///< from a chord, eq. (8) of the paper

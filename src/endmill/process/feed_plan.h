@@ -27,8 +27,8 @@ struct MillingJob {
     MachineLimits machine = {};  ///< limits of spindle and feed drives
 };
 
-/// How the largest load in a spindle revolution is found. Torque and Direct need the
-/// helix of the tool.
+/// The rule for the peak load, the largest load in a spindle revolution. Torque and
+/// Direct need the helix of the tool.
 /// Source: docs/mathematics/ball-end-milling.md, section 4. The paper uses a factor R_m
 /// that it does not print.
 enum class PeakRule {
@@ -112,7 +112,8 @@ struct FeedPlan {
     FeedPlanTotals totals;          ///< sums over the rows
 };
 
-/// Feed and spindle speed of `count` moves, each planned by itself on all threads.
+/// Feed and spindle speed of `count` moves. Moves are planned independently, on all
+/// threads.
 /// \param count number of moves.
 /// \param load_of returns the load of move i; called once per move, from any thread.
 /// \param rules limits of tool, spindle and drives.

@@ -57,7 +57,7 @@ struct FittedPose {
 /// Source: [KangSuh, eq. (10), (19)].
 std::array<double, 2> magnitudes(const RotaryRange& range);
 
-/// How many axes move in a setup.
+/// The number of axes that move in a setup.
 enum class SetupStatus {
     Ok,         ///< two rotary axes move
     ThreeAxis,  ///< no rotary axis moves: one direction reaches everything, the area is 0
@@ -65,7 +65,7 @@ enum class SetupStatus {
     NoOpenHemisphere  ///< no pose has all directions within 90 degrees of its tool axis
 };
 
-/// What a search over tool axes reports. Source: [KangSuh, sections 4 to 6].
+/// The result of a search over tool axes. Source: [KangSuh, sections 4 to 6].
 struct PoseSearchResult {
     /// Status of `feasible` if it is set, otherwise of `least`.
     SetupStatus status = SetupStatus::Ok;
@@ -78,7 +78,7 @@ struct PoseSearchResult {
     std::size_t poses_skipped = 0;
 };
 
-/// The rotary axes of a machine, as far as a setup depends on them.
+/// The data of a machine on which a setup depends: its rotary axes and their limits.
 struct RotaryReach {
     MachineConfiguration configuration = {};  ///< axes of the machine
     /// Limits, as rotations of the tool against the part. On a four-axis machine only phi
@@ -172,7 +172,7 @@ struct SetupRules {
     bool has_signed_limits;  ///< A,B: limits are compared with their signs
 };
 
-/// The rules of a mode. Those of `WholeCones` are the ones of `Corrected`.
+/// The rules of a mode. `WholeCones` has the rules of `Corrected`.
 const SetupRules& setup_rules(SetupMode mode);
 
 /// Finds a mode by its name: "paper-literal", "paper", "corrected" or "set".

@@ -72,8 +72,8 @@ struct BallFrontTask {
 ///
 /// One thread cuts the moves in order, because each move needs the stock after the move
 /// before. It copies the stock around the middle of each move, and the other threads
-/// evaluate the copies. The copies take up to 64 MB, or the size of two copies if that is
-/// more. Fronts and stock are the same with any number of threads.
+/// evaluate the copies. The copies take up to 64 MB, or the memory of two copies if one
+/// copy exceeds 32 MB. Fronts and stock are the same with any number of threads.
 ///
 /// \param visit may be called from several threads at a time, each time with another
 ///        number.
@@ -87,12 +87,12 @@ void for_each_ball_front(
 
 /// Returns the distance in mm between a ball-end mill with its shank and a block, on the
 /// moves to `points`. It is 0 if the cutter meets the block on one of them, and infinite
-/// without points.
+/// without points. The error is below 1e-6 of the longest move. If the cutter enters the
+/// block by more than that, the result is exactly 0.
 /// \param path tips along +z; the axis is not checked.
 /// \param points of the path after its first.
 /// \throws DomainError unless the cutter is a ball and the points lie in the path after
-///         its first. The error is below 1e-6 of the longest move. A cutter that meets
-///         the block by more than that gets exactly 0.
+///         its first.
 double stock_gap(const ToolPath& path, std::span<const std::size_t> points,
                  const Cutter& cutter, const Block& block);
 

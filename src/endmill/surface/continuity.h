@@ -11,7 +11,7 @@
 
 namespace endmill {
 
-/// How smoothly two patches meet at their border.
+/// The continuity of two patches at their common border.
 enum class Continuity {
     None,  ///< there is a gap
     G0,    ///< the patches share their border
@@ -55,8 +55,8 @@ struct SurfaceContinuity {
 /// The continuity over all `border_breaks` of the surface.
 SurfaceContinuity continuity(const Surface& surface);
 
-/// The continuity of a part of several surfaces: of each surface by itself, and where the
-/// sides of two surfaces, or of one surface, meet.
+/// The continuity of a part of several surfaces: inside each surface, and wherever two
+/// sides meet, of two surfaces or of the same one.
 ///
 /// Two sides of patches meet if their ends are the same two points, in either order, up
 /// to 1e-6 of the part's size. Their parameters may run differently. A side that meets no

@@ -26,8 +26,8 @@ struct CurvatureRange {
 /// The extremes of the principal curvatures over all closed patches; curvature may jump
 /// at their borders. The best of 33 by 33 samples a patch (fewer, at least 5 by 5, on
 /// surfaces of more than 3600 patches) is refined to a relative error of 1e-10. Places
-/// without a normal are skipped. So is the last thousandth of a patch next to a pole,
-/// where rounding makes the curvature inaccurate.
+/// without a normal are skipped. The last thousandth of a patch next to a pole is skipped
+/// too, because rounding makes the curvature inaccurate there.
 /// \param surface its patches are examined one by one.
 /// \param side sign of the normal, from tool_side_sign.
 /// \return nothing if no sample has a normal.

@@ -9,7 +9,7 @@
 
 namespace endmill {
 
-/// The part to be made: one or several surfaces, each planned by itself, or a mesh.
+/// The part to be made: one or several surfaces, which are planned separately, or a mesh.
 using Part = std::variant<std::vector<Surface>, TriangleMesh>;
 
 }  // namespace endmill

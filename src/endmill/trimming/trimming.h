@@ -68,7 +68,7 @@ struct Trimmed {
     int unresolved = 0;
 };
 
-/// How methods 1, 2 and 3 find folds.
+/// The rules by which methods 1, 2 and 3 find folds.
 enum class FoldDetection : std::uint8_t {
     Literal,  ///< by the signs of dz, as printed in the paper
     Guarded   ///< by corrected rules on the runs along which s grows or falls
@@ -80,9 +80,9 @@ enum class FoldPatterns : std::uint8_t {
     P4        ///< - + - + only, to show the effect of the other pattern
 };
 
-/// How method 3 compares the segments of two branches A and B: with one pointer on each
-/// branch in |A| + |B| steps (March), or every pair of segments in |A| |B| steps (Scan).
-/// Both find the same crossing.
+/// The search of method 3 for the crossing of two branches A and B. `March` moves one
+/// pointer along each branch, in |A| + |B| steps. `Scan` tests every pair of segments, in
+/// |A| |B| steps. Both find the same crossing.
 enum class BranchSearch : std::uint8_t { March, Scan };
 
 /// The options of all methods. Each method uses the options that name it and ignores the
@@ -94,7 +94,7 @@ struct TrimmingOptions {
     /// Largest |ds| in mm at which method 1 accepts an intersection; it must be above 0.
     double scan_threshold = 0;
     BranchSearch search = BranchSearch::March;  ///< of method 3
-    /// Of methods 1, 2 and 3 with literal detection.
+    /// Used by methods 1, 2 and 3 with literal detection.
     FoldPatterns patterns = FoldPatterns::P3AndP4;
 };
 

@@ -31,7 +31,7 @@ struct SphereGrid {
 /// - "cube:F": 12 F^2 cells of a cube.
 /// - "latlong:NxM": 2 N (M - 1) cells, N around in M bands; N >= 3, M >= 2.
 /// - "ico:L": 20 * 4^L cells of an icosahedron.
-/// \param name one of these, with numbers for the letters.
+/// \param name one of these words, with numbers in place of the letters.
 /// \throws DomainError for another name, or more than 10^7 cells.
 SphereGrid sphere_grid(std::string_view name);
 
