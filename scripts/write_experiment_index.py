@@ -22,10 +22,10 @@ INDEX = "experiments/README.md"
 HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 # Experiments
 
-Each folder `PAPER/ITEM` reproduces one published table, figure or statement, or adds a study of
-ours. `scripts/reproduce.sh PAPER/ITEM` builds and runs it; its README.md states the claim, the
-input and the meaning of each column. `scripts/reproduce.sh` runs all experiments but those marked
-with *long*, and `scripts/reproduce.sh --full` runs them too.
+Each folder `PAPER/ITEM` computes one published table, figure or statement again, or adds a study
+of ours. `scripts/reproduce.sh PAPER/ITEM` builds and runs it. Its README.md states the claim, the
+input and the meaning of each column. `scripts/reproduce.sh` runs all experiments except those
+marked *long*; `scripts/reproduce.sh --full` runs all of them.
 
 Do not edit the tables below: `scripts/write_experiment_index.py` writes them.
 """
