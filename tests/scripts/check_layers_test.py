@@ -97,7 +97,7 @@ class Layers(FakeTree):
     def test_private_header_may_include_another(self):
         self.write_header("core", "detail/lanes")
         self.write_header("surface", "detail/rows", '#include "endmill/core/detail/lanes.h"\n')
-        self.test_a_tidy_house_passes()
+        self.test_correct_tree_passes()
 
     def test_command_that_includes_a_private_header_is_reported(self):
         self.write_header("files", "detail/rows")
@@ -132,7 +132,7 @@ class Layers(FakeTree):
     def test_test_of_one_aspect_counts_as_a_test(self):
         (self.root / "tests/surface/patch_test.cpp").unlink()
         self.write("tests/surface/patch_borders_test.cpp", SPDX)
-        self.test_a_tidy_house_passes()
+        self.test_correct_tree_passes()
 
     def test_file_without_a_licence_is_reported(self):
         self.write("experiments/paper/item/main.cpp", "int main() {}\n")
