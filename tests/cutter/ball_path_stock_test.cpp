@@ -14,8 +14,8 @@ constexpr double R = 10;
 constexpr double valley_radius = 25;  // mm
 constexpr double rounding = 1e-13;    // mm
 
-// The best sample is within half an interval of the exact place, where the outline has the
-// curvature 1 / r. The hundredth covers terms of higher order.
+// The best sample is within half an interval of the exact place, where the outline has
+// the curvature 1 / r. The hundredth covers terms of higher order.
 double excess_on_plane(const Cutter& cutter, double slope)
 {
     if (cutter.is_flat())
@@ -31,8 +31,9 @@ double excess_in_valley(const Cutter& cutter, double slope)
     return excess_on_plane(cutter, slope) + (valley_radius - R) * angle * angle / 2;
 }
 
-// The extent of a cutter from its reference point against a normal of slope a is that of the disc
-// of radius R - r, which is (R - r) sin a, and of the corner, which is r. The ball's is R.
+// The extent of a cutter from its reference point against a normal of slope a is that of
+// the disc of radius R - r, which is (R - r) sin a, and of the corner, which is r. The
+// ball's is R.
 double stock_of_extent(const Cutter& cutter, double slope)
 {
     return R - cutter.corner_radius() - cutter.flat_radius() * std::sin(slope);

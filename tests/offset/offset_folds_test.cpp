@@ -43,8 +43,8 @@ std::size_t lines_in_the_bottom(double radius)
     return count;
 }
 
-// The lines of the grid are straight, so that both triangles of a cell face down exactly where
-// the ball's centre moves backwards.
+// The lines of the grid are straight, so that both triangles of a cell face down exactly
+// where the ball's centre moves backwards.
 std::size_t cells_with_a_step_back(double radius)
 {
     std::size_t count = 0;
@@ -74,8 +74,8 @@ TEST(OffsetFolds, AreNoneUnderABallThatFits)
     EXPECT_EQ(folded_triangles(offset.mesh), 0U);
 }
 
-// Where both principal radii of a bowl are below the ball's, the offset is turned over twice and
-// faces up again.
+// Where both principal radii of a bowl are below the ball's, the offset is turned over
+// twice and faces up again.
 TEST(OffsetFolds, AreNoneWhereBothCurvaturesAreTooConcave)
 {
     const std::vector part{

@@ -42,8 +42,8 @@ TEST(RangeCulling, SpansThePiecesOfARectangle)
         EXPECT_NEAR(cell.length(), dx * std::sin(a) + dy * std::cos(a), 1e-12);
 }
 
-// Along a feed in y the strips touch end to end. Each plane then meets exactly one strip and one
-// cell of each row.
+// Along a feed in y the strips touch end to end. Each plane then meets exactly one strip
+// and one cell of each row.
 TEST(RangeCulling, LeavesEachPlaneOneOfSeveralAdjacentStrips)
 {
     const DriveFrame frame{Angle::degrees(90)};

@@ -26,7 +26,8 @@ bool is_inside(const SectionPoint& point, const SectionPoint& centre, double hal
            std::abs(point.y() - centre.y()) <= half_width;
 }
 
-// Number of segments with both ends in the window. A stretch of n points has n - 1 of them.
+// Number of segments with both ends in the window. A stretch of n points has n - 1 of
+// them.
 std::size_t segments_inside(std::span<const SectionCurve> curves,
                             const SectionPoint& centre, double half_width)
 {
@@ -82,7 +83,8 @@ TEST(Untrimmed, HasNothingCutOutAndIsAsDeepAsItsLoops)
     const Trimmed result = untrimmed(curves);
     EXPECT_TRUE(cut_out(curves, result).empty());
     EXPECT_EQ(point_count(result.curves), point_count(curves));
-    // At the vertex (2, -2) the envelope is 4 mm above, and the flatter segment falls by 1 in 2.
+    // At the vertex (2, -2) the envelope is 4 mm above, and the flatter segment falls by
+    // 1 in 2.
     EXPECT_NEAR(trimming_quality(curves, result).gouge_mm, 4 * 2 / std::sqrt(5), 1e-12);
 }
 

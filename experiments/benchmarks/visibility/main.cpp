@@ -3,11 +3,12 @@
 //
 //   benchmarks-visibility OUTPUT_FOLDER
 //
-// About 5 minutes; measures time, so nothing else should run. Columns: README.md beside this.
+// About 5 minutes; measures time, so nothing else should run. Columns: README.md beside
+// this.
 
-#include <random>
+#include <bit>
 
-#include "benchmarks/drop-cutter/parts.h"
+#include "benchmarks/height_parts.h"
 #include "benchmarks/visibility/embree_shadows.h"
 #include "benchmarks/visibility/exact_rays.h"
 #include "endmill/core/parallel.h"
@@ -86,27 +87,6 @@ void add_times(CsvTable& result, const Case& each, const std::vector<Vec3>& dire
                     {}});
 }
 
-double disagreements(const TriangleMesh& part, const std::vector<Vec3>& directions,
-                     int pairs)
-{
-    const VisibilityMap facing =
-        part_visibility(part, directions, {.kind = VisibilityKind::Local}).map;
-    const VisibilityMap seen = part_visibility(part, directions).map;
-    const ExactRays rays{part};
-    std::mt19937 random{7};
-    int wrong = 0;
-    for (int found = 0; found < pairs;) {
-        const std::size_t facet = random() % facing.facets();
-        const std::size_t cell = random() % facing.cells();
-        if (!facing.is_accessible(facet, cell))
-            continue;
-        ++found;
-        wrong +=
-            seen.is_accessible(facet, cell) == rays.is_blocked(facet, directions[cell]);
-    }
-    return wrong;
-}
-
 }  // namespace
 
 int main(int argc, char** argv)
@@ -135,7 +115,8 @@ int main(int argc, char** argv)
         const TriangleMesh judged = grid_part(71, bumpy_height);
         result.add_row({"disagreements with exact rays, random pairs",
                         static_cast<double>(judged.triangles().size()),
-                        disagreements(judged, all, count("pairs")), "pairs", 0});
+                        static_cast<double>(disagreements(judged, all, count("pairs"))),
+                        "pairs", 0});
         run.write_result(result);
     });
 }

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Figures 13 to 15 of Jang, Kim and Jeong: a section without a twist, one with interference
-// at its ends, and one with a full twist, before and after trimming.
+// SPDX-License-Identifier: GPL-3.0-or-later Figures 13 to 15 of Jang, Kim and Jeong: a
+// section without a twist, one with interference at its ends, and one with a full twist,
+// before and after trimming.
 //
 //   interference-figure-13-15 OUTPUT_FOLDER
 //

@@ -15,6 +15,7 @@
 #include "endmill/trimming/detail/sequence_trimming.h"
 #include "support/cpu_time.h"
 #include "support/experiment.h"
+#include "support/named_cells.h"
 #include "support/offset_sections.h"
 
 using namespace endmill;
@@ -42,32 +43,33 @@ CsvCell count(std::ptrdiff_t value)
     return static_cast<std::int64_t>(value);
 }
 
-void add_feed(CsvTable& result, const std::string& feed, const OffsetSections& offset,
-              const std::vector<double>& steps)
+// The rows of methods 2 and 3, which find the crossings exactly.
+void add_references(CsvTable& result, const std::string& feed,
+                    const std::vector<FoldToSearch>& folds, double by_lines_s)
 {
-    const auto folds = first_literal_folds(offset.sections);
     const TrimmingOptions plain = scan(1, 1);
-    const auto truth = crossings(folds, march_segments, plain);
-    const double by_lines_s = search_s(folds, search_by_lines, plain);
     const std::pair<const char*, CrossingSearch*> references[]{{"2", search_by_lines},
                                                                {"3", march_segments}};
     for (const auto& [name, search] : references) {
         const auto found = crossings(folds, search, plain);
         const auto hits = std::ranges::count_if(
             found, [](const auto& crossing) { return crossing.has_value(); });
-        result.add_row({feed + ", method " + name,
-                        count(std::ssize(folds)),
-                        {},
-                        {},
-                        {},
-                        {},
-                        count(hits),
-                        0.0,
-                        {},
-                        {},
-                        {},
-                        search_s(folds, search, plain) / by_lines_s});
+        add_named(
+            result, feed + ", method " + name,
+            {{"folds", count(std::ssize(folds))},
+             {"hits_at_4", count(hits)},
+             {"missed_at_4", 0.0},
+             {"search_over_method_2", search_s(folds, search, plain) / by_lines_s}});
     }
+}
+
+void add_feed(CsvTable& result, const std::string& feed, const OffsetSections& offset,
+              const std::vector<double>& steps)
+{
+    const auto folds = first_literal_folds(offset.sections);
+    const auto truth = crossings(folds, march_segments, scan(1, 1));
+    const double by_lines_s = search_s(folds, search_by_lines, scan(1, 1));
+    add_references(result, feed, folds, by_lines_s);
     for (const double step : steps) {
         const TrimmingOptions wide = scan(step, threshold_in_steps * step);
         const ScanOutcome one = scan_outcome(folds, truth, scan(step, step));
@@ -83,20 +85,15 @@ void add_feed(CsvTable& result, const std::string& feed, const OffsetSections& o
 // The reference numbers for the feed along x, one row for each step.
 void add_stated(Experiment& run, CsvTable& result, const std::vector<double>& steps)
 {
+    constexpr const char* columns[]{"hits",      "lines_a_fold",     "error_mm",
+                                    "hits_at_4", "lines_a_fold_at_4", "error_at_4_mm",
+                                    "search_over_method_2"};
     for (const double step : steps) {
         const auto stated = run.numbers("stated_" + to_text(step));
-        result.add_row({"at 0 deg, step " + to_text(step) + ", stated",
-                        {},
-                        stated.at(0),
-                        {},
-                        stated.at(1),
-                        stated.at(2),
-                        stated.at(3),
-                        {},
-                        {},
-                        stated.at(4),
-                        stated.at(5),
-                        stated.at(6)});
+        NamedCells cells;
+        for (std::size_t k = 0; k < std::size(columns); ++k)
+            cells.emplace_back(columns[k], stated.at(k));
+        add_named(result, "at 0 deg, step " + to_text(step) + ", stated", cells);
     }
 }
 

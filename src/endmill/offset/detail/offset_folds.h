@@ -8,9 +8,10 @@
 
 namespace endmill {
 
-// Two measures of the folded part of an offset. The offset of a ball of radius R reverses its
-// orientation where exactly one principal radius of curvature is concave and below R. There, and
-// only there, its triangles face down. Both measures therefore agree in the limit of small cells.
+// Two measures of the folded part of an offset. The offset of a ball of radius R reverses
+// its orientation where exactly one principal radius of curvature is concave and below R.
+// There, and only there, its triangles face down. Both measures therefore agree in the
+// limit of small cells.
 // Source: [JangKimJeong, fig. 12].
 
 /// Number of triangles whose normal points down: n_z < 0.

@@ -9,10 +9,10 @@
 
 namespace endmill {
 
-// Range culling: only an object whose range of t contains the position of a plane can cross it.
-// The paper culls strips of the grid; the slicer of this library culls triangles. These functions
-// count the pairs that remain in each case, for an offset of one surface without contacts on the
-// boundary.
+// Range culling: only an object whose range of t contains the position of a plane can
+// cross it. The paper culls strips of the grid; the slicer of this library culls
+// triangles. These functions count the pairs that remain in each case, for an offset of
+// one surface without contacts on the boundary.
 // Source: [JangKimJeong, fig. 9].
 
 /// Number of pairs of a range and a plane t = c with low <= c < high.

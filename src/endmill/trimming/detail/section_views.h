@@ -11,8 +11,9 @@
 
 namespace endmill {
 
-// Views of section curves for tables and figures: numbers of points, a square window about a
-// place, the curves as lines in space, and untrimmed curves in the form of a result.
+// Views of section curves for tables and figures: numbers of points, a square window
+// about a place, the curves as lines in space, and untrimmed curves in the form of a
+// result.
 
 /// Number of points of all `curves`.
 std::size_t point_count(std::span<const SectionCurve> curves);
@@ -20,7 +21,8 @@ std::size_t point_count(std::span<const SectionCurve> curves);
 std::size_t point_count(std::span<const TrimmedCurve> curves);
 
 /// The stretches of consecutive points of `curves` in the square |s - s_0| <= half_width,
-/// |z - z_0| <= half_width about `centre`, in mm. Stretches of a single point are dropped.
+/// |z - z_0| <= half_width about `centre`, in mm. Stretches of a single point are
+/// dropped.
 std::vector<SectionCurve> curves_near(std::span<const SectionCurve> curves,
                                       const SectionPoint& centre, double half_width);
 /// The same for trimmed curves.
