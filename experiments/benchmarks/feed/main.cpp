@@ -7,6 +7,7 @@
 // About two minutes; measures time, so nothing else should run. Columns: README.md beside
 // this.
 
+#include "benchmarks/feed/feed_table.h"
 #include "benchmarks/feed/feed_work.h"
 #include "benchmarks/height_parts.h"
 #include "endmill/core/parallel.h"
@@ -15,7 +16,6 @@
 #include "endmill/process/cutting_coefficients.h"
 #include "endmill/process/fed_path.h"
 #include "support/experiment.h"
-#include "support/shortest_times.h"
 
 using namespace endmill;
 
@@ -65,33 +65,6 @@ void add_stock(const std::string& name, PeakRule peak, const ToolPath& path)
     add_benchmark(name + ", two", [=] { return stock_feed(path, cuts, peak, 2); });
 }
 
-CsvTable table_of(const ShortestTimes& times, std::size_t few_segments)
-{
-    CsvTable result{{"row", "measured", "unit", "bar_at_most", "bar_at_least"}};
-    const auto add = [&](const std::string& row, double measured, const char* unit,
-                         const CsvCell& at_most = {}, const CsvCell& at_least = {}) {
-        result.add_row({row, measured, unit, at_most, at_least});
-    };
-    const auto wall = [&](const std::string& name) { return times.of(name).wall_s; };
-    add("whole, two threads", wall("whole, two"), "s", 1);
-    add("whole, one thread", wall("whole, one"), "s");
-    add("one over two threads", wall("whole, one") / wall("whole, two"), "1", {}, 1.8);
-    add("100 over 10 thousand segments", wall("whole, one") / wall("tenth, one"), "1",
-        12);
-    for (const char* part :
-         {"read", "geometry", "feeds", "feeds by the table", "motion", "write"})
-        add(part, times.of(part).cpu_s, "s");
-    const double ms_a_segment = 1000 / static_cast<double>(few_segments);
-    for (const char* peak : {"torque", "direct"})
-        add(peak, ms_a_segment * times.of(peak).cpu_s, "ms a segment", 1);
-    for (const std::string stock : {"stock", "stock, direct"}) {
-        const double one = wall(stock + ", one");
-        add(stock, ms_a_segment * one, "ms a segment");
-        add(stock + ", one over two threads", one / wall(stock + ", two"), "1");
-    }
-    return result;
-}
-
 }  // namespace
 
 int main(int argc, char** argv)
@@ -112,6 +85,6 @@ int main(int argc, char** argv)
         add_turning("direct", PeakRule::Direct, few);
         add_stock("stock", PeakRule::Constant, few);
         add_stock("stock, direct", PeakRule::Direct, few);
-        run.write_result(table_of(shortest_times(), cuts_along(few).cuts.size()));
+        run.write_result(feed_table(shortest_times(), cuts_along(few).cuts.size()));
     });
 }

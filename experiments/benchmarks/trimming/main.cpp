@@ -4,7 +4,7 @@
 //
 //   benchmarks-trimming OUTPUT_FOLDER
 //
-// About 60 s; measures time, so nothing else should run. Columns: README.md beside this.
+// About 40 s; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include "benchmarks/trimming/measured_methods.h"
 #include "benchmarks/trimming/whole_trim.h"

@@ -4,7 +4,7 @@
 //
 //   interference-correctness OUTPUT_FOLDER
 //
-// Deterministic, under 30 s. Columns: README.md beside this.
+// Deterministic, under 40 s. Columns: README.md beside this.
 
 #include "endmill/core/text.h"
 #include "interference/correctness/family_table.h"

@@ -4,7 +4,7 @@
 //
 //   interference-figure-2 OUTPUT_FOLDER
 //
-// Deterministic, under 5 s. Columns and verdicts: README.md beside this.
+// Deterministic, under 1 s. Columns and verdicts: README.md beside this.
 
 #include <cmath>
 

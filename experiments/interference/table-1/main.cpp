@@ -5,7 +5,7 @@
 //
 //   interference-table-1 OUTPUT_FOLDER
 //
-// Under 10 s; measures time, so nothing else should run. Columns: README.md beside this.
+// Under 20 s; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include "endmill/core/parallel.h"
 #include "interference/table-1/measured_times.h"
