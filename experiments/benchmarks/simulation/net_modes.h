@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "benchmarks/simulation/default_net.h"
+#include "support/experiment.h"
 #include "support/peak_memory.h"
 #include "support/shortest_times.h"
 
