@@ -57,8 +57,8 @@ void add_geometry(CsvTable& table, const std::vector<SegmentCut>& cuts)
     for (const auto& [name, value] : quantities) {
         Spread spread;
         for (const SegmentCut& cut : cuts)
-            if (const std::optional<double> told = value(cut))
-                spread.add(*told, 1);
+            if (const std::optional<double> known = value(cut))
+                spread.add(*known, 1);
         add_spread(table, name, spread);
     }
     const auto in_air = std::ranges::count_if(

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 #include <time.h>
 
@@ -33,6 +35,20 @@ double shortest_cpu_s(double budget_s, const Work& work)
         shortest = std::min(shortest, time);
     }
     return shortest;
+}
+
+/// The shortest of 25 times in s of each of `count` works. The works are measured in
+/// turn, so that other processes disturb all of them equally.
+/// \param measure returns the time in s of work number k.
+template <typename Measure>
+std::vector<double> shortest_in_turns(std::size_t count, const Measure& measure)
+{
+    constexpr int turns = 25;
+    std::vector<double> times(count, std::numeric_limits<double>::infinity());
+    for (int turn = 0; turn < turns; ++turn)
+        for (std::size_t k = 0; k < count; ++k)
+            times[k] = std::min(times[k], measure(k));
+    return times;
 }
 
 }  // namespace endmill

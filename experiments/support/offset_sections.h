@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "endmill/offset/offset_mesh.h"
+#include "endmill/trimming/trimming.h"
 
 namespace endmill {
 
@@ -32,5 +33,20 @@ OffsetSections offset_sections(const SectionPlan& plan);
 
 /// `count` drive planes over the surface of `plan`, for other numbers of planes.
 DrivePlanes planes_over(const SectionPlan& plan, int count);
+
+/// The curves of one plane in space, mm.
+using PlaneLines = std::vector<std::vector<Vec3>>;
+
+/// The curves of `sections` in space, one list for each plane.
+std::vector<PlaneLines> untrimmed_lines(const DrivePlanes& planes,
+                                        const std::vector<PlaneSection>& sections);
+
+/// The sections, trimmed and clipped to the part, in space; one list for each plane.
+/// \param method a name in `trimming_methods`. \throws DomainError if there is none.
+std::vector<PlaneLines> trimmed_lines(const OffsetSections& sections,
+                                      const std::string& method, FoldDetection detection);
+
+/// The lines of every n-th plane, so that the lines of a picture are distinct.
+PlaneLines every_nth(const std::vector<PlaneLines>& planes, std::size_t n);
 
 }  // namespace endmill

@@ -11,7 +11,24 @@ namespace {
 
 constexpr std::string_view sequence_method = "3";  // uses TrimmingOptions::search
 
+constexpr double threshold_in_steps = 4;  // of method 1
+
 }  // namespace
+
+const TrimmingMethod& trimming_method(std::string_view name)
+{
+    const auto methods = trimming_methods();
+    const auto found = std::ranges::find(methods, name, &TrimmingMethod::name);
+    require(found != methods.end(), "there is no such trimming method");
+    return *found;
+}
+
+TrimmingOptions literal_trimming(double step)
+{
+    return {.detection = FoldDetection::Literal,
+            .scan_step = step,
+            .scan_threshold = threshold_in_steps * step};
+}
 
 std::vector<TimedMethod> timed_methods(const TrimmingOptions& options)
 {

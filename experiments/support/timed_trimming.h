@@ -2,12 +2,20 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "endmill/offset/slicer.h"
 #include "endmill/trimming/trimming_methods.h"
 
 namespace endmill {
+
+/// The method in `trimming_methods` with this name. \throws DomainError if there is none.
+const TrimmingMethod& trimming_method(std::string_view name);
+
+/// Options of literal detection. \param step of the scan lines of method 1, mm; its
+/// threshold is four steps.
+TrimmingOptions literal_trimming(double step);
 
 /// A trimming method with the options for its timing.
 struct TimedMethod {

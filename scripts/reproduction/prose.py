@@ -2,7 +2,7 @@
 """Converts the README of an experiment to HTML. It supports a small, safe part of Markdown.
 
 This part has headings, paragraphs, lists, tables, fenced blocks, `code` and **bold**. A link becomes
-its text. Everything else is plain text. Every text is escaped before markup is added.
+its text. A line with a comment, such as the licence, is left out. Everything else is plain text. Every text is escaped before markup is added.
 """
 import re
 from dataclasses import dataclass
@@ -53,7 +53,7 @@ def table(lines):
 
 def kind(line):
     """The kind of block to which `line` belongs."""
-    if not line.strip():
+    if not line.strip() or re.fullmatch(r"<!--.*-->", line.strip()):
         return "blank"
     if line.startswith("|"):
         return "table"
@@ -73,7 +73,7 @@ def blocks(text):
             found += [("code", [])] if fenced else [("blank", [])]
             continue
         this = "code" if fenced else kind(line)
-        last = found[-1][0] if found else "blank"
+        last = found[-1][0] if found else ""
         if this == "text" and last == "item":  # the next line continues a list item
             found[-1][1][-1] += " " + line.strip()
         elif this == last and this != "heading":

@@ -40,6 +40,13 @@ class Prose(unittest.TestCase):
                      "<tr><th>column</th><th>unit</th></tr>", "<pre>| no table |</pre>"):
             self.assertIn(html, readme.body)
 
+    def test_comment_before_the_title_is_left_out(self):
+        licence = "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n"
+        self.assertEqual(read(licence + README, "fallback"), read(README, "fallback"))
+
+    def test_comment_in_a_fenced_block_is_text(self):
+        self.assertIn("&lt;!-- kept --&gt;", read("```\n<!-- kept -->\n```\n", "").body)
+
     def test_fallback_is_the_title_without_a_heading(self):
         for text in ("", "Only text.", "## Second"):
             self.assertEqual(read(text, "fallback").title, "fallback")

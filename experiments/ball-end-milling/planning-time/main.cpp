@@ -4,7 +4,7 @@
 //
 //   ball-end-milling-planning-time OUTPUT_FOLDER
 //
-// About 10 s; measures time, so nothing else should run. Columns: README.md beside this.
+// About 20 s; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include "ball-end-milling/planning-time/one_way_plans.h"
 #include "endmill/core/parallel.h"

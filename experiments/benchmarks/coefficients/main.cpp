@@ -7,57 +7,16 @@
 // About 10 s; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
+#include "benchmarks/coefficients/measured_errors.h"
 #include "benchmarks/coefficients/random_engagements.h"
-#include "endmill/core/error.h"
-#include "endmill/process/cutting_coefficients.h"
 #include "endmill/process/detail/force_pattern.h"
-#include "support/cpu_time.h"
 #include "support/experiment.h"
 
 using namespace endmill;
 
 namespace {
-
-constexpr double budget_s = 1;
-
-double largest_error(const CuttingCoefficients& a, const CuttingCoefficients& b)
-{
-    return std::max({std::abs(a.I1 - b.I1), std::abs(a.I2 - b.I2), std::abs(a.I3 - b.I3),
-                     std::abs(a.I4 - b.I4), std::abs(a.I5 - b.I5), std::abs(a.I6 - b.I6),
-                     std::abs(a.I7 - b.I7), std::abs(a.I8 - b.I8)});
-}
-
-// Errors of `coefficients(engagement)` against values computed to 1e-12, in ascending
-// order.
-template <typename Coefficients>
-std::vector<double> sorted_errors(const std::vector<BallEngagement>& engagements,
-                                  const Coefficients& coefficients)
-{
-    std::vector<double> errors;
-    for (const BallEngagement& engagement : engagements)
-        errors.push_back(
-            largest_error(coefficients(engagement),
-                          cutting_coefficients(engagement, ChipModel::Paper, 1e-12)));
-    std::sort(errors.begin(), errors.end());
-    return errors;
-}
-
-// Shortest time of a call of `work(engagement)`, in us.
-template <typename Work>
-double us_a_point(const std::vector<BallEngagement>& engagements, const Work& work)
-{
-    double kept = 0;
-    const double time = shortest_cpu_s(budget_s, [&] {
-        for (const BallEngagement& engagement : engagements)
-            kept += work(engagement);
-    });
-    if (!std::isfinite(kept))
-        throw DomainError{"benchmarks-coefficients: a number is not finite"};
-    return 1e6 * time / static_cast<double>(engagements.size());
-}
 
 void add_accuracies(const std::vector<BallEngagement>& engagements, CsvTable& result)
 {

@@ -5,7 +5,7 @@
 //
 // About 60 s; measures time, so nothing else should run. Columns: README.md beside this.
 
-#include "benchmarks/drop-cutter/parts.h"
+#include "benchmarks/height_parts.h"
 #include "endmill/core/parallel.h"
 #include "endmill/drop_cutter/drop_cutter.h"
 #include "support/experiment.h"

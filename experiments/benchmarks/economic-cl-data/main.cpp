@@ -3,7 +3,7 @@
 //
 //   benchmarks-economic-cl-data OUTPUT_FOLDER
 //
-// About 30 s; measures time, so nothing else should run. Columns: README.md beside this.
+// About 40 s; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include <filesystem>
 

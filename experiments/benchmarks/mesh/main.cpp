@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "benchmarks/mesh/bumps.h"
+#include "benchmarks/height_parts.h"
 #include "endmill/mesh/detail/weld.h"
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/mesh/triangle_tree.h"
@@ -28,7 +28,7 @@ double walk_over(const TriangleTree& tree, double middle_mm, double above_mm)
     for (int k = 0; k < calls_in_a_go; ++k) {
         const double x = middle_mm + 0.006 * k;
         const double y = middle_mm / 2 + 0.001 * k;
-        const auto found = tree.nearest({x, y, height(x, y) + above_mm}, hint);
+        const auto found = tree.nearest({x, y, wavy_height(x, y) + above_mm}, hint);
         hint = found->triangle;
         sum += found->distance;
     }
@@ -50,8 +50,8 @@ int main(int argc, char** argv)
     return run_experiment(argc, argv, "benchmarks/mesh", [](Experiment& run) {
         const auto along = static_cast<std::int32_t>(run.number("cells_along"));
         const double cell_mm = run.number("cell_mm");
-        const double bytes = peak_memory_bytes([&] { bumps(along, cell_mm); });
-        const TriangleMesh mesh = bumps(along, cell_mm);
+        const double bytes = peak_memory_bytes([&] { wavy_part(along, cell_mm); });
+        const TriangleMesh mesh = wavy_part(along, cell_mm);
         const auto soup = soup_of(mesh);
         const TriangleTree tree{mesh};
         const double middle_mm = along * cell_mm / 2;

@@ -3,7 +3,7 @@
 //
 //   benchmarks-parts OUTPUT_FOLDER
 //
-// About 30 s; measures time, so nothing else should run. Columns: README.md beside this.
+// About 20 s; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include <filesystem>
 

@@ -5,15 +5,10 @@
 //
 // About 300 s; measures time, so nothing else should run. Columns: README.md beside this.
 
-#include <array>
-#include <string>
-
-#include "benchmarks/simulation/default_net.h"
-#include "benchmarks/simulation/low_saddle.h"
+#include "benchmarks/height_parts.h"
+#include "benchmarks/simulation/net_modes.h"
 #include "endmill/verification/verification.h"
 #include "support/experiment.h"
-#include "support/peak_memory.h"
-#include "support/shortest_times.h"
 
 using namespace endmill;
 
@@ -32,24 +27,6 @@ double verified_volume(const ToolPath& path, const Cutter& cutter, double pitch)
         .path = &path, .cutter = cutter, .part = &part, .stock = LowSaddle::block()};
     task.resolution = pitch;
     return verify_path(task).removal.total;
-}
-
-constexpr double gib = 1024.0 * 1024 * 1024;
-
-// Label of a row of the default net.
-void add_net_benchmarks(const DefaultNet& net, const std::array<ToolPath, 2>& paths,
-                        double pitch)
-{
-    for (const Planner planner : {Planner::Paper, Planner::Verified}) {
-        const bool is_verified = planner == Planner::Verified;
-        const std::string mode = is_verified ? "verified" : "paper";
-        add_benchmark(mode + " plan", [&net, planner] {
-            return net.planned(planner).path.points.size();
-        });
-        const ToolPath& path = paths[is_verified ? 1 : 0];
-        add_benchmark(mode + " judged",
-                      [&net, &path, pitch] { return net.verified(path, pitch); });
-    }
 }
 
 double cells(double pitch)
@@ -74,15 +51,8 @@ int main(int argc, char** argv)
         const double peak =
             peak_memory_bytes([&] { removed_volume(of_ball, ball, coarse); });
         const DefaultNet net{dataset_surface(run.text("net"))};
-        // These run in child processes, which must be forked before this process has
-        // threads.
-        std::array<double, 2> net_peaks{};
-        for (std::size_t k = 0; k < 2; ++k)
-            net_peaks[k] = peak_memory_bytes(
-                [&] { net.verified(net.planned(k == 1).path, coarse); });
-        const std::array<ToolPath, 2> of_net{net.planned(false).path,
-                                             net.planned(true).path};
-        add_net_benchmarks(net, of_net, coarse);
+        const std::vector<NetMode> modes = net_modes(net, coarse);
+        add_net_benchmarks(net, modes, coarse);
         add_benchmark("ball", [&] { return removed_volume(of_ball, ball, coarse); });
         add_benchmark("fine ball", [&] { return removed_volume(of_ball, ball, fine); });
         add_benchmark("bull", [&] { return removed_volume(of_bull, bull, coarse); });
@@ -107,21 +77,7 @@ int main(int argc, char** argv)
         add("ball, coarse, judged", coarse, times.of("judged").wall_s, "s", 2);
         add("ball, fine, judged", fine, times.of("fine judged").wall_s, "s", 5);
         add("bull-nose, coarse, judged", coarse, times.of("bull judged").wall_s, "s", 5);
-        for (std::size_t k = 0; k < 2; ++k) {
-            const std::string mode = k == 0 ? "paper" : "verified";
-            const std::string row = "default net, " + mode + " path, judged";
-            const auto points = static_cast<double>(of_net[k].points.size());
-            result.add_row(
-                {row, coarse, points, times.of(mode + " judged").wall_s, "s", 5});
-            result.add_row(
-                {row + ", memory", coarse, points, net_peaks[k] / gib, "GiB", 2});
-        }
-        result.add_row({"default net, verified plan by paper plan, both measured",
-                        {},
-                        static_cast<double>(of_net[1].points.size()),
-                        times.of("verified plan").wall_s / times.of("paper plan").wall_s,
-                        "times",
-                        3});
+        add_net_rows(result, modes, times, coarse);
         constexpr double bytes_per_result = 16;  // for each move
         const double bytes = peak - bytes_per_result * moves;
         add("stock and work", coarse, bytes / cells(coarse), "bytes a cell", 12);

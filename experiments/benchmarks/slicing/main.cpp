@@ -5,8 +5,8 @@
 //
 // About 40 s; measures time, so nothing else should run. Columns: README.md beside this.
 
+#include "benchmarks/height_parts.h"
 #include "benchmarks/slicing/cgal_slices.h"
-#include "benchmarks/slicing/saddle_mesh.h"
 #include "endmill/core/parallel.h"
 #include "endmill/offset/offset_mesh.h"
 #include "support/experiment.h"
@@ -30,7 +30,8 @@ std::size_t sliced_points(const TriangleMesh& mesh, const DrivePlanes& planes)
 int main(int argc, char** argv)
 {
     return run_experiment(argc, argv, "benchmarks/slicing", [](Experiment& run) {
-        const TriangleMesh mesh = saddle_mesh(static_cast<int>(run.number("cells")));
+        const TriangleMesh mesh =
+            grid_part(static_cast<int>(run.number("cells")), saddle_height);
         const DrivePlanes planes = drive_planes(DriveFrame{Angle::degrees(0)}, {-40, 40},
                                                 static_cast<int>(run.number("planes")));
         CgalSlicer baseline{mesh};

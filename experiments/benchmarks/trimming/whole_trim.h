@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -11,7 +10,7 @@
 #include "endmill/surface/tool_side.h"
 #include "endmill/trimming/cut_out.h"
 #include "endmill/trimming/trimmed_planes.h"
-#include "endmill/trimming/trimming_methods.h"
+#include "support/timed_trimming.h"
 
 namespace endmill {
 
@@ -36,10 +35,8 @@ public:
         const OffsetMesh offset =
             offset_mesh(part_, cutter, OffsetOptions{.grid_lines = grid_lines_});
         const auto sections = slice(offset.mesh, planes, {offset.part_triangles});
-        const auto methods = trimming_methods();
-        const auto method = std::ranges::find(methods, "envelope", &TrimmingMethod::name);
-        const auto trimmed =
-            trim_planes(sections, path_ranges(offset, planes, sections), *method, {});
+        const auto trimmed = trim_planes(sections, path_ranges(offset, planes, sections),
+                                         trimming_method("envelope"), {});
         std::vector<std::vector<CutOut>> loops;
         std::vector<PlaneCurves> curves;
         for (std::size_t k = 0; k < trimmed.size(); ++k) {

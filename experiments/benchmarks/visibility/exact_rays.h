@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <random>
 #include <vector>
 
 #include <CGAL/AABB_traits.h>
@@ -11,6 +12,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include "endmill/mesh/triangle_mesh.h"
+#include "endmill/visibility/visibility.h"
 
 namespace endmill {
 
@@ -56,5 +58,30 @@ private:
     Facets facets_;
     Tree tree_;
 };
+
+/// Number of random pairs of a facet and a direction that it faces for which the
+/// visibility map and the exact rays give different answers. The generator is MT19937
+/// with seed 7.
+/// \param pairs number of pairs to test.
+inline int disagreements(const TriangleMesh& part, const std::vector<Vec3>& directions,
+                         int pairs)
+{
+    const VisibilityMap facing =
+        part_visibility(part, directions, {.kind = VisibilityKind::Local}).map;
+    const VisibilityMap seen = part_visibility(part, directions).map;
+    const ExactRays rays{part};
+    std::mt19937 random{7};
+    int wrong = 0;
+    for (int found = 0; found < pairs;) {
+        const std::size_t facet = random() % facing.facets();
+        const std::size_t cell = random() % facing.cells();
+        if (!facing.is_accessible(facet, cell))
+            continue;
+        ++found;
+        wrong +=
+            seen.is_accessible(facet, cell) == rays.is_blocked(facet, directions[cell]);
+    }
+    return wrong;
+}
 
 }  // namespace endmill

@@ -4,7 +4,7 @@
 //
 //   economic-cl-data-decode OUTPUT_FOLDER
 //
-// Deterministic, under 1 s. Columns: README.md beside this.
+// Deterministic, under 0.1 s. Columns: README.md beside this.
 
 #include "economic-cl-data/decode/tables.h"
 #include "support/experiment.h"

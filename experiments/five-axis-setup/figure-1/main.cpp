@@ -4,7 +4,7 @@
 //
 //   five-axis-setup-figure-1 OUTPUT_FOLDER
 //
-// Deterministic, under 1 s. Columns and verdicts: README.md beside this.
+// Deterministic, under 10 s. Columns and verdicts: README.md beside this.
 
 #include <cstdint>
 

@@ -4,7 +4,7 @@
 //
 //   five-axis-setup-figure-13-14 OUTPUT_FOLDER
 //
-// Deterministic, under 5 s. Columns and verdicts: README.md beside this.
+// Deterministic, under 10 s. Columns and verdicts: README.md beside this.
 
 #include <span>
 

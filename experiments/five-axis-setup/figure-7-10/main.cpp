@@ -4,7 +4,7 @@
 //
 //   five-axis-setup-figure-7-10 OUTPUT_FOLDER
 //
-// Deterministic, under 0.2 s. Columns and verdicts: README.md beside this.
+// Deterministic, under 0.5 s. Columns and verdicts: README.md beside this.
 
 #include <cstdint>
 

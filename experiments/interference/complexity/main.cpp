@@ -3,7 +3,7 @@
 //
 //   interference-complexity OUTPUT_FOLDER
 //
-// About 10 s; measures time, so nothing else should run. Columns: README.md beside this.
+// About 20 s; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include <cmath>
 #include <cstdint>

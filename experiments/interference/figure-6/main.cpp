@@ -15,8 +15,10 @@
 #include "endmill/trimming/cut_out.h"
 #include "endmill/trimming/detail/envelope_trimming.h"
 #include "endmill/trimming/detail/profile_families.h"
+#include "endmill/trimming/detail/section_views.h"
 #include "endmill/trimming/trimming_quality.h"
 #include "support/experiment.h"
+#include "support/named_cells.h"
 
 using namespace endmill;
 
@@ -40,18 +42,6 @@ std::vector<SectionPoint> outline(const OffsetProfile& profile, int points)
     return line;
 }
 
-// The untrimmed curve as a result, so that its quality can be measured.
-Trimmed untrimmed(const SectionCurve& curve)
-{
-    Trimmed result;
-    result.curves.emplace_back();
-    for (std::size_t i = 0; i < curve.points.size(); ++i) {
-        const SegmentNumber on{0, static_cast<std::int32_t>(i)};
-        result.curves[0].points.push_back({curve.points[i], on, on, TrimmedKind::Vertex});
-    }
-    return result;
-}
-
 void draw(Experiment& run, CsvTable& result, const std::string& cause,
           const std::string& name)
 {
@@ -61,10 +51,10 @@ void draw(Experiment& run, CsvTable& result, const std::string& cause,
     const std::span curves{&curve, 1};
     const Trimmed left = envelope_trimming(curves);
     const auto cuts = cut_out(curves, left);
-    const TrimmingQuality before = trimming_quality(curves, untrimmed(curve));
+    const TrimmingQuality before = trimming_quality(curves, untrimmed(curves));
     result.add_row({cause, name, profile.radius, static_cast<std::int64_t>(cuts.size()),
                     before.gouge_mm, trimming_quality(curves, left).gouge_mm,
-                    cuts.empty() ? "no" : "yes"});
+                    word(!cuts.empty())});
     FigureOptions figure;
     figure.title = cause;
     figure.captions = {"profile " + name + ", ball of radius " + to_text(profile.radius) +

@@ -4,99 +4,32 @@
 //
 //   interference-increment OUTPUT_FOLDER
 //
-// Under 5 s; measures time, so nothing else should run. Columns: README.md beside this.
-
-#include <cstdint>
+// Under 10 s; measures time, so nothing else should run. Columns: README.md beside this.
 
 #include "endmill/core/text.h"
-#include "endmill/trimming/detail/distance_trimming.h"
-#include "endmill/trimming/detail/fold_scan.h"
-#include "endmill/trimming/detail/line_trimming.h"
-#include "endmill/trimming/detail/sequence_trimming.h"
-#include "support/cpu_time.h"
-#include "support/experiment.h"
-#include "support/offset_sections.h"
+#include "interference/increment/scan_rows.h"
+#include "support/named_cells.h"
 
 using namespace endmill;
 
 namespace {
 
-constexpr double threshold_in_steps = 4;  // in the columns ..._at_4
-constexpr double budget_s = 0.03;         // time of one measurement
-
-double search_s(const std::vector<FoldToSearch>& folds, CrossingSearch* search,
-                const TrimmingOptions& options)
-{
-    return shortest_cpu_s(budget_s, [&] { return crossings(folds, search, options); });
-}
-
-TrimmingOptions scan(double step, double threshold)
-{
-    return {.detection = FoldDetection::Literal,
-            .scan_step = step,
-            .scan_threshold = threshold};
-}
-
-CsvCell count(std::ptrdiff_t value)
-{
-    return static_cast<std::int64_t>(value);
-}
-
-void add_feed(CsvTable& result, const std::string& feed, const OffsetSections& offset,
-              const std::vector<double>& steps)
-{
-    const auto folds = first_literal_folds(offset.sections);
-    const TrimmingOptions plain = scan(1, 1);
-    const auto truth = crossings(folds, march_segments, plain);
-    const double by_lines_s = search_s(folds, search_by_lines, plain);
-    const std::pair<const char*, CrossingSearch*> references[]{{"2", search_by_lines},
-                                                               {"3", march_segments}};
-    for (const auto& [name, search] : references) {
-        const auto found = crossings(folds, search, plain);
-        const auto hits = std::ranges::count_if(
-            found, [](const auto& crossing) { return crossing.has_value(); });
-        result.add_row({feed + ", method " + name,
-                        count(std::ssize(folds)),
-                        {},
-                        {},
-                        {},
-                        {},
-                        count(hits),
-                        0.0,
-                        {},
-                        {},
-                        {},
-                        search_s(folds, search, plain) / by_lines_s});
-    }
-    for (const double step : steps) {
-        const TrimmingOptions wide = scan(step, threshold_in_steps * step);
-        const ScanOutcome one = scan_outcome(folds, truth, scan(step, step));
-        const ScanOutcome four = scan_outcome(folds, truth, wide);
-        result.add_row({feed + ", step " + to_text(step), count(std::ssize(folds)),
-                        count(one.hits), count(one.missed), one.lines, one.error_mm,
-                        count(four.hits), count(four.missed), count(four.false_hits),
-                        four.lines, four.error_mm,
-                        search_s(folds, search_by_distance, wide) / by_lines_s});
-    }
-}
-
 // The reference numbers for the feed along x, one row for each step.
 void add_stated(Experiment& run, CsvTable& result, const std::vector<double>& steps)
 {
+    constexpr const char* columns[]{"hits",
+                                    "lines_a_fold",
+                                    "error_mm",
+                                    "hits_at_4",
+                                    "lines_a_fold_at_4",
+                                    "error_at_4_mm",
+                                    "search_over_method_2"};
     for (const double step : steps) {
         const auto stated = run.numbers("stated_" + to_text(step));
-        result.add_row({"at 0 deg, step " + to_text(step) + ", stated",
-                        {},
-                        stated.at(0),
-                        {},
-                        stated.at(1),
-                        stated.at(2),
-                        stated.at(3),
-                        {},
-                        {},
-                        stated.at(4),
-                        stated.at(5),
-                        stated.at(6)});
+        NamedCells cells;
+        for (std::size_t k = 0; k < std::size(columns); ++k)
+            cells.emplace_back(columns[k], stated.at(k));
+        add_named(result, "at 0 deg, step " + to_text(step) + ", stated", cells);
     }
 }
 
@@ -113,8 +46,8 @@ int main(int argc, char** argv)
             const SectionPlan plan{run.text("surface"),
                                    Cutter::ball(run.number("radius_mm")), feed,
                                    static_cast<int>(run.number("grid_lines"))};
-            add_feed(result, "at " + to_text(feed) + " deg", offset_sections(plan),
-                     steps);
+            add_scans(result, "at " + to_text(feed) + " deg", offset_sections(plan),
+                      steps);
         }
         add_stated(run, result, steps);
         run.write_result(result);
