@@ -33,16 +33,16 @@ struct Planned {
     }
 
     VerifiedPass pass(double v, std::size_t most_points = 100'000,
-                      bool stop_at_borders = false) const
+                      PatchBorders patch_borders = PatchBorders::Cross) const
     {
-        return verified_pass(surface(most_points, stop_at_borders), v, {});
+        return verified_pass(surface(most_points, patch_borders), v, {});
     }
 
     VerifiedSurface surface(std::size_t most_points = 100'000,
-                            bool stop_at_borders = false) const
+                            PatchBorders patch_borders = PatchBorders::Cross) const
     {
-        return {marched,      clear,           cover,      tolerances,
-                Parameter::U, stop_at_borders, most_points};
+        return {marched,      clear,         cover,      tolerances,
+                Parameter::U, patch_borders, most_points};
     }
 
     MarchedSurface marched;

@@ -32,6 +32,8 @@ constexpr double gib = 1024.0 * 1024 * 1024;
 constexpr double bytes_a_ray = 16;
 // Limit of the number of rays.
 constexpr double most_rays = 4e9;
+// Approximate number of first rays by which deviation_of_path measures a part.
+constexpr double rays_of_a_path = 1e5;
 // Cells are up to this factor smaller in area than the square of the pitch, because a
 // side has a whole number of them.
 constexpr double spare = 1.05;
@@ -323,6 +325,18 @@ Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutte
     const MachinedStock stock{
         sweeps, 0, [&block](const PartRay& ray) { return ray_in_block(block, ray); }};
     return measure_deviation(part_charts(part), stock, options);
+}
+
+Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter& cutter,
+                            const DeviationLimits& limits,
+                            const std::function<void(double share)>& progress)
+{
+    const double pitch = std::sqrt(area_of(part) / rays_of_a_path);
+    // deviation_in_block refuses an axis that changes.
+    const Eigen::Matrix3d rotation =
+        upright_rotation(fixed_axis(path).value_or(Vec3::UnitZ()));
+    return deviation_in_block(turned(part, rotation), turned(path, rotation), cutter,
+                              {.limits = limits, .pitch = pitch, .progress = progress});
 }
 
 std::optional<StockHistory> history_of_rest(const VerificationTask& task)

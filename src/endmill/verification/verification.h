@@ -42,6 +42,21 @@ Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter
 Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutter& cutter,
                              const DeviationOptions& options);
 
+/// Measures the deviation that a path with any fixed axis leaves if it starts from the
+/// default block. Part and path are turned upright first, so that places in the result
+/// are those of the turned part.
+/// \param part     the part.
+/// \param path     tips along one axis.
+/// \param cutter   the shape that cuts.
+/// \param limits   cells are refined until these are decided.
+/// \param progress if set, called now and then with the finished share, 0 to 1.
+/// The pitch gives about 1e5 first rays on the area of the part.
+/// \throws DomainError for limits out of range, GeometryError if the axis changes or the
+///         part is empty.
+Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter& cutter,
+                            const DeviationLimits& limits,
+                            const std::function<void(double share)>& progress = {});
+
 /// The input of `verify_path`. It refers to the part, the path and a kept stock, which
 /// must outlive it.
 struct VerificationTask {
