@@ -99,6 +99,7 @@ MeasuredPath plan_direction(const PlanTask& task, Parameter along, PlanProgress&
     PlannedPath plan = plan_path(surfaces, ball, planner);
     const auto report = progress.of(along, "measured");
     report(0);
+    const LimitProof proof = plan.is_proved() ? LimitProof::Proved : LimitProof::None;
     const DeviationLimits limits{options.motion.inner,
                                  options.planning.scallop_height + options.motion.outer};
     PlannedDirection planned{
@@ -107,7 +108,8 @@ MeasuredPath plan_direction(const PlanTask& task, Parameter along, PlanProgress&
         chord_error(surfaces, plan.path, along),
         motion_error(surfaces, plan.path, ball, along),
         deviation_of_path(std::vector<Surface>(surfaces.begin(), surfaces.end()),
-                          plan.path, Cutter::ball(ball.radius()), limits, report),
+                          plan.path, Cutter::ball(ball.radius()),
+                          {limits, proof, report}),
         tape_length(plan.path, task),
         {},
         plan.lifted_links,

@@ -53,10 +53,14 @@ TEST(PlanPath, ByEitherPlannerHasThePassesOfTheClosedForm)
 
 TEST(PlanPath, ReportsUncoveredPlacesOfTheVerifiedPlannerOnly)
 {
-    EXPECT_FALSE(plan_path(part, ball, options_of(Planner::Paper)).uncovered);
-    const PlannedPath verified = plan_path(part, ball, options_of(Planner::Verified));
+    const PlannedPath paper = plan_path(part, ball, options_of(Planner::Paper));
+    EXPECT_FALSE(paper.uncovered);
+    EXPECT_FALSE(paper.is_proved());
+    PlannedPath verified = plan_path(part, ball, options_of(Planner::Verified));
     ASSERT_TRUE(verified.uncovered);
-    EXPECT_TRUE(verified.uncovered->empty());
+    EXPECT_TRUE(verified.is_proved());
+    verified.uncovered = {{0, {0.5, 0.5}, Vec3::Zero()}};
+    EXPECT_FALSE(verified.is_proved());
 }
 
 TEST(EstimatedPoints, OfSeveralSurfacesAreThoseOfEach)

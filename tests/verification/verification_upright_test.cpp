@@ -74,7 +74,7 @@ TEST(DeviationOfPath, DoesNotDependOnTheOrientation)
         for (PathPoint& point : path.points)
             point.location = {rotation * point.location.tip, axis};
         const Deviation found = deviation_of_path(turned(test::finished_plane, rotation),
-                                                  path, Cutter::ball(5), limits);
+                                                  path, Cutter::ball(5), {limits});
         EXPECT_NEAR(found.max_gouge_mm, 0, 1e-12);
         EXPECT_LE(found.max_scallop_mm, scallop + 1e-12);
         EXPECT_GE(found.max_scallop_mm + found.scallop_bound_mm, scallop - 1e-12);
@@ -85,9 +85,29 @@ TEST(DeviationOfPath, DoesNotDependOnTheOrientation)
 TEST(DeviationOfPath, HasAboutAHundredThousandFirstRays)
 {
     const Deviation found = deviation_of_path(
-        test::finished_plane, test::finishing_path(2), Cutter::ball(5), {0.01, 0.11});
+        test::finished_plane, test::finishing_path(2), Cutter::ball(5), {{0.01, 0.11}});
     EXPECT_NEAR(found.pitch_mm, std::sqrt(20 * 12 / 1e5), 1e-9);
     EXPECT_NEAR(double(found.left.size()), 1e5, 5e3);
+}
+
+// Without a proof cells are refined until the bounds decide. The proof replaces that.
+TEST(DeviationOfPath, WithAProofHasItsBoundsAndTheSameFirstRays)
+{
+    const DeviationLimits limits{0.01, 0.11};
+    const ToolPath path = test::finishing_path(2);
+    const auto found = [&](LimitProof proof) {
+        return deviation_of_path(test::finished_plane, path, Cutter::ball(5),
+                                 {limits, proof});
+    };
+    const Deviation alone = found(LimitProof::None);
+    const Deviation proved = found(LimitProof::Proved);
+    EXPECT_EQ(proved.left, alone.left);
+    EXPECT_LE(proved.rays, alone.rays);
+    EXPECT_LE(proved.max_gouge_mm + proved.gouge_bound_mm, limits.tolerance);
+    EXPECT_LE(proved.max_scallop_mm + proved.scallop_bound_mm, limits.scallop + 1e-15);
+    const double scallop = 5 - std::sqrt(24.0);
+    EXPECT_GE(proved.max_scallop_mm + proved.scallop_bound_mm, scallop - 1e-12);
+    EXPECT_EQ(verdict(proved, limits), Verdict::Clean);
 }
 
 TEST(DeviationOfPath, RefusesAnAxisThatChanges)

@@ -30,6 +30,10 @@ struct PlannedPath {
     std::size_t lifted_links = 0;
     /// See VerifiedPlan; none by plan_iso_parametric, which proves nothing.
     std::optional<std::vector<UncoveredPlace>> uncovered = {};
+
+    /// Whether the planner has proved that no gouge and no remaining material anywhere
+    /// exceeds the options.
+    bool is_proved() const { return uncovered && uncovered->empty(); }
 };
 
 /// Plans a path by the planner of the options.

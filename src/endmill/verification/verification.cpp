@@ -317,26 +317,49 @@ Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter
     return block;
 }
 
-Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutter& cutter,
-                             const DeviationOptions& options)
+namespace {
+
+// The cut whose deviation is measured.
+struct Cut {
+    const ToolPath& path;
+    const Cutter& cutter;
+};
+
+Deviation measured_in_block(const Part& part, const Cut& cut,
+                            const DeviationOptions& options,
+                            const std::optional<DeviationLimits>& proved)
 {
-    const Block block = default_block(&part, path, cutter);
-    const std::vector<StraightSweep> sweeps = path_sweeps(path, cutter);
+    const Block block = default_block(&part, cut.path, cut.cutter);
+    const std::vector<StraightSweep> sweeps = path_sweeps(cut.path, cut.cutter);
     const MachinedStock stock{
-        sweeps, 0, [&block](const PartRay& ray) { return ray_in_block(block, ray); }};
+        sweeps, 0, [&block](const PartRay& ray) { return ray_in_block(block, ray); },
+        proved};
     return measure_deviation(part_charts(part), stock, options);
 }
 
-Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter& cutter,
-                            const DeviationLimits& limits,
-                            const std::function<void(double share)>& progress)
+}  // namespace
+
+Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutter& cutter,
+                             const DeviationOptions& options)
 {
-    const double pitch = std::sqrt(area_of(part) / rays_of_a_path);
-    // deviation_in_block refuses an axis that changes.
+    return measured_in_block(part, {path, cutter}, options, std::nullopt);
+}
+
+Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter& cutter,
+                            const PathDeviationOptions& options)
+{
+    // The removal refuses an axis that changes.
     const Eigen::Matrix3d rotation =
         upright_rotation(fixed_axis(path).value_or(Vec3::UnitZ()));
-    return deviation_in_block(turned(part, rotation), turned(path, rotation), cutter,
-                              {.limits = limits, .pitch = pitch, .progress = progress});
+    DeviationOptions measure;
+    measure.limits = options.limits;
+    measure.pitch = std::sqrt(area_of(part) / rays_of_a_path);
+    measure.progress = options.progress;
+    std::optional<DeviationLimits> proved;
+    if (options.proof == LimitProof::Proved)
+        proved = options.limits;
+    const ToolPath upright = turned(path, rotation);
+    return measured_in_block(turned(part, rotation), {upright, cutter}, measure, proved);
 }
 
 std::optional<StockHistory> history_of_rest(const VerificationTask& task)
