@@ -157,7 +157,7 @@ DirectionResult write_direction(const PlanTask& task, MeasuredPath plan,
 
 // Whether the paths along all of `directions` fit into memory at the same time.
 // \throws LimitError if a single path does not fit.
-bool fit_together(const PlanTask& task, std::span<const Parameter> directions)
+bool can_plan_together(const PlanTask& task, std::span<const Parameter> directions)
 {
     const BallCutter ball{task.context.cutter_diameter / 2};
     std::vector<double> points;
@@ -189,7 +189,8 @@ std::vector<DirectionResult> write_directions(const PlanTask& task,
                                               OutputFolder& folder)
 {
     const bool is_alone = directions.size() == 1;
-    const std::size_t at_once = fit_together(task, directions) ? directions.size() : 1;
+    const std::size_t at_once =
+        can_plan_together(task, directions) ? directions.size() : 1;
     std::vector<DirectionResult> results;
     for (std::size_t first = 0; first < directions.size(); first += at_once)
         for (MeasuredPath& plan :

@@ -113,7 +113,7 @@ std::string better_mode_text(std::span<const std::string> missed)
     std::string text =
         "  better mode   --mode verified proves its limits on the whole surface";
     for (const std::string& names : missed)
-        text += (&names == missed.data() ? "; limits missed here " : "; ") + names;
+        text += (&names == missed.data() ? "; limits missed " : "; ") + names;
     return text + "\n";
 }
 

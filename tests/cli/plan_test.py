@@ -200,7 +200,7 @@ class BetterMode(ProgramTest):
         self.assertGreater(facts["max_scallop_mm"], facts["scallop_mm"] + facts["outer_tolerance_mm"] + 0.001)
         self.assertLess(max(facts["max_gouge_mm"], facts["max_motion_gouge_mm"]), facts["inner_tolerance_mm"])
         self.assertIn("--mode verified", line)
-        self.assertTrue(line.endswith("missed here along u: chord error, scallop"), line)
+        self.assertTrue(line.endswith("limits missed along u: chord error, scallop"), line)
 
     def test_both_directions_have_one_line(self):
         line = self.line(NET, *PAPER)

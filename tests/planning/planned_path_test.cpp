@@ -20,32 +20,36 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 // Passes along v over a plane of 60 by 30 mm, with a ball of radius 5.
-constexpr double scallop = 0.5;
-const std::vector<Surface> part{test::plane(60, 30)};
-const BallCutter ball{5};
+constexpr double plane_scallop = 0.5;
+const std::vector<Surface> plane_part{test::plane(60, 30)};
+const BallCutter plane_ball{5};
 
-PlannerOptions options_of(Planner planner)
+PlannerOptions plane_options(Planner planner)
 {
     if (planner == Planner::Paper)
-        return IsoParametricOptions{
-            .direction = Parameter::V, .chord_tolerance = 0.1, .scallop_height = scallop};
-    return VerifiedOptions{
-        .direction = Parameter::V, .tolerances = {0.1, 0.2}, .scallop_height = scallop};
+        return IsoParametricOptions{.direction = Parameter::V,
+                                    .chord_tolerance = 0.1,
+                                    .scallop_height = plane_scallop};
+    return VerifiedOptions{.direction = Parameter::V,
+                           .tolerances = {0.1, 0.2},
+                           .scallop_height = plane_scallop};
 }
 
 // Number of passes whose intervals of 2 sqrt(2 R h - h^2) cover the width, and the last
-// border. The verified planner uses 0.999 of the scallop height.
+// border. The verified planner uses 0.999 of the plane_scallop height.
 double passes_on_the_plane(double share)
 {
-    const double h = share * scallop;
+    const double h = share * plane_scallop;
     return std::ceil(60 / (2 * std::sqrt(2 * 5 * h - h * h))) + 1;
 }
 
 TEST(PlanPath, ByEitherPlannerHasThePassesOfTheClosedForm)
 {
-    const PlannedPath paper = plan_path(part, ball, options_of(Planner::Paper));
+    const PlannedPath paper =
+        plan_path(plane_part, plane_ball, plane_options(Planner::Paper));
     EXPECT_EQ(double(paper.path.points.size()), 2 * passes_on_the_plane(1));
-    const PlannedPath verified = plan_path(part, ball, options_of(Planner::Verified));
+    const PlannedPath verified =
+        plan_path(plane_part, plane_ball, plane_options(Planner::Verified));
     EXPECT_EQ(double(verified.path.points.size()), 2 * passes_on_the_plane(0.999));
     for (const PlannedPath& plan : {paper, verified})
         EXPECT_EQ(plan.path.points.back().contact->u, 1);
@@ -53,10 +57,12 @@ TEST(PlanPath, ByEitherPlannerHasThePassesOfTheClosedForm)
 
 TEST(PlanPath, ReportsUncoveredPlacesOfTheVerifiedPlannerOnly)
 {
-    const PlannedPath paper = plan_path(part, ball, options_of(Planner::Paper));
+    const PlannedPath paper =
+        plan_path(plane_part, plane_ball, plane_options(Planner::Paper));
     EXPECT_FALSE(paper.uncovered);
     EXPECT_FALSE(paper.is_proved());
-    PlannedPath verified = plan_path(part, ball, options_of(Planner::Verified));
+    PlannedPath verified =
+        plan_path(plane_part, plane_ball, plane_options(Planner::Verified));
     ASSERT_TRUE(verified.uncovered);
     EXPECT_TRUE(verified.is_proved());
     verified.uncovered = {{0, {0.5, 0.5}, Vec3::Zero()}};
@@ -67,11 +73,12 @@ TEST(EstimatedPoints, OfSeveralSurfacesAreThoseOfEach)
 {
     const std::vector<Surface> two{test::plane(60, 30), test::plane(20, 40)};
     for (const Planner planner : {Planner::Paper, Planner::Verified}) {
-        const PlannerOptions options = options_of(planner);
-        const double first = estimated_points({two.data(), 1}, ball, options);
-        const double second = estimated_points({two.data() + 1, 1}, ball, options);
-        EXPECT_DOUBLE_EQ(estimated_points(two, ball, options), first + second);
-        const auto found = double(plan_path(part, ball, options).path.points.size());
+        const PlannerOptions options = plane_options(planner);
+        const double first = estimated_points({two.data(), 1}, plane_ball, options);
+        const double second = estimated_points({two.data() + 1, 1}, plane_ball, options);
+        EXPECT_DOUBLE_EQ(estimated_points(two, plane_ball, options), first + second);
+        const auto found =
+            double(plan_path(plane_part, plane_ball, options).path.points.size());
         EXPECT_LT(std::abs(std::log2(first / found)), std::log2(2.5));
     }
 }

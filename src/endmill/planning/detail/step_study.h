@@ -47,14 +47,14 @@ enum class LimitedCurves {
 
 /// The greatest length of a step.
 enum class LongestStep {
-    Pass,   ///< to the end of the pass
+    ToEnd,  ///< to the end of the pass
     Paper,  ///< the paper's step for the curvature at its start
 };
 
 /// Conditions on the steps of `greedy_points`.
 struct StepRule {
     LimitedCurves limited = LimitedCurves::Contacts;  ///< curves that are tested
-    LongestStep longest = LongestStep::Pass;          ///< greatest length
+    LongestStep longest = LongestStep::ToEnd;         ///< greatest length
 };
 
 /// Number of CL points of the longest steps that satisfy `rule` on the passes of `path`.
