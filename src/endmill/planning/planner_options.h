@@ -141,10 +141,10 @@ double default_tolerance(const BallCutter& ball);
 
 /// The tolerances that a user states. Those that are missing have defaults.
 struct RequestedTolerances {
-    std::optional<double> chord;           ///< mm
-    std::optional<double> scallop_height;  ///< mm
-    std::optional<double> inner;           ///< mm; see MotionTolerances
-    std::optional<double> outer;           ///< mm; see MotionTolerances
+    std::optional<double> chord = {};           ///< mm
+    std::optional<double> scallop_height = {};  ///< mm
+    std::optional<double> inner = {};           ///< mm; see MotionTolerances
+    std::optional<double> outer = {};           ///< mm; see MotionTolerances
 };
 
 /// The tolerances of a plan.
