@@ -83,7 +83,7 @@ MotionError motion_error(std::span<const Surface> surfaces, const ToolPath& path
 struct PathErrors {
     double chord;    ///< distance of the lines of the passes from their chords
     double gouge;    ///< depth of a gouge anywhere on the part
-    double scallop;  ///< thickness of remaining material anywhere on the part
+    double scallop;  ///< thickness of remaining stock anywhere on the part
 };
 
 /// Combines the errors along the passes with those that were measured on the whole part.
@@ -91,7 +91,7 @@ struct PathErrors {
 /// \param chord       from chord_error.
 /// \param motion      from motion_error.
 /// \param gouge_mm    depth of the deepest measured gouge.
-/// \param scallop_mm  greatest measured thickness of remaining material.
+/// \param scallop_mm  greatest measured thickness of remaining stock.
 PathErrors path_errors(const ChordError& chord, const MotionError& motion,
                        double gouge_mm, double scallop_mm);
 

@@ -31,7 +31,7 @@ struct PlannedPath {
     /// See VerifiedPlan; none by plan_iso_parametric, which proves nothing.
     std::optional<std::vector<UncoveredPlace>> uncovered = {};
 
-    /// Whether the planner has proved that no gouge and no remaining material anywhere
+    /// Whether the planner has proved that no gouge and no remaining stock anywhere
     /// exceeds the options.
     bool is_proved() const { return uncovered && uncovered->empty(); }
 };

@@ -17,7 +17,7 @@ struct MachinedStock {
     std::span<const StraightSweep> sweeps;
     std::size_t earlier_sweeps = 0;  ///< number of sweeps of earlier runs
     InitialRay initial_ray;          ///< must be set; finite thickness for every ray
-    /// Greatest gouge and greatest remaining material that a proof allows; none without a
+    /// Greatest gouge and greatest remaining stock that a proof allows; none without a
     /// proof.
     std::optional<DeviationLimits> proved = {};
 };
