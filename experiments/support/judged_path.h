@@ -7,14 +7,9 @@
 #include "endmill/deviation/deviation.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/path_error.h"
+#include "endmill/planning/planner_options.h"
 
 namespace endmill {
-
-/// The planner of a path.
-enum class Planner {
-    Paper,     ///< plan_iso_parametric, the method of Kim and Choi
-    Verified,  ///< plan_verified, which bounds gouge and remaining material
-};
 
 /// The request for a path that is planned and then judged.
 struct PlanToJudge {

@@ -22,7 +22,7 @@ struct InfoOptions {
     CommonOptions common;
     PartOptions part;
     Vec3 axis = Vec3::UnitZ();
-    bool g1_is_required = false;
+    RequiredContinuity required = RequiredContinuity::None;
 };
 
 void write_summary(const InfoOptions& options, const Json& summary)
@@ -64,7 +64,7 @@ ExitCode run_info(const InfoOptions& options)
     print_result(options.common, summary, surface_text(summary));
     if (whole.continuity == Continuity::G1)
         return ExitCode::Yes;
-    if (options.g1_is_required)
+    if (options.required == RequiredContinuity::G1)
         return refuse_break(options.part.path, whole, options.common);
     warn(options.common, options.part.path + ": " + break_text(whole));
     return ExitCode::Yes;
@@ -79,7 +79,7 @@ void add_info_command(CLI::App& program, Action& action)
     const auto options = std::make_shared<InfoOptions>();
     add_part_options(*command, options->part);
     add_axis_option(*command, options->axis);
-    add_require_option(*command, options->g1_is_required);
+    add_require_option(*command, options->required);
     add_common_options(*command, options->common);
     command->footer(
         "Prints; with --output also writes DIR/summary.json.\n\n"

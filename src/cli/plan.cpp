@@ -16,49 +16,46 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/output_folder.h"
-#include "endmill/planning/iso_parametric.h"
-#include "endmill/planning/path_memory.h"
+#include "endmill/planning/planned_path.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/tool_side.h"
 
 namespace endmill {
 namespace {
 
-// The requested diameter of the ball, or else the largest standard diameter that fits.
+// The diameter of the ball; an error names the limit of the surface.
 double chosen_diameter(const std::optional<double>& asked,
                        const std::optional<CutterLimit>& limit)
 {
-    if (asked && !fits(BallCutter{*asked / 2}, limit))
+    if (const std::optional<double> diameter = fitting_diameter(asked, limit))
+        return *diameter;
+    if (asked)
         throw GeometryError{fmt::format(
             "--cutter ball:{}: found radius {} mm; expected a radius below {} mm, the "
             "limit of the surface at {}",
             to_text(*asked), to_text(*asked / 2), shown_limit(limit->radius_mm),
             place_text(limit->at, limit->point))};
-    const std::optional<double> diameter = asked ? asked : default_diameter(limit);
-    if (!diameter)
-        throw GeometryError{fmt::format(
-            "no ball of {:g} to {:g} mm diameter fits; expected --cutter with a radius "
-            "below {} mm, the limit of the surface at {}",
-            stock_diameters.front(), stock_diameters.back(),
-            shown_limit(limit->radius_mm), place_text(limit->at, limit->point))};
-    return *diameter;
+    throw GeometryError{fmt::format(
+        "no ball of {:g} to {:g} mm diameter fits; expected --cutter with a radius "
+        "below {} mm, the limit of the surface at {}",
+        stock_diameters.front(), stock_diameters.back(), shown_limit(limit->radius_mm),
+        place_text(limit->at, limit->point))};
 }
 
 // Fills in the defaults of options that were not given.
 void complete(PlanOptions& options, std::span<const Surface> surfaces, double diameter)
 {
     IsoParametricOptions& planning = options.planning;
-    planning.chord_tolerance = options.chord_tolerance.value_or(
-        options.mode == PlanMode::Paper ? default_tolerance(BallCutter{diameter / 2})
-                                        : verified_tolerance);
-    planning.scallop_height = options.scallop_height.value_or(planning.chord_tolerance);
+    const PlanTolerances tolerances =
+        plan_tolerances(options.requested, options.mode, BallCutter{diameter / 2});
+    planning.chord_tolerance = tolerances.chord;
+    planning.scallop_height = tolerances.scallop_height;
+    options.motion = tolerances.motion;
     if (planning.scallop_height >= diameter)
         throw DomainError{"--scallop " + to_text(planning.scallop_height) +
                           ": expected a height below the ball's diameter, " +
                           to_text(diameter) + " mm"};
-    options.motion.inner = options.inner_tolerance.value_or(planning.chord_tolerance);
-    options.motion.outer = options.outer_tolerance.value_or(planning.chord_tolerance);
-    if (options.mode == PlanMode::Verified && options.motion.inner >= diameter / 2)
+    if (options.mode == Planner::Verified && options.motion.inner >= diameter / 2)
         throw DomainError{"--inner-tolerance " + to_text(options.motion.inner) +
                           ": expected a depth below the ball's radius, " +
                           to_text(diameter / 2) + " mm"};
@@ -71,7 +68,7 @@ void complete(PlanOptions& options, std::span<const Surface> surfaces, double di
 void report_gouge(const KnownGouge& gouge, const PlanOptions& options)
 {
     const std::string better =
-        options.mode == PlanMode::Paper ? "; --mode verified keeps the tolerance" : "";
+        options.mode == Planner::Paper ? "; --mode verified keeps the tolerance" : "";
     report_error("E_GOUGE",
                  fmt::format("{}: the path along {} gouges the part {} mm deep with "
                              "--mode {}, beyond the inner tolerance of {} mm{}",
@@ -90,7 +87,7 @@ ExitCode run_plan(PlanOptions options)
     PlanContext context{file.name, file.source, continuity(surfaces),
                         {},        0,           surfaces.size() > 1};
     if (context.continuity.continuity != Continuity::G1) {
-        if (options.g1_is_required)
+        if (options.required == RequiredContinuity::G1)
             return refuse_break(options.part, context.continuity, options.common);
         warn(options.common, options.part + ": " + break_text(context.continuity));
     }

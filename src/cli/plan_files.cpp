@@ -2,11 +2,11 @@
 #include "cli/plan_files.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <mutex>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,14 +14,13 @@
 #include "cli/console.h"
 #include "cli/plan_text.h"
 #include "cli/progress.h"
+#include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/vtk.h"
-#include "endmill/planning/path_memory.h"
 #include "endmill/post/gcode_writer.h"
-#include "endmill/surface/extent.h"
 #include "endmill/verification/verification.h"
 
 namespace endmill {
@@ -55,49 +54,6 @@ std::optional<double> tape_length(const ToolPath& path, const PlanTask& task)
     return gcode(path, program).tape_length_m();
 }
 
-// Approximate number of measuring rays. Their pitch follows from the area of the part.
-constexpr double measured_rays = 1e5;
-// Approximate number of measuring rays where the planner has proved the tolerances.
-// Fewer rays suffice there, since the proof also covers the surface between them.
-constexpr double measured_rays_of_proved = 3e4;
-
-// Whether the planner has proved that the path keeps its tolerances everywhere.
-bool is_proved(const VerifiedPlan& plan, const PlanOptions& options)
-{
-    return options.mode == PlanMode::Verified && plan.uncovered.empty();
-}
-
-// Deviation of the part after the path has cut a block around it. If the tool axis is not
-// +z, part and path are rotated first.
-Deviation measured_deviation(const VerifiedPlan& plan, const PlanTask& task,
-                             const std::function<void(double)>& progress)
-{
-    const auto& [surfaces, context, options] = task;
-    const bool proved = is_proved(plan, options);
-    const Eigen::Matrix3d rotation = upright_rotation(options.planning.link.axis);
-    const Part part =
-        turned(Part{std::vector<Surface>(surfaces.begin(), surfaces.end())}, rotation);
-    DeviationOptions measure;
-    measure.limits = {options.motion.inner,
-                      options.planning.scallop_height + options.motion.outer};
-    measure.pitch =
-        std::sqrt(area(surfaces) / (proved ? measured_rays_of_proved : measured_rays));
-    measure.progress = progress;
-    if (proved)
-        measure.max_refine = 0;
-    Deviation found =
-        deviation_in_block(part, turned(plan.path, rotation),
-                           Cutter::ball(context.cutter_diameter / 2), measure);
-    if (proved) {
-        const auto tighten = [](double& bound, double limit, double greatest) {
-            bound = std::min(bound, std::max(0.0, limit - greatest));
-        };
-        tighten(found.gouge_bound_mm, measure.limits.tolerance, found.max_gouge_mm);
-        tighten(found.scallop_bound_mm, measure.limits.scallop, found.max_scallop_mm);
-    }
-    return found;
-}
-
 std::string direction_word(Parameter along)
 {
     return along == Parameter::U ? "u" : "v";
@@ -128,64 +84,40 @@ private:
     std::map<Parameter, std::string> states_;
 };
 
-// The options of the planner for one parameter.
-IsoParametricOptions planning_options(const PlanTask& task, Parameter along)
-{
-    const PlanOptions& options = task.options;
-    IsoParametricOptions planning = options.planning;
-    planning.direction = along;
-    if (options.mode == PlanMode::Verified)
-        planning.chord_tolerance = std::min(options.motion.inner, options.motion.outer);
-    return planning;
-}
-
-double points_along(const PlanTask& task, Parameter along)
-{
-    const BallCutter ball{task.context.cutter_diameter / 2};
-    double points = 0;
-    for (const Surface& surface : task.surfaces)
-        points += estimated_points(surface, ball, planning_options(task, along));
-    return points;
-}
-
-// Plans the path with the planner of the mode. The planner of mode paper proves nothing.
-VerifiedPlan planned_path(const PlanTask& task, Parameter along, PlanProgress& progress)
-{
-    const BallCutter ball{task.context.cutter_diameter / 2};
-    const auto report = progress.of(along, "passes");
-    if (task.options.mode == PlanMode::Verified) {
-        VerifiedOptions verified = verified_options(task.options, along);
-        verified.progress = report;
-        return plan_verified(task.surfaces, ball, verified);
-    }
-    IsoParametricOptions planning = planning_options(task, along);
-    planning.progress = report;
-    VerifiedPlan plan;
-    plan.path = plan_iso_parametric(task.surfaces, ball, planning).path;
-    return plan;
-}
-
 // A direction and its path.
-struct DirectionPlan {
+struct MeasuredPath {
     PlannedDirection planned;
     ToolPath path;
 };
 
-DirectionPlan plan_direction(const PlanTask& task, Parameter along,
-                             PlanProgress& progress)
+MeasuredPath plan_direction(const PlanTask& task, Parameter along, PlanProgress& progress)
 {
-    const BallCutter ball{task.context.cutter_diameter / 2};
-    VerifiedPlan plan = planned_path(task, along, progress);
+    const auto& [surfaces, context, options] = task;
+    const BallCutter ball{context.cutter_diameter / 2};
+    PlannerOptions planner = planner_options(options, along);
+    std::visit([&](auto& own) { own.progress = progress.of(along, "passes"); }, planner);
+    PlannedPath plan = plan_path(surfaces, ball, planner);
     const auto report = progress.of(along, "measured");
     report(0);
-    PlannedDirection planned{along,
-                             path_economy(plan.path),
-                             chord_error(task.surfaces, plan.path, along),
-                             motion_error(task.surfaces, plan.path, ball, along),
-                             measured_deviation(plan, task, report),
-                             tape_length(plan.path, task),
-                             plan.lifted_links,
-                             std::move(plan.uncovered)};
+    const LimitProof proof = plan.is_proved() ? LimitProof::Proved : LimitProof::None;
+    const DeviationLimits limits{options.motion.inner,
+                                 options.planning.scallop_height + options.motion.outer};
+    PlannedDirection planned{
+        along,
+        path_economy(plan.path),
+        chord_error(surfaces, plan.path, along),
+        motion_error(surfaces, plan.path, ball, along),
+        deviation_of_path(std::vector<Surface>(surfaces.begin(), surfaces.end()),
+                          plan.path, Cutter::ball(ball.radius()),
+                          {limits, proof, report}),
+        tape_length(plan.path, task),
+        {},
+        plan.lifted_links,
+        std::move(plan.uncovered).value_or(std::vector<UncoveredPlace>{})};
+    planned.missed =
+        missed_limits(planned.errors(),
+                      {options.planning.chord_tolerance * (1 + limit_rounding),
+                       limits.tolerance + verdict_slack, limits.scallop + verdict_slack});
     return {std::move(planned), std::move(plan.path)};
 }
 
@@ -208,7 +140,7 @@ struct DirectionResult {
 };
 
 // Writes the files of one direction into `folder` under `prefix`.
-DirectionResult write_direction(const PlanTask& task, DirectionPlan plan,
+DirectionResult write_direction(const PlanTask& task, MeasuredPath plan,
                                 OutputFolder& folder, const std::string& prefix)
 {
     const auto& [surfaces, context, options] = task;
@@ -223,36 +155,30 @@ DirectionResult write_direction(const PlanTask& task, DirectionPlan plan,
     return {std::move(plan.planned), std::move(summary)};
 }
 
-// Share of the memory that both directions may need together to be planned at the same
-// time.
-constexpr double share_of_both = 0.25;
-
 // Whether the paths along all of `directions` fit into memory at the same time.
 // \throws LimitError if a single path does not fit.
-bool fit_together(const PlanTask& task, std::span<const Parameter> directions)
+bool can_plan_together(const PlanTask& task, std::span<const Parameter> directions)
 {
-    const double most_gib = task.options.common.limits.max_memory_gib;
-    double points = 0;
-    for (const Parameter along : directions) {
-        const double own = points_along(task, along);
-        require_path_memory(own, most_gib);
-        points += own;
-    }
-    return points <= share_of_both * static_cast<double>(most_path_points(most_gib));
+    const BallCutter ball{task.context.cutter_diameter / 2};
+    std::vector<double> points;
+    for (const Parameter along : directions)
+        points.push_back(
+            estimated_points(task.surfaces, ball, planner_options(task.options, along)));
+    return fit_together(points, task.options.common.limits.max_memory_gib);
 }
 
 // Plans along several parameters at the same time.
-std::vector<DirectionPlan> plan_directions(const PlanTask& task,
-                                           std::span<const Parameter> directions)
+std::vector<MeasuredPath> plan_directions(const PlanTask& task,
+                                          std::span<const Parameter> directions)
 {
     PlanProgress progress{task.options.common};
-    std::vector<std::optional<DirectionPlan>> plans(directions.size());
+    std::vector<std::optional<MeasuredPath>> plans(directions.size());
     parallel_for(directions.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
             plans[k] = plan_direction(task, directions[k], progress);
     });
-    std::vector<DirectionPlan> finished;
-    for (std::optional<DirectionPlan>& plan : plans)
+    std::vector<MeasuredPath> finished;
+    for (std::optional<MeasuredPath>& plan : plans)
         finished.push_back(std::move(plan).value());
     return finished;
 }
@@ -263,10 +189,11 @@ std::vector<DirectionResult> write_directions(const PlanTask& task,
                                               OutputFolder& folder)
 {
     const bool is_alone = directions.size() == 1;
-    const std::size_t at_once = fit_together(task, directions) ? directions.size() : 1;
+    const std::size_t at_once =
+        can_plan_together(task, directions) ? directions.size() : 1;
     std::vector<DirectionResult> results;
     for (std::size_t first = 0; first < directions.size(); first += at_once)
-        for (DirectionPlan& plan :
+        for (MeasuredPath& plan :
              plan_directions(task, directions.subspan(first, at_once))) {
             const std::string prefix =
                 is_alone ? "" : direction_word(plan.planned.along) + "/";
@@ -275,22 +202,14 @@ std::vector<DirectionResult> write_directions(const PlanTask& task,
     return results;
 }
 
-// The deepest gouge of a direction: the larger of the motion error along the passes and
-// the deviation measured on the whole part.
-double deepest_gouge(const PlannedDirection& planned)
-{
-    return std::max(planned.deviation.max_gouge_mm,
-                    planned.motion_error.gouge.greatest_mm);
-}
-
-std::optional<KnownGouge> known_gouge(std::span<const DirectionResult> results,
-                                      double tolerance)
+std::optional<KnownGouge> known_gouge(std::span<const DirectionResult> results)
 {
     std::optional<KnownGouge> deepest;
-    for (const DirectionResult& result : results) {
-        const double depth = deepest_gouge(result.planned);
-        if (depth > tolerance + verdict_slack && (!deepest || depth > deepest->depth_mm))
-            deepest = {result.planned.along, depth};
+    for (const auto& [planned, summary] : results) {
+        const double depth = planned.errors().gouge;
+        if (planned.missed.contains(PathLimit::Gouge) &&
+            (!deepest || depth > deepest->depth_mm))
+            deepest = {planned.along, depth};
     }
     return deepest;
 }
@@ -306,18 +225,23 @@ PlanResult write_plan(const PlanTask& task, OutputFolder& folder)
                                                                  : Parameter::V};
     const std::vector<DirectionResult> results =
         write_directions(task, directions, folder);
-    PlanResult plan{
-        results.front().summary, {}, 0, known_gouge(results, task.options.motion.inner)};
-    for (const DirectionResult& result : results) {
-        plan.text += direction_text(result.summary);
-        plan.uncovered_places += result.planned.uncovered.size();
+    PlanResult plan{results.front().summary, {}, 0, known_gouge(results)};
+    std::vector<std::string> missed;
+    for (const auto& [planned, summary] : results) {
+        if (!planned.missed.empty())
+            missed.push_back(missed_text(planned));
+        plan.text += direction_text(planned, summary);
+        plan.uncovered_places += planned.uncovered.size();
     }
-    if (results.size() == 1)
-        return plan;
-    plan.summary = {{"u", results[0].summary}, {"v", results[1].summary}};
-    add_comparison(plan.summary, task.options, results[0].planned, results[1].planned);
-    folder.write("summary.json", plan.summary.dump(2) + "\n");
-    plan.text += comparison_text(plan.summary);
+    if (results.size() == 2) {
+        plan.summary = {{"u", results[0].summary}, {"v", results[1].summary}};
+        add_comparison(plan.summary, task.options, results[0].planned,
+                       results[1].planned);
+        folder.write("summary.json", plan.summary.dump(2) + "\n");
+        plan.text += comparison_text(plan.summary);
+    }
+    if (task.options.mode == Planner::Paper)
+        plan.text += better_mode_text(missed);
     return plan;
 }
 

@@ -34,9 +34,12 @@ constexpr std::array order{Choice<PassOrder>{"zigzag", PassOrder::ZigZag},
                            Choice<PassOrder>{"one-way", PassOrder::OneWay}};
 constexpr std::array distance{Choice<TravelKind>{"contact", TravelKind::Contact},
                               Choice<TravelKind>{"cl", TravelKind::Tip}};
-constexpr std::array no_first{Choice<bool>{"no", false}, Choice<bool>{"yes", true}};
-constexpr std::array modes{Choice<PlanMode>{"verified", PlanMode::Verified},
-                           Choice<PlanMode>{"paper", PlanMode::Paper}};
+constexpr std::array stop_at_borders{Choice<PatchBorders>{"no", PatchBorders::Cross},
+                                     Choice<PatchBorders>{"yes", PatchBorders::Stop}};
+constexpr std::array count_links{Choice<CountedMoves>{"yes", CountedMoves::CutsAndLinks},
+                                 Choice<CountedMoves>{"no", CountedMoves::Cuts}};
+constexpr std::array modes{Choice<Planner>{"verified", Planner::Verified},
+                           Choice<Planner>{"paper", Planner::Paper}};
 
 // Policies of mode paper only. Mode verified chooses points and passes by the motion of
 // the ball.
@@ -80,8 +83,9 @@ void add_paper_options(CLI::App& command, IsoParametricOptions& planning)
 void add_path_policies(CLI::App& command, PlanOptions& options)
 {
     IsoParametricOptions& planning = options.planning;
-    add_choice<bool>(command, "--stop-at-borders", planning.stop_at_borders, no_first,
-                     "add a point wherever a pass crosses a patch border");
+    add_choice<PatchBorders>(command, "--stop-at-borders", planning.patch_borders,
+                             stop_at_borders,
+                             "add a point wherever a pass crosses a patch border");
     add_choice<PassOrder>(
         command, "--order", planning.link.order, order,
         "cutting direction of neighbouring passes. zigzag: opposite; one-way: the same");
@@ -90,8 +94,8 @@ void add_path_policies(CLI::App& command, PlanOptions& options)
                 "height of rapids along the axis (default 5 above the part)",
                 NumberDomain::any()},
                options.safe_height);
-    add_choice<bool>(command, "--count-links", options.count_links, yes_first,
-                     "include the links between passes in tcd_mm and tcd_cl_mm");
+    add_choice<CountedMoves>(command, "--count-links", options.counted, count_links,
+                             "include the links between passes in tcd_mm and tcd_cl_mm");
     add_choice<TravelKind>(command, "--distance", options.distance, distance,
                            "length used for the machining time and for comparing u and "
                            "v. contact: of contact points; cl: of cutter locations");
@@ -108,21 +112,21 @@ void add_tolerances(CLI::App& command, PlanOptions& options)
                 "largest gouge and remaining stock of a move (default 0.01; --mode "
                 "paper: largest chord error, default diameter / 30)",
                 length},
-               options.chord_tolerance);
+               options.requested.chord);
     add_number(
         command,
         {"--scallop", "MM",
          "largest scallop height between passes (default: the chord tolerance)", length},
-        options.scallop_height);
+        options.requested.scallop_height);
     add_number(command,
                {"--inner-tolerance", "MM",
                 "largest gouge depth (default: the chord tolerance)", length},
-               options.inner_tolerance);
+               options.requested.inner);
     add_number(
         command,
         {"--outer-tolerance", "MM",
          "largest remaining stock along a pass (default: the chord tolerance)", length},
-        options.outer_tolerance);
+        options.requested.outer);
 }
 
 }  // namespace
@@ -143,15 +147,15 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_tolerances(command, options);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
                               "parameter along which the passes run (default both)");
-    add_choice<PlanMode>(command, "--mode", options.mode, modes,
-                         "verified (default): every move is proved to be within "
-                         "tolerance; paper: as published, with misprints corrected");
+    add_choice<Planner>(command, "--mode", options.mode, modes,
+                        "verified (default): every move is proved to be within "
+                        "tolerance; paper: as published, with misprints corrected");
     add_number(command,
                {"--feed", "MM_PER_MIN", "feed for the machining time in the summary",
                 NumberDomain::of_machine()},
                options.feed_mm_per_min);
     add_axis_option(command, options.planning.link.axis);
-    add_require_option(command, options.g1_is_required);
+    add_require_option(command, options.required);
     add_path_policies(command, options);
     add_paper_options(command, options.planning);
     add_common_options(command, options.common);
@@ -160,10 +164,10 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
 void refuse_idle_plan_options(const PlanOptions& options)
 {
     const CommonOptions& common = options.common;
-    if (options.mode == PlanMode::Verified)
+    if (options.mode == Planner::Verified)
         refuse_idle_options(common, paper_options, "--mode verified", "--mode paper");
-    if (options.mode == PlanMode::Verified && options.inner_tolerance &&
-        options.outer_tolerance && options.scallop_height)
+    if (options.mode == Planner::Verified && options.requested.inner &&
+        options.requested.outer && options.requested.scallop_height)
         refuse_idle_options(common, std::array{"--chord-tolerance"},
                             "--inner-tolerance, --outer-tolerance and --scallop",
                             "at most three of the four");
@@ -175,20 +179,24 @@ void refuse_idle_plan_options(const PlanOptions& options)
                             "--direction both or --feed");
 }
 
-std::string mode_word(PlanMode mode)
+std::string mode_word(Planner mode)
 {
-    return std::string{word_for<PlanMode>(mode, modes)};
+    return std::string{word_for<Planner>(mode, modes)};
 }
 
-VerifiedOptions verified_options(const PlanOptions& options, Parameter along)
+PlannerOptions planner_options(const PlanOptions& options, Parameter along)
 {
+    IsoParametricOptions paper = options.planning;
+    paper.direction = along;
+    if (options.mode == Planner::Paper)
+        return paper;
     VerifiedOptions verified;
     verified.direction = along;
     verified.tolerances = options.motion;
-    verified.scallop_height = options.planning.scallop_height;
-    verified.stop_at_borders = options.planning.stop_at_borders;
-    verified.link = options.planning.link;
-    verified.most_points = options.planning.most_points;
+    verified.scallop_height = paper.scallop_height;
+    verified.patch_borders = paper.patch_borders;
+    verified.link = paper.link;
+    verified.most_points = paper.most_points;
     return verified;
 }
 
@@ -202,7 +210,8 @@ void add_policies(Json& summary, const PlanOptions& options)
     summary["governing"] = word_for<Governing>(planning.governing, governing);
     summary["last_path"] = word_for<LastPath>(planning.last_path, last_path);
     summary["end_point"] = word_for<EndPoint>(planning.end_point, end_point);
-    summary["stop_at_borders"] = word_for<bool>(planning.stop_at_borders, no_first);
+    summary["stop_at_borders"] =
+        word_for<PatchBorders>(planning.patch_borders, stop_at_borders);
     summary["step_curvature"] =
         word_for<StepCurvature>(planning.step_curvature, step_curvature);
     summary["march"] = word_for<March>(planning.march, march);
@@ -212,7 +221,7 @@ void add_policies(Json& summary, const PlanOptions& options)
     summary["order"] = word_for<PassOrder>(planning.link.order, order);
     summary["safe_height_mm"] = planning.link.safe_height;
     summary["axis"] = vector_json(planning.link.axis);
-    summary["count_links"] = word_for<bool>(options.count_links, yes_first);
+    summary["count_links"] = word_for<CountedMoves>(options.counted, count_links);
     summary["distance"] = word_for<TravelKind>(options.distance, distance);
 }
 

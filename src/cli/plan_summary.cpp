@@ -39,12 +39,10 @@ void add_deviation(Json& summary, const Deviation& deviation)
 
 }  // namespace
 
-double counted_travel(const PathEconomy& economy, TravelKind kind, bool count_links)
+PathErrors PlannedDirection::errors() const
 {
-    const bool by_contact = kind == TravelKind::Contact;
-    const double cut = by_contact ? economy.cut.contact_mm : economy.cut.tip_mm;
-    const double link = by_contact ? economy.link.contact_mm : economy.link.tip_mm;
-    return count_links ? cut + link : cut;
+    return path_errors(chord_error, motion_error, deviation.max_gouge_mm,
+                       deviation.max_scallop_mm);
 }
 
 Json direction_summary(const PlanContext& context, const PlanOptions& options,
@@ -52,7 +50,7 @@ Json direction_summary(const PlanContext& context, const PlanOptions& options,
 {
     const PathEconomy& economy = planned.economy;
     const auto travel = [&](TravelKind kind) {
-        return counted_travel(economy, kind, options.count_links);
+        return counted_travel(economy, kind, options.counted);
     };
     Json summary{{"name", context.name},
                  {"source", context.source},
@@ -87,7 +85,7 @@ void add_comparison(Json& both, const PlanOptions& options, const PlannedDirecti
 {
     const auto cost = [&](const PlannedDirection& planned) -> DirectionCost {
         return {planned.economy.ncl,
-                counted_travel(planned.economy, options.distance, options.count_links)};
+                counted_travel(planned.economy, options.distance, options.counted)};
     };
     const DirectionComparison comparison = compare_directions(cost(u), cost(v));
     both["recommended"] = comparison.recommended == Parameter::U ? "u" : "v";

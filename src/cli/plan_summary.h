@@ -2,12 +2,15 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "cli/plan_options.h"
 #include "endmill/deviation/deviation.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/path_error.h"
+#include "endmill/planning/verified_plan.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/largest_cutter.h"
 
@@ -31,12 +34,13 @@ struct PlannedDirection {
     MotionError motion_error;
     Deviation deviation;                  ///< of the part after the straight motions
     std::optional<double> tape_length_m;  ///< none unless the axis is +z
-    std::size_t lifted_links = 0;
-    std::vector<UncoveredPlace> uncovered = {};
-};
+    std::set<PathLimit> missed;           ///< limits that the errors exceed
+    std::size_t lifted_links;
+    std::vector<UncoveredPlace> uncovered;  ///< empty in mode paper
 
-/// Travel in mm between contacts or tips, with the links if `count_links`.
-double counted_travel(const PathEconomy& economy, TravelKind kind, bool count_links);
+    /// The errors along the passes and on the whole part.
+    PathErrors errors() const;
+};
 
 /// summary.json of one direction.
 Json direction_summary(const PlanContext& context, const PlanOptions& options,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/plan_text.h"
 
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "cli/shown_numbers.h"
@@ -20,7 +22,7 @@ std::string limit_text(const std::optional<CutterLimit>& limit)
 std::string settings_text(const PlanContext& context, const PlanOptions& options)
 {
     const std::string tolerance =
-        options.mode == PlanMode::Paper
+        options.mode == Planner::Paper
             ? fmt::format("chord tolerance {} mm",
                           shown(options.planning.chord_tolerance))
             : fmt::format("inner tolerance {} mm, outer tolerance {} mm",
@@ -51,20 +53,32 @@ std::string deviation_text(const Json& s)
         shown(s["scallop_mm"].get<double>() + s["outer_tolerance_mm"].get<double>()));
 }
 
-std::string chord_error_text(const Json& s)
+std::string chord_error_text(const PlannedDirection& planned, const Json& s)
 {
-    const double error = s["max_chord_error_mm"];
-    const double tolerance = s["chord_tolerance_mm"];
-    constexpr double rounding = 1e-9;
-    const bool is_kept = error <= tolerance * (1 + rounding);
-    return fmt::format("    chord error   {} mm (limit {} mm){}\n", shown(error),
-                       shown(tolerance),
-                       is_kept ? "" : ": mode paper checks the start of each step only");
+    return fmt::format("    chord error   {} (limit {}){}\n",
+                       length_of(s, "max_chord_error_mm"),
+                       length_of(s, "chord_tolerance_mm"),
+                       planned.missed.contains(PathLimit::Chord)
+                           ? ": mode paper checks the start of each step only"
+                           : "");
+}
+
+std::string_view limit_name(PathLimit limit)
+{
+    switch (limit) {
+        case PathLimit::Chord:
+            return "chord error";
+        case PathLimit::Gouge:
+            return "gouge";
+        case PathLimit::Scallop:
+            break;
+    }
+    return "scallop";
 }
 
 }  // namespace
 
-std::string direction_text(const Json& s)
+std::string direction_text(const PlannedDirection& planned, const Json& s)
 {
     std::string text = fmt::format(
         "  along {}: {} passes, {} points\n"
@@ -73,7 +87,7 @@ std::string direction_text(const Json& s)
         s["ncl"].get<std::size_t>(), length_of(s, "tcd_mm"), length_of(s, "tcd_cl_mm"),
         length_of(s, "link_mm"));
     if (s["mode"] == "paper")
-        text += chord_error_text(s);
+        text += chord_error_text(planned, s);
     text += deviation_text(s);
     if (const auto links = s["lifted_links"].get<std::size_t>())
         text += fmt::format("    lifted links  {}\n", links);
@@ -84,6 +98,23 @@ std::string direction_text(const Json& s)
                             shown(s["time_min"].get<double>()),
                             shown(s["feed_mm_per_min"].get<double>()));
     return text;
+}
+
+std::string missed_text(const PlannedDirection& planned)
+{
+    std::string names;
+    for (const PathLimit limit : planned.missed)
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", limit_name(limit));
+    return fmt::format("along {}: {}", planned.along == Parameter::U ? "u" : "v", names);
+}
+
+std::string better_mode_text(std::span<const std::string> missed)
+{
+    std::string text =
+        "  better mode   --mode verified proves its limits on the whole surface";
+    for (const std::string& names : missed)
+        text += (&names == missed.data() ? "; limits missed " : "; ") + names;
+    return text + "\n";
 }
 
 std::string comparison_text(const Json& both)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "cli/plan_summary.h"
@@ -16,7 +17,14 @@ std::string limit_text(const std::optional<CutterLimit>& limit);
 std::string settings_text(const PlanContext& context, const PlanOptions& options);
 
 /// The report on one direction.
-std::string direction_text(const Json& summary);
+std::string direction_text(const PlannedDirection& planned, const Json& summary);
+
+/// The limits that the path along one direction misses: "along u: chord error, scallop".
+std::string missed_text(const PlannedDirection& planned);
+
+/// The line of the report that names the better mode than mode paper.
+/// \param missed by missed_text, for each direction that misses a limit.
+std::string better_mode_text(std::span<const std::string> missed);
 
 /// The line of the report on the recommended direction.
 std::string comparison_text(const Json& both);

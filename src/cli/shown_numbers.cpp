@@ -57,9 +57,8 @@ std::string shown_degrees(double degrees)
 std::string shown_limit(double mm)
 {
     // Rounding may make a computed limit slightly smaller than a round number.
-    constexpr double rounding = 1e-9;
     const double scale = std::pow(10, decimals_of(mm));
-    return shown(std::floor(mm * (1 + rounding) * scale) / scale);
+    return shown(std::floor(mm * (1 + limit_rounding) * scale) / scale);
 }
 
 }  // namespace endmill

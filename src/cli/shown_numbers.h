@@ -5,6 +5,10 @@
 
 namespace endmill {
 
+/// Rounding error of a computed length, as a share of it. A limit is raised by this share
+/// before a length is compared with it.
+inline constexpr double limit_rounding = 1e-9;
+
 /// Numbers of reports, rounded to the digits that matter. Files and --json keep all
 /// digits.
 

@@ -181,11 +181,13 @@ ExitCode refuse_break(const std::string& file, const SurfaceContinuity& continui
     return ExitCode::No;
 }
 
-void add_require_option(CLI::App& command, bool& g1_is_required)
+void add_require_option(CLI::App& command, RequiredContinuity& required)
 {
-    static constexpr std::array choices{Choice<bool>{"g1", true}};
-    add_choice<bool>(command, "--require", g1_is_required, choices,
-                     "exit 1 unless all patches meet with a common tangent plane");
+    static constexpr std::array choices{
+        Choice<RequiredContinuity>{"g1", RequiredContinuity::G1}};
+    add_choice<RequiredContinuity>(
+        command, "--require", required, choices,
+        "exit 1 unless all patches meet with a common tangent plane");
 }
 
 void add_axis_option(CLI::App& command, Vec3& axis)

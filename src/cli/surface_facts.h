@@ -74,8 +74,14 @@ std::string break_text(const SurfaceContinuity& continuity);
 ExitCode refuse_break(const std::string& file, const SurfaceContinuity& continuity,
                       const CommonOptions& options);
 
+/// What a command requires of the borders between patches.
+enum class RequiredContinuity {
+    None,  ///< nothing; a break is a warning
+    G1,    ///< all patches meet with a common tangent plane
+};
+
 /// Adds the option --require, whose only word is g1.
-void add_require_option(CLI::App& command, bool& g1_is_required);
+void add_require_option(CLI::App& command, RequiredContinuity& required);
 
 /// Adds the option --axis. `axis` becomes a unit vector; the default is +z.
 void add_axis_option(CLI::App& command, Vec3& axis);

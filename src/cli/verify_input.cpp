@@ -11,13 +11,14 @@
 #include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
+#include "endmill/planning/planner_options.h"
 #include "endmill/stock/mesh_stock.h"
 
 namespace endmill {
 namespace {
 
-// Limits if neither the command line nor a summary has any.
-constexpr double default_tolerance_mm = 0.01;
+// Limit of the scallop if neither the command line nor a summary has any. The limit of
+// the gouge is then the default tolerance of a verified plan.
 constexpr double default_scallop_mm = 0.1;
 
 // The word of --part for a verification without a part.
@@ -58,7 +59,7 @@ DeviationLimits limits_of(const VerifyOptions& options, const PathSummary& known
         known.outer_tolerance_mm ? known.outer_tolerance_mm : known.chord_tolerance_mm;
     const double scallop =
         known.scallop_mm ? *known.scallop_mm + outer.value_or(0) : default_scallop_mm;
-    return {options.tolerance.value_or(inner.value_or(default_tolerance_mm)),
+    return {options.tolerance.value_or(inner.value_or(verified_tolerance)),
             options.scallop.value_or(scallop)};
 }
 

@@ -9,7 +9,7 @@
 #include "endmill/planning/linking.h"
 #include "endmill/planning/path_error.h"
 #include "endmill/planning/path_interval.h"
-#include "endmill/planning/path_memory.h"
+#include "endmill/planning/planned_path.h"
 #include "endmill/planning/planner_options.h"
 #include "endmill/planning/step_length.h"
 #include "endmill/planning/verified_plan.h"

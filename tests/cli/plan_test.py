@@ -186,6 +186,37 @@ class KnownGouge(ProgramTest):
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
 
 
+class BetterMode(ProgramTest):
+    def line(self, surface, *options):
+        done = endmill("plan", surface, "--cutter", "ball:20", "--force", *options, cwd=self.folder)
+        lines = [line for line in done.stdout.splitlines() if line.startswith("  better mode")]
+        self.assertLessEqual(len(lines), 1)
+        return lines[0] if lines else ""
+
+    def test_paper_run_names_the_limits_that_it_misses_and_mode_verified(self):
+        line = self.line(SURFACES / "saddle.json", *PAPER, "--direction", "u", "-o", "out")
+        facts = json.loads((self.folder / "out/summary.json").read_text())
+        self.assertGreater(facts["max_chord_error_mm"], facts["chord_tolerance_mm"])
+        self.assertGreater(facts["max_scallop_mm"], facts["scallop_mm"] + facts["outer_tolerance_mm"] + 0.001)
+        self.assertLess(max(facts["max_gouge_mm"], facts["max_motion_gouge_mm"]), facts["inner_tolerance_mm"])
+        self.assertIn("--mode verified", line)
+        self.assertTrue(line.endswith("limits missed along u: chord error, scallop"), line)
+
+    def test_both_directions_have_one_line(self):
+        line = self.line(NET, *PAPER)
+        self.assertIn("along u: ", line)
+        self.assertIn("along v: ", line)
+        self.assertEqual(line.count("gouge"), 2)
+
+    def test_paper_run_that_keeps_its_limits_names_the_mode_only(self):
+        line = self.line(self.file(plane(size=(60, 30))), *PAPER)
+        self.assertIn("--mode verified", line)
+        self.assertNotIn("missed", line)
+
+    def test_verified_run_has_no_better_mode(self):
+        self.assertEqual(self.line(self.file(plane(size=(60, 30)))), "")
+
+
 class IdleOptions(ProgramTest):
     def refused(self, *arguments):
         done = endmill("plan", self.file(plane()), *arguments, cwd=self.folder)
@@ -283,7 +314,7 @@ class PlanOnTheExample(ProgramTest):
             self.assertAlmostEqual(travel, facts[key], delta=1e-6)
 
 
-BYTES_PER_POINT = 900  # stated in src/endmill/planning/path_memory.h
+BYTES_PER_POINT = 900  # stated in src/endmill/planning/planned_path.h
 
 
 class PlanMemory(ProgramTest):

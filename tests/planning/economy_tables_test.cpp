@@ -48,16 +48,18 @@ TEST(EconomyTables, FollowThePolicies)
     const Surface trough = test::parabolic_cylinder(0.02, 10, 30);
     const ToolPath path = table_plan(trough, {}, Parameter::U, 0.5, 10).path;
     const PathEconomy economy = path_economy(path);
-    const auto travel = [&](bool links, bool tips) {
+    const auto travel = [&](CountedMoves counted, TravelKind distance) {
         TablePolicies policies;
-        policies.count_links = links;
-        policies.measure_tips = tips;
+        policies.counted = counted;
+        policies.distance = distance;
         return path_cost(path, policies).tcd_mm;
     };
-    EXPECT_EQ(travel(true, false), economy.cut.contact_mm + economy.link.contact_mm);
-    EXPECT_EQ(travel(false, false), economy.cut.contact_mm);
-    EXPECT_EQ(travel(true, true), economy.cut.tip_mm + economy.link.tip_mm);
-    EXPECT_EQ(travel(false, true), economy.cut.tip_mm);
+    EXPECT_EQ(travel(CountedMoves::CutsAndLinks, TravelKind::Contact),
+              economy.cut.contact_mm + economy.link.contact_mm);
+    EXPECT_EQ(travel(CountedMoves::Cuts, TravelKind::Contact), economy.cut.contact_mm);
+    EXPECT_EQ(travel(CountedMoves::CutsAndLinks, TravelKind::Tip),
+              economy.cut.tip_mm + economy.link.tip_mm);
+    EXPECT_EQ(travel(CountedMoves::Cuts, TravelKind::Tip), economy.cut.tip_mm);
 }
 
 }  // namespace

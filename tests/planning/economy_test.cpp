@@ -43,6 +43,17 @@ TEST(PathEconomy, CountsAndSumsAZigZag)
     EXPECT_EQ(economy.link.tip_mm, 1);
 }
 
+TEST(CountedTravel, AddsTheLinksIfTheyCount)
+{
+    const PathEconomy economy{2, 5, {8, 16}, {12, 1}};
+    EXPECT_EQ(counted_travel(economy, TravelKind::Contact, CountedMoves::Cuts), 8);
+    EXPECT_EQ(counted_travel(economy, TravelKind::Tip, CountedMoves::Cuts), 16);
+    EXPECT_EQ(counted_travel(economy, TravelKind::Contact, CountedMoves::CutsAndLinks),
+              8 + 12);
+    EXPECT_EQ(counted_travel(economy, TravelKind::Tip, CountedMoves::CutsAndLinks),
+              16 + 1);
+}
+
 TEST(PathEconomy, OmitsLiftedMoves)
 {
     ToolPath path;

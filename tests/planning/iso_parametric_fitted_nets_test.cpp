@@ -178,7 +178,7 @@ TEST(FittedNets, PoliciesChangeThePathsAsAnIndependentProgramFound)
         double digit;
     } const rows[] = {
         {"stop at borders",
-         [](Options& o) { o.stop_at_borders = true; },
+         [](Options& o) { o.patch_borders = PatchBorders::Stop; },
          {7.9, 6.2, 1.1, 0.2},
          0.1},
         {"end free",

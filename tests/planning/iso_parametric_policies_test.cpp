@@ -189,7 +189,7 @@ TEST(Policies, EndPointFreeOnAStraightLineKeepsItsStartAlone)
 TEST(Policies, StopAtBordersPutsAPointOnEveryBorder)
 {
     IsoParametricOptions options;
-    options.stop_at_borders = true;
+    options.patch_borders = PatchBorders::Stop;
     for (const EndPoint end_point : {EndPoint::Force, EndPoint::Free}) {
         options.end_point = end_point;
         for (const auto& pass : planned(test::plane(200, 20, {3, 2}), options)) {

@@ -2,7 +2,9 @@
 #include "endmill/planning/path_error.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -101,6 +103,32 @@ TEST(MotionError, OfNoCutIsZero)
 {
     const std::vector<Surface> part{test::plane(10, 10)};
     EXPECT_EQ(motion_error(part, {}, BallCutter{1}, Parameter::U).greatest_mm(), 0);
+}
+
+TEST(PathErrors, TakeTheDeeperGouge)
+{
+    const ChordError chord{.greatest_mm = 0.3, .pitch_mm = 0.1, .at = {}};
+    for (const double along_pass : {0.01, 0.2}) {
+        const MotionError motion{{along_pass}, {0.5}, 1e-6};
+        const PathErrors errors = path_errors(chord, motion, 0.1, 0.4);
+        EXPECT_EQ(errors.chord, 0.3);
+        EXPECT_EQ(errors.gouge, along_pass > 0.1 ? along_pass : 0.1);
+        EXPECT_EQ(errors.scallop, 0.4);
+    }
+}
+
+TEST(MissedLimits, AreThoseThatAnErrorExceeds)
+{
+    using enum PathLimit;
+    const PathErrors limits{0.1, 0.2, 0.3};
+    const auto missed = [&](double chord, double gouge, double scallop) {
+        return missed_limits({chord, gouge, scallop}, limits);
+    };
+    EXPECT_EQ(missed(0.1, 0.2, 0.3), std::set<PathLimit>{});
+    EXPECT_EQ(missed(0.11, 0.2, 0.3), std::set{Chord});
+    EXPECT_EQ(missed(0, 0.21, 0), std::set{Gouge});
+    const double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(missed(1, 1, infinity), (std::set{Chord, Gouge, Scallop}));
 }
 
 }  // namespace

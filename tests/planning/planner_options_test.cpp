@@ -72,6 +72,59 @@ TEST(Fits, IsFalseAtTheLimitItself)
     EXPECT_TRUE(fits(BallCutter{1e6}, std::nullopt));
 }
 
+TEST(FittingDiameter, IsTheRequestedOneIfItsBallFits)
+{
+    const CutterLimit limit{10, 0, {0, 0}, Vec3::Zero()};
+    EXPECT_EQ(fitting_diameter(19.9, limit), 19.9);
+    EXPECT_EQ(fitting_diameter(20, limit), std::nullopt);
+    EXPECT_EQ(fitting_diameter(1e6, std::nullopt), 1e6);
+}
+
+TEST(FittingDiameter, WithoutARequestIsTheDefault)
+{
+    for (const double radius : {0.4, 0.6, 3.1, 100.0}) {
+        const CutterLimit limit{radius, 0, {0, 0}, Vec3::Zero()};
+        EXPECT_EQ(fitting_diameter(std::nullopt, limit), default_diameter(limit));
+    }
+}
+
+TEST(VerifiedOptions, HaveTheDefaultsOfAVerifiedPlan)
+{
+    const VerifiedOptions options;
+    const PlanTolerances defaults = plan_tolerances({}, Planner::Verified, BallCutter{5});
+    EXPECT_EQ(options.tolerances.inner, defaults.motion.inner);
+    EXPECT_EQ(options.tolerances.outer, defaults.motion.outer);
+    EXPECT_EQ(options.scallop_height, defaults.scallop_height);
+}
+
+TEST(PlanTolerances, AreTheRequestedOnesWhereThereAreAny)
+{
+    for (const Planner planner : {Planner::Paper, Planner::Verified}) {
+        const PlanTolerances all =
+            plan_tolerances({0.1, 0.2, 0.3, 0.4}, planner, BallCutter{5});
+        EXPECT_EQ(all.chord, 0.1);
+        EXPECT_EQ(all.scallop_height, 0.2);
+        EXPECT_EQ(all.motion.inner, 0.3);
+        EXPECT_EQ(all.motion.outer, 0.4);
+        const PlanTolerances inner =
+            plan_tolerances({.chord = 0.1, .inner = 0.3}, planner, BallCutter{5});
+        EXPECT_EQ(inner.scallop_height, 0.1);
+        EXPECT_EQ(inner.motion.inner, 0.3);
+        EXPECT_EQ(inner.motion.outer, 0.1);
+    }
+}
+
+TEST(PlanTolerances, DependOnTheBallForThePaperOnly)
+{
+    for (const double radius : {1.0, 7.5, 20.0}) {
+        const BallCutter ball{radius};
+        const PlanTolerances paper = plan_tolerances({}, Planner::Paper, ball);
+        EXPECT_EQ(paper.chord, 2 * radius / 30);
+        EXPECT_EQ(paper.motion.inner, paper.chord);
+        EXPECT_EQ(plan_tolerances({}, Planner::Verified, ball).chord, 0.01);
+    }
+}
+
 TEST(DefaultTolerance, IsThatOfThePapersFigureForItsBallAndGrowsWithTheBall)
 {
     EXPECT_EQ(default_tolerance(BallCutter{7.5}), 0.5);

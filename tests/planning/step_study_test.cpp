@@ -90,12 +90,12 @@ TEST(StepStudy, GreedyPointsOfACircleFollowFromTheLongestChord)
     const double chord = 2 * std::sqrt(2 * 20 * 0.05 - 0.05 * 0.05);
     const double step = 2 * std::asin(chord / 40);
     const auto steps = static_cast<std::size_t>(std::ceil(1.5 / step));
-    EXPECT_EQ(greedy_points(surface, path, around, {.chord = true}),
-              passes * (steps + 1));
-    EXPECT_EQ(greedy_points(surface, path, around, {.chord = true, .paper = true}),
+    EXPECT_EQ(greedy_points(surface, path, around, {}), passes * (steps + 1));
+    EXPECT_EQ(greedy_points(surface, path, around, {.longest = LongestStep::Paper}),
               passes * (steps + 1))
         << "the paper's step is exact on a circle";
-    EXPECT_GT(greedy_points(surface, path, around, {.chord = true, .motion = true}),
+    EXPECT_GT(greedy_points(surface, path, around,
+                            {.limited = LimitedCurves::ContactsAndCentres}),
               passes * (steps + 1))
         << "the centres lie on a larger circle";
 }
@@ -107,7 +107,8 @@ TEST(StepStudy, OnAPlanePassesHaveTwoPoints)
     options.direction = Parameter::V;
     const ToolPath path = plan_iso_parametric(plane, around.ball, options).path;
     const std::size_t passes = static_cast<std::size_t>(path.points.back().pass) + 1;
-    EXPECT_EQ(greedy_points(plane, path, around, {.chord = true, .motion = true}),
+    EXPECT_EQ(greedy_points(plane, path, around,
+                            {.limited = LimitedCurves::ContactsAndCentres}),
               2 * passes);
     EXPECT_EQ(verified_points(plane, path, around), 2 * passes);
 }

@@ -33,16 +33,16 @@ struct Planned {
     }
 
     VerifiedPass pass(double v, std::size_t most_points = 100'000,
-                      bool stop_at_borders = false) const
+                      PatchBorders patch_borders = PatchBorders::Cross) const
     {
-        return verified_pass(surface(most_points, stop_at_borders), v, {});
+        return verified_pass(surface(most_points, patch_borders), v, {});
     }
 
     VerifiedSurface surface(std::size_t most_points = 100'000,
-                            bool stop_at_borders = false) const
+                            PatchBorders patch_borders = PatchBorders::Cross) const
     {
-        return {marched,      clear,           cover,      tolerances,
-                Parameter::U, stop_at_borders, most_points};
+        return {marched,      clear,         cover,      tolerances,
+                Parameter::U, patch_borders, most_points};
     }
 
     MarchedSurface marched;
@@ -103,7 +103,8 @@ TEST(VerifiedPass, CrossesAPlaneInOneStep)
     const VerifiedPass pass = planned.pass(0.3);
     ASSERT_EQ(pass.pieces.size(), 1U);
     EXPECT_EQ(pass.pieces.front().size(), 2U);
-    EXPECT_EQ(planned.pass(0.3, 100, true).pieces.front().size(), 4U);  // borders
+    const VerifiedPass stopped = planned.pass(0.3, 100, PatchBorders::Stop);
+    EXPECT_EQ(stopped.pieces.front().size(), 4U);
 }
 
 // In a valley of slopes -s and s the ball touches both sides at its lowest place. It may

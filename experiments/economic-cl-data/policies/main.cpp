@@ -22,9 +22,10 @@ struct PolicyChange {
 };
 
 const PolicyChange changes[] = {
-    {"count-links no", [](TablePolicies& p) { p.count_links = false; }},
-    {"distance cl", [](TablePolicies& p) { p.measure_tips = true; }},
-    {"stop-at-borders yes", [](TablePolicies& p) { p.plan.stop_at_borders = true; }},
+    {"count-links no", [](TablePolicies& p) { p.counted = CountedMoves::Cuts; }},
+    {"distance cl", [](TablePolicies& p) { p.distance = TravelKind::Tip; }},
+    {"stop-at-borders yes",
+     [](TablePolicies& p) { p.plan.patch_borders = PatchBorders::Stop; }},
     {"end-point free", [](TablePolicies& p) { p.plan.end_point = EndPoint::Free; }},
     {"last-path none", [](TablePolicies& p) { p.plan.last_path = LastPath::None; }},
     {"last-path half", [](TablePolicies& p) { p.plan.last_path = LastPath::Half; }},

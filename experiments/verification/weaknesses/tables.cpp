@@ -112,16 +112,15 @@ NamedNumbers weaknesses(const Surface& surface, const PlanToJudge& plan, double 
     numbers.emplace_back("points", double(judged.economy.ncl));
     numbers.emplace_back("points, verified steps on these passes",
                          double(verified_points(surface, judged.path, settings)));
-    numbers.emplace_back(
-        "points, chords that hold on these passes",
-        double(greedy_points(surface, judged.path, settings, {.chord = true})));
+    numbers.emplace_back("points, chords that hold on these passes",
+                         double(greedy_points(surface, judged.path, settings, {})));
     numbers.emplace_back("points, chords and motions that hold on these passes",
                          double(greedy_points(surface, judged.path, settings,
-                                              {.chord = true, .motion = true})));
+                                              {LimitedCurves::ContactsAndCentres})));
     numbers.emplace_back(
         "points, the paper's steps, shortened where these do not hold",
         double(greedy_points(surface, judged.path, settings,
-                             {.chord = true, .motion = true, .paper = true})));
+                             {LimitedCurves::ContactsAndCentres, LongestStep::Paper})));
     numbers.emplace_back("points, verified plan", double(verified.economy.ncl));
     numbers.emplace_back("passes", double(judged.economy.passes));
     numbers.emplace_back("passes, verified plan", double(verified.economy.passes));

@@ -44,6 +44,15 @@ PathEconomy path_economy(const ToolPath& path)
     return economy;
 }
 
+double counted_travel(const PathEconomy& economy, TravelKind kind, CountedMoves moves)
+{
+    const auto length = [kind](const Travel& travel) {
+        return kind == TravelKind::Tip ? travel.tip_mm : travel.contact_mm;
+    };
+    const double cut = length(economy.cut);
+    return moves == CountedMoves::CutsAndLinks ? cut + length(economy.link) : cut;
+}
+
 DirectionComparison compare_directions(const DirectionCost& u, const DirectionCost& v)
 {
     const auto is_cost = [](const DirectionCost& cost) {

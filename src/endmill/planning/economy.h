@@ -35,6 +35,24 @@ struct PathEconomy {
 /// moves.
 PathEconomy path_economy(const ToolPath& path);
 
+/// The points of the cutter between which travel is measured.
+enum class TravelKind {
+    Contact,  ///< chords between contacts
+    Tip,      ///< the tip of the cutter, as the machine travels
+};
+
+/// The moves whose length counts as travel.
+enum class CountedMoves {
+    CutsAndLinks,  ///< passes and the straight links between them
+    Cuts,          ///< passes only
+};
+
+/// Travel of a path in mm.
+/// \param economy of the path.
+/// \param kind    points between which travel is measured.
+/// \param moves   moves that count.
+double counted_travel(const PathEconomy& economy, TravelKind kind, CountedMoves moves);
+
 /// Comparison of plans along u and along v.
 struct DirectionComparison {
     /// The direction with the shorter travel. If both are equal, the one with fewer

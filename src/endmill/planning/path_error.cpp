@@ -300,4 +300,22 @@ MotionError motion_error(std::span<const Surface> surfaces, const ToolPath& path
     return error;
 }
 
+PathErrors path_errors(const ChordError& chord, const MotionError& motion,
+                       double gouge_mm, double scallop_mm)
+{
+    return {chord.greatest_mm, std::max(gouge_mm, motion.gouge.greatest_mm), scallop_mm};
+}
+
+std::set<PathLimit> missed_limits(const PathErrors& errors, const PathErrors& limits)
+{
+    std::set<PathLimit> missed;
+    if (errors.chord > limits.chord)
+        missed.insert(PathLimit::Chord);
+    if (errors.gouge > limits.gouge)
+        missed.insert(PathLimit::Gouge);
+    if (errors.scallop > limits.scallop)
+        missed.insert(PathLimit::Scallop);
+    return missed;
+}
+
 }  // namespace endmill

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <span>
 
 #include "endmill/cutter/cutter.h"
@@ -77,5 +78,34 @@ struct MotionError {
 /// line of radius rho the gouge is deeper than the chord error by the factor 1 + R / rho.
 MotionError motion_error(std::span<const Surface> surfaces, const ToolPath& path,
                          const BallCutter& cutter, Parameter along);
+
+/// The greatest errors of a path, or limits of them, in mm.
+struct PathErrors {
+    double chord;    ///< distance of the lines of the passes from their chords
+    double gouge;    ///< depth of a gouge anywhere on the part
+    double scallop;  ///< thickness of remaining stock anywhere on the part
+};
+
+/// Combines the errors along the passes with those that were measured on the whole part.
+/// The gouge is the deeper one of both, because rays can miss a gouge on a pass.
+/// \param chord       from chord_error.
+/// \param motion      from motion_error.
+/// \param gouge_mm    depth of the deepest measured gouge.
+/// \param scallop_mm  greatest measured thickness of remaining stock.
+PathErrors path_errors(const ChordError& chord, const MotionError& motion,
+                       double gouge_mm, double scallop_mm);
+
+/// A limit of PathErrors.
+enum class PathLimit {
+    Chord,    ///< of the chord error
+    Gouge,    ///< of the depth of a gouge
+    Scallop,  ///< of the remaining material
+};
+
+/// The limits that a path misses. An error equal to its limit keeps it. Room for rounding
+/// belongs to the limits.
+/// \param errors of the path.
+/// \param limits of the errors.
+std::set<PathLimit> missed_limits(const PathErrors& errors, const PathErrors& limits);
 
 }  // namespace endmill

@@ -26,9 +26,27 @@ std::optional<double> default_diameter(const std::optional<CutterLimit>& limit)
     return std::nullopt;
 }
 
+std::optional<double> fitting_diameter(const std::optional<double>& requested,
+                                       const std::optional<CutterLimit>& limit)
+{
+    if (!requested)
+        return default_diameter(limit);
+    return fits(BallCutter{*requested / 2}, limit) ? requested : std::nullopt;
+}
+
 double default_tolerance(const BallCutter& ball)
 {
     return 2 * ball.radius() / tolerances_per_diameter;
+}
+
+PlanTolerances plan_tolerances(const RequestedTolerances& requested, Planner planner,
+                               const BallCutter& ball)
+{
+    const double chord = requested.chord.value_or(
+        planner == Planner::Paper ? default_tolerance(ball) : verified_tolerance);
+    return {chord,
+            requested.scallop_height.value_or(chord),
+            {requested.inner.value_or(chord), requested.outer.value_or(chord)}};
 }
 
 double default_safe_height(std::span<const Surface> surfaces, const Vec3& axis)

@@ -17,6 +17,18 @@
 
 namespace endmill {
 
+/// The two planners.
+enum class Planner {
+    Paper,     ///< plan_iso_parametric: as published, misprints corrected
+    Verified,  ///< plan_verified: proves that the moves keep their tolerances
+};
+
+/// What the planner does where a pass crosses a border between patches.
+enum class PatchBorders {
+    Cross,  ///< steps cross the border
+    Stop,   ///< puts a CL point on the border
+};
+
 /// The contacts of a pass that determine the next pass. Each contact gives a candidate
 /// for the parameter of the next pass.
 enum class Governing {
@@ -69,7 +81,7 @@ struct IsoParametricOptions {
     Governing governing = Governing::Min;   ///< contact that sets the path interval
     LastPath last_path = LastPath::Border;  ///< end of the sequence of passes
     EndPoint end_point = EndPoint::Force;   ///< end of a pass
-    bool stop_at_borders = false;           ///< put a CL point on every patch border
+    PatchBorders patch_borders = PatchBorders::Cross;  ///< steps at borders of patches
     /// Curvature in the formula of the step length.
     StepCurvature step_curvature = StepCurvature::Curve;
     March march = March::Forward;  ///< direction in which a pass is computed
@@ -88,12 +100,17 @@ struct MotionTolerances {
     double outer;  ///< mm along the normal; largest remaining stock along a pass
 };
 
+/// Default tolerance and scallop height in mm of a verified plan: a usual requirement on
+/// a finished surface.
+inline constexpr double verified_tolerance = 0.01;
+
 /// Options of plan_verified.
 struct VerifiedOptions {
-    Parameter direction = Parameter::U;     ///< the parameter that varies along a pass
-    MotionTolerances tolerances{0.5, 0.5};  ///< limits of the moves along a pass
-    double scallop_height = 0.5;            ///< h between passes, mm
-    bool stop_at_borders = false;           ///< put a CL point on every patch border
+    Parameter direction = Parameter::U;  ///< the parameter that varies along a pass
+    /// Limits of the moves along a pass.
+    MotionTolerances tolerances{verified_tolerance, verified_tolerance};
+    double scallop_height = verified_tolerance;        ///< h between passes, mm
+    PatchBorders patch_borders = PatchBorders::Cross;  ///< steps at borders of patches
     LinkOptions link = {};  ///< order of the passes, tool axis, safe height
     std::size_t most_points = 40'000'000;  ///< a longer path throws LimitError
     /// If set, called from time to time with the share of the work that is done.
@@ -110,14 +127,42 @@ bool fits(const BallCutter& ball, const std::optional<CutterLimit>& limit);
 /// \return nothing if none fits.
 std::optional<double> default_diameter(const std::optional<CutterLimit>& limit);
 
-/// Default tolerance and scallop height in mm of a verified plan: a usual requirement on
-/// a finished surface.
-inline constexpr double verified_tolerance = 0.01;
+/// Chooses the diameter of the ball in mm.
+/// \param requested a diameter; default_diameter chooses if there is none.
+/// \param limit     of the surface.
+/// \return nothing if the requested ball does not fit, or no standard ball.
+std::optional<double> fitting_diameter(const std::optional<double>& requested,
+                                       const std::optional<CutterLimit>& limit);
 
 /// Default chord tolerance and scallop height in mm of an iso-parametric plan for `ball`:
 /// a thirtieth of the diameter. The paper uses 0.5 mm with a ball of 15 mm.
 /// Source: [KimChoi, fig. 12].
 double default_tolerance(const BallCutter& ball);
+
+/// The tolerances that a user states. Those that are missing have defaults.
+struct RequestedTolerances {
+    std::optional<double> chord = {};           ///< mm
+    std::optional<double> scallop_height = {};  ///< mm
+    std::optional<double> inner = {};           ///< mm; see MotionTolerances
+    std::optional<double> outer = {};           ///< mm; see MotionTolerances
+};
+
+/// The tolerances of a plan.
+struct PlanTolerances {
+    double chord;           ///< mm
+    double scallop_height;  ///< mm
+    MotionTolerances
+        motion;  ///< the verified planner keeps them; both planners are judged by them
+};
+
+/// Completes the requested tolerances. The default chord tolerance is
+/// `verified_tolerance`, or default_tolerance for Planner::Paper. Each other default is
+/// the chord tolerance.
+/// \param requested the tolerances of the user.
+/// \param planner   the planner that will use them.
+/// \param ball      the cutter.
+PlanTolerances plan_tolerances(const RequestedTolerances& requested, Planner planner,
+                               const BallCutter& ball);
 
 /// Default height of the tip in mm along `axis` for rapid moves: 5 mm above the highest
 /// point of the surfaces.

@@ -32,6 +32,8 @@ constexpr double gib = 1024.0 * 1024 * 1024;
 constexpr double bytes_a_ray = 16;
 // Limit of the number of rays.
 constexpr double most_rays = 4e9;
+// Approximate number of first rays by which deviation_of_path measures a part.
+constexpr double rays_of_a_path = 1e5;
 // Cells are up to this factor smaller in area than the square of the pitch, because a
 // side has a whole number of them.
 constexpr double spare = 1.05;
@@ -315,14 +317,49 @@ Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter
     return block;
 }
 
+namespace {
+
+// The cut whose deviation is measured.
+struct Cut {
+    const ToolPath& path;
+    const Cutter& cutter;
+};
+
+Deviation measured_in_block(const Part& part, const Cut& cut,
+                            const DeviationOptions& options,
+                            const std::optional<DeviationLimits>& proved)
+{
+    const Block block = default_block(&part, cut.path, cut.cutter);
+    const std::vector<StraightSweep> sweeps = path_sweeps(cut.path, cut.cutter);
+    const MachinedStock stock{
+        sweeps, 0, [&block](const PartRay& ray) { return ray_in_block(block, ray); },
+        proved};
+    return measure_deviation(part_charts(part), stock, options);
+}
+
+}  // namespace
+
 Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutter& cutter,
                              const DeviationOptions& options)
 {
-    const Block block = default_block(&part, path, cutter);
-    const std::vector<StraightSweep> sweeps = path_sweeps(path, cutter);
-    const MachinedStock stock{
-        sweeps, 0, [&block](const PartRay& ray) { return ray_in_block(block, ray); }};
-    return measure_deviation(part_charts(part), stock, options);
+    return measured_in_block(part, {path, cutter}, options, std::nullopt);
+}
+
+Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter& cutter,
+                            const PathDeviationOptions& options)
+{
+    // The removal refuses an axis that changes.
+    const Eigen::Matrix3d rotation =
+        upright_rotation(fixed_axis(path).value_or(Vec3::UnitZ()));
+    DeviationOptions measure;
+    measure.limits = options.limits;
+    measure.pitch = std::sqrt(area_of(part) / rays_of_a_path);
+    measure.progress = options.progress;
+    std::optional<DeviationLimits> proved;
+    if (options.proof == LimitProof::Proved)
+        proved = options.limits;
+    const ToolPath upright = turned(path, rotation);
+    return measured_in_block(turned(part, rotation), {upright, cutter}, measure, proved);
 }
 
 std::optional<StockHistory> history_of_rest(const VerificationTask& task)

@@ -42,6 +42,34 @@ Block default_block(const Part* part, const ToolPath& path, const Cutter& cutter
 Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutter& cutter,
                              const DeviationOptions& options);
 
+/// Whether the planner has proved that a path keeps the limits of the deviation.
+enum class LimitProof {
+    None,    ///< nothing is known
+    Proved,  ///< no gouge and no remaining stock anywhere exceeds the limits
+};
+
+/// Options of `deviation_of_path`.
+struct PathDeviationOptions {
+    DeviationLimits limits = {};          ///< cells are refined until these are decided
+    LimitProof proof = LimitProof::None;  ///< with a proof fewer cells are refined
+    /// If set, it is called now and then with the finished share, 0 to 1.
+    std::function<void(double share)> progress = {};
+};
+
+/// Measures the deviation that a path with any fixed axis leaves if it starts from the
+/// default block. Part and path are turned upright first, so that places in the result
+/// are those of the turned part. The pitch gives about 1e5 first rays on the area of the
+/// part. A proof limits the error bounds; cells are then refined only where a greater
+/// maximum may lie.
+/// \param part    the part.
+/// \param path    tips along one axis.
+/// \param cutter  the shape that cuts.
+/// \param options limits, proof and progress.
+/// \throws DomainError for limits out of range, GeometryError if the axis changes or the
+///         part is empty.
+Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter& cutter,
+                            const PathDeviationOptions& options);
+
 /// The input of `verify_path`. It refers to the part, the path and a kept stock, which
 /// must outlive it.
 struct VerificationTask {

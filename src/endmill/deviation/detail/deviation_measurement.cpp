@@ -49,6 +49,16 @@ double deepest_possible(const Extremes& found, const SweepTree& tree)
     return std::max(0.0, found.top - lowest);
 }
 
+// Lowers the bounds to what is proved.
+Extremes with_proof(Extremes found, const std::optional<DeviationLimits>& proved)
+{
+    if (proved) {
+        found.upper = std::min(found.upper, proved->scallop);
+        found.lower = std::max(found.lower, -proved->tolerance);
+    }
+    return found;
+}
+
 // Copies maxima, bounds and areas to the result.
 void add_extremes(Deviation& deviation, const Extremes& found, const SweepTree& tree)
 {
@@ -103,9 +113,10 @@ private:
 // Measures the whole part.
 class Measurement {
 public:
-    Measurement(const Measured& measured, std::size_t earlier_sweeps)
+    Measurement(const Measured& measured, const MachinedStock& stock)
         : measured_{measured},
-          earlier_sweeps_{earlier_sweeps},
+          earlier_sweeps_{stock.earlier_sweeps},
+          proved_{stock.proved},
           limits_{measured.options.limits}
     {
     }
@@ -132,7 +143,7 @@ public:
         refine(merged(), progress);
         for (int times = 1; times <= options.max_refine && !merged().is_cut; ++times)
             halve(times, progress);
-        add_extremes(deviation_, merged(), measured_.tree);
+        add_extremes(deviation_, with_proof(merged(), proved_), measured_.tree);
         add_areas(deviation_);
         return std::move(deviation_);
     }
@@ -304,6 +315,10 @@ private:
         if (rest > limits_.scallop + verdict_slack)
             // Uncut is certain; but a gouge would come first.
             thresholds.upper = infinite;
+        if (proved_ && proved_->scallop <= thresholds.upper)
+            thresholds.upper = infinite;
+        if (proved_ && -proved_->tolerance >= thresholds.lower)
+            thresholds.lower = -infinite;
         for_tiles(progress, [&](std::size_t i) {
             if (thresholds.are_exceeded(of_tile_[i].upper, of_tile_[i].lower))
                 of_tile_[i] = TileMeasure{measured_, deviation_.tiles[i]}.refined(
@@ -338,6 +353,7 @@ private:
 
     Measured measured_;
     std::size_t earlier_sweeps_;
+    std::optional<DeviationLimits> proved_;
     DeviationLimits limits_;
     Deviation deviation_;
     std::vector<Extremes> of_tile_;
@@ -355,9 +371,7 @@ Deviation measure_deviation(const PartCharts& charts, const MachinedStock& stock
     check(stock, options);
     const SweepTree tree{stock.sweeps};
     const PartDistance distance{charts, distance_share * options.pitch};
-    return Measurement{{charts, tree, stock.initial_ray, options, distance},
-                       stock.earlier_sweeps}
-        .run();
+    return Measurement{{charts, tree, stock.initial_ray, options, distance}, stock}.run();
 }
 
 }  // namespace endmill

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "endmill/cutter/straight_sweep.h"
@@ -16,6 +17,9 @@ struct MachinedStock {
     std::span<const StraightSweep> sweeps;
     std::size_t earlier_sweeps = 0;  ///< number of sweeps of earlier runs
     InitialRay initial_ray;          ///< must be set; finite thickness for every ray
+    /// Greatest gouge and greatest remaining stock that a proof allows; none without a
+    /// proof.
+    std::optional<DeviationLimits> proved = {};
 };
 
 /// Measures the deviation of the machined stock from the part on rays along the part's
@@ -32,7 +36,8 @@ struct MachinedStock {
 ///
 /// *What is refined.* Once a gouge beyond the tolerance is known, nothing is refined.
 /// Once too much material is known to remain, only possible gouges are refined. Both
-/// areas are sums over the finest cells. If no ray meets a move, the cells that a move
+/// areas are sums over the finest cells. Where a proof of the stock excludes a change of
+/// the verdict or a maximum, nothing is refined for it. If no ray meets a move, the cells that a move
 /// comes near are halved until a ray does.
 ///
 /// *Bounds.* Between the rays on a smooth piece of the part a round corner hides a gouge

@@ -61,7 +61,9 @@ private:
         Chord border;
         Chord under;
     };
-    // A node of a binary tree of boxes around pieces of the border.
+    // A node of a binary tree of boxes around pieces of the border. The tree is separate
+    // from the PieceTree of module gouge, because its leaves are curves with a second
+    // curve below them; those of PieceTree are pieces of patches.
     struct Node {
         Eigen::AlignedBox3d box;
         // For an inner node the number of its second child; the first child follows the

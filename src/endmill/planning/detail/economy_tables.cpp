@@ -52,11 +52,7 @@ IsoParametricPlan table_plan(const Surface& surface, const TablePolicies& polici
 DirectionCost path_cost(const ToolPath& path, const TablePolicies& policies)
 {
     const PathEconomy economy = path_economy(path);
-    const auto length = [&](const Travel& travel) {
-        return policies.measure_tips ? travel.tip_mm : travel.contact_mm;
-    };
-    const double links = policies.count_links ? length(economy.link) : 0;
-    return {economy.ncl, length(economy.cut) + links};
+    return {economy.ncl, counted_travel(economy, policies.distance, policies.counted)};
 }
 
 EconomyTables planned_tables(const Surface& surface, const TablePolicies& policies)

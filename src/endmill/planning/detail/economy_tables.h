@@ -47,8 +47,8 @@ struct EconomyTables {
 struct TablePolicies {
     IsoParametricOptions plan;  ///< each run sets direction, tolerance and scallop itself
     double scallop_per_tolerance = 1;  ///< scallop height / chord tolerance
-    bool count_links = true;           ///< whether the travel includes the links
-    bool measure_tips = false;         ///< travel of the tip instead of the contact
+    CountedMoves counted = CountedMoves::CutsAndLinks;  ///< moves in the travel
+    TravelKind distance = TravelKind::Contact;          ///< points that travel
 };
 
 /// Plans one of the 18 runs on `surface`.

@@ -20,8 +20,8 @@
 // 2. The curvature at a contact gives the projected length of the step, eq. (1) and (2).
 //    The next contact is the first point of the line at that distance along the tangent,
 //    eq. (3). An end of the line, or a border of patches, may replace it.
-// 3. At each contact, the curvature across the feed gives the projected path interval,
-//    eq. (4) and (5). The point of the surface at that distance in the check plane, eq.
+// 3. At each contact, the curvature across the feed, exact or by the chord of eq. (6) to
+//    (8), gives the projected path interval, eq. (4) and (5). The point of the surface at that distance in the check plane, eq.
 //    (9) and (10), is the neighbour of the contact on the next pass. Its v is the
 //    candidate of the contact.
 // 4. The rule `governing` selects one of the candidates. Where the smallest candidate is
@@ -143,7 +143,7 @@ private:
             next = line_.first_reach(u, frame.feed, step.projected);
         if (!next && options_.end_point == EndPoint::Force)
             next = end;
-        if (options_.stop_at_borders)
+        if (options_.patch_borders == PatchBorders::Stop)
             next = std::min(next.value_or(end), next_border(u));
         if (!next)
             return std::nullopt;

@@ -38,7 +38,13 @@ enum class PassRole {
 
 /// Computes the pass along u at `v` with the longest steps that keep the chord tolerance,
 /// and by the rule `options.governing` the parameter of the next pass.
-/// Source: [KimChoi, eq. (1), (2), (3), (4), (5), (6), (7), (8), (9), (10)].
+///
+/// * Length of a step and its projection on the feed. Source: [KimChoi, eq. (1), (2)].
+/// * End of the step on the line. Source: [KimChoi, eq. (3)].
+/// * Path interval and its projection across the feed. Source: [KimChoi, eq. (4), (5)].
+/// * Curvature across the feed by a chord. Source: [KimChoi, eq. (6), (7), (8)].
+/// * Neighbour of a contact on the next pass. Source: [KimChoi, eq. (9), (10)].
+///
 /// \param marched the surface. On a collapsed edge the pass is one contact if its normals
 ///                have one limit.
 /// \param v       parameter of the pass.

@@ -89,15 +89,17 @@ std::size_t end_of_step(const PassLine& line, std::size_t first, double toleranc
                         const StepRule& rule)
 {
     std::size_t low = first + 1;
-    std::size_t high =
-        rule.paper ? beyond_paper_step(line, first, tolerance) : line.contacts.size();
+    std::size_t high = rule.longest == LongestStep::Paper
+                           ? beyond_paper_step(line, first, tolerance)
+                           : line.contacts.size();
     while (high - low > 1) {
         const std::size_t middle = std::midpoint(low, high);
         const auto holds = [&](std::span<const Vec3> samples) {
             return is_within(samples.subspan(first, middle - first + 1), tolerance);
         };
-        const bool is_good = (!rule.chord || holds(line.contacts)) &&
-                             (!rule.motion || holds(line.centres));
+        const bool is_good =
+            holds(line.contacts) &&
+            (rule.limited == LimitedCurves::Contacts || holds(line.centres));
         (is_good ? low : high) = middle;
     }
     return low;
@@ -160,7 +162,7 @@ std::size_t verified_points(const Surface& surface, const ToolPath& path,
         .line_cover = line_cover,
         .tolerances = {settings.tolerance, settings.tolerance},
         .direction = settings.direction,
-        .stop_at_borders = false,
+        .patch_borders = PatchBorders::Cross,
         .most_points = 10 * path.points.size(),
     };
     std::size_t points = 0;

@@ -39,13 +39,22 @@ ToolPath rolled_path(const Surface& surface, const ToolPath& path, const BallCut
 std::size_t verified_points(const Surface& surface, const ToolPath& path,
                             const PassSettings& settings);
 
+/// The curves of a step that must stay within the tolerance of their chords.
+enum class LimitedCurves {
+    Contacts,            ///< the contact curve
+    ContactsAndCentres,  ///< the contact curve and the curve of ball centres
+};
+
+/// The greatest length of a step.
+enum class LongestStep {
+    ToEnd,  ///< to the end of the pass
+    Paper,  ///< the paper's step for the curvature at its start
+};
+
 /// Conditions on the steps of `greedy_points`.
 struct StepRule {
-    bool chord = true;  ///< the contact curve is within the tolerance of its chord
-    /// The curve of ball centres is within the tolerance of its chord.
-    bool motion = false;
-    /// No longer than the paper's step for the curvature at its start.
-    bool paper = false;
+    LimitedCurves limited = LimitedCurves::Contacts;  ///< curves that are tested
+    LongestStep longest = LongestStep::ToEnd;         ///< greatest length
 };
 
 /// Number of CL points of the longest steps that satisfy `rule` on the passes of `path`.

@@ -134,7 +134,7 @@ private:
     double farthest(double u) const
     {
         const double end = line_.range().high;
-        if (!surface_.stop_at_borders)
+        if (surface_.patch_borders == PatchBorders::Cross)
             return end;
         const auto breaks = surface_.marched.surface.breaks(Parameter::U);
         return *std::ranges::upper_bound(breaks.first(breaks.size() - 1), u);

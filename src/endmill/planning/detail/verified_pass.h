@@ -67,7 +67,7 @@ struct VerifiedSurface {
     const StripCover& line_cover;   ///< at the height `tolerances.outer`
     MotionTolerances tolerances;    ///< limits of each move
     Parameter direction;            ///< for the parameters in an error message
-    bool stop_at_borders;           ///< put a CL point on every patch border
+    PatchBorders patch_borders;     ///< steps at borders of patches
     std::size_t most_points;        ///< a longer pass throws LimitError
 
     const BallCutter& cutter() const { return clear.cutter(); }  ///< the ball

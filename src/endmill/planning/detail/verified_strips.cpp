@@ -71,7 +71,7 @@ public:
                    line_cover_,
                    options.tolerances,
                    options.direction,
-                   options.stop_at_borders,
+                   options.patch_borders,
                    options.most_points}
     {
     }

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/planning/planned_path.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/planning/iso_parametric.h"
+
+namespace endmill {
+namespace {
+
+constexpr double bytes_per_gib = 0x1p30;
+// Factor within which estimated_points is right.
+constexpr double estimate_margin = 2;
+// Share of the memory that paths may need together to be planned at the same time. The
+// rest is for the measurement of the paths, and for estimates that are too low.
+constexpr double share_of_all = 0.25;
+
+// Options of the planner of the paper whose steps and intervals are about as long.
+IsoParametricOptions similar_options(const PlannerOptions& options)
+{
+    if (const auto* paper = std::get_if<IsoParametricOptions>(&options))
+        return *paper;
+    const auto& verified = std::get<VerifiedOptions>(options);
+    return {
+        .direction = verified.direction,
+        .chord_tolerance = std::min(verified.tolerances.inner, verified.tolerances.outer),
+        .scallop_height = verified.scallop_height,
+        .patch_borders = verified.patch_borders,
+        .link = verified.link,
+    };
+}
+
+}  // namespace
+
+PlannedPath plan_path(std::span<const Surface> surfaces, const BallCutter& cutter,
+                      const PlannerOptions& options)
+{
+    if (const auto* paper = std::get_if<IsoParametricOptions>(&options))
+        return {plan_iso_parametric(surfaces, cutter, *paper).path};
+    VerifiedPlan plan =
+        plan_verified(surfaces, cutter, std::get<VerifiedOptions>(options));
+    return {std::move(plan.path), plan.lifted_links, std::move(plan.uncovered)};
+}
+
+double estimated_points(std::span<const Surface> surfaces, const BallCutter& cutter,
+                        const PlannerOptions& options)
+{
+    const IsoParametricOptions similar = similar_options(options);
+    double points = 0;
+    for (const Surface& surface : surfaces)
+        points += estimated_points(surface, cutter, similar);
+    return points;
+}
+
+std::size_t most_path_points(double memory_gib)
+{
+    const double points = memory_gib * bytes_per_gib / bytes_per_path_point;
+    constexpr auto most = std::numeric_limits<std::size_t>::max();
+    return points < static_cast<double>(most) ? static_cast<std::size_t>(points) : most;
+}
+
+void require_path_memory(double points, double memory_gib)
+{
+    const auto most = static_cast<double>(most_path_points(memory_gib));
+    if (points <= estimate_margin * most)
+        return;
+    std::ostringstream message;
+    message << std::setprecision(2) << "about " << points
+            << " CL points would need about "
+            << points * bytes_per_path_point / bytes_per_gib << " GiB; expected at most "
+            << to_text(memory_gib) << " GiB (--max-memory), enough for " << most
+            << " points; larger tolerances need fewer points";
+    throw LimitError{message.str()};
+}
+
+bool fit_together(std::span<const double> points, double memory_gib)
+{
+    double sum = 0;
+    for (const double own : points) {
+        require_path_memory(own, memory_gib);
+        sum += own;
+    }
+    return sum <= share_of_all * static_cast<double>(most_path_points(memory_gib));
+}
+
+}  // namespace endmill
