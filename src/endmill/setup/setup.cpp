@@ -93,13 +93,13 @@ PartSetup best_over_whole_cones(const SphereGrid& grid, const VisibilityMap& map
         rotary_order(request.reach.configuration) == RotaryOrder::BFirst;
     const std::vector<SetupPose> starts = starting_poses(grid, map, request);
     WholeConeSearchOptions options{.family = request.reach.configuration.family.value(),
-                                   .objective = request.objective,
-                                   .floor_rad = request.floor,
-                                   .gap = request.gap,
-                                   .max_nodes = request.max_nodes,
+                                   .objective = request.whole_cones.objective,
+                                   .floor_rad = request.whole_cones.floor,
+                                   .gap = request.whole_cones.gap,
+                                   .max_nodes = request.whole_cones.max_nodes,
                                    .limits = {},
                                    .starts = starts,
-                                   .progress = request.cone_progress};
+                                   .progress = request.whole_cones.progress};
     const WholeConeSearchResult any = many_cones_search(grid, map, options);
     const RotaryLimits& limits = request.reach.limits;
     const bool is_limited = limits != RotaryLimits{};
@@ -114,15 +114,15 @@ PartSetup best_over_whole_cones(const SphereGrid& grid, const VisibilityMap& map
     setup.feasible = found.pose;
     setup.least = any.pose;
     const WholeConeSearchResult& shown = found.pose ? found : any;
-    setup.objective = shown.objective;
-    setup.lower_bound = shown.lower_bound;
-    setup.unresolved = found.unresolved;
+    setup.certificate = SetupCertificate{shown.lower_bound, found.unresolved};
     setup.poses_tried = found.nodes + (is_limited ? any.nodes : 0);
     for (std::optional<FittedPose>* fit : {&setup.feasible, &setup.least})
         if (*fit && is_reversed)
             *fit = with_r2_reversed(**fit);
-    if (shown.pose)
+    if (shown.pose) {
+        setup.objective = shown.objective;
         setup.status = status_of(*shown.pose);
+    }
     return setup;
 }
 
@@ -132,8 +132,8 @@ double objective_of(const FittedPose& pose, const SetupRequest& request)
     if (request.mode != SetupMode::WholeCones)
         return pose.area;
     const RotaryFamily family = family_of(request.reach.configuration);
-    return PoseMeasure{family, request.objective,
-                       request.floor}(pose_ranges(family, pose));
+    return PoseMeasure{family, request.whole_cones.objective,
+                       request.whole_cones.floor}(pose_ranges(family, pose));
 }
 
 PartSetup four_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
@@ -208,7 +208,7 @@ PartSetup find_setup(const SphereGrid& grid, const PartVisibility& visibility,
     setup.machinable = Answer::No;
     setup.is_proved = true;
     setup.feasible = std::nullopt;
-    setup.lower_bound = std::nullopt;
+    setup.certificate = std::nullopt;
     setup.objective = std::nullopt;
     if (setup.least)
         setup.objective = objective_of(*setup.least, request);

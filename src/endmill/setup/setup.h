@@ -20,22 +20,31 @@
 
 namespace endmill {
 
+/// Objective and effort of the mode `WholeCones`. All other modes minimise the area.
+struct WholeConeCriteria {
+    SetupObjective objective = SetupObjective::FlooredArea;  ///< what becomes least
+    double floor = 5.9 * std::numbers::pi / 180;  ///< rad, of FlooredArea, above 0
+    double gap = 0.05;                ///< relative gap at which the search stops, above 0
+    std::size_t max_nodes = 200'000;  ///< number of nodes at which the search stops
+
+    /// Called as WholeConeSearchOptions::progress.
+    std::function<void(const WholeConeSearchProgress&)> progress = {};
+};
+
 /// The machine for which a setup is searched, and the options of the search.
 struct SetupRequest {
-    RotaryReach reach = {};             ///< the machine
-    SetupMode mode = SetupMode::Paper;  ///< used with five axes
-
-    /// Objective of the mode `WholeCones`; the other modes minimise the area.
-    SetupObjective objective = SetupObjective::FlooredArea;
-    double floor = 5.9 * std::numbers::pi / 180;  ///< rad, of FlooredArea, above 0
-    double gap = 0.05;  ///< relative gap at which `WholeCones` stops, above 0
-    std::size_t max_nodes = 200'000;  ///< number of nodes at which `WholeCones` stops
+    RotaryReach reach = {};              ///< the machine
+    SetupMode mode = SetupMode::Paper;   ///< used with five axes
+    WholeConeCriteria whole_cones = {};  ///< used by the mode `WholeCones` only
 
     /// Called by the search over cells as PoseFitOptions::progress, twice for each cell.
     std::function<void(std::size_t done)> cell_progress = {};
+};
 
-    /// Called by the search over whole cones as WholeConeSearchOptions::progress.
-    std::function<void(const WholeConeSearchProgress&)> cone_progress = {};
+/// What the search over whole cones proves about the objective of a setup.
+struct SetupCertificate {
+    double lower_bound;      ///< no pose has a smaller objective; rad^2 or rad
+    std::size_t unresolved;  ///< nodes too small to split that are not excluded
 };
 
 /// The best setup that was found, and what is proved about it.
@@ -50,14 +59,15 @@ struct PartSetup {
     std::optional<FittedPose> least;       ///< the best pose without limits of the axes
     std::size_t poses_tried = 0;    ///< poses or axes tried; `WholeCones`: nodes bounded
     std::size_t poses_skipped = 0;  ///< tool axes or rotary axes without a fit
-    std::size_t unresolved = 0;     ///< `WholeCones`: small nodes that are not excluded
 
-    /// Value of the minimised quantity for `shown()`, in rad^2, or in rad for objectives
-    /// in rad.
+    /// Value of the minimised quantity for `shown()`: the area in rad^2, or the objective
+    /// of the mode `WholeCones` in rad^2 or rad. Nothing without a pose.
     std::optional<double> objective;
 
-    /// Certified lower bound of `objective`, of `WholeCones` only.
-    std::optional<double> lower_bound;
+    /// Set by the mode `WholeCones` with five axes, unless a facet that no cell reaches
+    /// excludes every pose. It bounds the poses that compete with `shown()`: those within
+    /// the limits, or all poses if none within the limits was found.
+    std::optional<SetupCertificate> certificate;
 
     /// The pose to report: the best within the limits, or else the best without limits.
     const std::optional<FittedPose>& shown() const { return feasible ? feasible : least; }
