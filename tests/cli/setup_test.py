@@ -197,10 +197,10 @@ class Setup(ProgramTest):
         far = self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
                          status=1)
         self.assertEqual((far["machinable"], far["travel_ok"]), (True, False))
-        told = endmill("setup", cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
-                       "-o", "told", cwd=self.folder).stdout
-        self.assertIn("beyond the limits of the linear axes", told)
-        self.assertIn("--mode set", told)
+        printed = endmill("setup", cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
+                       "-o", "out-2", cwd=self.folder).stdout
+        self.assertIn("beyond the limits of the linear axes", printed)
+        self.assertIn("--mode set", printed)
         clamp = ",".join(str(x) for x in far["clamp_centred_mm"])
         self.assertTrue(self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp",
                                    clamp)["travel_ok"])
@@ -395,7 +395,7 @@ class Setup(ProgramTest):
         self.assert_refused(endmill("setup", *call, "-o", "out", "--force", cwd=self.folder), 5, "summary.json")
         self.assertEqual([path.name for path in (self.folder / "out").iterdir()], ["summary.json"])
         with open("/dev/full", "w", encoding="ascii") as full:
-            done = subprocess.run([ENDMILL, "setup", *map(str, call), "-o", "told", "--json"], stdout=full,
+            done = subprocess.run([ENDMILL, "setup", *map(str, call), "-o", "out-2", "--json"], stdout=full,
                                   stderr=subprocess.PIPE, text=True, check=False, cwd=self.folder)
         self.assertEqual(done.returncode, 5, done.stderr)
 
