@@ -7,7 +7,7 @@
 
 #include "cli/setup_input.h"
 #include "endmill/files/visibility_file.h"
-#include "endmill/setup/setup_travel.h"
+#include "endmill/setup/setup.h"
 #include "endmill/setup/several_setups.h"
 #include "endmill/visibility/visibility.h"
 

@@ -196,6 +196,20 @@ PartSetup setup_for_reachable_facets(const SphereGrid& grid,
     return four_axis_setup(grid, visibility.map, request);
 }
 
+// Examines the linear axes at the feasible pose of `setup`.
+void add_travel(MachineSetup& setup, const SetupPart& part, const RotaryLimits& limits,
+                const Clamping& clamping)
+{
+    const Machine& machine = setup.machine;
+    const std::optional<ReachedPoints> reached = reached_points(
+        part.mesh, part.visibility, part.grid.centres,
+        pose_frame(machine.configuration, setup.best.feasible->pose), limits);
+    if (reached)
+        setup.travel = setup_travel(machine, *setup.part_to_machine, *reached,
+                                    clamping.origin, clamping.tool_length);
+    setup.within_travel = answer_of(setup.travel && setup.travel->is_within);
+}
+
 }  // namespace
 
 PartSetup find_setup(const SphereGrid& grid, const PartVisibility& visibility,
@@ -247,6 +261,37 @@ SetupRank setup_rank(const PartSetup& setup, const MachineConfiguration& configu
                                                        : 1;
     return {group, floored_area_deg2(setup, configuration, floor_deg).value_or(infinity),
             configuration.word};
+}
+
+bool MachineSetup::is_machinable() const
+{
+    return best.machinable == Answer::Yes &&
+           !(has_linear_limits() && within_travel == Answer::No);
+}
+
+MachineSetup machine_setup(const SetupPart& part, const Machine& machine,
+                           SetupRequest request, const std::optional<Clamping>& clamping)
+{
+    request.reach.configuration = machine.configuration;
+    request.reach.limits = machine.rotary;
+    MachineSetup setup{.machine = machine,
+                       .best = find_setup(part.grid, part.visibility, request)};
+    if (setup.best.shown())
+        setup.part_to_machine =
+            part_to_machine(setup.best.shown()->pose, machine.configuration);
+    if (setup.best.feasible && clamping)
+        add_travel(setup, part, reach_limits(request.reach), *clamping);
+    return setup;
+}
+
+std::optional<double> floored_area_deg2(const MachineSetup& setup, double floor_deg)
+{
+    return floored_area_deg2(setup.best, setup.machine.configuration, floor_deg);
+}
+
+SetupRank setup_rank(const MachineSetup& setup, double floor_deg)
+{
+    return setup_rank(setup.best, setup.machine.configuration, floor_deg);
 }
 
 }  // namespace endmill

@@ -9,7 +9,10 @@
 #include <string>
 
 #include "endmill/core/answer.h"
+#include "endmill/machine/kinematics.h"
+#include "endmill/mesh/triangle_mesh.h"
 #include "endmill/setup/setup_pose.h"
+#include "endmill/setup/setup_travel.h"
 #include "endmill/setup/whole_cone_search.h"
 #include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"
@@ -131,5 +134,63 @@ struct SetupRank {
 /// \param configuration the machine. \param floor_deg floor of the area, degrees.
 SetupRank setup_rank(const PartSetup& setup, const MachineConfiguration& configuration,
                      double floor_deg);
+
+/// A part to set up: its facets and the directions from which each is accessible.
+struct SetupPart {
+    const TriangleMesh& mesh;          ///< coordinates in mm
+    const SphereGrid& grid;            ///< cells of the sphere of directions
+    const PartVisibility& visibility;  ///< cones of the facets of `mesh` over these cells
+};
+
+/// How the part is clamped, and the tool that machines it.
+struct Clamping {
+    Vec3 origin{0, 0, 0};    ///< mm, where the part's origin is, along the machine's axes
+    double tool_length = 0;  ///< mm, from the spindle nose to the tip
+};
+
+/// The best setup of a part on one machine, and whether the linear axes reach it.
+struct MachineSetup {
+    Machine machine;  ///< the machine of the setup
+    PartSetup best;   ///< as `find_setup` found it
+
+    /// Rotation of the part for the pose that `best` shows. Nothing without a pose.
+    std::optional<Eigen::Matrix3d> part_to_machine = {};
+
+    /// Travel of the linear axes, whether they have limits or not. Nothing if it was not
+    /// computed, and nothing if a facet is out of reach (`within_travel` is then No).
+    std::optional<SetupTravel> travel = {};
+
+    /// Whether the linear axes reach all facets. No, too, if at this pose a facet has no
+    /// cell within the rotary limits. Undecided if there is nothing to examine: no pose
+    /// within the rotary limits, or no clamping.
+    Answer within_travel = Answer::Undecided;
+
+    /// Whether any linear axis has a limit. Otherwise `within_travel` decides nothing.
+    bool has_linear_limits() const { return machine.linear != LinearLimits{}; }
+
+    /// Whether the part is machinable in one setup on this machine: within the limits of
+    /// the rotary axes, and not proved to be beyond those of the linear axes.
+    bool is_machinable() const;
+};
+
+/// Finds the best setup of a part on a machine and the travel of its linear axes.
+/// \param part facets and their cones.
+/// \param machine any. A machine that is not valid has no setup.
+/// \param request mode and objective. Of its reach only the arc tolerance counts; the
+///        axes and their limits are those of `machine`.
+/// \param clamping nothing if the linear axes are unknown, as those of a family of
+///        machines. The travel is then not computed.
+/// \throws DomainError as `find_setup`.
+MachineSetup machine_setup(const SetupPart& part, const Machine& machine,
+                           SetupRequest request, const std::optional<Clamping>& clamping);
+
+/// The floored area of the pose that a setup shows, in square degrees.
+/// \param setup on any machine. \param floor_deg degrees.
+/// \return nothing if the setup shows no pose.
+std::optional<double> floored_area_deg2(const MachineSetup& setup, double floor_deg);
+
+/// Ranks a setup as `setup_rank` does for the rotary axes alone.
+/// \param setup on any machine. \param floor_deg floor of the area, degrees.
+SetupRank setup_rank(const MachineSetup& setup, double floor_deg);
 
 }  // namespace endmill

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
-#include <utility>
 
 #include "endmill/core/error.h"
 #include "endmill/machine/axis_limits.h"
@@ -66,20 +65,6 @@ RotaryPositions positions_for(const MachineConfiguration& configuration,
         positions[k] =
             mirrored(configuration.rotary[k].side, turns_of(turns, configuration, k).to);
     return positions;
-}
-
-// Examines the linear axes at the feasible pose of `setup`.
-void add_travel(MachineSetup& setup, const SetupPart& part, const RotaryLimits& limits,
-                const Clamping& clamping)
-{
-    const Machine& machine = setup.machine;
-    const std::optional<ReachedPoints> reached = reached_points(
-        part.mesh, part.visibility, part.grid.centres,
-        pose_frame(machine.configuration, setup.best.feasible->pose), limits);
-    if (reached)
-        setup.travel = setup_travel(machine, *setup.part_to_machine, *reached,
-                                    clamping.origin, clamping.tool_length);
-    setup.within_travel = answer_of(setup.travel && setup.travel->is_within);
 }
 
 // The middle of the travel; 0 for an axis without limits.
@@ -183,37 +168,6 @@ SetupTravel setup_travel(const Machine& machine, const Eigen::Matrix3d& part_to_
     }
     travel.centred_clamp = clamp + shift / static_cast<double>(reached.points.size());
     return travel;
-}
-
-bool MachineSetup::is_machinable() const
-{
-    return best.machinable == Answer::Yes &&
-           !(has_linear_limits() && within_travel == Answer::No);
-}
-
-MachineSetup machine_setup(const SetupPart& part, const Machine& machine,
-                           SetupRequest request, const std::optional<Clamping>& clamping)
-{
-    request.reach.configuration = machine.configuration;
-    request.reach.limits = machine.rotary;
-    MachineSetup setup{.machine = machine,
-                       .best = find_setup(part.grid, part.visibility, request)};
-    if (setup.best.shown())
-        setup.part_to_machine =
-            part_to_machine(setup.best.shown()->pose, machine.configuration);
-    if (setup.best.feasible && clamping)
-        add_travel(setup, part, reach_limits(request.reach), *clamping);
-    return setup;
-}
-
-std::optional<double> floored_area_deg2(const MachineSetup& setup, double floor_deg)
-{
-    return floored_area_deg2(setup.best, setup.machine.configuration, floor_deg);
-}
-
-SetupRank setup_rank(const MachineSetup& setup, double floor_deg)
-{
-    return setup_rank(setup.best, setup.machine.configuration, floor_deg);
 }
 
 }  // namespace endmill

@@ -6,19 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "endmill/core/answer.h"
 #include "endmill/core/vec.h"
 #include "endmill/machine/kinematics.h"
 #include "endmill/mesh/triangle_mesh.h"
-#include "endmill/setup/setup.h"
 #include "endmill/setup/setup_pose.h"
-#include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"
 
 /// \file
-/// The setup of a part on one machine with its linear axes: the direction from which the
-/// tool reaches each facet, and the positions of X, Y and Z there. `machine_setup` computes
-/// both. The paper names the travel as future work.
+/// Travel of the linear axes for a setup: the direction from which the tool reaches each
+/// facet, and the positions of X, Y and Z there. The paper names this as future work.
 /// Source: docs/mathematics/five-axis-setup.md, section 10.
 
 namespace endmill {
@@ -91,63 +87,5 @@ struct SetupTravel {
 SetupTravel setup_travel(const Machine& machine, const Eigen::Matrix3d& part_to_machine,
                          const ReachedPoints& reached, const Vec3& clamp,
                          double tool_length);
-
-/// A part to set up: its facets and the directions from which each is accessible.
-struct SetupPart {
-    const TriangleMesh& mesh;          ///< coordinates in mm
-    const SphereGrid& grid;            ///< cells of the sphere of directions
-    const PartVisibility& visibility;  ///< cones of the facets of `mesh` over these cells
-};
-
-/// How the part is clamped, and the tool that machines it.
-struct Clamping {
-    Vec3 origin{0, 0, 0};    ///< mm, where the part's origin is, along the machine's axes
-    double tool_length = 0;  ///< mm, from the spindle nose to the tip
-};
-
-/// The best setup of a part on one machine, and whether the linear axes reach it.
-struct MachineSetup {
-    Machine machine;  ///< the machine of the setup
-    PartSetup best;   ///< as `find_setup` found it
-
-    /// Rotation of the part for the pose that `best` shows. Nothing without a pose.
-    std::optional<Eigen::Matrix3d> part_to_machine = {};
-
-    /// Travel of the linear axes, whether they have limits or not. Nothing if it was not
-    /// computed, and nothing if a facet is out of reach (`within_travel` is then No).
-    std::optional<SetupTravel> travel = {};
-
-    /// Whether the linear axes reach all facets. No, too, if at this pose a facet has no
-    /// cell within the rotary limits. Undecided if there is nothing to examine: no pose
-    /// within the rotary limits, or no clamping.
-    Answer within_travel = Answer::Undecided;
-
-    /// Whether any linear axis has a limit. Otherwise `within_travel` decides nothing.
-    bool has_linear_limits() const { return machine.linear != LinearLimits{}; }
-
-    /// Whether the part is machinable in one setup on this machine: within the limits of
-    /// the rotary axes, and not proved to be beyond those of the linear axes.
-    bool is_machinable() const;
-};
-
-/// Finds the best setup of a part on a machine and the travel of its linear axes.
-/// \param part facets and their cones.
-/// \param machine any. A machine that is not valid has no setup.
-/// \param request mode and objective. Of its reach only the arc tolerance counts; the
-///        axes and their limits are those of `machine`.
-/// \param clamping nothing if the linear axes are unknown, as those of a family of
-///        machines. The travel is then not computed.
-/// \throws DomainError as `find_setup`.
-MachineSetup machine_setup(const SetupPart& part, const Machine& machine,
-                           SetupRequest request, const std::optional<Clamping>& clamping);
-
-/// The floored area of the pose that a setup shows, in square degrees.
-/// \param setup on any machine. \param floor_deg degrees.
-/// \return nothing if the setup shows no pose.
-std::optional<double> floored_area_deg2(const MachineSetup& setup, double floor_deg);
-
-/// Ranks a setup as `setup_rank` does for the rotary axes alone.
-/// \param setup on any machine. \param floor_deg floor of the area, degrees.
-SetupRank setup_rank(const MachineSetup& setup, double floor_deg);
 
 }  // namespace endmill
