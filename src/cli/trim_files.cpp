@@ -46,7 +46,7 @@ void measure_sampling(const OffsetPart& part, const TrimInput& input,
 }
 
 // Links the trimmed curves to a path and measures its clearance from the part.
-void add_path(const CutPart& part, const TrimOptions& options, TrimResult& result)
+void add_tool_path(const CutPart& part, const TrimOptions& options, TrimResult& result)
 {
     LinkOptions link;
     link.order = options.order;
@@ -152,7 +152,7 @@ TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
             surfaces ? crease_test(surfaces->offset, input.sections[k]) : CreaseTest{}));
     progress.begin(name + "measuring the clearance");
     if (input.part)
-        add_path(*input.part, options, result);
+        add_tool_path(*input.part, options, result);
     return result;
 }
 
