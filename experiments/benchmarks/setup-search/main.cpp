@@ -35,7 +35,8 @@ int main(int argc, char** argv)
                 five_axis_setup(part.grid, part.visibility.map, bar.request);
             CsvCell proved;
             if (best.certificate)
-                proved = 100 * (best.objective.value() / best.certificate->lower_bound - 1);
+                proved =
+                    100 * (best.objective.value() / best.certificate->lower_bound - 1);
             result.add_row(
                 {bar.name, times.of(bar.name).cpu_s, "s", bar.at_most_s, proved});
         }
