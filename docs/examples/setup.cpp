@@ -3,7 +3,6 @@
 
 #include <exception>
 #include <iostream>
-#include <numbers>
 
 #include "endmill/files.h"
 #include "endmill/setup.h"
@@ -23,9 +22,9 @@ try {
     if (!setup.shown())
         return 1;
     const FittedPose& fit = *setup.shown();
-    const double degrees = 180 / std::numbers::pi;
     std::cout << "tool axis " << fit.pose.tool_axis.transpose() << ", tilt from "
-              << fit.phi.from * degrees << " to " << fit.phi.to * degrees << " degrees\n";
+              << Angle::radians(fit.phi.from).degrees() << " to "
+              << Angle::radians(fit.phi.to).degrees() << " degrees\n";
 } catch (const std::exception& error) {
     std::cerr << "setup: " << error.what() << '\n';
     return 2;

@@ -79,12 +79,12 @@ ExitCode run_feed(const FeedCommandOptions& options)
         feed_text(summary) + "written to " + printable(folder.path().string()) + "\n");
     if (plan.totals.infeasible == 0)
         return ExitCode::Yes;
-    const std::string told = options.path.file + ": " + infeasible_text(summary);
+    const std::string infeasible = options.path.file + ": " + infeasible_text(summary);
     if (options.allow_infeasible) {
-        warn(options.common, told);
+        warn(options.common, infeasible);
         return ExitCode::Yes;
     }
-    report_error("E_INFEASIBLE", told, ExitCode::No, options.common.json_errors);
+    report_error("E_INFEASIBLE", infeasible, ExitCode::No, options.common.json_errors);
     return ExitCode::No;
 }
 

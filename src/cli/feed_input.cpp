@@ -20,8 +20,8 @@ namespace {
 
 // The top of the stock if it is known. Without a part the default block is the bounding
 // box of the path, whose top is not the top of the stock.
-std::optional<double> told_stock_top(const FeedCommandOptions& options,
-                                     const VerifyStock& stock)
+std::optional<double> given_stock_top(const FeedCommandOptions& options,
+                                      const VerifyStock& stock)
 {
     if (options.stock_top)
         return options.stock_top;
@@ -42,18 +42,18 @@ Tool tool_without_file(const FeedCommandOptions& options, const Program& program
 }
 
 // Options of the command line override the values of the tool file.
-void tell(Tool& tool, const ToolOptions& told)
+void apply_options(Tool& tool, const ToolOptions& options)
 {
-    if (told.flutes)
-        tool.flutes = told.flutes;
-    if (told.helix_deg)
-        tool.helix = Angle::degrees(*told.helix_deg);
-    if (told.max_force_n)
-        tool.limits.cutting_force = told.max_force_n;
-    if (told.max_thrust_n)
-        tool.limits.thrust = told.max_thrust_n;
-    if (told.max_torque_n_m)
-        tool.limits.torque = told.max_torque_n_m;
+    if (options.flutes)
+        tool.flutes = options.flutes;
+    if (options.helix_deg)
+        tool.helix = Angle::degrees(*options.helix_deg);
+    if (options.max_force_n)
+        tool.limits.cutting_force = options.max_force_n;
+    if (options.max_thrust_n)
+        tool.limits.thrust = options.max_thrust_n;
+    if (options.max_torque_n_m)
+        tool.limits.torque = options.max_torque_n_m;
 }
 
 void require_same_cutter(const std::optional<Tool>& tool,
@@ -87,10 +87,10 @@ void require_cutter_of_path(const FeedCommandOptions& options, const Cutter& use
 {
     if (!planned || used == *planned)
         return;
-    const std::string told = options.path.cutter ? "--cutter " + cutter_word(used)
-                                                 : "--tool " + options.tool.file +
-                                                       " with " + cutter_word(used);
-    throw DomainError{told + ": the path or the summary.json beside it names " +
+    const std::string used_name = options.path.cutter ? "--cutter " + cutter_word(used)
+                                                      : "--tool " + options.tool.file +
+                                                            " with " + cutter_word(used);
+    throw DomainError{used_name + ": the path or the summary.json beside it names " +
                       cutter_word(*planned) + "; expected the same cutter"};
 }
 
@@ -114,8 +114,8 @@ void require_range(const FeedInput& input, const FeedCommandOptions& options)
     const FeedRange range = feed_range(input.job.material, input.plan);
     if (!range.most_mm || range.least_mm <= *range.most_mm)
         return;
-    const bool is_least_told = options.min_feed_per_tooth_mm.has_value();
-    throw DomainError{is_least_told
+    const bool is_least_given = options.min_feed_per_tooth_mm.has_value();
+    throw DomainError{is_least_given
                           ? "--min-feed-per-tooth: found " + to_text(range.least_mm) +
                                 "; expected at most the largest feed per tooth, " +
                                 to_text(*range.most_mm) + " mm (--max-feed-per-tooth)"
@@ -190,7 +190,7 @@ void add_stock(FeedInput& input, const FeedCommandOptions& options)
     const Part part = input.part;
     input.stock = read_verify_stock(stock, input.part.empty() ? nullptr : &part,
                                     input.program.path, input.tool.cutter);
-    const auto top = told_stock_top(options, input.stock);
+    const auto top = given_stock_top(options, input.stock);
     if (!top)
         throw DomainError{
             "the stock's top is not known; expected --stock-top, --stock or --part"};
@@ -225,7 +225,7 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
         tool = tool_without_file(options, program, known);
     require_cutter_of_path(options, tool->cutter, known.cutter);
     require_cutter_of_path(options, tool->cutter, program.cutter);
-    tell(*tool, options.tool);
+    apply_options(*tool, options.tool);
     require_tool(*tool);
     const std::string stem = std::filesystem::path{file}.stem().string();
     FeedInput input{.name = printable(known.name.value_or(stem)),

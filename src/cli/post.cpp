@@ -28,15 +28,15 @@ namespace {
 constexpr double negligible_share = 0.1;
 
 // Options replace the values of the path.
-void tell(ToolPath& path, const PostOptions& options)
+void apply_options(ToolPath& path, const PostOptions& options)
 {
-    for (CuttingConditions& told : path.conditions) {
+    for (CuttingConditions& conditions : path.conditions) {
         if (options.feed_mm_per_min)
-            told.feed_mm_per_min = options.feed_mm_per_min;
+            conditions.feed_mm_per_min = options.feed_mm_per_min;
         if (options.spindle_rpm)
-            told.spindle_rpm = options.spindle_rpm;
+            conditions.spindle_rpm = options.spindle_rpm;
         if (options.tool)
-            told.tool = options.tool;
+            conditions.tool = options.tool;
     }
 }
 
@@ -110,7 +110,7 @@ ExitCode run_post(const PostOptions& options)
     Program program = read_program_for(
         options.path, options.path.cutter ? options.path.cutter : beside.cutter,
         options.common);
-    tell(program.path, options);
+    apply_options(program.path, options);
     PathSummary known = known_of(program, beside, options);
     const std::string stem = std::filesystem::path{options.path.file}.stem().string();
     const std::string name = printable(known.name.value_or(stem));

@@ -26,7 +26,7 @@ namespace {
 // Memory for one triangle and its share of the points, until the file is written.
 constexpr double bytes_per_triangle = 250;
 // A warning is due if rounding to float exceeds this, in mm.
-constexpr double float_worth_telling = 1e-4;
+constexpr double negligible_float_error = 1e-4;
 
 struct SampleOptions {
     CommonOptions common;
@@ -92,7 +92,7 @@ ExitCode run_sample(const SampleOptions& options)
     if (options.format == MeshFormat::Stl) {
         const double rounding = float_rounding_mm(sampling.found.mesh);
         if (rounding > sampling.found.max_chord_error_mm &&
-            rounding > float_worth_telling)
+            rounding > negligible_float_error)
             warn(options.common,
                  fmt::format(
                      "binary STL rounds these coordinates by up to {} mm; the other "

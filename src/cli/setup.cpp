@@ -32,10 +32,10 @@ std::vector<SetupAnswer> ranked_answers(const SetupInput& input,
     std::vector<SetupAnswer> answers;
     for (const SetupMachine& machine : input.machines)
         answers.push_back(answer_for(machine, input, visibility, options));
-    std::ranges::stable_sort(answers,
-                             [&](const SetupAnswer& one, const SetupAnswer& other) {
-                                 return ranks_before(one, other, options);
-                             });
+    // The files of a folder are sorted by name, and setups of equal rank stay so.
+    std::ranges::stable_sort(answers, {}, [&](const SetupAnswer& answer) {
+        return setup_rank(answer.setup, options.floor_deg);
+    });
     return answers;
 }
 
@@ -67,7 +67,7 @@ ExitCode run_setup(const SetupCommandOptions& options)
     print_result(
         options.common, summary,
         setup_text(summary) + "written to " + printable(folder.path().string()) + "\n");
-    return answers.front().is_yes() ? ExitCode::Yes : ExitCode::No;
+    return answers.front().setup.is_machinable() ? ExitCode::Yes : ExitCode::No;
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "cli/setup_answer.h"
 
 #include <chrono>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -40,13 +39,6 @@ PartVisibility computed(const SetupInput& input, const StoredVisibility& file,
     return found;
 }
 
-RotaryReach reach_of(const Machine& machine, const SetupCommandOptions& options)
-{
-    return {.configuration = machine.configuration,
-            .limits = machine.rotary,
-            .arc_tolerance = Angle::degrees(options.arc_tolerance_deg)};
-}
-
 // Progress of the search over whole cones, in the unit of its objective.
 std::string set_progress_text(const WholeConeSearchProgress& now,
                               SetupObjective objective)
@@ -66,50 +58,39 @@ std::string set_progress_text(const WholeConeSearchProgress& now,
     return text;
 }
 
-PartSetup setup_on(const SetupMachine& machine, const SetupInput& input,
-                   const SetupVisibility& visibility, const SetupCommandOptions& options)
+MachineSetup setup_on(const SetupMachine& machine, const SetupInput& input,
+                      const SetupVisibility& visibility,
+                      const SetupCommandOptions& options)
 {
     ProgressLine progress{"searching for a setup", options.common};
     const double looks = 2 * static_cast<double>(visibility.map().cells());
-    return find_setup(
-        input.grid, visibility.file.visibility,
-        {.reach = reach_of(machine.machine, options),
+    std::optional<Clamping> clamping;
+    if (!machine.is_family)
+        clamping = Clamping{options.clamp, input.tool ? input.tool->length : 0};
+    return machine_setup(
+        {input.mesh, input.grid, visibility.file.visibility}, machine.machine,
+        {.reach = {.arc_tolerance = Angle::degrees(options.arc_tolerance_deg)},
          .mode = options.mode,
-         .objective = options.objective,
-         .floor = Angle::degrees(options.floor_deg).radians(),
-         .gap = options.gap,
-         .max_nodes = static_cast<std::size_t>(options.max_nodes),
+         .whole_cones = {.objective = options.objective,
+                         .floor = Angle::degrees(options.floor_deg).radians(),
+                         .gap = options.gap,
+                         .max_nodes = static_cast<std::size_t>(options.max_nodes),
+                         .progress =
+                             [&](const WholeConeSearchProgress& now) {
+                                 progress.show(set_progress_text(now, options.objective));
+                             }},
          .cell_progress =
-             [&](std::size_t done) { progress.show(static_cast<double>(done) / looks); },
-         .cone_progress =
-             [&](const WholeConeSearchProgress& now) {
-                 progress.show(set_progress_text(now, options.objective));
-             }});
-}
-
-void add_travel(SetupAnswer& answer, const SetupInput& input,
-                const SetupVisibility& visibility, const SetupCommandOptions& options)
-{
-    const Machine& machine = answer.machine->machine;
-    const SetupPose& pose = answer.told()->pose;
-    answer.part_to_machine = part_to_machine(pose, machine.configuration);
-    if (answer.machine->is_family || !answer.best.feasible)
-        return;
-    const PartVisibility& cones = visibility.file.visibility;
-    if (const auto reached = reached_points(input.mesh, cones, input.grid.centres,
-                                            pose_frame(machine.configuration, pose),
-                                            cell_limits(reach_of(machine, options))))
-        answer.travel = setup_travel(machine, *answer.part_to_machine, *reached,
-                                     options.clamp, input.tool ? input.tool->length : 0);
-    else
-        answer.is_out_of_reach = true;
+             [&](std::size_t done) { progress.show(static_cast<double>(done) / looks); }},
+        clamping);
 }
 
 SetupCover several_setups(const SetupMachine& machine, const SetupInput& input,
                           const VisibilityMap& map, const SetupCommandOptions& options)
 {
     ProgressLine progress{"choosing setups", options.common};
-    return greedy_setups(map, input.grid.centres, reach_of(machine.machine, options),
+    const RotaryReach reach{machine.machine.configuration, machine.machine.rotary,
+                            Angle::degrees(options.arc_tolerance_deg)};
+    return greedy_setups(map, input.grid.centres, reach,
                          static_cast<std::size_t>(options.max_setups),
                          [&](const SetupCoverProgress& now) {
                              progress.show(fmt::format("setup {}, {} of {} tool axes",
@@ -118,18 +99,6 @@ SetupCover several_setups(const SetupMachine& machine, const SetupInput& input,
 }
 
 }  // namespace
-
-std::optional<bool> SetupAnswer::is_travel_ok() const
-{
-    if (machine->machine.linear == LinearLimits{} || (!travel && !is_out_of_reach))
-        return std::nullopt;
-    return travel && travel->is_within;
-}
-
-bool SetupAnswer::is_yes() const
-{
-    return best.machinable == Answer::Yes && is_travel_ok() != false;
-}
 
 SetupVisibility visibility_for(const SetupInput& input,
                                const SetupCommandOptions& options)
@@ -156,31 +125,12 @@ SetupAnswer answer_for(const SetupMachine& machine, const SetupInput& input,
                        const SetupCommandOptions& options)
 {
     const Clock::time_point start = Clock::now();
-    const MachineConfiguration& configuration = machine.machine.configuration;
     SetupAnswer answer{.machine = &machine,
-                       .best = setup_on(machine, input, visibility, options)};
-    if (answer.told())
-        add_travel(answer, input, visibility, options);
-    if (options.max_setups > 1 && configuration.is_valid())
+                       .setup = setup_on(machine, input, visibility, options)};
+    if (options.max_setups > 1 && machine.machine.configuration.is_valid())
         answer.setups = several_setups(machine, input, visibility.map(), options);
     answer.seconds = seconds_since(start);
     return answer;
-}
-
-std::optional<double> SetupAnswer::floored_area_deg2(double floor_deg) const
-{
-    return endmill::floored_area_deg2(best, machine->machine.configuration, floor_deg);
-}
-
-bool ranks_before(const SetupAnswer& one, const SetupAnswer& other,
-                  const SetupCommandOptions& options)
-{
-    const auto key = [&](const SetupAnswer& answer) {
-        return std::pair{setup_rank(answer.best, answer.machine->machine.configuration,
-                                    options.floor_deg),
-                         answer.machine->file};
-    };
-    return key(one) < key(other);
 }
 
 }  // namespace endmill

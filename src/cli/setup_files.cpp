@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/setup_idle.h"
 #include "endmill/figures/setup_figures.h"
 #include "endmill/files/result_csv.h"
 #include "endmill/files/visibility_file.h"
@@ -16,11 +17,11 @@ namespace {
 
 ShownSetup shown_setup(const SetupAnswer& answer)
 {
-    const FittedPose& told = *answer.told();
+    const FittedPose& fit = *answer.reported();
     const Machine& machine = answer.machine->machine;
-    ShownSetup setup{*answer.part_to_machine,
-                     pose_frame(machine.configuration, told.pose),
-                     {told.phi, told.theta},
+    ShownSetup setup{*answer.setup.part_to_machine,
+                     pose_frame(machine.configuration, fit.pose),
+                     {fit.phi, fit.theta},
                      {}};
     // Axes without any limits are not drawn.
     if (machine.rotary != RotaryLimits{})
@@ -35,13 +36,15 @@ std::string range_text(const RotaryRange& range)
 }
 
 std::vector<std::string> setup_captions(const SetupAnswer& answer,
-                                        const SetupCommandOptions& options)
+                                        std::optional<SetupMode> mode)
 {
-    const FittedPose& told = *answer.told();
-    std::vector<std::string> captions{
-        fmt::format("mode {}: phi {}, theta {} degrees", setup_mode_word(options.mode),
-                    range_text(told.phi), range_text(told.theta))};
-    if (!answer.best.feasible)
+    const FittedPose& fit = *answer.reported();
+    const std::string prefix =
+        mode ? "mode " + std::string{setup_mode_word(*mode)} + ": " : "";
+    std::vector<std::string> captions{fmt::format("{}phi {}, theta {} degrees", prefix,
+                                                  range_text(fit.phi),
+                                                  range_text(fit.theta))};
+    if (!answer.setup.best.feasible)
         captions.emplace_back(
             "no pose within the limits was found; this pose is the best one without "
             "limits");
@@ -54,13 +57,13 @@ std::string sphere_picture(const SetupInput& input, const SetupVisibility& visib
     const VisibilityMap& map = visibility.map();
     SphereFigure figure;
     figure.title = input.name + " on " + answer.machine->name + ": tool directions";
-    figure.captions = setup_captions(answer, options);
+    figure.captions = setup_captions(answer, effective_mode(input.machines, options));
     figure.setup = shown_setup(answer);
     // Only these modes fit the pose to the nearest cells.
     if (options.mode != SetupMode::WholeCones &&
         answer.machine->machine.configuration.family)
         for (const std::size_t cell :
-             nearest_cells(map, input.grid.centres, answer.told()->cell))
+             nearest_cells(map, input.grid.centres, answer.reported()->cell))
             figure.marked.push_back(input.grid.centres[cell]);
     return sphere_svg(input.grid, map, figure);
 }
@@ -72,13 +75,14 @@ void write_pictures(const SetupInput& input, const SetupVisibility& visibility,
     const VisibilityMap& map = visibility.map();
     const FacetAccess access{
         visible_fractions(map, input.grid.solid_angles_sr),
-        reached_at_zero(input.grid, map, answer.told()->pose.tool_axis)};
+        reached_at_zero(input.grid, map, answer.reported()->pose.tool_axis)};
     const ShownSetup setup = shown_setup(answer);
     folder.write("setup.vtp", setup_vtp(input.mesh, access, setup));
     folder.write("setup.svg",
                  setup_svg(input.mesh, access.reached_at_zero, setup,
                            {.title = input.name + " on " + answer.machine->name,
-                            .captions = setup_captions(answer, options)}));
+                            .captions = setup_captions(
+                                answer, effective_mode(input.machines, options))}));
     folder.write("sphere.svg", sphere_picture(input, visibility, answer, options));
 }
 
@@ -108,7 +112,7 @@ void write_setup_files(const SetupInput& input, const SetupVisibility& visibilit
     // Remove pictures of an earlier run, which may show a pose of another machine.
     for (const char* name : {"setup.vtp", "setup.svg", "sphere.svg"})
         folder.remove_unless_written(name);
-    if (answer.told() && answer.part_to_machine)
+    if (answer.setup.part_to_machine)
         write_pictures(input, visibility, answer, options, folder);
 }
 

@@ -18,6 +18,17 @@ constexpr std::array part_only_options{
 
 constexpr std::array set_only_options{"--objective", "--gap", "--max-nodes"};
 
+// With fewer than five axes there is one search. The mode `set` changes what is reported:
+// with four axes its objective, with three the least number of setups.
+bool is_mode_idle(const MachineConfiguration& configuration,
+                  const SetupCommandOptions& options)
+{
+    if (!configuration.is_valid() || configuration.axes() == 5)
+        return false;
+    return options.mode != SetupMode::WholeCones ||
+           (configuration.axes() == 3 && options.max_setups == 1);
+}
+
 }  // namespace
 
 void refuse_idle_setup_options(const SetupCommandOptions& options)
@@ -49,6 +60,17 @@ void refuse_options_idle_on(std::span<const SetupMachine> machines,
     if (first.axes() != 5)
         refuse_idle_options(options.common, set_only_options, machine,
                             "a machine with two rotary axes");
+    if (is_mode_idle(first, options))
+        refuse_idle_options(options.common, std::array{"--mode"}, machine,
+                            "a machine with two rotary axes");
+}
+
+std::optional<SetupMode> effective_mode(std::span<const SetupMachine> machines,
+                                        const SetupCommandOptions& options)
+{
+    const bool is_idle = machines.size() == 1 &&
+                         is_mode_idle(machines.front().machine.configuration, options);
+    return is_idle ? std::nullopt : std::optional{options.mode};
 }
 
 }  // namespace endmill

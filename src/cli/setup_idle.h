@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "cli/setup_machine.h"
@@ -18,5 +19,10 @@ void refuse_idle_setup_options(const SetupCommandOptions& options);
 /// \throws DomainError as `refuse_idle_setup_options`.
 void refuse_options_idle_on(std::span<const SetupMachine> machines,
                             const SetupCommandOptions& options);
+
+/// The mode of the search. Nothing if it has no effect: on one valid machine of fewer
+/// than five axes all modes but `set` are the same, and `set` reports its objective.
+std::optional<SetupMode> effective_mode(std::span<const SetupMachine> machines,
+                                        const SetupCommandOptions& options);
 
 }  // namespace endmill

@@ -39,7 +39,7 @@ Json points_summary(const SetupMachine& machine, const PoseSearchResult& search,
                     const SetupCommandOptions& options, std::size_t count)
 {
     const bool is_ca = machine.machine.configuration.family == RotaryFamily::CA;
-    const std::optional<FittedPose>& told =
+    const std::optional<FittedPose>& reported =
         search.feasible ? search.feasible : search.least;
     Json summary = machine_json(machine);
     summary.update(Json{{"mode", setup_mode_word(options.mode)},
@@ -47,21 +47,21 @@ Json points_summary(const SetupMachine& machine, const PoseSearchResult& search,
                         {"status", setup_status_word(search.status)},
                         {"machinable", search.feasible.has_value()}});
     summary.update(limits_json(machine.machine.rotary));
-    summary.update(pose_json(told));
+    summary.update(pose_json(reported));
     const char* azimuth_key = is_ca ? "r2_azimuth_deg" : "r1_azimuth_deg";
     summary["width_deg"] = nullptr;
     summary["phi_range_deg"] = nullptr;
     summary["theta_range_deg"] = nullptr;
     summary[azimuth_key] = nullptr;
     summary["rigid"] = nullptr;
-    if (told) {
-        const RotaryRange& window = is_ca ? told->theta : told->phi;
+    if (reported) {
+        const RotaryRange& window = is_ca ? reported->theta : reported->phi;
         summary["width_deg"] = Angle::radians(window.to - window.from).written_degrees();
-        summary["phi_range_deg"] = range_json(told->phi);
-        summary["theta_range_deg"] = range_json(told->theta);
+        summary["phi_range_deg"] = range_json(reported->phi);
+        summary["theta_range_deg"] = range_json(reported->theta);
         summary[azimuth_key] =
-            azimuth_deg(is_ca ? told->pose.r2_axis : told->pose.r1_axis);
-        summary["rigid"] = told->is_rigid;
+            azimuth_deg(is_ca ? reported->pose.r2_axis : reported->pose.r1_axis);
+        summary["rigid"] = reported->is_rigid;
     }
     summary["mar"] = search.least ? pose_json(search.least) : Json{};
     return summary;

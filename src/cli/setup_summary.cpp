@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "build_facts.h"
+#include "cli/setup_idle.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 
@@ -60,39 +61,48 @@ void add_objective(Json& summary, const SetupAnswer& answer,
         !is_set(options) || options.objective == SetupObjective::FlooredArea;
     summary["objective"] =
         is_set(options) ? setup_objective_word(options.objective) : "area";
+    const PartSetup& best = answer.setup.best;
     const auto shown = [&](const std::optional<double>& value) {
         if (!value)
             return Json{};
         return Json(is_area ? *value * deg2_per_rad2 : Angle::radians(*value).degrees());
     };
-    summary[is_area ? "objective_deg2" : "objective_deg"] = shown(answer.best.objective);
+    summary[is_area ? "objective_deg2" : "objective_deg"] = shown(best.objective);
     summary[is_area ? "lower_bound_deg2" : "lower_bound_deg"] =
-        shown(answer.best.lower_bound);
+        best.certificate ? shown(best.certificate->lower_bound) : Json{};
 }
 
 void add_ranges(Json& summary, const SetupAnswer& answer,
                 const SetupCommandOptions& options)
 {
-    const std::optional<FittedPose>& told = answer.told();
+    const std::optional<FittedPose>& reported = answer.reported();
     const std::optional<RotaryFamily>& family =
         answer.machine->machine.configuration.family;
-    summary["phi_range_deg"] = told ? range_json(told->phi) : Json{};
-    summary["theta_range_deg"] = told ? range_json(told->theta) : Json{};
+    summary["phi_range_deg"] = reported ? range_json(reported->phi) : Json{};
+    summary["theta_range_deg"] = reported ? range_json(reported->theta) : Json{};
     summary["width_deg"] =
-        told && family ? Json(to_deg(pose_ranges(*family, *told).width)) : Json{};
+        reported && family ? Json(to_deg(pose_ranges(*family, *reported).width)) : Json{};
     summary["floored_area_deg2"] =
-        optional_json(answer.floored_area_deg2(options.floor_deg));
-    summary["rigid"] = told ? Json(told->is_rigid) : Json{};
+        optional_json(floored_area_deg2(answer.setup, options.floor_deg));
+    summary["rigid"] = reported ? Json(reported->is_rigid) : Json{};
+}
+
+// Null if the linear axes have no limits, or if there was nothing to examine.
+Json travel_json(const MachineSetup& setup)
+{
+    if (!setup.has_linear_limits() || setup.within_travel == Answer::Undecided)
+        return {};
+    return setup.within_travel == Answer::Yes;
 }
 
 void add_travel_keys(Json& summary, const SetupAnswer& answer,
                      const SetupCommandOptions& options)
 {
     summary["clamp_mm"] = vector_json(options.clamp);
-    const std::optional<SetupTravel>& travel = answer.travel;
+    const std::optional<SetupTravel>& travel = answer.setup.travel;
     summary["travel_mm"] = nullptr;
     summary["clamp_centred_mm"] = nullptr;
-    summary["travel_ok"] = optional_json(answer.is_travel_ok());
+    summary["travel_ok"] = travel_json(answer.setup);
     if (!travel)
         return;
     summary["travel_mm"] = {{"x", {travel->low.x(), travel->high.x()}},
@@ -120,8 +130,9 @@ void add_setups(Json& summary, const SetupAnswer& answer,
                           {"facets", setup.facets}});
     summary["setups"] = setups;
     summary["uncovered"] = answer.setups->uncovered;
-    const bool needs_two =
-        is_set(options) && answer.best.machinable == Answer::No && answer.best.is_proved;
+    const bool needs_two = is_set(options) &&
+                           answer.setup.best.machinable == Answer::No &&
+                           answer.setup.best.is_proved;
     if (!has_empty_cones)  // an empty cone makes every number of setups insufficient
         summary["setups_lower_bound"] = needs_two ? 2 : 1;
 }
@@ -141,10 +152,10 @@ Json ranking(std::span<const SetupAnswer> answers, const SetupCommandOptions& op
             {{"machine", printable(answer.machine->file.empty() ? answer.machine->name
                                                                 : answer.machine->file)},
              {"configuration", answer.machine->machine.configuration.word},
-             {"machinable", machinable_json(answer.best)},
-             {"travel_ok", optional_json(answer.is_travel_ok())},
+             {"machinable", machinable_json(answer.setup.best)},
+             {"travel_ok", travel_json(answer.setup)},
              {"floored_area_deg2",
-              optional_json(answer.floored_area_deg2(options.floor_deg))}});
+              optional_json(floored_area_deg2(answer.setup, options.floor_deg))}});
     }
     return list;
 }
@@ -152,22 +163,22 @@ Json ranking(std::span<const SetupAnswer> answers, const SetupCommandOptions& op
 void add_search(Json& summary, const SetupAnswer& answer,
                 const SetupCommandOptions& options)
 {
-    const PartSetup& best = answer.best;
+    const PartSetup& best = answer.setup.best;
     summary["machinable"] = machinable_json(best);
     summary["proved"] = best.is_proved;
     // The status describes a pose, except that no open hemisphere rules out any pose.
     const bool has_status =
-        answer.told().has_value() || best.status == SetupStatus::NoOpenHemisphere;
+        answer.reported().has_value() || best.status == SetupStatus::NoOpenHemisphere;
     summary["status"] = has_status ? Json(setup_status_word(best.status)) : Json{};
-    summary.update(pose_json(answer.told()));
+    summary.update(pose_json(answer.reported()));
     add_ranges(summary, answer, options);
     add_objective(summary, answer, options);
     summary["part_to_machine"] =
-        answer.part_to_machine ? rows_json(*answer.part_to_machine) : Json{};
+        answer.setup.part_to_machine ? rows_json(*answer.setup.part_to_machine) : Json{};
     summary["mar"] = best.least ? pose_json(best.least) : Json{};
     summary["poses_tried"] = best.poses_tried;
     summary["poses_skipped"] = best.poses_skipped;
-    summary["unresolved"] = best.unresolved;
+    summary["unresolved"] = best.certificate ? best.certificate->unresolved : 0;
     add_setups(summary, answer, options);
     add_travel_keys(summary, answer, options);
 }
@@ -207,8 +218,10 @@ std::string travel_text(const Json& s)
 // The limitation of the mode, and a mode without it.
 std::string better_mode_text(const Json& s)
 {
+    if (s["type"] != "CA" && s["type"] != "AB")
+        return {};
     const std::string mode = s["mode"].get<std::string>();
-    if (mode == "set" || (s["type"] != "CA" && s["type"] != "AB"))
+    if (mode == "set")
         return {};
     const std::string limits = mode == "corrected"
                                    ? "mode corrected tries the centres of cells only"
@@ -293,7 +306,8 @@ Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,
     Json summary{
         {"name", input.name}, {"source", input.source}, {"endmill", program_version}};
     summary.update(machine_json(*first.machine));
-    summary["mode"] = setup_mode_word(options.mode);
+    const std::optional<SetupMode> mode = effective_mode(input.machines, options);
+    summary["mode"] = mode ? Json(setup_mode_word(*mode)) : Json{};
     summary["visibility"] = visibility_word(visibility.file.kind);
     summary["incidence_deg"] = visibility.file.incidence.written_degrees();
     summary["sphere"] = input.grid.name;
@@ -325,12 +339,12 @@ Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,
 std::string setup_text(const Json& s)
 {
     std::string text =
-        fmt::format("{}: {} on {}, mode {}; {} facets, {} directions\n",
+        fmt::format("{}: {} on {}{}; {} facets, {} directions\n",
                     s["name"].get<std::string>(), machinable_text(s["machinable"]),
                     s["configuration"].is_null() ? s["type"].get<std::string>()
                                                  : s["configuration"].get<std::string>(),
-                    s["mode"].get<std::string>(), s["facets"].get<std::size_t>(),
-                    s["cells"].get<std::size_t>());
+                    s["mode"].is_null() ? "" : ", mode " + s["mode"].get<std::string>(),
+                    s["facets"].get<std::size_t>(), s["cells"].get<std::size_t>());
     if (!s["reason"].is_null())
         text += "  reason       " + s["reason"].get<std::string>() + "\n";
     if (!s["empty_cones"].empty())

@@ -93,7 +93,7 @@ std::string folder_name(const std::filesystem::path& path)
 // The name of an input for its output folder. All plans call their path toolpath.csv
 // and put it into a folder u or v if they have both directions, so the folders identify
 // the path.
-std::string telling_name(const std::filesystem::path& input)
+std::string input_name(const std::filesystem::path& input)
 {
     std::string stem = input.stem().string();
     const std::filesystem::path path = input.lexically_normal();
@@ -112,7 +112,7 @@ std::string output_folder(const std::string& input, const std::string& command,
 {
     if (!options.output.empty())
         return options.output;
-    return "./" + telling_name(input) + "-" + command;
+    return "./" + input_name(input) + "-" + command;
 }
 
 Json vector_json(const Vec3& point)

@@ -85,11 +85,11 @@ Outcome trim_all(const TrimInput& input, const TrimOptions& options, OutputFolde
     Outcome outcome;
     // Run once without timing: the first run also starts the threads and fills the
     // caches.
-    if (!input.drop_cutter)
-        trim_planes(input.sections, input.ranges, trimming_methods().front(),
+    if (!input.dropped_part())
+        trim_planes(input.sections, input.ranges(), trimming_methods().front(),
                     trimming_options(options, 1));
     for (const TrimmingMethod& method : trimming_methods()) {
-        if (input.drop_cutter && method.name != mesh_method) {
+        if (input.dropped_part() && method.name != mesh_method) {
             outcome.text += "method " + std::string{method.name} + ": not run, " +
                             needs_surface + "\n";
             outcome.summary["not_run"].push_back(method.name);
@@ -98,13 +98,13 @@ Outcome trim_all(const TrimInput& input, const TrimOptions& options, OutputFolde
         const TrimResult result = trim_by(method, input, options);
         const std::string prefix = std::string{method.name} + "/";
         Json summary = write_trimmed(result, input, options, folder, prefix);
-        if (input.drop_cutter)
+        if (input.dropped_part())
             outcome.text += trim_text(summary);
         if (method.name == "envelope")
             outcome.fault = fault_of(result, options);
         outcome.summary["methods"][std::string{method.name}] = std::move(summary);
     }
-    if (!input.drop_cutter)
+    if (!input.dropped_part())
         outcome.text += methods_text(outcome.summary["methods"]);
     folder.write("summary.json", outcome.summary.dump(2) + "\n");
     return outcome;
@@ -127,9 +127,9 @@ ExitCode run_trim(const TrimOptions& options)
     warn_of_empty_planes(options, input);
     const std::string name = method_name(options);
     require_option(
-        !input.drop_cutter || name == mesh_method || name == "all",
+        !input.dropped_part() || name == mesh_method || name == "all",
         "--method " + name + ": " + needs_surface + "; for a mesh expected envelope");
-    if (input.drop_cutter)
+    if (input.dropped_part())
         refuse_idle_options(
             options.common,
             std::array{"--detection", "--m1-step", "--m1-threshold", "--m3"}, "a mesh",

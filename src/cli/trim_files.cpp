@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/trim_files.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <regex>
 #include <system_error>
@@ -11,8 +9,6 @@
 #include <fmt/format.h>
 
 #include "cli/progress.h"
-#include "endmill/core/error.h"
-#include "endmill/core/parallel.h"
 #include "endmill/drop_cutter/clearance.h"
 #include "endmill/figures/section_svg.h"
 #include "endmill/files/path_file.h"
@@ -32,56 +28,13 @@ std::vector<std::vector<SectionCurve>> curves_of(const TrimInput& input)
     return curves;
 }
 
-// Extent of all curves in z.
-double height_of(const TrimInput& input)
-{
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const PlaneSection& section : input.sections)
-        for (const SectionCurve& curve : section.curves)
-            for (const SectionPoint& point : curve.points) {
-                low = std::min(low, point.y());
-                high = std::max(high, point.y());
-            }
-    return high > low ? high - low : 0;
-}
-
-ToolPath linked(const TrimInput& input, const TrimOptions& options,
-                std::span<const Trimmed> trimmed)
-{
-    std::vector<PlaneCurves> planes;
-    for (std::size_t k = 0; k < trimmed.size(); ++k)
-        planes.push_back({input.planes->positions[k], trimmed[k].curves});
-    LinkOptions link;
-    link.order = options.order;
-    link.safe_height = safe_height(input, options);
-    return link_sections(planes, input.planes->frame, *options.cutter, link);
-}
-
-// Converts curves that need no trimming.
-std::vector<Trimmed> as_trimmed(std::span<const PlaneSection> sections)
-{
-    std::vector<Trimmed> planes(sections.size());
-    for (std::size_t k = 0; k < sections.size(); ++k)
-        for (std::size_t c = 0; c < sections[k].curves.size(); ++c) {
-            TrimmedCurve& curve = planes[k].curves.emplace_back();
-            const auto& points = sections[k].curves[c].points;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const SegmentNumber on{static_cast<std::int32_t>(c),
-                                       static_cast<std::int32_t>(i)};
-                curve.points.push_back({points[i], on, on, TrimmedKind::Vertex});
-            }
-        }
-    return planes;
-}
-
-// Measures the distance of the sampled points from the smooth offset. With --refine it
+// Estimates how far the sampled points are from the smooth offset. With --refine it
 // also moves the points onto the offset.
-void measure_sampling(const TrimInput& input, const TrimOptions& options,
-                      TrimResult& result)
+void measure_sampling(const OffsetPart& part, const TrimInput& input,
+                      const TrimOptions& options, TrimResult& result)
 {
-    const SectionSource source{std::get<std::vector<Surface>>(*input.part), *input.offset,
-                               *input.planes, input.sections};
+    const SectionSource source{part.surfaces, part.offset, input.part->planes,
+                               input.sections};
     if (!options.refine) {
         result.sampling_error = sampling_error(source, result.trimmed);
         return;
@@ -89,25 +42,24 @@ void measure_sampling(const TrimInput& input, const TrimOptions& options,
     RefinedPlanes refined = refine_planes(source, result.trimmed);
     result.sampling_error = refined.greatest_shift;
     result.unrefined = refined.unrefined;
-    for (std::size_t k = 0; k < refined.curves.size(); ++k)
-        result.trimmed[k].curves = std::move(refined.curves[k]);
+    result.trimmed = std::move(refined.planes);
 }
 
-// Smallest distance between cutter and part at all trimmed points.
-std::optional<double> clearance(const TrimInput& input, const TrimOptions& options,
-                                std::span<const Trimmed> trimmed)
+// Links the trimmed curves to a path and measures its clearance from the part.
+void add_tool_path(const CutPart& part, const TrimOptions& options, TrimResult& result)
 {
-    std::vector<Vec3> places;
-    for (std::size_t k = 0; k < trimmed.size(); ++k)
-        for (const TrimmedCurve& curve : trimmed[k].curves)
-            for (const TrimmedPoint& point : curve.points)
-                places.push_back(input.planes->frame.point(
-                    point.at.x(), input.planes->positions[k], point.at.y()));
+    LinkOptions link;
+    link.order = options.order;
+    link.safe_height = safe_height(part, options);
+    result.path = link_sections(result.trimmed, part.planes, *options.cutter, link);
+    const std::vector<Vec3> places = section_points(part.planes, result.trimmed);
+    const auto* const mesh = std::get_if<DroppedPart>(&part.shape);
     const std::optional<LeastGap> least =
-        input.drop_cutter ? least_gap(*input.drop_cutter, places)
-                          : least_gap(std::get<std::vector<Surface>>(*input.part),
-                                      *options.cutter, places);
-    return least ? std::optional{least->gap} : std::nullopt;
+        mesh ? least_gap(mesh->drop_cutter, places)
+             : least_gap(std::get<OffsetPart>(part.shape).surfaces, *options.cutter,
+                         places);
+    if (least)
+        result.min_clearance = least->gap;
 }
 
 // Sections of the part with one plane. Empty if only curves are given.
@@ -117,9 +69,11 @@ std::vector<std::vector<SectionPoint>> part_lines(const TrimInput& input,
     std::vector<std::vector<SectionPoint>> lines;
     if (!input.part)
         return lines;
-    const DrivePlanes drawn{input.planes->frame, {input.planes->positions[plane]}};
-    const auto* const mesh = std::get_if<TriangleMesh>(&*input.part);
-    const auto sections = slice(mesh ? *mesh : contact_mesh(*input.offset), drawn);
+    const DrivePlanes& planes = input.part->planes;
+    const DrivePlanes drawn{planes.frame, {planes.positions[plane]}};
+    const OffsetPart* const surfaces = input.offset_part();
+    const auto sections = slice(
+        surfaces ? contact_mesh(surfaces->offset) : *input.dropped_part()->mesh, drawn);
     for (const SectionCurve& curve : sections.front().curves)
         lines.push_back(curve.points);
     return lines;
@@ -131,9 +85,9 @@ std::string section_picture(const TrimResult& result, const TrimInput& input,
     FigureOptions figure;
     figure.title = fmt::format("{}: plane {} before and after method {}", input.name,
                                plane, result.method);
-    if (input.planes)
+    if (input.part)
         figure.captions.push_back(fmt::format("t = {:.6g} mm, feed at {:g} deg from +x",
-                                              input.planes->positions[plane],
+                                              input.part->planes.positions[plane],
                                               options.direction_deg));
     return section_svg(
         {input.sections[plane].curves, result.trimmed[plane].curves,
@@ -150,9 +104,9 @@ std::string trimmed_picture(const TrimResult& result, const TrimInput& input)
             std::vector<Vec3> points;
             for (const TrimmedPoint& point : curve.points)
                 points.push_back(
-                    input.planes
-                        ? input.planes->frame.point(
-                              point.at.x(), input.planes->positions[k], point.at.y())
+                    input.part
+                        ? input.part->planes.frame.point(
+                              point.at.x(), input.part->planes.positions[k], point.at.y())
                         : Vec3{point.at.x(), 0, point.at.y()});
             curves.push_back(std::move(points));
         }
@@ -161,24 +115,10 @@ std::string trimmed_picture(const TrimResult& result, const TrimInput& input)
     return curves_svg(curves, figure);
 }
 
-// A smaller step back is rounding, for coordinates of some 100 mm.
-constexpr double step_back_mm = 1e-10;
-
-Comparison comparison(const TrimInput& input, const TrimOptions& options,
-                      std::span<const Trimmed> trimmed)
+// The drive planes of a part; null for curves.
+const DrivePlanes* planes_of(const TrimInput& input)
 {
-    std::vector<TrimmingQuality> qualities(trimmed.size());
-    parallel_for(trimmed.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-            qualities[k] = trimming_quality(input.sections[k].curves, trimmed[k]);
-    });
-    Comparison result;
-    for (const TrimmingQuality& quality : qualities) {
-        if (quality.step_back_mm > step_back_mm || quality.gouge_mm > options.tolerance)
-            ++result.wrong;
-        result.deepest_below_mm = std::max(result.deepest_below_mm, quality.gouge_mm);
-    }
-    return result;
+    return input.part ? &input.part->planes : nullptr;
 }
 
 }  // namespace
@@ -191,27 +131,28 @@ TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
     result.method = std::string{method.name};
     const std::string name = "method " + result.method + ": ";
     ProgressLine progress{name + "trimming", options.common};
-    result.options = trimming_options(options, height_of(input));
+    result.options = trimming_options(options, section_height(input.sections));
+    const OffsetPart* const surfaces = input.offset_part();
     const auto start = Clock::now();
-    result.trimmed = input.drop_cutter ? as_trimmed(input.sections)
-                                       : trim_planes(input.sections, input.ranges, method,
-                                                     result.options);
+    result.trimmed = input.dropped_part() ? untrimmed_planes(input.sections)
+                                          : trim_planes(input.sections, input.ranges(),
+                                                        method, result.options);
     result.trim_ms =
         std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     progress.begin(name + "comparing with the envelope");
-    if (method_name(options) == "all" && !input.drop_cutter)
-        result.comparison = comparison(input, options, result.trimmed);
+    if (method_name(options) == "all" && !input.dropped_part())
+        result.comparison =
+            compare_with_envelope(input.sections, result.trimmed, options.tolerance);
     progress.begin(name + (options.refine ? "refining" : "measuring the sampling error"));
-    if (input.offset)
-        measure_sampling(input, options, result);
+    if (surfaces)
+        measure_sampling(*surfaces, input, options, result);
     for (std::size_t k = 0; k < result.trimmed.size(); ++k)
-        result.loops.push_back(
-            cut_out(input.sections[k].curves, result.trimmed[k], crease_test(input, k)));
+        result.loops.push_back(cut_out(
+            input.sections[k].curves, result.trimmed[k],
+            surfaces ? crease_test(surfaces->offset, input.sections[k]) : CreaseTest{}));
     progress.begin(name + "measuring the clearance");
-    if (input.planes) {
-        result.path = linked(input, options, result.trimmed);
-        result.min_clearance = clearance(input, options, result.trimmed);
-    }
+    if (input.part)
+        add_tool_path(*input.part, options, result);
     return result;
 }
 
@@ -219,8 +160,7 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
                    const TrimOptions& options, OutputFolder& folder,
                    const std::string& prefix)
 {
-    const DrivePlanes* placed = input.planes ? &*input.planes : nullptr;
-    folder.write(prefix + "trimmed.csv", trimmed_csv(result.trimmed, placed));
+    folder.write(prefix + "trimmed.csv", trimmed_csv(result.trimmed, planes_of(input)));
     folder.write(prefix + "loops.csv",
                  loops_csv(result.loops, options.explain ? LoopColumns::CauseAndRule
                                                          : LoopColumns::Cause));
@@ -268,8 +208,7 @@ void write_sections(const TrimInput& input, OutputFolder& folder)
              {"trimmed.csv", "loops.csv", "toolpath.csv", "trimmed.svg", "summary.json"})
             folder.remove_unless_written(prefix + name);
     }
-    folder.write("sections.csv",
-                 sections_csv(curves_of(input), input.planes ? &*input.planes : nullptr));
+    folder.write("sections.csv", sections_csv(curves_of(input), planes_of(input)));
 }
 
 }  // namespace endmill

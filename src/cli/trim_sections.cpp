@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/trim_sections.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <limits>
+#include <utility>
 
 #include "cli/console.h"
 #include "cli/mesh_remarks.h"
@@ -31,16 +32,14 @@ double milliseconds_since(Clock::time_point start)
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// Largest distance of planes for a scallop height on level ground. The flat bottom of a
-// bull-nose cutter adds its width.
 double pitch_for(double scallop, const Cutter& cutter)
 {
-    const double r = cutter.corner_radius();
-    require_option(scallop < 2 * r, "--scallop " + to_text(scallop) +
-                                        ": expected a height below twice the corner "
-                                        "radius, " +
-                                        to_text(2 * r) + " mm");
-    return 2 * cutter.flat_radius() + path_interval(BallCutter{r}, 0, scallop).chord;
+    const double highest = 2 * cutter.corner_radius();
+    require_option(scallop < highest, "--scallop " + to_text(scallop) +
+                                          ": expected a height below twice the corner "
+                                          "radius, " +
+                                          to_text(highest) + " mm");
+    return level_path_interval(cutter, scallop);
 }
 
 DrivePlanes planes_over(const Interval& across, const TrimOptions& options)
@@ -64,72 +63,80 @@ TrimInput curves_input(const TrimOptions& options)
     return input;
 }
 
-void add_surface_sections(const std::vector<Surface>& surfaces,
-                          const TrimOptions& options, TrimInput& input)
+void add_surface_sections(std::vector<Surface> surfaces, const TrimOptions& options,
+                          TrimInput& input)
 {
     const std::vector<double> sides = tool_side_signs(surfaces, Vec3::UnitZ());
     require_reachable(surfaces, Vec3::UnitZ(), sides);
-    OffsetOptions offset;
-    offset.grid_lines = options.grid;
-    offset.boundary = boundary_contact(options);
-    offset.allowance = options.allowance;
+    OffsetOptions offset_options;
+    offset_options.grid_lines = options.grid;
+    offset_options.boundary = boundary_contact(options);
+    offset_options.allowance = options.allowance;
     const DriveFrame frame{Angle::degrees(options.direction_deg)};
-    input.planes = planes_over(extent_across(surfaces, frame), options);
+    DrivePlanes planes = planes_over(extent_across(surfaces, frame), options);
     require_trimming_memory(
-        {surfaces.size(), options.grid, input.planes->positions.size(), offset.boundary},
+        {surfaces.size(), options.grid, planes.positions.size(), offset_options.boundary},
         options.common.limits.max_memory_gib);
     ProgressLine progress{"offsetting the surface", options.common};
     const auto start = Clock::now();
-    input.offset = offset_mesh(surfaces, *options.cutter, offset);
-    input.offset_ms = milliseconds_since(start);
+    OffsetMesh offset = offset_mesh(surfaces, *options.cutter, offset_options);
+    const double offset_ms = milliseconds_since(start);
     progress.begin("slicing the offset");
     const auto slicing = Clock::now();
-    input.sections =
-        slice(input.offset->mesh, *input.planes, {input.offset->part_triangles});
-    input.slice_ms = milliseconds_since(slicing);
-    input.ranges = path_ranges(*input.offset, *input.planes, input.sections);
-    input.highest = extent(surfaces, Vec3::UnitZ()).high;
+    input.sections = slice(offset.mesh, planes, {offset.part_triangles});
+    const double slice_ms = milliseconds_since(slicing);
+    auto ranges = path_ranges(offset, planes, input.sections);
+    const double highest = extent(surfaces, Vec3::UnitZ()).high;
+    input.part = CutPart{
+        std::move(planes),
+        OffsetPart{std::move(surfaces), std::move(offset), offset_ms, std::move(ranges)},
+        highest, slice_ms};
 }
 
 // A mesh has no continuous normals to offset along. The drop cutter gives curves that
 // need no trimming.
-void add_mesh_sections(const TriangleMesh& mesh, const TrimOptions& options,
-                       TrimInput& input)
+void add_mesh_sections(TriangleMesh part, const TrimOptions& options, TrimInput& input)
 {
-    require_option(!mesh.triangles().empty(), "the mesh has no triangles");
+    require_option(!part.triangles().empty(), "the mesh has no triangles");
     require_option(!options.refine,
                    "--refine: a mesh has no surface to refine on; expected a surface");
     require_option(
         boundary_contact(options) == BoundaryContact::Contact,
         "--boundary none: the drop cutter always touches the borders of a mesh; expected "
         "--boundary contact");
+    auto mesh = std::make_unique<const TriangleMesh>(std::move(part));
     const DriveFrame frame{Angle::degrees(options.direction_deg)};
-    Interval across{std::numeric_limits<double>::infinity(),
-                    -std::numeric_limits<double>::infinity()};
-    input.highest = across.high;
-    for (const Vec3& point : mesh.points()) {
-        across.low = std::min(across.low, frame.across(point));
-        across.high = std::max(across.high, frame.across(point));
-        input.highest = std::max(input.highest, point.z());
-    }
-    input.planes = planes_over(across, options);
-    require_trimming_memory({0, options.grid, input.planes->positions.size()},
+    DrivePlanes planes = planes_over(extent_across(*mesh, frame), options);
+    require_trimming_memory({0, options.grid, planes.positions.size()},
                             options.common.limits.max_memory_gib);
     const ProgressLine progress{"dropping the cutter on the mesh", options.common};
     const auto start = Clock::now();
-    input.drop_cutter.emplace(mesh, with_allowance(*options.cutter, options.allowance));
     MeshSectionOptions sampling;
     sampling.samples = options.grid;
     sampling.tolerance = options.tolerance;
-    for (auto& curves : mesh_sections(*input.drop_cutter, *input.planes, sampling))
+    const DropCutter larger{*mesh, with_allowance(*options.cutter, options.allowance)};
+    for (auto& curves : mesh_sections(larger, planes, sampling))
         input.sections.push_back({std::move(curves), {}, {}, 0});
-    input.slice_ms = milliseconds_since(start);
+    const double slice_ms = milliseconds_since(start);
+    const double highest = std::ranges::max(mesh->points(), {}, [](const Vec3& point) {
+                               return point.z();
+                           }).z();
     // The clearance of the result is measured with the cutter itself, without the
     // allowance.
-    input.drop_cutter.emplace(mesh, *options.cutter);
+    DropCutter drop_cutter{*mesh, *options.cutter};
+    input.part =
+        CutPart{std::move(planes), DroppedPart{std::move(mesh), std::move(drop_cutter)},
+                highest, slice_ms};
 }
 
 }  // namespace
+
+std::span<const std::optional<Interval>> TrimInput::ranges() const
+{
+    const OffsetPart* const surfaces = offset_part();
+    return surfaces ? std::span{surfaces->ranges}
+                    : std::span<const std::optional<Interval>>{};
+}
 
 TrimInput read_trim_input(const TrimOptions& options)
 {
@@ -149,49 +156,23 @@ TrimInput read_trim_input(const TrimOptions& options)
     }
     input.name = file.name;
     input.source = file.source;
-    input.part = std::make_unique<const Part>(std::move(file.part));
-    if (const auto* mesh = std::get_if<TriangleMesh>(&*input.part))
-        add_mesh_sections(*mesh, options, input);
+    if (auto* mesh = std::get_if<TriangleMesh>(&file.part))
+        add_mesh_sections(std::move(*mesh), options, input);
     else
-        add_surface_sections(std::get<std::vector<Surface>>(*input.part), options, input);
+        add_surface_sections(std::move(std::get<std::vector<Surface>>(file.part)),
+                             options, input);
     return input;
 }
 
-double safe_height(const TrimInput& input, const TrimOptions& options)
+double safe_height(const CutPart& part, const TrimOptions& options)
 {
-    return options.safe_height.value_or(input.highest + options.allowance + clear_above);
+    return options.safe_height.value_or(part.highest + options.allowance + clear_above);
 }
 
 std::optional<double> pick_feed(const DrivePlanes& planes)
 {
     const std::vector<double>& at = planes.positions;
     return at.size() < 2 ? std::nullopt : std::optional{at[1] - at[0]};
-}
-
-std::optional<double> level_scallop(double pitch, const Cutter& cutter)
-{
-    const double over = pitch - 2 * cutter.flat_radius();
-    if (over <= 0)
-        return 0;
-    if (over >= 2 * cutter.corner_radius())
-        return std::nullopt;
-    return scallop_height(BallCutter{cutter.corner_radius()}, 0, over);
-}
-
-CreaseTest crease_test(const TrimInput& input, std::size_t plane)
-{
-    if (!input.offset)
-        return {};
-    return [&offset = *input.offset,
-            &section = input.sections[plane]](const SegmentNumber& at) {
-        const CrossedEdge& edge = section.edges[static_cast<std::size_t>(at.curve)]
-                                               [static_cast<std::size_t>(at.point)];
-        const auto is_concave = [&](std::int32_t vertex) {
-            return offset.contacts[static_cast<std::size_t>(vertex)].kind ==
-                   ContactKind::ConcaveCrease;
-        };
-        return is_concave(edge.below) || is_concave(edge.above);
-    };
 }
 
 }  // namespace endmill

@@ -3,7 +3,9 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "cli/trim_options.h"
@@ -11,26 +13,54 @@
 #include "endmill/mesh/triangle_mesh.h"
 #include "endmill/offset/offset_mesh.h"
 #include "endmill/offset/slicer.h"
-#include "endmill/surface/part.h"
-#include "endmill/trimming/cut_out.h"
+#include "endmill/surface/surface.h"
 
 namespace endmill {
+
+/// Surfaces and the offset that is sliced.
+struct OffsetPart {
+    std::vector<Surface> surfaces;
+    OffsetMesh offset;
+    double offset_ms;                             ///< wall time of the offset
+    std::vector<std::optional<Interval>> ranges;  ///< of s on the path, one a plane
+};
+
+/// A mesh on which the cutter is dropped.
+struct DroppedPart {
+    std::unique_ptr<const TriangleMesh> mesh;  ///< `drop_cutter` refers to it
+    DropCutter drop_cutter;                    ///< of the cutter without the allowance
+};
+
+/// A part and the planes that cut it.
+struct CutPart {
+    DrivePlanes planes;
+    std::variant<OffsetPart, DroppedPart> shape;
+    double highest;   ///< z of the part, mm
+    double slice_ms;  ///< wall time of slicing
+};
 
 /// The sections to trim and their origin.
 struct TrimInput {
     std::string file;  ///< as given
     std::string name;
     std::string source;
-    std::vector<std::string> remarks;  ///< on the part's file
-    std::unique_ptr<const Part> part;  ///< empty for curves; `drop_cutter` refers to it
-    std::optional<OffsetMesh> offset;  ///< of surfaces
-    std::optional<DropCutter> drop_cutter;        ///< on a mesh
-    std::optional<DrivePlanes> planes;            ///< none for curves
-    std::vector<PlaneSection> sections;           ///< one a plane
-    std::vector<std::optional<Interval>> ranges;  ///< of s on the path; empty: no limits
-    double highest = 0;                           ///< z of the part, mm
-    double offset_ms = 0;                         ///< wall time of the offset
-    double slice_ms = 0;                          ///< wall time of slicing
+    std::vector<std::string> remarks;    ///< on the part's file
+    std::vector<PlaneSection> sections;  ///< one a plane
+    std::optional<CutPart> part;         ///< nothing for curves of a file
+
+    /// The surfaces that were offset; null for a mesh and for curves.
+    const OffsetPart* offset_part() const
+    {
+        return part ? std::get_if<OffsetPart>(&part->shape) : nullptr;
+    }
+    /// The ranges of s of `offset_part`; without it none, which leaves s unlimited.
+    std::span<const std::optional<Interval>> ranges() const;
+
+    /// The mesh that needs no trimming; null for surfaces and for curves.
+    const DroppedPart* dropped_part() const
+    {
+        return part ? std::get_if<DroppedPart>(&part->shape) : nullptr;
+    }
 };
 
 /// Reads the part or the curves. Offsets and slices a part.
@@ -39,17 +69,9 @@ struct TrimInput {
 TrimInput read_trim_input(const TrimOptions& options);
 
 /// Height in mm at which the cutter moves freely.
-double safe_height(const TrimInput& input, const TrimOptions& options);
+double safe_height(const CutPart& part, const TrimOptions& options);
 
 /// The distance between neighbouring planes in mm; empty if there is only one plane.
 std::optional<double> pick_feed(const DrivePlanes& planes);
-
-/// The scallop height in mm on level ground between passes that are `pitch` mm apart.
-/// This is the inverse of --scallop. Empty if the passes leave uncut ground between
-/// them.
-std::optional<double> level_scallop(double pitch, const Cutter& cutter);
-
-/// A test whether a point of plane `plane` is a contact on a concave crease.
-CreaseTest crease_test(const TrimInput& input, std::size_t plane);
 
 }  // namespace endmill

@@ -10,6 +10,7 @@
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 #include "endmill/path/tool_path.h"
+#include "endmill/planning/path_interval.h"
 #include "endmill/trimming/trimming.h"
 
 namespace endmill {
@@ -21,17 +22,17 @@ Json or_null(const std::optional<double>& value)
 }
 
 // Adds the lengths and heights of the path.
-void add_path(Json& summary, const TrimInput& input, const TrimOptions& options,
+void add_path(Json& summary, const CutPart& part, const TrimOptions& options,
               const TrimResult& result)
 {
     const PathLengths lengths = path_lengths(result.path);
     summary["cut_mm"] = lengths.at_feed_mm;
     summary["rapid_mm"] = lengths.lifted_mm;
-    summary["safe_height_mm"] = safe_height(input, options);
-    const std::optional<double> pitch = pick_feed(*input.planes);
+    summary["safe_height_mm"] = safe_height(part, options);
+    const std::optional<double> pitch = pick_feed(part.planes);
     summary["pitch_mm"] = or_null(pitch);
     summary["level_scallop_mm"] =
-        or_null(pitch ? level_scallop(*pitch, *options.cutter) : std::nullopt);
+        or_null(pitch ? level_scallop_height(*options.cutter, *pitch) : std::nullopt);
 }
 
 void add_counts(Json& summary, const TrimResult& result)
@@ -77,31 +78,32 @@ Json trim_summary(const TrimInput& input, const TrimOptions& options,
                  {"source", input.source},
                  {"endmill", program_version},
                  {"method", result.method}};
+    const OffsetPart* const surfaces = input.offset_part();
     if (options.cutter && input.part)
         summary["cutter"] = cutter_word(*options.cutter);
     if (input.part)
         summary["remarks"] = input.remarks;
     add_counts(summary, result);
-    summary["offset_ms"] = input.offset ? Json(input.offset_ms) : Json(nullptr);
-    summary["slice_ms"] = input.part ? Json(input.slice_ms) : Json(nullptr);
+    summary["offset_ms"] = surfaces ? Json(surfaces->offset_ms) : Json(nullptr);
+    summary["slice_ms"] = input.part ? Json(input.part->slice_ms) : Json(nullptr);
     summary["trim_ms"] = result.trim_ms;
     if (result.comparison) {
         summary["wrong_sections"] = result.comparison->wrong;
-        summary["max_below_envelope_mm"] = result.comparison->deepest_below_mm;
+        summary["max_below_envelope_mm"] = result.comparison->max_gouge_mm;
     }
     summary["min_clearance_mm"] = or_null(result.min_clearance);
     summary["max_gouge_mm"] = or_null(max_gouge(result));
-    if (input.offset) {
+    if (surfaces) {
         summary["sampling_error_mm"] = or_null(result.sampling_error);
         summary["refine"] = options.refine;
         if (result.unrefined)
             summary["unrefined"] = *result.unrefined;
     }
     add_settings(summary, options, result.options);
-    if (input.planes)
-        add_path(summary, input, options, result);
-    if (input.part)
+    if (input.part) {
+        add_path(summary, *input.part, options, result);
         summary["interpolation"] = "linear";
+    }
     return summary;
 }
 

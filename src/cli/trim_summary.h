@@ -9,27 +9,22 @@
 #include "cli/trim_sections.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/trimming/cut_out.h"
+#include "endmill/trimming/trimming_quality.h"
 
 namespace endmill {
-
-/// Comparison of the result of a method with the upper envelope of the sections.
-struct Comparison {
-    std::size_t wrong = 0;        ///< sections that step back or lie too far below
-    double deepest_below_mm = 0;  ///< largest depth below the envelope, of all sections
-};
 
 /// The result of one method.
 struct TrimResult {
     std::string method;
     TrimmingOptions options;
-    std::vector<Trimmed> trimmed;            ///< one for each plane
-    std::vector<std::vector<CutOut>> loops;  ///< one list for each plane
-    ToolPath path;                           ///< empty for curves
-    double trim_ms = 0;                      ///< wall time of the method
-    std::optional<Comparison> comparison;    ///< only with --method all
-    std::optional<double> min_clearance;     ///< mm; empty for curves or without a path
-    std::optional<double> sampling_error;    ///< mm
-    std::optional<std::size_t> unrefined;    ///< only with --refine
+    std::vector<Trimmed> trimmed;                  ///< one for each plane
+    std::vector<std::vector<CutOut>> loops;        ///< one list for each plane
+    ToolPath path;                                 ///< empty for curves
+    double trim_ms = 0;                            ///< wall time of the method
+    std::optional<EnvelopeComparison> comparison;  ///< only with --method all
+    std::optional<double> min_clearance;   ///< mm; empty for curves or without a path
+    std::optional<double> sampling_error;  ///< mm
+    std::optional<std::size_t> unrefined;  ///< only with --refine
 };
 
 /// Number of folds that are left.

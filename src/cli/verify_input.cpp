@@ -24,7 +24,7 @@ constexpr double default_scallop_mm = 0.1;
 // The word of --part for a verification without a part.
 constexpr std::string_view no_part = "none";
 
-std::optional<Tool> told_tool(const VerifyOptions& options)
+std::optional<Tool> given_tool(const VerifyOptions& options)
 {
     std::optional<Tool> tool;
     if (!options.tool.empty())
@@ -38,11 +38,11 @@ std::optional<Tool> told_tool(const VerifyOptions& options)
     return tool;
 }
 
-Tool tool_of(std::optional<Tool> told, const Program& program, const PathSummary& known,
+Tool tool_of(std::optional<Tool> given, const Program& program, const PathSummary& known,
              const std::string& path)
 {
-    if (told)
-        return *std::move(told);
+    if (given)
+        return *std::move(given);
     for (const auto& cutter : {program.cutter, known.cutter})
         if (cutter)
             return Tool{.cutter = *cutter};
@@ -118,12 +118,12 @@ double bytes_to_write(const VerifyOptions& options)
 VerifyInput read_verify_input(const VerifyOptions& options)
 {
     const std::string& file = options.path.file;
-    std::optional<Tool> told = told_tool(options);
+    std::optional<Tool> given = given_tool(options);
     const PathSummary known =
         read_path_summary(file, options.common.limits).value_or(PathSummary{});
-    Program program = read_program_for(options.path, told ? told->cutter : known.cutter,
+    Program program = read_program_for(options.path, given ? given->cutter : known.cutter,
                                        options.common);
-    Tool tool = tool_of(std::move(told), program, known, file);
+    Tool tool = tool_of(std::move(given), program, known, file);
     const std::string stem = std::filesystem::path{file}.stem().string();
     VerifyInput input{.name = printable(known.name.value_or(stem)),
                       .program = std::move(program),

@@ -197,10 +197,10 @@ class Setup(ProgramTest):
         far = self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
                          status=1)
         self.assertEqual((far["machinable"], far["travel_ok"]), (True, False))
-        told = endmill("setup", cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
-                       "-o", "told", cwd=self.folder).stdout
-        self.assertIn("beyond the limits of the linear axes", told)
-        self.assertIn("--mode set", told)
+        printed = endmill("setup", cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
+                       "-o", "out-2", cwd=self.folder).stdout
+        self.assertIn("beyond the limits of the linear axes", printed)
+        self.assertIn("--mode set", printed)
         clamp = ",".join(str(x) for x in far["clamp_centred_mm"])
         self.assertTrue(self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp",
                                    clamp)["travel_ok"])
@@ -254,9 +254,11 @@ class Setup(ProgramTest):
     def test_part_without_reachable_facets_is_reported(self):
         """Every mode lists the facets, for both families and for words that begin with b."""
         cube = self.file(CUBE, "cube.off")
-        for word in ("caxyBz", "abxyBz", "baxyBz", "axyBz", "xyBz"):
-            for mode in ("paper", "corrected", "set"):
-                found = self.found(cube, "--machine", f"W/{word}/T", "--mode", mode, "--sphere", "hex:2",
+        modes = [("--mode", mode) for mode in ("paper", "corrected", "set")]
+        for word, choices in (("caxyBz", modes), ("abxyBz", modes), ("baxyBz", modes), ("axyBz", [(), modes[-1]]),
+                              ("xyBz", [()])):
+            for mode in choices:
+                found = self.found(cube, "--machine", f"W/{word}/T", *mode, "--sphere", "hex:2",
                                    "--incidence-deg", 1, status=1)
                 self.assertEqual((found["machinable"], found["empty_cones"]), (False, list(range(10))))
 
@@ -293,6 +295,9 @@ class Setup(ProgramTest):
         for machine in (five, three, ("--family", "AB")):
             self.refused(TEAPOT, *machine, "--arc-tolerance-deg", 2, words=("--arc-tolerance-deg", "one rotary axis"))
         self.refused(TEAPOT, "--family", "AB", "--clamp", "0,0,0", words=("--clamp", "--machine"))
+        for machine, modes in ((four, ("paper", "paper-literal", "corrected")), (three, ("paper", "corrected", "set"))):
+            for mode in modes:
+                self.refused(TEAPOT, *machine, "--mode", mode, words=("--mode", machine[1], "two rotary axes"))
         points = self.file(HEADER + "0,60\n", "points.csv")
         for option in (*search, ("--sphere", "hex:4"), ("--visibility", "local"), ("--incidence-deg", 80),
                        ("--floor-deg", 1), ("--max-setups", 1), ("--write-bsm-csv",), ("--clamp", "0,0,0"),
@@ -300,7 +305,8 @@ class Setup(ProgramTest):
                        ("--chord-tolerance", 1), ("--units", "inch"), ("--up", "x")):
             self.refused("--points", points, "--family", "CA", *option, words=(option[0],))
         cube = self.file(CUBE, "cube.off")
-        self.found(cube, *four, "--arc-tolerance-deg", 2, "--incidence-deg", 80)
+        self.assertIsNone(self.found(cube, *four, "--arc-tolerance-deg", 2, "--incidence-deg", 80)["mode"])
+        self.assertEqual(self.found(cube, *four, "--mode", "set", "--incidence-deg", 80)["mode"], "set")
         self.found(cube, "--machine", MACHINES, "--arc-tolerance-deg", 2)
 
     def test_invalid_machine_does_not_hide_other_errors(self):
@@ -389,7 +395,7 @@ class Setup(ProgramTest):
         self.assert_refused(endmill("setup", *call, "-o", "out", "--force", cwd=self.folder), 5, "summary.json")
         self.assertEqual([path.name for path in (self.folder / "out").iterdir()], ["summary.json"])
         with open("/dev/full", "w", encoding="ascii") as full:
-            done = subprocess.run([ENDMILL, "setup", *map(str, call), "-o", "told", "--json"], stdout=full,
+            done = subprocess.run([ENDMILL, "setup", *map(str, call), "-o", "out-2", "--json"], stdout=full,
                                   stderr=subprocess.PIPE, text=True, check=False, cwd=self.folder)
         self.assertEqual(done.returncode, 5, done.stderr)
 

@@ -82,5 +82,17 @@ TEST(DrivePlanes, SpanTheExtentOfThePartAcrossTheFeed)
     EXPECT_NEAR(across.high, 60 * std::sqrt(3), 1e-6);
 }
 
+// The corners of a rectangle as a mesh span what its surface spans.
+TEST(DrivePlanes, SpanTheExtentOfAMeshAcrossTheFeed)
+{
+    const TriangleMesh mesh{{{0, 0, 1}, {200, 0, 2}, {200, 120, 3}, {0, 120, 4}},
+                            {{0, 1, 2}, {0, 2, 3}}};
+    const Interval across = extent_across(mesh, DriveFrame{Angle::degrees(30)});
+    EXPECT_NEAR(across.low, -100, 1e-12);
+    EXPECT_NEAR(across.high, 60 * std::sqrt(3), 1e-12);
+    EXPECT_THROW(extent_across(TriangleMesh{}, DriveFrame{Angle::degrees(0)}),
+                 DomainError);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -88,5 +88,22 @@ TEST(SectionLinking, RefusesASafeHeightBelowTheTipsAndAnotherAxis)
                  DomainError);
 }
 
+TEST(SectionLinking, TakesTheSectionsOfDrivePlanesInTheirOrder)
+{
+    const DrivePlanes planes{DriveFrame{Angle::degrees(30)}, {-1, 1}};
+    std::vector<Trimmed> trimmed(2);
+    trimmed[0].curves = two;
+    trimmed[1].curves = one;
+    const LinkOptions options{.safe_height = 10};
+    const ToolPath path = link_sections(trimmed, planes, Cutter{5, 2}, options);
+    const std::vector<PlaneCurves> curves{{-1, two}, {1, one}};
+    const ToolPath expected = link_sections(curves, planes.frame, Cutter{5, 2}, options);
+    ASSERT_EQ(moves(path), moves(expected));
+    for (std::size_t k = 0; k < path.points.size(); ++k)
+        EXPECT_EQ(path.points[k].location.tip, expected.points[k].location.tip) << k;
+    trimmed.pop_back();
+    EXPECT_THROW(link_sections(trimmed, planes, Cutter{5, 2}, options), DomainError);
+}
+
 }  // namespace
 }  // namespace endmill

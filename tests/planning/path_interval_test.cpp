@@ -280,5 +280,48 @@ TEST(ScallopHeight, RefusesIntervalsThatNoTwoBallsLeave)
         EXPECT_THROW(scallop_height(ball, k, 1), DomainError) << k;
 }
 
+// Two corner circles whose centres lie l - 2f apart meet at half that distance from each,
+// found here without the square root of the formula: the peak is on both circles.
+TEST(LevelPathInterval, PutsThePeakOnBothCornerCircles)
+{
+    for (const Cutter& cutter : {Cutter::ball(5), Cutter{5, 2}, Cutter{8, 0.5}})
+        for (const double share : {1e-4, 0.01, 0.3, 0.9}) {
+            const double r = cutter.corner_radius();
+            const double h = share * r;
+            const double l = level_path_interval(cutter, h);
+            const double half_gap = l / 2 - cutter.flat_radius();
+            EXPECT_NEAR(std::hypot(half_gap, r - h), r, 1e-13 * r);
+            EXPECT_LT(test::relative_error(level_scallop_height(cutter, l).value(), h),
+                      1e-11);
+        }
+}
+
+TEST(LevelPathInterval, IsThatOfABallOnAPlaneForABall)
+{
+    EXPECT_EQ(level_path_interval(Cutter::ball(3), 0.1),
+              path_interval(BallCutter{3}, 0, 0.1).chord);
+}
+
+TEST(LevelPathInterval, RefusesAScallopThatNoCornerLeaves)
+{
+    EXPECT_THROW(level_path_interval(Cutter::flat(5), 0.1), DomainError);
+    for (const double h : {0.0, -1.0, 4.0, 5.0, infinity, nan})
+        EXPECT_THROW(level_path_interval(Cutter{5, 2}, h), DomainError) << h;
+}
+
+TEST(LevelScallopHeight, IsZeroUnderTheFlatBottomAndMissingBeyondTheCorners)
+{
+    const Cutter bull{5, 2};  // flat up to 3 mm from the axis
+    EXPECT_EQ(level_scallop_height(bull, 5), 0);
+    EXPECT_EQ(level_scallop_height(bull, 6), 0);
+    EXPECT_GT(level_scallop_height(bull, 6.001).value(), 0);
+    EXPECT_NEAR(level_scallop_height(bull, 9.999999).value(), 2, 1e-2);
+    EXPECT_FALSE(level_scallop_height(bull, 10));
+    EXPECT_EQ(level_scallop_height(Cutter::flat(5), 10), 0);
+    EXPECT_FALSE(level_scallop_height(Cutter::flat(5), 10.1));
+    for (const double interval : {infinity, nan})
+        EXPECT_THROW(level_scallop_height(bull, interval), DomainError);
+}
+
 }  // namespace
 }  // namespace endmill

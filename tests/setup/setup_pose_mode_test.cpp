@@ -10,14 +10,12 @@
 namespace endmill {
 namespace {
 
-TEST(SetupMode, IsFoundByTheNameOfItsRules)
+TEST(SetupMode, IsFoundByTheWordOfTheCommandLine)
 {
-    for (const SetupMode mode : {SetupMode::PaperLiteral, SetupMode::Paper,
-                                 SetupMode::Corrected, SetupMode::WholeCones}) {
-        EXPECT_EQ(setup_rules(mode).mode, mode);
-        EXPECT_EQ(setup_mode(setup_rules(mode).name), mode);
-    }
     EXPECT_EQ(setup_mode("paper-literal"), SetupMode::PaperLiteral);
+    EXPECT_EQ(setup_mode("paper"), SetupMode::Paper);
+    EXPECT_EQ(setup_mode("corrected"), SetupMode::Corrected);
+    EXPECT_EQ(setup_mode("set"), SetupMode::WholeCones);
     EXPECT_EQ(setup_mode("Paper"), std::nullopt);
     EXPECT_EQ(setup_mode(""), std::nullopt);
 }

@@ -55,16 +55,16 @@ TEST(PoseFrame, HasTheAxesOfThePoseAndTheFamilyOfTheMachine)
               RotaryFamily::CA);
 }
 
-TEST(CellLimits, GiveTheArcToleranceToFourAxesAndNoneToThree)
+TEST(ReachLimits, GiveTheArcToleranceToFourAxesAndNoneToThree)
 {
     RotaryReach reach{.limits = {{-1, 2}, {-0.5, 0.5}},
                       .arc_tolerance = Angle::radians(0.1)};
     reach.configuration = configuration_of_family(RotaryFamily::AB);
-    EXPECT_EQ(cell_limits(reach), reach.limits);
+    EXPECT_EQ(reach_limits(reach), reach.limits);
     reach.configuration = configuration_from_word("W/aBxyz/T");
-    EXPECT_EQ(cell_limits(reach), (RotaryLimits{{-1, 2}, {-0.1, 0.1}}));
+    EXPECT_EQ(reach_limits(reach), (RotaryLimits{{-1, 2}, {-0.1, 0.1}}));
     reach.configuration = configuration_from_word("W/xyBz/T");
-    EXPECT_EQ(cell_limits(reach), (RotaryLimits{{-1, 2}, {0, 0}}));
+    EXPECT_EQ(reach_limits(reach), (RotaryLimits{{-1, 2}, {0, 0}}));
 }
 
 }  // namespace

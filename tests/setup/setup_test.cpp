@@ -102,7 +102,7 @@ TEST(FindSetup, ProvesThatNoMachineReachesAnEmptyCone)
             EXPECT_EQ(found.machinable, Answer::No) << word;
             EXPECT_TRUE(found.is_proved) << word;
             EXPECT_FALSE(found.feasible) << word;
-            EXPECT_FALSE(found.lower_bound) << word;
+            EXPECT_FALSE(found.certificate) << word;
             // Two facets are left, which three axes do not reach.
             EXPECT_EQ(found.least.has_value(), std::string{word} != "W/xyBz/T") << word;
             EXPECT_EQ(found.objective.has_value(), found.least.has_value()) << word;

@@ -204,5 +204,22 @@ TEST(CutOut, NamesCausesAsInFiles)
     EXPECT_EQ(name(CutCause::Closed), "closed");
 }
 
+// A plane across a roof turned upside down: each vertex of the section whose mesh edge
+// ends on the valley belongs to the crease, and no other.
+TEST(CreaseTest, HoldsForEdgesThatEndOnAConcaveCrease)
+{
+    OffsetMesh offset{{}, {}, Cutter::ball(1), 0, 0, {}};
+    for (const ContactKind kind : {ContactKind::Face, ContactKind::ConcaveCrease,
+                                   ContactKind::Face, ContactKind::Face})
+        offset.contacts.emplace_back(SurfacePoint{}, Vec3::UnitZ(), 0, kind);
+    PlaneSection section;
+    section.edges = {{{0, 2}, {0, 1}}, {{1, 3}, {2, 3}}};
+    const CreaseTest is_on_crease = crease_test(offset, section);
+    EXPECT_FALSE(is_on_crease({0, 0}));
+    EXPECT_TRUE(is_on_crease({0, 1}));
+    EXPECT_TRUE(is_on_crease({1, 0}));
+    EXPECT_FALSE(is_on_crease({1, 1}));
+}
+
 }  // namespace
 }  // namespace endmill

@@ -65,7 +65,7 @@ TEST(RefinedPlanes, FindTheCrossingOfTheInclinedTroughOnEveryGrid)
     for (const int grid_lines : {51, 101}) {
         const Sections sections = trough(grid_lines);
         const RefinedPlanes refined = refine_planes(sections.source(), sections.trimmed);
-        const auto& points = refined.curves[0].front().points;
+        const auto& points = refined.planes[0].curves.front().points;
         const auto found =
             std::ranges::find(points, TrimmedKind::Crossing, &TrimmedPoint::kind);
         ASSERT_NE(found, points.end());
@@ -79,8 +79,8 @@ TEST(RefinedPlanes, TouchThePartAtEveryRefinedPoint)
     const Sections sections = trough(41);
     const RefinedPlanes refined = refine_planes(sections.source(), sections.trimmed);
     std::vector<Vec3> places;
-    for (std::size_t k = 0; k < refined.curves.size(); ++k)
-        for (const TrimmedCurve& curve : refined.curves[k])
+    for (std::size_t k = 0; k < refined.planes.size(); ++k)
+        for (const TrimmedCurve& curve : refined.planes[k].curves)
             for (const TrimmedPoint& point : curve.points)
                 places.push_back(sections.planes.frame.point(
                     point.at.x(), sections.planes.positions[k], point.at.y()));
@@ -114,9 +114,9 @@ TEST(RefinedPlanes, AreTheSameWithAnyNumberOfThreads)
     for (const int threads : {1, 3}) {
         set_thread_count(threads);
         auto& all = heights.emplace_back();
-        for (const auto& curves :
-             refine_planes(sections.source(), sections.trimmed).curves)
-            for (const TrimmedCurve& curve : curves)
+        for (const Trimmed& plane :
+             refine_planes(sections.source(), sections.trimmed).planes)
+            for (const TrimmedCurve& curve : plane.curves)
                 for (const TrimmedPoint& point : curve.points)
                     all.push_back(point.at.y());
     }
@@ -129,7 +129,7 @@ TEST(RefinedPlanes, RestOnLevelPlacesWithAFlatCutter)
         {test::plane(20, 10)}, Cutter::flat(2), 11, {DriveFrame{Angle::degrees(0)}, {5}}};
     const RefinedPlanes refined = refine_planes(level.source(), level.trimmed);
     EXPECT_EQ(refined.unrefined, 0U);
-    for (const TrimmedPoint& point : refined.curves[0].front().points)
+    for (const TrimmedPoint& point : refined.planes[0].curves.front().points)
         EXPECT_EQ(point.at.y(), 0.0);
 }
 
@@ -217,7 +217,7 @@ TEST_P(RefinedHeights, AreThoseOfADenseDropOnEveryGrid)
                 refine_planes(sections.source(), sections.trimmed);
             EXPECT_EQ(refined.unrefined, 0U);
             for (std::size_t k = 0; k < 3; ++k)
-                for (const TrimmedCurve& curve : refined.curves[k])
+                for (const TrimmedCurve& curve : refined.planes[k].curves)
                     for (std::size_t i = 0; i < curve.points.size(); ++i) {
                         const auto is_plain = [&](std::size_t j) {
                             return curve.points[j].kind == TrimmedKind::Vertex;

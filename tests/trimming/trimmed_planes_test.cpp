@@ -94,5 +94,49 @@ TEST(TrimmedPlanes, NeedARangeForEachPlaneOrNone)
                  DomainError);
 }
 
+// Nothing is cut out of sections that keep every vertex.
+TEST(UntrimmedPlanes, KeepEveryVertex)
+{
+    std::vector<PlaneSection> planes{looped(), PlaneSection{}, looped()};
+    planes[2].curves.push_back({{{8, 0}, {9, 1}, {9, -1}, {8, 0}}, true});
+    const std::vector<Trimmed> kept = untrimmed_planes(planes);
+    ASSERT_EQ(kept.size(), 3U);
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+        ASSERT_EQ(kept[k].curves.size(), planes[k].curves.size());
+        for (std::size_t c = 0; c < planes[k].curves.size(); ++c) {
+            EXPECT_EQ(test::places(kept[k].curves[c]), planes[k].curves[c].points);
+            EXPECT_EQ(kept[k].curves[c].is_closed, planes[k].curves[c].is_closed);
+        }
+        EXPECT_TRUE(cut_out(planes[k].curves, kept[k]).empty());
+    }
+}
+
+TEST(SectionHeight, IsTheExtentOfAllCurvesInZ)
+{
+    std::vector<PlaneSection> planes{looped(), looped()};
+    EXPECT_EQ(section_height(planes), 8);  // from -2 to 6
+    planes[1].curves[0].points.push_back({7, 11});
+    EXPECT_EQ(section_height(planes), 13);
+    EXPECT_EQ(section_height({}), 0);
+    EXPECT_EQ(section_height(std::vector{PlaneSection{}}), 0);
+}
+
+// The frame of the planes leads back to s, t and z of each point.
+TEST(SectionPoints, LieInTheirPlanes)
+{
+    const DrivePlanes planes{DriveFrame{Angle::degrees(20)}, {-3, 4}};
+    const std::vector<PlaneSection> sections{looped(), looped()};
+    const std::vector<Trimmed> kept = untrimmed_planes(sections);
+    const std::vector<Vec3> points = section_points(planes, kept);
+    ASSERT_EQ(points.size(), 10U);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const SectionPoint& at = sections[0].curves[0].points[i % 5];
+        EXPECT_NEAR(planes.frame.along(points[i]), at.x(), 1e-14);
+        EXPECT_NEAR(planes.frame.across(points[i]), planes.positions[i / 5], 1e-14);
+        EXPECT_EQ(points[i].z(), at.y());
+    }
+    EXPECT_THROW(section_points(planes, std::span{kept}.first(1)), DomainError);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "endmill/core/error.h"
 #include "trimmed_curves.h"
 #include "trimming_vectors.h"
 
@@ -78,6 +79,23 @@ TEST(TrimmingQuality, AcceptsCurvesWithoutWidth)
     const SectionCurve vertical = test::open_curve({{1, 0}, {1, 5}});
     EXPECT_TRUE(is_right(quality(vertical, vertical.points), {}));
     EXPECT_TRUE(is_right(trimming_quality({}, {}), {}));
+}
+
+// Plane 0 is right, plane 1 lies 0.25 below its envelope, plane 2 steps back.
+TEST(EnvelopeComparison, CountsTheSectionsThatAreWrong)
+{
+    std::vector<PlaneSection> planes(3);
+    for (PlaneSection& plane : planes)
+        plane.curves = {test::open_curve({{0, 1}, {4, 1}})};
+    const std::vector<Trimmed> trimmed{result_of({{{0, 1}, {4, 1}}}),
+                                       result_of({{{0, 0.75}, {4, 0.75}}}),
+                                       result_of({{{0, 1}, {3, 1}, {2, 1}, {4, 1}}})};
+    const EnvelopeComparison strict = compare_with_envelope(planes, trimmed, 0.1);
+    EXPECT_EQ(strict.wrong, 2U);
+    EXPECT_EQ(strict.max_gouge_mm, 0.25);
+    EXPECT_EQ(compare_with_envelope(planes, trimmed, 0.25).wrong, 1U);
+    EXPECT_EQ(compare_with_envelope({}, {}, 0.1).wrong, 0U);
+    EXPECT_THROW(compare_with_envelope(planes, {}, 0.1), DomainError);
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ inline RotaryReach family_reach(const std::string& family)
 }
 
 /// The search over the tool axes at cells, without limits.
-inline SearchBar at_cells(const std::string& family, const std::string& mode,
-                          double incidence_deg, double at_most_s)
+inline SearchBar nearest_cells_search(const std::string& family, const std::string& mode,
+                                      double incidence_deg, double at_most_s)
 {
     const auto incidence = std::to_string(std::lround(incidence_deg));
     return {mode + ", " + family + ", " + incidence,
@@ -37,8 +37,9 @@ inline SearchBar at_cells(const std::string& family, const std::string& mode,
 }
 
 /// The search over whole cones, without limits, until `gap` is proved.
-inline SearchBar over_cones(const std::string& family, const std::string& objective,
-                            double gap, double incidence_deg, double at_most_s)
+inline SearchBar whole_cones_search(const std::string& family,
+                                    const std::string& objective, double gap,
+                                    double incidence_deg, double at_most_s)
 {
     const auto incidence = std::to_string(std::lround(incidence_deg));
     const auto percent = std::to_string(std::lround(100 * gap));
@@ -46,24 +47,25 @@ inline SearchBar over_cones(const std::string& family, const std::string& object
             Angle::degrees(incidence_deg),
             {.reach = family_reach(family),
              .mode = SetupMode::WholeCones,
-             .objective = objective_of_word(objective),
-             .gap = gap},
+             .whole_cones = {.objective = objective_of_word(objective), .gap = gap}},
             at_most_s};
 }
 
 /// The bars for one core of a current server.
 inline std::vector<SearchBar> search_bars()
 {
-    std::vector<SearchBar> all{
-        at_cells("CA", "paper", 90, 0.08), at_cells("AB", "paper", 90, 0.03),
-        at_cells("AB", "corrected", 90, 0.1), at_cells("AB", "corrected", 80, 0.1),
-        at_cells("AB", "corrected", 60, 0.35)};
+    std::vector<SearchBar> all{nearest_cells_search("CA", "paper", 90, 0.08),
+                               nearest_cells_search("AB", "paper", 90, 0.03),
+                               nearest_cells_search("AB", "corrected", 90, 0.1),
+                               nearest_cells_search("AB", "corrected", 80, 0.1),
+                               nearest_cells_search("AB", "corrected", 60, 0.35)};
     for (const double incidence : {90, 80, 60})
         for (const std::string family : {"AB", "CA"}) {
             const double coarse_s = family == "AB" ? 1.5 : 5;
-            all.push_back(over_cones(family, "floored-area", 0.05, incidence, coarse_s));
-            all.push_back(over_cones(family, "floored-area", 0.02, incidence, 8));
-            all.push_back(over_cones(family, "total-range", 0.02, incidence, 8));
+            all.push_back(
+                whole_cones_search(family, "floored-area", 0.05, incidence, coarse_s));
+            all.push_back(whole_cones_search(family, "floored-area", 0.02, incidence, 8));
+            all.push_back(whole_cones_search(family, "total-range", 0.02, incidence, 8));
         }
     return all;
 }

@@ -34,8 +34,9 @@ int main(int argc, char** argv)
             const PartSetup best =
                 five_axis_setup(part.grid, part.visibility.map, bar.request);
             CsvCell proved;
-            if (best.lower_bound)
-                proved = 100 * (best.objective.value() / *best.lower_bound - 1);
+            if (best.certificate)
+                proved =
+                    100 * (best.objective.value() / best.certificate->lower_bound - 1);
             result.add_row(
                 {bar.name, times.of(bar.name).cpu_s, "s", bar.at_most_s, proved});
         }

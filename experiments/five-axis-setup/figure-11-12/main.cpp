@@ -28,8 +28,9 @@ void add_setup(CsvTable& table, const std::string& row, RotaryFamily family,
     const PoseMeasure floored{family, SetupObjective::FlooredArea};
     NamedCells cells{
         {"floored_area_deg2", square_degrees(floored(pose_ranges(family, fit)))}};
-    if (best.lower_bound)
-        cells.emplace_back("lower_bound_deg2", square_degrees(*best.lower_bound));
+    if (best.certificate)
+        cells.emplace_back("lower_bound_deg2",
+                           square_degrees(best.certificate->lower_bound));
     cells = joined(cells, range_cells(family, fit));
     add_named(table, row, joined(cells, axis_cells(fit.pose.tool_axis)));
 }

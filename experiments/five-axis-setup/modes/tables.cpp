@@ -60,10 +60,9 @@ NamedCells mode_cells(const StudiedPart& part, const WholeConeSearch& search)
         part.grid, part.visibility.map,
         {.reach = {.configuration = configuration_of_family(measure.family)},
          .mode = SetupMode::WholeCones,
-         .objective = measure.objective,
-         .gap = search.gap});
+         .whole_cones = {.objective = measure.objective, .gap = search.gap}});
     const double value = best.objective.value();
-    const double bound = best.lower_bound.value();
+    const double bound = best.certificate.value().lower_bound;
     const NamedCells values{
         {"paper", at_pose_of(part, measure, SetupMode::Paper)},
         {"corrected", at_pose_of(part, measure, SetupMode::Corrected)},
@@ -71,7 +70,7 @@ NamedCells mode_cells(const StudiedPart& part, const WholeConeSearch& search)
         {"lower_bound", in_degrees(measure.objective, bound)},
         {"gap_percent", 100 * (value / bound - 1)},
         {"nodes", count(best.poses_tried)},
-        {"unresolved", count(best.unresolved)}};
+        {"unresolved", count(best.certificate->unresolved)}};
     const FittedPose& fit = best.feasible.value();
     return joined(
         values, joined(pose_cells(measure.family, fit), axis_cells(fit.pose.tool_axis)));

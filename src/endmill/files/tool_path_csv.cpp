@@ -68,10 +68,10 @@ struct OptionalColumns {
 OptionalColumns optional_columns(const ToolPath& path)
 {
     OptionalColumns columns;
-    for (const CuttingConditions& told : path.conditions) {
-        columns.tool |= told.tool.has_value();
-        columns.feed |= told.feed_mm_per_min.has_value();
-        columns.speed |= told.spindle_rpm.has_value();
+    for (const CuttingConditions& conditions : path.conditions) {
+        columns.tool |= conditions.tool.has_value();
+        columns.feed |= conditions.feed_mm_per_min.has_value();
+        columns.speed |= conditions.spindle_rpm.has_value();
     }
     columns.patch =
         std::ranges::any_of(path.points, [](const PathPoint& p) { return p.patch != 0; });
@@ -88,7 +88,7 @@ public:
                 std::string_view limit)
     {
         const PathPoint& point = path.points[i];
-        const CuttingConditions told =
+        const CuttingConditions conditions =
             path.conditions.empty() ? CuttingConditions{} : path.conditions[i];
         text += std::to_string(point.pass);
         text += ',';
@@ -99,7 +99,7 @@ public:
         append(text, point.location.axis, 3);
         if (columns_.tool) {
             text += ',';
-            text += told.tool ? std::to_string(*told.tool) : "";
+            text += conditions.tool ? std::to_string(*conditions.tool) : "";
         }
         if (columns_.patch) {
             text += ',';
@@ -117,9 +117,9 @@ public:
         else
             text += no_normal;
         if (columns_.feed)
-            append(text, told.feed_mm_per_min, 14);
+            append(text, conditions.feed_mm_per_min, 14);
         if (columns_.speed)
-            append(text, told.spindle_rpm, 15);
+            append(text, conditions.spindle_rpm, 15);
         if (columns_.limit) {
             text += ',';
             text += limit;

@@ -61,4 +61,16 @@ Interval extent_across(std::span<const Surface> surfaces, const DriveFrame& fram
     return extent(surfaces, frame.across_direction());
 }
 
+Interval extent_across(const TriangleMesh& mesh, const DriveFrame& frame)
+{
+    require(!mesh.points().empty(), "extent_across: need a point");
+    Interval across{frame.across(mesh.points().front()),
+                    frame.across(mesh.points().front())};
+    for (const Vec3& point : mesh.points()) {
+        across.low = std::min(across.low, frame.across(point));
+        across.high = std::max(across.high, frame.across(point));
+    }
+    return across;
+}
+
 }  // namespace endmill

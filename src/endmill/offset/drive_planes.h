@@ -6,6 +6,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/core/vec.h"
+#include "endmill/mesh/triangle_mesh.h"
 #include "endmill/surface/surface.h"
 #include "endmill/surface/surface_jet.h"
 
@@ -69,5 +70,9 @@ DrivePlanes drive_planes_by_pitch(const DriveFrame& frame, const Interval& acros
 /// The extent of `surfaces` across the feed in mm, see extent.h.
 /// \throws DomainError if there is no surface.
 Interval extent_across(std::span<const Surface> surfaces, const DriveFrame& frame);
+
+/// The extent of the points of a mesh across the feed in mm.
+/// \throws DomainError if there is no point.
+Interval extent_across(const TriangleMesh& mesh, const DriveFrame& frame);
 
 }  // namespace endmill

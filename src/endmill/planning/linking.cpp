@@ -235,4 +235,16 @@ ToolPath link_sections(std::span<const PlaneCurves> planes, const DriveFrame& fr
     return path.take();
 }
 
+ToolPath link_sections(std::span<const Trimmed> trimmed, const DrivePlanes& planes,
+                       const Cutter& cutter, const LinkOptions& options)
+{
+    require(trimmed.size() == planes.positions.size(),
+            "link_sections: need a section for each plane");
+    std::vector<PlaneCurves> curves;
+    curves.reserve(trimmed.size());
+    for (std::size_t k = 0; k < trimmed.size(); ++k)
+        curves.push_back({planes.positions[k], trimmed[k].curves});
+    return link_sections(curves, planes.frame, cutter, options);
+}
+
 }  // namespace endmill

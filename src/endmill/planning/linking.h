@@ -98,4 +98,13 @@ struct PlaneCurves {
 ToolPath link_sections(std::span<const PlaneCurves> planes, const DriveFrame& frame,
                        const Cutter& cutter, const LinkOptions& options);
 
+/// The same for trimmed sections, one for each of `planes`.
+/// \param trimmed sections of reference points, in the order of the planes.
+/// \param planes  the planes that cut them.
+/// \param cutter, options as above.
+/// \throws DomainError, GeometryError as above, or unless there are as many sections as
+///         planes.
+ToolPath link_sections(std::span<const Trimmed> trimmed, const DrivePlanes& planes,
+                       const Cutter& cutter, const LinkOptions& options);
+
 }  // namespace endmill

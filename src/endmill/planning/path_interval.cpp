@@ -93,4 +93,24 @@ double scallop_height(const BallCutter& cutter, double curvature, double interva
     return (1 + k * R) * l * l / (2 * (1 + c) * (A + std::sqrt(R * R - m * m)));
 }
 
+double level_path_interval(const Cutter& cutter, double scallop_height)
+{
+    const double r = cutter.corner_radius();
+    require(0 < scallop_height && scallop_height < 2 * r,
+            "level_path_interval: need 0 < scallop height < 2 corner radii");
+    return 2 * cutter.flat_radius() +
+           path_interval(BallCutter{r}, 0, scallop_height).chord;
+}
+
+std::optional<double> level_scallop_height(const Cutter& cutter, double interval)
+{
+    require(std::isfinite(interval), "level_scallop_height: need a finite interval");
+    const double between_corners = interval - 2 * cutter.flat_radius();
+    if (between_corners <= 0)
+        return 0;
+    if (between_corners >= 2 * cutter.corner_radius())
+        return std::nullopt;
+    return scallop_height(BallCutter{cutter.corner_radius()}, 0, between_corners);
+}
+
 }  // namespace endmill

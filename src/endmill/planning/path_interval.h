@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "endmill/core/angle.h"
 #include "endmill/cutter/cutter.h"
 #include "endmill/planning/step_length.h"
@@ -83,5 +85,26 @@ double highest_scallop(const BallCutter& cutter, double curvature);
 /// Relative error below 1e-13 for 1 + kR >= 0.01 and intervals from 1e-6 R to 0.99 of the
 /// longest; it grows where the balls barely meet.
 double scallop_height(const BallCutter& cutter, double curvature, double interval);
+
+/// Largest distance in mm between parallel passes on a horizontal plane that leaves a
+/// scallop no higher than `scallop_height`. The corners of a flat or bull-nose cutter cut
+/// as a ball of the corner radius, and the flat bottom adds its width.
+/// \param cutter         upright; corner radius r.
+/// \param scallop_height h in mm.
+/// \throws DomainError unless 0 < h < 2r; therefore for every flat cutter.
+///
+/// Relative error below 1e-14.
+double level_path_interval(const Cutter& cutter, double scallop_height);
+
+/// Height in mm of the scallop on a horizontal plane between parallel passes of an upright
+/// cutter. It is the inverse of level_path_interval where the corners meet.
+/// \param cutter   upright. \param interval in mm, finite.
+/// \return 0 if the flat bottoms touch or overlap; otherwise nothing if the interval is at
+///         least the diameter, where the corners do not meet.
+/// \throws DomainError unless the interval is finite.
+///
+/// Relative error below 1e-13 for a ball and intervals up to 0.99 of the diameter. A
+/// bull-nose cutter loses the digits that the interval shares with its flat bottom.
+std::optional<double> level_scallop_height(const Cutter& cutter, double interval);
 
 }  // namespace endmill

@@ -14,6 +14,7 @@
 #include "endmill/setup/detail/rectangle_fit.h"
 #include "endmill/setup/detail/sector_fit.h"
 #include "endmill/setup/detail/setup_order.h"
+#include "endmill/setup/detail/setup_rules.h"
 #include "endmill/visibility/detail/direction_count.h"
 #include "endmill/visibility/nearest_cells.h"
 

@@ -93,13 +93,13 @@ PartSetup best_over_whole_cones(const SphereGrid& grid, const VisibilityMap& map
         rotary_order(request.reach.configuration) == RotaryOrder::BFirst;
     const std::vector<SetupPose> starts = starting_poses(grid, map, request);
     WholeConeSearchOptions options{.family = request.reach.configuration.family.value(),
-                                   .objective = request.objective,
-                                   .floor_rad = request.floor,
-                                   .gap = request.gap,
-                                   .max_nodes = request.max_nodes,
+                                   .objective = request.whole_cones.objective,
+                                   .floor_rad = request.whole_cones.floor,
+                                   .gap = request.whole_cones.gap,
+                                   .max_nodes = request.whole_cones.max_nodes,
                                    .limits = {},
                                    .starts = starts,
-                                   .progress = request.cone_progress};
+                                   .progress = request.whole_cones.progress};
     const WholeConeSearchResult any = many_cones_search(grid, map, options);
     const RotaryLimits& limits = request.reach.limits;
     const bool is_limited = limits != RotaryLimits{};
@@ -114,15 +114,15 @@ PartSetup best_over_whole_cones(const SphereGrid& grid, const VisibilityMap& map
     setup.feasible = found.pose;
     setup.least = any.pose;
     const WholeConeSearchResult& shown = found.pose ? found : any;
-    setup.objective = shown.objective;
-    setup.lower_bound = shown.lower_bound;
-    setup.unresolved = found.unresolved;
+    setup.certificate = SetupCertificate{shown.lower_bound, found.unresolved};
     setup.poses_tried = found.nodes + (is_limited ? any.nodes : 0);
     for (std::optional<FittedPose>* fit : {&setup.feasible, &setup.least})
         if (*fit && is_reversed)
             *fit = with_r2_reversed(**fit);
-    if (shown.pose)
+    if (shown.pose) {
+        setup.objective = shown.objective;
         setup.status = status_of(*shown.pose);
+    }
     return setup;
 }
 
@@ -132,8 +132,8 @@ double objective_of(const FittedPose& pose, const SetupRequest& request)
     if (request.mode != SetupMode::WholeCones)
         return pose.area;
     const RotaryFamily family = family_of(request.reach.configuration);
-    return PoseMeasure{family, request.objective,
-                       request.floor}(pose_ranges(family, pose));
+    return PoseMeasure{family, request.whole_cones.objective,
+                       request.whole_cones.floor}(pose_ranges(family, pose));
 }
 
 PartSetup four_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
@@ -196,6 +196,20 @@ PartSetup setup_for_reachable_facets(const SphereGrid& grid,
     return four_axis_setup(grid, visibility.map, request);
 }
 
+// Examines the linear axes at the feasible pose of `setup`.
+void add_travel(MachineSetup& setup, const SetupPart& part, const RotaryLimits& limits,
+                const Clamping& clamping)
+{
+    const Machine& machine = setup.machine;
+    const std::optional<ReachedPoints> reached = reached_points(
+        part.mesh, part.visibility, part.grid.centres,
+        pose_frame(machine.configuration, setup.best.feasible->pose), limits);
+    if (reached)
+        setup.travel = setup_travel(machine, *setup.part_to_machine, *reached,
+                                    clamping.origin, clamping.tool_length);
+    setup.within_travel = answer_of(setup.travel && setup.travel->is_within);
+}
+
 }  // namespace
 
 PartSetup find_setup(const SphereGrid& grid, const PartVisibility& visibility,
@@ -208,7 +222,7 @@ PartSetup find_setup(const SphereGrid& grid, const PartVisibility& visibility,
     setup.machinable = Answer::No;
     setup.is_proved = true;
     setup.feasible = std::nullopt;
-    setup.lower_bound = std::nullopt;
+    setup.certificate = std::nullopt;
     setup.objective = std::nullopt;
     if (setup.least)
         setup.objective = objective_of(*setup.least, request);
@@ -247,6 +261,37 @@ SetupRank setup_rank(const PartSetup& setup, const MachineConfiguration& configu
                                                        : 1;
     return {group, floored_area_deg2(setup, configuration, floor_deg).value_or(infinity),
             configuration.word};
+}
+
+bool MachineSetup::is_machinable() const
+{
+    return best.machinable == Answer::Yes &&
+           !(has_linear_limits() && within_travel == Answer::No);
+}
+
+MachineSetup machine_setup(const SetupPart& part, const Machine& machine,
+                           SetupRequest request, const std::optional<Clamping>& clamping)
+{
+    request.reach.configuration = machine.configuration;
+    request.reach.limits = machine.rotary;
+    MachineSetup setup{.machine = machine,
+                       .best = find_setup(part.grid, part.visibility, request)};
+    if (setup.best.shown())
+        setup.part_to_machine =
+            part_to_machine(setup.best.shown()->pose, machine.configuration);
+    if (setup.best.feasible && clamping)
+        add_travel(setup, part, reach_limits(request.reach), *clamping);
+    return setup;
+}
+
+std::optional<double> floored_area_deg2(const MachineSetup& setup, double floor_deg)
+{
+    return floored_area_deg2(setup.best, setup.machine.configuration, floor_deg);
+}
+
+SetupRank setup_rank(const MachineSetup& setup, double floor_deg)
+{
+    return setup_rank(setup.best, setup.machine.configuration, floor_deg);
 }
 
 }  // namespace endmill

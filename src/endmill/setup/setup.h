@@ -9,7 +9,10 @@
 #include <string>
 
 #include "endmill/core/answer.h"
+#include "endmill/machine/kinematics.h"
+#include "endmill/mesh/triangle_mesh.h"
 #include "endmill/setup/setup_pose.h"
+#include "endmill/setup/setup_travel.h"
 #include "endmill/setup/whole_cone_search.h"
 #include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"
@@ -20,22 +23,31 @@
 
 namespace endmill {
 
+/// Objective and effort of the mode `WholeCones`. All other modes minimise the area.
+struct WholeConeCriteria {
+    SetupObjective objective = SetupObjective::FlooredArea;  ///< what becomes least
+    double floor = 5.9 * std::numbers::pi / 180;  ///< rad, of FlooredArea, above 0
+    double gap = 0.05;                ///< relative gap at which the search stops, above 0
+    std::size_t max_nodes = 200'000;  ///< number of nodes at which the search stops
+
+    /// Called as WholeConeSearchOptions::progress.
+    std::function<void(const WholeConeSearchProgress&)> progress = {};
+};
+
 /// The machine for which a setup is searched, and the options of the search.
 struct SetupRequest {
-    RotaryReach reach = {};             ///< the machine
-    SetupMode mode = SetupMode::Paper;  ///< used with five axes
-
-    /// Objective of the mode `WholeCones`; the other modes minimise the area.
-    SetupObjective objective = SetupObjective::FlooredArea;
-    double floor = 5.9 * std::numbers::pi / 180;  ///< rad, of FlooredArea, above 0
-    double gap = 0.05;  ///< relative gap at which `WholeCones` stops, above 0
-    std::size_t max_nodes = 200'000;  ///< number of nodes at which `WholeCones` stops
+    RotaryReach reach = {};              ///< the machine
+    SetupMode mode = SetupMode::Paper;   ///< used with five axes
+    WholeConeCriteria whole_cones = {};  ///< used by the mode `WholeCones` only
 
     /// Called by the search over cells as PoseFitOptions::progress, twice for each cell.
     std::function<void(std::size_t done)> cell_progress = {};
+};
 
-    /// Called by the search over whole cones as WholeConeSearchOptions::progress.
-    std::function<void(const WholeConeSearchProgress&)> cone_progress = {};
+/// What the search over whole cones proves about the objective of a setup.
+struct SetupCertificate {
+    double lower_bound;      ///< no pose has a smaller objective; rad^2 or rad
+    std::size_t unresolved;  ///< nodes too small to split that are not excluded
 };
 
 /// The best setup that was found, and what is proved about it.
@@ -50,14 +62,15 @@ struct PartSetup {
     std::optional<FittedPose> least;       ///< the best pose without limits of the axes
     std::size_t poses_tried = 0;    ///< poses or axes tried; `WholeCones`: nodes bounded
     std::size_t poses_skipped = 0;  ///< tool axes or rotary axes without a fit
-    std::size_t unresolved = 0;     ///< `WholeCones`: small nodes that are not excluded
 
-    /// Value of the minimised quantity for `shown()`, in rad^2, or in rad for objectives
-    /// in rad.
+    /// Value of the minimised quantity for `shown()`: the area in rad^2, or the objective
+    /// of the mode `WholeCones` in rad^2 or rad. Nothing without a pose.
     std::optional<double> objective;
 
-    /// Certified lower bound of `objective`, of `WholeCones` only.
-    std::optional<double> lower_bound;
+    /// Set by the mode `WholeCones` with five axes, unless a facet that no cell reaches
+    /// excludes every pose. It bounds the poses that compete with `shown()`: those within
+    /// the limits, or all poses if none within the limits was found.
+    std::optional<SetupCertificate> certificate;
 
     /// The pose to report: the best within the limits, or else the best without limits.
     const std::optional<FittedPose>& shown() const { return feasible ? feasible : least; }
@@ -121,5 +134,63 @@ struct SetupRank {
 /// \param configuration the machine. \param floor_deg floor of the area, degrees.
 SetupRank setup_rank(const PartSetup& setup, const MachineConfiguration& configuration,
                      double floor_deg);
+
+/// A part to set up: its facets and the directions from which each is accessible.
+struct SetupPart {
+    const TriangleMesh& mesh;          ///< coordinates in mm
+    const SphereGrid& grid;            ///< cells of the sphere of directions
+    const PartVisibility& visibility;  ///< cones of the facets of `mesh` over these cells
+};
+
+/// How the part is clamped, and the tool that machines it.
+struct Clamping {
+    Vec3 origin{0, 0, 0};    ///< mm, where the part's origin is, along the machine's axes
+    double tool_length = 0;  ///< mm, from the spindle nose to the tip
+};
+
+/// The best setup of a part on one machine, and whether the linear axes reach it.
+struct MachineSetup {
+    Machine machine;  ///< the machine of the setup
+    PartSetup best;   ///< as `find_setup` found it
+
+    /// Rotation of the part for the pose that `best` shows. Nothing without a pose.
+    std::optional<Eigen::Matrix3d> part_to_machine = {};
+
+    /// Travel of the linear axes, whether they have limits or not. Nothing if it was not
+    /// computed, and nothing if a facet is out of reach (`within_travel` is then No).
+    std::optional<SetupTravel> travel = {};
+
+    /// Whether the linear axes reach all facets. No, too, if at this pose a facet has no
+    /// cell within the rotary limits. Undecided if there is nothing to examine: no pose
+    /// within the rotary limits, or no clamping.
+    Answer within_travel = Answer::Undecided;
+
+    /// Whether any linear axis has a limit. Otherwise `within_travel` decides nothing.
+    bool has_linear_limits() const { return machine.linear != LinearLimits{}; }
+
+    /// Whether the part is machinable in one setup on this machine: within the limits of
+    /// the rotary axes, and not proved to be beyond those of the linear axes.
+    bool is_machinable() const;
+};
+
+/// Finds the best setup of a part on a machine and the travel of its linear axes.
+/// \param part facets and their cones.
+/// \param machine any. A machine that is not valid has no setup.
+/// \param request mode and objective. Of its reach only the arc tolerance counts; the
+///        axes and their limits are those of `machine`.
+/// \param clamping nothing if the linear axes are unknown, as those of a family of
+///        machines. The travel is then not computed.
+/// \throws DomainError as `find_setup`.
+MachineSetup machine_setup(const SetupPart& part, const Machine& machine,
+                           SetupRequest request, const std::optional<Clamping>& clamping);
+
+/// The floored area of the pose that a setup shows, in square degrees.
+/// \param setup on any machine. \param floor_deg degrees.
+/// \return nothing if the setup shows no pose.
+std::optional<double> floored_area_deg2(const MachineSetup& setup, double floor_deg);
+
+/// Ranks a setup as `setup_rank` does for the rotary axes alone.
+/// \param setup on any machine. \param floor_deg floor of the area, degrees.
+SetupRank setup_rank(const MachineSetup& setup, double floor_deg);
 
 }  // namespace endmill

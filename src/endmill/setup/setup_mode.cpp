@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <numbers>
 
 #include "endmill/core/error.h"
@@ -11,14 +10,15 @@
 namespace endmill {
 namespace {
 
-// In the order of the enumerators, so that a mode is an index.
-constexpr std::array all_rules{
-    //                       name            wide   vertices  both   low    signed
-    SetupRules{SetupMode::PaperLiteral, "paper-literal", false, true, false, false,
-               false},
-    SetupRules{SetupMode::Paper, "paper", false, false, false, false, false},
-    SetupRules{SetupMode::Corrected, "corrected", true, false, true, true, true},
-    SetupRules{SetupMode::WholeCones, "set", true, false, true, true, true}};
+struct NamedMode {
+    std::string_view name;
+    SetupMode mode;
+};
+
+constexpr std::array named_modes{NamedMode{"paper-literal", SetupMode::PaperLiteral},
+                                 NamedMode{"paper", SetupMode::Paper},
+                                 NamedMode{"corrected", SetupMode::Corrected},
+                                 NamedMode{"set", SetupMode::WholeCones}};
 
 bool is_valid_range(const RotaryRange& range)
 {
@@ -31,17 +31,10 @@ bool is_valid_range(const RotaryRange& range)
 
 }  // namespace
 
-const SetupRules& setup_rules(SetupMode mode)
-{
-    return all_rules[static_cast<std::size_t>(mode)];
-}
-
 std::optional<SetupMode> setup_mode(std::string_view name)
 {
-    const auto* const found =
-        std::find_if(all_rules.begin(), all_rules.end(),
-                     [name](const SetupRules& rules) { return rules.name == name; });
-    if (found == all_rules.end())
+    const auto* const found = std::ranges::find(named_modes, name, &NamedMode::name);
+    if (found == named_modes.end())
         return std::nullopt;
     return found->mode;
 }

@@ -25,7 +25,7 @@ RotaryFrame pose_frame(const MachineConfiguration& configuration, const SetupPos
             pose.r2_axis};
 }
 
-RotaryLimits cell_limits(const RotaryReach& reach)
+RotaryLimits reach_limits(const RotaryReach& reach)
 {
     RotaryLimits limits = reach.limits;
     if (!reach.configuration.family) {

@@ -103,7 +103,7 @@ RotaryFrame pose_frame(const MachineConfiguration& configuration, const SetupPos
 
 /// The limits within which a cell counts as reached, for the frame of `pose_frame`. With
 /// four axes theta is +- the arc tolerance, with three axes it is 0.
-RotaryLimits cell_limits(const RotaryReach& reach);
+RotaryLimits reach_limits(const RotaryReach& reach);
 
 /// The quantity that a setup minimises.
 enum class SetupObjective : std::uint8_t {
@@ -158,22 +158,6 @@ enum class SetupMode {
     Corrected,     ///< nearest cells, exact for these cells and a given tool axis
     WholeCones     ///< all cells of each cone and all poses, with a certified lower bound
 };
-
-/// The rules of a mode: which poses it tries at a given tool axis, and how it compares
-/// limits. A table has one row of these rules for each mode.
-struct SetupRules {
-    SetupMode mode;                 ///< the mode that these rules describe
-    std::string_view name;          ///< the word of the command line: "paper", "set", ...
-    bool has_wide_sectors;          ///< C,A: the range of C may be 180 degrees or more
-    bool takes_hull_vertices_only;  ///< A,B: beta is taken over the hull's vertices only
-    bool has_both_hulls;            ///< A,B: edges of the orthographic hull are tried too
-    /// A,B: directions may lie 90 degrees or more from the tool axis.
-    bool takes_low_directions;
-    bool has_signed_limits;  ///< A,B: limits are compared with their signs
-};
-
-/// The rules of a mode. `WholeCones` has the rules of `Corrected`.
-const SetupRules& setup_rules(SetupMode mode);
 
 /// Finds a mode by its name: "paper-literal", "paper", "corrected" or "set".
 /// \return nothing if no mode has this name.

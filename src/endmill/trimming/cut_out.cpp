@@ -266,6 +266,19 @@ std::string_view name(CutCause cause)
     return "closed";
 }
 
+CreaseTest crease_test(const OffsetMesh& offset, const PlaneSection& section)
+{
+    return [&offset, &section](const SegmentNumber& at) {
+        const CrossedEdge& edge = section.edges[static_cast<std::size_t>(at.curve)]
+                                               [static_cast<std::size_t>(at.point)];
+        const auto is_concave = [&](std::int32_t vertex) {
+            return offset.contacts[static_cast<std::size_t>(vertex)].kind ==
+                   ContactKind::ConcaveCrease;
+        };
+        return is_concave(edge.below) || is_concave(edge.above);
+    };
+}
+
 std::vector<CutOut> cut_out(std::span<const SectionCurve> curves, const Trimmed& trimmed,
                             const CreaseTest& is_on_crease)
 {

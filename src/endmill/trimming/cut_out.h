@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "endmill/offset/offset_mesh.h"
+#include "endmill/offset/slicer.h"
 #include "endmill/trimming/trimming.h"
 
 namespace endmill {
@@ -51,6 +53,12 @@ struct CutOut {
 
 /// Reports whether a vertex of a section belongs to a contact on a concave crease.
 using CreaseTest = std::function<bool(SegmentNumber)>;
+
+/// The crease test of a section of an offset mesh: a vertex belongs to a concave crease
+/// if an end of the mesh edge that it lies on does.
+/// \param offset  the offset. \param section a section of it; its edges are numbers of
+///                vertices of `offset`. Both must outlive the test.
+CreaseTest crease_test(const OffsetMesh& offset, const PlaneSection& section);
 
 /// Lists the stretches of `curves` that `trimmed` does not contain, ordered by curve and
 /// first point. The list depends on the curves and the result alone, so that the lists of

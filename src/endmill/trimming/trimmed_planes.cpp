@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -137,6 +138,50 @@ std::vector<Trimmed> trim_planes(std::span<const PlaneSection> planes,
     return trimmed;
 }
 
+std::vector<Trimmed> untrimmed_planes(std::span<const PlaneSection> planes)
+{
+    std::vector<Trimmed> kept(planes.size());
+    for (std::size_t k = 0; k < planes.size(); ++k)
+        for (std::size_t c = 0; c < planes[k].curves.size(); ++c) {
+            TrimmedCurve& curve = kept[k].curves.emplace_back();
+            curve.is_closed = planes[k].curves[c].is_closed;
+            const std::vector<SectionPoint>& points = planes[k].curves[c].points;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const SegmentNumber on{static_cast<std::int32_t>(c),
+                                       static_cast<std::int32_t>(i)};
+                curve.points.push_back({points[i], on, on, TrimmedKind::Vertex});
+            }
+        }
+    return kept;
+}
+
+double section_height(std::span<const PlaneSection> planes)
+{
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const PlaneSection& plane : planes)
+        for (const SectionCurve& curve : plane.curves)
+            for (const SectionPoint& point : curve.points) {
+                low = std::min(low, point.y());
+                high = std::max(high, point.y());
+            }
+    return high > low ? high - low : 0;
+}
+
+std::vector<Vec3> section_points(const DrivePlanes& planes,
+                                 std::span<const Trimmed> trimmed)
+{
+    require(trimmed.size() == planes.positions.size(),
+            "section_points: need a section for each plane");
+    std::vector<Vec3> places;
+    for (std::size_t k = 0; k < trimmed.size(); ++k)
+        for (const TrimmedCurve& curve : trimmed[k].curves)
+            for (const TrimmedPoint& point : curve.points)
+                places.push_back(
+                    planes.frame.point(point.at.x(), planes.positions[k], point.at.y()));
+    return places;
+}
+
 RefinedPlanes refine_planes(const SectionSource& source, std::span<const Trimmed> trimmed)
 {
     std::vector<RefinedCurves> all(trimmed.size());
@@ -145,10 +190,11 @@ RefinedPlanes refine_planes(const SectionSource& source, std::span<const Trimmed
                        all[k] = refined(sampled, trimmed[k].curves, finer);
                    });
     RefinedPlanes result;
-    for (RefinedCurves& plane : all) {
-        result.curves.push_back(std::move(plane.curves));
-        result.unrefined += plane.unrefined;
-        result.greatest_shift = std::max(result.greatest_shift, plane.greatest_shift);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        result.planes.push_back({std::move(all[k].curves), trimmed[k].rules,
+                                 trimmed[k].rule, trimmed[k].unresolved});
+        result.unrefined += all[k].unrefined;
+        result.greatest_shift = std::max(result.greatest_shift, all[k].greatest_shift);
     }
     return result;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "endmill/core/vec.h"
 #include "endmill/offset/offset_mesh.h"
 #include "endmill/offset/slicer.h"
 #include "endmill/surface/surface.h"
@@ -29,6 +30,21 @@ std::vector<Trimmed> trim_planes(std::span<const PlaneSection> planes,
                                  const TrimmingMethod& method,
                                  const TrimmingOptions& options);
 
+/// Sections without loops, such as those of a drop cutter, in the form of trimmed
+/// sections. Every vertex is kept.
+/// \return one result for each plane.
+std::vector<Trimmed> untrimmed_planes(std::span<const PlaneSection> planes);
+
+/// The extent in z of all curves together, in mm; 0 without a curve.
+double section_height(std::span<const PlaneSection> planes);
+
+/// The points of trimmed sections in space, in the order of planes, curves and points.
+/// \param planes  the planes that cut the sections.
+/// \param trimmed one result for each plane.
+/// \throws DomainError unless there are as many results as planes.
+std::vector<Vec3> section_points(const DrivePlanes& planes,
+                                 std::span<const Trimmed> trimmed);
+
 /// The origin of trimmed sections.
 struct SectionSource {
     std::span<const Surface> surfaces;       ///< the surfaces of the part
@@ -39,8 +55,8 @@ struct SectionSource {
 
 /// Trimmed curves whose points were moved to where the cutter rests on the smooth part.
 struct RefinedPlanes {
-    std::vector<std::vector<TrimmedCurve>> curves;  ///< one list for each plane
-    std::size_t unrefined = 0;  ///< number of points that keep their sampled position
+    std::vector<Trimmed> planes;  ///< one for each plane; its rules are unchanged
+    std::size_t unrefined = 0;    ///< number of points that keep their sampled position
     /// Largest change of z in mm of a moved point. It is the sampling error at this
     /// point.
     double greatest_shift = 0;
@@ -64,7 +80,7 @@ struct RefinedPlanes {
 /// Source: docs/mathematics/interference.md, section 6.
 /// \param source the part, its offset and the sections.
 /// \param trimmed one result for each plane.
-/// \return the moved curves, one list for each plane.
+/// \return the planes with moved curves.
 /// \throws DomainError unless there are as many results and planes as sections.
 RefinedPlanes refine_planes(const SectionSource& source,
                             std::span<const Trimmed> trimmed);

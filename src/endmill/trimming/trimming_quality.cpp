@@ -6,6 +6,9 @@
 #include <limits>
 #include <utility>
 
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+
 namespace endmill {
 namespace {
 
@@ -17,6 +20,8 @@ namespace {
 // 3. The depth below that height is projected onto the normal of the result's segment.
 // 4. The uncovered share compares two unions of intervals of s: those between the ends of
 //    the open curves, and those under the segments of the result.
+// A smaller step back is rounding, for coordinates of some 100 mm.
+constexpr double step_back_mm = 1e-10;
 constexpr double nowhere = -std::numeric_limits<double>::infinity();
 
 // The side from which a limit is taken.
@@ -178,6 +183,26 @@ bool is_right(const TrimmingQuality& quality, const TrimmingTolerance& tolerance
     return quality.step_back_mm <= tolerance.step_back_mm &&
            quality.gouge_mm <= tolerance.gouge_mm &&
            quality.uncovered <= tolerance.uncovered;
+}
+
+EnvelopeComparison compare_with_envelope(std::span<const PlaneSection> planes,
+                                         std::span<const Trimmed> trimmed,
+                                         double tolerance)
+{
+    require(planes.size() == trimmed.size(),
+            "compare_with_envelope: need a result for each plane");
+    std::vector<TrimmingQuality> qualities(planes.size());
+    parallel_for(planes.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            qualities[k] = trimming_quality(planes[k].curves, trimmed[k]);
+    });
+    EnvelopeComparison result;
+    for (const TrimmingQuality& quality : qualities) {
+        if (quality.step_back_mm > step_back_mm || quality.gouge_mm > tolerance)
+            ++result.wrong;
+        result.max_gouge_mm = std::max(result.max_gouge_mm, quality.gouge_mm);
+    }
+    return result;
 }
 
 }  // namespace endmill

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <span>
+
+#include "endmill/offset/slicer.h"
 #include "endmill/trimming/trimming.h"
 
 namespace endmill {
@@ -40,5 +44,23 @@ TrimmingQuality trimming_quality(std::span<const SectionCurve> curves,
 
 /// Whether all errors of `quality` are within `tolerance`.
 bool is_right(const TrimmingQuality& quality, const TrimmingTolerance& tolerance);
+
+/// Comparison of the trimmed sections of several planes with their upper envelopes.
+struct EnvelopeComparison {
+    std::size_t wrong = 0;    ///< sections that step back or lie too far below
+    double max_gouge_mm = 0;  ///< largest TrimmingQuality::gouge_mm of all sections
+};
+
+/// Compares trimmed sections with the upper envelopes of their curves, on all threads. A
+/// section is wrong if it lies deeper than `tolerance` below its envelope, or steps back
+/// by more than the rounding of coordinates. The result does not depend on the number of
+/// threads.
+/// \param planes    the sections before trimming, one for each plane.
+/// \param trimmed   one result for each plane.
+/// \param tolerance in mm.
+/// \throws DomainError unless there are as many results as planes.
+EnvelopeComparison compare_with_envelope(std::span<const PlaneSection> planes,
+                                         std::span<const Trimmed> trimmed,
+                                         double tolerance);
 
 }  // namespace endmill

@@ -103,7 +103,7 @@ public:
           second_sign_{rotary_order(reach.configuration) == RotaryOrder::BFirst ? -1.0
                                                                                 : 1.0},
           phi_{reach.limits.phi},
-          theta_{cell_limits(reach).theta}
+          theta_{reach_limits(reach).theta}
     {
         for (std::size_t turn = 0; turn < turns; ++turn)
             axes_[turn] = {std::cos(azimuth_of(turn)), std::sin(azimuth_of(turn)), 0};

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/setup/detail/setup_rules.h"
 #include "endmill/setup/detail/spherical_hull.h"
 
 namespace endmill {

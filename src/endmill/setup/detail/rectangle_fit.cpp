@@ -12,6 +12,7 @@
 #include "endmill/setup/detail/pole_points.h"
 #include "endmill/setup/detail/rectangle_branch.h"
 #include "endmill/setup/detail/rectangle_edges.h"
+#include "endmill/setup/detail/setup_rules.h"
 
 namespace endmill {
 namespace {

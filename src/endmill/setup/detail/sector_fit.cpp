@@ -11,6 +11,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/setup/detail/pole_points.h"
+#include "endmill/setup/detail/setup_rules.h"
 
 namespace endmill {
 namespace {
