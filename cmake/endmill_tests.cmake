@@ -5,27 +5,6 @@
 
 set(ENDMILL_TEST_BATCH 8 CACHE STRING "Test files that are compiled together; 1: each alone")
 
-# endmill_batch_tests(file...): puts source files into batches in which no two files use one
-# name for two things; scripts/batch_tests.py describes the rule.
-function(endmill_batch_tests)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN}
-               ${PROJECT_SOURCE_DIR}/scripts/batch_tests.py)
-  execute_process(
-    COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/scripts/batch_tests.py ${ENDMILL_TEST_BATCH} ${ARGN}
-    OUTPUT_VARIABLE batches OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
-  string(REPLACE ";" "," batches "${batches}")
-  string(REPLACE "\n" ";" batches "${batches}")
-  set(number 0)
-  foreach(batch IN LISTS batches)
-    math(EXPR number "${number} + 1")
-    string(REPLACE "," ";" batch "${batch}")
-    list(LENGTH batch length)
-    if(length GREATER 1)
-      set_source_files_properties(${batch} PROPERTIES UNITY_GROUP batch_${number})
-    endif()
-  endforeach()
-endfunction()
-
 # endmill_test_options(TARGET): how every test program is compiled.
 function(endmill_test_options target)
   target_link_libraries(${target} PRIVATE endmill_test_support endmill_warnings GTest::gtest_main
@@ -50,8 +29,7 @@ function(endmill_module_tests name)
   set(target endmill_${name}_test)
   add_executable(${target} EXCLUDE_FROM_ALL ${arg_TESTS})
   add_dependencies(endmill_tests ${target})
-  endmill_batch_tests(${arg_TESTS})
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  endmill_batch(${target} ${ENDMILL_TEST_BATCH} ${arg_TESTS})
   target_link_libraries(${target} PRIVATE endmill::${name} ${arg_LIBRARIES})
   endmill_test_options(${target})
   if(arg_LIBRARIES MATCHES "CGAL")

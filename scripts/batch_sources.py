@@ -28,11 +28,14 @@ TEXT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
 
 
 def helpers(text):
-    """The names that `text` declares at namespace scope."""
+    """The names that `text` declares in unnamed namespaces, and its aliases outside them."""
     names = set()
+    is_unnamed = False
     for line in text.splitlines():
-        found = ALIAS_OR_TYPE.match(line)
-        if not found and not NO_HELPER.match(line):
+        if line == "namespace {" or line == "}  // namespace":
+            is_unnamed = line == "namespace {"
+        found = ALIAS_OR_TYPE.match(line) if is_unnamed or line.startswith("using") else None
+        if is_unnamed and not found and not NO_HELPER.match(line):
             found = FUNCTION_OR_VARIABLE.match(line)
         if found:
             names.add(found[found.lastindex])

@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""batch_tests.py puts test files into one batch only if their names cannot collide."""
+"""batch_sources.py puts source files into one batch only if their names cannot collide."""
 import unittest
 
 import fake_tree  # noqa: F401  puts scripts/ on the path
-from batch_tests import batches, helpers, words
+from batch_sources import batches, helpers, words
 
 HELPER = "namespace {\n\ndouble half(double x)\n{\n    return x / 2;\n}\n\n}  // namespace\n"
 
 
 class Helpers(unittest.TestCase):
     def test_helpers_are_functions_variables_types_and_aliases(self):
-        text = """using Points = std::vector<Vec3>;
+        text = """namespace {
+using Points = std::vector<Vec3>;
 constexpr double radius = 5;
 const Limits limits{0.1, 0.2};
 struct Case {
@@ -23,12 +24,16 @@ std::vector<std::pair<int, int>> pairs_of(const Mesh& mesh,
     int local = 0;
 }
 class Fixture : public testing::Test {
+}  // namespace
+double published(double x)
+using Outside = int;
 """
         self.assertEqual(helpers(text),
-                         {"Points", "radius", "limits", "Case", "Kind", "pairs_of", "Fixture"})
+                         {"Points", "radius", "limits", "Case", "Kind", "pairs_of", "Fixture",
+                          "Outside"})
 
     def test_helpers_exclude_tests_and_using_declarations(self):
-        text = "using testing::HasSubstr;\nusing namespace std;\nTEST(Suite, Name)\nnamespace endmill {\n"
+        text = "namespace {\nusing testing::HasSubstr;\nusing namespace std;\nTEST(Suite, Name)\nnamespace endmill {\n"
         self.assertEqual(helpers(text), set())
 
 
