@@ -6,7 +6,7 @@ Tests keep their helpers in unnamed namespaces, so two files may use the same na
 things. Such files must not share a batch. A file joins the first batch with room in which no file
 mentions a helper of this file, and whose helpers this file does not mention.
 
-Example: scripts/batch_tests.py 8 tests/core/*_test.cpp
+Example: scripts/batch_sources.py 8 tests/core/*_test.cpp
 
 Prints one batch per line, as file names separated by semicolons. CMake calls this script
 (cmake/endmill_module.cmake).

@@ -11,8 +11,8 @@ scripts/test.sh [--all] [--no-install]
 Installs missing packages (Debian, root) and runs the tests:
   1. builds the preset release (g++) and runs all tests;
   2. builds the program and the fuzzers by the preset asan (clang, address and
-     undefined-behaviour sanitizers), runs the tests of the program, and fuzzes each
-     reader for 5 s (scripts/fuzz.sh);
+     undefined-behaviour sanitizers), runs the tests of the program except long ones, and
+     fuzzes each reader for 5 s (scripts/fuzz.sh);
   3. runs clang-tidy on the files that changed since the merge base with origin/main, or
      on main itself since the commit before.
 It takes at most 20 minutes on two cores, beginning with an empty clone.
@@ -104,6 +104,7 @@ clang=()
 command -v clang++-14 >/dev/null || clang=(-D CMAKE_CXX_COMPILER=clang++)
 cmake --preset asan "${clang[@]}"
 build asan "${asan_targets[@]}"
+$all || export ENDMILL_SHORT=1 # tests/cli/program.py: leaves out long work
 run_tests asan "${asan_tests[@]}"
 run_fuzzers
 if $all; then

@@ -10,7 +10,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from program import ENDMILL, SURFACES, ProgramTest, endmill, plane
+from program import ENDMILL, SURFACES, ProgramTest, endmill, long_work, plane
 
 # On a plane a ball of radius 5 leaves a scallop of 1 mm between passes 6 mm apart.
 PAPER = ["--mode", "paper"]
@@ -244,6 +244,7 @@ class IdleOptions(ProgramTest):
 
 
 class PlanOnTheExample(ProgramTest):
+    @long_work
     def test_defaults_are_sensible_and_reported(self):
         done = endmill("plan", NET, cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -269,6 +270,7 @@ class PlanOnTheExample(ProgramTest):
         self.assert_refused(endmill("plan", path, *BALL, cwd=self.folder), 2, "not empty", "--force")
         self.summary("plan", path, *BALL, "--force")
 
+    @long_work
     def test_files_do_not_depend_on_the_number_of_threads(self):
         for mode, options, status in (("paper", PAPER, 1), ("verified", COARSE, 0)):
             for threads in (1, 4):
@@ -277,6 +279,7 @@ class PlanOnTheExample(ProgramTest):
                 twin = self.folder / f"{mode}4" / path.relative_to(self.folder / f"{mode}1")
                 self.assertEqual(path.read_bytes(), twin.read_bytes(), path)
 
+    @long_work
     def test_files_do_not_depend_on_the_memory_limit(self):
         self.summary("plan", NET, *COARSE, "-o", "together")
         self.summary("plan", NET, *COARSE, "-o", "one-by-one", "--max-memory", "0.005")
@@ -330,6 +333,7 @@ class PlanMemory(ProgramTest):
         return summary, 1024 * usage.ru_maxrss
 
     @unittest.skipIf(b"__asan_init" in Path(ENDMILL).read_bytes(), "sanitizers take memory of their own")
+    @long_work
     def test_memory_per_point_stays_within_the_stated_amount(self):
         few, peak_of_few = self.plan("--chord-tolerance", "1", "-o", "few")
         many, peak = self.plan("--chord-tolerance", "0.005", "-o", "many")

@@ -5,7 +5,7 @@ import pty
 import subprocess
 import unittest
 
-from program import ENDMILL, ROOT, SURFACES, ProgramTest
+from program import ENDMILL, ROOT, SURFACES, ProgramTest, long_work
 
 NET = SURFACES / "net_rot24_7D.json"
 # Commands that take more than a second, and words that their progress line must show.
@@ -36,6 +36,7 @@ class Progress(ProgramTest):
         os.close(parent)
         return status, shown.decode()
 
+    @long_work
     def test_long_work_shows_and_removes_its_line(self):
         for number, (arguments, words) in enumerate(LONG):
             with self.subTest(command=arguments[0]):

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from program import ENDMILL, ROOT, ProgramTest, endmill
+from program import ENDMILL, ROOT, ProgramTest, endmill, long_work
 
 TEAPOT = ROOT / "datasets/meshes/teapot-288.off"
 MACHINES = ROOT / "datasets/machines"
@@ -122,6 +122,7 @@ class Setup(ProgramTest):
         self.assertLessEqual(found["objective_deg2"], 1.05 * found["lower_bound_deg2"] * (1 + 1e-12))
         self.assertAlmostEqual(found["floored_area_deg2"], found["objective_deg2"], delta=1e-9)
 
+    @long_work
     def test_cube_is_set_up_on_machines_of_all_kinds(self):
         cube = self.file(CUBE, "cube.off")
         cone = ("--incidence-deg", 80)

@@ -6,7 +6,7 @@ import math
 import struct
 import unittest
 
-from program import ROOT, ProgramTest, endmill, plane
+from program import ROOT, ProgramTest, endmill, long_work, plane
 
 VALLEY = ROOT / "datasets/surfaces/valley.json"
 # docs/mathematics/interference.md, section 11, T1: one symmetric loop that crosses itself at (0, 0).
@@ -201,6 +201,7 @@ class Trim(ProgramTest):
         self.assertEqual(texts[0], texts[1])
         self.assertEqual(texts[0], texts[2])
 
+    @long_work
     def test_contacts_on_the_border_prevent_gouges(self):
         # docs/mathematics/interference.md, section 11, A10. The grid of 100 lines has four times the chord
         # error of the 200 lines there.
