@@ -135,8 +135,8 @@ TEST(GougeTest, ResultDoesNotDependOnKeptPieces)
     FinerPieces finer;
     for (int k = 0; k < 200; ++k) {
         const BallMove move{{10, 10 + 0.1 * k, radius}, {40, 30, radius + 0.02 * k}};
-        EXPECT_EQ(gouge.test(move, 0.01 + 0.01 * k, finer).verdict,
-                  verdict(gouge, move, 0.01 + 0.01 * k));
+        EXPECT_EQ(gouge.test(move, 0.01 + 0.01 * k, finer).gouges,
+                  gouges(gouge, move, 0.01 + 0.01 * k));
     }
 }
 
