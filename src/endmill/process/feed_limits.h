@@ -8,6 +8,9 @@
 /// them into loads at a feed per tooth, and `feed_bounds` turns limits of the loads into
 /// bounds of the feed per tooth. `segment_feed` runs the stages of the paper:
 /// I the feed per tooth, II and III the spindle speed, IV the table feed.
+///
+/// Implemented in `cutting_load.cpp` (loads and bounds) and `feed_limits.cpp` (the
+/// stages).
 
 #include <array>
 #include <functional>
