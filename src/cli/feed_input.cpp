@@ -51,11 +51,11 @@ void tell(Tool& tool, const ToolOptions& told)
     if (told.helix_deg)
         tool.helix = Angle::degrees(*told.helix_deg);
     if (told.max_force_n)
-        tool.limits.cutting_force = told.max_force_n;
+        tool.limits.cutting_force_n = told.max_force_n;
     if (told.max_thrust_n)
-        tool.limits.thrust = told.max_thrust_n;
+        tool.limits.thrust_n = told.max_thrust_n;
     if (told.max_torque_n_m)
-        tool.limits.torque = told.max_torque_n_m;
+        tool.limits.torque_n_m = told.max_torque_n_m;
 }
 
 void require_same_cutter(const std::optional<Tool>& tool,

@@ -44,7 +44,7 @@ TEST(Tool, RefusesInvalidTools)
         [&](Tool& tool) { tool.length = infinite; },
         [](Tool& tool) { tool.flutes = 0; },
         [](Tool& tool) { tool.helix = Angle::degrees(90); },
-        [](Tool& tool) { tool.limits.thrust = 0; },
+        [](Tool& tool) { tool.limits.thrust_n = 0; },
     };
     for (const auto& fault : faults) {
         Tool tool = sound_tool();

@@ -59,13 +59,6 @@ struct CuttingLoads {
     double torque_n_m = 0;       ///< N m, about the axis
 };
 
-/// Limits of the loads. A missing limit does not bind.
-struct LoadLimits {
-    std::optional<double> cutting_force_n = {};  ///< N, above 0
-    std::optional<double> thrust_n = {};         ///< N, above 0
-    std::optional<double> torque_n_m = {};       ///< N m, above 0
-};
-
 /// Feed per tooth in mm at which each limit is reached. std::nullopt where the limit does
 /// not bind; 0 where the edge force alone exceeds it.
 struct FeedBounds {
