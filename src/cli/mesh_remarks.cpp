@@ -20,8 +20,9 @@ std::vector<std::string> mesh_remarks(const CleanedMesh& cleaned)
     std::vector<std::string> remarks;
     const MeshReport report = mesh_report(cleaned.mesh);
     if (cleaned.duplicate_triangles > 0)
-        remarks.push_back("left out: " + counted(cleaned.duplicate_triangles, "triangle") +
-                          " that repeats another");
+        remarks.push_back(
+            "left out: " + counted(cleaned.duplicate_triangles, "triangle") +
+            " that repeats another");
     if (report.boundary_edges > 0)
         remarks.push_back(fmt::format(
             "edges of one triangle only: {}; the mesh is a sheet or has holes",
