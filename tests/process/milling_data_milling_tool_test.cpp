@@ -15,10 +15,11 @@ namespace {
 
 TEST(MillingTool, CopiesTheDataOfTheTool)
 {
-    const Tool tool{.cutter = Cutter::ball(4),
-                    .flutes = 3,
-                    .helix = Angle::degrees(30),
-                    .limits = {.cutting_force = 1200, .thrust = 450, .torque = 20}};
+    const Tool tool{
+        .cutter = Cutter::ball(4),
+        .flutes = 3,
+        .helix = Angle::degrees(30),
+        .limits = {.cutting_force_n = 1200, .thrust_n = 450, .torque_n_m = 20}};
     const MillingTool seen = milling_tool(tool);
     EXPECT_EQ(seen.radius, 4);
     EXPECT_EQ(seen.flutes, 3);
