@@ -42,7 +42,7 @@ PICTURES = {
     "trim.svg": Picture("README.md", "valley/section-20.svg"),
     "feed.svg": Picture("README.md", "wavy-feed/feed.svg"),
     "setup.svg": Picture("README.md", "teapot/setup.svg"),
-    "post.svg": Picture("docs/guide/post.md", "saddle/toolpath.svg"),
+    "post.svg": Picture("docs/guide/post.md", "post-path/toolpath.svg"),
 }
 
 # Pictures that need more than the program: the command that makes one, and its file.
