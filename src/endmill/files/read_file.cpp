@@ -128,8 +128,9 @@ std::string read_file(const std::filesystem::path& path, const ReadLimits& limit
     input.append_to(text, beginning_bytes);
     for (const std::string_view beginning : compressed_beginnings)
         if (text.starts_with(beginning))
-            throw FormatError{"E_COMPRESSED",
-                              {file, "", "compressed content", "the decompressed file"}};
+            throw FormatError{
+                "E_COMPRESSED",
+                {file, "", "compressed input is not accepted", "the decompressed file"}};
     // A file that exceeds the limit is refused before it is read. Readers check the
     // memory of the data that they build from the text separately.
     require_memory(file, static_cast<double>(size), limits);
